@@ -1,0 +1,84 @@
+// Reads blocks of words: what the text says, by the control's lexical rules, compiled into code.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "cncsub/code.hpp"
+#include "cncsub/scan.hpp"
+
+namespace cncsub {
+
+/// What a code calls.
+struct RegisteredCall {
+  CodeCallKind kind = CodeCallKind::Subprogram;
+  std::int32_t program = 0;
+  std::int32_t variable = 0;
+  bool refused = false;
+  bool ascii = false;
+};
+
+class BlockReader {
+ public:
+  explicit BlockReader(Code& code);
+  /// Compiles what stands between the scanner and its end into `block`, whose text and line are set.
+  void read(Scanner scanner, Block& block);
+
+ private:
+  struct Token {
+    char letter = 0;      // '/' for a block-skip slash
+    bool comma = false;   // ,C
+    std::uint8_t axis = 0;  // X1=
+    std::uint16_t skip = 0;
+    Operand operand;
+    std::string_view name;  // <NAME>, P[NAME]
+    bool odd = false;       // a sign, a point or digits that only an argument may have
+    Cause wrong{};
+  };
+  using Tokens = std::vector<Token>;
+
+  bool head(Scanner& s, Block& block);
+  bool skip_slash(Scanner& s, std::uint16_t& mask);
+  bool sequence_number(Scanner& s, Block& block);
+  bool scan_words(Scanner& s, Block& block);
+  bool scan_value(Scanner& s, Block& block, Token& token);
+  bool scan_name(Scanner& s, Block& block, Token& token, char close);
+  bool bracket_name(Scanner& s, Block& block, Token& token);
+  bool stray(Scanner& s, Block& block);
+  std::optional<Fault> check_number(Token& token, const Number& number) const;
+  Fault odd_word(const Token& token) const;
+
+  // What the words say. `calls`: codes may call.
+  void build(Block& block, const Tokens& tokens, bool calls);
+  void build_slash(Block& block, const Tokens& tokens, std::size_t slash, bool calls);
+  struct Meaning;
+  std::optional<Fault> sort(const Tokens& tokens, bool calls, Meaning& meaning) const;
+  std::optional<Fault> sort_g(const Token& token, bool calls, Meaning& meaning) const;
+  std::optional<Fault> sort_m(const Token& token, bool calls, Meaning& meaning) const;
+  std::optional<Fault> check_together(const Tokens& tokens, const Meaning& meaning) const;
+  void register_calls();
+  const RegisteredCall* registered(char address, double code) const;
+  void write_words(Block& block, const Tokens& tokens, const Meaning& meaning);
+  void build_call(Block& block, const Tokens& tokens, const Meaning& meaning);
+  void build_return(Block& block, const Tokens& tokens, const Meaning& meaning);
+  void build_jump(Block& block, const Tokens& tokens, const Meaning& meaning);
+  void build_h_code(Block& block, const Tokens& tokens, const Meaning& meaning);
+  std::optional<Fault> arguments(CallRecord& call, const Tokens& tokens, const Meaning& meaning);
+  void refuse(Block& block, Fault fault);
+
+  Code& code_;
+  const Control& control_;
+  Tokens tokens_;
+  std::array<std::uint8_t, 128> letters_{};
+  std::bitset<10001> g_codes_, not_with_call_, not_with_return_;
+  bool any_g_ = true;
+  std::unordered_map<std::int64_t, RegisteredCall> registered_;  // by address and code
+  std::vector<RegisteredCall> switches_;                         // addresses whose every code calls
+  std::array<int, 26> switched_{};                               // 1 + the place there, 0 = the address does not call
+  std::int32_t external_m_ = 198;
+};
+
+}  // namespace cncsub

@@ -1,0 +1,193 @@
+#include "cncsub/code.hpp"
+
+#include <algorithm>
+
+#include "cncsub/scan.hpp"
+
+namespace cncsub {
+
+std::string_view to_string(CallKind kind) {
+  switch (kind) {
+    case CallKind::M98:
+      return "M98";
+    case CallKind::M198:
+      return "M198";
+    case CallKind::G65:
+      return "G65";
+    case CallKind::G66:
+      return "G66";
+    case CallKind::G661:
+      return "G66.1";
+    case CallKind::GCode:
+      return "G-code";
+    case CallKind::MCode:
+      return "M-code";
+    case CallKind::TCode:
+      return "T-code";
+    case CallKind::SCode:
+      return "S-code";
+    case CallKind::BCode:
+      return "B-code";
+    case CallKind::Ascii:
+      return "ASCII";
+  }
+  return "";
+}
+
+std::string name_key(std::string_view name) {
+  std::string key(name);
+  for (char& c : key) c = upper(c);
+  return key;
+}
+
+std::int64_t number_in(std::string_view name) {
+  if (!name.empty() && (upper(name[0]) == 'O' || name[0] == '%' || name[0] == ':')) name.remove_prefix(1);
+  if (name.empty() || name.size() > 15) return -1;
+  std::int64_t number = 0;
+  for (const char c : name) {
+    if (!is_digit(c)) return -1;
+    number = number * 10 + (c - '0');
+  }
+  return number;
+}
+
+VariablePlace Code::place(std::int64_t number) const {
+  VariablePlace place;
+  std::int32_t base = 0;
+  for (const VariableRange& range : control->variables) {
+    const bool common = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
+    if (number >= range.first && number <= range.last) {
+      place.kind = range.kind;
+      place.range = &range;
+      const auto offset = static_cast<std::int32_t>(number) - range.first;
+      place.index = range.kind == VariableKind::Local ? static_cast<std::int32_t>(number) : common ? base + offset : offset;
+      return place;
+    }
+    if (common) base += range.last - range.first + 1;
+  }
+  return place;
+}
+
+std::int32_t Code::program_at(Address address) const {
+  const auto behind = std::upper_bound(programs.begin(), programs.end(), address,
+                                       [](Address a, const Program& program) { return a < program.first; });
+  return static_cast<std::int32_t>(behind - programs.begin()) - 1;
+}
+
+std::string_view Code::text_of(const Block& block, const Program& program) const {
+  const std::string& text = files[program.file].text;
+  std::size_t end = std::min<std::size_t>(text.size(), std::size_t{block.text} + block.length);
+  if (block.length == 65535) end = std::min(text.find('\n', block.text), text.size());
+  std::string_view view(text.data() + block.text, end - block.text);
+  while (!view.empty() && is_blank(view.back())) view.remove_suffix(1);
+  return view;
+}
+
+std::int32_t Code::find(std::int64_t number, bool external) const {
+  const auto& numbers = external ? external_by_number : by_number;
+  const auto found = numbers.find(number);
+  return found == numbers.end() ? kNoProgram : found->second;
+}
+
+std::int32_t Code::find(const std::string& name, bool external) const {
+  const auto& names = external ? external_by_name : by_name;
+  if (const auto found = names.find(name_key(name)); found != names.end()) return found->second;
+  const std::int64_t number = number_in(name);
+  return number >= 0 ? find(number, external) : kNoProgram;
+}
+
+namespace {
+
+struct Entries {
+  const SequenceEntry* first;
+  const SequenceEntry* last;
+};
+
+/// The blocks of one number, in the order of the program.
+Entries entries(const Code& code, const Program& program, std::int64_t n) {
+  const SequenceEntry* first = code.sequence.data() + program.first_entry;
+  const SequenceEntry* last = code.sequence.data() + program.last_entry;
+  const auto low = std::lower_bound(first, last, n, [](const SequenceEntry& e, std::int64_t value) { return e.n < value; });
+  const auto high = std::upper_bound(low, last, n, [](std::int64_t value, const SequenceEntry& e) { return value < e.n; });
+  return {low, high};
+}
+
+}  // namespace
+
+Address Code::first_of(const Program& program, std::int64_t n) const {
+  const Entries found = entries(*this, program, n);
+  return found.first == found.last ? kNowhere : found.first->address;
+}
+
+Address Code::next_of(const Program& program, std::int64_t n, Address behind) const {
+  const Entries found = entries(*this, program, n);
+  const auto next = std::upper_bound(found.first, found.last, behind,
+                                     [](Address a, const SequenceEntry& e) { return a < e.address; });
+  return next == found.last ? kNowhere : next->address;
+}
+
+Address Code::last_of(const Program& program, std::int64_t n, Address before) const {
+  const Entries found = entries(*this, program, n);
+  const auto behind = std::lower_bound(found.first, found.last, before,
+                                       [](const SequenceEntry& e, Address a) { return e.address < a; });
+  return behind == found.first ? kNowhere : behind[-1].address;
+}
+
+Address Code::jump_target(const Program& program, std::int64_t n, Address from) const {
+  if (control->jump_search.value == JumpSearch::ForwardThenHead) {
+    const Address next = next_of(program, n, from);
+    if (next != kNowhere) return next;
+  }
+  return first_of(program, n);
+}
+
+Address Code::return_target(const Program& program, std::int64_t n, Address call) const {
+  switch (control->return_search.value) {
+    case ReturnSearch::FromHead:
+      return first_of(program, n);
+    case ReturnSearch::NearestBehindCall: {
+      const Address behind = next_of(program, n, call);
+      return behind != kNowhere ? behind : last_of(program, n, call + 1);
+    }
+  }
+  return kNowhere;
+}
+
+Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
+  Alarm alarm;
+  alarm.cause = fault.cause;
+  alarm.detail = fault.detail;
+  if (const AlarmEntry* entry = code.control->alarm(fault.cause)) {
+    alarm.number = entry->number;
+    alarm.text = entry->text;
+  }
+  const std::int32_t index = code.program_at(address);
+  if (index < 0) return alarm;
+  const Program& program = code.programs[static_cast<std::size_t>(index)];
+  const SourceFile& file = code.files[program.file];
+  const Block& block = code.blocks[address];
+  alarm.program = program.name;
+  alarm.file = file.name;
+  alarm.n = block.n;
+  alarm.line = block.line;
+  const std::string& text = file.text;
+  const std::size_t at = std::min<std::size_t>(std::max(fault.at, block.text), text.size());
+  const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+  const std::size_t line_start = before == std::string::npos ? 0 : before + 1;
+  const std::size_t line_end = std::min(text.find('\n', at), text.size());
+  const auto characters = [&](std::size_t from, std::size_t to) {
+    std::uint32_t count = 0;
+    for (std::size_t i = from; i < to; ++i)
+      if ((static_cast<unsigned char>(text[i]) & 0xC0u) != 0x80u) ++count;
+    return count;
+  };
+  const std::size_t word_end = std::min(line_end, at + fault.width);
+  alarm.source_line = text.substr(line_start, std::min<std::size_t>(line_end - line_start, 4096));
+  alarm.column = characters(line_start, at) + 1;
+  alarm.width = std::max(1u, characters(at, word_end));
+  alarm.word = text.substr(at, std::min<std::size_t>(word_end - at, 4096));
+  while (!alarm.word.empty() && is_blank(alarm.word.back())) alarm.word.pop_back();
+  return alarm;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,331 @@
+// The programs of a library, compiled: every block once, against the control's rules, into flat arrays.
+//
+// A block's address is one number, its place in `Code::blocks`, and so is a jump target, a return address and the origin
+// of a step. A block that the control would refuse is kept as the fault it will raise when it is reached.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "cncsub/control.hpp"
+
+namespace cncsub {
+
+using Address = std::uint32_t;
+constexpr Address kNowhere = 0xffffffff;
+constexpr std::int32_t kNoProgram = -1;
+
+/// The value of #0 and of a variable never set. Arithmetic never produces a NaN, so every NaN is vacant.
+constexpr double kVacant = std::numeric_limits<double>::quiet_NaN();
+inline bool is_vacant(double value) { return std::isnan(value); }
+
+/// What is wrong with a block, and where in its file.
+struct Fault {
+  Cause cause{};
+  std::uint32_t at = 0;     // byte offset in the file's text
+  std::uint32_t width = 1;  // bytes
+  std::string detail;
+};
+
+// ---- expressions ----
+
+enum class Ins : std::uint8_t {
+  Constant, Local, LocalRaw, Common, CommonRaw, Variable, VariableRaw, Indirect, IndirectRaw,
+  Add, Subtract, Multiply, Divide, Modulo, And, Or, Xor, Negate,
+  Equal, NotEqual, Greater, Less, GreaterEqual, LessEqual, BothTrue, EitherTrue, OneTrue, Not,
+  Sin, Cos, Tan, Asin, Acos, Atan, Atan2, Sqrt, Abs, Round, RoundWord, Fix, Fup, Ln, Exp, Pow, Bin, Bcd, Adp, Parameter,
+  Sign, Random, Seed, Programmed, Named, End
+};
+
+struct Instruction {
+  Ins op = Ins::End;
+  std::uint8_t address = 0;   // RoundWord: the word's address
+  std::uint32_t at = 0;       // where in the text, for a fault; of a variable: its index
+  double value = 0;           // a constant; of a variable: its number
+};
+
+struct Expression {
+  std::uint32_t first = 0;  // into Code::instructions
+  std::uint32_t at = 0;
+  std::uint32_t width = 1;
+};
+
+/// A value in a block: absent, written as a number, or an expression.
+struct Operand {
+  enum class Kind : std::uint8_t { Absent, Constant, Expression } kind = Kind::Absent;
+  bool bracketed = false;    // P[#100]
+  bool whole = false;        // a number without a decimal point
+  std::uint8_t digits = 0;   // without leading zeros
+  std::uint8_t written = 0;  // with them
+  std::uint32_t expression = 0;
+  double value = 0;
+  std::uint32_t at = 0;
+  std::uint32_t width = 1;
+
+  bool present() const { return kind != Kind::Absent; }
+};
+
+// ---- blocks ----
+
+enum class Op : std::uint8_t {
+  Words,         // NC words only
+  Linear,        // a G00 or G01 move with nothing but X, Y, Z and F, the case that must be fast
+  Call,          // words, then a subprogram call (aux: call)
+  MacroCall,     // G65 and macro calls by code (aux: call)
+  ModalCall,     // G66, G66.1 and modal calls by code (aux: call)
+  CancelModal,   // G67, with words
+  Return,        // words, then M99 (aux: call; P and L are its operands)
+  Jump,          // words, then M97 (aux: statement)
+  EndProgram,    // words, then M02 or M30
+  Assign,        // aux: statement
+  Goto,          // aux: statement
+  IfGoto,        // aux: statement
+  IfThen,        // aux: statement
+  If, Else, EndIf,      // aux: statement; If: to = behind ELSE or ENDIF
+  While, Do, EndDo,     // aux: statement; While: to = behind END; EndDo: to = the WHILE or DO
+  HCode,         // G65 H (aux: statement)
+  Print,         // DPRNT, BPRNT (aux: print)
+  OpenOutput, CloseOutput,
+  NameVariables,  // SETVN (aux: statement)
+  Choose,        // aux: variant: which of two blocks this one is, by the skip switches or by who called
+  Fault,         // aux: fault
+  EndOfRecord,   // behind the last block of every program
+};
+
+/// A word's cell: its value, or the number of its expression.
+union Cell {
+  double value;
+  struct {
+    std::uint32_t expressions;  // of a block's extra cell: the addresses whose cell is an expression
+    std::uint32_t whole;        // and those whose number has no point
+  } extra;
+  std::uint64_t expression;
+};
+
+// Addresses in a block's mask: bit 0 is A, bit 25 Z; then the two-character addresses.
+constexpr int kCommaC = 26, kCommaR = 27, kCommaA = 28, kCommaD = 29;
+constexpr int kAddresses = 30;
+constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
+
+/// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G codes, the M codes (one
+/// cell each, or an expression), then the values of the mask's addresses in alphabetical order.
+struct Block {
+  std::uint32_t text = 0;  // where it starts in its file
+  std::uint32_t line = 0;  // 1-based
+  std::int32_t n = -1;
+  std::uint32_t data = 0;
+  std::uint32_t mask = 0;
+  std::uint32_t aux = 0;
+  Op op = Op::Words;
+  std::uint8_t g_count = 0;
+  std::uint8_t m_count = 0;
+  std::uint8_t flags = 0;
+  std::uint16_t skip = 0;   // bit k: not executed when switch k is on
+  std::uint16_t length = 0;  // bytes of text, at most 65535
+
+  static constexpr std::uint8_t kHasExtra = 1;
+  static constexpr std::uint8_t kCodeExpression = 2;  // a G or M is an expression: its cell holds -1 - expression
+  static constexpr std::uint8_t kSecondG = 4;         // Linear: G01 is written, not G00
+  static constexpr std::uint8_t kNoG = 8;             // Linear: no G is written
+};
+
+/// The words of a block, ready to be executed.
+struct NcWords {
+  std::uint32_t mask = 0;
+  std::uint32_t whole = 0;      // written as a number without a point
+  std::uint32_t computed = 0;   // came from a variable or an expression
+  std::array<double, kAddresses> value{};
+  std::array<int, 12> g{};      // ten times the code: G54.1 is 541
+  std::array<int, 6> m{};
+  int g_count = 0;
+  int m_count = 0;
+  std::uint32_t at = 0;         // where the block stands, for faults
+
+  bool has(char address) const { return (mask & bit(address)) != 0; }
+  double operator[](char address) const { return value[static_cast<std::size_t>(address - 'A')]; }
+};
+
+enum class CallKind : std::uint8_t { M98, M198, G65, G66, G661, GCode, MCode, TCode, SCode, BCode, Ascii };
+std::string_view to_string(CallKind kind);
+inline bool is_macro(CallKind kind, CodeCallKind code) {
+  switch (kind) {
+    case CallKind::M98:
+    case CallKind::M198:
+      return false;
+    case CallKind::G65:
+    case CallKind::G66:
+    case CallKind::G661:
+      return true;
+    default:
+      return code != CodeCallKind::Subprogram;
+  }
+}
+
+struct Argument {
+  std::int16_t variable = 0;  // the local it sets
+  char address = 0;
+  Operand operand;
+};
+
+/// What a call says once its operands are known.
+struct Target {
+  std::int64_t program_number = -1;
+  std::int32_t program = kNoProgram;
+  Address start = kNowhere;
+  std::int32_t start_n = -1;
+  std::int32_t repeats = 1;
+  bool skipped = false;  // L0
+  bool jump = false;     // a MELDAS M98 without P
+};
+
+struct CallRecord {
+  CallKind kind = CallKind::M98;
+  CodeCallKind code_kind = CodeCallKind::Subprogram;
+  std::int32_t code = 0;       // the calling code: 60 of M60
+  std::int32_t variable = 0;   // takes the code's value
+  Operand p, l, start;
+  std::string name;            // <NAME>, P[NAME]
+  std::uint32_t name_at = 0, name_width = 1;
+  std::int32_t program_number = -1;  // a call by code: the program it is registered for
+  std::uint32_t first_argument = 0, arguments = 0;
+  std::uint32_t at = 0, width = 1;   // the calling word
+  bool macro = false;
+  bool constant = false;       // `target` holds for every execution
+  Target target;
+};
+
+struct Statement {
+  std::uint32_t expression = 0;  // the condition, or the value to assign, or the jump's number
+  std::uint32_t variable = 0;    // Assign: an expression that gives the variable's number, when target is Indirect
+  enum class Target : std::uint8_t { None, Local, Common, Variable, Indirect } target = Target::None;
+  std::int32_t index = 0;        // Local, Common: the place; Variable: the number
+  Address to = kNowhere;         // where a jump goes, when known
+  Address end = kNowhere;        // Do, While: the address of the END
+  std::int32_t number = 0;       // DO m, GOTO n, G65 Hm
+  std::uint32_t at = 0, width = 1;
+  std::uint32_t variable_at = 0, variable_width = 1;
+  std::uint32_t text = 0, text_length = 0;  // the comment of #3000 and #3006
+  std::uint32_t then = 0;        // IfThen: the variant block to execute
+  Operand p, q, r;               // G65 H
+};
+
+struct PrintField {
+  bool is_variable = false;
+  std::string text;
+  std::uint32_t expression = 0;
+  int whole_digits = 0;
+  int decimals = 0;
+};
+
+struct Print {
+  bool binary = false;
+  std::vector<PrintField> fields;
+  std::uint32_t at = 0;
+};
+
+struct Variant {
+  std::uint16_t skip = 0;      // != 0: `second` when one of these switches is on
+  char address = 0;            // != 0: `second` when the frame was entered by a code that keeps this address from calling
+  std::uint32_t first = 0;     // into Code::variants
+  std::uint32_t second = 0;
+};
+
+// ---- programs ----
+
+struct SourceFile {
+  std::string name;  // as shown in messages
+  std::string stem;  // names the program where the text does not
+  std::string text;  // UTF-8
+  bool external = false;
+};
+
+struct SequenceEntry {
+  std::int32_t n;
+  Address address;
+};
+
+struct Program {
+  std::string name;          // as written
+  std::int64_t number = -1;  // of O0023, :23, %23
+  std::string comment;
+  std::uint32_t file = 0;
+  std::uint32_t line = 0;      // of its head
+  std::uint32_t text = 0;      // where its text starts in the file
+  std::uint32_t text_end = 0;
+  Address first = 0;
+  Address last = 0;            // one behind the last block: the EndOfRecord
+  std::uint32_t first_entry = 0, last_entry = 0;  // in Code::sequence, sorted by n, then by address
+  std::int32_t duplicate_of = kNoProgram;
+};
+
+/// Where a variable lives.
+struct VariablePlace {
+  VariableKind kind = VariableKind::Common;
+  std::int32_t index = -1;  // Local: the number itself; Common and Kept: the place among the commons; else number - first
+  const VariableRange* range = nullptr;  // null: there is no such variable
+};
+
+struct Code {
+  std::shared_ptr<const Control> control;
+  bool external_device = false;
+  std::vector<std::string> names;  // of variables used by name
+  std::int32_t locals = 34;        // the locals of one level, #0 included
+  std::int32_t locals_per_level = 33;  // as a level's image counts them
+  std::int32_t commons = 0;
+  std::vector<SourceFile> files;
+  std::vector<Program> programs;
+  std::vector<Block> blocks;
+  std::vector<Block> variants;
+  std::vector<Cell> cells;
+  std::vector<Instruction> instructions;
+  std::vector<Expression> expressions;
+  std::vector<CallRecord> calls;
+  std::vector<Argument> arguments;
+  std::vector<Statement> statements;
+  std::vector<Print> prints;
+  std::vector<Variant> choices;
+  std::vector<Fault> faults;
+  std::vector<SequenceEntry> sequence;
+  std::unordered_map<std::int64_t, std::int32_t> by_number, external_by_number;
+  std::unordered_map<std::string, std::int32_t> by_name, external_by_name;
+
+  VariablePlace place(std::int64_t number) const;
+
+  std::int32_t program_at(Address address) const;
+  std::string_view text_of(const Block& block, const Program& program) const;
+
+  /// The program of a number or name, kNoProgram where there is none.
+  std::int32_t find(std::int64_t number, bool external = false) const;
+  std::int32_t find(const std::string& name, bool external = false) const;
+
+  // The block N(n) of a program; kNowhere where there is none.
+  Address first_of(const Program& program, std::int64_t n) const;
+  Address next_of(const Program& program, std::int64_t n, Address behind) const;
+  Address last_of(const Program& program, std::int64_t n, Address before) const;
+  Address jump_target(const Program& program, std::int64_t n, Address from) const;
+  Address return_target(const Program& program, std::int64_t n, Address call) const;
+};
+
+/// Reads the files into one library of compiled programs. Never fails: what the control would refuse becomes a fault.
+/// Without an external device the memory stands in for it: M198 then finds the programs that M98 finds.
+std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control, std::vector<SourceFile> files,
+                                    bool external_device);
+/// The same library with one more program behind the others, the text typed in MDI.
+std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text);
+
+/// The alarm of a fault in this block; frames are the caller's to add.
+Alarm alarm_of(const Code& code, Address address, const Fault& fault);
+
+/// The key under which a program's name is found: upper case, without an extension the control gives its files.
+std::string name_key(std::string_view name);
+/// The number in O0023, %23, :23 or 23; -1 where the name is none.
+std::int64_t number_in(std::string_view name);
+
+}  // namespace cncsub

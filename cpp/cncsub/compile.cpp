@@ -1,0 +1,480 @@
+// Files into a library: where programs begin, their blocks, and what jumps and calls lead to.
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "cncsub/block.hpp"
+#include "cncsub/call.hpp"
+#include "cncsub/code.hpp"
+#include "cncsub/scan.hpp"
+
+namespace cncsub {
+
+namespace {
+
+class LibraryReader {
+ public:
+  explicit LibraryReader(Code& code) : code_(code), reader_(code) {}
+
+  void read(std::uint32_t file_index) {
+    file_ = file_index;
+    std::string& text = code_.files[file_].text;
+    unify_line_ends(text);
+    begin_ = text.data();
+    const char* at = begin_;
+    const char* end = begin_ + text.size();
+    line_ = 0;
+    open_ = false;
+    first_in_file_ = true;
+    const bool semicolons = code_.control->semicolon.value == Semicolon::EndOfBlock;
+    while (at < end) {
+      const char* newline = static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
+      const char* line_end = newline == nullptr ? end : newline;
+      ++line_;
+      const char* semicolon = static_cast<const char*>(std::memchr(at, ';', static_cast<std::size_t>(line_end - at)));
+      if (semicolon == nullptr) {
+        block(at, line_end);
+      } else if (semicolons) {
+        split(at, line_end);
+      } else {
+        block(at, outside_comment(at, line_end));
+      }
+      at = line_end + 1;
+    }
+    close(static_cast<std::uint32_t>(text.size()));
+  }
+
+ private:
+  /// CR, LF and CRLF all end a line; a CR before a LF counts as a blank.
+  static void unify_line_ends(std::string& text) {
+    std::size_t at = 0;
+    while ((at = text.find('\r', at)) != std::string::npos) {
+      text[at] = at + 1 < text.size() && text[at + 1] == '\n' ? ' ' : '\n';
+      ++at;
+    }
+  }
+
+  /// The first semicolon that is not inside a comment, or the end.
+  static const char* outside_comment(const char* at, const char* end) {
+    bool comment = false;
+    for (; at < end; ++at) {
+      if (*at == '(') comment = true;
+      if (*at == ')') comment = false;
+      if (*at == ';' && !comment) return at;
+    }
+    return end;
+  }
+
+  void split(const char* at, const char* end) {
+    while (at < end) {
+      const char* stop = outside_comment(at, end);
+      block(at, stop);
+      at = stop + 1;
+    }
+  }
+
+  void block(const char* at, const char* end) {
+    Scanner s{at, end, begin_};
+    while (s.at != s.end && is_blank(*s.at)) ++s.at;
+    if (s.at == s.end) return;
+    if (*s.at == '%') {
+      percent(s);
+      return;
+    }
+    if (head(s)) {
+      s.blanks();
+      if (s.at == s.end) return;
+    }
+    add_block(s);
+  }
+
+  void add_block(Scanner s) {
+    const bool open_comment = comment_not_closed(s);
+    s.blanks();
+    if (s.at == s.end && !open_comment) return;
+    if (!open_) begin_program(code_.files[file_].stem, -1, s.offset(), false);
+    Block block;
+    block.text = s.offset();
+    block.line = line_;
+    if (open_comment) {
+      block.op = Op::Fault;
+      block.aux = static_cast<std::uint32_t>(code_.faults.size());
+      code_.faults.push_back({Cause::CommentNotClosed, block.text, 1, "the comment is not closed"});
+    } else {
+      reader_.read(s, block);
+    }
+    const auto length = static_cast<std::size_t>(s.end - s.file) - block.text;
+    block.length = static_cast<std::uint16_t>(std::min<std::size_t>(length, 65535));
+    code_.blocks.push_back(block);
+  }
+
+  bool comment_not_closed(const Scanner& s) const {
+    if (code_.control->open_comment.value != OpenComment::Alarm) return false;
+    bool open = false;
+    for (const char* c = s.at; c < s.end; ++c) {
+      if (*c == '(') open = true;
+      if (*c == ')') open = false;
+    }
+    return open;
+  }
+
+  /// A line that starts with %: the tape's mark, or the head of a program.
+  void percent(Scanner s) {
+    const char* start = s.at;
+    ++s.at;
+    if (code_.control->percent_programs.value && is_digit(s.peek())) {
+      const Number number = scan_number(s);
+      s.blanks();
+      const std::string name(start, static_cast<std::size_t>(s.at - start));
+      begin_program(trimmed(name), number.value < 1e15 ? static_cast<std::int64_t>(number.value) : -1,
+                    static_cast<std::uint32_t>(start - begin_), true);
+      title(start, s.end);
+      return;
+    }
+    if (open_) close(static_cast<std::uint32_t>(start - begin_));
+  }
+
+  /// O0001, :1 or <NAME> at the head of a line begins a program.
+  bool head(Scanner& s) {
+    const char* start = s.at;
+    const char c = upper(*s.at);
+    if (c == 'O' || c == ':') {
+      Scanner ahead = s;
+      ++ahead.at;
+      if (!is_digit(ahead.peek())) return false;
+      const char* digits = ahead.at;
+      Number number;
+      while (ahead.at != ahead.end && is_digit(*ahead.at)) {
+        if (number.digits > 0 || *ahead.at != '0') ++number.digits;
+        number.value = number.value * 10 + (*ahead.at++ - '0');
+      }
+      const std::string name = "O" + std::string(digits, static_cast<std::size_t>(ahead.at - digits));
+      const auto offset = static_cast<std::uint32_t>(start - begin_);
+      begin_program(name, number.digits <= 15 ? static_cast<std::int64_t>(number.value) : -1, offset, true);
+      title(start, s.end);
+      const bool zero = number.value == 0 && !code_.control->zero_numbers.value;
+      const bool large = number.value > code_.control->max_program_number.value;
+      if (zero || large) {
+        Block block;
+        block.text = offset;
+        block.line = line_;
+        block.op = Op::Fault;
+        block.length = static_cast<std::uint16_t>(std::min<std::ptrdiff_t>(ahead.at - start, 65535));
+        block.aux = static_cast<std::uint32_t>(code_.faults.size());
+        code_.faults.push_back({zero ? Cause::ProgramNumberZero : Cause::IllegalProgramNumber, offset, block.length,
+                                zero ? "O0 is no program number"
+                                     : "the largest program number is " + std::to_string(code_.control->max_program_number.value)});
+        code_.blocks.push_back(block);
+      }
+      s.at = ahead.at;
+      return true;
+    }
+    if (c == '<' && (code_.control->named_programs.value || code_.control->bracket_names.value)) {
+      const char* close_at = std::find(s.at, s.end, '>');
+      if (close_at == s.end) return false;
+      const std::string name = trimmed(std::string(s.at + 1, static_cast<std::size_t>(close_at - s.at - 1)));
+      begin_program(name, number_in(name), static_cast<std::uint32_t>(start - begin_), true);
+      title(start, s.end);
+      s.at = close_at + 1;
+      return true;
+    }
+    return false;
+  }
+
+  static std::string trimmed(std::string text) {
+    while (!text.empty() && is_blank(text.back())) text.pop_back();
+    while (!text.empty() && is_blank(text.front())) text.erase(text.begin());
+    return text;
+  }
+
+  /// The first comment of the head's line.
+  void title(const char* start, const char* end) {
+    const char* open = std::find(start, end, '(');
+    if (open == end) return;
+    const char* close_at = std::find(open, end, ')');
+    code_.programs.back().comment.assign(open + 1, close_at);
+  }
+
+  void begin_program(const std::string& name, std::int64_t number, std::uint32_t offset, bool headed) {
+    if (open_) {
+      const Program& before = code_.programs.back();
+      const bool empty = before.first == static_cast<Address>(code_.blocks.size());
+      if (empty && code_.control->percent_programs.value && headed && before.text < offset) {
+        // An O line right before a % line only names the file.
+        code_.programs.pop_back();
+        open_ = false;
+      } else {
+        close(offset);
+      }
+    }
+    Program program;
+    program.name = name;
+    program.number = number;
+    const std::string& stem = code_.files[file_].stem;
+    if (first_in_file_ && !stem.empty() && (code_.control->file_name_wins.value || !headed)) {
+      program.name = stem;
+      program.number = number_in(stem);
+    }
+    if (program.name.empty()) program.name = "MAIN";
+    program.file = file_;
+    program.line = line_;
+    program.text = offset;
+    program.first = static_cast<Address>(code_.blocks.size());
+    code_.programs.push_back(std::move(program));
+    first_in_file_ = false;
+    open_ = true;
+  }
+
+  void close(std::uint32_t offset) {
+    if (!open_) return;
+    open_ = false;
+    Program& program = code_.programs.back();
+    program.text_end = offset;
+    program.last = static_cast<Address>(code_.blocks.size());
+    Block end;
+    end.op = Op::EndOfRecord;
+    end.line = line_;
+    end.text = offset;
+    code_.blocks.push_back(end);
+    finish_program(program);
+  }
+
+  // ---- what a program's own blocks lead to ----
+
+  void finish_program(Program& program) {
+    program.first_entry = static_cast<std::uint32_t>(code_.sequence.size());
+    for (Address a = program.first; a < program.last; ++a)
+      if (code_.blocks[a].n >= 0) code_.sequence.push_back({code_.blocks[a].n, a});
+    program.last_entry = static_cast<std::uint32_t>(code_.sequence.size());
+    const auto first = code_.sequence.begin() + program.first_entry;
+    const auto by_number = [](const SequenceEntry& a, const SequenceEntry& b) { return a.n < b.n; };
+    if (!std::is_sorted(first, code_.sequence.end(), by_number)) std::stable_sort(first, code_.sequence.end(), by_number);
+    match_loops(program);
+    for (Address a = program.first; a < program.last; ++a) resolve_jump(program, a, code_.blocks[a]);
+  }
+
+  void resolve_jump(const Program& program, Address address, const Block& block) {
+    if (block.op == Op::Goto || block.op == Op::IfGoto) {
+      Statement& jump = code_.statements[block.aux];
+      if (jump.number >= 0) jump.to = code_.jump_target(program, jump.number, address);
+    } else if (block.op == Op::IfThen) {
+      resolve_jump(program, address, code_.variants[code_.statements[block.aux].then]);
+    }
+  }
+
+  void fault_at(Address address, Cause cause, const std::string& detail) {
+    Block& block = code_.blocks[address];
+    const Statement& statement = code_.statements[block.aux];
+    const Fault fault{cause, statement.at, statement.width, detail};
+    block.op = Op::Fault;
+    block.aux = static_cast<std::uint32_t>(code_.faults.size());
+    code_.faults.push_back(fault);
+  }
+
+  struct Open {
+    Address address;
+    std::int32_t number;
+    Address other = kNowhere;  // of an IF: its ELSE
+  };
+
+  /// Pairs WHILE and DO with END, IF with ELSE and ENDIF. What has no partner becomes a fault where it stands.
+  void match_loops(const Program& program) {
+    std::vector<Open> loops, ifs;
+    for (Address a = program.first; a < program.last; ++a) {
+      switch (code_.blocks[a].op) {
+        case Op::While:
+        case Op::Do:
+          open_loop(loops, a);
+          break;
+        case Op::EndDo:
+          close_loop(loops, a);
+          break;
+        case Op::If:
+          ifs.push_back({a, 0});
+          if (ifs.size() > static_cast<std::size_t>(code_.control->max_ifs.value)) {
+            fault_at(a, Cause::IfTooDeep, "more IF blocks inside each other than the control takes");
+          }
+          break;
+        case Op::Else:
+          match_else(ifs, a);
+          break;
+        case Op::EndIf:
+          match_end_if(ifs, a);
+          break;
+        default:
+          break;
+      }
+    }
+    for (const Open& open : loops) fault_at(open.address, Cause::MissingEnd, "this loop has no end");
+    for (const Open& open : ifs) {
+      if (open.other != kNowhere) fault_at(open.other, Cause::IfWithoutEnd, "this ELSE has no ENDIF");
+      if (code_.blocks[open.address].op == Op::If) fault_at(open.address, Cause::IfWithoutEnd, "this IF has no ENDIF");
+    }
+  }
+
+  void open_loop(std::vector<Open>& loops, Address a) {
+    const std::int32_t number = code_.statements[code_.blocks[a].aux].number;
+    const bool numbered = code_.control->loop_form.value == LoopForm::DoEnd;
+    if (numbered)
+      for (const Open& open : loops)
+        if (open.number == number) return fault_at(a, Cause::MissingEnd, "this DO number is open already");
+    if (loops.size() >= static_cast<std::size_t>(code_.control->max_loops.value))
+      return fault_at(a, Cause::LoopsTooDeep, "more loops inside each other than the control takes");
+    loops.push_back({a, number});
+  }
+
+  void close_loop(std::vector<Open>& loops, Address a) {
+    const std::int32_t number = code_.statements[code_.blocks[a].aux].number;
+    const bool numbered = code_.control->loop_form.value == LoopForm::DoEnd;
+    std::size_t at = loops.size();
+    while (at > 0 && numbered && loops[at - 1].number != number) --at;
+    if (at == 0) return fault_at(a, Cause::MissingDo, "this end has no loop");
+    for (std::size_t i = at; i < loops.size(); ++i) fault_at(loops[i].address, Cause::MissingEnd, "this loop crosses another");
+    const Address start = loops[at - 1].address;
+    loops.resize(at - 1);
+    code_.statements[code_.blocks[start].aux].end = a;
+    code_.statements[code_.blocks[start].aux].to = a + 1;
+    code_.statements[code_.blocks[a].aux].to = start;
+  }
+
+  void match_else(std::vector<Open>& ifs, Address a) {
+    if (ifs.empty() || ifs.back().other != kNowhere)
+      return fault_at(a, Cause::IfWithoutEnd, "this ELSE has no IF");
+    ifs.back().other = a;
+    if (code_.blocks[ifs.back().address].op == Op::If)
+      code_.statements[code_.blocks[ifs.back().address].aux].to = a + 1;
+  }
+
+  void match_end_if(std::vector<Open>& ifs, Address a) {
+    if (ifs.empty()) return fault_at(a, Cause::IfWithoutEnd, "this ENDIF has no IF");
+    const Open open = ifs.back();
+    ifs.pop_back();
+    if (open.other != kNowhere)
+      code_.statements[code_.blocks[open.other].aux].to = a;
+    else if (code_.blocks[open.address].op == Op::If)
+      code_.statements[code_.blocks[open.address].aux].to = a;
+  }
+
+  Code& code_;
+  BlockReader reader_;
+  const char* begin_ = nullptr;
+  std::uint32_t file_ = 0;
+  std::uint32_t line_ = 0;
+  bool open_ = false;
+  bool first_in_file_ = true;
+};
+
+void number_variables(Code& code) {
+  code.locals = 34;
+  for (const VariableRange& range : code.control->variables) {
+    if (range.kind == VariableKind::Local) {
+      code.locals = std::max(code.locals, range.last + 1);
+      code.locals_per_level = range.last - range.first + 1;
+    }
+    if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept) code.commons += range.last - range.first + 1;
+  }
+}
+
+/// Names and numbers of programs; of several under one name the first counts.
+void register_programs(Code& code, std::size_t from) {
+  for (std::size_t i = from; i < code.programs.size(); ++i) {
+    Program& program = code.programs[i];
+    const SourceFile& file = code.files[program.file];
+    const auto index = static_cast<std::int32_t>(i);
+    if (program.number >= 0) {
+      auto& numbers = file.external ? code.external_by_number : code.by_number;
+      const auto [found, added] = numbers.emplace(program.number, index);
+      if (!added) program.duplicate_of = found->second;
+    }
+    auto& names = file.external ? code.external_by_name : code.by_name;
+    const auto [found, added] = names.emplace(name_key(program.name), index);
+    if (!added && program.number < 0) program.duplicate_of = found->second;
+    const std::size_t slash = file.name.find_last_of("/\\");
+    const std::string base = slash == std::string::npos ? file.name : file.name.substr(slash + 1);
+    const bool first_in_file = i == 0 || code.programs[i - 1].file != program.file;
+    if (first_in_file && !base.empty()) names.emplace(name_key(base), index);
+  }
+}
+
+/// Calls whose operands are written as numbers are decided once.
+void resolve_calls(Code& code, std::size_t from) {
+  const auto resolve = [&](Block& block, std::int32_t own) {
+    if (block.op != Op::Call && block.op != Op::MacroCall && block.op != Op::ModalCall) return;
+    CallRecord& call = code.calls[block.aux];
+    const auto constant = [](const Operand& operand) { return operand.kind != Operand::Kind::Expression; };
+    if (!constant(call.p) || !constant(call.l) || !constant(call.start)) return;
+    const CallOperands operands{call.p.value, call.l.value, call.start.value};
+    Target target;
+    if (auto fault = decode_call(code, call, operands, own, target)) {
+      block.op = Op::Fault;
+      block.aux = static_cast<std::uint32_t>(code.faults.size());
+      code.faults.push_back(std::move(*fault));
+      return;
+    }
+    if (find_target(code, call, own, target)) return;  // told when the call is reached
+    call.target = target;
+    call.constant = true;
+  };
+  std::vector<bool> seen(code.variants.size(), false);
+  const auto variants_of = [&](const auto& self, const Block& block, std::int32_t own) -> void {
+    if (block.op != Op::Choose) return;
+    const Variant variant = code.choices[block.aux];
+    for (const std::uint32_t i : {variant.first, variant.second}) {
+      if (seen[i]) continue;
+      seen[i] = true;
+      self(self, code.variants[i], own);
+      resolve(code.variants[i], own);
+    }
+  };
+  for (std::size_t p = from; p < code.programs.size(); ++p)
+    for (Address a = code.programs[p].first; a < code.programs[p].last; ++a) {
+      variants_of(variants_of, code.blocks[a], static_cast<std::int32_t>(p));
+      resolve(code.blocks[a], static_cast<std::int32_t>(p));
+    }
+}
+
+}  // namespace
+
+std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control, std::vector<SourceFile> files,
+                                    bool external_device) {
+  auto code = std::make_shared<Code>();
+  code->external_device = external_device;
+  code->control = std::move(control);
+  number_variables(*code);
+  LibraryReader reader(*code);
+  std::size_t bytes = 0;
+  for (const SourceFile& file : files) bytes += file.text.size();
+  code->blocks.reserve(bytes / 32 + files.size());
+  code->cells.reserve(bytes / 12);
+  code->files.reserve(files.size());
+  for (SourceFile& file : files) {
+    code->files.push_back(std::move(file));
+    reader.read(static_cast<std::uint32_t>(code->files.size() - 1));
+  }
+  register_programs(*code, 0);
+  resolve_calls(*code, 0);
+  return code;
+}
+
+std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text) {
+  auto with = std::make_shared<Code>(code);
+  const std::size_t programs = with->programs.size();
+  with->files.push_back({"MDI", "MDI", text, false});
+  LibraryReader reader(*with);
+  reader.read(static_cast<std::uint32_t>(with->files.size() - 1));
+  // What is typed in MDI is no program of the memory: nothing finds it.
+  if (with->programs.size() == programs) {
+    Program empty;
+    empty.name = "MDI";
+    empty.file = static_cast<std::uint32_t>(with->files.size() - 1);
+    empty.first = empty.last = static_cast<Address>(with->blocks.size());
+    Block end;
+    end.op = Op::EndOfRecord;
+    with->blocks.push_back(end);
+    with->programs.push_back(std::move(empty));
+  }
+  resolve_calls(*with, programs);
+  return with;
+}
+
+}  // namespace cncsub

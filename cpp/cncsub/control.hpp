@@ -1,0 +1,185 @@
+// A control as data: the rules it follows, its parameters, variables, code calls and alarms, each with its source.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cncsub/alarm.hpp"
+
+namespace cncsub {
+
+enum class Evidence : std::uint8_t { SourceDocument, Manual, Secondary, Inferred };
+std::string_view to_string(Evidence evidence);
+
+#define CHOICE(type) enum class type : std::uint8_t {
+#define OPTION(type, name, slug, example) name,
+#define END_CHOICE(type) \
+  }                      \
+  ;
+#include "cncsub/choices.def"
+#undef CHOICE
+#undef OPTION
+#undef END_CHOICE
+
+struct Option {
+  std::string_view slug;
+  std::string_view example;
+};
+
+/// The options of a choice, in the order of its enumerators.
+template <class Choice>
+const std::vector<Option>& options();
+
+using Letters = std::string;  // addresses, one letter each
+using Codes = std::string;    // names or codes, separated by blanks
+
+/// One answer of a control, and where it comes from.
+template <class T>
+struct Rule {
+  T value{};
+  std::string source = "family default";
+  Evidence evidence = Evidence::Inferred;
+};
+
+struct AlarmEntry {
+  std::string number;
+  std::string text;
+  std::string source;
+  Evidence evidence = Evidence::Inferred;
+};
+
+struct Control;
+
+/// A setting of the control. `effect` turns its value into rules; null where the engine reads the number itself.
+struct Parameter {
+  std::string name;  // "6050" or "3404#6"
+  double value = 0;
+  std::string meaning;
+  std::string source;
+  Evidence evidence = Evidence::Inferred;
+  void (*effect)(Control&, double) = nullptr;
+};
+
+/// What a variable number is. The engine knows the kinds; the control says at which numbers they stand.
+enum class VariableKind : std::uint8_t {
+  Vacant,         // #0
+  Local,          // of the present level
+  LevelImage,     // the locals of level (index / count of locals)
+  Common,         // shared by all programs, cleared at power-off
+  Kept,           // shared by all programs, kept at power-off
+  Input,          // signals from the machine, one bit each
+  InputWord,      // 16 or 32 of them as one number
+  Output,         // signals to the machine
+  OutputWord,     //
+  UserAlarm,      // #3000
+  Milliseconds,   // #3001
+  Hours,          // #3002
+  Control1,       // #3003, #3004: switches of the automatic operation
+  Settings,       // #3005
+  Message,        // #3006
+  Mirror,         // #3007
+  Restart,        // #3008
+  Date,           // #3011, YYYYMMDD
+  Time,           // #3012, HHMMSS
+  PartsCount,     // #3901, #3902
+  ModalCode,      // #4001...: the code of group index + 1, of the block before
+  ModalWord,      // the modal word of an address, of the block before
+  ActiveCode,     // #4201...: the same of the running block
+  ActiveWord,     //
+  BlockEnd,       // #5001...: end of the block before, work coordinates
+  MachinePosition,  // #5021...
+  WorkPosition,     // #5041...
+  SkipPosition,     // #5061...
+  ActiveLength,     // #5081...: length offset in force
+  ServoError,       // #5101...
+  WorkOffset,       // #5201...: 20 numbers a system, the first of them external
+  ExtraWorkOffset,  // #7001...: G54.1 P1...
+  LengthWear,       // tool offsets
+  LengthGeometry,
+  RadiusWear,
+  RadiusGeometry,
+};
+
+enum class Access : std::uint8_t { ReadWrite, ReadOnly, WriteOnly };
+
+struct VariableRange {
+  std::int32_t first = 0;
+  std::int32_t last = 0;
+  VariableKind kind = VariableKind::Common;
+  Access access = Access::ReadWrite;
+  char address = 0;  // of a modal word
+  std::string source;
+  Evidence evidence = Evidence::Inferred;
+};
+
+/// How a code calls a program.
+enum class CodeCallKind : std::uint8_t { Subprogram, Macro, Modal, ModalEveryBlock };
+
+/// Codes that call programs, by parameters. Either a list (parameters `parameter`, `parameter + 1` ... hold the codes and
+/// call `program`, `program + 1` ...), a range (three parameters: first code, first program, how many), or a switch
+/// (every code of the address calls `program`).
+struct CodeCall {
+  enum class Form : std::uint8_t { List, Range, Switch } form = Form::List;
+  char address = 'M';
+  CodeCallKind kind = CodeCallKind::Subprogram;
+  std::int32_t parameter = 0;   // the first parameter; of a range: the first code
+  std::int32_t program = 0;     // List, Switch: the first program; Range: the parameter that holds it
+  std::int32_t count = 0;       // List: how many parameters; Range: the parameter that says how many
+  std::string enable;           // a parameter that must not be 0, or empty
+  std::int32_t variable = 0;    // the common variable that takes the code's value, 0 = none
+  std::int32_t first_code = 0;  // the codes that may be registered
+  std::int32_t last_code = 99999999;
+  std::string refused;          // codes inside that range that may not (they alarm: code-may-not-call)
+  std::string source;
+  Evidence evidence = Evidence::Inferred;
+};
+
+struct Control {
+  std::string name;   // "gsk-988ta"
+  std::string title;  // "GSK 988TA lathe"
+
+#define RULE(type, name, value, meaning) Rule<type> name{value, "family default", Evidence::Inferred};
+#include "cncsub/rules.def"
+#undef RULE
+
+  std::vector<Parameter> parameters;
+  std::vector<VariableRange> variables;
+  std::vector<CodeCall> code_calls;
+  std::map<Cause, AlarmEntry> alarms;
+  std::string user_alarm_prefix;  // "MC": #3000=1 is MC3001
+  std::int32_t user_alarm_digits = 0;
+  std::string user_alarm_number;  // the one number of all user alarms ("P277"), or empty
+
+  const AlarmEntry* alarm(Cause cause) const;
+  /// The value of a parameter, 0 where it was never set.
+  double parameter(std::string_view parameter_name) const;
+  /// Sets a parameter (also one no rule depends on) and lets it have its effect on the rules.
+  void set_parameter(const std::string& parameter_name, double value);
+  const VariableRange* variable(std::int64_t number) const;
+};
+
+using RuleValue = std::variant<bool, std::int64_t, std::string>;
+
+/// A rule as a row of a table.
+struct RuleView {
+  std::string name;
+  std::string meaning;
+  RuleValue value;
+  std::string source;
+  Evidence evidence = Evidence::Inferred;
+  std::vector<Option> options;  // of a choice; empty for numbers, yes-or-no and text
+};
+
+std::vector<RuleView> rules(const Control& control);
+/// Sets a rule by its name. Returns what is wrong with the name or the value, or nothing.
+std::optional<std::string> set_rule(Control& control, const std::string& rule_name, const RuleValue& value);
+
+/// All controls, in listing order. Each of cpp/controls/*.cpp adds the controls of one maker.
+const std::vector<Control>& all_controls();
+
+}  // namespace cncsub

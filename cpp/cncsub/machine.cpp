@@ -1,0 +1,727 @@
+#include "cncsub/machine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+namespace cncsub {
+
+namespace {
+
+constexpr std::int64_t kPollBlocks = 1 << 14;  // blocks between two looks at the clock and at Ctrl-C
+
+}  // namespace
+
+std::string_view to_string(Stop stop) {
+  switch (stop) {
+    case Stop::Running:
+      return "running";
+    case Stop::End:
+      return "end";
+    case Stop::Alarm:
+      return "alarm";
+    case Stop::Cycles:
+      return "cycles";
+    case Stop::Limit:
+      return "limit";
+    case Stop::Waiting:
+      return "waiting";
+    case Stop::Interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options options)
+    : code_(std::move(code)), options_(std::move(options)), motion_(code_->control, options_.setup) {
+  trace_.depth = options_.trace;
+  locals_.assign(static_cast<std::size_t>(code_->locals), kVacant);
+  programmed_.assign(locals_.size(), 0);
+  commons_.assign(static_cast<std::size_t>(code_->commons), kVacant);
+  clock_ms_ = options_.inputs.clock_ms;
+  const Program& program = code_->programs[static_cast<std::size_t>(main)];
+  Open open;
+  open.program = main;
+  open.restart = program.first;
+  open.modal_limit = 1 << 20;
+  stack_.push_back(open);
+  pc_ = program.first;
+  for (const auto& [number, value] : options_.variables) write(number, value);
+  if (options_.start >= 0) {
+    const Address start = code_->first_of(program, options_.start);
+    if (start != kNowhere) pc_ = start;
+  }
+  // A faulty main program number is told even where the run starts further on.
+  next_ = pc_;
+}
+
+bool Machine::end(Stop stop) {
+  finish();
+  stop_ = stop;
+  return false;
+}
+
+void Machine::finish() {
+  for (const Open& open : stack_)
+    if (open.call >= 0) trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
+}
+
+void Machine::record_step() {
+  if (trace_.depth >= Trace::Depth::Blocks) trace_.steps.push({pc_, frame().call, frame().repeat});
+  ++executed_;
+  jumped_after_ = pc_;
+}
+
+bool Machine::alarm(Fault fault) {
+  const Address at = pc_;
+  alarm_ = alarm_of(*code_, at, fault);
+  alarm_->frames = frames();
+  if (words_done_) record_step();
+  return end(Stop::Alarm);
+}
+
+std::vector<Frame> Machine::frames() const {
+  std::vector<Frame> list;
+  for (std::size_t i = stack_.size(); i-- > 1;) {
+    const Open& open = stack_[i];
+    const Program& caller = code_->programs[static_cast<std::size_t>(stack_[i - 1].program)];
+    const Block& block = code_->blocks[open.called_at];
+    Frame frame;
+    frame.program = caller.name;
+    frame.n = block.n;
+    frame.line = block.line;
+    frame.file = code_->files[caller.file].name;
+    frame.kind = std::string(to_string(open.kind));
+    frame.called = code_->programs[static_cast<std::size_t>(open.program)].name;
+    frame.repeat = open.repeat;
+    frame.repeats = open.repeats;
+    list.push_back(std::move(frame));
+  }
+  return list;
+}
+
+bool Machine::step() {
+  if (stop_ != Stop::Running) return false;
+  const std::int64_t before = executed_;
+  while (stop_ == Stop::Running && executed_ == before) {
+    const Block& block = code_->blocks[pc_];
+    if ((block.skip & options_.skips) != 0) {
+      ++pc_;
+      continue;
+    }
+    if (executed_ >= options_.max_blocks) return end(Stop::Limit);
+    execute(block);
+  }
+  return executed_ != before;
+}
+
+void Machine::run(const std::function<bool()>& interrupted, const std::function<bool(const Machine&)>& pause) {
+  if (stop_ == Stop::Interrupted) stop_ = Stop::Running;
+  using Clock = std::chrono::steady_clock;
+  const auto started = Clock::now();
+  std::int64_t poll = executed_ + kPollBlocks;
+  std::int64_t idle = 0;
+  const Block* blocks = code_->blocks.data();
+  while (stop_ == Stop::Running) {
+    const Block& block = blocks[pc_];
+    if ((block.skip & options_.skips) != 0) {
+      ++pc_;
+      if (++idle > kPollBlocks) poll = executed_;
+      continue;
+    }
+    if (executed_ >= poll) {
+      poll = executed_ + kPollBlocks;
+      idle = 0;
+      if (interrupted && interrupted()) {
+        end(Stop::Interrupted);
+        return;
+      }
+      const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
+      if (options_.max_seconds > 0 && seconds > options_.max_seconds) {
+        end(Stop::Limit);
+        return;
+      }
+    }
+    if (executed_ >= options_.max_blocks) {
+      end(Stop::Limit);
+      return;
+    }
+    if (pause && pause(*this)) return;
+    execute(block);
+  }
+}
+
+/// Executes the block at pc_ and records it. What it decides is where the run goes on (`next_`).
+bool Machine::execute(const Block& block) {
+  next_ = pc_ + 1;
+  words_done_ = false;
+  if (block.op == Op::Linear) {
+    if (!linear(block)) return false;
+  } else if (!branch(block)) {
+    return false;
+  }
+  return true;
+}
+
+bool Machine::branch(const Block& block) {
+  if (!modals_.empty() && modals_.back().every_block && frame().modal < 0 && block.op != Op::CancelModal &&
+      block.op != Op::Fault && block.op != Op::EndOfRecord)
+    return every_block(block);
+  switch (block.op) {
+    case Op::Linear:
+      return linear(block);
+    case Op::Words:
+      return words(block);
+    case Op::Call:
+      return call(block);
+    case Op::MacroCall:
+      return macro_call(block);
+    case Op::ModalCall:
+      return modal_call(block);
+    case Op::CancelModal:
+      return cancel_modal(block);
+    case Op::Return:
+      return return_from_call(block);
+    case Op::Jump:
+      return jump(block);
+    case Op::EndProgram:
+      return end_program(block);
+    case Op::Choose:
+      return choose(block);
+    case Op::Fault:
+      return alarm(code_->faults[block.aux]);
+    case Op::EndOfRecord:
+      return end_of_record();
+    case Op::Assign:
+      if (!assign(code_->statements[block.aux])) return false;
+      break;
+    case Op::Goto:
+    case Op::IfGoto:
+    case Op::IfThen:
+    case Op::If:
+    case Op::Else:
+    case Op::EndIf: {
+      const Statement* statement = &code_->statements[block.aux];
+      Op op = block.op;
+      if (op == Op::IfGoto || op == Op::IfThen || op == Op::If) {
+        bool holds = false;
+        if (!condition(statement->expression, holds)) return false;
+        if (!holds) {
+          if (op == Op::If) next_ = statement->to;
+          break;
+        }
+        if (op == Op::If) break;
+        if (op == Op::IfThen) {
+          const Block& then = code_->variants[statement->then];
+          if (then.op == Op::Goto) {
+            statement = &code_->statements[then.aux];
+          } else {
+            if (then.op == Op::Assign && !assign(code_->statements[then.aux])) return false;
+            if (then.op == Op::Print && !print(code_->prints[then.aux])) return false;
+            break;
+          }
+        }
+        if (!go_to(*statement)) return false;
+      } else if (op == Op::Goto) {
+        if (!go_to(*statement)) return false;
+      } else if (op == Op::Else) {
+        next_ = statement->to;
+      }
+      break;
+    }
+    case Op::While:
+    case Op::Do:
+      if (!loop(block)) return false;
+      break;
+    case Op::EndDo:
+      if (!end_loop(block)) return false;
+      break;
+    case Op::HCode:
+      if (!h_code(code_->statements[block.aux])) return false;
+      break;
+    case Op::Print:
+      if (!print(code_->prints[block.aux])) return false;
+      break;
+    case Op::NameVariables:
+      if (!name_variables(code_->statements[block.aux])) return false;
+      break;
+    case Op::OpenOutput:
+    case Op::CloseOutput:
+      break;
+  }
+  record_step();
+  pc_ = next_;
+  return true;
+}
+
+bool Machine::choose(const Block& block) {
+  const Variant& variant = code_->choices[block.aux];
+  bool second = (variant.skip & options_.skips) != 0;
+  if (variant.address != 0 && frame().code_letter != 0) {
+    const bool g = variant.address == 'G';
+    switch (code_->control->code_cascade.value) {
+      case CodeCascade::None:
+        second = true;
+        break;
+      case CodeCascade::OtherKind:
+        second = g == (frame().code_letter == 'G');
+        break;
+      case CodeCascade::All:
+        break;
+    }
+  }
+  return branch(code_->variants[second ? variant.second : variant.first]);
+}
+
+// ---- words ----
+
+bool Machine::linear(const Block& block) {
+  if (modals_.empty()) {
+    bool moved = false;
+    const int g = (block.flags & Block::kNoG) != 0 ? -1 : (block.flags & Block::kSecondG) != 0 ? 1 : 0;
+    const Cell* values = code_->cells.data() + block.data + block.g_count;
+    Moves* moves = trace_.depth == Trace::Depth::Moves ? &trace_.moves : nullptr;
+    if (motion_.linear(block.mask, values, g, static_cast<std::uint32_t>(executed_), moves, moved)) {
+      changes_ += moved ? 1 : 0;
+      last_n_ = block.n >= 0 ? block.n : last_n_;
+      record_step();
+      pc_ = next_;
+      return true;
+    }
+  }
+  return words(block);
+}
+
+/// The words of a block with their values. A vacant variable's word is left out, or counts as 0, as the control does.
+bool Machine::decode(const Block& block, NcWords& words) {
+  const Cell* cell = code_->cells.data() + block.data;
+  std::uint32_t expressions = 0;
+  if ((block.flags & Block::kHasExtra) != 0) {
+    expressions = cell->extra.expressions;
+    words.whole = cell->extra.whole;
+    ++cell;
+  }
+  words.at = block.text;
+  const auto code = [&](double factor, int& result) {
+    double value = (cell++)->value;
+    if (value < 0) {
+      if (!evaluate(static_cast<std::uint32_t>(-1.0 - value), value)) return false;
+      if (is_vacant(value)) {
+        result = -1;
+        return true;
+      }
+      value = factor == 1 ? std::round(value) : std::round(value * factor);
+      if (value < 0 || value > 1e9) {
+        const Expression& e = code_->expressions[static_cast<std::size_t>(-1.0 - cell[-1].value)];
+        return alarm({Cause::ValueOutOfRange, e.at, e.width, "the code is out of range"});
+      }
+    }
+    result = static_cast<int>(value);
+    return true;
+  };
+  for (int i = 0; i < block.g_count; ++i) {
+    int g = 0;
+    if (!code(10, g)) return false;
+    if (g >= 0) words.g[static_cast<std::size_t>(words.g_count++)] = g;
+  }
+  for (int i = 0; i < block.m_count; ++i) {
+    int m = 0;
+    if (!code(1, m)) return false;
+    if (m >= 0) words.m[static_cast<std::size_t>(words.m_count++)] = m;
+  }
+  words.mask = block.mask;
+  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
+    const auto place = static_cast<std::size_t>(__builtin_ctz(left));
+    const std::uint32_t mark = 1u << place;
+    if ((expressions & mark) == 0) {
+      words.value[place] = cell->value;
+      continue;
+    }
+    double value = 0;
+    if (!evaluate(static_cast<std::uint32_t>(cell->expression), value)) return false;
+    if (is_vacant(value)) {
+      if (code_->control->vacant_address.value == VacantAddress::Ignored) {
+        words.mask &= ~mark;
+        continue;
+      }
+      value = 0;
+    }
+    words.value[place] = value;
+    words.computed |= mark;
+  }
+  return true;
+}
+
+bool Machine::words(const Block& block) {
+  outcome_ = {};
+  if (block.mask == 0 && block.g_count == 0 && block.m_count == 0) {
+    if (block.n >= 0) last_n_ = block.n;
+    if (block.op == Op::Words || block.op == Op::Linear) {
+      record_step();
+      pc_ = next_;
+    }
+    return true;
+  }
+  NcWords words;
+  if (!decode(block, words)) return false;
+  outcome_ = {};
+  Motion::Outcome& outcome = outcome_;
+  Outside around = outside();
+  Moves* moves = trace_.depth == Trace::Depth::Moves ? &trace_.moves : nullptr;
+  if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), moves, outcome, around))
+    return alarm(std::move(*fault));
+  if (!auxiliary(words, block)) return false;
+  words_done_ = true;
+  if (block.n >= 0) last_n_ = block.n;
+  if (outcome.moved || words.m_count > 0 || words.has('T') || words.g_count > 0) ++changes_;
+  if (block.op == Op::Words || block.op == Op::Linear) return after_words(outcome);
+  return true;
+}
+
+/// M and T codes go to the machine; M00 and M01 wait for the operator.
+bool Machine::auxiliary(const NcWords& words, const Block& block) {
+  if (words.has('T') && trace_.depth != Trace::Depth::None)
+    trace_.t_codes.push_back(static_cast<std::int64_t>(std::llround(std::clamp(words['T'], -1e15, 1e15))));
+  for (int i = 0; i < words.m_count; ++i) {
+    const int m = words.m[static_cast<std::size_t>(i)];
+    if (trace_.depth != Trace::Depth::None) trace_.m_codes.push_back(m);
+    last_m_ = m;
+    const bool stops = m == 0 || (m == 1 && options_.optional_stop);
+    if (stops && !wait_for_operator(m == 0 ? "M00" : "M01")) return false;
+    if (m != 0 && m == code_->control->restart_m_code.value && stack_.size() == 1) next_ = kNowhere;
+    if ((m == 2 || m == 30) && block.op != Op::EndProgram) next_ = kNowhere - 1;  // M#1 that ends the program
+  }
+  return true;
+}
+
+bool Machine::wait_for_operator(const std::string& what) {
+  if (!options_.inputs.operator_given) return true;
+  const std::size_t answer = next_answer_++;
+  if (answer < options_.inputs.operator_starts.size() && options_.inputs.operator_starts[answer]) return true;
+  waiting_for_ = "cycle start after " + what;
+  record_step();
+  pc_ = next_;
+  return end(Stop::Waiting);
+}
+
+bool Machine::after_words(const Motion::Outcome& outcome) {
+  record_step();
+  if (next_ == kNowhere) return restart_main();
+  if (next_ == kNowhere - 1) return end(Stop::End);
+  if (outcome.continue_behind && outcome.behind_n >= 0) {
+    const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+    const Address behind = code_->first_of(program, outcome.behind_n);
+    if (behind != kNowhere) next_ = behind + 1;
+  }
+  pc_ = next_;
+  return call_after_move(outcome);
+}
+
+bool Machine::end_program(const Block& block) {
+  if (!words(block)) return false;
+  if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_),
+                                  trace_.depth == Trace::Depth::Moves ? &trace_.moves : nullptr))
+    return alarm(std::move(*fault));
+  record_step();
+  return end(Stop::End);
+}
+
+bool Machine::end_of_record() {
+  if (code_->control->missing_end.value == MissingEnd::Ends) return end(Stop::End);
+  const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+  return alarm({Cause::EndOfRecord, program.text_end, 1, program.name + " ends without M02, M30 or M99"});
+}
+
+// ---- M99, M97 ----
+
+bool Machine::return_from_call(const Block& block) {
+  const CallRecord& back = code_->calls[block.aux];
+  double p = kVacant, l = kVacant;
+  if (!operand(back.p, p) || !operand(back.l, l)) return false;
+  const Control& control = *code_->control;
+  const bool modal_active = !modals_.empty() && frame().modal < 0;
+  if (modal_active && !is_vacant(p) && control.calls_in_modal.value == CallsInModal::EndModal)
+    return alarm({Cause::CallInModalCall, back.at, back.width, "M99 P while a modal macro call is active"});
+  if (modal_active && (block.mask & ~(bit('P') | bit('L'))) != 0 && control.alarm(Cause::IllegalWordWithReturn) != nullptr &&
+      control.return_alone_in_modal.value)
+    return alarm({Cause::IllegalWordWithReturn, back.at, back.width, "M99 with other words while a modal macro call is active"});
+  if (!words(block)) return false;
+  if (stack_.size() == 1) return return_from_main(block, back, p);
+  Open& open = frame();
+  if (!is_vacant(l) && control.return_with_l.value == ReturnWithL::ReplacesCount)
+    open.repeats = open.repeat + static_cast<std::int32_t>(std::clamp(std::round(l), 0.0, 1e6));
+  const bool leaves = !is_vacant(p) && control.return_with_p.value == ReturnWithP::AtOnce;
+  if (!leaves && open.repeat < open.repeats) {
+    record_step();
+    ++open.repeat;
+    loops_.resize(open.loops);
+    pc_ = open.restart;
+    return true;
+  }
+  Address to = open.return_to;
+  if (!is_vacant(p)) {
+    const Program& caller = code_->programs[static_cast<std::size_t>(stack_[stack_.size() - 2].program)];
+    const double n = std::round(p);
+    to = n >= 0 && n < 2e9 ? code_->return_target(caller, static_cast<std::int64_t>(n), open.called_at) : kNowhere;
+    if (to == kNowhere)
+      return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
+                    "there is no N" + std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " + caller.name});
+  }
+  record_step();
+  return leave(to);
+}
+
+bool Machine::return_from_main(const Block&, const CallRecord& back, double p) {
+  switch (code_->control->main_return.value) {
+    case MainReturn::Alarm:
+      return alarm({Cause::ReturnInMainProgram, back.at, back.width, "M99 stands in the main program"});
+    case MainReturn::Ends:
+      record_step();
+      return end(Stop::End);
+    case MainReturn::Restarts:
+      break;
+  }
+  if (is_vacant(p)) {
+    record_step();
+    return restart_main();
+  }
+  const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+  const double n = std::round(p);
+  const Address to = n >= 0 && n < 2e9 ? code_->first_of(program, static_cast<std::int64_t>(n)) : kNowhere;
+  if (to == kNowhere)
+    return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
+                  "there is no N" + std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " + program.name});
+  record_step();
+  pc_ = to;
+  return true;
+}
+
+/// The main program starts over; a cycle is done.
+bool Machine::restart_main() {
+  if (++cycles_ >= options_.max_cycles) return end(Stop::Cycles);
+  ++changes_;
+  loops_.resize(frame().loops);
+  ++frame().repeat;
+  pc_ = frame().restart;
+  return true;
+}
+
+bool Machine::jump(const Block& block) {
+  const Statement& statement = code_->statements[block.aux];
+  double p = 0;
+  if (!operand(statement.p, p)) return false;
+  if (!words(block)) return false;
+  const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+  const double n = is_vacant(p) ? -1 : std::round(p);
+  const Address to = n >= 0 && n < 2e9 ? code_->first_of(program, static_cast<std::int64_t>(n)) : kNowhere;
+  if (to == kNowhere)
+    return alarm({Cause::JumpTargetNotFound, statement.p.at, statement.p.width,
+                  "there is no N" + std::to_string(static_cast<std::int64_t>(std::clamp(n, -1.0, 2e9))) + " in " + program.name});
+  record_step();
+  pc_ = to;
+  return true;
+}
+
+// ---- macro statements ----
+
+bool Machine::evaluate(std::uint32_t expression, double& value) {
+  const Expression& e = code_->expressions[expression];
+  if (auto fault = compute(code_->instructions.data() + e.first, value)) {
+    if (fault->at < e.at || fault->at > e.at + e.width) fault->at = e.at;
+    return alarm(std::move(*fault));
+  }
+  return true;
+}
+
+bool Machine::condition(std::uint32_t expression, bool& holds) {
+  double value = 0;
+  last_condition_ = expression;
+  if (!evaluate(expression, value)) return false;
+  holds = value != 0;
+  return true;
+}
+
+bool Machine::assign(const Statement& statement) {
+  double value = 0;
+  if (!evaluate(statement.expression, value)) return false;
+  return store(statement, value);
+}
+
+bool Machine::store(const Statement& statement, double value) {
+  if (std::fabs(value) > 1e47)  // a vacant value compares false
+    return alarm({Cause::Overflow, statement.at, statement.width, "the result is too large"});
+  const auto put = [&](double& place) {
+    if (!(place == value)) ++changes_;
+    place = value;
+  };
+  switch (statement.target) {
+    case Statement::Target::Local:
+      put(locals_[static_cast<std::size_t>(level_ * code_->locals + statement.index)]);
+      programmed_[static_cast<std::size_t>(level_ * code_->locals + statement.index)] = 0;
+      return true;
+    case Statement::Target::Common:
+      put(commons_[static_cast<std::size_t>(statement.index)]);
+      return true;
+    case Statement::Target::Variable:
+      return store_number(statement.index, value, statement);
+    case Statement::Target::Indirect: {
+      double number = 0;
+      if (!evaluate(statement.variable, number)) return false;
+      if (is_vacant(number)) number = 0;
+      return store_number(static_cast<std::int64_t>(std::clamp(std::round(number), -1e9, 2e9)), value, statement);
+    }
+    case Statement::Target::None:
+      break;
+  }
+  return true;
+}
+
+bool Machine::store_number(std::int64_t number, double value, const Statement& statement) {
+  const VariablePlace place = code_->place(number);
+  if (place.range != nullptr && place.kind == VariableKind::UserAlarm)
+    return user_alarm(is_vacant(value) ? 0 : value, statement);
+  if (place.range != nullptr && place.kind == VariableKind::Message) {
+    const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+    trace_.messages.push_back(code_->files[program.file].text.substr(statement.text, statement.text_length));
+    ++changes_;
+    return wait_for_operator("#" + std::to_string(number));
+  }
+  if (auto fault = write(number, value)) {
+    fault->at = statement.variable_at;
+    fault->width = statement.variable_width;
+    return alarm(std::move(*fault));
+  }
+  ++changes_;
+  return true;
+}
+
+/// #3000 = n (TEXT). The block is a step: the alarm is what it does.
+bool Machine::user_alarm(double n, const Statement& statement) {
+  const Control& control = *code_->control;
+  const double number = std::round(n);
+  if (number < 0 || number > control.user_alarm_last.value)
+    return alarm({Cause::IllegalUserAlarm, statement.at, statement.width,
+                  "a program may raise alarms 0 to " + std::to_string(control.user_alarm_last.value)});
+  const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+  const std::string text = code_->files[program.file].text.substr(statement.text, statement.text_length);
+  std::string shown = std::to_string(control.user_alarm_offset.value + static_cast<std::int64_t>(number));
+  while (static_cast<int>(shown.size()) < control.user_alarm_digits) shown.insert(0, "0");
+  words_done_ = true;
+  alarm({Cause::UserAlarm, statement.at, statement.width, text.empty() ? "raised by the program" : text});
+  alarm_->number = control.user_alarm_number.empty() ? control.user_alarm_prefix + shown : control.user_alarm_number;
+  alarm_->text = text;
+  return false;
+}
+
+bool Machine::go_to(const Statement& statement) {
+  if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
+    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a jump in MDI"});
+  Address to = statement.to;
+  std::int64_t n = statement.number;
+  if (n < 0) {
+    double value = 0;
+    if (!evaluate(statement.variable, value)) return false;
+    const double rounded = is_vacant(value) ? 0 : std::round(value);
+    if (!(rounded >= 1 && rounded <= code_->control->max_jump_number.value))
+      return alarm({Cause::IllegalJumpNumber, statement.variable_at, statement.variable_width,
+                    "GOTO takes 1 to " + std::to_string(code_->control->max_jump_number.value)});
+    n = static_cast<std::int64_t>(rounded);
+    to = code_->jump_target(code_->programs[static_cast<std::size_t>(frame().program)], n, pc_);
+  }
+  if (to == kNowhere)
+    return alarm({Cause::JumpTargetNotFound, statement.variable_at, statement.variable_width,
+                  "there is no N" + std::to_string(n) + " in " +
+                      code_->programs[static_cast<std::size_t>(frame().program)].name});
+  return jump_to(to);
+}
+
+/// Goes on at a block of the running program. Loops that do not hold it are left.
+bool Machine::jump_to(Address to) {
+  while (loops_.size() > frame().loops) {
+    const Address start = loops_.back();
+    if (to >= start && to <= code_->statements[code_->blocks[start].aux].end) break;
+    loops_.pop_back();
+  }
+  if (to <= pc_ && waits(to)) return false;
+  next_ = to;
+  return true;
+}
+
+/// A jump back that is reached twice with nothing changed in between can only wait for the world outside.
+bool Machine::waits(Address) {
+  const bool idle = jumped_from_ == pc_ && changes_at_jump_ == changes_ && last_condition_ != kNowhere;
+  jumped_from_ = pc_;
+  changes_at_jump_ = changes_;
+  if (!idle) return false;
+  const Instruction* at = code_->instructions.data() + code_->expressions[last_condition_].first;
+  while (at->op != Ins::End && at->op != Ins::Common && at->op != Ins::CommonRaw && at->op != Ins::Variable &&
+         at->op != Ins::VariableRaw)
+    ++at;
+  if (at->op == Ins::End) return false;
+  if (next_write_ < options_.inputs.writes.size()) {
+    for (const auto& [number, value] : options_.inputs.writes[next_write_++]) {
+      if (const VariablePlace place = code_->place(number);
+          place.range != nullptr && (place.kind == VariableKind::Input || place.kind == VariableKind::InputWord))
+        options_.inputs.signals[number] = value;
+      else
+        write(number, value);
+    }
+    ++changes_;
+    return false;
+  }
+  waiting_for_ = "#" + std::to_string(static_cast<std::int64_t>(at->value));
+  record_step();
+  end(Stop::Waiting);
+  return true;
+}
+
+bool Machine::loop(const Block& block) {
+  const Statement& statement = code_->statements[block.aux];
+  if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
+    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a loop in MDI"});
+  const bool inside = loops_.size() > frame().loops && loops_.back() == pc_;
+  bool holds = true;
+  if (block.op == Op::While && !condition(statement.expression, holds)) return false;
+  if (!holds) {
+    if (inside) loops_.pop_back();
+    next_ = statement.to;
+    return true;
+  }
+  if (inside) return true;
+  if (code_->control->loops_count_across_calls.value &&
+      loops_.size() >= static_cast<std::size_t>(code_->control->max_loops.value))
+    return alarm({Cause::LoopsTooDeep, statement.at, statement.width, "more loops inside each other than the control takes"});
+  loops_.push_back(pc_);
+  return true;
+}
+
+bool Machine::end_loop(const Block& block) {
+  const Statement& statement = code_->statements[block.aux];
+  while (loops_.size() > frame().loops && loops_.back() != statement.to) loops_.pop_back();
+  if (loops_.size() == frame().loops)
+    return alarm({Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"});
+  if (waits(statement.to)) return false;
+  next_ = statement.to;
+  return true;
+}
+
+bool Machine::name_variables(const Statement& statement) {
+  for (std::uint32_t i = 0; i < statement.variable_width; ++i)
+    names_[code_->names[static_cast<std::size_t>(statement.index) + i]] = statement.number + i;
+  return true;
+}
+
+Outside Machine::outside() {
+  Outside around;
+  around.profile = [this](std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks, bool& behind) {
+    return profile(ns, nf, blocks, behind);
+  };
+  around.skip = [this]() -> std::optional<std::array<double, 3>> {
+    if (next_skip_ >= options_.inputs.skips.size()) return std::nullopt;
+    return std::array<double, 3>{options_.inputs.skips[next_skip_++], 0, 0};
+  };
+  return around;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,209 @@
+// The interpreter: one run of one program, whole or block by block.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "cncsub/call.hpp"
+#include "cncsub/code.hpp"
+#include "cncsub/motion.hpp"
+#include "cncsub/trace.hpp"
+
+namespace cncsub {
+
+enum class Stop : std::uint8_t { Running, End, Alarm, Cycles, Limit, Waiting, Interrupted };
+std::string_view to_string(Stop stop);
+
+/// What the world outside answers, scripted.
+struct Inputs {
+  std::map<std::int32_t, double> signals;  // #1000 and the like
+  double clock_ms = 0;                     // #3001 when the run starts
+  double date = 0;                         // #3011, YYYYMMDD
+  double time = 0;                         // #3012, HHMMSS
+  std::vector<bool> operator_starts;       // at M00, M01, #3006: cycle start, or not; all start when empty
+  bool operator_given = false;
+  std::vector<std::map<std::int32_t, double>> writes;  // variables another program writes, each time the run waits
+  std::vector<double> skips;               // G31: where the signal comes, as a fraction of the move; none beyond
+};
+
+struct Options {
+  bool mdi = false;
+  std::int64_t start = -1;
+  std::map<std::int32_t, double> variables;
+  std::uint16_t skips = 0;  // bit k: block-skip switch k is on
+  bool optional_stop = false;
+  std::int64_t max_cycles = 1;
+  std::int64_t max_blocks = 10'000'000;
+  double max_seconds = 0;  // 0 = any
+  Trace::Depth trace = Trace::Depth::Moves;
+  Inputs inputs;
+  Setup setup;
+};
+
+class Machine {
+ public:
+  Machine(std::shared_ptr<const Code> code, std::int32_t main, Options options);
+
+  /// Executes one block. False where the run has stopped before one was executed.
+  bool step();
+  /// Runs until the run stops, or until `pause` says so (asked before each block when it is given).
+  void run(const std::function<bool()>& interrupted, const std::function<bool(const Machine&)>& pause = {});
+
+  const Code& code() const { return *code_; }
+  std::shared_ptr<const Code> shared_code() const { return code_; }
+  Stop stop() const { return stop_; }
+  const std::optional<Alarm>& alarm() const { return alarm_; }
+  const std::string& waiting_for() const { return waiting_for_; }
+  const Trace& trace() const { return trace_; }
+  const Motion& motion() const { return motion_; }
+  std::vector<Frame> frames() const;
+  int depth() const { return static_cast<int>(stack_.size()) - 1; }
+  int level() const { return level_; }
+  Address address() const { return pc_; }
+  std::int64_t blocks() const { return executed_; }
+  /// The call's arguments, as given.
+  std::map<std::int32_t, double> arguments(std::size_t call) const;
+
+  /// Every variable that is not vacant or was ever written: commons and the locals of a level.
+  std::map<std::int32_t, double> variables(int level) const;
+  std::optional<Fault> read(std::int64_t number, double& value);
+  std::optional<Fault> write(std::int64_t number, double value);
+  std::optional<Fault> read_at(std::int64_t number, int level, double& value);
+  std::optional<Fault> write_at(std::int64_t number, int level, double value);
+
+ private:
+  struct Open {  // a frame
+    std::int32_t program = 0;
+    std::int32_t call = -1;       // the row in the trace, -1 for the main program
+    std::int32_t repeat = 1, repeats = 1;
+    Address return_to = 0;
+    Address called_at = 0;
+    Address restart = 0;
+    CallKind kind = CallKind::M98;
+    bool macro = false;
+    bool own_locals = false;
+    bool external = false;
+    char code_letter = 0;         // the code that called this program or one below it
+    std::int32_t modal = -1;      // the modal call this frame runs
+    std::int32_t modal_limit = 0;  // only the modal calls below this one follow the moves of this frame
+    std::uint32_t loops = 0;      // the loops of the frames below
+  };
+  struct Modal {
+    std::uint32_t record = 0;
+    Target target;
+    std::vector<double> locals;
+    std::int32_t program = 0;  // where it was declared
+    bool every_block = false;
+  };
+
+  // Blocks. Each returns false where the run stopped.
+  bool execute(const Block& block);
+  bool alarm(Fault fault);
+  bool choose(const Block& block);
+  bool words(const Block& block);
+  bool linear(const Block& block);
+  bool decode(const Block& block, NcWords& words);
+  bool auxiliary(const NcWords& words, const Block& block);
+  bool wait_for_operator(const std::string& what);
+  bool after_words(const Motion::Outcome& outcome);
+  bool call_after_move(const Motion::Outcome& outcome);
+  bool call(const Block& block);
+  bool macro_call(const Block& block);
+  bool modal_call(const Block& block);
+  bool cancel_modal(const Block& block);
+  bool every_block(const Block& block);
+  bool return_from_call(const Block& block);
+  bool return_from_main(const Block& block, const CallRecord& back, double p);
+  bool jump(const Block& block);
+  bool end_program(const Block& block);
+  bool end_of_record();
+  bool restart_main();
+  bool assign(const Statement& statement);
+  bool go_to(const Statement& statement);
+  bool branch(const Block& block);
+  bool loop(const Block& block);
+  bool end_loop(const Block& block);
+  bool h_code(const Statement& statement);
+  bool h_jump(const Statement& statement, std::int64_t n);
+  bool h_alarm(const Statement& statement);
+  bool h_variable(const Operand& operand, std::int64_t& number);
+  std::optional<Cause> h_result(int code, double q, double r, std::int64_t target, double& result);
+  std::optional<Cause> h_digits(bool to_binary, double q, double& result) const;
+  bool print(const Print& print);
+  bool name_variables(const Statement& statement);
+  bool user_alarm(double n, const Statement& statement);
+  bool store(const Statement& statement, double value);
+  bool store_number(std::int64_t number, double value, const Statement& statement);
+
+  // Calls.
+  bool operand(const Operand& operand, double& value);
+  bool decode_target(const CallRecord& record, Target& target);
+  std::optional<Fault> refused_here(const CallRecord& record) const;
+  std::optional<Fault> refused(const CallRecord& record, const Target& target) const;
+  bool find(const CallRecord& record, Target& target);
+  bool enter(std::uint32_t index, const Target& target, std::int32_t modal);
+  bool evaluate_arguments(const CallRecord& record);
+  void open_level();
+  bool enter_modal(std::int32_t modal);
+  bool leave(Address to);
+
+  bool jump_to(Address to);
+  bool waits(Address to);
+  bool evaluate(std::uint32_t expression, double& value);
+  bool condition(std::uint32_t expression, bool& holds);
+  std::optional<Fault> compute(const Instruction* at, double& value);
+  std::optional<Fault> system_read(const VariablePlace& place, std::int64_t number, double& value);
+  std::optional<Fault> system_write(const VariablePlace& place, std::int64_t number, double value);
+  void record_step();
+  void finish();
+  bool end(Stop stop);
+  const Open& frame() const { return stack_.back(); }
+  Open& frame() { return stack_.back(); }
+  Outside outside();
+  std::optional<Fault> profile(std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks, bool& behind);
+
+  std::shared_ptr<const Code> code_;
+  Options options_;
+  Trace trace_;
+  Motion motion_;
+
+  Address pc_ = 0;
+  Address next_ = 0;  // where the run goes on behind the block that is being executed
+  std::vector<Open> stack_;
+  std::vector<double> locals_;       // level after level
+  std::vector<std::uint8_t> programmed_;  // how an argument was programmed, for AR[]
+  int level_ = 0;
+  std::vector<double> commons_;
+  std::map<std::int64_t, double> system_;  // what was written to system variables
+  std::map<std::string, std::int64_t> names_;
+  std::vector<Address> loops_;       // the DO blocks entered
+  std::vector<Modal> modals_;
+  int subprograms_ = 0, macros_ = 0;
+  std::int64_t executed_ = 0;
+  std::int64_t cycles_ = 0;
+  std::int64_t last_m_ = -1, last_n_ = -1;
+  bool words_done_ = false;
+  Motion::Outcome outcome_;           // of the words of the running block
+  std::vector<double> scratch_;       // the locals of a level that is about to open
+  std::vector<std::uint8_t> scratch_programmed_;
+  Stop stop_ = Stop::Running;
+  std::optional<Alarm> alarm_;
+  std::string waiting_for_;
+
+  // Waiting is a loop that changes nothing.
+  std::uint64_t changes_ = 0, changes_at_jump_ = ~0ULL;
+  Address jumped_from_ = kNowhere;
+  Address jumped_after_ = 0;          // the block whose move a modal call follows
+  std::uint32_t last_condition_ = kNowhere;
+  std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
+  double clock_ms_ = 0;
+  std::minstd_rand random_{1};
+};
+
+}  // namespace cncsub

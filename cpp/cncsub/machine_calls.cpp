@@ -1,0 +1,382 @@
+// The machine's calls: M98 and its family, macro calls, modal calls, and what refuses them.
+#include <algorithm>
+#include <cmath>
+
+#include "cncsub/machine.hpp"
+
+namespace cncsub {
+
+bool Machine::operand(const Operand& operand, double& value) {
+  switch (operand.kind) {
+    case Operand::Kind::Absent:
+      value = kVacant;
+      return true;
+    case Operand::Kind::Constant:
+      value = operand.value;
+      return true;
+    case Operand::Kind::Expression:
+      return evaluate(operand.expression, value);
+  }
+  return true;
+}
+
+/// The form of the call, before anything of the block is executed.
+bool Machine::decode_target(const CallRecord& record, Target& target) {
+  if (record.constant) {
+    target = record.target;
+    return true;
+  }
+  CallOperands values;
+  if (!operand(record.p, values.p) || !operand(record.l, values.l) || !operand(record.start, values.start)) return false;
+  if (auto fault = decode_call(*code_, record, values, frame().program, target)) return alarm(std::move(*fault));
+  return true;
+}
+
+bool Machine::find(const CallRecord& record, Target& target) {
+  if (record.constant) return true;
+  if (auto fault = find_target(*code_, record, frame().program, target)) return alarm(std::move(*fault));
+  return true;
+}
+
+/// Calls that the state refuses, whatever is called.
+std::optional<Fault> Machine::refused_here(const CallRecord& record) const {
+  const Control& control = *code_->control;
+  const auto fault = [&](Cause cause, std::string detail) { return Fault{cause, record.at, record.width, std::move(detail)}; };
+  if (options_.mdi) {
+    const bool refused = control.mdi_calls.value == MdiCalls::Refused ||
+                         (control.mdi_calls.value == MdiCalls::OneLevel && stack_.size() > 1);
+    if (refused) return fault(Cause::CallInMdi, stack_.size() > 1 ? "a call inside a program called from MDI" : "a call from MDI");
+  }
+  const bool by_name = record.kind == CallKind::M98 || record.kind == CallKind::M198 || record.kind == CallKind::G65 ||
+                       record.kind == CallKind::G66 || record.kind == CallKind::G661;
+  if (!modals_.empty() && by_name) {
+    switch (control.calls_in_modal.value) {
+      case CallsInModal::Allowed:
+        break;
+      case CallsInModal::EndModal:
+        if (!record.macro) return fault(Cause::CallInModalCall, "M98 while a modal macro call is active");
+        break;
+      case CallsInModal::Refused:
+        if (modals_.back().program == frame().program)
+          return fault(Cause::CallInModalCall, "a call while a modal macro call of this program is active");
+        break;
+    }
+  }
+  if (record.kind == CallKind::M198 && frame().external)
+    return fault(Cause::ExternalCallNested, "a program of the external device calls another one");
+  return std::nullopt;
+}
+
+std::optional<Fault> Machine::refused(const CallRecord& record, const Target& target) const {
+  const Control& control = *code_->control;
+  const auto fault = [&](Cause cause, std::string detail) { return Fault{cause, record.at, record.width, std::move(detail)}; };
+  const bool started = target.start_n >= 0;
+  if (target.program == frame().program) {
+    const bool bad = control.self_call.value == SelfCall::Refused || (control.self_call.value == SelfCall::WithStart && !started);
+    if (bad) return fault(Cause::ProgramCallsItself, "the program calls itself");
+  } else if (control.caller_call.value != CallerCall::Allowed) {
+    const CallerCall rule = control.caller_call.value;
+    for (std::size_t i = 0; i + 1 < stack_.size(); ++i) {
+      if (stack_[i].program != target.program) continue;
+      if (rule == CallerCall::MainRefused && i > 0) continue;
+      if (rule == CallerCall::WithStart && started) continue;
+      return fault(Cause::ProgramCallsCaller,
+                   code_->programs[static_cast<std::size_t>(target.program)].name + " is open already");
+    }
+  }
+  const int macros = macros_ + (record.macro ? 1 : 0);
+  const int subprograms = subprograms_ + (record.macro ? 0 : 1);
+  const int counted = control.nesting_counts_macros.value ? macros + subprograms : subprograms;
+  const auto deep = [](int most, const char* what) { return "the control allows " + std::to_string(most) + " " + what; };
+  if (record.macro && macros > control.max_macro_nesting.value)
+    return fault(Cause::MacroNestingTooDeep, deep(control.max_macro_nesting.value, "levels of macro calls"));
+  if (counted > control.max_nesting.value)
+    return fault(Cause::NestingTooDeep, deep(control.max_nesting.value, "levels of calls"));
+  if (control.max_total_nesting.value > 0 && macros + subprograms > control.max_total_nesting.value)
+    return fault(Cause::NestingTooDeep, deep(control.max_total_nesting.value, "levels of calls of both kinds"));
+  return std::nullopt;
+}
+
+bool Machine::call(const Block& block) {
+  const CallRecord& record = code_->calls[block.aux];
+  if (auto fault = refused_here(record)) return alarm(std::move(*fault));
+  Target target;
+  if (!decode_target(record, target)) return false;
+  if (record.arguments > 0 && !evaluate_arguments(record)) return false;
+  if (!words(block)) return false;
+  const Motion::Outcome outcome = outcome_;
+  if (target.skipped) return after_words(outcome);
+  if (!find(record, target)) return false;
+  if (target.jump) {
+    const Program& program = code_->programs[static_cast<std::size_t>(target.program)];
+    record_step();
+    if (stack_.size() == 1 && target.start == program.first) return restart_main();
+    pc_ = target.start;
+    return true;
+  }
+  return enter(block.aux, target, -1) && call_after_move(outcome);
+}
+
+bool Machine::macro_call(const Block& block) {
+  const CallRecord& record = code_->calls[block.aux];
+  if (auto fault = refused_here(record)) return alarm(std::move(*fault));
+  Target target;
+  if (!decode_target(record, target) || !evaluate_arguments(record)) return false;
+  if (!words(block)) return false;
+  if (record.kind == CallKind::G65 && code_->control->calls_in_modal.value == CallsInModal::EndModal) modals_.clear();
+  if (target.skipped) return after_words(outcome_);
+  if (!find(record, target)) return false;
+  return enter(block.aux, target, -1);
+}
+
+/// G66 only declares. What it calls is looked up at the first call.
+bool Machine::modal_call(const Block& block) {
+  const CallRecord& record = code_->calls[block.aux];
+  if (auto fault = refused_here(record)) return alarm(std::move(*fault));
+  Modal modal;
+  if (!decode_target(record, modal.target) || !evaluate_arguments(record)) return false;
+  if (!words(block)) return false;
+  if (!code_->control->modal_calls_stack.value) modals_.clear();
+  modal.record = block.aux;
+  modal.locals = scratch_;
+  modal.program = frame().program;
+  modal.every_block = record.code_kind == CodeCallKind::ModalEveryBlock;
+  constexpr std::size_t kMostModals = 1000;
+  if (modals_.size() >= kMostModals)
+    return alarm({Cause::MacroNestingTooDeep, record.at, record.width, "a thousand modal calls are active"});
+  modals_.push_back(std::move(modal));
+  ++changes_;
+  record_step();
+  pc_ = next_;
+  return true;
+}
+
+bool Machine::cancel_modal(const Block& block) {
+  if (modals_.empty() && code_->control->cancel_alone.value == CancelAlone::Alarm)
+    return alarm({Cause::ModalCallMissing, block.text, 1, "no modal macro call is active"});
+  if (!words(block)) return false;
+  if (!modals_.empty() && frame().modal < 0) modals_.pop_back();
+  ++changes_;
+  record_step();
+  pc_ = next_;
+  return true;
+}
+
+/// G66.1: the words of the block are the arguments.
+bool Machine::every_block(const Block& block) {
+  const bool plain = (block.op == Op::Words || block.op == Op::Linear) &&
+                     (block.mask != 0 || block.g_count != 0 || block.m_count != 0);
+  if (!plain) {
+    const bool kept = modals_.back().every_block;
+    modals_.back().every_block = false;
+    const std::size_t count = modals_.size();
+    const bool runs = branch(block);
+    if (modals_.size() >= count) modals_[count - 1].every_block = kept;
+    return runs;
+  }
+  NcWords words;
+  if (!decode(block, words)) return false;
+  scratch_.assign(static_cast<std::size_t>(code_->locals), kVacant);
+  static constexpr int kVariables[26] = {1, 2, 3, 7, 8, 9, 10, 11, 4, 5, 6, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  for (int i = 0; i < 26; ++i)
+    if ((words.mask & (1u << i)) != 0) {
+      const double value = words.value[static_cast<std::size_t>(i)];
+      const bool whole = (words.whole & (1u << i)) != 0;
+      scratch_[static_cast<std::size_t>(kVariables[i])] = whole ? motion_.scaled(static_cast<char>('A' + i), value) : value;
+    }
+  if (words.g_count > 0) scratch_[10] = words.g[static_cast<std::size_t>(words.g_count - 1)] / 10.0;
+  if (words.m_count > 0) scratch_[13] = words.m[static_cast<std::size_t>(words.m_count - 1)];
+  Modal& modal = modals_.back();
+  const CallRecord& record = code_->calls[modal.record];
+  if (modal.target.start == kNowhere && !find(record, modal.target)) return false;
+  words_done_ = true;
+  const Target target = modal.target;
+  return enter(modal.record, target, static_cast<std::int32_t>(modals_.size()) - 1);
+}
+
+/// The arguments of a call, evaluated at the caller's level, into the locals of the level to come.
+bool Machine::evaluate_arguments(const CallRecord& record) {
+  scratch_.assign(static_cast<std::size_t>(code_->locals), kVacant);
+  const bool told = code_->control->call_passes_words.value;
+  if (told) scratch_programmed_.assign(scratch_.size(), 0);
+  const Argument* argument = code_->arguments.data() + record.first_argument;
+  for (std::uint32_t i = 0; i < record.arguments; ++i, ++argument) {
+    double value = 0;
+    if (!operand(argument->operand, value)) return false;
+    if (argument->operand.whole && argument->operand.kind == Operand::Kind::Constant)
+      value = motion_.scaled(argument->address, value);
+    scratch_[static_cast<std::size_t>(argument->variable)] = value;
+    if (told) scratch_programmed_[static_cast<std::size_t>(argument->variable)] = motion_.modal_code(3) == 91 ? 91 : 90;
+  }
+  return true;
+}
+
+void Machine::open_level() {
+  ++level_;
+  const auto first = static_cast<std::size_t>(level_) * static_cast<std::size_t>(code_->locals);
+  const std::size_t end = first + static_cast<std::size_t>(code_->locals);
+  if (locals_.size() < end) {
+    locals_.resize(end, kVacant);
+    programmed_.resize(end, 0);
+  }
+  std::copy(scratch_.begin(), scratch_.end(), locals_.begin() + static_cast<std::ptrdiff_t>(first));
+  if (code_->control->call_passes_words.value)
+    std::copy(scratch_programmed_.begin(), scratch_programmed_.end(), programmed_.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+/// Opens a frame for what `target` says; the arguments lie in scratch_. The block is recorded as a step of the caller.
+bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t modal) {
+  const CallRecord& record = code_->calls[index];
+  if (auto fault = refused(record, target)) return alarm(std::move(*fault));
+  if (record.variable > 0) write(record.variable, record.code);
+  const bool by_move = modal >= 0 && !modals_[static_cast<std::size_t>(modal)].every_block;
+  const Address called_at = by_move ? jumped_after_ : pc_;
+  if (!by_move) record_step();
+  Open open;
+  open.program = target.program;
+  open.repeats = target.repeats;
+  open.return_to = by_move ? pc_ : next_;
+  open.called_at = called_at;
+  open.restart = target.start;
+  open.kind = record.kind;
+  open.macro = record.macro;
+  open.own_locals = record.macro || code_->control->call_passes_words.value;
+  open.external = frame().external || record.kind == CallKind::M198;
+  open.code_letter = frame().code_letter;
+  switch (record.kind) {
+    case CallKind::GCode:
+      open.code_letter = 'G';
+      break;
+    case CallKind::MCode:
+    case CallKind::TCode:
+    case CallKind::SCode:
+    case CallKind::BCode:
+    case CallKind::Ascii:
+      open.code_letter = 'M';
+      break;
+    default:
+      break;
+  }
+  open.modal = modal;
+  open.modal_limit = modal >= 0 ? modal : frame().modal_limit;
+  open.loops = static_cast<std::uint32_t>(loops_.size());
+  if (open.own_locals) open_level();
+  (record.macro ? macros_ : subprograms_) += 1;
+  if (trace_.depth != Trace::Depth::None) {
+    CallRow row;
+    row.parent = frame().call;
+    row.program = target.program;
+    row.start_n = target.start_n;
+    row.repeats = target.repeats;
+    row.level = level_;
+    row.depth = static_cast<std::int32_t>(stack_.size());
+    row.record = index;
+    row.kind = record.kind;
+    row.caller_step = executed_ - 1;
+    row.first_step = executed_;
+    row.last_step = executed_ - 1;
+    row.first_argument = static_cast<std::uint32_t>(trace_.arguments.size());
+    if (open.own_locals)
+      for (std::size_t i = 0; i < scratch_.size(); ++i)
+        if (!is_vacant(scratch_[i])) trace_.arguments.push({static_cast<std::int32_t>(i), scratch_[i]});
+    row.arguments = static_cast<std::uint32_t>(trace_.arguments.size()) - row.first_argument;
+    open.call = static_cast<std::int32_t>(trace_.calls.size());
+    trace_.calls.push(row);
+  }
+  stack_.push_back(open);
+  pc_ = target.start;
+  return true;
+}
+
+bool Machine::call_after_move(const Motion::Outcome& outcome) {
+  if (modals_.empty()) return true;
+  const bool triggers = code_->control->modal_trigger.value == ModalTrigger::Move ? outcome.moved : outcome.axis_word;
+  const auto top = std::min<std::int32_t>(static_cast<std::int32_t>(modals_.size()), frame().modal_limit);
+  if (!triggers || top <= 0 || modals_[static_cast<std::size_t>(top - 1)].every_block) return true;
+  return enter_modal(top - 1);
+}
+
+/// The macro of a modal call, behind a block that moved. The block is a step already.
+bool Machine::enter_modal(std::int32_t index) {
+  Modal& modal = modals_[static_cast<std::size_t>(index)];
+  const CallRecord& record = code_->calls[modal.record];
+  words_done_ = false;
+  if (modal.target.skipped) return true;
+  const Address behind = pc_;
+  pc_ = jumped_after_;
+  if (modal.target.start == kNowhere && !find(record, modal.target)) return false;
+  if (auto fault = refused(record, modal.target)) return alarm(std::move(*fault));
+  pc_ = behind;
+  scratch_ = modal.locals;
+  if (code_->control->call_passes_words.value) scratch_programmed_.assign(scratch_.size(), 0);
+  const Target target = modal.target;
+  return enter(modal.record, target, index);
+}
+
+/// Closes the frame and goes on in the caller.
+bool Machine::leave(Address to) {
+  const Open open = frame();
+  if (open.modal >= 0 && code_->control->modal_locals.value == ModalLocals::Kept &&
+      open.modal < static_cast<std::int32_t>(modals_.size())) {
+    const auto first = locals_.begin() + static_cast<std::ptrdiff_t>(level_) * code_->locals;
+    modals_[static_cast<std::size_t>(open.modal)].locals.assign(first, first + code_->locals);
+  }
+  if (open.call >= 0) trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
+  if (open.own_locals) --level_;
+  (open.macro ? macros_ : subprograms_) -= 1;
+  loops_.resize(open.loops);
+  stack_.pop_back();
+  pc_ = to;
+  return true;
+}
+
+std::map<std::int32_t, double> Machine::arguments(std::size_t call) const {
+  std::map<std::int32_t, double> values;
+  const CallRow row = trace_.calls[call];
+  for (std::uint32_t i = 0; i < row.arguments; ++i) {
+    const Trace::Argument argument = trace_.arguments[row.first_argument + i];
+    values[argument.variable] = argument.value;
+  }
+  return values;
+}
+
+/// The words of the blocks N(ns) to N(nf) of the running program, for a cycle that follows them.
+std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks, bool& behind) {
+  const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+  const Address first = code_->jump_target(program, ns, pc_);
+  const Address last = first == kNowhere ? kNowhere : code_->next_of(program, nf, first - 1);
+  const Block& here = code_->blocks[pc_];
+  const auto missing = [&](std::int64_t n) {
+    return Fault{Cause::PqNotFound, here.text, 1, "there is no N" + std::to_string(n) + " in " + program.name};
+  };
+  if (first == kNowhere) return missing(ns);
+  if (last == kNowhere || last < first) return missing(nf);
+  behind = first == pc_ + 1;
+  for (Address a = first; a <= last; ++a) {
+    const Block& block = code_->blocks[a];
+    if ((block.skip & options_.skips) != 0) continue;
+    switch (block.op) {
+      case Op::Words:
+      case Op::Linear:
+        break;
+      case Op::Call:
+      case Op::MacroCall:
+      case Op::ModalCall:
+      case Op::Return:
+      case Op::Choose:
+        return Fault{Cause::ProfileCall, block.text, block.length, "a call inside the blocks of the profile"};
+      default:
+        return Fault{Cause::ProfileMacro, block.text, block.length, "a macro statement inside the blocks of the profile"};
+    }
+    NcWords words;
+    const Address at = pc_;
+    if (!decode(block, words)) {
+      pc_ = at;
+      return Fault{alarm_->cause, block.text, 1, alarm_->detail};
+    }
+    blocks.push_back(words);
+  }
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,207 @@
+// Variables by their number: locals, commons, and what the control answers itself.
+#include <algorithm>
+#include <cmath>
+
+#include "cncsub/machine.hpp"
+
+namespace cncsub {
+
+namespace {
+
+Fault no_variable(std::int64_t number) { return {Cause::IllegalVariable, 0, 1, "there is no #" + std::to_string(number)}; }
+
+}  // namespace
+
+std::optional<Fault> Machine::read(std::int64_t number, double& value) { return read_at(number, level_, value); }
+std::optional<Fault> Machine::write(std::int64_t number, double value) { return write_at(number, level_, value); }
+
+std::optional<Fault> Machine::read_at(std::int64_t number, int level, double& value) {
+  const VariablePlace place = code_->place(number);
+  if (place.range == nullptr) return no_variable(number);
+  if (place.range->access == Access::WriteOnly)
+    return Fault{Cause::VariableReadProtected, 0, 1, "#" + std::to_string(number) + " cannot be read"};
+  switch (place.kind) {
+    case VariableKind::Vacant:
+      value = kVacant;
+      return std::nullopt;
+    case VariableKind::Local:
+      value = locals_[static_cast<std::size_t>(level * code_->locals + place.index)];
+      return std::nullopt;
+    case VariableKind::Common:
+    case VariableKind::Kept:
+      value = commons_[static_cast<std::size_t>(place.index)];
+      return std::nullopt;
+    case VariableKind::LevelImage: {
+      const int of = place.index / code_->locals_per_level;
+      value = of > level_ ? kVacant
+                          : locals_[static_cast<std::size_t>(of * code_->locals + place.index % code_->locals_per_level)];
+      return std::nullopt;
+    }
+    default:
+      return system_read(place, number, value);
+  }
+}
+
+std::optional<Fault> Machine::write_at(std::int64_t number, int level, double value) {
+  const VariablePlace place = code_->place(number);
+  if (place.range == nullptr) return no_variable(number);
+  if (place.kind == VariableKind::Vacant) return Fault{Cause::VacantAssigned, 0, 1, "#0 is always vacant"};
+  if (place.range->access == Access::ReadOnly)
+    return Fault{Cause::VariableWriteProtected, 0, 1, "#" + std::to_string(number) + " cannot be written"};
+  switch (place.kind) {
+    case VariableKind::Local:
+      locals_[static_cast<std::size_t>(level * code_->locals + place.index)] = value;
+      programmed_[static_cast<std::size_t>(level * code_->locals + place.index)] = 0;
+      return std::nullopt;
+    case VariableKind::Common:
+    case VariableKind::Kept:
+      commons_[static_cast<std::size_t>(place.index)] = value;
+      return std::nullopt;
+    case VariableKind::LevelImage: {
+      const int of = place.index / code_->locals_per_level;
+      if (of <= level_)
+        locals_[static_cast<std::size_t>(of * code_->locals + place.index % code_->locals_per_level)] = value;
+      return std::nullopt;
+    }
+    default:
+      return system_write(place, number, value);
+  }
+}
+
+std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64_t number, double& value) {
+  const int index = place.index;
+  const auto written = [&](double otherwise) {
+    const auto found = system_.find(number);
+    return found == system_.end() ? otherwise : found->second;
+  };
+  const auto signal = [&](std::int32_t of) {
+    const auto found = options_.inputs.signals.find(of);
+    return found == options_.inputs.signals.end() ? 0.0 : found->second;
+  };
+  constexpr int kSystems = 20;  // numbers from one work coordinate system to the next
+  switch (place.kind) {
+    case VariableKind::Input:
+      value = signal(static_cast<std::int32_t>(number)) != 0 ? 1 : 0;
+      break;
+    case VariableKind::InputWord:
+      value = signal(static_cast<std::int32_t>(number));
+      break;
+    case VariableKind::Milliseconds:
+      // The clock goes on with the motion, and a little with every look at it: a program that waits for it comes on.
+      clock_ms_ += 1;
+      ++changes_;
+      value = clock_ms_ + motion_.time() * 1000.0;
+      break;
+    case VariableKind::Hours:
+      value = written(0) + motion_.time() / 3600.0;
+      break;
+    case VariableKind::Date:
+      value = written(options_.inputs.date);
+      break;
+    case VariableKind::Time:
+      value = written(options_.inputs.time);
+      break;
+    case VariableKind::ModalCode:
+    case VariableKind::ActiveCode:
+      value = motion_.modal_code(index + 1);
+      break;
+    case VariableKind::ModalWord:
+    case VariableKind::ActiveWord: {
+      const char address = place.range->address;
+      const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+      if (address == 'M')
+        value = last_m_ < 0 ? 0 : static_cast<double>(last_m_);
+      else if (address == 'N')
+        value = last_n_ < 0 ? 0 : static_cast<double>(last_n_);
+      else if (address == 'O')
+        value = program.number < 0 ? 0 : static_cast<double>(program.number);
+      else
+        value = motion_.modal_word(address);
+      if (is_vacant(value)) value = 0;
+      break;
+    }
+    case VariableKind::BlockEnd:
+      value = motion_.block_end(index);
+      break;
+    case VariableKind::MachinePosition:
+      value = motion_.machine_position(index);
+      break;
+    case VariableKind::WorkPosition:
+      value = motion_.work_position(index);
+      break;
+    case VariableKind::SkipPosition:
+      value = motion_.skip_position(index);
+      break;
+    case VariableKind::ActiveLength:
+      value = motion_.active_length(index);
+      break;
+    case VariableKind::ServoError:
+      value = 0;
+      break;
+    case VariableKind::WorkOffset:
+      value = index % kSystems > 8 ? 0 : motion_.work_offset(index / kSystems, index % kSystems);
+      break;
+    case VariableKind::ExtraWorkOffset:
+      value = index % kSystems > 8 ? 0 : motion_.extra_offset(index / kSystems + 1, index % kSystems);
+      break;
+    case VariableKind::LengthWear:
+    case VariableKind::LengthGeometry:
+    case VariableKind::RadiusWear:
+    case VariableKind::RadiusGeometry:
+      value = motion_.offset(place.kind, index + (place.range->first % 100 == 0 ? 0 : 1));
+      break;
+    default:
+      value = written(0);
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int64_t number, double value) {
+  const int index = place.index;
+  if (is_vacant(value)) value = 0;
+  constexpr int kSystems = 20;
+  switch (place.kind) {
+    case VariableKind::Milliseconds:
+      clock_ms_ = value - motion_.time() * 1000.0;
+      break;
+    case VariableKind::Hours:
+      system_[number] = value - motion_.time() / 3600.0;
+      break;
+    case VariableKind::WorkOffset:
+      if (index % kSystems <= 8) motion_.set_work_offset(index / kSystems, index % kSystems, value);
+      break;
+    case VariableKind::ExtraWorkOffset:
+      if (index % kSystems <= 8) motion_.set_extra_offset(index / kSystems + 1, index % kSystems, value);
+      break;
+    case VariableKind::LengthWear:
+    case VariableKind::LengthGeometry:
+    case VariableKind::RadiusWear:
+    case VariableKind::RadiusGeometry:
+      motion_.set_offset(place.kind, index + (place.range->first % 100 == 0 ? 0 : 1), value);
+      break;
+    default:
+      system_[number] = value;
+      break;
+  }
+  return std::nullopt;
+}
+
+std::map<std::int32_t, double> Machine::variables(int level) const {
+  std::map<std::int32_t, double> values;
+  for (const VariableRange& range : code_->control->variables) {
+    const bool local = range.kind == VariableKind::Local;
+    const bool common = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
+    if (!local && !common) continue;
+    for (std::int32_t number = range.first; number <= range.last; ++number) {
+      const VariablePlace place = local ? VariablePlace{range.kind, number, &range} : code_->place(number);
+      const double value = local ? locals_[static_cast<std::size_t>(level * code_->locals + number)]
+                                 : commons_[static_cast<std::size_t>(place.index)];
+      if (!is_vacant(value)) values[number] = value;
+    }
+  }
+  for (const auto& [number, value] : system_) values[static_cast<std::int32_t>(number)] = value;
+  return values;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,488 @@
+#include "cncsub/motion.hpp"
+
+#include <charconv>
+
+#include "cncsub/motion_facts.hpp"
+
+namespace cncsub {
+namespace {
+
+MachineType machine_of(const Control& control, const std::string& name) {
+  const auto& names = options<MachineType>();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i].slug == name) return static_cast<MachineType>(i);
+  return control.machine.value;
+}
+
+void fill(Axes& axes, const std::map<char, double>& values) {
+  for (const auto& [name, value] : values)
+    if (const int axis = axis_of(name); axis >= 0) axes[static_cast<std::size_t>(axis)] = value;
+}
+
+void fill(std::vector<double>& table, const std::map<int, double>& values) {
+  for (const auto& [number, value] : values) {
+    if (number < 0 || number > 9999) continue;
+    if (table.size() <= static_cast<std::size_t>(number)) table.resize(static_cast<std::size_t>(number) + 1);
+    table[static_cast<std::size_t>(number)] = value;
+  }
+}
+
+struct GroupName {
+  std::string_view name;
+  Group group;
+  int mill, lathe;  // #4000 + this
+};
+// [REG; lathe 1.3]
+constexpr GroupName kGroupNames[] = {
+    {"motion", Group::Motion, 1, 1},     {"plane", Group::Plane, 2, 16},
+    {"distance", Group::Distance, 3, 3}, {"stroke", Group::Stroke, 4, 9},
+    {"feed", Group::Feed, 5, 5},         {"units", Group::Units, 6, 6},
+    {"radius", Group::Radius, 7, 7},     {"length", Group::Length, 8, 0},
+    {"cycle", Group::Cycle, 9, 10},      {"return", Group::Return, 10, 11},
+    {"scaling", Group::Scaling, 11, 0},  {"macro", Group::Macro, 12, 12},
+    {"surface", Group::Surface, 13, 2},  {"work", Group::Work, 14, 14},
+    {"path", Group::Path, 15, 0},        {"rotation", Group::Rotation, 16, 0},
+    {"polar", Group::Polar, 17, 0},      {"mirror", Group::Mirror, 22, 0},
+    {"turret", Group::Turret, 0, 4},     {"fluctuation", Group::Fluctuation, 0, 8},
+    {"polar-milling", Group::PolarMilling, 0, 21},
+};
+
+void number_groups(MotionFacts& facts, const std::string& changes) {
+  for (const GroupName& g : kGroupNames) {
+    int number = facts.lathe() ? g.lathe : g.mill;
+    const std::string key = std::string(g.name) + "=";
+    const auto found = (" " + changes).find(" " + key);
+    if (found != std::string::npos)
+      std::from_chars(changes.data() + found + key.size(), changes.data() + changes.size(), number);
+    facts.group_numbers[at(g.group)] = number;
+  }
+}
+
+/// "G54", "G54.1 P3", "EXT": 1, 103, 0; -1 for another name.
+int system_of(const std::string& name) {
+  if (name == "EXT") return 0;
+  if (name.size() == 3 && name[0] == 'G' && name[1] == '5' && name[2] >= '4' && name[2] <= '9')
+    return name[2] - '3';
+  const auto p = name.find('P');
+  if (name.rfind("G54.1", 0) != 0 || p == std::string::npos) return -1;
+  int number = 0;
+  std::from_chars(name.data() + p + 1, name.data() + name.size(), number);
+  return number > 0 ? 100 + number : -1;
+}
+
+OffsetTables tables_of(const Setup& setup, const Control& control) {
+  OffsetTables tables;
+  tables.extra.resize(static_cast<std::size_t>(control.max_extra_systems.value));
+  for (const auto& [name, values] : setup.work_offsets) {
+    const int system = system_of(name);
+    if (system >= 0 && system < 7) fill(tables.work[static_cast<std::size_t>(system)], values);
+    if (system > 100 && system - 101 < static_cast<int>(tables.extra.size()))
+      fill(tables.extra[static_cast<std::size_t>(system - 101)], values);
+  }
+  const auto numbers = static_cast<std::size_t>(control.max_offset_number.value) + 1;
+  for (auto* table : {&tables.length, &tables.length_wear, &tables.radius, &tables.radius_wear})
+    table->resize(numbers);
+  fill(tables.length, setup.length_offsets);
+  fill(tables.radius, setup.radius_offsets);
+  for (const auto& [number, tool] : setup.tools) {
+    ToolOffsets& entry = tables.tools[number];
+    fill(entry.value, tool.values);
+    entry.tip = tool.tip;
+    entry.radius = tool.radius;
+  }
+  return tables;
+}
+
+}  // namespace
+
+MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
+    : control(std::move(c)),
+      machine(machine_of(*control, setup.machine)),
+      codes(*control, machine),
+      axis_order(machine == MachineType::Mill ? "XYZABCUVW" : "XZYCABUVW"),
+      diameters(machine == MachineType::Mill ? 0 : 1),
+      increment(setup.increment > 0 ? setup.increment : 0.001) {
+  number_groups(*this, control->modal_groups.value);
+  rapid.fill(control->rapid_rate.value);
+  fill(rapid, setup.rapid);
+  for (const auto& [number, values] : setup.reference) fill(reference[number], values);
+  homed = !setup.reference.empty() || !control->home_needed.value;
+  for (const auto& [name, range] : setup.limits)
+    if (axis_of(name) >= 0) limits.push_back({axis_of(name), range.first, range.second});
+}
+
+Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup)
+    : facts_(std::make_shared<MotionFacts>(std::move(control), setup)),
+      tables_(std::make_shared<OffsetTables>(tables_of(setup, *facts_->control))) {
+  line_codes_ = {facts_->codes.of(Meaning::Rapid), facts_->codes.of(Meaning::Line)};
+  for (int i = 0; i < 3; ++i) {
+    s_.half[static_cast<std::size_t>(i)] = facts_->share(i) * facts_->share(i);
+    s_.rapid_seconds[static_cast<std::size_t>(i)] =
+        facts_->share(i) * 60 / facts_->rapid[static_cast<std::size_t>(i)];
+  }
+  power_on();
+  s_.offset = zero_offset();
+  s_.work = Axes{} - s_.offset;
+  fill(s_.work, setup.start);
+  s_.tool_at = machine_point();
+  settle();
+}
+
+void Motion::power_on() {
+  const Control& c = *facts_->control;
+  const bool lathe = facts_->lathe();
+  const auto wake = [this](Meaning meaning) {
+    const GCode code = facts_->codes.of(meaning);
+    if (code.code >= 0) s_.modal[at(code.group)] = code;
+  };
+  for (const Meaning meaning :
+       {c.power_on_line.value ? Meaning::Line : Meaning::Rapid, lathe ? Meaning::PlaneZX : Meaning::PlaneXY,
+        c.power_on_incremental.value ? Meaning::Incremental : Meaning::Absolute,
+        !lathe || c.power_on_per_minute.value ? Meaning::PerMinute : Meaning::PerRevolution, Meaning::SpindleSpeed,
+        Meaning::Metric, Meaning::RadiusOff, Meaning::LengthOff, Meaning::CycleOff, Meaning::ReturnInitial,
+        Meaning::ScalingOff, Meaning::MacroOff, Meaning::Work1, Meaning::PathCut, Meaning::RotationOff,
+        Meaning::PolarOff, Meaning::MirrorOff, Meaning::StrokeOff})
+    wake(meaning);
+  s_.plane = lathe ? 18 : 17;
+  s_.feed = c.power_on_feed.value;
+}
+
+std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome,
+                                     Outside& outside) {
+  if (s_.plain) s_.tool_at = machine_point();
+  const MotionState before = s_;
+  const std::size_t rows = moves != nullptr ? moves->size() : 0;
+  outcome = {};
+  auto wrong = run(words, step, moves, outcome, outside);
+  if (wrong) {
+    s_ = before;
+    if (moves != nullptr) moves->truncate(rows);
+    outcome = {};
+    return wrong;
+  }
+  settle();
+  return std::nullopt;
+}
+
+Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome,
+                           Outside& outside) {
+  BlockWords block{words, step, moves, outcome, outside, {}, false, false, in_cycle()};
+  const bool corner_waits = !s_.held.corner.empty();
+  if (auto wrong = read(block)) return wrong;
+  if (auto wrong = check(block)) return wrong;
+  if (auto wrong = set_modes(block)) return wrong;
+  const Axes length_before = s_.length;
+  if (auto wrong = set_length(block)) return wrong;
+  if (auto wrong = set_radius(block)) return wrong;
+  const Meaning once = block.meaning(Group::OneShot);
+  if (once != Meaning::None && once != Meaning::Ignored && once != Meaning::ExactStop) {
+    if (auto wrong = one_shot(block)) return wrong;
+  } else if (once != Meaning::Ignored) {
+    if (auto wrong = motion(block)) return wrong;
+  }
+  if (auto wrong = move_by_length(block, length_before)) return wrong;
+  if (corner_waits && !block.submitted) return fault(Cause::CornerNoMove, block);
+  if (block.submitted) s_.moved_before = true;
+  return count_idle(block);
+}
+
+/// Finds the meanings of the G codes; of two of a group the later counts.
+Motion::Result Motion::read(BlockWords& block) const {
+  const Control& c = *facts_->control;
+  for (int i = 0; i < block.words.g_count; ++i) {
+    const int written = block.words.g[static_cast<std::size_t>(i)];
+    const GCode code = facts_->codes.find(written);
+    if (code.meaning == Meaning::None) {
+      std::string name = "G" + std::to_string(written / 10);
+      if (written % 10 != 0) name += "." + std::to_string(written % 10);
+      return fault(Cause::GCodeNotAvailable, block, name);
+    }
+    GCode& place = block.codes[at(code.group)];
+    if (place.code >= 0 && code.group != Group::OneShot && c.codes_of_one_group_alarm.value)
+      return fault(Cause::GroupGivenTwice, block);
+    place = code;
+  }
+  return std::nullopt;
+}
+
+/// What may not stand together, before anything changes.
+Motion::Result Motion::check(const BlockWords& block) const {
+  const Control& c = *facts_->control;
+  if (block.has(Group::OneShot) && block.has(Group::Motion) && c.motion_with_one_shot_alarms.value)
+    return fault(Cause::OneShotWithMotion, block);
+  if (block.has(Group::Units) && block.meaning(Group::Units) != Meaning::Pulses &&
+      c.unit_change.value == UnitChange::Alone &&
+      (s_.moved_before || block.words.g_count > 1 || (block.words.mask & ~bit('N')) != 0))
+    return fault(Cause::UnitChangeLate, block);
+  const bool polar = s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn;
+  if (polar && block.has(Group::Plane) && !c.plane_change_in_polar.value) return fault(Cause::PolarPlane, block);
+  if (polar && block.has(Group::Work) && !c.work_change_in_polar.value)
+    return fault(Cause::PolarWorkSystem, block);
+  if (s_.turned.rotation && block.has(Group::Plane) && !c.plane_change_in_rotation.value)
+    return fault(Cause::RotationPlane, block);
+  if (!s_.held.corner.empty() && block.has(Group::Plane)) return fault(Cause::CornerPlane, block);
+  if (compensating() && block.has(Group::Plane) && block.codes[at(Group::Plane)].code != s_.plane * 10)
+    return fault(Cause::CompensationPlane, block);
+  return std::nullopt;
+}
+
+Motion::Result Motion::set_modes(BlockWords& block) {
+  for (const Group group : {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units, Group::Return,
+                            Group::Macro, Group::Surface, Group::Path, Group::Turret, Group::Fluctuation,
+                            Group::PolarMilling})
+    if (block.has(group)) s_.modal[at(group)] = block.codes[at(group)];
+  s_.plane = s_.modal[at(Group::Plane)].code / 10;
+  s_.surface = s_.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
+  const Meaning units = s_.modal[at(Group::Units)].meaning;
+  s_.unit = units == Meaning::Inch ? kInch : units == Meaning::Pulses ? facts_->increment : 1;
+  s_.incremental = s_.modal[at(Group::Distance)].meaning == Meaning::Incremental;
+  if (auto wrong = set_feed(block)) return wrong;
+  if (auto wrong = set_spindle(block)) return wrong;
+  if (auto wrong = set_tool(block)) return wrong;
+  if (auto wrong = select_work(block)) return wrong;
+  if (block.has(Group::Polar)) {
+    s_.modal[at(Group::Polar)] = block.codes[at(Group::Polar)];
+    s_.polar_angle = 0;
+  }
+  return set_turned(block);
+}
+
+Motion::Result Motion::set_feed(const BlockWords& block) {
+  if (!block.words.has('F')) return std::nullopt;
+  const double value = raw(block, 'F');
+  double unit = s_.unit;
+  if ((block.words.whole & bit('F')) != 0 && facts_->control->whole_numbers.value == WholeNumbers::Increments)
+    unit *= feed_increment();
+  const int most = facts_->control->max_feed.value;
+  if (value < 0 || (most > 0 && value * unit > most)) return fault(Cause::FeedOutOfRange, block);
+  s_.feed = value * unit;
+  return std::nullopt;
+}
+
+/// What F1 without a point is. [fanuc 5.9]
+double Motion::feed_increment() const {
+  const bool per_minute = s_.modal[at(Group::Feed)].meaning != Meaning::PerRevolution;
+  return (per_minute ? 1 : 0.01) * (g20() ? 0.01 : 1);
+}
+
+Motion::Result Motion::set_spindle(const BlockWords& block) {
+  if (block.words.has('S')) {
+    const double value = raw(block, 'S');
+    if (block.meaning(Group::OneShot) == Meaning::SetCoordinate) s_.max_speed = value;
+    else (s_.surface ? s_.surface_speed : s_.speed) = value;
+  }
+  for (int i = 0; i < block.words.m_count; ++i) {
+    const int m = block.words.m[static_cast<std::size_t>(i)];
+    if (m >= 3 && m <= 5) s_.spindle = m;
+    if (m == 6) s_.tool = s_.t;
+  }
+  return std::nullopt;
+}
+
+Motion::Result Motion::one_shot(BlockWords& block) {
+  switch (block.meaning(Group::OneShot)) {
+    case Meaning::Dwell:
+      return dwell(block);
+    case Meaning::SetData:
+      return set_data(block);
+    case Meaning::CheckReference:
+      return check_reference(block);
+    case Meaning::Reference:
+      return reference(block, 1);
+    case Meaning::SecondReference:
+      return reference(block, 2);
+    case Meaning::FromReference:
+      return from_reference(block);
+    case Meaning::Skip:
+      return skip(block);
+    case Meaning::Local:
+      return set_local(block);
+    case Meaning::Machine:
+      return machine_move(block);
+    case Meaning::SetCoordinate:
+      return set_coordinate(block);
+    case Meaning::ClearCoordinate:
+      return clear_coordinate(block);
+    case Meaning::Finish:
+    case Meaning::RoughTurn:
+    case Meaning::RoughFace:
+    case Meaning::RoughPattern:
+      return contour(block, block.meaning(Group::OneShot));
+    case Meaning::PeckFace:
+    case Meaning::PeckTurn:
+      return grooving(block, block.meaning(Group::OneShot));
+    case Meaning::MultipleThread:
+      return multiple_thread(block);
+    default:
+      return std::nullopt;
+  }
+}
+
+Motion::Result Motion::motion(BlockWords& block) {
+  if (block.has(Group::Motion)) {
+    s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
+    end_cycles();
+  }
+  if (block.has(Group::Cycle)) {
+    if (auto wrong = enter_cycle(block)) return wrong;
+  }
+  if (in_cycle()) return facts_->lathe() ? drilling_cycle(block) : canned_cycle(block);
+  const Meaning meaning = s_.modal[at(Group::Motion)].meaning;
+  switch (meaning) {
+    case Meaning::Cw:
+    case Meaning::Ccw:
+      return arc(block, meaning);
+    case Meaning::TurnCycle:
+    case Meaning::ThreadCycle:
+    case Meaning::FaceCycle:
+    case Meaning::TapCycle:
+      return turning_cycle(block, meaning);
+    default:
+      return straight(block, meaning);
+  }
+}
+
+Motion::Result Motion::need_feed(const BlockWords& block, Meaning meaning) const {
+  if (meaning == Meaning::Rapid || s_.feed > 0 || !facts_->control->feed_needed.value) return std::nullopt;
+  return fault(meaning == Meaning::Thread ? Cause::ThreadLead : Cause::NoFeed, block);
+}
+
+Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
+  std::uint32_t named = 0;
+  const Axes end = target(block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = need_feed(block, meaning)) return wrong;
+  const bool thread = meaning == Meaning::Thread || meaning == Meaning::VariableThread;
+  if (thread && facts_->control->thread_needs_spindle.value && (s_.spindle == 5 || s_.speed <= 0))
+    return fault(Cause::SpindleStands, block);
+  const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : thread ? MoveKind::Thread : MoveKind::Feed;
+  Piece piece = make_piece(block, kind, end, named);
+  if (auto wrong = corner_words(block, piece)) return wrong;
+  return move(block, std::move(piece));
+}
+
+/// The end point that the words name; the axes without a word stay.
+Axes Motion::target(BlockWords& block, std::uint32_t& named) const {
+  static constexpr std::pair<char, char> kIncrements[] = {{'U', 'X'}, {'W', 'Z'}, {'V', 'Y'}, {'H', 'C'}};
+  Axes end = s_.turned.rotation || s_.turned.scaling || s_.turned.mirror ? turned_back(s_.work) : s_.work;
+  const bool lathe_a = facts_->machine == MachineType::LatheA;
+  for (int i = 0; i < (lathe_a ? 6 : kAxes); ++i) {
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (!block.words.has(name)) continue;
+    named |= axis_bit(i);
+    end[i] = number(block, name) + (s_.incremental ? end[i] : 0);
+  }
+  for (const auto& [letter, name] : kIncrements) {
+    const int axis = axis_of(name);
+    if (!lathe_a || !block.words.has(letter) || (named & axis_bit(axis)) != 0) continue;
+    named |= axis_bit(axis);
+    end[axis] += number(block, letter);
+  }
+  if (s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn) polar_target(block, end, named);
+  if (s_.turned.rotation || s_.turned.scaling || s_.turned.mirror) turn_point(end, named);
+  return end;
+}
+
+Motion::Result Motion::dwell(BlockWords& block) {
+  const NcWords& w = block.words;
+  double seconds = 0;
+  if (w.has('P')) {
+    seconds = raw(block, 'P') * (facts_->control->dwell_p_seconds.value ? 1 : 0.001);
+  } else {
+    for (const char letter : {'X', 'U'})
+      if (w.has(letter)) {
+        const bool milliseconds = (w.whole & bit(letter)) != 0 &&
+                                  facts_->control->whole_numbers.value == WholeNumbers::Increments;
+        seconds = raw(block, letter) * (milliseconds ? 0.001 : 1);
+        break;
+      }
+  }
+  if (seconds <= 0) return std::nullopt;
+  return wait(block, seconds);
+}
+
+Fault Motion::fault(Cause cause, const BlockWords& block, std::string detail) const {
+  return {cause, block.words.at, 1, std::move(detail)};
+}
+
+double Motion::raw(const BlockWords& block, char address) const { return block.words[address]; }
+
+/// The value of an axis or length word in mm or degrees.
+double Motion::number(const BlockWords& block, char address) const {
+  const NcWords& w = block.words;
+  double value = w[address];
+  const bool rotary = (address >= 'A' && address <= 'C') || (address == 'H');
+  const double step = facts_->increment * (!rotary && g20() ? 0.1 : 1);
+  if ((w.computed & bit(address)) != 0) {
+    const double steps = 1 / step;
+    value = std::round(value * steps) / steps;
+  } else if ((w.whole & bit(address)) != 0 && facts_->control->whole_numbers.value == WholeNumbers::Increments) {
+    value = value / (1 / step);
+  }
+  return rotary ? value : value * s_.unit;
+}
+
+/// What the fast path needs to know.
+void Motion::settle() {
+  const Meaning motion = s_.modal[at(Group::Motion)].meaning;
+  const Meaning feed = s_.modal[at(Group::Feed)].meaning;
+  s_.row_moves = nullptr;
+  s_.line = motion == Meaning::Line ? 1 : 0;
+  s_.seconds_per_mm = s_.feed > 0 ? 60 / s_.feed : 0;
+  if (feed == Meaning::PerRevolution)
+    s_.seconds_per_mm = s_.feed > 0 && s_.speed > 0 ? 60 / (s_.feed * s_.speed) : 0;
+  s_.plain = (motion == Meaning::Line || motion == Meaning::Rapid) && !in_cycle() && !compensating() &&
+             s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged && feed != Meaning::InverseTime &&
+             s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !s_.turned.rotation &&
+             !s_.turned.scaling && !s_.turned.mirror && facts_->limits.empty() && !s_.surface &&
+             s_.tool_pending == Axes{} && facts_->control->max_feed.value == 0;
+}
+
+std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {
+  if (s_.plain) return std::nullopt;
+  NcWords words;
+  Outcome outcome;
+  Outside outside;
+  BlockWords block{words, step, moves, outcome, outside, {}, false, false, false};
+  if (!s_.held.corner.empty()) {
+    block.submitted = false;
+    Fault wrong = fault(Cause::CornerNoMove, block);
+    wrong.at = s_.held.corner.back().at;
+    return wrong;
+  }
+  auto wrong = flush_radius(moves, true);
+  settle();
+  return wrong;
+}
+
+void Motion::reset() {
+  const Control& c = *facts_->control;
+  if (c.clear_on_reset.value) {
+    const GCode work = s_.modal[at(Group::Work)], units = s_.modal[at(Group::Units)];
+    const double feed = s_.feed;
+    power_on();
+    s_.modal[at(Group::Work)] = work;
+    s_.modal[at(Group::Units)] = units;
+    s_.feed = feed;
+    s_.incremental = s_.modal[at(Group::Distance)].meaning == Meaning::Incremental;
+  }
+  s_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
+  end_cycles();
+  s_.held = {};
+  s_.turned = {};
+  if (c.clear_local_on_reset.value) {
+    s_.local = {};
+    refresh_offset();
+  }
+  s_.moved_before = false;
+  settle();
+}
+
+bool Motion::in_cycle() const { return s_.cycle.cycle != Meaning::CycleOff; }
+bool Motion::compensating() const {
+  const Meaning radius = s_.modal[at(Group::Radius)].meaning;
+  return radius == Meaning::RadiusLeft || radius == Meaning::RadiusRight;
+}
+bool Motion::g20() const { return s_.modal[at(Group::Units)].meaning == Meaning::Inch; }
+
+}  // namespace cncsub

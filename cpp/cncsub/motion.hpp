@@ -1,0 +1,218 @@
+// Where the tool goes: a block's words change the modal state, move the axes and leave rows in the table of moves.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cncsub/code.hpp"
+#include "cncsub/control.hpp"
+#include "cncsub/motion_state.hpp"
+#include "cncsub/moves.hpp"
+
+namespace cncsub {
+
+/// What was set at the machine before the run. Lengths in mm, X of a lathe as a diameter.
+struct Setup {
+  std::string machine;            // "mill", "lathe-a", "lathe-b"; empty = the control's own
+  std::map<char, double> start;   // work coordinates; an axis not named stands at its machine zero
+  std::map<std::string, std::map<char, double>> work_offsets;  // "G54", "EXT", "G54.1 P3"
+  std::map<int, double> length_offsets, radius_offsets;        // H, D
+  struct Tool {
+    std::map<char, double> values;
+    int tip = 0;
+    double radius = 0;
+  };
+  std::map<int, Tool> tools;      // of a lathe, by offset number
+  std::map<int, std::map<char, double>> reference;  // machine coordinates, 1 = G28
+  std::map<char, double> rapid;   // mm/min
+  std::map<char, std::pair<double, double>> limits;  // machine coordinates
+  double increment = 0.001;       // the least input increment
+};
+
+/// What a block needs from around it.
+struct Outside {
+  /// The blocks N(ns) to N(nf) of the running program, and whether N(ns) stands right behind the running block.
+  std::function<std::optional<Fault>(std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks,
+                                     bool& starts_right_behind)>
+      profile;
+  /// Where on the way of a G31 the skip signal comes: a fraction 0 to 1 in [0], or nothing.
+  std::function<std::optional<std::array<double, 3>>()> skip;
+};
+
+struct MotionFacts;   // what never changes during a run
+struct OffsetTables;  // zero points and tool offsets
+struct BlockWords;    // a block's words by meaning
+
+class Motion {
+ public:
+  Motion(std::shared_ptr<const Control> control, const Setup& setup);
+
+  struct Outcome {
+    bool moved = false;            // an axis really moved
+    bool axis_word = false;        // a motion block with an axis word
+    bool continue_behind = false;  // G71 to G73: go on behind block N(nf)
+    std::int64_t behind_n = -1;
+  };
+  /// Executes the motion words of a block. When it returns a fault nothing has changed.
+  std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome,
+                               Outside& outside);
+
+  /// A block with nothing but G00 or G01 (g 0, 1, or -1 for none), X, Y, Z and F, its values in the order of the alphabet.
+  /// Returns false when the state wants the general path; then nothing has changed.
+  bool linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves, bool& moved);
+
+  /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the run.
+  std::optional<Fault> finish(std::uint32_t step, Moves* moves);
+  /// What M02, M30 and the reset key do.
+  void reset();
+
+  double time() const { return s_.time; }
+  bool in_cycle() const;
+  bool compensating() const;
+  bool g20() const;
+  /// A number without a point at this address, as an argument of a macro.
+  double scaled(char address, double value) const;
+  /// The least input increment of an address, 0 where it has none.
+  double increment(char address) const;
+
+  // System variables. `axis` counts from 0 in the control's order: X Y Z A B C U V W; lathe X Z Y C A B.
+  double modal_code(int group) const;
+  double modal_word(char address) const;
+  double block_end(int axis) const;
+  double machine_position(int axis) const;
+  double work_position(int axis) const;
+  double skip_position(int axis) const;
+  double active_length(int axis) const;
+  double work_offset(int system, int axis) const;
+  void set_work_offset(int system, int axis, double value);
+  double extra_offset(int p, int axis) const;
+  void set_extra_offset(int p, int axis, double value);
+  double offset(VariableKind kind, int number) const;
+  void set_offset(VariableKind kind, int number, double value);
+
+  std::vector<std::pair<std::string, double>> position() const;
+  std::vector<std::pair<std::string, std::string>> modal() const;
+
+ private:
+  using Result = std::optional<Fault>;
+
+  // motion.cpp: a block from its words to its effect.
+  Result run(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome, Outside& outside);
+  Result read(BlockWords& block) const;
+  Result check(const BlockWords& block) const;
+  Result set_modes(BlockWords& block);
+  Result set_feed(const BlockWords& block);
+  Result set_spindle(const BlockWords& block);
+  Result one_shot(BlockWords& block);
+  Result motion(BlockWords& block);
+  Result straight(BlockWords& block, Meaning meaning);
+  Result dwell(BlockWords& block);
+  Result need_feed(const BlockWords& block, Meaning meaning) const;
+  Fault fault(Cause cause, const BlockWords& block, std::string detail = {}) const;
+  void settle();  // what the fast path needs, after any change
+  double number(const BlockWords& block, char address) const;
+  double raw(const BlockWords& block, char address) const;
+  double length_word(const BlockWords& block, char address) const;
+  Axes target(BlockWords& block, std::uint32_t& named) const;
+
+  // motion_emit.cpp: pieces on their way to the table.
+  Piece piece(const BlockWords& block, MoveKind kind, const Axes& work_end) const;
+  Result move(BlockWords& block, MoveKind kind, const Axes& work_end, std::uint32_t named);
+  Result move_axis(BlockWords& block, MoveKind kind, int axis, double value);
+  Result submit(BlockWords& block, Piece piece);
+  Result through_radius(Piece piece, Moves* moves);
+  Result record(const Piece& piece, Moves* moves, const std::array<double, 3>& vector, double arc_radius);
+  Result check_travel(const Piece& piece, const Axes& machine) const;
+  MoveState move_state() const;
+  bool set_plain_feed(double value);
+  void switch_line(int line) {
+    s_.line = static_cast<std::uint8_t>(line);
+    s_.modal[at(Group::Motion)] = line_codes_[static_cast<std::size_t>(line)];
+  }
+  void new_row_state(Moves& moves);
+
+  // motion_arc.cpp
+  Result arc(BlockWords& block, Meaning meaning);
+  // motion_polar.cpp: polar coordinates, rotation, scaling and mirror.
+  void polar_target(BlockWords& block, Axes& end, std::uint32_t& named) const;
+  Result set_turned(BlockWords& block);
+  void turn_point(Axes& point, std::uint32_t& named) const;
+  // motion_coordinates.cpp
+  void refresh_offset();
+  Result set_coordinate(BlockWords& block);
+  Result set_local(BlockWords& block);
+  Result set_data(BlockWords& block);
+  Result select_work(BlockWords& block);
+  Result machine_move(BlockWords& block);
+  Result reference(BlockWords& block, int number);
+  Result from_reference(BlockWords& block);
+  Result check_reference(BlockWords& block);
+  Result skip(BlockWords& block);
+  // motion_tool.cpp: lengths, tool words.
+  Result set_length(BlockWords& block);
+  Result set_tool(BlockWords& block);
+  // motion_corner.cpp
+  Result corner_words(BlockWords& block, Piece& piece) const;
+  Result through_corner(Piece piece, Moves* moves);
+  // motion_radius.cpp: radius compensation.
+  Result set_radius(BlockWords& block);
+  Result flush_radius(Moves* moves, bool all);
+  // motion_cycles.cpp: canned cycles of mills.
+  Result canned_cycle(BlockWords& block);
+  Result drill(BlockWords& block, const Axes& hole);
+  // motion_turning.cpp: G90 G92 G94, G74 to G76.
+  Result turning_cycle(BlockWords& block, Meaning meaning);
+  Result grooving(BlockWords& block, Meaning meaning);
+  Result multiple_thread(BlockWords& block);
+  // motion_contour.cpp: G70 to G73.
+  Result contour(BlockWords& block, Meaning meaning);
+
+  friend struct Contour;
+  friend struct RadiusPath;
+
+  std::array<GCode, 2> line_codes_;
+  MotionState s_;
+  std::shared_ptr<const MotionFacts> facts_;
+  std::shared_ptr<OffsetTables> tables_;  // copied before it is written when it is shared
+};
+
+inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves,
+                           bool& moved) {
+  MotionState& s = s_;
+  if (!s.plain) return false;
+  const bool has_feed = (mask & bit('F')) != 0;
+  const int line = g >= 0 ? g : s.line;
+  if (has_feed ? !(values->value > 0) : (line != 0 && !(s.feed > 0))) return false;
+  if (line != s.line) switch_line(line);
+  if (has_feed && !set_plain_feed((values++)->value)) return false;
+
+  const double x = s.work[0], y = s.work[1], z = s.work[2];
+  const double unit = s.unit;
+  if ((mask & bit('X')) != 0) s.work[0] = (values++)->value * unit + (s.incremental ? x : 0);
+  if ((mask & bit('Y')) != 0) s.work[1] = (values++)->value * unit + (s.incremental ? y : 0);
+  if ((mask & bit('Z')) != 0) s.work[2] = values->value * unit + (s.incremental ? z : 0);
+  const double dx = s.work[0] - x, dy = s.work[1] - y, dz = s.work[2] - z;
+  moved = dx != 0 || dy != 0 || dz != 0;
+  if (line != 0)
+    s.time += std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz) * s.seconds_per_mm;
+  else
+    s.time += std::max(std::max(std::fabs(dx) * s.rapid_seconds[0], std::fabs(dy) * s.rapid_seconds[1]),
+                       std::fabs(dz) * s.rapid_seconds[2]);
+  const std::uint32_t axes = mask & (bit('X') | bit('Y') | bit('Z'));
+  if (moves == nullptr || axes == 0) return true;
+  if (s.row_moves != moves) new_row_state(*moves);
+  moves->mark(axes >> ('X' - 'A'));
+  moves->push(step, line != 0 ? MoveKind::Feed : MoveKind::Rapid, s.work, s.row_state);
+  return true;
+}
+
+}  // namespace cncsub

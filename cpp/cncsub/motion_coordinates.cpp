@@ -1,0 +1,261 @@
+// Work coordinates: zero points and shifts, machine coordinates, reference points, data setting.
+#include "cncsub/motion_facts.hpp"
+
+namespace cncsub {
+
+/// The way from work to base coordinates: EXT + G54... + G92 + G52, and the tool shift of a lathe.
+Axes Motion::zero_offset() const {
+  const Axes& system = s_.work_system > 0 ? tables_->work[static_cast<std::size_t>(s_.work_system)]
+                                          : tables_->extra[static_cast<std::size_t>(s_.extra_system - 1)];
+  return tables_->work[0] + system + s_.shift + s_.local + s_.tool_shift;
+}
+
+/// Takes a changed zero point over: the machine stays, the work coordinates change.
+void Motion::refresh_offset() {
+  const Axes now = zero_offset();
+  if (now == s_.offset) return;
+  s_.work = s_.work + (s_.offset - now);
+  s_.offset = now;
+}
+
+Motion::Result Motion::select_work(BlockWords& block) {
+  if (!block.has(Group::Work)) return std::nullopt;
+  const Meaning meaning = block.meaning(Group::Work);
+  // [TDi 21 note 6: G54 in a block of G50 is ignored]
+  if (facts_->lathe() && block.meaning(Group::OneShot) == Meaning::SetCoordinate) return std::nullopt;
+  int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
+  const bool extra = meaning == Meaning::WorkExtra || (meaning == Meaning::Work1 && block.words.has('P') &&
+                                                       !block.has(Group::OneShot) && !block.has(Group::Cycle) &&
+                                                       !in_cycle() && block.words.m_count == 0);
+  if (extra) {
+    const double p = block.words.has('P') ? raw(block, 'P') : 1;
+    if (p < 1 || p > static_cast<double>(tables_->extra.size())) return fault(Cause::WorkSystem, block);
+    s_.extra_system = static_cast<int>(p);
+    system = 0;
+  }
+  s_.work_system = system;
+  s_.modal[at(Group::Work)] = block.codes[at(Group::Work)];
+  refresh_offset();
+  return std::nullopt;
+}
+
+/// G92, and G50 of a lathe: the point gets these coordinates, on the named axes.
+Motion::Result Motion::set_coordinate(BlockWords& block) {
+  std::uint32_t named = 0;
+  const bool incremental = s_.incremental;
+  s_.incremental = false;  // also under G91 a setting
+  const Axes given = target(block, named);
+  s_.incremental = incremental;
+  if (named == 0) return std::nullopt;
+  if (facts_->lathe() && facts_->control->set_coordinate_alarms.value)
+    return fault(Cause::CoordinateSettingRefused, block);
+  for (int i = 0; i < kAxes; ++i) {
+    if ((named >> i & 1) == 0) continue;
+    s_.shift[i] += s_.work[i] - given[i];
+    if (facts_->control->set_coordinate_without_tool.value) s_.shift[i] += s_.tool_shift[i] * -1;
+    // What was G52's becomes part of the shift. [TDi 19 note 5]
+    s_.shift[i] += s_.local[i];
+    s_.local[i] = 0;
+  }
+  if (facts_->control->set_coordinate_without_tool.value)
+    for (int i = 0; i < kAxes; ++i)
+      if ((named >> i & 1) != 0) s_.shift[i] += 2 * s_.tool_shift[i];
+  refresh_offset();
+  return std::nullopt;
+}
+
+Motion::Result Motion::clear_coordinate(BlockWords& block) {
+  for (int i = 0; i < kAxes; ++i)
+    if (block.words.has(kAxisNames[static_cast<std::size_t>(i)])) s_.shift[i] = s_.local[i] = 0;
+  refresh_offset();
+  return std::nullopt;
+}
+
+Motion::Result Motion::set_local(BlockWords& block) {
+  for (int i = 0; i < kAxes; ++i) {
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (block.words.has(name)) s_.local[i] = number(block, name);
+  }
+  refresh_offset();
+  return std::nullopt;
+}
+
+namespace {
+
+/// Adds or stores.
+void put(double& place, double value, bool add) { place = add ? place + value : value; }
+
+}  // namespace
+
+Motion::Result Motion::set_data(BlockWords& block) {
+  const NcWords& w = block.words;
+  if (!w.has('L')) return facts_->lathe() ? set_tool_data(block) : Result(fault(Cause::G10L, block));
+  const int l = static_cast<int>(raw(block, 'L'));
+  const bool offsets = l >= 10 && l <= 13;
+  if (l != 2 && l != 20 && !offsets && l != 3 && l != 50 && l != 1) return fault(Cause::G10L, block);
+  if (l == 3 || l == 50) return std::nullopt;  // tool life and parameters: no motion depends on them
+  if (!w.has('P') && l != 2) return fault(Cause::G10P, block);
+  const double p = w.has('P') ? raw(block, 'P') : s_.work_system;
+  if (offsets || l == 1) return set_offset_data(block, l, p);
+  const double last = l == 2 ? 6 : static_cast<double>(tables_->extra.size());
+  if (p < (l == 2 ? 0 : 1) || p > last || p != std::floor(p)) return fault(Cause::G10P, block);
+  OffsetTables& tables = own_tables();
+  Axes& values = l == 2 ? tables.work[static_cast<std::size_t>(p)] : tables.extra[static_cast<std::size_t>(p) - 1];
+  for (int i = 0; i < kAxes; ++i) {
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (facts_->machine == Machine::LatheA && i > 5) continue;
+    if (w.has(name)) put(values[i], number(block, name), s_.incremental);
+  }
+  if (facts_->machine == Machine::LatheA)
+    for (const auto& [letter, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
+      if (w.has(letter)) values[static_cast<std::size_t>(axis)] += number(block, letter);
+  refresh_offset();
+  return std::nullopt;
+}
+
+/// G10 L10 to L13: H and D, geometry and wear.
+Motion::Result Motion::set_offset_data(BlockWords& block, int l, double p) {
+  if (p < 0 || p >= static_cast<double>(tables_->length.size())) return fault(Cause::G10P, block);
+  if (!block.words.has('R')) return fault(Cause::G10P, block, "R is missing");
+  OffsetTables& tables = own_tables();
+  auto& table = l == 10 ? tables.length : l == 12 ? tables.radius : l == 13 ? tables.radius_wear : tables.length_wear;
+  put(table[static_cast<std::size_t>(p)], number(block, 'R'), s_.incremental);
+  return std::nullopt;
+}
+
+/// G10 P X Z R Q of a lathe; P over 10000 names the geometry, P0 the work shift.
+Motion::Result Motion::set_tool_data(BlockWords& block) {
+  const NcWords& w = block.words;
+  if (!w.has('P')) return fault(Cause::G10P, block);
+  const int p = static_cast<int>(raw(block, 'P'));
+  const int tool = p % 10000;
+  if (p < 0 || p >= 20000 || tool > facts_->control->max_offset_number.value) return fault(Cause::G10P, block);
+  OffsetTables& tables = own_tables();
+  Axes& values = p == 0 ? tables.work[0] : tables.tools[tool].value;
+  for (const auto& [name, axis] : {std::pair{'X', 0}, {'Y', 1}, {'Z', 2}})
+    if (w.has(name)) put(values[static_cast<std::size_t>(axis)], number(block, name), s_.incremental);
+  for (const auto& [name, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
+    if (w.has(name)) values[static_cast<std::size_t>(axis)] += number(block, name);
+  if (p != 0 && w.has('R')) tables.tools[tool].radius = number(block, 'R');
+  if (p != 0 && w.has('Q')) tables.tools[tool].tip = static_cast<int>(raw(block, 'Q'));
+  refresh_offset();
+  return std::nullopt;
+}
+
+/// G53: the named axes go to machine coordinates; the tool length is taken away on them. [0iMB p.228]
+Motion::Result Motion::machine_move(BlockWords& block) {
+  const Control& c = *facts_->control;
+  if (block.was_cycle && !c.machine_move_in_cycle.value) return fault(Cause::MachineMoveInCycle, block);
+  const bool modal = c.machine_move.value == MachineMove::Modal;
+  if (!facts_->homed) return fault(Cause::NotHomed, block);
+  if (block.has(Group::Motion)) s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
+  if (s_.incremental && !modal) return std::nullopt;
+  const Meaning meaning = s_.modal[at(Group::Motion)].meaning;
+  const MoveKind kind = modal && meaning != Meaning::Rapid ? MoveKind::Feed : MoveKind::Rapid;
+  Axes end = s_.work;
+  std::uint32_t named = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (!block.words.has(name) || (facts_->machine == Machine::LatheA && i > 5)) continue;
+    named |= axis_bit(i);
+    if (!s_.incremental) s_.length[i] = 0;
+    end[i] = number(block, name) + (s_.incremental ? end[i] : -s_.offset[i]);
+  }
+  if (named == 0) return std::nullopt;
+  if (kind == MoveKind::Feed)
+    if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
+  if (!modal) drop_radius();
+  return move(block, kind, end, named);
+}
+
+/// G28 and G30: rapid to the intermediate point, rapid to the reference point, the named axes only.
+Motion::Result Motion::reference(BlockWords& block, int number_of_point) {
+  const Control& c = *facts_->control;
+  if (block.was_cycle && !c.reference_in_cycle.value) return fault(Cause::ReferenceInCycle, block);
+  if ((s_.turned.rotation || s_.turned.mirror) && !c.reference_in_rotation.value)
+    return fault(Cause::ReferenceInRotation, block);
+  if (number_of_point == 2) {
+    const double p = block.words.has('P') ? raw(block, 'P') : 2;
+    if (p < 2 || p > 4) return fault(Cause::ReferenceNumber, block);
+    if (!facts_->homed) return fault(Cause::NotHomed, block);
+    number_of_point = static_cast<int>(p);
+  }
+  std::uint32_t named = 0;
+  const Axes middle = linear_target(block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = move(block, MoveKind::Rapid, middle, named)) return wrong;
+  s_.middle_known |= named;
+  const auto found = facts_->reference.find(number_of_point);
+  drop_radius();
+  Axes end = s_.work;
+  for (int i = 0; i < kAxes; ++i) {
+    if ((named >> i & 1) == 0) continue;
+    s_.middle[i] = middle[i] + s_.offset[i];
+    s_.length[i] = 0;
+    end[i] = (found == facts_->reference.end() ? 0 : found->second[static_cast<std::size_t>(i)]) - s_.offset[i];
+  }
+  return move(block, MoveKind::Rapid, end, named);
+}
+
+/// The end point without polar coordinates, which do not reach into these codes.
+Axes Motion::linear_target(BlockWords& block, std::uint32_t& named) {
+  const GCode polar = s_.modal[at(Group::Polar)];
+  s_.modal[at(Group::Polar)].meaning = Meaning::PolarOff;
+  const Axes end = target(block, named);
+  s_.modal[at(Group::Polar)] = polar;
+  return end;
+}
+
+/// G29: over the intermediate point of the last G28 to the point; under G91 the values count from there.
+Motion::Result Motion::from_reference(BlockWords& block) {
+  const Control& c = *facts_->control;
+  if (block.was_cycle && !c.reference_in_cycle.value) return fault(Cause::ReferenceInCycle, block);
+  std::uint32_t named = 0;
+  linear_target(block, named);
+  if (s_.middle_known == 0) return fault(Cause::NoIntermediate, block);
+  if (named == 0) return std::nullopt;
+  Axes middle = s_.work;
+  for (int i = 0; i < kAxes; ++i)
+    if ((named >> i & 1) != 0 && (s_.middle_known >> i & 1) != 0) middle[i] = s_.middle[i] - s_.offset[i];
+  if (auto wrong = move(block, MoveKind::Rapid, middle, named)) return wrong;
+  const Axes end = linear_target(block, named);
+  return move(block, MoveKind::Rapid, end, named);
+}
+
+Motion::Result Motion::check_reference(BlockWords& block) {
+  const NcWords& w = block.words;
+  for (int i = 0; i < w.m_count; ++i)
+    if (const int m = w.m[static_cast<std::size_t>(i)];
+        (m <= 2 || m == 30) && !facts_->control->reference_with_end.value)
+      return fault(Cause::ReferenceWithEnd, block);
+  if (block.was_cycle && !facts_->control->reference_in_cycle.value) return fault(Cause::ReferenceInCycle, block);
+  std::uint32_t named = 0;
+  const Axes end = linear_target(block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = move(block, MoveKind::Rapid, end, named)) return wrong;
+  const auto found = facts_->reference.find(1);
+  const Axes machine = machine_point();
+  for (int i = 0; i < kAxes; ++i) {
+    const double wanted = found == facts_->reference.end() ? 0 : found->second[static_cast<std::size_t>(i)];
+    if ((named >> i & 1) != 0 && std::fabs(machine[i] - wanted) > facts_->increment / 2)
+      return fault(Cause::NotAtReference, block);
+  }
+  return std::nullopt;
+}
+
+/// G31: a feed that ends where the skip signal comes.
+Motion::Result Motion::skip(BlockWords& block) {
+  if (compensating()) return fault(Cause::CompensationSkip, block);
+  std::uint32_t named = 0;
+  Axes end = linear_target(block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
+  const auto signal = block.outside.skip ? block.outside.skip() : std::nullopt;
+  if (signal)
+    for (int i = 0; i < kAxes; ++i) end[i] = s_.work[i] + (end[i] - s_.work[i]) * (*signal)[0];
+  if (auto wrong = move(block, MoveKind::Feed, end, named)) return wrong;
+  s_.skip = s_.work;
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,194 @@
+// From a block's motion to the rows of the table: the pieces, their lengths and times, and the travel limits.
+#include <algorithm>
+
+#include "cncsub/motion_facts.hpp"
+
+namespace cncsub {
+
+Axes Motion::machine_point() const { return s_.work + s_.offset + s_.length; }
+
+MoveState Motion::move_state() const {
+  MoveState state;
+  state.feed = s_.feed;
+  state.spindle = s_.surface ? s_.surface_speed : s_.speed;
+  state.max_spindle = s_.max_speed;
+  state.surface = s_.surface;
+  state.tool = s_.tool;
+  state.h = s_.h;
+  state.d = s_.d;
+  state.plane = static_cast<std::uint8_t>(s_.plane);
+  const Meaning mode = s_.modal[at(Group::Feed)].meaning;
+  state.feed_mode = mode == Meaning::PerRevolution ? FeedMode::PerRevolution
+                    : mode == Meaning::InverseTime ? FeedMode::InverseTime
+                                                   : FeedMode::PerMinute;
+  return state;
+}
+
+bool Motion::set_plain_feed(double value) {
+  value *= s_.unit;
+  if (value == s_.feed) return true;
+  s_.feed = value;
+  s_.row_moves = nullptr;
+  s_.seconds_per_mm = 60 / value;
+  if (s_.modal[at(Group::Feed)].meaning == Meaning::PerRevolution)
+    s_.seconds_per_mm = s_.speed > 0 ? 60 / (value * s_.speed) : 0;
+  return true;
+}
+
+void Motion::new_row_state(Moves& moves) {
+  if (!moves.begun()) moves.begin(machine_point(), s_.work, facts_->rapid, facts_->diameters);
+  s_.row_state = moves.intern(move_state(), s_.offset + s_.length);
+  s_.row_moves = &moves;
+}
+
+/// A motion of this block to a point in work coordinates.
+Piece Motion::make_piece(const BlockWords& block, MoveKind kind, const Axes& work_end, std::uint32_t named) const {
+  Piece piece;
+  piece.kind = kind;
+  piece.step = block.step;
+  piece.end = work_end + s_.offset;
+  piece.named = named;
+  piece.plane = s_.plane;
+  piece.at = block.words.at;
+  piece.offset = s_.offset;
+  piece.length = s_.length;
+  piece.state = move_state();
+  const Meaning radius = s_.modal[at(Group::Radius)].meaning;
+  piece.side = radius == Meaning::RadiusLeft ? -1 : radius == Meaning::RadiusRight ? 1 : 0;
+  piece.radius = piece.side != 0 ? radius_value() : 0;
+  return piece;
+}
+
+Motion::Result Motion::move(BlockWords& block, Piece piece) {
+  const Axes before = s_.work;
+  s_.work = piece.end - piece.offset;
+  if (s_.tool_pending != Axes{}) take_tool_offset(piece);
+  const PlaneAxes plane = plane_axes(piece.plane);
+  block.outcome.axis_word = true;
+  for (int i = 0; i < kAxes; ++i) {
+    if (std::fabs(s_.work[i] - before[i]) < 1e-12) continue;
+    block.outcome.moved = true;
+    if (i == plane.a || i == plane.b) block.in_plane = true;
+  }
+  if (piece.turn != 0) block.outcome.moved = block.in_plane = true;
+  block.submitted = true;
+  return through_corner(std::move(piece), before + piece.offset, block.moves);
+}
+
+Motion::Result Motion::move(BlockWords& block, MoveKind kind, const Axes& work_end, std::uint32_t named) {
+  return move(block, make_piece(block, kind, work_end, named));
+}
+
+Motion::Result Motion::move_axis(BlockWords& block, MoveKind kind, int axis, double value) {
+  Axes end = s_.work;
+  end[static_cast<std::size_t>(axis)] = value;
+  return move(block, kind, end, axis_bit(axis));
+}
+
+Motion::Result Motion::wait(BlockWords& block, double seconds) {
+  Piece piece = make_piece(block, MoveKind::Dwell, s_.work, 0);
+  piece.seconds = seconds;
+  return through_radius(std::move(piece), s_.work + s_.offset, block.moves);
+}
+
+/// Writes the row of a piece whose tool path is known. `vector` leads from the programmed point to the tool.
+Motion::Result Motion::record(const Piece& piece, Moves* moves, const std::array<double, 3>& vector) {
+  Axes machine = piece.end + piece.length;
+  for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
+  if (auto wrong = check_travel(piece, machine)) return wrong;
+  const bool round = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
+  const double length = round ? arc_length(piece, machine) : length_of(s_.tool_at, machine, facts_->diameters);
+  s_.time += seconds_of(piece, machine, length);
+  if (moves != nullptr) {
+    if (!moves->begun()) moves->begin(s_.tool_at, s_.tool_at - piece.offset - piece.length, facts_->rapid, facts_->diameters);
+    const Axes point = piece.end - piece.offset;
+    if (piece.named >> 3 != 0) moves->use(piece.named, s_.tool_at - piece.offset - piece.length);
+    else moves->mark(piece.named);
+    moves->push(piece.step, piece.kind, point, moves->intern(piece.state, piece.offset + piece.length));
+    if (round) moves->arc(centre_of(piece), length);
+    if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves->vector(vector);
+    if (piece.kind == MoveKind::Dwell) moves->seconds(piece.seconds);
+  }
+  s_.tool_at = machine;
+  return std::nullopt;
+}
+
+std::array<double, 3> Motion::centre_of(const Piece& piece) const {
+  const PlaneAxes plane = plane_axes(piece.plane);
+  std::array<double, 3> centre;
+  for (int i = 0; i < 3; ++i)
+    centre[i] = i == plane.across ? std::numeric_limits<double>::quiet_NaN() : piece.centre[i] - piece.offset[i];
+  return centre;
+}
+
+/// The tool's way on an arc, with the helix.
+double Motion::arc_length(const Piece& piece, const Axes& machine) const {
+  const PlaneAxes plane = plane_axes(piece.plane);
+  const auto polar = [&](const Axes& p) {
+    const auto part = [&](int i) { return (p[i] - piece.length[i] - piece.centre[i]) * facts_->share(i); };
+    return std::array<double, 2>{std::hypot(part(plane.a), part(plane.b)), std::atan2(part(plane.b), part(plane.a))};
+  };
+  const auto from = polar(s_.tool_at), to = polar(machine);
+  const double turn = piece.turn + std::remainder(to[1] - from[1] - piece.turn, 2 * kPi);
+  double rest = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    if (i == plane.a || i == plane.b || is_rotary(i)) continue;
+    const double d = (machine[i] - s_.tool_at[i]) * facts_->share(i);
+    rest += d * d;
+  }
+  return std::sqrt(turn * turn * from[0] * to[0] + rest);
+}
+
+double Motion::seconds_of(const Piece& piece, const Axes& machine, double length) const {
+  switch (piece.kind) {
+    case MoveKind::Dwell:
+      return piece.seconds;
+    case MoveKind::Rapid:
+      return rapid_time(s_.tool_at, machine, facts_->rapid, facts_->diameters);
+    case MoveKind::Thread:
+      return thread_time(piece.state, s_.tool_at, machine, facts_->diameters);
+    case MoveKind::Feed:
+    case MoveKind::Cw:
+    case MoveKind::Ccw:
+      break;
+  }
+  const double zero = piece.offset[0] + piece.length[0];
+  const double mean = (std::fabs(s_.tool_at[0] - zero) + std::fabs(machine[0] - zero)) / 2;
+  return cutting_time(piece.state, length, spindle_at(piece.state, mean));
+}
+
+Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) const {
+  for (const auto& limit : facts_->limits) {
+    const double value = machine[static_cast<std::size_t>(limit.axis)];
+    double low = value, high = value;
+    if (piece.turn != 0) arc_reach(piece, limit.axis, low, high);
+    if (low >= limit.low - 1e-9 && high <= limit.high + 1e-9) continue;
+    const double outside = low < limit.low - 1e-9 ? low : high;
+    std::string number = std::to_string(outside);
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.') number.pop_back();
+    return Fault{Cause::OverTravel, piece.at, 1,
+                 std::string(1, kAxisNames[static_cast<std::size_t>(limit.axis)]) + " would go to " + number};
+  }
+  return std::nullopt;
+}
+
+/// How far an arc reaches on an axis of its plane.
+void Motion::arc_reach(const Piece& piece, int axis, double& low, double& high) const {
+  const PlaneAxes plane = plane_axes(piece.plane);
+  if (axis != plane.a && axis != plane.b) return;
+  const auto part = [&](int i) { return (s_.tool_at[i] - piece.length[i] - piece.centre[i]) * facts_->share(i); };
+  const double radius = std::hypot(part(plane.a), part(plane.b));
+  const double first = std::atan2(part(plane.b), part(plane.a));
+  const double from = std::min(first, first + piece.turn), to = std::max(first, first + piece.turn);
+  for (int quarter = -6; quarter <= 6; ++quarter) {
+    const double t = quarter * kPi / 2;
+    if (t < from || t > to) continue;
+    const double reach = radius * (axis == plane.a ? std::cos(t) : std::sin(t)) / facts_->share(axis) +
+                         piece.centre[static_cast<std::size_t>(axis)] + piece.length[static_cast<std::size_t>(axis)];
+    low = std::min(low, reach);
+    high = std::max(high, reach);
+  }
+}
+
+}  // namespace cncsub

@@ -1,0 +1,95 @@
+// What never changes during a run, the offset tables, and a block's words sorted by meaning.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cncsub/motion.hpp"
+
+namespace cncsub {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kInch = 25.4;
+
+/// The axis of a letter, -1 where it is none.
+inline int axis_of(char letter) {
+  const auto found = kAxisNames.find(letter);
+  return found == std::string_view::npos ? -1 : static_cast<int>(found);
+}
+constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
+inline bool is_rotary(int axis) { return axis >= 3 && axis <= 5; }
+
+/// The two axes of a plane, and the one across it. G18 is (Z, X).
+struct PlaneAxes {
+  int a, b, across;
+};
+inline PlaneAxes plane_axes(int plane) {
+  if (plane == 18) return {2, 0, 1};
+  if (plane == 19) return {1, 2, 0};
+  return {0, 1, 2};
+}
+
+inline Axes operator+(Axes a, const Axes& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+  return a;
+}
+inline Axes operator-(Axes a, const Axes& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return a;
+}
+
+struct MotionFacts {
+  MotionFacts(std::shared_ptr<const Control> c, const Setup& setup);
+
+  std::shared_ptr<const Control> control;
+  MachineType machine;
+  GCodes codes;
+  std::string axis_order;  // the control's axes by number
+  std::array<int, kGroups> group_numbers{};
+  std::uint32_t diameters = 0;
+  double increment = 0.001;
+  Axes rapid{};
+  std::map<int, Axes> reference;
+  bool homed = false;
+  struct Limit {
+    int axis;
+    double low, high;
+  };
+  std::vector<Limit> limits;
+
+  bool lathe() const { return machine != MachineType::Mill; }
+  /// What a length of this axis counts in a path: half on a diameter axis.
+  double share(int axis) const { return (diameters >> axis & 1) != 0 ? 0.5 : 1; }
+};
+
+struct ToolOffsets {
+  Axes value{};
+  int tip = 0;
+  double radius = 0;
+};
+
+struct OffsetTables {
+  std::array<Axes, 7> work{};  // 0 = EXT
+  std::vector<Axes> extra;     // G54.1 P1...
+  std::vector<double> length, length_wear, radius, radius_wear;  // by number
+  std::map<int, ToolOffsets> tools;
+};
+
+struct BlockWords {
+  const NcWords& words;
+  std::uint32_t step;
+  Moves* moves;
+  Motion::Outcome& outcome;
+  Outside& outside;
+  std::array<GCode, kGroups> codes{};  // code -1 where the group has none in this block
+  bool submitted = false;              // a piece went out
+  bool in_plane = false;               // one that moves in the plane
+  bool was_cycle = false;              // a canned cycle was active before this block
+
+  bool has(Group group) const { return codes[at(group)].code >= 0; }
+  Meaning meaning(Group group) const { return codes[at(group)].meaning; }
+};
+
+}  // namespace cncsub

@@ -1,0 +1,396 @@
+#include "cncsub/moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cncsub {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kPi = 3.14159265358979323846;
+
+int axis_of(char name) {
+  const auto found = kAxisNames.find(static_cast<char>(name >= 'a' ? name - 'a' + 'A' : name));
+  return found == std::string_view::npos ? -1 : static_cast<int>(found);
+}
+
+}  // namespace
+
+std::string_view to_string(MoveKind kind) {
+  switch (kind) {
+    case MoveKind::Rapid:
+      return "rapid";
+    case MoveKind::Feed:
+      return "feed";
+    case MoveKind::Cw:
+      return "cw";
+    case MoveKind::Ccw:
+      return "ccw";
+    case MoveKind::Thread:
+      return "thread";
+    case MoveKind::Dwell:
+      return "dwell";
+  }
+  return "";
+}
+
+double spindle_at(const MoveState& state, double diameter) {
+  if (!state.surface) return state.spindle;
+  const double speed =
+      diameter == 0 ? state.max_spindle : 1000 * state.spindle / (kPi * std::fabs(diameter));
+  return state.max_spindle > 0 ? std::min(speed, state.max_spindle) : speed;
+}
+
+double cutting_time(const MoveState& state, double length, double mean_spindle) {
+  double rate = state.feed;
+  if (state.feed_mode == FeedMode::InverseTime) return rate > 0 ? 60 / rate : 0;
+  if (state.feed_mode == FeedMode::PerRevolution) rate *= mean_spindle;
+  return rate > 0 ? length / rate * 60 : 0;
+}
+
+double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
+  double sum = 0, turned = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    double d = to[i] - from[i];
+    if ((diameters >> i & 1) != 0) d /= 2;
+    (i >= 3 && i < 6 ? turned : sum) += d * d;
+  }
+  return std::sqrt(sum > 0 ? sum : turned);  // a rotary axis alone: its degrees
+}
+
+double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters) {
+  double longest = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    const double share = (diameters >> i & 1) != 0 ? 0.5 : 1;
+    if (to[i] != from[i] && rapid[i] > 0)
+      longest = std::max(longest, std::fabs(to[i] - from[i]) * share / rapid[i] * 60);
+  }
+  return longest;
+}
+
+double thread_time(const MoveState& state, const Axes& from, const Axes& to, std::uint32_t diameters) {
+  const double dx = (to[0] - from[0]) * ((diameters & 1) != 0 ? 0.5 : 1);
+  const double along = std::max({std::fabs(dx), std::fabs(to[1] - from[1]), std::fabs(to[2] - from[2])});
+  const double rate = state.feed * spindle_at(state, (from[0] + to[0]) / 2);
+  return rate > 0 ? along / rate * 60 : 0;
+}
+
+Moves& Moves::operator=(const Moves& other) {
+  if (this == &other) return *this;
+  chunks_.clear();
+  for (const auto& chunk : other.chunks_) chunks_.push_back(std::make_unique<Chunk>(*chunk));
+  last_ = chunks_.empty() ? nullptr : chunks_.back().get();
+  rows_ = other.rows_;
+  extras_ = other.extras_;
+  states_ = other.states_;
+  offsets_ = other.offsets_;
+  arcs_ = other.arcs_;
+  vectors_ = other.vectors_;
+  seconds_ = other.seconds_;
+  used_ = other.used_;
+  begun_ = other.begun_;
+  start_ = other.start_;
+  start_point_ = other.start_point_;
+  rapid_ = other.rapid_;
+  diameters_ = other.diameters_;
+  return *this;
+}
+
+void Moves::add_chunk() {
+  chunks_.push_back(std::unique_ptr<Chunk>(new Chunk));
+  last_ = chunks_.back().get();
+}
+
+void Moves::begin(const Axes& machine, const Axes& point, const Axes& rapid, std::uint32_t diameters) {
+  begun_ = true;
+  start_ = machine;
+  start_point_ = point;
+  rapid_ = rapid;
+  diameters_ = diameters;
+}
+
+std::uint32_t Moves::intern(MoveState state, const Axes& offset) {
+  if (offsets_.empty() || offsets_.back() != offset) offsets_.push_back(offset);
+  state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
+  if (states_.empty() || !(states_.back() == state)) states_.push_back(state);
+  return static_cast<std::uint32_t>(states_.size() - 1);
+}
+
+void Moves::use(std::uint32_t axes, const Axes& before) {
+  for (int axis = 3; axis < kAxes; ++axis) {
+    if ((axes >> axis & 1) == 0 || (used_ >> axis & 1) != 0) continue;
+    extras_.push_back({axis, rows_, before[axis], {}});
+  }
+  used_ |= axes;
+}
+
+void Moves::push_extras(const Axes& point) {
+  for (Extra& extra : extras_) extra.values.push(point[extra.axis]);
+}
+
+void Moves::arc(std::array<double, 3> centre, double length) {
+  arcs_.push({static_cast<std::uint32_t>(rows_ - 1), centre, length});
+}
+
+void Moves::vector(const std::array<double, 3>& vector) {
+  vectors_.push({static_cast<std::uint32_t>(rows_ - 1), vector});
+}
+
+void Moves::seconds(double time) { seconds_.push({static_cast<std::uint32_t>(rows_ - 1), time}); }
+
+namespace {
+
+template <class List>
+void drop(List& list, std::size_t rows) {
+  while (list.size() > 0 && list[list.size() - 1].row >= rows) list.pop();
+}
+
+/// The first entry of a list by row that belongs to this row or one behind it.
+template <class List>
+std::size_t find_row(const List& list, std::size_t row) {
+  std::size_t low = 0, high = list.size();
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    (list[middle].row < row ? low : high) = list[middle].row < row ? middle + 1 : middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+void Moves::truncate(std::size_t rows) {
+  if (rows >= rows_) return;
+  drop(arcs_, rows);
+  drop(vectors_, rows);
+  drop(seconds_, rows);
+  for (Extra& extra : extras_)
+    while (extra.values.size() > 0 && extra.first + extra.values.size() > rows) extra.values.pop();
+  rows_ = rows;
+  chunks_.resize((rows + Chunk::kRows - 1) / Chunk::kRows);
+  last_ = chunks_.empty() ? nullptr : chunks_.back().get();
+}
+
+Axes Moves::point(std::size_t row) const {
+  const Chunk& chunk = *chunks_[row / Chunk::kRows];
+  const std::size_t place = row % Chunk::kRows;
+  Axes point = start_point_;
+  point[0] = chunk.x[place];
+  point[1] = chunk.y[place];
+  point[2] = chunk.z[place];
+  for (const Extra& extra : extras_)
+    point[extra.axis] = row < extra.first ? extra.before : extra.values[row - extra.first];
+  return point;
+}
+
+/// Visits rows in order with everything that follows from them.
+struct Moves::Walk {
+  const Moves& moves;
+  std::size_t arc = 0, vector = 0, second = 0;
+  Axes from{};        // machine position before the row
+
+  void seek(std::size_t row) {
+    arc = find_row(moves.arcs_, row);
+    vector = find_row(moves.vectors_, row);
+    second = find_row(moves.seconds_, row);
+    from = moves.start_;
+    if (row > 0) {
+      Walk before{moves};
+      before.arc = find_row(moves.arcs_, row - 1);
+      before.vector = find_row(moves.vectors_, row - 1);
+      before.second = find_row(moves.seconds_, row - 1);
+      from = before.next(row - 1).machine;
+    }
+  }
+
+  MoveRow next(std::size_t index) {
+    const Chunk& chunk = *moves.chunks_[index / Chunk::kRows];
+    const std::size_t place = index % Chunk::kRows;
+    MoveRow row;
+    row.step = chunk.step[place];
+    row.kind = chunk.kind[place];
+    row.state = &moves.states_[chunk.state[place]];
+    row.point = row.machine = moves.point(index);
+    const Axes& offset = moves.offsets_[row.state->offset];
+    for (int i = 0; i < kAxes; ++i) row.machine[i] += offset[i];
+    if (vector < moves.vectors_.size() && moves.vectors_[vector].row == index) {
+      const auto& v = moves.vectors_[vector++].vector;
+      for (int i = 0; i < 3; ++i) row.machine[i] += v[i];
+    }
+    row.centre = {kNone, kNone, kNone};
+    row.length = length_of(from, row.machine, moves.diameters_);
+    if (arc < moves.arcs_.size() && moves.arcs_[arc].row == index) {
+      row.centre = moves.arcs_[arc].centre;
+      row.length = moves.arcs_[arc++].length;
+    }
+    const bool lathe = (moves.diameters_ & 1) != 0;
+    row.spindle = lathe ? spindle_at(*row.state, row.point[0]) : row.state->spindle;
+    row.time = time(row, offset[0]);
+    if (second < moves.seconds_.size() && moves.seconds_[second].row == index)
+      row.time = moves.seconds_[second++].time;
+    from = row.machine;
+    return row;
+  }
+
+  double time(const MoveRow& row, double x_offset) const {
+    switch (row.kind) {
+      case MoveKind::Rapid:
+        return rapid_time(from, row.machine, moves.rapid_, moves.diameters_);
+      case MoveKind::Thread:
+        return thread_time(*row.state, from, row.machine, moves.diameters_);
+      case MoveKind::Dwell:
+        return 0;
+      case MoveKind::Feed:
+      case MoveKind::Cw:
+      case MoveKind::Ccw:
+        break;
+    }
+    const double mean = (std::fabs(from[0] - x_offset) + std::fabs(row.point[0])) / 2;
+    return cutting_time(*row.state, row.length, spindle_at(*row.state, mean));
+  }
+};
+
+MoveRow Moves::row(std::size_t index) const {
+  Walk walk{*this};
+  walk.seek(index);
+  return walk.next(index);
+}
+
+template <class Use>
+void Moves::walk(Use&& use) const {
+  Walk walk{*this};
+  walk.from = start_;
+  for (std::size_t i = 0; i < rows_; ++i) use(i, walk.next(i));
+}
+
+std::string Moves::axes() const {
+  std::string names;
+  for (int i = 0; i < kAxes; ++i)
+    if ((used_ >> i & 1) != 0) names += kAxisNames[static_cast<std::size_t>(i)];
+  return names;
+}
+
+double Moves::length() const {
+  double sum = 0;
+  walk([&](std::size_t, const MoveRow& row) { sum += row.length; });
+  return sum;
+}
+
+double Moves::time() const {
+  double sum = 0;
+  walk([&](std::size_t, const MoveRow& row) { sum += row.time; });
+  return sum;
+}
+
+namespace {
+
+/// Widens the bounds of a plane's two axes by the quadrant points that an arc passes.
+void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters, Axes& low, Axes& high) {
+  const int a = row.state->plane == 17 ? 0 : row.state->plane == 18 ? 2 : 1;
+  const int b = row.state->plane == 17 ? 1 : row.state->plane == 18 ? 0 : 2;
+  const auto share = [&](int axis) { return (diameters >> axis & 1) != 0 ? 0.5 : 1.0; };
+  const double ca = row.centre[a], cb = row.centre[b];
+  const double radius =
+      std::hypot((row.point[a] - ca) * share(a), (row.point[b] - cb) * share(b));
+  const auto angle = [&](const Axes& p) {
+    return std::atan2((p[b] - cb) * share(b), (p[a] - ca) * share(a));
+  };
+  double first = angle(from), last = angle(row.point);
+  if (row.kind == MoveKind::Cw) std::swap(first, last);
+  if (last <= first + 1e-9) last += 2 * kPi;
+  for (int quarter = -4; quarter <= 8; ++quarter) {
+    const double t = quarter * kPi / 2;
+    if (t < first || t > last) continue;
+    const double pa = ca + radius * std::cos(t) / share(a), pb = cb + radius * std::sin(t) / share(b);
+    low[a] = std::min(low[a], pa), high[a] = std::max(high[a], pa);
+    low[b] = std::min(low[b], pb), high[b] = std::max(high[b], pb);
+  }
+}
+
+}  // namespace
+
+Moves::Bounds Moves::bounds() const {
+  Bounds bounds;
+  bounds.low.fill(kNone);
+  bounds.high.fill(kNone);
+  Axes low, high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  Axes from = start_point_;
+  walk([&](std::size_t, const MoveRow& row) {
+    for (int i = 0; i < kAxes; ++i) {
+      low[i] = std::min(low[i], row.point[i]);
+      high[i] = std::max(high[i], row.point[i]);
+    }
+    if (row.kind == MoveKind::Cw || row.kind == MoveKind::Ccw)
+      widen_by_arc(row, from, diameters_, low, high);
+    from = row.point;
+  });
+  for (int i = 0; i < kAxes; ++i)
+    if (rows_ > 0 && (used_ >> i & 1) != 0) bounds.low[i] = low[i], bounds.high[i] = high[i];
+  return bounds;
+}
+
+bool Moves::column(std::string_view name, double* out) const {
+  const int axis = name.size() == 1 ? axis_of(name[0]) : -1;
+  if (axis >= 0 && axis < 3) {
+    for (std::size_t done = 0; done < rows_; done += Chunk::kRows) {
+      const Chunk& chunk = *chunks_[done / Chunk::kRows];
+      const double* from = axis == 0 ? chunk.x : axis == 1 ? chunk.y : chunk.z;
+      std::copy_n(from, std::min(Chunk::kRows, rows_ - done), out + done);
+    }
+    return true;
+  }
+  if (axis >= 0) {
+    for (std::size_t i = 0; i < rows_; ++i) out[i] = point(i)[static_cast<std::size_t>(axis)];
+    return true;
+  }
+  const int second = name.size() == 2 ? axis_of(name[1]) : -1;
+  if (second >= 0 && name[0] == 'm') {
+    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.machine[second]; });
+  } else if (second >= 0 && second < 3 && name[0] == 'c') {
+    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.centre[second]; });
+  } else if (name == "feed") {
+    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.state->feed; });
+  } else if (name == "spindle") {
+    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.spindle; });
+  } else if (name == "length") {
+    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.length; });
+  } else if (name == "time") {
+    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.time; });
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool Moves::column(std::string_view name, std::int64_t* out) const {
+  const auto fill = [&](auto value) {
+    for (std::size_t i = 0; i < rows_; ++i) {
+      const Chunk& chunk = *chunks_[i / Chunk::kRows];
+      const std::size_t place = i % Chunk::kRows;
+      out[i] = static_cast<std::int64_t>(value(chunk, place, i));
+    }
+    return true;
+  };
+  const auto state = [&](auto field) {
+    return fill([&](const Chunk& c, std::size_t p, std::size_t) { return field(states_[c.state[p]]); });
+  };
+  if (name == "move") return fill([](const Chunk&, std::size_t, std::size_t i) { return i; });
+  if (name == "step") return fill([](const Chunk& c, std::size_t p, std::size_t) { return c.step[p]; });
+  if (name == "kind") return fill([](const Chunk& c, std::size_t p, std::size_t) { return c.kind[p]; });
+  if (name == "plane") return state([](const MoveState& s) { return s.plane; });
+  if (name == "tool") return state([](const MoveState& s) { return s.tool; });
+  if (name == "h") return state([](const MoveState& s) { return s.h; });
+  if (name == "d") return state([](const MoveState& s) { return s.d; });
+  if (name == "feed_mode") return state([](const MoveState& s) { return s.feed_mode; });
+  return false;
+}
+
+std::size_t Moves::bytes() const {
+  return chunks_.size() * sizeof(Chunk) + states_.size() * sizeof(MoveState) + offsets_.size() * sizeof(Axes) +
+         arcs_.size() * sizeof(Arc) + vectors_.size() * sizeof(Vector) + seconds_.size() * sizeof(Seconds) +
+         extras_.size() * rows_ * sizeof(double);
+}
+
+}  // namespace cncsub

@@ -1,0 +1,171 @@
+// The moves of a run as columns: one row per motion. What is constant over many rows stands in a table of states, what
+// only some rows have (arc centres, radius offsets, dwells) in lists by row, and what follows from these is computed when
+// it is asked for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/column.hpp"
+
+namespace cncsub {
+
+enum class MoveKind : std::uint8_t { Rapid, Feed, Cw, Ccw, Thread, Dwell };
+std::string_view to_string(MoveKind kind);
+
+constexpr int kAxes = 9;
+constexpr std::string_view kAxisNames = "XYZABCUVW";
+using Axes = std::array<double, kAxes>;
+
+enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
+
+/// What holds for a row besides its end point.
+struct MoveState {
+  double feed = 0;     // mm/min, mm/rev or 1/min
+  double spindle = 0;  // r/min, or m/min where `surface`
+  double max_spindle = 0;  // 0 = no limit
+  std::uint32_t offset = 0;  // into the table of offsets
+  std::int32_t tool = 0;
+  std::int32_t h = 0;
+  std::int32_t d = 0;
+  std::uint8_t plane = 17;
+  FeedMode feed_mode = FeedMode::PerMinute;
+  bool surface = false;
+
+  bool operator==(const MoveState&) const = default;
+};
+
+/// One row with everything that follows from it.
+struct MoveRow {
+  std::uint32_t step = 0;
+  MoveKind kind = MoveKind::Rapid;
+  Axes point{};    // programmed end, work coordinates, diameter on a diameter axis
+  Axes machine{};  // machine position of the tool
+  std::array<double, 3> centre{};  // NaN where none
+  const MoveState* state = nullptr;
+  double spindle = 0;  // r/min at the end of the move
+  double length = 0;   // mm
+  double time = 0;     // s
+};
+
+class Moves {
+ public:
+  Moves() = default;
+  Moves(Moves&&) noexcept = default;
+  Moves& operator=(Moves&&) noexcept = default;
+  Moves(const Moves& other) { *this = other; }
+  Moves& operator=(const Moves& other);
+
+  std::size_t size() const { return rows_; }
+  MoveRow row(std::size_t index) const;
+  /// The axes that moves named, X Y Z first.
+  std::string axes() const;
+  double length() const;
+  double time() const;
+  struct Bounds {
+    Axes low, high;  // work coordinates; NaN on an axis no move named
+  };
+  Bounds bounds() const;
+  /// Writes a whole column: x y z a b c u v w, mx my mz ma ..., cx cy cz, feed, spindle, length, time; false for another name.
+  bool column(std::string_view name, double* out) const;
+  /// move, step, kind, plane, tool, h, d, feed_mode.
+  bool column(std::string_view name, std::int64_t* out) const;
+  std::size_t bytes() const;
+
+  // What the motion engine writes.
+
+  /// The machine's facts that lengths and times need: where the tool was, rapid rates, diameter axes.
+  void begin(const Axes& machine, const Axes& point, const Axes& rapid, std::uint32_t diameters);
+  bool begun() const { return begun_; }
+  std::uint32_t intern(MoveState state, const Axes& offset);
+  std::size_t states() const { return states_.size(); }
+  /// The axes that moves named; bit 0 is X.
+  void mark(std::uint32_t axes) { used_ |= axes; }
+  /// The same for axes beyond X, Y and Z, which get a column: where they stood before.
+  void use(std::uint32_t axes, const Axes& before);
+  std::uint32_t used() const { return used_; }
+
+  /// A row with nothing but X, Y and Z, which must be fast.
+  void push(std::uint32_t step, MoveKind kind, const Axes& point, std::uint32_t state) {
+    const std::size_t place = rows_ % Chunk::kRows;
+    if (place == 0) add_chunk();
+    Chunk& chunk = *last_;
+    chunk.step[place] = step;
+    chunk.kind[place] = kind;
+    chunk.state[place] = state;
+    chunk.x[place] = point[0];
+    chunk.y[place] = point[1];
+    chunk.z[place] = point[2];
+    ++rows_;
+    if (!extras_.empty()) push_extras(point);
+  }
+  /// Facts about the row that was just pushed.
+  void arc(std::array<double, 3> centre, double length);
+  void vector(const std::array<double, 3>& vector);
+  void seconds(double time);
+  /// Forgets the rows from `rows` on.
+  void truncate(std::size_t rows);
+
+ private:
+  struct Chunk {
+    static constexpr std::size_t kRows = 1 << 15;
+    double x[kRows], y[kRows], z[kRows];
+    std::uint32_t step[kRows], state[kRows];
+    MoveKind kind[kRows];
+  };
+  struct Extra {
+    int axis = 0;
+    std::size_t first = 0;  // the first row with this axis
+    double before = 0;      // its value before
+    Column<double> values;
+  };
+  struct Arc {
+    std::uint32_t row;
+    std::array<double, 3> centre;
+    double length;
+  };
+  struct Vector {
+    std::uint32_t row;
+    std::array<double, 3> vector;
+  };
+  struct Seconds {
+    std::uint32_t row;
+    double time;
+  };
+  struct Walk;
+
+  void add_chunk();
+  void push_extras(const Axes& point);
+  Axes point(std::size_t row) const;
+  template <class Use>
+  void walk(Use&& use) const;
+
+  std::vector<std::unique_ptr<Chunk>> chunks_;
+  Chunk* last_ = nullptr;
+  std::size_t rows_ = 0;
+  std::vector<Extra> extras_;
+  std::vector<MoveState> states_;
+  std::vector<Axes> offsets_;
+  Column<Arc> arcs_;
+  Column<Vector> vectors_;
+  Column<Seconds> seconds_;
+  std::uint32_t used_ = 0;
+  bool begun_ = false;
+  Axes start_{}, start_point_{};
+  Axes rapid_{};
+  std::uint32_t diameters_ = 0;
+};
+
+/// Seconds of a straight or round move. `mean_spindle` in r/min.
+double cutting_time(const MoveState& state, double length, double mean_spindle);
+/// r/min at this diameter.
+double spindle_at(const MoveState& state, double diameter);
+double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
+double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
+double thread_time(const MoveState& state, const Axes& from, const Axes& to, std::uint32_t diameters);
+
+}  // namespace cncsub

@@ -1,0 +1,74 @@
+// Characters of a block: what is skipped, what is a digit, where it ends.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "cncsub/code.hpp"
+
+namespace cncsub {
+
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+inline char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+/// Blanks, and the characters of punched tape that say nothing: NUL and DEL.
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\x7f' || c == '\v' || c == '\f'; }
+
+/// A place in a block's text. The text ends where the block ends, comments are passed over like blanks.
+struct Scanner {
+  const char* at = nullptr;
+  const char* end = nullptr;
+  const char* file = nullptr;  // the file's first character
+
+  std::uint32_t offset() const { return static_cast<std::uint32_t>(at - file); }
+  void blanks() {
+    while (at != end) {
+      if (is_blank(*at)) {
+        ++at;
+      } else if (*at == '(') {
+        while (at != end && *at != ')') ++at;
+        if (at != end) ++at;
+      } else {
+        return;
+      }
+    }
+  }
+  char peek() {
+    blanks();
+    return at == end ? '\0' : upper(*at);
+  }
+  bool take(char c) {
+    if (peek() != c) return false;
+    ++at;
+    return true;
+  }
+  /// Takes a word if it stands here, letters apart or not. `least`: how many of its letters suffice before a non-letter.
+  bool take_word(std::string_view word) {
+    const char* start = at;
+    for (const char c : word) {
+      if (peek() != c) {
+        at = start;
+        return false;
+      }
+      ++at;
+    }
+    return true;
+  }
+};
+
+/// A number as written.
+struct Number {
+  double value = 0;
+  std::uint32_t digits = 0;        // without leading zeros
+  std::uint32_t whole_digits = 0;  // of them before the point
+  std::uint32_t written = 0;       // digits with leading zeros
+  std::uint8_t points = 0;
+  bool negative = false;
+  bool signed_ = false;
+  bool any = false;  // at least one digit
+};
+
+/// Reads sign, digits, points; blanks may stand inside. Leaves the scanner behind it.
+Number scan_number(Scanner& s);
+
+}  // namespace cncsub

@@ -1,0 +1,87 @@
+#include "cncsub/words.hpp"
+
+#include "cncsub/scan.hpp"
+
+namespace cncsub {
+
+namespace {
+
+/// What stands behind an address that is no number: up to the next letter outside brackets.
+void pass_value(Scanner& s) {
+  int brackets = 0;
+  while (s.at != s.end) {
+    const char c = s.peek();
+    if (c == '\0') return;
+    if (brackets == 0 && (is_letter(c) || c == ',' || c == '/') ) return;
+    if (c == '[') ++brackets;
+    if (c == ']') --brackets;
+    ++s.at;
+  }
+}
+
+std::string squeezed(const char* from, const char* to) {
+  std::string text;
+  bool comment = false;
+  for (; from < to; ++from) {
+    if (*from == '(') comment = true;
+    if (!comment && !is_blank(*from)) text += *from;
+    if (*from == ')') comment = false;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<WrittenWord> written_words(const Control&, std::string_view block) {
+  std::vector<WrittenWord> words;
+  Scanner s{block.data(), block.data() + block.size(), block.data()};
+  for (;;) {
+    const char c = s.peek();
+    if (s.at == s.end) return words;
+    const char* start = s.at;
+    WrittenWord word;
+    Scanner behind = s;
+    ++behind.at;
+    const char next = behind.peek();
+    if (is_letter(c) && is_letter(next)) {  // a macro statement: the rest of the block is one
+      word.text = squeezed(start, s.end);
+      words.push_back(std::move(word));
+      return words;
+    }
+    if (c == '#') {
+      word.address = "#";
+      word.text = squeezed(start, s.end);
+      words.push_back(std::move(word));
+      return words;
+    }
+    ++s.at;
+    if (c == ',' && is_letter(next)) {
+      word.address = std::string(",") + next;
+      s.peek();
+      ++s.at;
+    } else if (c == '<') {
+      word.address = "<";
+      while (s.at != s.end && *s.at != '>') ++s.at;
+      if (s.at != s.end) ++s.at;
+      word.text = std::string(start, s.at);
+      words.push_back(std::move(word));
+      continue;
+    } else {
+      word.address = std::string(1, c);
+    }
+    const char value = s.peek();
+    if (is_digit(value) || value == '.' || value == '-' || value == '+') {
+      const Number number = scan_number(s);
+      word.known = number.any && number.points < 2;
+      word.value = number.value;
+      if (!number.any) pass_value(s);
+    } else {
+      pass_value(s);
+    }
+    word.text = squeezed(start, s.at);
+    if (!word.text.empty()) word.text[0] = upper(word.text[0]);
+    words.push_back(std::move(word));
+  }
+}
+
+}  // namespace cncsub

@@ -1,0 +1,853 @@
+// FANUC: Series 16i/18i/21i with the 0i-A/B/C, 0i-D, 0i-F and 30i/31i/32i.
+//
+// The tags of the sources, and where each can be read:
+//   PB304   16i/18i-PB operator's manual B-63684EN/01, p.278: www.cncmanuals.com/fanuc/477/
+//           series-16i-18i-160i-180i-pb-operators-manual/page/304 (PB155 is its p.129, page/155)
+//   TB35    16i/18i/21i-TB additional manual A-78962EN, p.35: cncmanuals.com/fanuc/664/
+//           fs-16i-18i-21i-tb-additional-manual/page/35
+//   PMI39   Power Mate i macro executor B-62093E-1/02, p.32: www.cncmanuals.com/fanuc/626/
+//           fanuc-power-mate-i-model-d-h-macro-compiler-macro-executer-programming-manual/page/39
+//   MC52    0i/16/18/20/21 macro executor B-61803E-1, p.42: cncmanuals.com/fanuc/460/
+//           series-0i-16-18-20-21-macro-compiler-macro-executor-programming-manual/page/52
+//   CEX487  16/18/21 C-language executor B-62443EN-3, p.486: cncmanuals.com/fanuc/181/
+//           series-16-18-21-c-language-executor-programming-manual/page/487
+//   16MC    16/18 Model C machining centre operator's manual, 16TC the same for lathes, 30i and
+//           30iM the 30i-A manuals B-63944EN and B-63944EN-2: cncmanuals.com/fanuc
+//   ALM     transcript of a 30i/31i alarm appendix: github.com/cnc4me/cnc4me,
+//           packages/fanuc-macro-b/src/alarms; REG is its register-map.ts
+//   GED     gEdit "Fanuc-style ISO G-code: syntax notes", after 18i-T and 31i lathe manuals
+//   ROB     "Concise guide FANUC" of a machine builder (Robur), p.86
+//   SIN     en.cncarea.com/cnc-macro-real-versus-integer-values
+//   VAC     prodbyog.com/columns/understanding-vacancy
+//   ZAP     zappettiniconsulting.com/wiki
+//   CW-S, CW-A, CW-G   cnc.wiki: subprograms; G65 arguments; custom macro B
+//   CL198   cnclearning.com/?p=1195 (M198)
+//   X-65, X-GO, X-NUL  Chinese book texts: xing528.com/lilun/1435864, 1260326, 1435163
+//   JIX     0i custom macro chapter, jixiecun.com/thread-64304-1-1; XIA xiaomilidoc.com/p-11731552
+//   ALI     developer.aliyun.com/article/1112047; CSD wenku.csdn.net/doc/wp2nijkq6x
+//   A51     51a.net/395490012845001405; FIN 3tl2.webnode.fi/macro/makro-ohjelmointi/lauseet
+//   ISO     github.com/iSorp/macro-executor; IMD industrialmonitordirect.com, 0-MC macro brackets
+//   CNCS    cncschool.pl, 30i lathe G codes; 0iMD zijiebao.com/jishu/478540, 0i-MD G codes
+//   Clones of the macro model: NCT 99M p.171-188, TSN TSNC p.31, HAA Haas 96-8000 p.365, RW
+//   Rockwell 9/Series p.20-13 and 20-58, M7V Mitsubishi M700V p.308, WEI Weihong, INT Intek.
+#include <initializer_list>
+
+#include "controls/controls.hpp"
+
+namespace cncsub {
+namespace {
+
+using enum Evidence;
+
+constexpr const char* kSource002 = "source 002 (FANUC macro call and return, 0i)";
+constexpr const char* kSource003 = "source 003 (milling overview, subprograms of the FANUC 0i)";
+constexpr const char* kPb304 = "PB304 (FANUC 16i/18i-PB operator's manual B-63684EN/01, p.278)";
+constexpr const char* kPb155 = "PB155 (FANUC 16i/18i-PB operator's manual B-63684EN/01, p.129)";
+constexpr const char* kTb35 = "TB35 (FANUC 16i/18i/21i-TB additional manual A-78962EN, p.35)";
+constexpr const char* kPmi39 = "PMI39 (FANUC Power Mate i macro executor B-62093E-1/02, p.32)";
+constexpr const char* kCex487 = "CEX487 (FANUC 16/18/21 C executor B-62443EN-3, p.486)";
+constexpr const char* k16Mc = "16MC p.293 (FANUC 16/18 Model C machining centre manual)";
+constexpr const char* k16Tc = "16TC p.67 (FANUC 16/18 Model C lathe manual)";
+constexpr const char* k30i = "30i p.82 (FANUC 30i-A manual B-63944EN)";
+constexpr const char* k30iM = "30iM p.73 (FANUC 30i-A machining centre manual B-63944EN-2)";
+constexpr const char* kAlm = "ALM (transcript of a 30i/31i alarm appendix, cnc4me)";
+constexpr const char* kReg = "REG (register map of cnc4me)";
+constexpr const char* kGed = "GED (FANUC-style syntax notes, after 18i-T and 31i manuals)";
+constexpr const char* kRob = "ROB (a machine builder's concise guide FANUC, p.86)";
+constexpr const char* kSin = "SIN (real versus integer values, after Sinha's Custom Macro B)";
+constexpr const char* kZap = "ZAP (Zappettini macro wiki)";
+constexpr const char* kCwS = "CW-S (cnc.wiki, calling subprograms)";
+constexpr const char* kCwA = "CW-A (cnc.wiki, G65 arguments)";
+constexpr const char* kCwG = "CW-G (cnc.wiki, custom macro B)";
+constexpr const char* kCl198 = "CL198 (cnclearning.com on M198)";
+constexpr const char* kX65 = "X-65 (book text on G65, 0i)";
+constexpr const char* kXGo = "X-GO (book text on GOTO, IF and WHILE)";
+constexpr const char* kXNul = "X-NUL (book text on vacant variables and brackets)";
+constexpr const char* kJix = "JIX (repost of the 0i custom macro chapter)";
+constexpr const char* kXia = "XIA (text on 0i variables)";
+constexpr const char* kAli = "ALI (text on macro functions and 6004#0)";
+constexpr const char* kFin = "FIN (Finnish macro tutorial)";
+constexpr const char* kIso = "ISO (rules of iSorp/macro-executor)";
+constexpr const char* kA51 = "A51 (question and answer on #1000-#1032)";
+constexpr const char* k0iMd = "0iMD (list of the 0i-MD's G codes)";
+constexpr const char* kCncs = "CNCS (cncschool.pl, 30i lathe G codes)";
+constexpr const char* kRw = "RW (Rockwell 9/Series manual, a clone)";
+constexpr const char* kNct = "NCT (NCT 99M manual, a clone)";
+constexpr const char* kM7v = "M7V (Mitsubishi M700V manual, same macro family)";
+constexpr const char* kKnown = "general knowledge";
+constexpr const char* kPolicy = "policy, nobody says";
+
+/// Several sources of one rule.
+std::string cite(std::initializer_list<const char*> sources) {
+  std::string text;
+  for (const char* source : sources) {
+    if (!text.empty()) text += "; ";
+    text += source;
+  }
+  return text;
+}
+
+// ---- parameters ----
+
+struct ParameterRow {
+  const char* name;
+  double value;
+  const char* meaning;
+  const char* source;
+  Evidence evidence;
+  void (*effect)(Control&, double);
+};
+
+// Calls, returns and macros. All are 0 as delivered as far as this table knows.
+constexpr ParameterRow kParameters[] = {
+    {"0000#0", 0, "TVC: 1 = the number of characters of a block is checked (TV check)", kAlm,
+     Secondary, nullptr},
+    {"3202#0", 0, "NE8: 1 = programs O8000 to O8999 are protected", kZap, Secondary, nullptr},
+    {"3202#4", 0, "NE9: 1 = programs O9000 to O9999 are protected", kZap, Secondary, nullptr},
+    {"3401#0", 0,
+     "DPI: a number without a point is 0 = increments, 1 = mm, inches, degrees or seconds", kKnown,
+     Inferred,
+     [](Control& c, double v) {
+       c.whole_numbers.value = v != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
+     }},
+    {"3403#6", 0,
+     "AD2: an address, or two codes of a G group, twice in a block: 0 = the later counts, 1 = "
+     "alarm",
+     kKnown, Inferred,
+     [](Control& c, double v) {
+       c.repeated_address.value = v != 0 ? RepeatedAddress::Alarm : RepeatedAddress::LastWins;
+     }},
+    {"3404#2", 0, "SBP: P of M198 is 0 = a file number, 1 = a program number", kCwS, Secondary,
+     nullptr},
+    {"3404#4", 0, "M30: 1 = M30 does not rewind", kKnown, Inferred, nullptr},
+    {"3404#5", 0, "M02: 1 = M02 does not rewind", kKnown, Inferred, nullptr},
+    {"3404#6", 0,
+     "EOR: the end of a program without M02, M30 or M99: 0 = alarm, 1 = the control resets", kKnown,
+     Inferred,
+     [](Control& c, double v) {
+       c.missing_end.value = v != 0 ? MissingEnd::Ends : MissingEnd::Alarm;
+     }},
+    {"3404#7", 0, "M3B: 0 = one M code of a block counts, 1 = three", kKnown, Inferred,
+     [](Control& c, double v) { c.m_codes_per_block.value = v != 0 ? 3 : 1; }},
+    {"3451#2", 0, "1 = S may have one decimal (mills)", kSin, Secondary, nullptr},
+    {"6000#1", 0, "MGO: 1 = GOTO finds its block in a table of sequence numbers", kKnown, Inferred,
+     nullptr},
+    {"6000#3", 0, "V15: 1 = the variables of tool offsets are numbered as on the Series 15", kCwG,
+     Secondary, nullptr},
+    {"6000#4", 0, "HGO: 1 = GOTO looks first at the last 30 sequence numbers", kKnown, Inferred,
+     nullptr},
+    {"6000#5", 0, "SBM: 1 = single block stops at macro statements too", kCwG, Secondary, nullptr},
+    {"6001#1", 0, "PRT: what DPRNT writes for leading zeros: 0 = blanks, 1 = nothing", kKnown,
+     Inferred, nullptr},
+    {"6001#3", 0, "PV5: which range of common variables is put out", kKnown, Inferred, nullptr},
+    {"6001#4", 0, "CRO: DPRNT and BPRNT end with 0 = LF, 1 = CR LF", kKnown, Inferred, nullptr},
+    {"6001#5", 0, "TCS: 1 = every T code calls O9000, with the T value in #149", kSource002,
+     SourceDocument, nullptr},
+    {"6001#6", 0, "CCV: 1 = reset keeps #100 to #199", kCwG, Secondary, nullptr},
+    {"6001#7", 0, "CLV: 1 = reset keeps #1 to #33", kCwG, Secondary, nullptr},
+    {"6003", 0, "interruption macro: bits MUS MCY MSB MPR TSE MIN", kKnown, Inferred, nullptr},
+    {"6004#0", 0,
+     "NAT: ATAN is 0 = 0 to 360, 1 = -180 to 180; ASIN is 0 = 270 to 90, 1 = -90 to 90", kAli,
+     Secondary,
+     [](Control& c, double v) {
+       c.atan_range.value = v != 0 ? AngleRange::Signed : AngleRange::FullTurn;
+       c.asin_range.value = v != 0 ? AngleRange::Signed : AngleRange::FullTurn;
+     }},
+    {"6007#1", 0,
+     "SCS: 1 = every S code calls O9029, with the S value in #147 (the bit's number is from "
+     "memory)",
+     kKnown, Inferred, nullptr},
+    {"6007#2", 0, "BCS: 1 = every B code calls O9028, with the B value in #146", kKnown, Inferred,
+     nullptr},
+    {"6007#3", 0, "MGE: 1 = G codes set as negative numbers call like G66.1, not like G66", kKnown,
+     Inferred, nullptr},
+    {"6007#4", 0, "CVA: what ADP sees of an argument without a point", kCwA, Secondary, nullptr},
+    {"6008#1", 0, "MCA: #3000=n raises 0 = 3000+n with n to 200, 1 = n to 4095", kKnown, Inferred,
+     [](Control& c, double v) {
+       c.user_alarm_offset.value = v != 0 ? 0 : 3000;
+       c.user_alarm_last.value = v != 0 ? 4095 : 200;
+     }},
+    {"6008#2", 0, "ADD: what DPRNT does when a value has more digits than its format", kKnown,
+     Inferred, nullptr},
+    {"6008#6", 0,
+     "GMP: 1 = in a program called by a G code M, T and S codes call, and the other way round",
+     kKnown, Inferred,
+     [](Control& c, double v) {
+       c.code_cascade.value = v != 0 ? CodeCascade::OtherKind : CodeCascade::None;
+     }},
+    {"6008#7", 0, "IJK: 1 = argument specification I only", kSource002, SourceDocument,
+     [](Control& c, double v) {
+       c.argument_sets.value = v != 0 ? ArgumentSets::First : ArgumentSets::ByOrder;
+     }},
+    {"6010", 0, "EIA code of *", kKnown, Inferred, nullptr},
+    {"6011", 0, "EIA code of =", kKnown, Inferred, nullptr},
+    {"6012", 0, "EIA code of #", kKnown, Inferred, nullptr},
+    {"6013", 0, "EIA code of [", kKnown, Inferred, nullptr},
+    {"6014", 0, "EIA code of ]", kKnown, Inferred, nullptr},
+    {"6030", 0, "the M code that calls from the external device, 0 = M198", kKnown, Inferred,
+     nullptr},
+    {"6032", 0, "the M code of a program-entry call", kKnown, Inferred, nullptr},
+    {"6033", 0, "the M code that permits macro interrupts, 0 = M96", kKnown, Inferred, nullptr},
+    {"6034", 0, "the M code that forbids macro interrupts, 0 = M97", kKnown, Inferred, nullptr},
+    {"6038", 0, "the first of a range of G codes that call macros", kKnown, Inferred, nullptr},
+    {"6039", 0, "the program that the first G code of the range calls", kKnown, Inferred, nullptr},
+    {"6040", 0, "how many G codes the range has", kKnown, Inferred, nullptr},
+    {"6041", 0, "the first of a range of G codes with one decimal that call macros", kKnown,
+     Inferred, nullptr},
+    {"6042", 0, "the program that the first G code of that range calls", kKnown, Inferred, nullptr},
+    {"6043", 0, "how many G codes with one decimal the range has", kKnown, Inferred, nullptr},
+    {"6044", 0, "the first of a range of M codes that call subprograms", kKnown, Inferred, nullptr},
+    {"6045", 0, "the program that the first M code of the range calls", kKnown, Inferred, nullptr},
+    {"6046", 0, "how many M codes the range has", kKnown, Inferred, nullptr},
+    {"6047", 0, "the first of a range of M codes that call macros", kKnown, Inferred, nullptr},
+    {"6048", 0, "the program that the first M code of that range calls", kKnown, Inferred, nullptr},
+    {"6049", 0, "how many M codes that range has", kKnown, Inferred, nullptr},
+    {"6090", 0, "the letter (as its ASCII number) that calls O9004", kPmi39, Manual, nullptr},
+    {"6091", 0, "the letter (as its ASCII number) that calls O9005", kPmi39, Manual, nullptr},
+};
+
+// Motion and modal state.
+constexpr ParameterRow kMotionParameters[] = {
+    {"0001#1", 0, "FCV: 1 = cycles in the one-block form of the Series 10/11/15", kKnown, Inferred,
+     nullptr},
+    {"1201#2", 0, "ZCL: 1 = the reference point return ends the local coordinate system", kKnown,
+     Inferred, nullptr},
+    {"1202#3", 0, "RLC: 1 = reset ends the local coordinate system", kKnown, Inferred, nullptr},
+    {"1240", 0, "the first reference point, machine coordinates", kKnown, Inferred, nullptr},
+    {"1241", 0, "the second reference point, machine coordinates", kKnown, Inferred, nullptr},
+    {"1242", 0, "the third reference point, machine coordinates", kKnown, Inferred, nullptr},
+    {"1243", 0, "the fourth reference point, machine coordinates", kKnown, Inferred, nullptr},
+    {"1401#1", 0, "LRP: G00 moves 0 = each axis at its own rate, 1 = on a straight line", k30i,
+     Manual, nullptr},
+    {"1411", 0, "the feed in force at power-on, 0 = none", kKnown, Inferred, nullptr},
+    {"3402#0", 0, "G01: at power-on 0 = G00, 1 = G01", kKnown, Inferred, nullptr},
+    {"3402#1", 0, "G18: 1 = G18 at power-on (mills)", kKnown, Inferred, nullptr},
+    {"3402#2", 0, "G19: 1 = G19 at power-on (mills)", kKnown, Inferred, nullptr},
+    {"3402#3", 0, "G91: at power-on 0 = G90, 1 = G91", kKnown, Inferred, nullptr},
+    {"3402#4", 0, "FPM: lathes at power-on 0 = feed per revolution, 1 = feed per minute", kKnown,
+     Inferred, nullptr},
+    {"3402#6", 0,
+     "CLR: reset, M02 and M30 0 = keep the modal codes, 1 = go back to the power-on state", kKnown,
+     Inferred, nullptr},
+    {"3402#7", 0, "G23: at power-on 0 = G22, 1 = G23", kKnown, Inferred, nullptr},
+    {"3403#4", 0,
+     "RER: an arc whose radius is too small: 0 = a half circle inside the tolerance of 3410, 1 = "
+     "alarm",
+     kKnown, Inferred, nullptr},
+    {"3403#5", 0, "CIR: an arc without R, I, J and K: 0 = a straight line, 1 = alarm", kKnown,
+     Inferred, nullptr},
+    {"3405#4", 0, "CCR: 1 = C and R make corners without a comma (lathes)", kKnown, Inferred,
+     nullptr},
+    {"3406", 0, "with CLR, the groups of G codes that reset does not change, first byte", kKnown,
+     Inferred, nullptr},
+    {"3407", 0, "with CLR, the groups of G codes that reset does not change, second byte", kKnown,
+     Inferred, nullptr},
+    {"3410", 0, "how much the radius of an arc's end may differ from its start's, 0 = not checked",
+     k16Tc, Manual, nullptr},
+    {"5001#0", 0, "TLC: 1 = the length offset works on the axis named in the block (type C)",
+     kKnown, Inferred, nullptr},
+    {"5001#1", 0, "TLB: 1 = the length offset works on the axis normal to the plane (type B)",
+     kKnown, Inferred, nullptr},
+    {"5003#0", 0, "SUP: the start-up of the radius offset is 0 = type A, 1 = type B", k16Mc, Manual,
+     nullptr},
+    {"5004#2", 0, "ODI: D is 0 = a radius, 1 = a diameter", kKnown, Inferred, nullptr},
+    {"5114", 0, "the retract d of G73, mm", k30iM, Manual, nullptr},
+    {"5115", 0, "the clearance d of G83, mm", k30iM, Manual, nullptr},
+    {"5130", 0, "the run-out of a thread cycle", kKnown, Inferred, nullptr},
+};
+
+void add_parameter(Control& c, const ParameterRow& row) {
+  c.parameters.push_back({row.name, row.value, row.meaning, row.source, row.evidence, row.effect});
+}
+
+/// Parameters of the same meaning: one a code, or one a buffering stop.
+void add_parameters(Control& c, int first, int last, const char* meaning, const char* source,
+                    Evidence evidence) {
+  for (int number = first; number <= last; ++number)
+    c.parameters.push_back({std::to_string(number), 0, meaning, source, evidence, nullptr});
+}
+
+void parameters_16i(Control& c) {
+  for (const ParameterRow& row : kParameters) add_parameter(c, row);
+  add_parameters(c, 3411, 3420, "an M code that stops the reading ahead", kTb35, Manual);
+  add_parameters(c, 3421, 3432, "a limit of a range of M codes that stop the reading ahead", kTb35,
+                 Manual);
+  add_parameters(c, 6050, 6059,
+                 "a G code that calls a macro: 6050 O9010 to 6059 O9019; negative = modal like G66",
+                 kSource002, SourceDocument);
+  add_parameters(c, 6071, 6079, "an M code that calls a subprogram: 6071 O9001 to 6079 O9009",
+                 kSource002, SourceDocument);
+  add_parameters(c, 6080, 6089, "an M code that calls a macro: 6080 O9020 to 6089 O9029",
+                 kSource002, SourceDocument);
+  for (const ParameterRow& row : kMotionParameters) add_parameter(c, row);
+}
+
+// ---- variables ----
+
+struct VariableRow {
+  int first;
+  int last;
+  VariableKind kind;
+  Access access;
+  char address;
+  const char* source;
+  Evidence evidence;
+};
+
+constexpr Access kReadWrite = Access::ReadWrite;
+constexpr Access kReadOnly = Access::ReadOnly;
+constexpr Access kWriteOnly = Access::WriteOnly;
+
+// The numbers of a mill with tool offset memory C and eight axes. #150-#199 and #532-#999 are
+// options; they are fitted here.
+constexpr VariableRow kVariables[] = {
+    {0, 0, VariableKind::Vacant, kReadOnly, 0, kJix, Secondary},
+    {1, 33, VariableKind::Local, kReadWrite, 0, kJix, Secondary},
+    {100, 199, VariableKind::Common, kReadWrite, 0, kJix, Secondary},
+    {500, 999, VariableKind::Kept, kReadWrite, 0, kJix, Secondary},
+    {1000, 1015, VariableKind::Input, kReadOnly, 0, kA51, Secondary},
+    {1032, 1032, VariableKind::InputWord, kReadOnly, 0, kA51, Secondary},
+    {1100, 1115, VariableKind::Output, kReadWrite, 0, kKnown, Inferred},
+    {1132, 1133, VariableKind::OutputWord, kReadWrite, 0, kKnown, Inferred},
+    {2001, 2200, VariableKind::LengthWear, kReadWrite, 0, kKnown, Inferred},
+    {2201, 2400, VariableKind::LengthGeometry, kReadWrite, 0, kKnown, Inferred},
+    {3000, 3000, VariableKind::UserAlarm, kWriteOnly, 0, kGed, Secondary},
+    {3001, 3001, VariableKind::Milliseconds, kReadWrite, 0, kReg, Secondary},
+    {3002, 3002, VariableKind::Hours, kReadWrite, 0, kReg, Secondary},
+    {3003, 3004, VariableKind::Control1, kReadWrite, 0, kZap, Secondary},
+    {3005, 3005, VariableKind::Settings, kReadWrite, 0, kKnown, Inferred},
+    {3006, 3006, VariableKind::Message, kWriteOnly, 0, kZap, Secondary},
+    {3007, 3007, VariableKind::Mirror, kReadOnly, 0, kKnown, Inferred},
+    {3008, 3008, VariableKind::Restart, kReadOnly, 0, kKnown, Inferred},
+    {3011, 3011, VariableKind::Date, kReadOnly, 0, kReg, Secondary},
+    {3012, 3012, VariableKind::Time, kReadOnly, 0, kReg, Secondary},
+    {3901, 3902, VariableKind::PartsCount, kReadWrite, 0, kKnown, Inferred},
+    {4001, 4022, VariableKind::ModalCode, kReadOnly, 0, kReg, Secondary},
+    {4102, 4102, VariableKind::ModalWord, kReadOnly, 'B', kReg, Secondary},
+    {4107, 4107, VariableKind::ModalWord, kReadOnly, 'D', kReg, Secondary},
+    {4109, 4109, VariableKind::ModalWord, kReadOnly, 'F', kReg, Secondary},
+    {4111, 4111, VariableKind::ModalWord, kReadOnly, 'H', kReg, Secondary},
+    {4113, 4113, VariableKind::ModalWord, kReadOnly, 'M', kReg, Secondary},
+    {4114, 4114, VariableKind::ModalWord, kReadOnly, 'N', kReg, Secondary},
+    {4115, 4115, VariableKind::ModalWord, kReadOnly, 'O', kReg, Secondary},
+    {4119, 4119, VariableKind::ModalWord, kReadOnly, 'S', kReg, Secondary},
+    {4120, 4120, VariableKind::ModalWord, kReadOnly, 'T', kReg, Secondary},
+    {4130, 4130, VariableKind::ModalWord, kReadOnly, 'P', kKnown, Inferred},
+    {5001, 5008, VariableKind::BlockEnd, kReadOnly, 0, kZap, Secondary},
+    {5021, 5028, VariableKind::MachinePosition, kReadOnly, 0, kZap, Secondary},
+    {5041, 5048, VariableKind::WorkPosition, kReadOnly, 0, kZap, Secondary},
+    {5061, 5068, VariableKind::SkipPosition, kReadOnly, 0, kZap, Secondary},
+    {5081, 5088, VariableKind::ActiveLength, kReadOnly, 0, kZap, Secondary},
+    {5101, 5108, VariableKind::ServoError, kReadOnly, 0, kZap, Secondary},
+    {5201, 5328, VariableKind::WorkOffset, kReadWrite, 0, kKnown, Inferred},
+    {7001, 7948, VariableKind::ExtraWorkOffset, kReadWrite, 0, kKnown, Inferred},
+    {10001, 10999, VariableKind::LengthWear, kReadWrite, 0, kKnown, Inferred},
+    {11001, 11999, VariableKind::LengthGeometry, kReadWrite, 0, kKnown, Inferred},
+    {12001, 12999, VariableKind::RadiusWear, kReadWrite, 0, kKnown, Inferred},
+    {13001, 13999, VariableKind::RadiusGeometry, kReadWrite, 0, kKnown, Inferred},
+};
+
+// What the 30i adds: the running block's modal state, 300 work systems, variables of the embedded
+// macro.
+constexpr VariableRow kVariables30i[] = {
+    {4201, 4230, VariableKind::ActiveCode, kReadOnly, 0, kKnown, Inferred},
+    {4302, 4302, VariableKind::ActiveWord, kReadOnly, 'B', kKnown, Inferred},
+    {4307, 4307, VariableKind::ActiveWord, kReadOnly, 'D', kKnown, Inferred},
+    {4309, 4309, VariableKind::ActiveWord, kReadOnly, 'F', kKnown, Inferred},
+    {4311, 4311, VariableKind::ActiveWord, kReadOnly, 'H', kKnown, Inferred},
+    {4313, 4313, VariableKind::ActiveWord, kReadOnly, 'M', kKnown, Inferred},
+    {4314, 4314, VariableKind::ActiveWord, kReadOnly, 'N', kKnown, Inferred},
+    {4315, 4315, VariableKind::ActiveWord, kReadOnly, 'O', kKnown, Inferred},
+    {4319, 4319, VariableKind::ActiveWord, kReadOnly, 'S', kKnown, Inferred},
+    {4320, 4320, VariableKind::ActiveWord, kReadOnly, 'T', kKnown, Inferred},
+    {4330, 4330, VariableKind::ActiveWord, kReadOnly, 'P', kKnown, Inferred},
+    {14001, 19988, VariableKind::ExtraWorkOffset, kReadWrite, 0, kKnown, Inferred},
+    {98000, 98499, VariableKind::Kept, kReadWrite, 0, kKnown, Inferred},
+};
+
+void add_variable(Control& c, const VariableRow& row) {
+  c.variables.push_back(
+      {row.first, row.last, row.kind, row.access, row.address, row.source, row.evidence});
+}
+
+// ---- calls by code ----
+
+/// The codes that call programs. G and M codes may be registered inside the given limits.
+void code_calls(Control& c, int last_g, int first_sub_m, int last_sub_m, int first_macro_m,
+                int last_macro_m) {
+  using Form = CodeCall::Form;
+  using Kind = CodeCallKind;
+  const std::string sub_source = cite({kSource002, "the limits general knowledge"});
+  c.code_calls = {
+      // A negative number makes the call modal.
+      {Form::List, 'G', Kind::Macro, 6050, 9010, 10, "", 0, 1, last_g, "", sub_source,
+       SourceDocument},
+      {Form::Range, 'G', Kind::Macro, 6038, 6039, 6040, "", 0, 1, last_g, "", kKnown, Inferred},
+      {Form::List, 'M', Kind::Macro, 6080, 9020, 10, "", 0, first_macro_m, last_macro_m, "",
+       sub_source, SourceDocument},
+      {Form::Range, 'M', Kind::Macro, 6047, 6048, 6049, "", 0, first_macro_m, last_macro_m, "",
+       kKnown, Inferred},
+      {Form::List, 'M', Kind::Subprogram, 6071, 9001, 9, "", 0, first_sub_m, last_sub_m, "",
+       sub_source, SourceDocument},
+      {Form::Range, 'M', Kind::Subprogram, 6044, 6045, 6046, "", 0, first_sub_m, last_sub_m, "",
+       kKnown, Inferred},
+      {Form::Switch, 'T', Kind::Subprogram, 0, 9000, 0, "6001#5", 149, 0, 99999999, "",
+       cite({kSource002, kPmi39}), SourceDocument},
+      {Form::Switch, 'S', Kind::Subprogram, 0, 9029, 0, "6007#1", 147, 0, 99999999, "", kKnown,
+       Inferred},
+      {Form::Switch, 'B', Kind::Subprogram, 0, 9028, 0, "6007#2", 146, 0, 99999999, "", kKnown,
+       Inferred},
+      // The parameter holds the letter.
+      {Form::List, '@', Kind::Subprogram, 6090, 9004, 1, "", 146, 0, 99999999, "", kPmi39, Manual},
+      {Form::List, '@', Kind::Subprogram, 6091, 9005, 1, "", 147, 0, 99999999, "", kPmi39, Manual},
+  };
+}
+
+// ---- alarms ----
+
+struct AlarmRow {
+  Cause cause;
+  const char* number;
+  const char* text;
+  const char* source;
+  Evidence evidence;
+};
+
+constexpr const char* k16iList = "general knowledge of the 16i alarm list";
+constexpr const char* kBothLists =
+    "ALM (30i/31i alarm appendix, cnc4me); the 16i list has the same text";
+constexpr const char* kFormat =
+    "general knowledge of the 16i alarm list: 114 is a format error outside a formula";
+constexpr const char* kFormula =
+    "general knowledge of the 16i alarm list: 125 is a format error inside a formula";
+constexpr const char* kAlmInferred =
+    "ALM (30i/31i alarm appendix, cnc4me) for the text; that it is raised here is inferred";
+
+constexpr AlarmRow kAlarms16i[] = {
+    {Cause::IllegalCharacter, "009", "ILLEGAL ADDRESS INPUT", kPolicy, Inferred},
+    {Cause::AddressWithoutValue, "005", "NO DATA AFTER ADDRESS", k16iList, Inferred},
+    {Cause::ValueWithoutAddress, "004", "ADDRESS NOT FOUND", k16iList, Inferred},
+    {Cause::IllegalMinusSign, "006", "ILLEGAL USE OF NEGATIVE SIGN", k16iList, Inferred},
+    {Cause::IllegalDecimalPoint, "007", "ILLEGAL USE OF DECIMAL POINT", k16iList, Inferred},
+    {Cause::TooManyDigits, "003", "TOO MANY DIGITS", k16iList, Inferred},
+    {Cause::ValueOutOfRange, "003", "TOO MANY DIGITS", k16iList, Inferred},
+    {Cause::AddressNotUsable, "009", "ILLEGAL ADDRESS INPUT", k16iList, Inferred},
+    {Cause::AddressGivenTwice, "5074", "ADDRESS DUPLICATION ERROR", kBothLists, Secondary},
+    {Cause::TooManyWords, "5006", "TOO MANY WORD IN ONE BLOCK", kBothLists, Secondary},
+    {Cause::GCodeNotAvailable, "010", "IMPROPER G-CODE", k16iList, Inferred},
+    {Cause::IllegalMCombination, "5016", "ILLEGAL COMBINATION OF M CODES", kBothLists, Secondary},
+    {Cause::ProgramNumberMissing, "076", "ADDRESS P NOT DEFINED", k16iList, Inferred},
+    {Cause::IllegalProgramNumber, "074", "ILLEGAL PROGRAM NUMBER", k16iList, Inferred},
+    {Cause::ProgramNotFound, "078", "NUMBER NOT FOUND", k16iList, Inferred},
+    {Cause::StartNotFound, "078", "NUMBER NOT FOUND", k16iList, Inferred},
+    {Cause::ReturnTargetNotFound, "078", "NUMBER NOT FOUND", k16iList, Inferred},
+    {Cause::JumpTargetNotFound, "128", "ILLEGAL MACRO SEQUENCE NUMBER", k16iList, Inferred},
+    {Cause::NestingTooDeep, "077", "SUB PROGRAM NESTING ERROR", k16iList, Inferred},
+    {Cause::MacroNestingTooDeep, "077", "SUB PROGRAM NESTING ERROR", k16iList, Inferred},
+    {Cause::EndOfRecord, "5010", "END OF RECORD", kBothLists, Secondary},
+    {Cause::NcAndMacroInBlock, "127", "NC, MACRO STATEMENT IN SAME BLOCK", k16iList, Inferred},
+    {Cause::StatementFormat, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
+    {Cause::ExpressionFormat, "125", "FORMAT ERROR IN MACRO", kFormula, Inferred},
+    {Cause::MissingEquals, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
+    {Cause::BracketNotOpened, "114", "FORMAT ERROR IN MACRO", k16iList, Inferred},
+    {Cause::BracketNotClosed, "125", "FORMAT ERROR IN MACRO", k16iList, Inferred},
+    {Cause::BracketsTooDeep, "118", "PARENTHESIS NESTING ERROR", k16iList, Inferred},
+    {Cause::IfFormat, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
+    {Cause::WhileFormat, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
+    {Cause::OutputFormat, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
+    {Cause::IllegalVariable, "115", "ILLEGAL VARIABLE NUMBER", k16iList, Inferred},
+    {Cause::VariableWriteProtected, "116", "WRITE PROTECTED VARIABLE", k16iList, Inferred},
+    {Cause::VacantAssigned, "116", "WRITE PROTECTED VARIABLE", k16iList, Inferred},
+    {Cause::DivisionByZero, "112", "DIVIDED BY ZERO", k16iList, Inferred},
+    {Cause::SquareRootOfNegative, "119", "ILLEGAL ARGUMENT", k16iList, Inferred},
+    {Cause::LogarithmOfNonPositive, "111", "CALCULATED DATA OVERFLOW", kAli, Secondary},
+    {Cause::TangentInfinite, "112", "DIVIDED BY ZERO", k16iList, Inferred},
+    {Cause::ArcSineOutOfRange, "111", "CALCULATED DATA OVERFLOW", kAli, Secondary},
+    {Cause::ArgumentOutOfRange, "119", "ILLEGAL ARGUMENT", k16iList, Inferred},
+    {Cause::Overflow, "111", "CALCULATED DATA OVERFLOW", kJix, Secondary},
+    {Cause::IllegalJumpNumber, "128", "ILLEGAL MACRO SEQUENCE NUMBER", k16iList, Inferred},
+    {Cause::IllegalLoopNumber, "126", "ILLEGAL LOOP NUMBER", k16iList, Inferred},
+    {Cause::MissingEnd, "124", "MISSING END STATEMENT", k16iList, Inferred},
+    {Cause::MissingDo, "124", "MISSING END STATEMENT", k16iList, Inferred},
+    {Cause::JumpInMdi, "123", "CAN NOT USE MACRO COMMAND IN DNC", k16iList, Inferred},
+    {Cause::IllegalArgument, "129", "ILLEGAL ARGUMENT ADDRESS", k16iList, Inferred},
+    {Cause::StatementNotAvailable, "004", "ADDRESS NOT FOUND", k16iList, Inferred},
+};
+
+// The 30i, 0i-F and 0i-D. A missing program is PS0076 although PS0310 says almost the same. A bad
+// expression is PS1125; PS0114 has the same text.
+constexpr AlarmRow kAlarmsPs[] = {
+    {Cause::IllegalCharacter, "PS0009", "IMPROPER NC-ADDRESS", kPolicy, Inferred},
+    {Cause::AddressWithoutValue, "PS0005", "NO DATA AFTER ADDRESS", kAlm, Secondary},
+    {Cause::ValueWithoutAddress, "PS0004", "INVALID BREAK POINT OF WORDS", kAlm, Secondary},
+    {Cause::IllegalMinusSign, "PS0006", "ILLEGAL USE OF MINUS SIGN", kAlm, Secondary},
+    {Cause::IllegalDecimalPoint, "PS0007", "ILLEGAL USE OF DECIMAL POINT", kAlm, Secondary},
+    {Cause::TooManyDigits, "PS0003", "TOO MANY DIGIT", kAlm, Secondary},
+    {Cause::ValueOutOfRange, "PS1305", "DATA OUT OF RANGE", kAlm, Secondary},
+    {Cause::AddressNotUsable, "PS0009", "IMPROPER NC-ADDRESS", kAlm, Secondary},
+    {Cause::AddressGivenTwice, "PS5074", "ADDRESS DUPLICATION ERROR", kAlm, Secondary},
+    {Cause::TooManyWords, "PS5006", "TOO MANY WORD IN ONE BLOCK", kAlm, Secondary},
+    {Cause::IllegalSequenceNumber, "PS1014", "ILLEGAL FORMAT OF PROGRAM NO", kAlm, Secondary},
+    {Cause::GCodeNotAvailable, "PS0010", "IMPROPER G-CODE", kAlm, Secondary},
+    {Cause::IllegalMCombination, "PS5016", "ILLEGAL COMBINATION OF M CODES", kAlm, Secondary},
+    {Cause::ProgramNumberMissing, "PS0076", "PROGRAM NOT FOUND", kAlmInferred, Inferred},
+    {Cause::IllegalProgramNumber, "PS0074", "ILLEGAL PROGRAM NUMBER", kAlmInferred, Inferred},
+    {Cause::IllegalProgramName, "PS0311", "CALLED BY FILE NAME FORMAT ERROR", kAlm, Secondary},
+    {Cause::ProgramNotFound, "PS0076", "PROGRAM NOT FOUND", kAlm, Secondary},
+    {Cause::NamedProgramNotFound, "PS0310", "FILE NOT FOUND", kAlm, Secondary},
+    {Cause::ExternalProgramNotFound, "PS1079", "PROGRAM FILE NOT FOUND", kAlm, Secondary},
+    {Cause::StartNotFound, "PS0078", "SEQUENCE NUMBER NOT FOUND", kAlmInferred, Inferred},
+    {Cause::ReturnTargetNotFound, "PS0078", "SEQUENCE NUMBER NOT FOUND", kAlm, Secondary},
+    {Cause::JumpTargetNotFound, "PS0128", "ILLEGAL MACRO SEQUENCE NUMBER", kAlm, Secondary},
+    {Cause::NestingTooDeep, "PS0077", "TOO MANY SUB,MACRO NESTING", kAlm, Secondary},
+    {Cause::MacroNestingTooDeep, "PS0122", "TOO MANY MACRO NESTING", kAlm, Secondary},
+    {Cause::ExternalCallNested, "PS1080", "DUPLICATE DEVICE SUB PROGRAM CALL", kAlm, Secondary},
+    {Cause::CallGivenTwice, "PS1091", "DUPLICATE SUB-CALL WORD", kAlm, Secondary},
+    {Cause::IllegalWordWithReturn, "PS1093", "DUPLICATE NC-WORD & M99", kAlm, Secondary},
+    {Cause::CallWithWordsInCycle, "PS5329", "M98 AND NC COMMAND IN SAME BLOCK", kAlm, Secondary},
+    {Cause::ReturnInMainProgram, "PS1018", "M99 IN MAIN PROGRAM", kAlm, Secondary},
+    {Cause::EndOfRecord, "PS5010", "END OF RECORD", kAlm, Secondary},
+    {Cause::NcAndMacroInBlock, "PS0127", "DUPLICATE NC,MACRO STATEMENT", kAlm, Secondary},
+    {Cause::StatementFormat, "PS0125", "MACRO STATEMENT FORMAT ERROR", kAlm, Secondary},
+    {Cause::ExpressionFormat, "PS1125", "ILLEGAL EXPRESSION FORMAT", kAlm, Secondary},
+    {Cause::MissingEquals, "PS1133", "MISSING '='", kAlm, Secondary},
+    {Cause::MissingComma, "PS1134", "MISSING ','", kAlm, Secondary},
+    {Cause::BracketNotOpened, "PS1131", "MISSING OPEN BRACKET", kAlm, Secondary},
+    {Cause::BracketNotClosed, "PS1132", "MISSING CLOSE BRACKET", kAlm, Secondary},
+    {Cause::BracketsTooDeep, "PS0118", "TOO MANY BRACKET NESTING", kAlm, Secondary},
+    {Cause::IfFormat, "PS1137", "IF STATEMENT FORMAT ERROR", kAlm, Secondary},
+    {Cause::WhileFormat, "PS1138", "WHILE STATEMENT FORMAT ERROR", kAlm, Secondary},
+    {Cause::OutputFormat, "PS1143", "BPRNT/DPRNT STATEMENT FORMAT ERROR", kAlm, Secondary},
+    {Cause::IllegalVariable, "PS0115", "VARIABLE NO. OUT OF RANGE", kAlm, Secondary},
+    {Cause::VariableWriteProtected, "PS0116", "WRITE PROTECTED VARIABLE", kAlm, Secondary},
+    {Cause::VariableReadProtected, "PS1115", "READ PROTECTED VARIABLE", kAlm, Secondary},
+    {Cause::VacantAssigned, "PS0116", "WRITE PROTECTED VARIABLE", kAlmInferred, Inferred},
+    {Cause::IllegalVariableName, "PS1096", "ILLEGAL VARIABLE NAME", kAlm, Secondary},
+    {Cause::VariableNameUnknown, "PS1098", "NO VARIABLE NAME", kAlm, Secondary},
+    {Cause::DivisionByZero, "PS0112", "ZERO DIVIDE", kAlm, Secondary},
+    {Cause::SquareRootOfNegative, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlm, Secondary},
+    {Cause::LogarithmOfNonPositive, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred,
+     Inferred},
+    {Cause::TangentInfinite, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred, Inferred},
+    {Cause::ArcSineOutOfRange, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred, Inferred},
+    {Cause::ArgumentOutOfRange, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlm, Secondary},
+    {Cause::Overflow, "PS0111", "OVERFLOW :FLOATING", kAlm, Secondary},
+    {Cause::IllegalJumpNumber, "PS1128", "SEQUENCE NUMBER OUT OF RANGE", kAlm, Secondary},
+    {Cause::IllegalLoopNumber, "PS0126", "ILLEGAL LOOP NUMBER", kAlm, Secondary},
+    {Cause::MissingEnd, "PS0124", "MISSING END STATEMENT", kAlm, Secondary},
+    {Cause::MissingDo, "PS1124", "MISSING DO STATEMENT", kAlm, Secondary},
+    {Cause::JumpInMdi, "PS0123", "ILLEGAL MODE FOR GOTO/WHILE/DO", kAlm, Secondary},
+    {Cause::IllegalArgument, "PS0129", "USE 'G' AS ARGUMENT", kAlm, Secondary},
+    {Cause::TooManyArgumentSets, "PS1095", "TOO MANY TYPE-2 ARGUMENT", kAlm, Secondary},
+    {Cause::ModalCallMissing, "PS1100", "CANCEL WITHOUT MODAL CALL", kAlm, Secondary},
+    {Cause::StatementNotAvailable, "PS0004", "INVALID BREAK POINT OF WORDS", kAlm, Secondary},
+};
+
+void add_alarm(Control& c, const AlarmRow& row) {
+  c.alarms[row.cause] = {row.number, row.text, row.source, row.evidence};
+}
+
+// ---- G codes ----
+
+// Mills and lathes (systems A, B and C) together, options included. Three-digit codes are the other
+// spelling of codes with a point: G107 is G07.1, G112 and G113 are G12.1 and G13.1, G150-G152 are
+// G40.1-G42.1, G250 and G251 are G50.2 and G51.2.
+constexpr const char* kCodes16i =
+    "0 1 2 2.1 2.2 2.3 3 3.1 3.2 3.3 4 5 5.1 5.4 6.2 7 7.1 8 9 10 10.6 11 12.1 13.1 15 16 17 18 19 "
+    "20 21 22 23 24 25 26 "
+    "27 28 29 30 30.1 31 31.1 31.2 31.3 31.8 32 33 34 35 36 37 39 40 40.1 41 41.1 42 42.1 43 44 45 "
+    "46 47 48 49 50 50.1 "
+    "50.2 50.3 51 51.1 51.2 52 53 54 54.1 54.2 55 56 57 58 59 60 61 62 63 64 65 66 67 68 69 70 71 "
+    "72 72.1 72.2 73 74 75 "
+    "76 77 78 79 80 81 81.1 82 83 84 84.2 84.3 85 86 87 88 89 90 91 92 92.1 93 94 95 96 97 98 99 "
+    "107 112 113 150 151 152 "
+    "160 161 250 251";
+constexpr const char* kCodes0iD =
+    "0 1 2 3 4 5 5.1 5.4 7.1 8 9 10 11 12.1 13.1 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 "
+    "30.1 31 31.8 32 33 34 "
+    "36 37 37.1 37.2 39 40 40.1 41 41.1 42 42.1 43 44 45 46 47 48 49 50 50.1 50.2 50.3 50.4 50.5 "
+    "50.6 51 51.1 51.2 51.4 "
+    "51.5 51.6 52 53 54 54.1 55 56 57 58 59 60 61 62 63 64 65 66 66.1 67 68 69 70 71 72 73 74 75 "
+    "76 77 78 79 80 80.4 81 "
+    "81.1 81.4 82 83 84 84.2 85 86 87 88 89 90 91 91.1 92 92.1 93 94 95 96 96.1 96.2 96.3 96.4 97 "
+    "98 99 107 112 113 150 "
+    "151 152 160 161 250 251";
+constexpr const char* kCodes0iF =
+    "0 1 2 2.2 3 3.2 4 5 5.1 5.4 7.1 8 9 10 10.6 10.9 11 12.1 13.1 15 16 17 17.1 18 19 20 21 22 23 "
+    "24 25 26 27 28 29 30 "
+    "30.1 31 31.8 32 33 34 35 36 37 37.1 37.2 38 39 40 40.1 41 41.1 42 42.1 43 43.7 44 45 46 47 48 "
+    "49 50 50.1 50.2 50.3 "
+    "50.4 50.5 50.6 51 51.1 51.2 51.4 51.5 51.6 52 53 53.1 53.6 54 54.1 54.2 55 56 57 58 59 60 61 "
+    "62 63 64 65 66 66.1 67 "
+    "68 68.1 68.2 68.3 68.4 69 69.1 70 71 72 72.1 72.2 73 74 75 76 77 78 79 80 80.4 80.5 81 81.1 "
+    "81.4 81.5 82 83 83.1 "
+    "83.5 83.6 84 84.2 85 86 87 87.5 87.6 88 89 90 91 91.1 92 92.1 93 94 95 96 96.1 96.2 96.3 96.4 "
+    "97 98 99 107 112 113 "
+    "150 151 152 160 161 250 251";
+constexpr const char* kCodes30i =
+    "0 1 2 2.1 2.2 2.3 2.4 3 3.1 3.2 3.3 3.4 4 4.1 5 5.1 5.4 6.2 7 7.1 8 9 10 10.3 10.6 10.9 11 "
+    "12.1 12.4 13.1 13.4 15 "
+    "16 17 17.1 18 19 20 21 22 23 24 25 26 27 28 28.2 29 30 30.1 30.2 31 31.8 31.9 32 33 34 35 36 "
+    "37 37.1 37.2 37.3 38 39 "
+    "40 40.1 41 41.1 41.2 41.3 41.4 41.5 41.6 42 42.1 42.2 42.4 42.5 42.6 43 43.1 43.3 43.4 43.5 "
+    "43.7 43.8 43.9 44 44.1 "
+    "44.7 45 46 47 48 49 49.1 50 50.1 50.2 50.3 50.4 50.5 50.6 50.9 51 51.1 51.2 51.4 51.5 51.6 52 "
+    "53 53.1 53.2 53.6 54 "
+    "54.1 54.2 54.3 54.4 55 56 57 58 59 60 61 62 63 64 65 66 66.1 67 68 68.1 68.2 68.3 68.4 69 "
+    "69.1 70 70.7 71 71.7 72 "
+    "72.1 72.2 72.7 73 73.7 74 74.7 75 75.7 76 76.7 77 78 79 80 80.4 80.5 80.8 81 81.1 81.4 81.5 "
+    "81.8 82 83 83.1 83.5 "
+    "83.6 84 84.2 84.3 85 86 87 87.5 87.6 88 89 90 91 91.1 92 92.1 93 94 95 96 96.1 96.2 96.3 96.4 "
+    "97 98 99 107 112 113 "
+    "150 151 152 160 161 250 251";
+
+// ---- the rules ----
+
+void reading(Control& c) {
+  c.semicolon = {Semicolon::EndOfBlock, cite({kPb155, "that a typed one ends the block is policy"}),
+                 Inferred};
+  c.percent_programs = {false, cite({kGed, "% opens and closes the file"}), Secondary};
+  c.named_programs = {false, kKnown, Inferred};
+  c.file_name_wins = {false, kKnown, Inferred};
+  c.max_program_number = {9999, cite({kKnown, "eight digits are an option"}), Inferred};
+  c.max_sequence_number = {99999, cite({kPb155, kXGo}), Manual};
+  c.zero_numbers = {true, cite({kPb155, "0 must not be used, but no alarm is named: policy"}),
+                    Inferred};
+  c.sequence_number_first = {false, kPolicy, Inferred};
+  c.max_words = {26,
+                 cite({kAlm, "5006", "not counted: the arguments of a macro call, up to 33 (ZAP)"}),
+                 Secondary};
+  c.max_block_length = {0, kPolicy, Inferred};
+  c.max_digits = {8, cite({kKnown, "alarm text from ALM"}), Inferred};
+  c.block_skip = {BlockSkip::Anywhere,
+                  cite({kGed, kIso, "the slash inside a block general knowledge"}), Inferred};
+  c.repeated_address = {RepeatedAddress::LastWins, cite({kKnown, "3403#6 AD2"}), Inferred};
+  c.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
+  c.point_addresses = {"ABCEFIJKQRUVWXYZ",
+                       cite({kSin, kAlm, "the list, and E of threads, general knowledge"}),
+                       Inferred};
+  c.minus_addresses = {"ABCEFHIJKQRSUVWXYZ", cite({kKnown, "alarm 006 for M and P from ALM"}),
+                       Inferred};
+  c.whole_numbers = {WholeNumbers::Increments, cite({kKnown, "3401#0 DPI; GED has seen both"}),
+                     Inferred};
+  c.missing_end = {MissingEnd::Alarm, cite({kAlm, "5010; 3404#6 EOR"}), Secondary};
+  c.m_codes_per_block = {1, cite({kKnown, "3404#7 M3B", kCex487}), Inferred};
+  c.m_codes_alone = {true, cite({kKnown, "alarm text 5016 from ALM"}), Inferred};
+  c.bare_g = {false, cite({kKnown, "005"}), Inferred};
+  c.g_codes = {kCodes16i, cite({kReg, kCncs, "the rest general knowledge"}), Inferred};
+}
+
+void calls_and_returns(Control& c) {
+  c.program_word = {ProgramWord::CountAndNumber, cite({kGed, kRob}), Secondary};
+  c.max_program_digits = {8, kGed, Secondary};
+  c.count_and_l = {CountAndL::AllNumber, kKnown, Inferred};
+  c.bracket_names = {false, kKnown, Inferred};
+  c.max_name_length = {32, kKnown, Inferred};
+  c.wide_names = {false, kKnown, Inferred};
+  c.call_values = {CallValues::Rounded, cite({kSin, kJix}), Secondary};
+  c.zero_count_alarms = {false, kPolicy, Inferred};
+  c.omitted_program = {OmittedProgram::Alarm, cite({kKnown, "076"}), Inferred};
+  c.start_word = {StartWord::None, cite({kKnown, "GED knows M98 Q on an 18i-T"}), Inferred};
+  c.self_call = {SelfCall::Allowed, cite({kKnown, "only the nesting limit ends it"}), Inferred};
+  c.caller_call = {CallerCall::Allowed, cite({kKnown, "only the nesting limit ends it"}), Inferred};
+  c.max_repeats = {9999, kRob, Secondary};
+  c.zero_repeats = {ZeroRepeats::Once, kPolicy, Inferred};
+  c.too_many_repeats = {TooManyRepeats::Alarm, kPolicy, Inferred};
+  c.max_nesting = {4, cite({kGed, kCwS, "MC52 (macro executor manual B-61803E-1, p.42)"}),
+                   Secondary};
+  c.nesting_counts_macros = {false, cite({kRw, "4 + 4 levels"}), Secondary};
+  c.max_macro_nesting = {4, kPb304, Manual};
+  c.max_total_nesting = {8, cite({kRw, "4 + 4 levels"}), Secondary};
+  c.mdi_calls = {MdiCalls::Allowed, "general knowledge; source 003 says no, for older controls",
+                 Inferred};
+  c.external_calls = {true, kCl198, Secondary};
+  c.device_word = {false, kKnown, Inferred};
+  c.return_search = {ReturnSearch::FromHead, cite({"policy", kFin}), Inferred};
+  c.return_with_p = {ReturnWithP::AtOnce, kPolicy, Inferred};
+  c.return_with_l = {ReturnWithL::Ignored, cite({kKnown, "unsure"}), Inferred};
+  c.main_return = {MainReturn::Restarts, cite({kSource003, kGed, "WEI (Weihong manual, a clone)"}),
+                   SourceDocument};
+  c.jump_m97 = {false, kKnown, Inferred};
+  c.restart_m_code = {0, kKnown, Inferred};
+  c.calls_in_modal = {CallsInModal::Allowed, kKnown, Inferred};
+  c.codes_not_with_return = {"", kKnown, Inferred};
+  c.codes_not_with_call = {"", kKnown, Inferred};
+  c.words_with_call_in_cycle = {true, cite({kKnown, "5329 only in late editions"}), Inferred};
+}
+
+void macro_statements(Control& c) {
+  c.if_form = {IfForm::GotoThen, cite({kXGo, kFin}), Secondary};
+  c.loop_form = {LoopForm::DoEnd, cite({kXGo, kAlm}), Secondary};
+  c.jumps = {true, kXGo, Secondary};
+  c.jumps_in_mdi = {false, cite({kAlm, "0123"}), Secondary};
+  c.jump_search = {JumpSearch::ForwardThenHead, cite({kFin, "the order is policy"}), Inferred};
+  c.max_jump_number = {99999, kXGo, Secondary};
+  c.max_loop_number = {3, cite({kAlm, kIso}), Secondary};
+  c.max_loops = {3, cite({kKnown, kIso}), Inferred};
+  c.loops_count_across_calls = {false, kPolicy, Inferred};
+  c.max_ifs = {0, cite({kFin, "no IF blocks: THEN takes one statement"}), Secondary};
+  c.max_brackets = {5, cite({kXNul, kAlm}), Secondary};
+  c.angle_unit = {AngleUnit::Degrees, kAli, Secondary};
+  c.atan_range = {AngleRange::FullTurn, cite({kAli, "6004#0 NAT"}), Secondary};
+  c.asin_range = {AngleRange::FullTurn, cite({kAli, "6004#0 NAT"}), Secondary};
+  c.joined_conditions = {false, kKnown, Inferred};
+  c.comparison_symbols = {false, kKnown, Inferred};
+  c.conditions_without_brackets = {false, kXGo, Secondary};
+  c.short_functions = {true, kKnown, Inferred};
+  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP BIN BCD", kAli,
+                 Secondary};
+  c.modulo = {false, kKnown, Inferred};
+  c.vacant_address = {VacantAddress::Ignored, cite({kXia, kJix}), Secondary};
+  c.vacant_comparison = {VacantComparison::Distinguished,
+                         cite({kM7v, "TSN (TSNC manual, a clone)"}), Secondary};
+  c.indirect_9nnn = {false, kKnown, Inferred};
+  c.negative_logic = {true, cite({kAli, "on 32-bit whole numbers, general knowledge"}), Inferred};
+  c.variable_names = {false, kKnown, Inferred};
+}
+
+void macro_calls(Control& c) {
+  c.macro_calls = {true, cite({kSource002, kPb304}), SourceDocument};
+  c.modal_every_block = {false, kKnown, Inferred};
+  c.max_macro_digits = {8, cite({kKnown, "a number that no program has is not found"}), Inferred};
+  c.argument_sets = {ArgumentSets::ByOrder,
+                     cite({kKnown, "6008#7 IJK; agrees with source 002 and PB304"}), Inferred};
+  c.numbered_axis_arguments = {false, cite({kZap, "INT (Intek manual, a clone)"}), Secondary};
+  c.call_passes_words = {false, kPb304, Manual};
+  c.words_before_macro_call = {WordsBeforeMacroCall::Alarm, cite({"policy", kX65, kPmi39}),
+                               Inferred};
+  c.repeated_argument = {RepeatedAddress::LastWins, kKnown, Inferred};
+  c.modal_locals = {ModalLocals::Kept, kKnown, Inferred};
+  c.modal_trigger = {ModalTrigger::Move, cite({kM7v, kNct, kCwA}), Secondary};
+  c.modal_calls_stack = {true, cite({kNct, kM7v}), Secondary};
+  c.cancel_alone = {CancelAlone::Ignored, cite({kKnown, "unsure"}), Inferred};
+  c.h_codes = {false, kKnown, Inferred};
+  c.code_cascade = {CodeCascade::None, cite({kRw, kKnown}), Secondary};
+  c.user_alarm_offset = {3000, cite({kKnown, kGed}), Inferred};
+  c.user_alarm_last = {200, kKnown, Inferred};
+  c.h99_offset = {0, kKnown, Inferred};
+  c.logic_binds_last = {false, cite({kNct, kKnown}), Secondary};
+}
+
+Control fanuc_16i() {
+  Control c;
+  c.name = "fanuc-16i";
+  c.title = "FANUC Series 16i/18i/21i, 0i-A/B/C";
+  reading(c);
+  calls_and_returns(c);
+  macro_statements(c);
+  macro_calls(c);
+  parameters_16i(c);
+  for (const VariableRow& row : kVariables) add_variable(c, row);
+  code_calls(c, 255, 1, 97, 6, 255);
+  for (const AlarmRow& row : kAlarms16i) add_alarm(c, row);
+  return c;
+}
+
+/// Like the 16i, with deeper nesting, G66.1, M98 Q, joined conditions and the alarm numbers of the
+/// 30i.
+Control fanuc_0i_d() {
+  Control c = fanuc_16i();
+  c.name = "fanuc-0i-d";
+  c.title = "FANUC Series 0i-D";
+  c.g_codes = {kCodes0iD, cite({k0iMd, kReg, "the rest general knowledge"}), Inferred};
+  c.max_nesting = {10, kKnown, Inferred};
+  c.nesting_counts_macros = {false, kKnown, Inferred};
+  c.max_macro_nesting = {5, kKnown, Inferred};
+  c.max_total_nesting = {15, cite({kKnown, "ALM PS0077 speaks of the total number"}), Inferred};
+  c.start_word = {StartWord::None, cite({kKnown, "Q with 6005#0 SQC, GED for its meaning"}),
+                  Inferred};
+  c.omitted_program = {OmittedProgram::Alarm, cite({kKnown, "M98 Q with 6005#0 SQC"}), Inferred};
+  c.return_with_l = {ReturnWithL::ReplacesCount,
+                     cite({kKnown, "unsure; ALM PS1093 lets L stand with M99"}), Inferred};
+  c.words_with_call_in_cycle = {false, cite({kAlm, "PS5329"}), Secondary};
+  c.joined_conditions = {false, cite({kKnown, "6006#0 MLG"}), Inferred};
+  c.short_functions = {true, "seen in the programs of 0i-MD shops", Secondary};
+  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD",
+                 cite({kAli, "POW general knowledge, unsure"}), Inferred};
+  c.modulo = {true, kKnown, Inferred};
+  c.variable_names = {true, cite({kAlm, "PS1096 to PS1142"}), Secondary};
+  c.modal_every_block = {true, cite({kAlm, "PS0129 names it"}), Secondary};
+  c.cancel_alone = {CancelAlone::Alarm, cite({kAlm, "PS1100; 6000#0"}), Secondary};
+
+  add_parameter(c, {"6000#0", 0, "G67: G67 without a modal call: 0 = alarm, 1 = ignored", kKnown,
+                    Inferred, [](Control& k, double v) {
+                      k.cancel_alone.value = v != 0 ? CancelAlone::Ignored : CancelAlone::Alarm;
+                    }});
+  add_parameter(
+      c, {"6005#0", 0, "SQC: 1 = M98 Q starts at a sequence number; without P in the own program",
+          kKnown, Inferred, [](Control& k, double v) {
+            k.start_word.value = v != 0 ? StartWord::Q : StartWord::None;
+            k.omitted_program.value = v != 0 ? OmittedProgram::OwnFromStart : OmittedProgram::Alarm;
+          }});
+  add_parameter(c, {"6006#0", 0, "MLG: 1 = AND, OR and XOR may join conditions", kKnown, Inferred,
+                    [](Control& k, double v) { k.joined_conditions.value = v != 0; }});
+  add_parameter(c, {"6008#0", 0, "F16: numbers are 0 = double precision, 1 = as on the 16i", kKnown,
+                    Inferred, nullptr});
+
+  code_calls(c, 9999, 3, 99999999, 3, 99999999);
+  c.alarms.clear();
+  for (const AlarmRow& row : kAlarmsPs) add_alarm(c, row);
+  // The 0i-D keeps the 16i's overflow for a function outside its domain.
+  c.alarms[Cause::LogarithmOfNonPositive] = {"PS0111", "OVERFLOW :FLOATING", kAlmInferred,
+                                             Inferred};
+  c.alarms[Cause::ArcSineOutOfRange] = {"PS0111", "OVERFLOW :FLOATING", kAlmInferred, Inferred};
+  c.user_alarm_prefix = "MC";
+  c.user_alarm_digits = 4;
+  return c;
+}
+
+/// Like the 0i-D, with program names, eight-digit numbers and the functions of the 30i.
+Control fanuc_0i_f() {
+  Control c = fanuc_0i_d();
+  c.name = "fanuc-0i-f";
+  c.title = "FANUC Series 0i-F";
+  c.named_programs = {true, kKnown, Inferred};
+  c.max_program_number = {99999999, kKnown, Inferred};
+  c.max_sequence_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}),
+                           Inferred};
+  c.max_jump_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}), Inferred};
+  c.max_digits = {9, kKnown, Inferred};
+  c.g_codes = {kCodes0iF, cite({k0iMd, kReg, kCncs, "the rest general knowledge"}), Inferred};
+  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD ADP PRM",
+                 cite({kAli, "POW, ADP and PRM general knowledge"}), Inferred};
+  c.alarms[Cause::LogarithmOfNonPositive] = {"PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred,
+                                             Inferred};
+  c.alarms[Cause::ArcSineOutOfRange] = {"PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred,
+                                        Inferred};
+  return c;
+}
+
+/// Like the 0i-F, with more variables, repeat counts of eight digits and an alarm for M99 in the
+/// main program to choose.
+Control fanuc_30i() {
+  Control c = fanuc_0i_f();
+  c.name = "fanuc-30i";
+  c.title = "FANUC Series 30i/31i/32i";
+  c.max_sequence_number = {99999999, cite({kAlm, "PS1128"}), Secondary};
+  c.max_jump_number = {99999999, cite({kAlm, "PS1128"}), Secondary};
+  c.max_repeats = {99999999, kKnown, Inferred};
+  c.g_codes = {kCodes30i, cite({kReg, kCncs, kAlm, "the rest general knowledge"}), Inferred};
+  add_parameter(c, {"7712#4", 0, "AMM: M99 in the main program: 0 = starts it over, 1 = alarm",
+                    kAlm, Secondary, [](Control& k, double v) {
+                      k.main_return.value = v != 0 ? MainReturn::Alarm : MainReturn::Restarts;
+                    }});
+  add_parameter(
+      c, {"19607#2", 0, "the radius offset goes round an acute corner 0 = on lines, 1 = on an arc",
+          kKnown, Inferred, nullptr});
+  for (const VariableRow& row : kVariables30i) add_variable(c, row);
+  for (VariableRange& range : c.variables) {
+    if (range.kind == VariableKind::Date || range.kind == VariableKind::Time)
+      range.access = Access::ReadWrite;
+    if (range.kind == VariableKind::InputWord) range.last = 1035;  // general knowledge, as #4030
+    if (range.kind == VariableKind::ModalCode) range.last = 4030;
+  }
+  return c;
+}
+
+}  // namespace
+
+std::vector<Control> fanuc_controls() {
+  return {fanuc_16i(), fanuc_0i_d(), fanuc_0i_f(), fanuc_30i()};
+}
+
+}  // namespace cncsub

@@ -1,0 +1,182 @@
+// Huazhong HNC-21M milling.
+//
+// The tags of the sources, and where each can be read:
+//   H9   9528008.com/zhishi/shukong/shukongxichuangbianchengyucaozuo_751529.html: macro variables
+//   of the HNC-21M(T) HD   m.docduoduo.com/p-5998343.html: an HNC macro tutorial with programs HS
+//   decoder_def.h of the maker's HNC-8 kit (a public copy): limits, applied to the HNC-21 by
+//   analogy
+// The HNC-21 shows its alarms as sentences; no source gives a number or the exact words, so it has
+// no alarm table.
+#include "controls/controls.hpp"
+
+namespace cncsub {
+namespace {
+
+using enum Evidence;
+
+constexpr const char* kH9 = "H9 (macro variables and constants of the HNC-21M)";
+constexpr const char* kHd = "HD (HNC macro tutorial)";
+constexpr const char* kHs = "HS (limits in a header of the maker's HNC-8 kit, by analogy)";
+constexpr const char* kKnown = "general knowledge";
+constexpr const char* kUnsure = "general knowledge, unsure";
+constexpr const char* kPolicy = "policy, nobody says";
+constexpr const char* kNone = "general knowledge: the HNC-21 has nothing this could apply to";
+
+void reading(Control& c) {
+  c.semicolon = {Semicolon::Comment, kHd, Secondary};
+  c.percent_programs = {true, kHd, Secondary};
+  c.named_programs = {false, kKnown, Inferred};
+  c.file_name_wins = {false, kKnown, Inferred};
+  c.max_program_number = {9999, "general knowledge; HD shows %1000 and %1001", Inferred};
+  c.max_sequence_number = {99999999, kPolicy, Inferred};
+  c.zero_numbers = {true, kPolicy, Inferred};
+  c.sequence_number_first = {false, kPolicy, Inferred};
+  c.max_words = {0, kPolicy, Inferred};
+  c.max_block_length = {0, "policy; only a condition is limited, to 128 characters (HS)", Inferred};
+  c.max_digits = {8, kPolicy, Inferred};
+  c.block_skip = {BlockSkip::HeadOnly, kUnsure, Inferred};
+  c.repeated_address = {RepeatedAddress::LastWins, kPolicy, Inferred};
+  c.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
+  // P too: it is the seconds of G04.
+  c.point_addresses = {"ABCDEFHIJKPQRSUVWXYZ", kKnown, Inferred};
+  c.minus_addresses = {"ABCDEFHIJKQRSUVWXYZ", kKnown, Inferred};
+  c.whole_numbers = {WholeNumbers::Millimetres, kKnown, Inferred};
+  c.missing_end = {MissingEnd::Alarm, kKnown, Inferred};
+  c.m_codes_per_block = {1, kUnsure, Inferred};
+  c.m_codes_alone = {false, kPolicy, Inferred};
+  c.bare_g = {false, kPolicy, Inferred};
+  c.g_codes = {"", "no complete list was found", Inferred};
+}
+
+void calls_and_returns(Control& c) {
+  c.program_word = {ProgramWord::Number, "general knowledge; HD shows M98 P1001", Inferred};
+  c.max_program_digits = {4, kKnown, Inferred};
+  c.count_and_l = {CountAndL::AllNumber, kKnown, Inferred};
+  c.bracket_names = {false, kKnown, Inferred};
+  c.max_name_length = {8, "general knowledge: of a file's name", Inferred};
+  c.wide_names = {false, kKnown, Inferred};
+  c.call_values = {CallValues::Rounded, kPolicy, Inferred};
+  c.zero_count_alarms = {false, kNone, Inferred};
+  c.omitted_program = {OmittedProgram::Alarm, kKnown, Inferred};
+  c.start_word = {StartWord::None, kKnown, Inferred};
+  c.self_call = {SelfCall::Allowed, kPolicy, Inferred};
+  c.caller_call = {CallerCall::Allowed, kPolicy, Inferred};
+  c.max_repeats = {9999, kPolicy, Inferred};
+  c.zero_repeats = {ZeroRepeats::Once, kPolicy, Inferred};
+  c.too_many_repeats = {TooManyRepeats::Alarm, kPolicy, Inferred};
+  c.max_nesting = {9, kHs, Inferred};
+  c.nesting_counts_macros = {false, kNone, Inferred};
+  c.max_macro_nesting = {0, kNone, Inferred};
+  c.max_total_nesting = {9, kHs, Inferred};
+  c.mdi_calls = {MdiCalls::Allowed, kPolicy, Inferred};
+  c.external_calls = {false, kKnown, Inferred};
+  c.device_word = {false, kKnown, Inferred};
+  c.return_search = {ReturnSearch::FromHead, kNone, Inferred};
+  c.return_with_p = {ReturnWithP::Refused, kUnsure, Inferred};
+  c.return_with_l = {ReturnWithL::Ignored, kPolicy, Inferred};
+  c.main_return = {MainReturn::Restarts, kKnown, Inferred};
+  c.jump_m97 = {false, kKnown, Inferred};
+  c.restart_m_code = {0, kKnown, Inferred};
+  c.calls_in_modal = {CallsInModal::Allowed, kNone, Inferred};
+  c.codes_not_with_return = {"", kPolicy, Inferred};
+  c.codes_not_with_call = {"", kPolicy, Inferred};
+  c.words_with_call_in_cycle = {true, kPolicy, Inferred};
+}
+
+void macro_statements(Control& c) {
+  c.if_form = {IfForm::Blocks, kHd, Secondary};
+  c.loop_form = {LoopForm::WhileEndw, kHd, Secondary};
+  c.jumps = {false, kUnsure, Inferred};
+  c.jumps_in_mdi = {false, kPolicy, Inferred};
+  c.jump_search = {JumpSearch::FromHead, kNone, Inferred};
+  c.max_jump_number = {99999999, kNone, Inferred};
+  c.max_loop_number = {0, "HD (HNC macro tutorial): loops have no numbers", Secondary};
+  c.max_loops = {9, kHs, Inferred};
+  c.loops_count_across_calls = {false, kPolicy, Inferred};
+  c.max_ifs = {9, kHs, Inferred};
+  c.max_brackets = {64, "HS: a condition has at most 128 characters, so 64 pairs", Inferred};
+  c.angle_unit = {AngleUnit::Radians, kKnown, Inferred};
+  c.atan_range = {AngleRange::Signed, kUnsure, Inferred};
+  c.asin_range = {AngleRange::Signed, kNone, Inferred};
+  c.joined_conditions = {true, kH9, Secondary};
+  c.comparison_symbols = {false, kHd, Secondary};
+  c.conditions_without_brackets = {true, kHd, Secondary};
+  c.short_functions = {false, kPolicy, Inferred};
+  c.functions = {"SIN COS TAN ATAN ATAN2 ABS INT SIGN SQRT EXP AR PI TRUE FALSE",
+                 "general knowledge; the constants H9", Inferred};
+  c.modulo = {false, kKnown, Inferred};
+  c.vacant_address = {VacantAddress::Zero, kKnown, Inferred};
+  c.vacant_comparison = {VacantComparison::Zero, kKnown, Inferred};
+  c.indirect_9nnn = {false, kKnown, Inferred};
+  c.negative_logic = {true, kNone, Inferred};
+  c.variable_names = {false, kKnown, Inferred};
+}
+
+void macro_calls(Control& c) {
+  c.macro_calls = {false, "general knowledge: M98 does what G65 does elsewhere", Inferred};
+  c.modal_every_block = {false, kKnown, Inferred};
+  c.max_macro_digits = {4, kNone, Inferred};
+  c.argument_sets = {ArgumentSets::First, kKnown, Inferred};
+  c.numbered_axis_arguments = {false, kKnown, Inferred};
+  c.call_passes_words = {true, kKnown, Inferred};
+  c.words_before_macro_call = {WordsBeforeMacroCall::Ordinary, kNone, Inferred};
+  c.repeated_argument = {RepeatedAddress::LastWins, kPolicy, Inferred};
+  c.modal_locals = {ModalLocals::Kept, kNone, Inferred};
+  c.modal_trigger = {ModalTrigger::Move, kNone, Inferred};
+  c.modal_calls_stack = {true, kNone, Inferred};
+  c.cancel_alone = {CancelAlone::Ignored, kNone, Inferred};
+  c.h_codes = {false, kKnown, Inferred};
+  c.code_cascade = {CodeCascade::None, kNone, Inferred};
+  c.user_alarm_offset = {0, kNone, Inferred};
+  c.user_alarm_last = {0, kNone, Inferred};
+  c.h99_offset = {0, kNone, Inferred};
+  c.logic_binds_last = {true, kKnown, Inferred};
+}
+
+/// The HNC-21 numbers its parameters otherwise; these FANUC numbers stand for the same choices.
+void parameters(Control& c) {
+  c.parameters.push_back(
+      {"3401#0", 1, "stands for: a length without a point is 0 = increments, 1 = mm", kKnown,
+       Inferred, [](Control& k, double v) {
+         k.whole_numbers.value = v != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
+       }});
+  c.parameters.push_back(
+      {"3402#0", 1, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred, nullptr});
+  c.parameters.push_back(
+      {"3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a straight line, 1 = an alarm",
+       kUnsure, Inferred, nullptr});
+  c.parameters.push_back(
+      {"3410", 0, "stands for: how much the radius of an arc's end may differ, 0 = not checked",
+       kPolicy, Inferred, nullptr});
+}
+
+void variables(Control& c) {
+  c.variables.push_back({0, 49, VariableKind::Local, Access::ReadWrite, 0, kH9, Secondary});
+  c.variables.push_back({50, 199, VariableKind::Common, Access::ReadWrite, 0, kH9, Secondary});
+  c.variables.push_back({200, 599, VariableKind::LevelImage, Access::ReadWrite, 0, kH9, Secondary});
+  c.variables.push_back(
+      {600, 699, VariableKind::LengthGeometry, Access::ReadWrite, 0, kH9, Secondary});
+  c.variables.push_back(
+      {700, 799, VariableKind::RadiusGeometry, Access::ReadWrite, 0, kH9, Secondary});
+  // Tool life: plain storage here.
+  c.variables.push_back({800, 899, VariableKind::Kept, Access::ReadWrite, 0, kH9, Secondary});
+}
+
+Control hnc_21m() {
+  Control c;
+  c.name = "hnc-21m";
+  c.title = "Huazhong HNC-21M";
+  reading(c);
+  calls_and_returns(c);
+  macro_statements(c);
+  macro_calls(c);
+  parameters(c);
+  variables(c);
+  return c;
+}
+
+}  // namespace
+
+std::vector<Control> hnc_controls() { return {hnc_21m()}; }
+
+}  // namespace cncsub

@@ -1,0 +1,403 @@
+// The Mitsubishi controls: MELDAS before the M700 (the control of source 004), M700 and M800.
+#include "controls/controls.hpp"
+
+namespace cncsub {
+
+namespace {
+
+// Where the facts come from.
+const std::string k004 =
+    "source 004, ";  // lesson "Day CNC Bai 33": M98 P H L, M99, alarms P230 to P232, four levels
+// MELDAS 60/64 and MAGIC 64 lathe programming manual, Russian edition, 13.9 "differences of M98 and
+// G65", studmed.ru, page 38
+const std::string kSM = "SM, ";
+const std::string kM7 = "M7 ";  // M700V/M70V programming manual,
+                                // manualshive.com/en/manual/mitsubishi-electric/m700v-series/238523
+const std::string kSK =
+    "SK ";  // list of P10 to P40, github.com/wangrenyisme/Shukongdashi, html/Mitserror1.html
+// Words of M98 and their ranges,
+// industrialmonitordirect.com/blogs/knowledgebase/mitsubishi-meldas-m98-subprogram-call-h-address-syntax
+const std::string kIMD = "IMD, ";
+const std::string kIMD2 = "IMD2, ";  // the same site, "resolving Mitsubishi M700 CNC program not
+                                     // found": the file's name is the key
+const std::string kCW =
+    "CW, ";  // cnc.wiki/en/writing-and-calling-subprograms: levels, M198, the device parameter
+const std::string kOB = "OB, ";  // okumacnc.blogspot.com/2011/07/subprogram-call-m98-m99.html, copy
+                                 // of a Mazak/MELDAS chapter
+// Mazak alarm list, github.com/StevenCowie73/cnc-alarms, public/alarms.json; the P number was
+// paired to its cause by order
+const std::string kMZ = "MZ ";
+const std::string kGeneral =
+    "general knowledge";  // of the programming and alarm manuals, no page at hand
+const std::string kPolicy =
+    "policy: nobody says";  // a default, to be changed where a machine is known to differ
+
+constexpr Evidence kDocument = Evidence::SourceDocument;
+constexpr Evidence kManual = Evidence::Manual;
+constexpr Evidence kSecondary = Evidence::Secondary;
+constexpr Evidence kInferred = Evidence::Inferred;
+
+// Milling and turning codes together, since a library may be run on either machine.
+const std::string kGCodes =
+    "0 1 1.1 2 2.1 2.3 2.4 3 3.1 3.3 3.4 4 5 5.1 6.2 7 7.1 8 9 10 11 "
+    "12 12.1 13 13.1 14 15 16 17 18 19 20 21 22 22.1 23 23.1 24 25 26 27 28 29 30 "
+    "30.1 30.2 30.3 30.4 30.5 30.6 31 31.1 31.2 31.3 32 33 34 35 36 37 37.1 38 39 "
+    "40 40.1 41 41.1 41.2 42 42.1 42.2 43 43.1 43.4 43.5 44 45 46 47 48 49 "
+    "50 50.1 50.2 51 51.1 51.2 52 53 53.1 54 54.1 54.4 55 56 57 58 59 "
+    "60 61 61.1 61.2 62 62.1 63 63.1 63.2 64 65 66 66.1 67 68 68.1 68.2 68.3 69 69.1 "
+    "70 71 72 73 74 75 76 77 78 79 80 81 82 83 84 85 86 87 88 89 "
+    "90 91 92 92.1 93 94 95 96 97 98 99 "
+    "107 112 113 114.1 114.2 114.3 115 116 117 118 119 120.1 121 122 160";
+
+void reading(Control& c) {
+  c.semicolon = {Semicolon::EndOfBlock, k004 + "form of M98", kDocument};
+  c.percent_programs = {false, kGeneral + ": % is the end of record", kInferred};
+  c.named_programs = {true, kIMD + "<file name>", kSecondary};
+  c.file_name_wins = {true, kIMD2 + "the O word is a label", kSecondary};
+  c.max_program_number = {99999999, kIMD + "P has eight digits", kSecondary};
+  c.max_sequence_number = {99999, kIMD + "H from 1 to 99999", kSecondary};
+  c.zero_numbers = {false, kMZ + "811: zero as program or sequence number", kSecondary};
+  c.sequence_number_first = {false, kGeneral + ": only a target must have its N at the head",
+                             kInferred};
+  c.max_words = {0, kPolicy, kInferred};
+  c.max_block_length = {0, kPolicy, kInferred};
+  c.max_digits = {15, kPolicy + "; ranges are checked address by address, " + kSK + "P35",
+                  kInferred};
+  c.block_skip = {BlockSkip::HeadOnly, kGeneral + ": before or behind N, elsewhere by a parameter",
+                  kInferred};
+  c.repeated_address = {RepeatedAddress::LastWins, kGeneral + "; a parameter may change it",
+                        kInferred};
+  c.open_comment = {OpenComment::RestOfBlock, kPolicy, kInferred};
+  c.point_addresses = {"ABCEFIJKQRUVWXYZ", kGeneral + ": P, H, L, N, O and D are whole numbers",
+                       kInferred};
+  c.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ", kGeneral + "; a negative L is a value out of range",
+                       kInferred};
+  c.whole_numbers = {WholeNumbers::Millimetres,
+                     "inferred from the worked examples, which count in millimetres", kInferred};
+  c.missing_end = {MissingEnd::Alarm, kSK + "P36", kManual};
+  c.m_codes_per_block = {4, kGeneral, kInferred};
+  c.m_codes_alone = {false, kGeneral, kInferred};
+  c.bare_g = {true, kM7 + "p.45: G without a number is G00", kManual};
+  c.g_codes = {kGCodes, kGeneral + "; " + kM7 + "for the milling groups", kInferred};
+}
+
+void calling(Control& c) {
+  c.program_word = {ProgramWord::Number, kIMD + "P is the program number", kSecondary};
+  c.max_program_digits = {8, kIMD + "P has eight digits", kSecondary};
+  c.count_and_l = {CountAndL::AllNumber, kIMD + "P holds no count", kSecondary};
+  c.bracket_names = {false, kIMD + "names stand in < >", kSecondary};
+  c.wide_names = {false, kGeneral, kInferred};
+  c.max_name_length = {32, kIMD + "32 characters with the extension", kSecondary};
+  c.call_values = {CallValues::Rounded, kGeneral, kInferred};
+  c.zero_count_alarms = {false, kIMD + "P holds no count", kSecondary};
+  c.omitted_program = {OmittedProgram::Own, kIMD + "P omitted: subroutine of the same program",
+                       kSecondary};
+  c.start_word = {StartWord::H, k004 + "H", kDocument};
+  c.self_call = {SelfCall::Allowed, "inferred from IMD, P omitted", kInferred};
+  c.caller_call = {CallerCall::Allowed, kGeneral + ": only the levels count", kInferred};
+  c.max_repeats = {9999, k004 + "at most 9999 times", kDocument};
+  c.zero_repeats = {ZeroRepeats::Skip, k004 + "note 3, L0", kDocument};
+  c.too_many_repeats = {TooManyRepeats::Alarm, kSK + "P35", kManual};
+  c.max_nesting = {8, kSM + "difference (6): eight levels combined", kManual};
+  c.nesting_counts_macros = {true, kSM + "difference (6): eight levels combined", kManual};
+  c.max_macro_nesting = {4, kSM + "difference (6): four levels of G65, G66, G66.1", kManual};
+  c.max_total_nesting = {0, kSM + "difference (6): max_nesting counts both kinds", kManual};
+  c.mdi_calls = {MdiCalls::Allowed, kIMD + "P omitted: memory and MDI", kSecondary};
+  c.external_calls = {true, kCW + "M198", kSecondary};
+  c.device_word = {true, kIMD + ",D from 0 to 4", kSecondary};
+  c.return_search = {ReturnSearch::FromHead, kPolicy, kInferred};
+  c.return_with_p = {ReturnWithP::LastPass, kPolicy, kInferred};
+  c.return_with_l = {ReturnWithL::ReplacesCount, kOB + "M99 L", kSecondary};
+  c.main_return = {MainReturn::Restarts, k004 + "M99 in the main program", kDocument};
+  c.jump_m97 = {false, kGeneral + ": M96 and M97 are macro interrupts", kInferred};
+  c.restart_m_code = {0, kGeneral, kInferred};
+  c.calls_in_modal = {CallsInModal::Allowed, kGeneral, kInferred};
+  c.codes_not_with_return = {"", kPolicy, kInferred};
+  c.codes_not_with_call = {"", kPolicy, kInferred};
+  c.words_with_call_in_cycle = {true, kGeneral, kInferred};
+}
+
+void statements(Control& c) {
+  c.if_form = {IfForm::GotoThen, kGeneral + "; a single IF THEN, to be verified", kInferred};
+  c.loop_form = {LoopForm::DoEnd, kMZ + "865, 868", kSecondary};
+  c.jumps = {true, kMZ + "864: IF and GOTO", kSecondary};
+  c.jumps_in_mdi = {true, kGeneral + ": only tape and DNC refuse them", kInferred};
+  c.jump_search = {JumpSearch::ForwardThenHead, kGeneral, kInferred};
+  c.max_jump_number = {99999, kIMD + "sequence numbers from 1 to 99999", kSecondary};
+  c.max_loop_number = {127, kGeneral, kInferred};
+  c.max_loops = {27, kMZ + "867: more than 27", kSecondary};
+  c.loops_count_across_calls = {true, kGeneral, kInferred};
+  c.max_ifs = {10, kGeneral + ": without effect where IF has no blocks", kInferred};
+  c.max_brackets = {5, kMZ + "858: more than five", kSecondary};
+  c.angle_unit = {AngleUnit::Degrees, kGeneral, kInferred};
+  c.atan_range = {AngleRange::FullTurn, kPolicy, kInferred};
+  c.asin_range = {AngleRange::Signed, kGeneral + ": #1273 bit 0 is 0", kInferred};
+  c.joined_conditions = {true, kGeneral + ": AND, OR and XOR rank behind the comparisons",
+                         kInferred};
+  c.comparison_symbols = {false, kGeneral, kInferred};
+  c.conditions_without_brackets = {false, kMZ + "864: the form of IF", kSecondary};
+  c.short_functions = {false, kGeneral + ": names of their own (RND) instead", kInferred};
+  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND RND FIX FUP LN EXP BIN BCD", kGeneral,
+                 kInferred};
+  c.modulo = {true, kGeneral, kInferred};
+  c.vacant_address = {VacantAddress::Ignored, kGeneral, kInferred};
+  c.vacant_comparison = {VacantComparison::Distinguished, kGeneral, kInferred};
+  c.indirect_9nnn = {false, kGeneral, kInferred};
+  c.negative_logic = {true, kPolicy, kInferred};
+  c.variable_names = {true, kMZ + "866, 870, 871: SETVN", kSecondary};
+  c.logic_binds_last = {true, kGeneral + ": functions, * / MOD, + -, comparisons, AND, OR XOR",
+                        kInferred};
+}
+
+void macros(Control& c) {
+  c.macro_calls = {true, kSM + "differences of M98 and G65", kManual};
+  c.modal_every_block = {true, kSM + "difference (6) names G66.1", kManual};
+  c.max_macro_digits = {8, kIMD + "P has eight digits", kSecondary};
+  c.argument_sets = {ArgumentSets::ByOrder, kGeneral + ": ten groups of I, J, K", kInferred};
+  c.numbered_axis_arguments = {false, kGeneral, kInferred};
+  c.call_passes_words = {false, kSM + "difference (1): only G65 takes arguments", kManual};
+  c.words_before_macro_call = {WordsBeforeMacroCall::Ordinary, kGeneral, kInferred};
+  c.repeated_argument = {RepeatedAddress::LastWins, kGeneral, kInferred};
+  c.modal_locals = {ModalLocals::Rewritten, kPolicy, kInferred};
+  c.modal_trigger = {ModalTrigger::Move, kGeneral + ": after every block with axis movement",
+                     kInferred};
+  c.modal_calls_stack = {true, kGeneral, kInferred};
+  c.cancel_alone = {CancelAlone::Alarm, kMZ + "857", kSecondary};
+  c.h_codes = {false, kGeneral, kInferred};
+  c.code_cascade = {CodeCascade::OtherKind,
+                    kGeneral + ": no G-code call inside a macro called by a G code", kInferred};
+  c.user_alarm_offset = {0, kGeneral + ": P277 shows n itself", kInferred};
+  c.user_alarm_last = {9999, kGeneral, kInferred};
+  c.h99_offset = {0, kGeneral + ": there is no G65 H", kInferred};
+}
+
+/// The P numbers. P10 to P40 are listed, P230 to P232 are in source 004, all others were paired to
+/// Mazak's list.
+void alarms(Control& c) {
+  const std::string format = kSK + "P33";
+  const std::string range = kSK + "P35";
+  c.alarms = {
+      {Cause::IllegalCharacter, {"P32", "ADDRESS ERROR", "inferred from SK P32", kInferred}},
+      {Cause::AddressWithoutValue, {"P33", "FORMAT ERROR", format, kManual}},
+      {Cause::ValueWithoutAddress, {"P33", "FORMAT ERROR", format, kManual}},
+      {Cause::IllegalMinusSign, {"P35", "CMD-VALUE OVER", "inferred from SK P35", kInferred}},
+      {Cause::IllegalDecimalPoint, {"P33", "FORMAT ERROR", "inferred from SK P33", kInferred}},
+      {Cause::TooManyDigits, {"P35", "CMD-VALUE OVER", range, kManual}},
+      {Cause::ValueOutOfRange, {"P35", "CMD-VALUE OVER", range, kManual}},
+      {Cause::AddressNotUsable, {"P32", "ADDRESS ERROR", kSK + "P32", kManual}},
+      {Cause::IllegalSequenceNumber, {"P35", "CMD-VALUE OVER", range, kManual}},
+      {Cause::ProgramNumberZero,
+       {"P37", "PROG. NO. ZERO", kMZ + "811; number from general knowledge", kSecondary}},
+      {Cause::GCodeNotAvailable, {"P34", "G-CODE ERROR", kSK + "P34", kManual}},
+      {Cause::ProgramNumberMissing, {"P296", "NO ADR (MACRO)", kMZ + "893, paired", kSecondary}},
+      {Cause::IllegalProgramNumber, {"P35", "CMD-VALUE OVER", range, kManual}},
+      {Cause::IllegalProgramName,
+       {"P232", "NO PROGRAM No.", kGeneral + ": name longer than 32 characters", kInferred}},
+      {Cause::ProgramNotFound, {"P232", "NO PROGRAM No.", k004 + "note 1", kDocument}},
+      {Cause::NamedProgramNotFound, {"P232", "NO PROGRAM No.", k004 + "note 1", kDocument}},
+      {Cause::ExternalProgramNotFound,
+       {"P232", "NO PROGRAM No.", k004 + "note 1, carried over to M198", kInferred}},
+      {Cause::StartNotFound, {"P231", "NO N-NUMBER", k004 + "note 2", kDocument}},
+      {Cause::ReturnTargetNotFound, {"P231", "NO N-NUMBER", k004 + "M99, note 1", kDocument}},
+      {Cause::JumpTargetNotFound, {"P231", "NO N-NUMBER", kMZ + "843, paired", kSecondary}},
+      {Cause::IllegalRepeatCount, {"P35", "CMD-VALUE OVER", range, kManual}},
+      {Cause::NestingTooDeep, {"P230", "NESTING OVER", k004 + "note on levels", kDocument}},
+      {Cause::MacroNestingTooDeep, {"P273", "MACRO OVERCALL", kMZ + "855, paired", kSecondary}},
+      {Cause::ExternalCallNested,
+       {"P230", "NESTING OVER", kMZ + "842; CW, nested M198", kSecondary}},
+      {Cause::EndOfRecord, {"P36", "PROGRAM END ERR", kSK + "P36", kManual}},
+      {Cause::NcAndMacroInBlock, {"P272", "MACRO ILL.", kMZ + "854, paired", kSecondary}},
+      {Cause::StatementFormat, {"P33", "FORMAT ERROR", "inferred from SK P33", kInferred}},
+      {Cause::ExpressionFormat, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
+      {Cause::MissingEquals, {"P242", "EQL. SYM. MSSG.", kMZ + "847, paired", kSecondary}},
+      {Cause::MissingComma, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
+      {Cause::BracketNotOpened, {"P281", "[, ] ILLEGAL", kMZ + "859, paired", kSecondary}},
+      {Cause::BracketNotClosed, {"P281", "[, ] ILLEGAL", kMZ + "859, paired", kSecondary}},
+      {Cause::BracketsTooDeep, {"P280", "EXC. [, ]", kMZ + "858, paired", kSecondary}},
+      {Cause::IfFormat, {"P290", "IF SNT. ERROR", kMZ + "864, paired", kSecondary}},
+      {Cause::WhileFormat, {"P291", "WHILE SNT. ERR", kMZ + "865, paired", kSecondary}},
+      {Cause::IllegalVariable, {"P241", "NO VARI NUMBER", kMZ + "846, paired", kSecondary}},
+      {Cause::VariableWriteProtected, {"P243", "VARIABLE ERR.", kGeneral, kInferred}},
+      {Cause::VariableReadProtected, {"P243", "VARIABLE ERR.", kGeneral, kInferred}},
+      {Cause::VacantAssigned, {"P243", "VARIABLE ERR.", kGeneral, kInferred}},
+      {Cause::IllegalVariableName, {"P300", "VAR. NAME ERROR", kMZ + "870, paired", kSecondary}},
+      {Cause::DivisionByZero, {"P283", "DIVIDE BY ZERO", kMZ + "861, paired", kSecondary}},
+      {Cause::SquareRootOfNegative, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
+      {Cause::LogarithmOfNonPositive, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
+      {Cause::TangentInfinite, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
+      {Cause::ArcSineOutOfRange, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
+      {Cause::ArgumentOutOfRange, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
+      {Cause::Overflow, {"P285", "OVERFLOW VALUE", kMZ + "863, paired", kSecondary}},
+      {Cause::IllegalJumpNumber, {"P231", "NO N-NUMBER", kMZ + "843, paired", kSecondary}},
+      {Cause::IllegalLoopNumber, {"P291", "WHILE SNT. ERR", "inferred from MZ 865", kInferred}},
+      {Cause::MissingEnd, {"P294", "DO-END MMC.", kMZ + "868, paired", kSecondary}},
+      {Cause::MissingDo, {"P294", "DO-END MMC.", kMZ + "868, paired", kSecondary}},
+      {Cause::LoopsTooDeep, {"P293", "DO-END EXCESS", kMZ + "867, paired", kSecondary}},
+      {Cause::JumpInMdi,
+       {"P295", "WHILE/GOTO TPE", kMZ + "869, paired; said of tape and DNC", kSecondary}},
+      {Cause::IllegalArgument, {"P33", "FORMAT ERROR", "inferred from SK P33", kInferred}},
+      {Cause::TooManyArgumentSets, {"P275", "MACRO ARG. EX.", kMZ + "856, paired", kSecondary}},
+      {Cause::ModalCallMissing, {"P276", "CALL CANCEL", kMZ + "857, paired", kSecondary}},
+      {Cause::UserAlarm, {"P277", "MACRO ALM MESG", kMZ + "979, paired", kSecondary}},
+  };
+  c.user_alarm_number = "P277";
+}
+
+void variables(Control& c) {
+  const auto add = [&c](std::int32_t first, std::int32_t last, VariableKind kind,
+                        Access access = Access::ReadOnly, char address = 0) {
+    c.variables.push_back({first, last, kind, access, address, kGeneral, kInferred});
+  };
+  add(0, 0, VariableKind::Vacant);
+  c.variables.push_back(
+      {1, 33, VariableKind::Local, Access::ReadWrite, 0, kSM + "difference (5)", kManual});
+  add(100, 199, VariableKind::Common, Access::ReadWrite);
+  add(500, 999, VariableKind::Kept, Access::ReadWrite);
+  add(1000, 1031, VariableKind::Input);
+  add(1032, 1035, VariableKind::InputWord);
+  add(1100, 1131, VariableKind::Output, Access::ReadWrite);
+  add(1132, 1135, VariableKind::OutputWord, Access::ReadWrite);
+  add(2001, 2200, VariableKind::LengthGeometry, Access::ReadWrite);
+  add(3000, 3000, VariableKind::UserAlarm, Access::WriteOnly);
+  add(3001, 3001, VariableKind::Milliseconds, Access::ReadWrite);
+  add(3002, 3002, VariableKind::Hours, Access::ReadWrite);
+  add(3003, 3004, VariableKind::Control1, Access::ReadWrite);
+  add(3006, 3006, VariableKind::Message, Access::WriteOnly);
+  add(3007, 3007, VariableKind::Mirror);
+  add(3011, 3011, VariableKind::Date);
+  add(3012, 3012, VariableKind::Time);
+  add(3901, 3902, VariableKind::PartsCount, Access::ReadWrite);
+  add(4001, 4021, VariableKind::ModalCode);
+  for (const char address : {'B', 'D', 'E', 'F', 'H', 'M', 'N', 'O', 'S', 'T'}) {
+    const std::int32_t number = 4101 + (address - 'A');
+    add(number, number, VariableKind::ModalWord, Access::ReadOnly, address);
+  }
+  add(4201, 4221, VariableKind::ActiveCode);
+  for (const char address : {'B', 'D', 'E', 'F', 'H', 'M', 'N', 'O', 'S', 'T'}) {
+    const std::int32_t number = 4301 + (address - 'A');
+    add(number, number, VariableKind::ActiveWord, Access::ReadOnly, address);
+  }
+  add(5001, 5008, VariableKind::BlockEnd);
+  add(5021, 5028, VariableKind::MachinePosition);
+  add(5041, 5048, VariableKind::WorkPosition);
+  add(5061, 5068, VariableKind::SkipPosition);
+  add(5101, 5108, VariableKind::ServoError);
+  add(5201, 5328, VariableKind::WorkOffset, Access::ReadWrite);
+  add(7001, 7948, VariableKind::ExtraWorkOffset, Access::ReadWrite);
+  add(10001, 10200, VariableKind::LengthGeometry, Access::ReadWrite);
+  add(11001, 11200, VariableKind::LengthWear, Access::ReadWrite);
+  add(16001, 16200, VariableKind::RadiusGeometry, Access::ReadWrite);
+  add(17001, 17200, VariableKind::RadiusWear, Access::ReadWrite);
+}
+
+/// The control registers its call codes on a screen; FANUC's parameter numbers stand for it.
+void call_codes(Control& c) {
+  const std::string screen = "FANUC's numbers stand for the registration screen";
+  const auto list = [&](char address, CodeCallKind kind, std::int32_t parameter,
+                        std::int32_t program, std::int32_t count) {
+    for (std::int32_t i = 0; i < count; ++i)
+      c.parameters.push_back(
+          {std::to_string(parameter + i), 0,
+           std::string(1, address) + " code that calls O" + std::to_string(program + i), screen,
+           kInferred, nullptr});
+    CodeCall call;
+    call.form = CodeCall::Form::List;
+    call.address = address;
+    call.kind = kind;
+    call.parameter = parameter;
+    call.program = program;
+    call.count = count;
+    call.first_code = 1;
+    if (address == 'M') call.refused = "1 2 30 96 97 98 99 198";
+    call.source = kGeneral + ": ten codes; " + screen;
+    call.evidence = kInferred;
+    c.code_calls.push_back(call);
+  };
+  list('G', CodeCallKind::Macro, 6050, 9010, 10);
+  list('M', CodeCallKind::Subprogram, 6071, 9001, 9);
+  list('M', CodeCallKind::Macro, 6080, 9020, 10);
+  c.parameters.push_back({"6001#5", 0, "1: T codes call O9000", screen, kInferred, nullptr});
+  CodeCall tool;
+  tool.form = CodeCall::Form::Switch;
+  tool.address = 'T';
+  tool.kind = CodeCallKind::Subprogram;
+  tool.program = 9000;
+  tool.enable = "6001#5";
+  tool.variable = 149;
+  tool.source = kGeneral + ": T calls one program; " + screen;
+  tool.evidence = kInferred;
+  c.code_calls.push_back(tool);
+}
+
+void parameters(Control& c) {
+  c.parameters = {
+      {"3401#0", 1, "lengths without a point: 0 least increments, 1 millimetres",
+       "inferred from the worked examples; FANUC's number stands for the control's own", kInferred,
+       [](Control& k, double value) {
+         k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
+       }},
+      {"3402#0", 1, "power-on: 0 in G00, 1 in G01",
+       kM7 + "p.534 (11): the first move is a G01; FANUC's number stands for the control's own",
+       kManual, nullptr},
+      {"3403#5", 1, "an arc without R, I, J, K: 0 a straight line, 1 an alarm",
+       kGeneral + ": P33; FANUC's number stands for the control's own", kInferred, nullptr},
+      {"3410", 0.1, "how far the radii of an arc's start and end may differ, 0 = any",
+       kM7 + "p.194; stands for #1084 RadErr, its value from general knowledge", kInferred,
+       nullptr},
+      {"5114", 0, "return of G73", kGeneral + "; FANUC's number stands for the control's own",
+       kInferred, nullptr},
+      {"5115", 0, "clearance of G83", kGeneral + "; FANUC's number stands for the control's own",
+       kInferred, nullptr},
+  };
+}
+
+Control m700() {
+  Control c;
+  c.name = "mitsubishi-m700";
+  c.title = "Mitsubishi M700, M70, E70, C70";
+  reading(c);
+  calling(c);
+  statements(c);
+  macros(c);
+  alarms(c);
+  variables(c);
+  parameters(c);
+  call_codes(c);
+  return c;
+}
+
+/// The control of source 004: four levels, M98 without P jumps; no file names, no devices.
+Control meldas() {
+  Control c = m700();
+  c.name = "mitsubishi-meldas";
+  c.title = "Mitsubishi MELDAS before the M700";
+  c.max_nesting = {4, k004 + "note on levels", kDocument};
+  c.nesting_counts_macros = {
+      true, "inferred from source 004, note on levels, and SM, difference (6)", kInferred};
+  c.omitted_program = {OmittedProgram::Jump, k004 + "P omitted; P, H and L omitted", kDocument};
+  c.named_programs = {false, kGeneral + ": file names came with the M700", kInferred};
+  c.file_name_wins = {false, kGeneral + ": file names came with the M700", kInferred};
+  c.external_calls = {false, kGeneral + ": no M198", kInferred};
+  c.device_word = {false, kGeneral + ": ,D came with the M700", kInferred};
+  return c;
+}
+
+/// Ten levels, and IF blocks with ELSE and ENDIF.
+Control m800() {
+  Control c = m700();
+  c.name = "mitsubishi-m800";
+  c.title = "Mitsubishi M800, M80, E80";
+  c.max_nesting = {10, kCW + "ten levels", kSecondary};
+  c.nesting_counts_macros = {true, kGeneral, kInferred};
+  c.if_form = {IfForm::ThenBlocks, kGeneral, kInferred};
+  c.max_ifs = {10, kGeneral + ": P288", kInferred};
+  c.alarms[Cause::IfTooDeep] = {"P288", "IF EXCEEDED", kGeneral, kInferred};
+  c.alarms[Cause::IfWithoutEnd] = {"P289", "IF/ENDIF MISMATCH", kGeneral, kInferred};
+  return c;
+}
+
+}  // namespace
+
+std::vector<Control> mitsubishi_controls() { return {meldas(), m700(), m800()}; }
+
+}  // namespace cncsub

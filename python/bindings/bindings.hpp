@@ -1,0 +1,22 @@
+// The parts of the module. Each file names what it shows; none of them decides anything.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace cncsub::bindings {
+
+void add_controls(pybind11::module_& m);
+void add_alarms(pybind11::module_& m);
+void add_code(pybind11::module_& m);
+void add_machine(pybind11::module_& m);
+
+/// None for -1 where a block has no sequence number.
+inline pybind11::object sequence_number(std::int64_t n) {
+  return n < 0 ? pybind11::object(pybind11::none()) : pybind11::object(pybind11::int_(n));
+}
+/// None for an empty text.
+inline pybind11::object text_or_none(const std::string& text) {
+  return text.empty() ? pybind11::object(pybind11::none()) : pybind11::object(pybind11::str(text));
+}
+
+}  // namespace cncsub::bindings

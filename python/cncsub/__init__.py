@@ -1,0 +1,45 @@
+"""Runs NC programs block by block exactly as a named CNC control would, down to the alarm on its
+screen.
+
+>>> import cncsub
+>>> library = cncsub.loads("O1\\nN10 M98 P2\\nN20 M30\\nO2\\nN30 M99\\n", control="fanuc-0i-f")
+>>> run = library.run()
+>>> run.stop
+<Stop.END: 'end'>
+>>> run.steps.n.tolist()
+[10, 30, 20]
+"""
+
+from cncsub._core import Alarm, Control, Frame, __version__
+from cncsub.controls import Cause, causes, controls
+from cncsub.inputs import Inputs
+from cncsub.library import Library, load, loads
+from cncsub.program import Block, Program, Word
+from cncsub.run import AlarmError, Machine, Run, Stop
+from cncsub.setup import Setup
+from cncsub.tables import Call, Move, Step
+
+__all__ = [
+    "Alarm",
+    "AlarmError",
+    "Block",
+    "Call",
+    "Cause",
+    "Control",
+    "Frame",
+    "Inputs",
+    "Library",
+    "Machine",
+    "Move",
+    "Program",
+    "Run",
+    "Setup",
+    "Step",
+    "Stop",
+    "Word",
+    "__version__",
+    "causes",
+    "controls",
+    "load",
+    "loads",
+]

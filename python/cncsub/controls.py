@@ -1,0 +1,94 @@
+"""The controls, and the causes of alarms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple, TypeVar
+
+from cncsub import _core
+from cncsub._core import Control as Control
+
+T = TypeVar("T")
+
+
+class Cause(NamedTuple):
+    """What can stop a program, by our own name for it: slug, meaning and cure."""
+
+    slug: str
+    meaning: str
+    cure: str
+
+
+def near_names(name: object, names: Iterable[str], *, most: int = 3) -> list[str]:
+    """The names that somebody who wrote `name` most likely meant, the likeliest first."""
+    import difflib
+
+    folded = {known.casefold(): known for known in names}
+    wanted = str(name).casefold()
+    near = difflib.get_close_matches(wanted, folded, n=most, cutoff=0.5)
+    near += [known for known in folded if wanted and wanted in known and known not in near]
+    return [folded[known] for known in near[:most]]
+
+
+def did_you_mean(name: object, names: Iterable[str], otherwise: str = "") -> str:
+    """`; near are ...` for the end of a message, or `otherwise`."""
+    near = near_names(name, names)
+    return f"; near are {', '.join(near)}" if near else otherwise
+
+
+class Named(Mapping[str, T]):
+    """A mapping whose `KeyError` names what is near."""
+
+    def __init__(self, what: str, entries: dict[str, T]) -> None:
+        self._what = what
+        self._entries = entries
+
+    def __getitem__(self, name: str) -> T:
+        try:
+            return self._entries[name]
+        except (KeyError, TypeError):
+            known = did_you_mean(name, self._entries, f"; there are {', '.join(self._entries)}")
+            raise KeyError(f"no {self._what} is called {name!r}{known}") from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._entries)
+
+    def __len__(self) -> int:
+        return len(self._entries)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} {self._what}s: {', '.join(self)}>"
+
+
+controls: Mapping[str, Control] = Named("control", {c.name: c for c in _core.controls()})
+"""Every control by its name, in listing order.
+
+>>> import cncsub
+>>> cncsub.controls["fanuc-0i-f"].alarms["program-not-found"].number
+'PS0078'
+"""
+
+causes: Mapping[str, Cause] = Named(
+    "cause", {slug: Cause(slug, *rest) for slug, *rest in _core.causes()}
+)
+"""Every cause of an alarm by its slug: what happened, and how to cure it.
+
+>>> import cncsub
+>>> cncsub.causes["program-not-found"].meaning
+"the called program is not in the control's memory"
+"""
+
+
+def control_of(control: str | Control) -> Control:
+    """The control of this name, or the control itself. `ValueError` names what is near."""
+    if isinstance(control, Control):
+        return control
+    if not isinstance(control, str):
+        raise TypeError(
+            "control is a name such as 'fanuc-0i-f' or a cncsub.Control,"
+            f" not {type(control).__name__}"
+        )
+    if control not in controls:
+        known = did_you_mean(control, controls, f"; there are {', '.join(controls)}")
+        raise ValueError(f"no control is called {control!r}{known}")
+    return controls[control]

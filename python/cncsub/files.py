@@ -1,0 +1,406 @@
+"""Program files and folders, read safely and decoded.
+
+A folder is the memory of a control: every program file in it and in the folders below it, each
+folder once. Files come in the order of their names, without regard to case and with numbers by
+their value (`O2.nc` before `O10.nc`), the files of a folder before those of the folders in it.
+
+What is left out of a folder is told in `Reading.skipped`: hidden files and folders, files that are
+plainly no programs (by their ending or their first bytes), files above `LARGEST_FILE`, links that
+lead out of the folder, and everything that is no regular file, such as a device or a pipe. None of
+these is opened. A file that is named itself is always read, unless it is no regular file or too
+large: then that is a `ValueError`.
+"""
+
+from __future__ import annotations
+
+import codecs
+import errno
+import os
+import re
+import stat
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+StrPath = str | os.PathLike[str]
+
+LARGEST_FILE = 1 << 30  # bytes
+
+# Endings and first bytes of files that people keep beside their programs.
+_OTHER_ENDINGS = frozenset(
+    """
+    .7z .bak .bmp .bz2 .c .cfg .cpp .css .csv .db .doc .docx .dll .dwg .dxf .exe .gif .gz .h .htm
+    .html .ico .iges .igs .ini .ipynb .jpeg .jpg .js .json .log .md .mp4 .odt .parquet .pdf .png
+    .ppt .pptx .py .pyc .rar .rst .rtf .sh .so .sqlite .stl .step .stp .svg .tar .tgz .tif .tiff
+    .toml .webp .xls .xlsx .xml .xz .yaml .yml .zip
+    """.split()  # noqa: SIM905
+)
+_OTHER_STARTS = (
+    b"PK\x03\x04",
+    b"PK\x05\x06",
+    b"%PDF-",
+    b"\x89PNG",
+    b"\xff\xd8\xff",
+    b"GIF8",
+    b"\x7fELF",
+    b"MZ\x90",
+    b"\x1f\x8b",
+    b"BZh",
+    b"\xfd7zXZ",
+    b"7z\xbc\xaf",
+    b"Rar!",
+    b"SQLite format",
+    b"\xd0\xcf\x11\xe0",
+)
+# Bytes of a text or of a punched tape: NUL, tab, line ends, DC1 to DC4, the DOS end of file,
+# rubout.
+_TEXT_CONTROLS = frozenset(b"\0\t\n\v\f\r\x0e\x0f\x11\x12\x13\x14\x1a\x1b\x7f")
+_SAMPLE = 4096
+
+_BOMS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF32_LE, "utf-32"),
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class TextFile:
+    """A file as text: the name to show, the name of a program in it that has none of its own, and
+    the text.
+    """
+
+    name: str
+    stem: str
+    text: str
+
+
+@dataclass(slots=True)
+class Reading:
+    """The files of some paths, and what was left out of their folders: path and reason."""
+
+    files: list[TextFile] = field(default_factory=list)
+    skipped: list[tuple[str, str]] = field(default_factory=list)
+    _read: set[str] = field(
+        default_factory=set
+    )  # files and folders already seen, by their real path
+
+
+def read_paths(
+    paths: Sequence[StrPath], *, encoding: str | None = None, without: StrPath | None = None
+) -> Reading:
+    """Read files and folders in the given order, each file once; `without` is a folder to leave
+    out.
+
+    Raises `FileNotFoundError` for a missing path, naming what is near, and `ValueError` for a path
+    that is neither a file nor a folder, for a folder without programs and for an unknown encoding.
+    """
+    check_encoding(encoding)
+    reading = Reading()
+    for path in map(_checked_path, paths):
+        # A folder that is given both ways is read both ways.
+        if without is not None and os.path.realpath(path) != os.path.realpath(without):
+            reading._read.add(os.path.realpath(without))
+        _read_path(path, encoding, reading)
+    return reading
+
+
+def _checked_path(path: StrPath) -> Path:
+    if not isinstance(path, str | os.PathLike):
+        raise TypeError(
+            f"a path is a text or a pathlib.Path, not {type(path).__name__};"
+            " loads() takes the text of a program"
+        )
+    name = os.fspath(path)
+    if "\0" in name or "\n" in name:
+        raise ValueError("this is no path; cncsub.loads() takes the text of a program")
+    return Path(name)
+
+
+def _read_path(path: Path, encoding: str | None, reading: Reading) -> None:
+    try:
+        mode = path.stat().st_mode
+    except OSError as error:
+        raise _cannot_find(path, error) from None
+    if not stat.S_ISDIR(mode):
+        _read_named_file(path, encoding, reading)
+        return
+    if not _read_folder(path, Path(os.path.realpath(path)), encoding, reading):
+        reasons = "; ".join(f"{name}: {why}" for name, why in reading.skipped[:3])
+        raise ValueError(
+            f"there is no program in the folder {path}" + (f" ({reasons})" if reasons else "")
+        )
+
+
+def _cannot_find(path: Path, error: OSError) -> OSError:
+    if error.errno not in (errno.ENOENT, errno.ENOTDIR, errno.ELOOP, errno.ENAMETOOLONG):
+        return error
+    near = _near_files(path)
+    cure = f"; near are {', '.join(near)}" if near else ""
+    what = (
+        "a link that leads nowhere"
+        if error.errno == errno.ELOOP or path.is_symlink()
+        else "no such file or folder"
+    )
+    return FileNotFoundError(errno.ENOENT, f"{what}{cure}", str(path))
+
+
+def _near_files(path: Path) -> list[str]:
+    import difflib
+
+    try:
+        names = [entry.name for entry in os.scandir(path.parent)][:10_000]
+    except OSError:
+        return []
+    folded = {name.casefold(): name for name in names}
+    near = difflib.get_close_matches(path.name.casefold(), folded, n=3, cutoff=0.6)
+    return [str(path.parent / folded[name]) for name in near]
+
+
+def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None:
+    if not _first_time(path, reading):
+        return
+    data, fault = _read_bytes(path)
+    if data is None:
+        raise ValueError(f"{path} cannot be read as a program: {fault}")
+    reading.files.append(TextFile(str(path), path.stem, decode(data, encoding)))
+
+
+def _first_time(path: Path, reading: Reading) -> bool:
+    """Whether this name of a file is met for the first time. A link to a file is another name."""
+    key = os.path.join(os.path.realpath(path.parent), path.name)  # noqa: PTH118
+    new = key not in reading._read
+    reading._read.add(key)
+    return new
+
+
+def _read_folder(folder: Path, root: Path, encoding: str | None, reading: Reading) -> int:
+    """Read what was not read before; return how many programs were found."""
+    real = os.path.realpath(folder)
+    if real in reading._read:
+        return 0
+    reading._read.add(real)
+    files, folders = [], []
+    for path in _entries(folder, reading):
+        fault = _refused_entry(path, root)
+        if fault is not None:
+            reading.skipped.append((str(path), fault))
+        elif path.is_dir():
+            folders.append(path)
+        else:
+            files.append(path)
+    found = sum(_read_found_file(path, encoding, reading) for path in files)
+    return found + sum(_read_folder(path, root, encoding, reading) for path in folders)
+
+
+def _entries(folder: Path, reading: Reading) -> list[Path]:
+    try:
+        return sorted(folder.iterdir(), key=lambda path: name_order(path.name))
+    except OSError as error:
+        reading.skipped.append((str(folder), error.strerror or "cannot be opened"))
+        return []
+
+
+def name_order(name: str) -> tuple[object, ...]:
+    """The place of a file's name: without regard to case, numbers by their value."""
+    parts = re.split(r"([0-9]+)", name.casefold())
+    # Texts and numbers alternate, so that only like is compared with like.
+    numbers = [
+        (int(part) if len(part) < 40 else 10**40) if i % 2 else part for i, part in enumerate(parts)
+    ]
+    return (*numbers, name)
+
+
+def _refused_entry(path: Path, root: Path) -> str | None:
+    """Why an entry of a folder is left alone, or None. Opens nothing."""
+    if path.name.startswith("."):
+        return "hidden"
+    try:
+        real = Path(os.path.realpath(path, strict=True))
+        mode = real.stat().st_mode
+    except OSError:
+        return "a link that leads nowhere" if path.is_symlink() else "cannot be opened"
+    if not real.is_relative_to(root):
+        return "a link that leads out of the folder"
+    if not stat.S_ISDIR(mode) and not stat.S_ISREG(mode):
+        return "not a regular file"
+    if stat.S_ISREG(mode) and path.suffix.lower() in _OTHER_ENDINGS:
+        return f"{path.suffix} files are no programs"
+    return None
+
+
+def _read_found_file(path: Path, encoding: str | None, reading: Reading) -> bool:
+    """Whether this is a program; one that was read before is not read again."""
+    if not _first_time(path, reading):
+        return True
+    data, fault = _read_bytes(path)
+    if data is not None and not _looks_like_text(data):
+        fault = "not a text"
+    if data is None or fault:
+        reading.skipped.append((str(path), fault))
+        return False
+    reading.files.append(TextFile(str(path), path.stem, decode(data, encoding)))
+    return True
+
+
+def _read_bytes(path: Path) -> tuple[bytes | None, str]:
+    """The bytes of a regular file, or None and why not. A pipe or a device is never waited for."""
+    try:
+        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | os.O_NOCTTY)
+    except OSError as error:
+        return None, error.strerror or "it cannot be opened"
+    with os.fdopen(descriptor, "rb") as file:
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            return None, "not a regular file"
+        if status.st_size > LARGEST_FILE:
+            return None, f"larger than {LARGEST_FILE >> 20} MiB"
+        return file.read(LARGEST_FILE), ""
+
+
+def _looks_like_text(data: bytes) -> bool:
+    if data.startswith(_OTHER_STARTS):
+        return False
+    if data.startswith(tuple(bom for bom, _ in _BOMS)):
+        return True
+    sample = data[:_SAMPLE]
+    strange = sum(byte < 0x20 and byte not in _TEXT_CONTROLS for byte in sample)
+    return strange * 20 <= len(sample)
+
+
+# ---- bytes to text ----
+
+
+def check_encoding(encoding: str | None) -> None:
+    """Raise `ValueError` for an encoding Python does not know."""
+    if encoding is None:
+        return
+    if not isinstance(encoding, str):
+        raise TypeError(f"encoding is a name such as 'gbk', not {type(encoding).__name__}")
+    try:
+        known = codecs.lookup(encoding)
+    except (LookupError, ValueError):
+        known = None
+    if known is None or not getattr(known, "_is_text_encoding", True):
+        raise ValueError(
+            f"unknown encoding {encoding!r};"
+            " common ones are utf-8, gbk, shift-jis, cp1252 and latin-1"
+        )
+
+
+def decode(data: bytes, encoding: str | None = None) -> str:
+    """The text of a program file; never fails.
+
+    A byte-order mark decides first, then `encoding`, then UTF-8 where the bytes are UTF-8, and else
+    the most plausible of GB18030 (with GBK), Shift-JIS and Windows-1252. What no encoding explains
+    is read as Latin-1; with an `encoding` that does not fit, the bytes it does not know become
+    U+FFFD. NULs stay.
+    """
+    for bom, name in _BOMS:
+        if data.startswith(bom):
+            return data.decode(name, "replace")
+    if encoding is not None:
+        return data.decode(encoding, "replace")
+    if data.isascii():
+        return data.decode("ascii")
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError:
+        return _decode_legacy(data)
+
+
+def clean(text: str) -> str:
+    """The text without lone surrogates, which are no characters; NULs stay."""
+    return text if text.isascii() else text.encode("utf-8", "replace").decode("utf-8")
+
+
+def _decode_legacy(data: bytes) -> str:
+    best, best_score = "latin-1", 0.0
+    for encoding, score in (("gb18030", _gbk), ("cp932", _shift_jis), ("cp1252", _western)):
+        try:
+            data.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        found = _plausibility(data, score)
+        if found > best_score:
+            best, best_score = encoding, found
+    return data.decode(best)
+
+
+_MOST_UNITS = 4000
+_PAIRS = re.compile(rb"[\x81-\xfe][\x30-\xff]|[\x80-\xff]", re.DOTALL)
+
+
+def _plausibility(data: bytes, score: object) -> float:
+    """The mean score of the bytes beyond ASCII, -1 to 1."""
+    assert callable(score)
+    total, count = 0.0, 0
+    for value, weight in score(data):
+        total += value * weight
+        count += weight
+        if count > _MOST_UNITS:
+            break
+    return total / count if count else 0.0
+
+
+# The characters that Chinese comments in NC programs are made of.
+_COMMON_CHINESE = frozenset(
+    "的一是在不了有和人这中大为上个我以要他时来用们生到作地于出就分对成会可主发年动同工也能下过子说产种面而方后多定行学法所"
+    "民得经十三之进着等部度家电力里如水化高自二理起小物现实加量都两体制机当使点从业本去把性好应开它合还因由其些然前外天政四"
+    "日那社义事平形相全表间样与关各重新线内数正心反你明看原又么利比或但质气第向道命此变条只没结解问意建月公无系军很情者最立"
+    "代想已通并提直题程展五果料象员革位入常文总次品式活设及管特件长求老头基资边流路级少图山统接知较将组见计别手角期根论运"
+    "车床铣刀具轴转速螺纹孔钻槽圆弧循环零件坯毛粗精切削削径给冷却液停止夹松紧卡盘尾座顶尖深补偿半编号调用宏变赋值循序"
+    "返回结束开始左右端倒锥球内外镗攻丝铰换安全退进快移测量对准检查注释名称说备用程序子主宽厚度距离模板型腔轮廓试测"
+)
+
+
+def _gbk(data: bytes) -> Iterator[tuple[float, int]]:
+    for match in _PAIRS.finditer(data):
+        unit = match.group()
+        if len(unit) == 1:
+            yield -1.0, 1
+        elif unit[1] < 0xA1:
+            yield -0.5, 2  # only in the extension of GB2312
+        elif 0xB0 <= unit[0] <= 0xD7:
+            yield (1.0 if unit.decode("gb18030", "replace") in _COMMON_CHINESE else 0.5), 2
+        elif unit[0] <= 0xA3:
+            yield 0.6, 2  # punctuation, full-width letters
+        else:
+            yield (0.1 if 0xD8 <= unit[0] <= 0xF7 else -0.5), 2
+
+
+_SHIFT_JIS = re.compile(rb"[\x81-\x9f\xe0-\xfc][\x40-\xfc]|[\x80-\xff]", re.DOTALL)
+
+
+def _shift_jis(data: bytes) -> Iterator[tuple[float, int]]:
+    for match in _SHIFT_JIS.finditer(data):
+        unit = match.group()
+        if len(unit) == 1:
+            yield 0.4, 1  # half-width katakana
+        elif unit[0] in (0x82, 0x83):
+            yield 1.0, 2  # kana, full-width letters
+        elif unit[0] == 0x81:
+            yield 0.6, 2  # punctuation
+        else:
+            yield (0.7 if 0x88 <= unit[0] <= 0x97 else -0.2), 2
+
+
+_RUNS = re.compile(rb"[\x80-\xff]+")
+
+
+def _western(data: bytes) -> Iterator[tuple[float, int]]:
+    """Letters with accents stand alone between plain letters; signs such as the degree stand behind
+    figures.
+    """
+    for match in _RUNS.finditer(data):
+        run = match.group()
+        letters = all(byte >= 0xC0 for byte in run)
+        if len(run) == 1:
+            yield (
+                (0.9 if letters or run in b"\x80\xa7\xb0\xb1\xb2\xb3\xb5\xb7\xba\xd7\xf8" else 0.3),
+                1,
+            )
+        else:
+            yield (0.3 if letters and len(run) == 2 else -0.8), len(run)

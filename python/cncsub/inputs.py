@@ -1,0 +1,177 @@
+"""What the world outside answers a program: signals, the clock, the operator, another program, the
+probe.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from typing import Any
+
+from cncsub.controls import did_you_mean
+
+Values = Mapping[int, float | None]
+
+ANSWERS = ("start", "stop")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Inputs:
+    """Answers to what a program asks of the world outside, scripted: the same inputs give the same
+    run.
+
+    `signals`: values of the interface inputs by variable number, bits (`#1000`...) and words
+    (`#1032`...). `clock`: a `datetime` for `#3011` and `#3012`, or the milliseconds `#3001` counts
+    from; `None` leaves all at 0. `operator`: one answer for each M00, M01 or `#3006` in order,
+    `"start"` (cycle start) or `"stop"` (the run stops, waiting); without it the operator always
+    presses cycle start, with it the run waits where the answers are used up. `writes`: what another
+    program writes into variables while this one waits for them, one mapping for each time the run
+    would wait; `(3, {500: 1})` is written the third time only. `None` makes a variable vacant.
+    `skips`: where each G31 meets its skip signal, as a fraction 0 to 1 of the move; none beyond the
+    list.
+
+    Raises `TypeError` and `ValueError` for values of another kind.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 IF[#500 EQ 0]GOTO 10\\nN20 #501=#500*2\\nN30 M30\\n"
+    >>> library = cncsub.loads(text, control="fanuc-0i-f")
+    >>> library.run().stop
+    <Stop.WAITING: 'waiting'>
+    >>> run = library.run(inputs=cncsub.Inputs(writes=[{500: 21}]))
+    >>> run.stop, run.variables[501]
+    (<Stop.END: 'end'>, 42.0)
+    """
+
+    signals: Mapping[int, float] = field(default_factory=dict)
+    clock: datetime | float | None = None
+    operator: Sequence[str] | None = None
+    writes: Sequence[Values | tuple[int, Values]] = ()
+    skips: Sequence[float] = ()
+
+    def __post_init__(self) -> None:
+        self.to_core()
+
+    def to_core(self) -> dict[str, Any]:
+        """The inputs as the engine takes them."""
+        core: dict[str, Any] = {
+            "signals": {
+                k: 0.0 if v is None else v for k, v in _variables("signals", self.signals).items()
+            },
+            "writes": [
+                write for entry in _listed("writes", self.writes) for write in _write(entry)
+            ],
+            "skips": [_fraction(skip) for skip in _listed("skips", self.skips)],
+            **_clock(self.clock),
+        }
+        if self.operator is not None:
+            core["operator"] = [_answer(answer) for answer in _listed("operator", self.operator)]
+        return core
+
+
+def inputs_of(inputs: Inputs | Mapping[str, Any] | None) -> dict[str, Any] | None:
+    """What the engine takes for `inputs=`: an `Inputs`, or a mapping with the same keys."""
+    if inputs is None:
+        return None
+    if isinstance(inputs, Inputs):
+        return inputs.to_core()
+    if not isinstance(inputs, Mapping):
+        raise TypeError(f"inputs is a cncsub.Inputs or a mapping, not {type(inputs).__name__}")
+    known = [f.name for f in dataclasses.fields(Inputs)]
+    for key in inputs:
+        if key not in known:
+            raise ValueError(
+                f"inputs has no {key!r}{did_you_mean(key, known)}; there are {', '.join(known)}"
+            )
+    return Inputs(**inputs).to_core()
+
+
+def checked_variables(what: str, values: object) -> dict[int, float | None]:
+    """Variables by number, as the engine takes them; `None` is vacant."""
+    return _variables(what, values)
+
+
+def _variables(what: str, values: object) -> dict[int, float | None]:
+    if not isinstance(values, Mapping):
+        raise TypeError(
+            f"{what} maps variable numbers to values, such as {{100: 23.34}},"
+            f" not {type(values).__name__}"
+        )
+    checked: dict[int, float | None] = {}
+    for number, value in values.items():
+        if not _is_whole(number):
+            raise TypeError(
+                f"{what}: a variable number is a whole number such as 100, not {number!r}"
+            )
+        if not 0 < int(number) < 2**31:
+            raise ValueError(f"{what}: there is no variable #{number} to give a value to")
+        checked[int(number)] = _value(f"{what}: #{number}", value)
+    return checked
+
+
+def _value(what: str, value: object) -> float | None:
+    """A number, or None for vacant; NaN is vacant too."""
+    if value is None:
+        return None
+    try:
+        number = float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"{what} takes a number or None (vacant), not {value!r}") from None
+    if number in (float("inf"), float("-inf")):
+        raise ValueError(f"{what} takes a finite number")
+    return None if number != number else number
+
+
+def _is_whole(number: object) -> bool:
+    """Whether this is an integer of Python or NumPy, and not a yes or no."""
+    return hasattr(number, "__index__") and not isinstance(number, bool)
+
+
+def _listed(what: str, values: object) -> Sequence[Any]:
+    if isinstance(values, str | bytes | Mapping) or not isinstance(values, Sequence):
+        raise TypeError(f"{what} is a list, not {type(values).__name__}")
+    return values
+
+
+def _write(entry: object) -> list[dict[int, float | None]]:
+    if isinstance(entry, Mapping):
+        return [_variables("writes", entry)]
+    if not isinstance(entry, tuple | list) or len(entry) != 2 or not _is_whole(entry[0]):
+        raise TypeError(
+            "writes holds mappings such as {500: 1} and pairs such as (3, {500: 1}),"
+            f" not {entry!r}"
+        )
+    if not 1 <= entry[0] <= 1_000_000:
+        raise ValueError(f"writes: {entry[0]} is no count of waits; the first wait is 1")
+    return [*({} for _ in range(entry[0] - 1)), _variables("writes", entry[1])]
+
+
+def _answer(answer: object) -> str:
+    if answer not in ANSWERS:
+        raise ValueError(f"the operator answers 'start' or 'stop', not {answer!r}")
+    return str(answer)
+
+
+def _fraction(skip: object) -> float:
+    value = _value("skips", skip)
+    if value is None or not 0 <= value <= 1:
+        raise ValueError(f"a skip is a fraction of the move, 0 to 1, not {skip!r}")
+    return value
+
+
+def _not_a_number(value: object) -> bool:
+    return isinstance(value, bool) or not isinstance(value, int | float)
+
+
+def _clock(clock: datetime | float | None) -> dict[str, float | int]:
+    if clock is None:
+        return {}
+    if isinstance(clock, datetime):
+        return {
+            "date": clock.year * 10_000 + clock.month * 100 + clock.day,
+            "time": clock.hour * 10_000 + clock.minute * 100 + clock.second,
+        }
+    if _not_a_number(clock) or not 0 <= clock < 2**53:
+        raise TypeError(f"clock is a datetime or a number of milliseconds, not {clock!r}")
+    return {"clock_ms": float(clock)}

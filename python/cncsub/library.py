@@ -1,0 +1,374 @@
+"""The programs a control holds in its memory, and running them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any, TypedDict, Unpack
+
+from cncsub import _core
+from cncsub._core import Control
+from cncsub.controls import Named, control_of, did_you_mean
+from cncsub.files import StrPath, check_encoding, clean, decode, read_paths
+from cncsub.inputs import Inputs, checked_variables, inputs_of
+from cncsub.program import Program
+from cncsub.run import Machine, Run
+from cncsub.setup import Setup, setup_of
+
+MODES = ("auto", "mdi")
+TRACES = ("none", "calls", "blocks", "moves")
+
+CoreFile = tuple[str, str, str, bool]
+
+
+class Options(TypedDict, total=False):
+    """The options of `Library.run` but `main` and `mode`."""
+
+    start: int | None
+    variables: Mapping[int, float | None] | None
+    block_skip: Iterable[int] | int
+    optional_stop: bool
+    max_cycles: int
+    max_blocks: int
+    max_seconds: float | None
+    trace: str
+    inputs: Inputs | Mapping[str, Any] | None
+    setup: Setup | Mapping[str, Any] | None
+
+
+class ModeOptions(Options, total=False):
+    """The options of `Library.run` but `main`."""
+
+    mode: str
+
+
+class Library(Mapping[str, Program]):
+    """The memory of a control: program name to `Program`, in the order of the files.
+
+    A program is found by any way to write its name: `library["O0002"]`, `library["O2"]` and
+    `library[2]` are the same object. Of several programs under one name the control calls one; the
+    others are in `.duplicates`.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P2\\nN20 M30\\nO0002\\nN30 M99\\n"
+    >>> library = cncsub.loads(text, control="fanuc-0i-f")
+    >>> list(library)
+    ['O1', 'O0002']
+    >>> library["O2"] is library[2]
+    True
+    >>> library.run().stop
+    <Stop.END: 'end'>
+    """
+
+    def __init__(
+        self, code: _core.Code, files: Sequence[str], skipped: Sequence[tuple[str, str]] = ()
+    ) -> None:
+        self._code = code
+        self._files = tuple(files)
+        self._skipped = tuple(skipped)
+        self._programs = [Program(data, index) for index, data in enumerate(code.programs)]
+        self._names = [
+            p.name for p in self._programs if not p.external and p._data.duplicate_of < 0
+        ]
+
+    # The memory.
+
+    def __getitem__(self, name: str | int) -> Program:
+        return self._programs[self._find(name)]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+    def __repr__(self) -> str:
+        names = ", ".join(self._names[:8]) + (", ..." if len(self) > 8 else "")
+        count = f"{len(self)} program{'s' if len(self) != 1 else ''}"
+        return f"<Library of {self.control.name}, {count}: {names}>"
+
+    def _find(self, name: object) -> int:
+        if not isinstance(name, str | int) or isinstance(name, bool):
+            raise KeyError(f"a program is called by its name or number, not by {name!r}")
+        index = self._code.find(name) if _fits(name) else -1
+        if index >= 0:
+            return index
+        known = did_you_mean(name, self._names, _listing(self._names))
+        raise KeyError(f"no program {name} in the memory{known}")
+
+    @property
+    def control(self) -> Control:
+        """The control whose memory this is."""
+        return self._code.control
+
+    @property
+    def main(self) -> Program | None:
+        """The program that runs when none is named: the first. `None` where there is no program at
+        all.
+        """
+        return next((program for program in self._programs if not program.external), None)
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """The files of the memory, in the order they were read."""
+        return self._files
+
+    @property
+    def skipped(self) -> tuple[tuple[str, str], ...]:
+        """What was left out of the folders: path and reason."""
+        return self._skipped
+
+    @property
+    def external(self) -> Mapping[str, Program]:
+        """The programs on the external device, by name."""
+        programs = (program for program in self._programs if program.external)
+        return Named("external program", {p.name: p for p in programs if p._data.duplicate_of < 0})
+
+    @property
+    def duplicates(self) -> tuple[Program, ...]:
+        """Programs the control never calls, because another one of the same name counts."""
+        return tuple(program for program in self._programs if program._data.duplicate_of >= 0)
+
+    # Running.
+
+    def run(
+        self,
+        main: str | int | None = None,
+        *,
+        mode: str = "auto",
+        start: int | None = None,
+        variables: Mapping[int, float | None] | None = None,
+        block_skip: Iterable[int] | int = (),
+        optional_stop: bool = False,
+        max_cycles: int = 1,
+        max_blocks: int = 10_000_000,
+        max_seconds: float | None = None,
+        trace: str = "moves",
+        inputs: Inputs | Mapping[str, Any] | None = None,
+        setup: Setup | Mapping[str, Any] | None = None,
+    ) -> Run:
+        """Execute a program as the control would, and return what it did.
+
+        `main`: name or number of the program, the first one without it. `mode`: `"auto"` or
+        `"mdi"`. `start`: the sequence number to begin at. `variables`: number to value before the
+        run, `None` is vacant. `block_skip`: the switches 1 to 9 that are on. `optional_stop`:
+        whether M01 stops. `max_cycles`: how often a main program that ends in M99 runs;
+        `max_blocks`: how many blocks are executed; `max_seconds`: how long the computer may take.
+        Reaching one of these is a `Stop`, no error. `trace`: what is kept, `"none"`, `"calls"`,
+        `"blocks"` or `"moves"`. `inputs`, `setup`: see `Inputs` and `Setup`.
+
+        Raises `KeyError` for an unknown `main`, `ValueError` and `TypeError` for other wrong
+        arguments. Whatever is wrong with a program is never raised: it is the `alarm` of the `Run`.
+        """
+        machine = self._begin(
+            main,
+            mode=mode,
+            start=start,
+            variables=variables,
+            block_skip=block_skip,
+            optional_stop=optional_stop,
+            max_cycles=max_cycles,
+            max_blocks=max_blocks,
+            max_seconds=max_seconds,
+            trace=trace,
+            inputs=inputs,
+            setup=setup,
+        )
+        return _finished(machine)
+
+    def mdi(self, text: str, **options: Unpack[Options]) -> Run:
+        """Execute a text typed in MDI, with the memory as it is; `options` are those of `run` but
+        `main` and `mode`.
+
+        >>> import cncsub
+        >>> library = cncsub.loads("O10\\nN10 M99\\n", control="fanuc-0i-f")
+        >>> library.mdi("M98 P10").steps.n.tolist()
+        [-1, 10]
+        """
+        if not isinstance(text, str):
+            raise TypeError(f"mdi takes the text that was typed, not {type(text).__name__}")
+        for name in ("main", "mode"):
+            if name in options:
+                raise TypeError(
+                    f"mdi runs the text that was typed and takes no {name}; run takes it"
+                )
+        return _finished(_machine(self._code.with_mdi(clean(text)), -1, mode="mdi", **options))
+
+    def machine(self, main: str | int | None = None, **options: Unpack[ModeOptions]) -> Machine:
+        """The engine at the head of a program, to be run step by step; `options` are those of
+        `run`.
+        """
+        if options.get("trace") in ("none", "calls"):
+            options["trace"] = "blocks"  # a step is a row of the table of steps
+        return self._begin(main, **options)
+
+    def _begin(self, main: str | int | None, **options: Unpack[ModeOptions]) -> Machine:
+        if main is not None:
+            return _machine(self._code, self._find(main), **options)
+        program = self.main
+        if program is None:
+            # Nothing to run runs: what an empty program does is the control's business.
+            return _machine(self._code.with_mdi(""), -1, **options)
+        return _machine(self._code, program._index, **options)
+
+
+def load(
+    *paths: StrPath,
+    control: str | Control,
+    external: StrPath | None = None,
+    encoding: str | None = None,
+) -> Library:
+    """Read files and folders as the memory of a control.
+
+    A folder gives every program file in it and below it; what is left out is told in
+    `Library.skipped`. `external` is the folder of the external device, which M198 reads. `encoding`
+    is that of comments and names, found out without it.
+
+    Raises `FileNotFoundError` for a missing path and `ValueError` for an unknown control, a folder
+    without programs or an unknown encoding; each names what is near. A program a control would
+    refuse raises nothing: it alarms when it runs.
+    """
+    known = control_of(control)
+    if not paths:
+        raise ValueError("load needs a file or a folder; loads takes the text of a program")
+    reading = read_paths(paths, encoding=encoding, without=external)
+    files: list[CoreFile] = [(file.name, file.stem, file.text, False) for file in reading.files]
+    outside, skipped = _external_files(external, encoding)
+    code = _core.compile(known, files + outside, external is not None)
+    return Library(code, [file.name for file in reading.files], [*reading.skipped, *skipped])
+
+
+def loads(
+    text: str | bytes,
+    control: str | Control,
+    external: StrPath | None = None,
+    name: str | None = None,
+    encoding: str | None = None,
+) -> Library:
+    """Read one text as the memory of a control: one program or several, as they would stand in a
+    file.
+
+    `name` is what the file would be called; its stem names a program that has no name of its own.
+
+    >>> import cncsub
+    >>> cncsub.loads("N10 M30\\n", control="gsk-988ta", name="T0023.CNC").main.name
+    'T0023'
+    """
+    known = control_of(control)
+    check_encoding(encoding)
+    if isinstance(text, bytes | bytearray | memoryview):
+        text = decode(bytes(text), encoding)
+    elif not isinstance(text, str):
+        raise TypeError(
+            f"loads takes the text of a program, not {type(text).__name__}; load takes paths"
+        )
+    outside, skipped = _external_files(external, encoding)
+    stem = "" if name is None else os.path.splitext(os.path.basename(name))[0]  # noqa: PTH119, PTH122
+    shown = "<text>" if name is None else name
+    files = [(shown, stem, clean(text), False), *outside]
+    code = _core.compile(known, files, external is not None)
+    return Library(code, [shown], skipped)
+
+
+def _external_files(
+    external: StrPath | None, encoding: str | None
+) -> tuple[list[CoreFile], list[tuple[str, str]]]:
+    if external is None:
+        return [], []
+    reading = read_paths([external], encoding=encoding)
+    return [(f.name, f.stem, f.text, True) for f in reading.files], reading.skipped
+
+
+def _fits(name: str | int) -> bool:
+    """Whether the engine can be asked for it; it counts to 64 bits."""
+    return isinstance(name, str) or 0 <= name < 2**63
+
+
+def _listing(names: Sequence[str]) -> str:
+    if not names:
+        return ", which is empty"
+    return f"; there are {', '.join(names[:8])}{', ...' if len(names) > 8 else ''}"
+
+
+def _machine(
+    code: _core.Code,
+    main: int,
+    *,
+    mode: str = "auto",
+    start: int | None = None,
+    variables: Mapping[int, float | None] | None = None,
+    block_skip: Iterable[int] | int = (),
+    optional_stop: bool = False,
+    max_cycles: int = 1,
+    max_blocks: int = 10_000_000,
+    max_seconds: float | None = None,
+    trace: str = "moves",
+    inputs: Inputs | Mapping[str, Any] | None = None,
+    setup: Setup | Mapping[str, Any] | None = None,
+) -> Machine:
+    """The engine with checked options; `main` is the number of the program, -1 the last."""
+    core = _core.Machine(
+        code,
+        main if main >= 0 else len(code.programs) - 1,
+        mdi=_one_of("mode", mode, MODES) == "mdi",
+        start=None if start is None else _whole("start, a sequence number,", start, 0),
+        variables=None if variables is None else checked_variables("variables", variables),
+        block_skip=_switches(block_skip),
+        optional_stop=bool(optional_stop),
+        max_cycles=_whole("max_cycles", max_cycles, 1),
+        max_blocks=_whole("max_blocks", max_blocks, 0),
+        max_seconds=None if max_seconds is None else _seconds(max_seconds),
+        trace=_one_of("trace", trace, TRACES),
+        inputs=inputs_of(inputs),
+        setup=setup_of(setup),
+    )
+    return Machine(core)
+
+
+def _finished(machine: Machine) -> Run:
+    run = machine.run()
+    assert run is not None
+    return run
+
+
+def _one_of(what: str, value: object, known: Sequence[str]) -> str:
+    if value not in known:
+        raise ValueError(f"{what} is one of {', '.join(known)}, not {value!r}")
+    return str(value)
+
+
+def _whole(what: str, value: object, least: int) -> int:
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise TypeError(f"{what} is a whole number, not {value!r}")
+    number = int(value)
+    if not least <= number < 2**63:
+        raise ValueError(
+            f"{what} is at least {least}, not {number}"
+            if number < least
+            else f"{what} is too large"
+        )
+    return number
+
+
+def _seconds(value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise TypeError(f"max_seconds is a number of seconds, not {value!r}")
+    if not 0 < value < float("inf"):
+        raise ValueError(f"max_seconds must be more than 0, not {value!r}")
+    return float(value)
+
+
+def _switches(block_skip: object) -> tuple[int, ...]:
+    if isinstance(block_skip, bool):
+        return (1,) if block_skip else ()
+    if hasattr(block_skip, "__index__"):
+        block_skip = (block_skip,)
+    if isinstance(block_skip, str | bytes) or not isinstance(block_skip, Iterable):
+        raise TypeError(
+            "block_skip holds the numbers of the switches that are on, such as (1,),"
+            f" not {block_skip!r}"
+        )
+    switches = tuple(_whole("block_skip", switch, 1) for switch in block_skip)
+    if any(switch > 9 for switch in switches):
+        raise ValueError(f"the block-skip switches are 1 to 9, not {max(switches)}")
+    return switches

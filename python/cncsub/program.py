@@ -1,0 +1,120 @@
+"""Programs as they were read: blocks and words, made when somebody looks at them."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple, overload
+
+from cncsub import _core
+
+
+class Word(NamedTuple):
+    """`X10.` is a word: its address, its value (`None` where it is computed or missing) and its
+    text.
+    """
+
+    address: str
+    value: float | None
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """One block of a program: sequence number, line of the file, text."""
+
+    n: int | None
+    line: int
+    text: str
+    _program: Program = field(repr=False, compare=False)
+    _index: int = field(repr=False, compare=False)
+
+    @property
+    def program(self) -> Program:
+        """The program this block belongs to."""
+        return self._program
+
+    @property
+    def words(self) -> tuple[Word, ...]:
+        """The words of the block, as the control reads them; none in a macro statement."""
+        return tuple(Word(*word) for word in self._program._data.words(self._index))
+
+
+class Blocks(Sequence[Block]):
+    """The blocks of a program, from 0."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+
+    def __len__(self) -> int:
+        return self._program._data.blocks
+
+    @overload
+    def __getitem__(self, key: int) -> Block: ...
+    @overload
+    def __getitem__(self, key: slice) -> list[Block]: ...
+    def __getitem__(self, key: int | slice) -> Block | list[Block]:
+        if isinstance(key, slice):
+            return [self._block(index) for index in range(*key.indices(len(self)))]
+        index = operator.index(key)
+        if not -len(self) <= index < len(self):
+            raise IndexError(f"block {index} of {len(self)} in {self._program.name}")
+        return self._block(index % len(self))
+
+    def _block(self, index: int) -> Block:
+        return Block(*self._program._data.block(index), self._program, index)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} blocks of {self._program.name}>"
+
+
+class Program:
+    """One program of a library.
+
+    >>> import cncsub
+    >>> program = cncsub.loads("O1 (PART)\\nN10 G1X10.\\nN20 M30\\n", control="fanuc-0i-f").main
+    >>> program.name, program.comment, len(program.blocks)
+    ('O1', 'PART', 2)
+    >>> program.blocks[0].words
+    (Word(address='G', value=1.0, text='G1'), Word(address='X', value=10.0, text='X10.'))
+    """
+
+    def __init__(self, data: _core.ProgramData, index: int) -> None:
+        self._data = data
+        self._index = index
+
+    @property
+    def name(self) -> str:
+        """As it is written, or the name of the file where the program has none of its own."""
+        return self._data.name
+
+    @property
+    def file(self) -> str:
+        return self._data.file
+
+    @property
+    def line(self) -> int:
+        """The line of the file on which the program begins, from 1."""
+        return self._data.line
+
+    @property
+    def text(self) -> str:
+        return self._data.text
+
+    @property
+    def comment(self) -> str:
+        """The title: the first comment behind the name."""
+        return self._data.comment
+
+    @property
+    def external(self) -> bool:
+        """Whether the program is on the external device."""
+        return self._data.external
+
+    @property
+    def blocks(self) -> Blocks:
+        return Blocks(self)
+
+    def __repr__(self) -> str:
+        return f"<Program {self.name}: {len(self.blocks)} blocks, {self.file}:{self.line}>"

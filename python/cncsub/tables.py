@@ -1,0 +1,588 @@
+"""The tables of a run: executed blocks, entered calls, moves. Columns are NumPy arrays, rows small
+objects.
+
+NumPy is imported when a column is asked for, pandas and pyarrow by `to_pandas`, `to_arrow` and
+whatever reads the Arrow stream (`polars.DataFrame(run.moves)`, `duckdb.sql("select * from steps")`,
+`pyarrow.table(run.calls)`).
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
+
+from cncsub import _core
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas as pd
+    import pyarrow as pa
+
+    Column = np.ndarray[Any, Any]
+
+Row = TypeVar("Row", bound="Step | Call | Move")
+
+_SHOWN = 5  # rows at the head and at the end of a printed table
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One executed block. `frame` is the row of its call in `run.calls`, -1 in the main program."""
+
+    step: int
+    program: str
+    n: int | None
+    line: int
+    depth: int
+    frame: int
+    repeat: int
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """One entered subprogram or macro; steps are rows of `run.steps`.
+
+    `parent` is the call it was made in, `None` for the main program; `last_step` is `None` where
+    the call did not come to its end. `arguments` are the local variables it was given, by number.
+    """
+
+    call: int
+    parent: int | None
+    kind: str
+    program: str
+    start_n: int | None
+    repeats: int
+    level: int
+    first_step: int
+    last_step: int | None
+    caller_step: int
+    arguments: dict[int, float | None] = field(default_factory=dict, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """One motion. Lengths in mm, time in s.
+
+    `x`, `y`, `z` and the other axes in use: the programmed end in the work coordinates in force, a
+    diameter on a diameter axis. `mx`, `my`, `mz` ...: the machine position of the tool, offsets
+    included. `cx`, `cy`, `cz`: the centre of an arc. What does not apply is `None`.
+    """
+
+    move: int
+    step: int
+    kind: str
+    x: float | None = None
+    y: float | None = None
+    z: float | None = None
+    a: float | None = None
+    b: float | None = None
+    c: float | None = None
+    u: float | None = None
+    v: float | None = None
+    w: float | None = None
+    mx: float | None = None
+    my: float | None = None
+    mz: float | None = None
+    ma: float | None = None
+    mb: float | None = None
+    mc: float | None = None
+    mu: float | None = None
+    mv: float | None = None
+    mw: float | None = None
+    cx: float | None = None
+    cy: float | None = None
+    cz: float | None = None
+    plane: int | None = None
+    feed: float | None = None
+    feed_mode: str | None = None
+    spindle: float | None = None
+    tool: int | None = None
+    h: int | None = None
+    d: int | None = None
+    length: float = 0.0
+    time: float = 0.0
+
+
+class Table(Sequence[Row], Generic[Row]):
+    """Rows and columns of one kind. `table[5]` is a row, `table["n"]` and `table.n` are columns.
+
+    A column is a NumPy array as long as the table. A column of texts holds `int32` codes; the texts
+    stand beside it (`table.programs[code]`) and are written out in rows, pandas and Arrow. Where a
+    row has `None`, an integer column has -1 and a column of lengths NaN.
+    """
+
+    _title: ClassVar[str]
+
+    def __init__(self, core: _core.Machine) -> None:
+        self._core = core
+        self._columns: dict[str, Column] = {}
+
+    # What the three tables differ in.
+
+    @property
+    def columns(self) -> list[str]:
+        """The names of the columns, in order."""
+        raise NotImplementedError
+
+    def _rows(self) -> int:
+        raise NotImplementedError
+
+    def _row(self, index: int) -> Row:
+        raise NotImplementedError
+
+    def _fetch(self, name: str) -> Column:
+        raise NotImplementedError
+
+    def _texts(self, name: str) -> list[str] | None:
+        """The texts of a column of codes, `None` for any other column."""
+        raise NotImplementedError
+
+    # Columns.
+
+    def column(self, name: str) -> Column:
+        """One column as a NumPy array. `KeyError` names the columns there are."""
+        if name not in self.columns:
+            raise KeyError(
+                f"{self._title} have no column {name!r}; there are {', '.join(self.columns)}"
+            )
+        known = self._columns.get(name)
+        if known is None or len(known) != len(self):
+            known = self._fetch(name)
+            if self._texts(name) is not None:
+                known = known.astype("int32", copy=False)
+            self._columns[name] = known
+        return known
+
+    def __getattr__(self, name: str) -> Column:
+        # Names with an underscore are never columns; asking for one must not call back into this
+        # table.
+        if name.startswith("_") or name not in self.columns:
+            raise AttributeError(f"{self._title} have no column {name!r}")
+        return self.column(name)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.columns]
+
+    # Rows.
+
+    def __len__(self) -> int:
+        return self._rows()
+
+    @overload
+    def __getitem__(self, key: int) -> Row: ...
+    @overload
+    def __getitem__(self, key: slice) -> list[Row]: ...
+    @overload
+    def __getitem__(self, key: str) -> Column: ...
+    def __getitem__(self, key: int | slice | str) -> Row | list[Row] | Column:
+        if isinstance(key, str):
+            return self.column(key)
+        if isinstance(key, slice):
+            return [self._row(index) for index in range(*key.indices(len(self)))]
+        index = operator.index(key)
+        if not -len(self) <= index < len(self):
+            raise IndexError(f"row {index} of {len(self)} {self._title}")
+        return self._row(index % len(self))
+
+    def __iter__(self) -> Iterator[Row]:
+        return map(self._row, range(len(self)))
+
+    # Other libraries.
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A `pandas.DataFrame` with all columns, texts written out. Needs pandas
+        (`cncsub[pandas]`).
+        """
+        pandas = _optional("pandas")
+        return pandas.DataFrame({name: self._written_out(name) for name in self.columns})
+
+    def _written_out(self, name: str) -> Column:
+        import numpy as np
+
+        texts = self._texts(name)
+        column = self.column(name)
+        return column if texts is None else np.array(texts or [""], dtype=object)[column]
+
+    def to_arrow(self) -> pa.Table:
+        """A `pyarrow.Table` with all columns, texts written out. Needs `cncsub[arrow]`."""
+        arrow = _optional("pyarrow")
+
+        def array(name: str) -> Any:
+            texts = self._texts(name)
+            if texts is None:
+                return arrow.array(self.column(name))
+            codes = arrow.array(self.column(name))
+            return arrow.DictionaryArray.from_arrays(
+                codes, arrow.array(texts, arrow.string())
+            ).dictionary_decode()
+
+        return arrow.table({name: array(name) for name in self.columns})
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        return self.to_arrow().__arrow_c_stream__(requested_schema)
+
+    # Printing.
+
+    def _printed(self) -> tuple[list[str], list[list[str]]]:
+        """The names of the columns and the shown rows as texts, a row of dots where some are left
+        out.
+        """
+        names = self.columns
+        total = len(self)
+        shown = list(range(total))
+        if total > 2 * _SHOWN:
+            shown = [*range(_SHOWN), -1, *range(total - _SHOWN, total)]
+        rows = [
+            ["..."] * len(names)
+            if index < 0
+            else [_cell(getattr(self._row(index), name)) for name in names]
+            for index in shown
+        ]
+        return names, rows
+
+    def _size(self) -> str:
+        count = len(self)
+        return f"{count:,} {self._title[:-1] if count == 1 else self._title}"
+
+    def __repr__(self) -> str:
+        names, rows = self._printed()
+        if not rows:
+            return self._size()
+        widths = [max(map(len, cells)) for cells in zip(names, *rows, strict=True)]
+        lines = [
+            "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+            for row in (names, *rows)
+        ]
+        return "\n".join([*lines, self._size()])
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        names, rows = self._printed()
+        head = "".join(f"<th>{escape(name)}</th>" for name in names)
+        body = "".join(
+            f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows
+        )
+        table = f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+        return f"{table}<p>{escape(self._size())}</p>"
+
+
+def _optional(module: str) -> Any:
+    import importlib
+
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        extra = {"pyarrow": "arrow"}.get(module, module)
+        raise ImportError(
+            f"this needs {module}; install it with: pip install 'cncsub[{extra}]'"
+        ) from error
+
+
+def _cell(value: object) -> str:
+    if value is None:
+        return "-"
+    return f"{value:.4f}".rstrip("0").rstrip(".") if isinstance(value, float) else str(value)
+
+
+def _known(index: int | None) -> int | None:
+    return None if index is None or index < 0 else index
+
+
+def _field_names(row: type[Step | Call | Move]) -> list[str]:
+    return [f.name for f in fields(row)]
+
+
+class Steps(Table[Step]):
+    """One row per executed block: `step, program, n, line, depth, frame, repeat`.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 M99\\n"
+    >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
+    >>> run.steps.n.tolist()
+    [10, 30, 30, 20]
+    >>> run.steps[1]
+    Step(step=1, program='O2', n=30, line=5, depth=1, frame=0, repeat=1)
+    """
+
+    _title = "steps"
+
+    @property
+    def columns(self) -> list[str]:
+        return _field_names(Step)
+
+    @property
+    def programs(self) -> list[str]:
+        """The names behind the codes of the column `program`."""
+        return self._core.program_names
+
+    def _rows(self) -> int:
+        return self._core.steps
+
+    def _row(self, index: int) -> Step:
+        step, program, n, line, depth, frame, repeat = self._core.step_row(index)
+        return Step(step, program, _known(n), line, depth, frame, repeat)
+
+    def _fetch(self, name: str) -> Column:
+        return self._core.step_column(name)
+
+    def _texts(self, name: str) -> list[str] | None:
+        return self.programs if name == "program" else None
+
+
+class Calls(Table[Call]):
+    """One row per entered call, in the order of entry; printed as a tree.
+
+    Columns: `call, parent, kind, program, start_n, repeats, level, first_step, last_step,
+    caller_step`. A row has its `arguments` besides: the local variables the call was given.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 G65 P2 A1. B2.5\\nN20 M30\\nO2\\nN30 M98 P3 L4\\nN40 M99\\nO3\\nN50 M99\\n"
+    >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
+    >>> run.calls
+    G65 O2 (6 blocks)
+      M98 O3, 4 passes (4 blocks)
+    2 calls
+    >>> run.calls[0].arguments
+    {1: 1.0, 2: 2.5}
+    """
+
+    _title = "calls"
+
+    @property
+    def columns(self) -> list[str]:
+        return [name for name in _field_names(Call) if name != "arguments"]
+
+    @property
+    def programs(self) -> list[str]:
+        """The names behind the codes of the column `program`."""
+        return self._core.program_names
+
+    @property
+    def kinds(self) -> list[str]:
+        """The texts behind the codes of the column `kind`: `M98`, `G65`, `M-code` and so on."""
+        return self._core.kind_names
+
+    def _rows(self) -> int:
+        return self._core.calls
+
+    def _row(self, index: int) -> Call:
+        call, parent, kind, program, start_n, *counts = self._core.call_row(index)
+        repeats, level, first_step, last_step, caller_step = counts
+        arguments = self._core.call_arguments(index)
+        return Call(
+            call,
+            _known(parent),
+            kind,
+            program,
+            _known(start_n),
+            repeats,
+            level,
+            first_step,
+            _known(last_step),
+            caller_step,
+            arguments,
+        )
+
+    def _fetch(self, name: str) -> Column:
+        return self._core.call_column(name)
+
+    def _texts(self, name: str) -> list[str] | None:
+        return {"program": self.programs, "kind": self.kinds}.get(name)
+
+    def tree(self, *, most: int = 2000) -> list[CallTree]:
+        """The first `most` calls as trees; equal neighbours are one tree with a count."""
+        return _trees(self, most)
+
+    def __repr__(self) -> str:
+        lines: list[str] = []
+        _tree_lines(self.tree(), lines.append, most=40)
+        return "\n".join([*lines, self._size()])
+
+    def __str__(self) -> str:
+        return repr(self)
+
+
+@dataclass(slots=True)
+class CallTree:
+    """One call, or `count` equal calls one after the other, and the calls made in it."""
+
+    kind: str
+    program: str
+    start_n: int | None
+    repeats: int
+    blocks: (
+        int | None
+    )  # executed in one of them, called programs included; None where it did not end
+    count: int = 1
+    calls: list[CallTree] = field(default_factory=list)
+
+    def __str__(self) -> str:
+        start = "" if self.start_n is None else f" from N{self.start_n}"
+        passes = "" if self.repeats == 1 else f", {self.repeats} passes"
+        count = "" if self.count == 1 else f" x {self.count}"
+        blocks = (
+            "not ended"
+            if self.blocks is None
+            else f"{self.blocks} block{'s' if self.blocks != 1 else ''}"
+        )
+        return f"{self.kind} {self.program}{start}{passes} ({blocks}){count}"
+
+
+def _trees(calls: Calls, most: int) -> list[CallTree]:
+    """Built from the last call to the first: a call stands behind the one it was made in."""
+    shown = min(len(calls), most)
+    made_in: dict[int | None, list[tuple[int, CallTree]]] = {}
+    # Equal trees have equal numbers, so that comparing two of them needs no descent.
+    numbers: dict[tuple[object, ...], int] = {}
+    for index in range(shown - 1, -1, -1):
+        row = calls[index]
+        inner = made_in.pop(index, [])[::-1]
+        blocks = None if row.last_step is None else row.last_step - row.first_step + 1
+        tree = CallTree(
+            row.kind, row.program, row.start_n, row.repeats, blocks, 1, [t for _, t in inner]
+        )
+        shape = (*_shape(tree), tuple((number, t.count) for number, t in inner))
+        _add_in_front(
+            made_in.setdefault(row.parent, []), numbers.setdefault(shape, len(numbers)), tree
+        )
+    return [tree for _, tree in made_in.get(None, [])[::-1]]
+
+
+def _shape(tree: CallTree) -> tuple[object, ...]:
+    return tree.kind, tree.program, tree.start_n, tree.repeats, tree.blocks
+
+
+def _add_in_front(trees: list[tuple[int, CallTree]], number: int, tree: CallTree) -> None:
+    """The list runs backwards; a tree equal to its neighbour only counts."""
+    if trees and trees[-1][0] == number:
+        trees[-1][1].count += 1
+    else:
+        trees.append((number, tree))
+
+
+def _tree_lines(trees: list[CallTree], write: Callable[[str], object], *, most: int) -> None:
+    waiting = [(tree, 0) for tree in reversed(trees)]
+    written = 0
+    while waiting:
+        if written == most:
+            write("...")
+            return
+        tree, depth = waiting.pop()
+        write("  " * depth + str(tree))
+        waiting += [(inner, depth + 1) for inner in reversed(tree.calls)]
+        written += 1
+
+
+_ALL_AXES = "xyzabcuvw"
+_FEED_MODES = ["per-minute", "per-revolution", "inverse-time"]
+
+
+class Bounds(dict[str, tuple[float, float]]):
+    """By axis, found as `X` and, like the columns, as `x`."""
+
+    def __missing__(self, axis: str) -> tuple[float, float]:
+        if axis.isupper():
+            raise KeyError(axis)
+        return self[axis.upper()]
+
+
+class Moves(Table[Move]):
+    """One row per motion (a canned cycle makes several).
+
+    Columns: `move, step, kind`, the axes in use (`x, y, z` ...: programmed end, work coordinates),
+    `mx, my, mz` ... (machine position of the tool), `cx, cy, cz` (arc centre, work coordinates, NaN
+    where there is none), `plane` (17, 18, 19), `feed`, `feed_mode`, `spindle`, `tool`, `h`, `d`,
+    `length` (mm) and `time` (s). Kinds are `rapid`, `feed`, `cw`, `ccw`, `thread` and `dwell`.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 G91 G1 X30. Y40. F100\\nN20 M30\\n"
+    >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
+    >>> move = run.moves[0]
+    >>> move.kind, move.x, move.y, move.length, move.time
+    ('feed', 30.0, 40.0, 50.0, 30.0)
+    >>> run.moves.total_length, run.moves.bounds["X"]
+    (50.0, (0.0, 30.0))
+    """
+
+    _title = "moves"
+
+    @property
+    def axes(self) -> list[str]:
+        """The axes in use, as the columns are called."""
+        return [axis.lower() for axis in self._core.move_axes]
+
+    @property
+    def columns(self) -> list[str]:
+        in_use = {*self.axes, "x", "y", "z"}
+        unused = {name for axis in _ALL_AXES for name in (axis, f"m{axis}") if axis not in in_use}
+        return [name for name in _field_names(Move) if name not in unused]
+
+    @property
+    def kinds(self) -> list[str]:
+        """The texts behind the codes of the column `kind`."""
+        return self._core.move_kinds
+
+    @property
+    def feed_modes(self) -> list[str]:
+        """The texts behind the codes of the column `feed_mode`."""
+        return list(_FEED_MODES)
+
+    @property
+    def total_length(self) -> float:
+        """The length of all moves, mm."""
+        return self._core.path_length
+
+    @property
+    def total_time(self) -> float:
+        """The time of all moves, s: feeds, rapid rates and dwells."""
+        return self._core.time
+
+    @property
+    def bounds(self) -> dict[str, tuple[float, float]]:
+        """Lowest and highest programmed end point by axis, work coordinates; `"x"` is `"X"`."""
+        return Bounds({axis.upper(): pair for axis, pair in self._core.bounds.items()})
+
+    def _rows(self) -> int:
+        return self._core.moves
+
+    def _row(self, index: int) -> Move:
+        return Move(
+            **{name.lower(): _number(value) for name, value in self._core.move_row(index).items()}
+        )
+
+    def _fetch(self, name: str) -> Column:
+        return self._core.move_column(name)
+
+    def _texts(self, name: str) -> list[str] | None:
+        return {"kind": self.kinds, "feed_mode": self.feed_modes}.get(name)
+
+
+def _number(value: Any) -> Any:
+    return None if isinstance(value, float) and math.isnan(value) else value
+
+
+def records(table: Table[Any]) -> Iterator[Mapping[str, Any]]:
+    """The rows as mappings of the columns, read by columns and so fast on long tables; NaN is
+    `None`.
+    """
+    names = table.columns
+    columns = [_plain_values(table, name) for name in names]
+    for values in zip(*columns, strict=True):
+        yield dict(zip(names, values, strict=True))
+
+
+_NO_INDEX = frozenset(("n", "parent", "start_n", "last_step"))
+
+
+def _plain_values(table: Table[Any], name: str) -> list[Any]:
+    texts = table._texts(name)
+    values = table.column(name).tolist()
+    if texts is not None:
+        return [texts[code] for code in values]
+    if name in _NO_INDEX:
+        return [_known(value) for value in values]
+    return [_number(value) for value in values]

@@ -1,0 +1,281 @@
+"""The rows of the conformance tables: what a row says and how it is written.
+
+A topic file beside this one calls `case` once per claim; `rows()` reads all of them. What a row
+says is compared with the engine in `outcome.py`.
+"""
+
+from __future__ import annotations
+
+import functools
+import importlib.util
+import re
+import sys
+import textwrap
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from moves import Move, Point, read_moves, read_point
+
+FOLDER = Path(__file__).parent
+EVIDENCE = ("source document", "maker's manual", "secondary", "inferred")
+STOPS = ("end", "alarm", "cycles", "limit", "waiting")
+
+Text = str | bytes
+
+
+@dataclass(frozen=True, kw_only=True)
+class Case:
+    """One claim: the programs, how they are run and what has to come out.
+
+    An expectation that is `None` is not compared, but for `number`: an alarm without a number is
+    one for which no source gives any.
+    """
+
+    claim: str
+    controls: tuple[str, ...]
+    source: str
+    evidence: str
+    topic: str
+    line: int
+
+    # The memory: one text, or a folder of files. `external` is the folder of the external device.
+    program: Text | None
+    files: Mapping[str, Text] | None
+    external: Mapping[str, Text] | None
+    encoding: str | None
+
+    # The run.
+    mdi: str | None
+    params: Mapping[str, int | float]
+    setup: Mapping[str, Any] | None
+    options: Mapping[str, Any]  # the keywords of `library.run` as they are
+
+    # What comes out.
+    runs: tuple[str, ...] | None
+    stop: str
+    alarm: str | None
+    number: str | Mapping[str, str | None] | None
+    at: str | None
+    word: str | None
+    variables: Mapping[int, float | None]
+    m: Sequence[int] | None
+    t: Sequence[int] | None
+    messages: Sequence[str] | None
+    calls: tuple[str, ...] | None
+    arguments: Mapping[int, float | None] | None
+    moves: tuple[Move, ...] | None
+    moves_x: Sequence[float] | None
+    centre: tuple[Point, ...] | None
+    final_machine: Point | None
+    final_work: Point | None
+    time: float | None
+
+    def number_on(self, control: str) -> str | None:
+        return self.number[control] if isinstance(self.number, Mapping) else self.number
+
+    @property
+    def wants_moves(self) -> bool:
+        motion = (self.moves, self.moves_x, self.centre, self.final_machine, self.time)
+        return any(expectation is not None for expectation in motion)
+
+
+class Row(NamedTuple):
+    """A case on one of its controls."""
+
+    case: Case
+    control: str
+
+    def __str__(self) -> str:
+        return f"{self.case.topic}: {self.case.claim} [{self.control}]"
+
+
+_cases: list[Case] = []
+
+
+def case(
+    claim: str,
+    *,
+    control: str | Sequence[str],
+    source: str,
+    evidence: str | None = None,
+    program: Text | None = None,
+    files: Mapping[str, Text] | None = None,
+    external: Mapping[str, Text] | None = None,
+    encoding: str | None = None,
+    main: str | int | None = None,
+    mdi: str | None = None,
+    start: int | None = None,
+    params: Mapping[str, int | float] | None = None,
+    skip: Sequence[int] = (),
+    optional_stop: bool = False,
+    variables: Mapping[int, float | None] | None = None,
+    inputs: Mapping[Any, Any] | None = None,
+    setup: Mapping[str, Any] | None = None,
+    max_cycles: int | None = None,
+    max_blocks: int | None = None,
+    runs: str | None = None,
+    stop: str | None = None,
+    alarm: str | None = None,
+    number: str | Mapping[str, str | None] | None = None,
+    at: str | None = None,
+    word: str | None = None,
+    vars: Mapping[int, float | None] | None = None,
+    m: Sequence[int] | None = None,
+    t: Sequence[int] | None = None,
+    messages: Sequence[str] | None = None,
+    calls: str | None = None,
+    arguments: Mapping[int, float | None] | None = None,
+    moves: str | None = None,
+    moves_x: Sequence[float] | None = None,
+    centre: str | None = None,
+    final_machine: str | None = None,
+    final_work: str | None = None,
+    time: float | None = None,
+) -> None:
+    """Write one row.
+
+    `runs` are the N numbers of all executed blocks in order, `O1:N10` where an N repeats between
+    programs, `N10*5` and `(N60 N70)*5` for repeats; blocks without an N are left out. `at` is the
+    program and the N of the block that alarms, `word` the word under the caret. `moves` is the
+    language of `moves.py`; `centre` the end points of the tool centre, separated by `|`; `moves_x`
+    the X end points alone. Without `evidence` the source has to be one of the source documents.
+    """
+    caller = sys._getframe(1)
+    controls = (control,) if isinstance(control, str) else tuple(control)
+    if evidence is None and re.match(r"source 00\d", source):
+        evidence = "source document"
+    options = {
+        "main": main,
+        "start": start,
+        "block_skip": tuple(skip) or None,
+        "optional_stop": optional_stop or None,
+        "variables": variables,
+        "inputs": inputs,
+        "max_cycles": max_cycles,
+        "max_blocks": max_blocks,
+    }
+    row = Case(
+        claim=claim,
+        controls=controls,
+        source=source,
+        evidence=evidence or "",
+        topic=Path(caller.f_code.co_filename).stem,
+        line=caller.f_lineno,
+        program=None if program is None else as_program(program),
+        files=None if files is None else {name: as_program(text) for name, text in files.items()},
+        external=external and {name: as_program(text) for name, text in external.items()},
+        encoding=encoding,
+        mdi=None if mdi is None else textwrap.dedent(mdi).strip("\n"),
+        params=params or {},
+        setup=setup,
+        options={name: value for name, value in options.items() if value is not None},
+        runs=None if runs is None else read_runs(runs),
+        stop=stop or ("alarm" if alarm else "end"),
+        alarm=alarm,
+        number=number,
+        at=at,
+        word=word,
+        variables=vars or {},
+        m=m,
+        t=t,
+        messages=messages,
+        calls=None if calls is None else tuple(calls.split()),
+        arguments=arguments,
+        moves=None if moves is None else read_moves(moves),
+        moves_x=moves_x,
+        centre=None if centre is None else tuple(map(read_point, centre.split("|"))),
+        final_machine=None if final_machine is None else read_point(final_machine),
+        final_work=None if final_work is None else read_point(final_work),
+        time=time,
+    )
+    fault = _fault(row)
+    if fault:
+        raise ValueError(f"{row.topic}.py:{row.line}: {claim!r}: {fault}")
+    _cases.append(row)
+
+
+def _fault(row: Case) -> str | None:
+    """What makes a row meaningless, if anything does."""
+    if not row.controls:
+        return "names no control"
+    if row.program is not None and row.files is not None:
+        return "has both a program and files"
+    if row.program is None and row.files is None and row.mdi is None:
+        return "has nothing to run"
+    if row.stop not in STOPS:
+        return f"cannot stop with {row.stop!r}"
+    if (row.stop == "alarm") != (row.alarm is not None):
+        return "stops with an alarm and names none, or the other way round"
+    if row.alarm is None and (row.number or row.at or row.word):
+        return "says where or how it alarms, but not which alarm"
+    if isinstance(row.number, Mapping) and set(row.number) != set(row.controls):
+        return "gives alarm numbers for other controls than it runs on"
+    return None
+
+
+def as_program(text: Text) -> Text:
+    """A program as it would stand in a file: without the indentation of the table."""
+    if isinstance(text, bytes):
+        return text
+    body = textwrap.dedent(text).strip("\n").rstrip(" ")
+    return body + "\n" if body else ""
+
+
+_RUN = re.compile(r"\s*(?:(?P<open>\()|(?P<close>\))|(?P<name>[^\s()*]+))(?:\*(?P<times>\d+))?")
+
+
+def read_runs(text: str) -> tuple[str, ...]:
+    """Write `runs` out: `(N1 O2:N02)*2` becomes `N1 O2:N2 N1 O2:N2`."""
+    groups: list[list[str]] = [[]]
+    place, end = 0, len(text.rstrip())
+    while place < end:
+        found = _RUN.match(text, place)
+        if found is None or (found["open"] and found["times"]):
+            raise ValueError(f"cannot read runs from {text[place:]!r}")
+        times = int(found["times"] or 1)
+        if found["open"]:
+            groups.append([])
+        elif found["close"]:
+            if len(groups) == 1:
+                raise ValueError(f"a parenthesis is closed that is not open: {text!r}")
+            inner = groups.pop()
+            groups[-1] += inner * times
+        else:
+            groups[-1] += [_read_block(found["name"])] * times
+        place = found.end()
+    if len(groups) > 1:
+        raise ValueError(f"a parenthesis is not closed: {text!r}")
+    return tuple(groups[0])
+
+
+def _read_block(name: str) -> str:
+    program, colon, n = name.rpartition(":N") if ":N" in name else ("", "", name.removeprefix("N"))
+    if not n.isdigit() or (not colon and not name.startswith("N")):
+        raise ValueError(f"not a block: {name!r}")
+    return f"{program}:N{int(n)}" if colon else f"N{int(n)}"
+
+
+def topic_files() -> list[Path]:
+    """The files that hold rows: everything here that is neither a test nor part of the harness."""
+    harness = {"conformance", "moves", "outcome", "mutation", "conftest"}
+    files = sorted(FOLDER.glob("*.py"))
+    return [file for file in files if file.stem not in harness and not file.stem.startswith("test")]
+
+
+@functools.cache
+def cases() -> tuple[Case, ...]:
+    """All rows of all topic files."""
+    for file in topic_files():
+        # Not by its bare name: a topic may be called like a module of the standard library.
+        spec = importlib.util.spec_from_file_location(f"conformance_rows.{file.stem}", file)
+        assert spec is not None
+        assert spec.loader is not None
+        spec.loader.exec_module(importlib.util.module_from_spec(spec))
+    return tuple(_cases)
+
+
+def rows() -> list[Row]:
+    """Every case once for each of its controls."""
+    return [Row(case, control) for case in cases() for control in case.controls]

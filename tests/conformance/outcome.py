@@ -1,0 +1,295 @@
+"""Runs a case through the public face of cncsub and says where the outcome differs from it."""
+
+from __future__ import annotations
+
+import atexit
+import functools
+import itertools
+import shutil
+import tempfile
+import textwrap
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import cncsub
+import moves as motion
+from conformance import Case, Row, Text
+
+# No row needs more; a row (or a changed rule) that never ends stops here.
+MAX_BLOCKS = 100_000
+TOLERANCE = 2e-5
+
+# They end the run, and are no order to the machine unless a row asks for them.
+END_CODES = (2, 30)
+
+
+def differences(case: Case, control: cncsub.Control) -> Iterator[str]:
+    """What the engine did otherwise than the case says, one readable text for each expectation.
+
+    The cheap comparisons come first: who only wants to know whether there is a difference takes
+    the first one.
+    """
+    library = load(case, control)
+    run = execute(case, library)
+    yield from _stop_differences(case, control.name, run)
+    yield from _value_differences(case, run)
+    yield from _block_differences(case, run)
+    if case.arguments is not None:
+        yield from _argument_differences(case, library, run)
+    if case.wants_moves or case.final_work is not None:
+        yield from _motion_differences(case, run)
+
+
+def load(case: Case, control: cncsub.Control) -> cncsub.Library:
+    """The memory of the case, on the control with the parameters of the case."""
+    if case.params:
+        control = control.with_parameters(dict(case.params))
+    external = None if case.external is None else _folder(case, "external")
+    if case.files is not None:
+        return cncsub.load(
+            _folder(case, "files"), control=control, external=external, encoding=case.encoding
+        )
+    return cncsub.loads(case.program or "", control=control, external=external)
+
+
+def execute(case: Case, library: cncsub.Library) -> cncsub.Run:
+    options = _options(case)
+    if case.mdi is not None:
+        return library.mdi(case.mdi, **options)
+    return library.run(**options)
+
+
+def _options(case: Case) -> dict[str, Any]:
+    trace = "moves" if case.wants_moves else "blocks"
+    options = {"max_blocks": MAX_BLOCKS, "trace": trace, **case.options}
+    if case.setup is not None:
+        options["setup"] = cncsub.Setup(**case.setup)
+    return options
+
+
+@functools.cache
+def _scratch() -> Path:
+    folder = Path(tempfile.mkdtemp(prefix="cncsub-conformance-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
+
+
+_folders: dict[tuple[int, str], Path] = {}
+
+
+def _folder(case: Case, which: str) -> Path:
+    """The files of the case as a folder on disk, written once."""
+    key = (id(case), which)
+    if key not in _folders:
+        folder = _scratch() / str(len(_folders))
+        folder.mkdir()
+        files: Mapping[str, Text] = getattr(case, which)
+        for name, text in files.items():
+            file = folder / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(
+                text if isinstance(text, bytes) else text.encode(case.encoding or "utf-8")
+            )
+        _folders[key] = folder
+    return _folders[key]
+
+
+def _stop_differences(case: Case, control: str, run: cncsub.Run) -> Iterator[str]:
+    stop = run.stop.name.lower()
+    alarm = run.alarm
+    if stop != case.stop:
+        yield f"stop: expected {case.stop}, got {stop}"
+    if case.alarm is None or alarm is None:
+        return
+    if alarm.cause != case.alarm:
+        yield f"alarm: expected {case.alarm}, got {alarm.cause}"
+    number = case.number_on(control)
+    if alarm.number != number:
+        yield f"alarm number: expected {number}, got {alarm.number}"
+    if case.at is not None:
+        at = alarm.program if alarm.n is None else f"{alarm.program} N{alarm.n}"
+        if at != case.at:
+            yield f"alarm at: expected {case.at}, got {at}"
+    if case.word is not None and alarm.word != case.word:
+        yield f"alarm word: expected {case.word}, got {alarm.word}"
+
+
+def _value_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
+    for number, expected in case.variables.items():
+        yield from _variable_difference("vars", number, expected, run.variables.get(number))
+    if case.m is not None:
+        codes = [code for code in run.m_codes if code in case.m or code not in END_CODES]
+        yield from _list_difference("m", case.m, codes)
+    if case.t is not None:
+        yield from _list_difference("t", case.t, run.t_codes)
+    if case.messages is not None:
+        yield from _list_difference("messages", case.messages, map(str, run.messages))
+
+
+def _variable_difference(
+    what: str, number: int, expected: float | None, got: float | None
+) -> Iterator[str]:
+    if expected is None or got is None:
+        same = expected is got
+    else:
+        same = abs(expected - got) <= TOLERANCE
+    if not same:
+        yield f"{what} #{number}: expected {_value(expected)}, got {_value(got)}"
+
+
+def _value(value: float | None) -> str:
+    return "vacant" if value is None else f"{value:.10g}"
+
+
+def _list_difference(what: str, expected: Any, got: Any) -> Iterator[str]:
+    expected, got = list(expected), list(got)
+    if expected != got:
+        yield f"{what}: expected {expected}\n{' ' * len(what)}  got      {got}"
+
+
+def _block_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
+    if case.runs is not None:
+        got = executed(run, with_program=any(":" in block for block in case.runs))
+        expected = _with_programs_as(got, case.runs)
+        if expected != got:
+            yield _order("runs", expected, got)
+    if case.calls is not None:
+        kinds, programs = run.calls.kinds, run.calls.programs
+        codes = zip(run.calls.kind.tolist(), run.calls.program.tolist(), strict=True)
+        entered = [f"{kinds[kind]}:{programs[program]}" for kind, program in codes]
+        if list(case.calls) != entered:
+            yield _order("calls", list(case.calls), entered)
+
+
+def executed(run: cncsub.Run, *, with_program: bool) -> list[str]:
+    """The executed blocks that carry an N, as `runs` writes them."""
+    numbers = run.steps.n.tolist()
+    if not with_program:
+        return [f"N{n}" for n in numbers if n >= 0]
+    names = run.steps.programs
+    programs = run.steps.program.tolist()
+    return [f"{names[p]}:N{n}" for p, n in zip(programs, numbers, strict=True) if n >= 0]
+
+
+def _with_programs_as(got: list[str], expected: tuple[str, ...]) -> list[str]:
+    """A block written without its program takes the program it met: only its N is compared."""
+    if not any(":" in block for block in expected):
+        return list(expected)
+    met = itertools.chain(got, itertools.repeat(""))
+    return [
+        block if ":" in block else f"{there.rpartition(':')[0]}:{block}"
+        for block, there in zip(expected, met, strict=False)
+    ]
+
+
+def _order(what: str, expected: list[str], got: list[str]) -> str:
+    same = sum(1 for _ in itertools.takewhile(lambda pair: pair[0] == pair[1], zip(expected, got)))
+    return (
+        f"{what}: expected {_around(expected, same)}\n"
+        f"{' ' * len(what)}  got      {_around(got, same)}\n"
+        f"{' ' * len(what)}  they part at place {same + 1} of {len(expected)}"
+    )
+
+
+def _around(blocks: list[str], place: int, width: int = 30) -> str:
+    """A long list only where it is interesting."""
+    first = max(0, place - width // 2) if len(blocks) > width else 0
+    shown = " ".join(blocks[first : first + width]) or "nothing"
+    return ("... " if first else "") + shown + (" ..." if first + width < len(blocks) else "")
+
+
+def _argument_differences(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterator[str]:
+    """Stop behind the step that enters the first call with locals of its own, and look at them."""
+    levels = run.calls.level.tolist()
+    first = next((call for call, level in enumerate(levels) if level > 0), None)
+    if first is None:
+        yield "arguments: no macro was called"
+        return
+    machine = library.machine(**_options(case))
+    for _ in range(run.calls.caller_step.tolist()[first] + 1):
+        machine.step()
+    for number, expected in (case.arguments or {}).items():
+        got = machine.variables.get(number)
+        yield from _variable_difference("arguments", number, expected, got)
+
+
+def _motion_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
+    made = motion.made_moves(run.moves) if case.wants_moves else []
+    if case.moves is not None:
+        yield from motion.compare(case.moves, made, _start(case))
+    travel = [move for move in made if move.kind != "dwell"]
+    if case.moves_x is not None:
+        got = [move.end.get("X") for move in travel]
+        if len(got) != len(case.moves_x) or not all(
+            x is not None and abs(x - expected) <= motion.TOLERANCE
+            for x, expected in zip(got, case.moves_x, strict=True)
+        ):
+            yield from _list_difference("moves_x", case.moves_x, got)
+    if case.centre is not None:
+        path = [place for move, place in zip(made, _machine_path(run)) if move.kind != "dwell"]
+        if len(path) != len(case.centre) or not all(map(motion.near, case.centre, path)):
+            expected = " | ".join(map(motion.write_point, case.centre))
+            yield f"centre: expected {expected}\n        got      " + " | ".join(
+                motion.write_point(place) for place in path
+            )
+    if case.final_machine is not None:
+        path = _machine_path(run)
+        yield from _place_difference("final machine", case.final_machine, path[-1] if path else {})
+    if case.final_work is not None:
+        yield from _place_difference("final work", case.final_work, dict(run.position))
+    if case.time is not None:
+        seconds = sum(move.seconds for move in made)
+        if abs(seconds - case.time) > 0.002:
+            yield f"time: expected {case.time} s, got {seconds:.4f} s"
+
+
+def _start(case: Case) -> dict[str, float]:
+    """Where the axes stand at first in work coordinates, as far as the row knows it."""
+    setup = case.setup or {}
+    start = dict(setup.get("start", {}))
+    if "work_offsets" not in setup:
+        axes = "XZ" if str(setup.get("machine", "mill")).startswith("lathe") else "XYZ"
+        start = dict.fromkeys(axes, 0.0) | start
+    return start
+
+
+def _machine_path(run: cncsub.Run) -> list[dict[str, float]]:
+    columns = (getattr(run.moves, f"m{axis}").tolist() for axis in "xyz")
+    return [dict(zip("XYZ", place, strict=True)) for place in zip(*columns, strict=True)]
+
+
+def _place_difference(what: str, expected: Any, got: Mapping[str, float]) -> Iterator[str]:
+    if not motion.near(expected, got):
+        yield f"{what}: expected {motion.write_point(expected)}, got {motion.write_point(got)}"
+
+
+def report(row: Row, found: list[str]) -> str:
+    """What a person needs to see of a row that failed."""
+    case = row.case
+    run = execute(case, load(case, cncsub.controls[row.control]))
+    source = f"{case.source} ({case.evidence})" if case.evidence else case.source
+    parts = [
+        f"{case.topic}.py:{case.line}: {case.claim}",
+        f"control {row.control}; source: {source}",
+        *_programs(case),
+        *found,
+        f"executed: {_around(executed(run, with_program=True), 0, 60)}",
+    ]
+    if run.alarm is not None:
+        parts.append(f"the alarm:\n{textwrap.indent(str(run.alarm), '    ')}")
+    return "\n".join(parts)
+
+
+def _programs(case: Case) -> Iterator[str]:
+    yield from _listing("program", case.program)
+    for what, files in (("file", case.files), ("external file", case.external)):
+        for name, text in (files or {}).items():
+            yield from _listing(f"{what} {name}", text)
+    yield from _listing("MDI", case.mdi)
+
+
+def _listing(title: str, text: Text | None) -> Iterator[str]:
+    if text is not None:
+        shown = text if isinstance(text, str) else text.decode("utf-8", "backslashreplace")
+        yield f"{title}:\n{textwrap.indent(shown.rstrip(), '    ')}"

@@ -1,0 +1,10 @@
+#!/bin/sh
+# The main job, from nothing: makes .venv, installs cncsub into it and runs a shipped example.
+# Further arguments go to `cncsub run` in place of the example: sh tools/first-run.sh job/ -c fanuc-0i-f
+set -eu
+cd "$(dirname "$0")/.."
+. tools/environment.sh
+
+install .
+[ $# -gt 0 ] || set -- examples/first-run -c gsk-988ta
+exec "$VENV/bin/cncsub" run "$@"
