@@ -38,6 +38,12 @@ std::string spell(double value) {
   return {text.data(), done.ptr};
 }
 
+/// Ten times a written code, as an index into the sets of codes.
+std::size_t code_index(const Operand& operand) {
+  const bool known = operand.kind == Operand::Kind::Constant && operand.value >= 0 && operand.value < 1000;
+  return known ? static_cast<std::size_t>(operand.value * 10 + 0.5) : std::size_t{10000};
+}
+
 /// #i of an argument letter by specification I, 0 for the letters that are none.
 int argument_variable(char letter) {
   static constexpr int kVariables[26] = {1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
@@ -72,11 +78,16 @@ BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
   for (const char c : control_.minus_addresses.value) letters_[static_cast<std::size_t>(c)] |= kMinus;
   if (control_.whole_numbers.value == WholeNumbers::Increments)
     for (const char c : kLengths) letters_[static_cast<std::size_t>(c)] |= kLength;
-  any_g_ = control_.g_codes.value.empty();
-  for_each_code(control_.g_codes.value, [&](int code10) { g_codes_.set(static_cast<std::size_t>(code10)); });
-  for_each_code(control_.codes_not_with_call.value, [&](int code10) { not_with_call_.set(static_cast<std::size_t>(code10)); });
-  for_each_code(control_.codes_not_with_return.value,
-                [&](int code10) { not_with_return_.set(static_cast<std::size_t>(code10)); });
+  const auto list = [](const Rule<Codes>& rule, std::bitset<10001>& codes) {
+    for_each_code(rule.value, [&](int code10) { codes.set(static_cast<std::size_t>(code10)); });
+  };
+  list(control_.g_codes, code_.g_codes);
+  if (code_.g_codes.none()) code_.g_codes.set();
+  list(control_.codes_not_with_call, not_with_call_);
+  list(control_.codes_not_with_return, not_with_return_);
+  list(control_.codes_not_with_macro_call, not_with_macro_);
+  list(control_.codes_not_with_modal_call, not_with_modal_);
+  list(control_.m_codes_not_with_macro_call, m_not_with_macro_);
   register_calls();
 }
 
@@ -101,6 +112,8 @@ void BlockReader::register_calls() {
         return;
       }
       if (code == 0 || code < list.first_code || code > list.last_code) return;
+      const bool own = address == 'G' && code < 1000 && code_.g_codes.test(static_cast<std::size_t>(code) * 10);
+      if (own && !list.own_codes) return;
       bool refused = false;
       for_each_code(list.refused, [&](int code10) { refused = refused || code10 == code * 10; });
       registered_.emplace(key(address, code), RegisteredCall{kind, program, list.variable, refused, false});
@@ -245,7 +258,10 @@ bool BlockReader::scan_words(Scanner& s, Block& block) {
       }
       if (block.n < 0) {
         ++s.at;
+        token.late = true;
         if (!sequence_number(s, block)) return false;
+        if (!control_.late_sequence_numbers.value) block.n = -1;
+        tokens_.push_back(token);
         continue;
       }
     }
@@ -362,7 +378,9 @@ bool BlockReader::scan_value(Scanner& s, Block& block, Token& token) {
 bool BlockReader::bracket_name(Scanner& s, Block& block, Token& token) {
   Scanner inside = s;
   inside.take('[');
-  if (inside.peek() == '#' || inside.peek() == '[') return false;
+  const bool variable = inside.take('#');
+  while (is_digit(inside.peek())) ++inside.at;
+  if (variable && inside.peek() == ']') return false;
   const std::string_view whole(s.file + block.text, static_cast<std::size_t>(s.end - s.file) - block.text);
   const auto says = [&](std::string_view word) {
     Scanner look = s;
@@ -375,7 +393,7 @@ bool BlockReader::bracket_name(Scanner& s, Block& block, Token& token) {
       }
     return false;
   };
-  if (!says("M98") && !says("M198") && !says("G65") && !says("G66")) return false;
+  if (!says("M98") && !says("M198") && !says("G65") && !says("G66")) return false;  // G04 P[...] takes an expression
   s.take('[');
   token.letter = '<';
   scan_name(s, block, token, ']');
@@ -398,14 +416,15 @@ bool BlockReader::scan_name(Scanner& s, Block& block, Token& token, char close) 
   ++s.at;
   token.operand.width = std::max(1u, s.offset() - token.operand.at);
   if (token.name.empty()) return wrong("the name is empty");
+  if (token.name[0] == '.') return wrong("a name does not begin with a point");
   std::size_t letters = 0;
   for (const char c : token.name) {
     const auto byte = static_cast<unsigned char>(c);
     const bool wide = byte >= 0x80;
     if ((byte & 0xC0u) != 0x80u) ++letters;
-    const bool good = is_letter(c) || is_digit(c) || c == '+' || c == '-' || c == '_' || c == '.' ||
-                      (wide && control_.wide_names.value);
-    if (!good) return wrong("a program name has letters, digits and + - _ . only");
+    const bool mark = control_.name_marks.value.find(c) != std::string::npos;
+    if (!is_letter(c) && !is_digit(c) && !mark && !(wide && control_.wide_names.value))
+      return wrong("a program name has letters, digits and " + control_.name_marks.value + " only");
   }
   if (letters > static_cast<std::size_t>(control_.max_name_length.value))
     return wrong("a program name has at most " + std::to_string(control_.max_name_length.value) + " characters");
@@ -500,6 +519,7 @@ std::optional<Fault> BlockReader::sort(const Tokens& tokens, bool calls, Meaning
     std::optional<Fault> fault;
     const bool argument = meaning.calls_macro() && token.letter != 'P' && token.letter != 'L';
     if (token.odd && !argument) return odd_word(token);
+    if (token.late) continue;
     if (token.letter == 'G') {
       fault = sort_g(token, calls, meaning);
     } else if (token.letter == 'M') {
@@ -536,7 +556,7 @@ std::optional<Fault> BlockReader::sort_g(const Token& token, bool calls, Meaning
     return std::nullopt;
   }
   const double code = operand.value;
-  const int code10 = code <= 1000 ? static_cast<int>(code * 10 + 0.5) : 10001;
+  const auto code10 = static_cast<int>(code_index(operand));
   const auto call = [&](CallKind kind, CodeCallKind code_kind, const RegisteredCall* found) {
     if (meaning.call != nullptr) {
       if (!meaning.second_call) meaning.second_call = &token;
@@ -563,8 +583,9 @@ std::optional<Fault> BlockReader::sort_g(const Token& token, bool calls, Meaning
       return std::nullopt;
     }
   }
-  const bool known = any_g_ ? (code10 <= 10000 && !(code10 >= 650 && code10 <= 670 && !control_.macro_calls.value))
-                            : code10 <= 10000 && g_codes_.test(static_cast<std::size_t>(code10));
+  const bool macro_code = code10 >= 650 && code10 <= 670;
+  const bool known = code >= 0 && code < 1000 && code_.g_codes.test(static_cast<std::size_t>(code10)) &&
+                     (!macro_code || control_.macro_calls.value);
   if (!known)
     return Fault{Cause::GCodeNotAvailable, operand.at, operand.width, "G" + spell(code) + " is no code of this control"};
   if (meaning.calls_macro()) return std::nullopt;  // told as an argument
@@ -594,6 +615,7 @@ std::optional<Fault> BlockReader::sort_m(const Token& token, bool calls, Meaning
       if (const RegisteredCall* found = registered('M', code)) {
         if (found->refused)
           return Fault{Cause::CodeMayNotCall, operand.at, operand.width, "M" + spell(code) + " may not call a program"};
+        meaning.lonely = &token;
         call(CallKind::MCode, found->kind, found);
         return std::nullopt;
       }
@@ -624,7 +646,10 @@ std::optional<Fault> BlockReader::check_together(const Tokens& tokens, const Mea
   const auto at = [](Cause cause, const Token& token, std::string detail) {
     return Fault{cause, token.operand.at, token.operand.width, std::move(detail)};
   };
-  if (meaning.second_call != nullptr) return at(Cause::CallGivenTwice, *meaning.second_call, "a block calls once");
+  if (meaning.second_call != nullptr) {
+    const bool macros = meaning.calls_macro() && meaning.second_call->letter == 'G';
+    return at(macros ? Cause::MacroCallGivenTwice : Cause::CallGivenTwice, *meaning.second_call, "a block calls once");
+  }
   if (meaning.call != nullptr && meaning.back != nullptr)
     return at(Cause::CallGivenTwice, *meaning.back, "a block calls or returns");
   if (control_.m_codes_alone.value && meaning.lonely != nullptr && meaning.m_words > 1)
@@ -632,7 +657,7 @@ std::optional<Fault> BlockReader::check_together(const Tokens& tokens, const Mea
   for (int i = 0; i < meaning.g_count; ++i) {
     const Token& token = *meaning.g[static_cast<std::size_t>(i)];
     if (token.operand.kind != Operand::Kind::Constant) continue;
-    const auto code10 = static_cast<std::size_t>(token.operand.value * 10 + 0.5);
+    const std::size_t code10 = code_index(token.operand);
     if (meaning.call != nullptr && meaning.kind == CallKind::M98 && not_with_call_.test(code10))
       return at(Cause::IllegalWordWithCall, token, "this code may not stand with M98");
     if (meaning.back != nullptr && not_with_return_.test(code10))
@@ -658,7 +683,7 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
   std::array<const Token*, kAddresses> values{};
   std::uint32_t mask = 0, expressions = 0, whole = 0;
   const auto owned = [&](const Token& token) {  // by the call or the return, not by the block
-    if (token.letter == 'G' || token.letter == 'M' || token.letter == '<' || token.letter == '/') return true;
+    if (token.late || token.letter == 'G' || token.letter == 'M' || token.letter == '<' || token.letter == '/') return true;
     if (token.comma) return sub && token.letter == 'D' && control_.device_word.value;
     if (&token == meaning.call) return true;
     if ((meaning.back != nullptr || meaning.jump != nullptr) && (token.letter == 'P' || token.letter == 'L')) return true;
@@ -751,7 +776,13 @@ void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& 
   const Token* seen_p = nullptr;
   const Token* seen_l = nullptr;
   for (const Token& token : tokens) {
-    if (&token == &word || token.comma) continue;
+    if (&token == &word) continue;
+    if (token.comma) {
+      if (token.letter == 'D' && control_.device_word.value && by_number) call.device = token.operand;
+      if (token.letter == 'D' && !control_.device_word.value)
+        return refuse(block, {Cause::AddressNotUsable, token.operand.at, token.operand.width, "the control has no ,D"});
+      continue;
+    }
     if (by_number && token.letter == '<') {
       call.name = std::string(token.name);
       call.name_at = token.operand.at;
@@ -776,8 +807,13 @@ void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& 
     }
   }
   if (control_.h_codes.value && meaning.kind == CallKind::G65) {
-    for (const Token& token : tokens)
-      if (token.letter == 'H') return build_h_code(block, tokens, meaning);
+    // H makes it a statement, unless words stand there that only a macro call has.
+    bool h = false, others = false;
+    for (const Token& token : tokens) {
+      h = h || token.letter == 'H';
+      others = others || std::string_view("GHPQR").find(token.letter) == std::string_view::npos;
+    }
+    if (h && !others) return build_h_code(block, tokens, meaning);
     if (!call.p.present() && call.name.empty())
       return refuse(block, {Cause::HCodeMissing, call.at, call.width, "G65 has neither P nor H"});
   }
@@ -788,8 +824,7 @@ void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& 
   if (macro && (block.mask != 0 || block.g_count != 0 || block.m_count != 0) &&
       control_.words_before_macro_call.value == WordsBeforeMacroCall::Alarm) {
     const Token& first = tokens.front();
-    return refuse(block, {first.letter == 'G' || first.letter == 'M' ? Cause::NcAndMacroInBlock : Cause::IllegalArgument,
-                          first.operand.at, first.operand.width, "a word stands before the macro call"});
+    return refuse(block, {Cause::MacroCallNotFirst, first.operand.at, first.operand.width, "a word stands before the macro call"});
   }
   switch (meaning.code_kind) {
     case CodeCallKind::Subprogram:
@@ -819,6 +854,7 @@ std::optional<Fault> BlockReader::arguments(CallRecord& call, const Tokens& toke
     call.arguments = static_cast<std::uint32_t>(code_.arguments.size()) - call.first_argument;
     return std::nullopt;
   }
+  std::uint32_t seen = 0;
   int set = 1;
   char last = 0;
   std::array<int, 3> of_letter{};
@@ -833,6 +869,15 @@ std::optional<Fault> BlockReader::arguments(CallRecord& call, const Tokens& toke
         return Fault{Cause::IllegalArgument, token.operand.at, token.operand.width, "P cannot be an argument"};
       continue;
     }
+    if (token.late)
+      return Fault{Cause::SequenceNumberNotFirst, token.operand.at, 1, "N stands at the head of a macro call"};
+    const std::size_t code = code_index(token.operand);
+    const auto refused = [&](Cause cause) {
+      return Fault{cause, token.operand.at, token.operand.width, "this code may not stand with a macro call"};
+    };
+    if (token.letter == 'G' && meaning.kind == CallKind::G65 && not_with_macro_.test(code)) return refused(Cause::CodeWithMacroCall);
+    if (token.letter == 'G' && meaning.kind == CallKind::G66 && not_with_modal_.test(code)) return refused(Cause::CodeWithModalCall);
+    if (token.letter == 'M' && meaning.kind == CallKind::G65 && m_not_with_macro_.test(code)) return refused(Cause::MCodeWithMacroCall);
     if (token.letter == 'G' || token.letter == 'O' || token.letter == 'N' || token.comma)
       return Fault{Cause::IllegalArgument, token.operand.at, token.operand.width,
                    std::string(token.comma ? "," : "") + token.letter + " cannot be an argument"};
@@ -842,6 +887,10 @@ std::optional<Fault> BlockReader::arguments(CallRecord& call, const Tokens& toke
       continue;
     }
     if (token.letter < 'I' || token.letter > 'K') {
+      const std::uint32_t mark = bit(token.letter);
+      if ((seen & mark) != 0 && control_.repeated_argument.value == RepeatedAddress::Alarm)
+        return Fault{Cause::AddressGivenTwice, token.operand.at, token.operand.width, "the argument stands twice in the call"};
+      seen |= mark;
       add(argument_variable(token.letter), token);
       continue;
     }
@@ -876,7 +925,7 @@ void BlockReader::build_return(Block& block, const Tokens& tokens, const Meaning
     if (token.letter == 'L') back.l = token.operand;
   }
   if (back.p.present() && control_.return_with_p.value == ReturnWithP::Refused)
-    return refuse(block, {Cause::AddressNotUsable, back.p.at, back.p.width, "M99 takes no P on this control"});
+    return refuse(block, {Cause::IllegalWordWithReturn, back.p.at, back.p.width, "M99 takes no P on this control"});
   write_words(block, tokens, meaning);
   block.op = Op::Return;
   block.aux = static_cast<std::uint32_t>(code_.calls.size());
@@ -920,7 +969,7 @@ void BlockReader::build_h_code(Block& block, const Tokens& tokens, const Meaning
       case 'G':
         break;
       default:
-        return refuse(block, {Cause::HCodeFormat, token.operand.at, token.operand.width, "a G65 H statement has H, P, Q and R"});
+        break;
     }
   }
   const std::string_view whole(code_.files.back().text);

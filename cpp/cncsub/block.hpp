@@ -35,6 +35,7 @@ class BlockReader {
     std::uint16_t skip = 0;
     Operand operand;
     std::string_view name;  // <NAME>, P[NAME]
+    bool late = false;      // an N behind other words
     bool odd = false;       // a sign, a point or digits that only an argument may have
     Cause wrong{};
   };
@@ -73,8 +74,7 @@ class BlockReader {
   const Control& control_;
   Tokens tokens_;
   std::array<std::uint8_t, 128> letters_{};
-  std::bitset<10001> g_codes_, not_with_call_, not_with_return_;
-  bool any_g_ = true;
+  std::bitset<10001> not_with_call_, not_with_return_, not_with_macro_, not_with_modal_, m_not_with_macro_;
   std::unordered_map<std::int64_t, RegisteredCall> registered_;  // by address and code
   std::vector<RegisteredCall> switches_;                         // addresses whose every code calls
   std::array<int, 26> switched_{};                               // 1 + the place there, 0 = the address does not call

@@ -20,6 +20,11 @@ std::string spell(double value) {
 Fault fault(Cause cause, const Operand& word, std::string detail) { return {cause, word.at, word.width, std::move(detail)}; }
 Fault fault(Cause cause, const CallRecord& call, std::string detail) { return {cause, call.at, call.width, std::move(detail)}; }
 
+/// "P[#100] is 21234": the word as written where it holds a variable; the message puts it in for the braces.
+std::string named(const Operand& word, const char* letter, double value) {
+  return (word.kind == Operand::Kind::Expression ? "{} is " : std::string(letter) + " is ") + spell(value);
+}
+
 bool given(const Operand& operand, double value) { return operand.present() && !is_vacant(value); }
 
 /// A whole number from a value: written numbers are whole, computed ones are cut or rounded as the control does.
@@ -30,7 +35,7 @@ double whole(const Control& control, const Operand& operand, double value) {
 
 std::optional<Fault> repeats(const Control& control, const CallRecord& call, double value, Target& target) {
   const double count = whole(control, call.l, value);
-  const std::string says = "L is " + spell(value);
+  const std::string says = named(call.l, "L", value);
   const int most = control.max_repeats.value;
   if (count < 0) return fault(Cause::IllegalRepeatCount, call.l, says + "; the count is 1 to " + std::to_string(most));
   if (count == 0) {
@@ -58,18 +63,21 @@ std::optional<Fault> repeats(const Control& control, const CallRecord& call, dou
 std::optional<Fault> program_number(const Control& control, const CallRecord& call, double value, bool count_in_l,
                                     Target& target) {
   const double number = whole(control, call.p, value);
-  const std::string says = "P is " + spell(value);
-  if (number < 0) return fault(Cause::IllegalProgramNumber, call.p, says);
+  const std::string says = named(call.p, "P", value);
+  const Cause illegal = call.macro ? Cause::IllegalMacroNumber : Cause::IllegalProgramNumber;
+  if (number < 0) return fault(illegal, call.p, says);
   const int digits = call.macro ? control.max_macro_digits.value : control.max_program_digits.value;
   if (call.p.bracketed && control.bracket_names.value) {
     if (number >= kCountBase)
-      return fault(Cause::IllegalProgramNumber, call.p, says + "; a program number has at most 4 digits");
+      return fault(illegal, call.p, says + "; a program number has at most 4 digits");
     target.program_number = static_cast<std::int64_t>(number);
     return std::nullopt;
   }
   if (number >= std::pow(10.0, digits) || call.p.digits > digits)
-    return fault(call.macro ? Cause::IllegalProgramNumber : Cause::TooManyDigits, call.p,
+    return fault(call.macro ? illegal : Cause::TooManyDigits, call.p,
                  says + "; it has at most " + std::to_string(digits) + " digits");
+  if (number == 0 && !control.zero_numbers.value)
+    return fault(call.macro ? illegal : Cause::ProgramNumberZero, call.p, says + "; programs are numbered from 1");
   const auto p = static_cast<std::int64_t>(number);
   target.program_number = p;
   if (call.macro || control.program_word.value != ProgramWord::CountAndNumber || p < kCountBase) {
@@ -91,7 +99,11 @@ std::optional<Fault> program_number(const Control& control, const CallRecord& ca
     }
   }
   target.program_number = p % kCountBase;
-  target.repeats = static_cast<std::int32_t>(p / kCountBase);
+  target.repeats = static_cast<std::int32_t>(std::min<std::int64_t>(p / kCountBase, control.max_repeats.value));
+  if (p / kCountBase > control.max_repeats.value && control.too_many_repeats.value == TooManyRepeats::Alarm)
+    return fault(Cause::IllegalRepeatCount, call.p, says + "; the count in it is above " + std::to_string(control.max_repeats.value));
+  if (target.program_number == 0 && !control.zero_numbers.value)
+    return fault(Cause::ProgramNumberZero, call.p, says + "; programs are numbered from 1");
   return std::nullopt;
 }
 
@@ -101,6 +113,12 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call, const
                                  Target& target) {
   const Control& control = *code.control;
   const bool by_code = call.program_number >= 0;
+  target.external = call.kind == CallKind::M198;
+  if (given(call.device, operands.device)) {
+    if (operands.device < 0 || operands.device > 4)
+      return fault(Cause::ValueOutOfRange, call.device, "the device is 0 to 4");
+    target.external = target.external || operands.device > 0;
+  }
   const bool l_counts = call.macro || control.program_word.value != ProgramWord::CountAndNumber ||
                         control.count_and_l.value != CountAndL::NoL || !call.name.empty();
   const bool count_in_l = l_counts && given(call.l, operands.l);
@@ -140,7 +158,6 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call, const
       case OmittedProgram::Jump:
         target.program = own;
         target.jump = true;
-        target.skipped = false;
         return std::nullopt;
     }
   }
@@ -149,13 +166,13 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call, const
 
 std::optional<Fault> find_target(const Code& code, const CallRecord& call, std::int32_t own, Target& target) {
   if (target.skipped) return std::nullopt;
-  const bool external = call.kind == CallKind::M198 && code.external_device;
+  const bool external = target.external && code.external_device;
   const Operand& word = call.p.present() ? call.p : call.start;
   if (target.program == kNoProgram) {
     const bool by_name = !call.name.empty();
     target.program = by_name ? code.find(call.name, external) : code.find(target.program_number, external);
     if (target.program == kNoProgram) {
-      const Cause cause = call.kind == CallKind::M198 ? Cause::ExternalProgramNotFound : by_name ? Cause::NamedProgramNotFound : Cause::ProgramNotFound;
+      const Cause cause = target.external ? Cause::ExternalProgramNotFound : by_name ? Cause::NamedProgramNotFound : Cause::ProgramNotFound;
       const std::string what = by_name ? "<" + call.name + ">" : "O" + std::to_string(target.program_number);
       const std::string where = external ? " is not on the external device" : " is not in the memory";
       if (by_name) return Fault{cause, call.name_at, call.name_width, what + where};

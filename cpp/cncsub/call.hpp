@@ -12,6 +12,7 @@ struct CallOperands {
   double p = 0;
   double l = 0;
   double start = 0;
+  double device = 0;
 };
 
 /// Reads the operands by the control's rules: the form of the call, before anything of the block is executed. Leaves in

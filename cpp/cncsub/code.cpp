@@ -187,6 +187,7 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
   alarm.width = std::max(1u, characters(at, word_end));
   alarm.word = text.substr(at, std::min<std::size_t>(word_end - at, 4096));
   while (!alarm.word.empty() && is_blank(alarm.word.back())) alarm.word.pop_back();
+  if (alarm.detail.starts_with("{}")) alarm.detail.replace(0, 2, alarm.word);
   return alarm;
 }
 

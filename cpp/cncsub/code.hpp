@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -41,7 +42,7 @@ enum class Ins : std::uint8_t {
   Add, Subtract, Multiply, Divide, Modulo, And, Or, Xor, Negate,
   Equal, NotEqual, Greater, Less, GreaterEqual, LessEqual, BothTrue, EitherTrue, OneTrue, Not,
   Sin, Cos, Tan, Asin, Acos, Atan, Atan2, Sqrt, Abs, Round, RoundWord, Fix, Fup, Ln, Exp, Pow, Bin, Bcd, Adp, Parameter,
-  Sign, Random, Seed, Programmed, Named, End
+  Sign, Random, RandomBetween, Programmed, Named, End
 };
 
 struct Instruction {
@@ -183,6 +184,7 @@ struct Target {
   std::int32_t repeats = 1;
   bool skipped = false;  // L0
   bool jump = false;     // a MELDAS M98 without P
+  bool external = false;  // on the external device
 };
 
 struct CallRecord {
@@ -190,7 +192,7 @@ struct CallRecord {
   CodeCallKind code_kind = CodeCallKind::Subprogram;
   std::int32_t code = 0;       // the calling code: 60 of M60
   std::int32_t variable = 0;   // takes the code's value
-  Operand p, l, start;
+  Operand p, l, start, device;
   std::string name;            // <NAME>, P[NAME]
   std::uint32_t name_at = 0, name_width = 1;
   std::int32_t program_number = -1;  // a call by code: the program it is registered for
@@ -275,6 +277,7 @@ struct VariablePlace {
 struct Code {
   std::shared_ptr<const Control> control;
   bool external_device = false;
+  std::bitset<10001> g_codes;  // the codes of the control, ten times each; all where it has no list
   std::vector<std::string> names;  // of variables used by name
   std::int32_t locals = 34;        // the locals of one level, #0 included
   std::int32_t locals_per_level = 33;  // as a level's image counts them

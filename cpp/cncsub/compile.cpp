@@ -97,6 +97,7 @@ class LibraryReader {
     block.text = s.offset();
     block.line = line_;
     if (open_comment) {
+      reader_.read(Scanner{s.at, std::find(s.at, s.end, '('), s.file}, block);
       block.op = Op::Fault;
       block.aux = static_cast<std::uint32_t>(code_.faults.size());
       code_.faults.push_back({Cause::CommentNotClosed, block.text, 1, "the comment is not closed"});
@@ -402,8 +403,8 @@ void resolve_calls(Code& code, std::size_t from) {
     if (block.op != Op::Call && block.op != Op::MacroCall && block.op != Op::ModalCall) return;
     CallRecord& call = code.calls[block.aux];
     const auto constant = [](const Operand& operand) { return operand.kind != Operand::Kind::Expression; };
-    if (!constant(call.p) || !constant(call.l) || !constant(call.start)) return;
-    const CallOperands operands{call.p.value, call.l.value, call.start.value};
+    if (!constant(call.p) || !constant(call.l) || !constant(call.start) || !constant(call.device)) return;
+    const CallOperands operands{call.p.value, call.l.value, call.start.value, call.device.value};
     Target target;
     if (auto fault = decode_call(code, call, operands, own, target)) {
       block.op = Op::Fault;

@@ -137,6 +137,7 @@ struct CodeCall {
   std::string refused;          // codes inside that range that may not (they alarm: code-may-not-call)
   std::string source;
   Evidence evidence = Evidence::Inferred;
+  bool own_codes = true;        // codes that the control has itself may be registered
 };
 
 struct Control {

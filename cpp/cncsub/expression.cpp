@@ -18,7 +18,7 @@ constexpr FunctionName kFunctions[] = {
     {"ATAN", Ins::Atan},  {"ATAN2", Ins::Atan2}, {"SQRT", Ins::Sqrt}, {"SQR", Ins::Sqrt},  {"ABS", Ins::Abs},
     {"ROUND", Ins::Round}, {"RND", Ins::Round},  {"FIX", Ins::Fix},   {"INT", Ins::Fix},   {"FUP", Ins::Fup},
     {"LN", Ins::Ln},      {"EXP", Ins::Exp},     {"POW", Ins::Pow},   {"BIN", Ins::Bin},   {"BCD", Ins::Bcd},
-    {"ADP", Ins::Adp},    {"PRM", Ins::Parameter}, {"SIGN", Ins::Sign}, {"RAND", Ins::Random}, {"SRAND", Ins::Seed},
+    {"ADP", Ins::Adp},    {"PRM", Ins::Parameter}, {"SIGN", Ins::Sign}, {"RAND", Ins::Random}, {"SRAND", Ins::RandomBetween},
     {"AR", Ins::Programmed}};
 
 bool listed(const Codes& list, std::string_view name) {
@@ -126,9 +126,16 @@ std::optional<std::uint32_t> ExpressionReader::condition() {
   s_.blanks();
   const std::uint32_t at = s_.offset();
   const bool bare = code_.control->conditions_without_brackets.value;
-  if (!bare && s_.peek() != '[') return refuse(Cause::BracketNotOpened, at, "a condition stands in brackets");
-  const auto value = bare ? expression(0) : bracket();
+  if (!bare && s_.peek() != '[') return refuse(Cause::ExpressionFormat, at, "a condition stands in brackets");
+  auto value = bare ? expression(0) : bracket();
   if (!value) return std::nullopt;
+  const int most = code_.control->max_condition_length.value;
+  if (most > 0 && s_.offset() - at > static_cast<std::uint32_t>(most))
+    return refuse(Cause::ExpressionFormat, at, "a condition has at most " + std::to_string(most) + " characters");
+  if (bare && value->type == Type::Number) {  // WHILE TRUE
+    arithmetic(*value);
+    value->type = Type::Condition;
+  }
   if (value->type != Type::Condition) return refuse(Cause::ExpressionFormat, at, "a condition compares two values");
   return finish(first, at);
 }
@@ -261,13 +268,16 @@ std::optional<ExpressionReader::Value> ExpressionReader::operand() {
     const Number number = scan_number(s_);
     if (number.points > 1) return refuse(Cause::IllegalDecimalPoint, at, "two points in one number");
     if (!number.any) return refuse(Cause::ExpressionFormat, at, "a point is no number");
-    if (number.digits > 12) return refuse(Cause::TooManyDigits, at, "a constant has at most 12 digits");
+    const int most = code_.control->max_constant_digits.value;
+    if (number.digits > static_cast<std::uint32_t>(most))
+      return refuse(Cause::TooManyDigits, at, "a number has at most " + std::to_string(most) + " digits");
     if (!grow()) return std::nullopt;
     emit(Ins::Constant, at, number.value);
     return Value{};
   }
   if (is_letter(c)) return function();
-  if (c == ']') return refuse(Cause::BracketNotOpened, at, "a value is missing before the bracket");
+  if (c == ']')
+    return refuse(brackets_ > 0 ? Cause::ExpressionFormat : Cause::BracketNotOpened, at, "a value is missing before the bracket");
   if (c == '\0') return refuse(brackets_ > 0 ? Cause::BracketNotClosed : Cause::ExpressionFormat, at, "a value is missing at the end");
   return refuse(Cause::ExpressionFormat, at, "a value is missing here");
 }
@@ -309,7 +319,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::function() {
   auto value = expression(0);
   if (!value || !arithmetic(*value)) return std::nullopt;
   Ins op = found->op;
-  if (op == Ins::Pow || op == Ins::Atan2 || op == Ins::Seed || (op == Ins::Parameter && s_.peek() == ',')) {
+  if (op == Ins::Pow || op == Ins::Atan2 || op == Ins::RandomBetween || (op == Ins::Parameter && s_.peek() == ',')) {
     if (!comma()) return std::nullopt;
     auto second = expression(0);
     if (!second || !arithmetic(*second)) return std::nullopt;

@@ -156,12 +156,7 @@ void Machine::run(const std::function<bool()>& interrupted, const std::function<
 bool Machine::execute(const Block& block) {
   next_ = pc_ + 1;
   words_done_ = false;
-  if (block.op == Op::Linear) {
-    if (!linear(block)) return false;
-  } else if (!branch(block)) {
-    return false;
-  }
-  return true;
+  return block.op == Op::Linear && modals_.empty() ? linear(block) : branch(block);
 }
 
 bool Machine::branch(const Block& block) {
@@ -323,6 +318,8 @@ bool Machine::decode(const Block& block, NcWords& words) {
   for (int i = 0; i < block.g_count; ++i) {
     int g = 0;
     if (!code(10, g)) return false;
+    if (g > 10000 || (g >= 0 && !code_->g_codes.test(static_cast<std::size_t>(g))))
+      return alarm({Cause::GCodeNotAvailable, block.text, block.length, "the control has no such G code"});
     if (g >= 0) words.g[static_cast<std::size_t>(words.g_count++)] = g;
   }
   for (int i = 0; i < block.m_count; ++i) {
@@ -428,7 +425,8 @@ bool Machine::end_program(const Block& block) {
 }
 
 bool Machine::end_of_record() {
-  if (code_->control->missing_end.value == MissingEnd::Ends) return end(Stop::End);
+  const bool typed = options_.mdi && stack_.size() == 1;  // what is typed in MDI needs no end
+  if (typed || code_->control->missing_end.value == MissingEnd::Ends) return end(Stop::End);
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   return alarm({Cause::EndOfRecord, program.text_end, 1, program.name + " ends without M02, M30 or M99"});
 }
@@ -443,20 +441,26 @@ bool Machine::return_from_call(const Block& block) {
   const bool modal_active = !modals_.empty() && frame().modal < 0;
   if (modal_active && !is_vacant(p) && control.calls_in_modal.value == CallsInModal::EndModal)
     return alarm({Cause::CallInModalCall, back.at, back.width, "M99 P while a modal macro call is active"});
-  if (modal_active && (block.mask & ~(bit('P') | bit('L'))) != 0 && control.alarm(Cause::IllegalWordWithReturn) != nullptr &&
-      control.return_alone_in_modal.value)
+  const bool other_words = block.mask != 0 || block.g_count != 0 || block.m_count != 0;
+  if (!modals_.empty() && other_words && control.return_alone_in_modal.value)
     return alarm({Cause::IllegalWordWithReturn, back.at, back.width, "M99 with other words while a modal macro call is active"});
   if (!words(block)) return false;
   if (stack_.size() == 1) return return_from_main(block, back, p);
   Open& open = frame();
   if (!is_vacant(l) && control.return_with_l.value == ReturnWithL::ReplacesCount)
     open.repeats = open.repeat + static_cast<std::int32_t>(std::clamp(std::round(l), 0.0, 1e6));
+  const bool rewritten = open.modal >= 0 && control.modal_locals.value == ModalLocals::Rewritten &&
+                         open.modal < static_cast<std::int32_t>(modals_.size());
   const bool leaves = !is_vacant(p) && control.return_with_p.value == ReturnWithP::AtOnce;
   if (!leaves && open.repeat < open.repeats) {
     record_step();
     ++open.repeat;
     loops_.resize(open.loops);
     pc_ = open.restart;
+    if (rewritten) {
+      const std::vector<double>& again = modals_[static_cast<std::size_t>(open.modal)].locals;
+      std::copy(again.begin(), again.end(), locals_.begin() + static_cast<std::ptrdiff_t>(level_) * code_->locals);
+    }
     return true;
   }
   Address to = open.return_to;

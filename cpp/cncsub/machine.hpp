@@ -24,7 +24,7 @@ std::string_view to_string(Stop stop);
 struct Inputs {
   std::map<std::int32_t, double> signals;  // #1000 and the like
   double clock_ms = 0;                     // #3001 when the run starts
-  double date = 0;                         // #3011, YYYYMMDD
+  double date = 20000101;                  // #3011, YYYYMMDD
   double time = 0;                         // #3012, HHMMSS
   std::vector<bool> operator_starts;       // at M00, M01, #3006: cycle start, or not; all start when empty
   bool operator_given = false;

@@ -27,7 +27,9 @@ bool Machine::decode_target(const CallRecord& record, Target& target) {
     return true;
   }
   CallOperands values;
-  if (!operand(record.p, values.p) || !operand(record.l, values.l) || !operand(record.start, values.start)) return false;
+  if (!operand(record.p, values.p) || !operand(record.l, values.l) || !operand(record.start, values.start) ||
+      !operand(record.device, values.device))
+    return false;
   if (auto fault = decode_call(*code_, record, values, frame().program, target)) return alarm(std::move(*fault));
   return true;
 }
@@ -62,8 +64,6 @@ std::optional<Fault> Machine::refused_here(const CallRecord& record) const {
         break;
     }
   }
-  if (record.kind == CallKind::M198 && frame().external)
-    return fault(Cause::ExternalCallNested, "a program of the external device calls another one");
   return std::nullopt;
 }
 
@@ -103,9 +103,14 @@ bool Machine::call(const Block& block) {
   Target target;
   if (!decode_target(record, target)) return false;
   if (record.arguments > 0 && !evaluate_arguments(record)) return false;
+  const bool other_words = block.mask != 0 || block.g_count != 0 || block.m_count != 0;
+  if (other_words && motion_.in_cycle() && !code_->control->words_with_call_in_cycle.value)
+    return alarm({Cause::CallWithWordsInCycle, record.at, record.width, "M98 shares its block with words in a canned cycle"});
   if (!words(block)) return false;
   const Motion::Outcome outcome = outcome_;
   if (target.skipped) return after_words(outcome);
+  if (target.external && frame().external)
+    return alarm({Cause::ExternalCallNested, record.at, record.width, "a program of the external device calls another one"});
   if (!find(record, target)) return false;
   if (target.jump) {
     const Program& program = code_->programs[static_cast<std::size_t>(target.program)];
@@ -141,9 +146,9 @@ bool Machine::modal_call(const Block& block) {
   modal.locals = scratch_;
   modal.program = frame().program;
   modal.every_block = record.code_kind == CodeCallKind::ModalEveryBlock;
-  constexpr std::size_t kMostModals = 1000;
-  if (modals_.size() >= kMostModals)
-    return alarm({Cause::MacroNestingTooDeep, record.at, record.width, "a thousand modal calls are active"});
+  if (modals_.size() >= static_cast<std::size_t>(code_->control->max_macro_nesting.value))
+    return alarm({Cause::ModalCallsTooMany, record.at, record.width,
+                  "the control takes " + std::to_string(code_->control->max_macro_nesting.value) + " modal calls"});
   modals_.push_back(std::move(modal));
   ++changes_;
   record_step();
@@ -241,7 +246,7 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
   open.kind = record.kind;
   open.macro = record.macro;
   open.own_locals = record.macro || code_->control->call_passes_words.value;
-  open.external = frame().external || record.kind == CallKind::M198;
+  open.external = frame().external || target.external;
   open.code_letter = frame().code_letter;
   switch (record.kind) {
     case CallKind::GCode:

@@ -36,7 +36,7 @@ double round_half_away(double value) { return std::round(value); }
 /// The value a binary number has when its digits are read as decimal (BCD), and the other way; false where it has none.
 bool to_bcd(double value, double& result) {
   const double whole = round_half_away(value);
-  if (whole < 0 || whole > 99999999) return false;
+  if (whole != value || whole < 0 || whole > 99999999) return false;
   auto left = static_cast<std::uint64_t>(whole);
   std::uint64_t bits = 0;
   for (int shift = 0; left != 0; shift += 4, left /= 10) bits |= (left % 10) << shift;
@@ -45,6 +45,7 @@ bool to_bcd(double value, double& result) {
 }
 bool from_bcd(double value, double& result) {
   const double whole = round_half_away(value);
+  if (whole != value) return false;
   if (whole < 0 || whole > 4294967295.0) return false;
   auto bits = static_cast<std::uint64_t>(whole);
   double sum = 0, power = 1;
@@ -286,14 +287,12 @@ std::optional<Fault> Machine::compute(const Instruction* at, double& result) {
       case Ins::Sign:
         top[-1] = top[-1] > 0 ? 1 : top[-1] < 0 ? -1 : 0;
         break;
-      case Ins::Random: {
-        const double most = std::max(0.0, std::floor(top[-1]));
-        top[-1] = std::floor(static_cast<double>(random_() - 1) / 2147483646.0 * (most + 1));
+      case Ins::Random:  // above 0, not above the argument
+        top[-1] *= static_cast<double>(random_()) / 2147483646.0;
         break;
-      }
-      case Ins::Seed:
+      case Ins::RandomBetween:
         --top;
-        random_.seed(static_cast<std::uint32_t>(std::clamp(std::fabs(*top), 1.0, 2147483646.0)));
+        top[-1] += (*top - top[-1]) * static_cast<double>(random_()) / 2147483646.0;
         break;
       case Ins::Programmed: {
         const auto place = static_cast<std::size_t>(level_ * code_->locals) + static_cast<std::size_t>(at->value);

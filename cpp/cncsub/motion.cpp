@@ -166,7 +166,7 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
 
 Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome,
                            Outside& outside) {
-  BlockWords block{words, step, moves, outcome, outside, {}, false, false, in_cycle()};
+  BlockWords block{words, step, moves, outcome, outside, {}, false, false, in_cycle(), false};
   const bool corner_waits = !s_.held.corner.empty();
   if (auto wrong = read(block)) return wrong;
   if (auto wrong = check(block)) return wrong;
@@ -177,7 +177,7 @@ Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* move
   const Meaning once = block.meaning(Group::OneShot);
   if (once != Meaning::None && once != Meaning::Ignored && once != Meaning::ExactStop) {
     if (auto wrong = one_shot(block)) return wrong;
-  } else if (once != Meaning::Ignored) {
+  } else if (once != Meaning::Ignored && !block.consumed) {
     if (auto wrong = motion(block)) return wrong;
   }
   if (auto wrong = move_by_length(block, length_before)) return wrong;
@@ -242,7 +242,7 @@ Motion::Result Motion::set_modes(BlockWords& block) {
   if (auto wrong = select_work(block)) return wrong;
   if (block.has(Group::Polar)) {
     s_.modal[at(Group::Polar)] = block.codes[at(Group::Polar)];
-    s_.polar_angle = 0;
+    s_.polar_known = false;
   }
   return set_turned(block);
 }
@@ -361,14 +361,19 @@ Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
   return move(block, std::move(piece));
 }
 
+/// A chamfer written with C alone is no move of the C axis.
+bool Motion::corner_address(char name) const {
+  return name == 'C' && facts_->control->chamfer_words.value == "C";
+}
+
 /// The end point that the words name; the axes without a word stay.
-Axes Motion::target(BlockWords& block, std::uint32_t& named) const {
+Axes Motion::target(BlockWords& block, std::uint32_t& named) {
   static constexpr std::pair<char, char> kIncrements[] = {{'U', 'X'}, {'W', 'Z'}, {'V', 'Y'}, {'H', 'C'}};
-  Axes end = s_.turned.rotation || s_.turned.scaling || s_.turned.mirror ? turned_back(s_.work) : s_.work;
+  Axes end = turned() ? turned_back(s_.work) : s_.work;
   const bool lathe_a = facts_->machine == MachineType::LatheA;
   for (int i = 0; i < (lathe_a ? 6 : kAxes); ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
-    if (!block.words.has(name)) continue;
+    if (!block.words.has(name) || corner_address(name)) continue;
     named |= axis_bit(i);
     end[i] = number(block, name) + (s_.incremental ? end[i] : 0);
   }
@@ -379,7 +384,7 @@ Axes Motion::target(BlockWords& block, std::uint32_t& named) const {
     end[axis] += number(block, letter);
   }
   if (s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn) polar_target(block, end, named);
-  if (s_.turned.rotation || s_.turned.scaling || s_.turned.mirror) turn_point(end, named);
+  if (turned()) turn_point(end, named);
   return end;
 }
 
@@ -433,9 +438,8 @@ void Motion::settle() {
     s_.seconds_per_mm = s_.feed > 0 && s_.speed > 0 ? 60 / (s_.feed * s_.speed) : 0;
   s_.plain = (motion == Meaning::Line || motion == Meaning::Rapid) && !in_cycle() && !compensating() &&
              s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged && feed != Meaning::InverseTime &&
-             s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !s_.turned.rotation &&
-             !s_.turned.scaling && !s_.turned.mirror && facts_->limits.empty() && !s_.surface &&
-             s_.tool_pending == Axes{} && facts_->control->max_feed.value == 0;
+             s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() && facts_->limits.empty() && !s_.surface &&
+             !s_.tool_pending && facts_->control->max_feed.value == 0;
 }
 
 std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {
@@ -443,14 +447,14 @@ std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {
   NcWords words;
   Outcome outcome;
   Outside outside;
-  BlockWords block{words, step, moves, outcome, outside, {}, false, false, false};
+  BlockWords block{words, step, moves, outcome, outside, {}, false, false, false, false};
   if (!s_.held.corner.empty()) {
     block.submitted = false;
     Fault wrong = fault(Cause::CornerNoMove, block);
     wrong.at = s_.held.corner.back().at;
     return wrong;
   }
-  auto wrong = flush_radius(moves, true);
+  auto wrong = flush_radius(moves);
   settle();
   return wrong;
 }

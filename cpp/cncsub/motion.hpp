@@ -106,11 +106,13 @@ class Motion {
   using Result = std::optional<Fault>;
 
   // motion.cpp: a block from its words to its effect.
+  void power_on();
   Result run(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome, Outside& outside);
   Result read(BlockWords& block) const;
   Result check(const BlockWords& block) const;
   Result set_modes(BlockWords& block);
   Result set_feed(const BlockWords& block);
+  double feed_increment() const;
   Result set_spindle(const BlockWords& block);
   Result one_shot(BlockWords& block);
   Result motion(BlockWords& block);
@@ -118,63 +120,112 @@ class Motion {
   Result dwell(BlockWords& block);
   Result need_feed(const BlockWords& block, Meaning meaning) const;
   Fault fault(Cause cause, const BlockWords& block, std::string detail = {}) const;
-  void settle();  // what the fast path needs, after any change
-  double number(const BlockWords& block, char address) const;
+  void settle();
   double raw(const BlockWords& block, char address) const;
-  double length_word(const BlockWords& block, char address) const;
-  Axes target(BlockWords& block, std::uint32_t& named) const;
+  double number(const BlockWords& block, char address) const;
+  bool corner_address(char name) const;
+  Axes target(BlockWords& block, std::uint32_t& named);
 
   // motion_emit.cpp: pieces on their way to the table.
-  Piece piece(const BlockWords& block, MoveKind kind, const Axes& work_end) const;
+  Axes machine_point() const;
+  MoveState move_state() const;
+  Piece make_piece(const BlockWords& block, MoveKind kind, const Axes& work_end, std::uint32_t named) const;
+  Result move(BlockWords& block, Piece piece);
   Result move(BlockWords& block, MoveKind kind, const Axes& work_end, std::uint32_t named);
   Result move_axis(BlockWords& block, MoveKind kind, int axis, double value);
-  Result submit(BlockWords& block, Piece piece);
-  Result through_radius(Piece piece, Moves* moves);
-  Result record(const Piece& piece, Moves* moves, const std::array<double, 3>& vector, double arc_radius);
+  Result wait(BlockWords& block, double seconds);
+  Result record(const Piece& piece, Moves* moves, const std::array<double, 3>& vector);
+  std::array<double, 3> centre_of(const Piece& piece) const;
+  double arc_length(const Piece& piece, const Axes& machine) const;
+  double seconds_of(const Piece& piece, const Axes& machine, double length) const;
   Result check_travel(const Piece& piece, const Axes& machine) const;
-  MoveState move_state() const;
+  void arc_reach(const Piece& piece, int axis, double& low, double& high) const;
   bool set_plain_feed(double value);
+  void new_row_state(Moves& moves);
   void switch_line(int line) {
     s_.line = static_cast<std::uint8_t>(line);
     s_.modal[at(Group::Motion)] = line_codes_[static_cast<std::size_t>(line)];
   }
-  void new_row_state(Moves& moves);
 
   // motion_arc.cpp
   Result arc(BlockWords& block, Meaning meaning);
+  Result arc_by_radius(BlockWords& block, Piece& piece) const;
+  Result arc_by_centre(BlockWords& block, Piece& piece) const;
   // motion_polar.cpp: polar coordinates, rotation, scaling and mirror.
-  void polar_target(BlockWords& block, Axes& end, std::uint32_t& named) const;
+  void polar_target(BlockWords& block, Axes& end, std::uint32_t& named);
   Result set_turned(BlockWords& block);
+  Result set_rotation(BlockWords& block);
+  Result set_scaling(BlockWords& block);
+  void set_mirror(BlockWords& block);
+  double scale_of(const BlockWords& block, char address) const;
+  bool turned() const { return s_.turned.rotation || s_.turned.scaling || s_.turned.mirror; }
   void turn_point(Axes& point, std::uint32_t& named) const;
+  Axes turned_back(Axes point) const;
+  void turn_vector(double& a, double& b, const struct PlaneAxes& plane) const;
+  bool mirrored_plane() const;
   // motion_coordinates.cpp
+  Axes zero_offset() const;
   void refresh_offset();
   Result set_coordinate(BlockWords& block);
+  Result clear_coordinate(BlockWords& block);
   Result set_local(BlockWords& block);
   Result set_data(BlockWords& block);
+  Result set_offset_data(BlockWords& block, int l, double p);
+  Result set_tool_data(BlockWords& block);
   Result select_work(BlockWords& block);
   Result machine_move(BlockWords& block);
   Result reference(BlockWords& block, int number);
   Result from_reference(BlockWords& block);
   Result check_reference(BlockWords& block);
   Result skip(BlockWords& block);
-  // motion_tool.cpp: lengths, tool words.
-  Result set_length(BlockWords& block);
+  Axes linear_target(BlockWords& block, std::uint32_t& named);
+  // motion_tool.cpp: tool words, lengths and radii.
   Result set_tool(BlockWords& block);
-  // motion_corner.cpp
-  Result corner_words(BlockWords& block, Piece& piece) const;
-  Result through_corner(Piece piece, Moves* moves);
-  // motion_radius.cpp: radius compensation.
+  Result set_length(BlockWords& block);
+  Result length_axis(BlockWords& block, int& axis) const;
+  Result move_by_length(BlockWords& block, const Axes& before);
   Result set_radius(BlockWords& block);
-  Result flush_radius(Moves* moves, bool all);
-  // motion_cycles.cpp: canned cycles of mills.
+  double radius_value() const;
+  // motion_corner.cpp: chamfers and corner rounds.
+  Result corner_words(BlockWords& block, Piece& piece) const;
+  Result through_corner(Piece piece, Axes from, Moves* moves);
+  // motion_radius.cpp: radius compensation.
+  Result through_radius(Piece piece, const Axes& from, Moves* moves);
+  Result flush_radius(Moves* moves);
+  Result count_idle(BlockWords& block);
+  // motion_cycles.cpp: canned cycles.
+  Result enter_cycle(BlockWords& block);
+  void end_cycles();
+  Result cycle_words(BlockWords& block, int& repeats);
   Result canned_cycle(BlockWords& block);
-  Result drill(BlockWords& block, const Axes& hole);
+  Result drill(BlockWords& block);
+  int drill_axis(int code) const;
+  Result drill_down(BlockWords& block, int axis, double r, double z);
+  Result drill_up(BlockWords& block, int axis, double r);
+  Result peck(BlockWords& block, int axis, double r, double z);
+  Result shift_tool(BlockWords& block, const Axes& hole, bool away);
+  Result bore_shifted(BlockWords& block, double r, double z);
+  Result drilling_cycle(BlockWords& block);
+  Result drill_lathe(BlockWords& block);
   // motion_turning.cpp: G90 G92 G94, G74 to G76.
   Result turning_cycle(BlockWords& block, Meaning meaning);
+  Result tap_cycle(BlockWords& block);
   Result grooving(BlockWords& block, Meaning meaning);
   Result multiple_thread(BlockWords& block);
+  double cycle_length(const BlockWords& block, char address) const;
   // motion_contour.cpp: G70 to G73.
   Result contour(BlockWords& block, Meaning meaning);
+  Result finish_contour(BlockWords& block, const std::vector<NcWords>& blocks);
+  Result rough_contour(BlockWords& block, Meaning meaning, const std::vector<NcWords>& blocks, bool go_behind,
+                       std::int64_t nf);
+  Result rough_pattern(BlockWords& block, struct Contour& contour);
+  Result capture(const std::vector<NcWords>& blocks, Outside& outside, std::vector<Piece>& pieces) const;
+  // motion_system.cpp
+  int axis_number(int axis) const;
+  double shown(int axis, const Axes& values) const;
+  OffsetTables& own_tables();
+  void write(Axes& values, int axis, double value);
+  static const std::vector<double>* table_of(const OffsetTables& tables, VariableKind kind);
 
   friend struct Contour;
   friend struct RadiusPath;
@@ -183,6 +234,7 @@ class Motion {
   MotionState s_;
   std::shared_ptr<const MotionFacts> facts_;
   std::shared_ptr<OffsetTables> tables_;  // copied before it is written when it is shared
+  std::vector<Piece>* captured_ = nullptr;  // pieces go here instead of to the table
 };
 
 inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves,
@@ -194,6 +246,8 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
   if (has_feed ? !(values->value > 0) : (line != 0 && !(s.feed > 0))) return false;
   if (line != s.line) switch_line(line);
   if (has_feed && !set_plain_feed((values++)->value)) return false;
+
+  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
 
   const double x = s.work[0], y = s.work[1], z = s.work[2];
   const double unit = s.unit;
@@ -209,7 +263,6 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
                        std::fabs(dz) * s.rapid_seconds[2]);
   const std::uint32_t axes = mask & (bit('X') | bit('Y') | bit('Z'));
   if (moves == nullptr || axes == 0) return true;
-  if (s.row_moves != moves) new_row_state(*moves);
   moves->mark(axes >> ('X' - 'A'));
   moves->push(step, line != 0 ? MoveKind::Feed : MoveKind::Rapid, s.work, s.row_state);
   return true;

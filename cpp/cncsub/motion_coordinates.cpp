@@ -24,10 +24,7 @@ Motion::Result Motion::select_work(BlockWords& block) {
   // [TDi 21 note 6: G54 in a block of G50 is ignored]
   if (facts_->lathe() && block.meaning(Group::OneShot) == Meaning::SetCoordinate) return std::nullopt;
   int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
-  const bool extra = meaning == Meaning::WorkExtra || (meaning == Meaning::Work1 && block.words.has('P') &&
-                                                       !block.has(Group::OneShot) && !block.has(Group::Cycle) &&
-                                                       !in_cycle() && block.words.m_count == 0);
-  if (extra) {
+  if (meaning == Meaning::WorkExtra) {
     const double p = block.words.has('P') ? raw(block, 'P') : 1;
     if (p < 1 || p > static_cast<double>(tables_->extra.size())) return fault(Cause::WorkSystem, block);
     s_.extra_system = static_cast<int>(p);
@@ -51,15 +48,12 @@ Motion::Result Motion::set_coordinate(BlockWords& block) {
     return fault(Cause::CoordinateSettingRefused, block);
   for (int i = 0; i < kAxes; ++i) {
     if ((named >> i & 1) == 0) continue;
-    s_.shift[i] += s_.work[i] - given[i];
-    if (facts_->control->set_coordinate_without_tool.value) s_.shift[i] += s_.tool_shift[i] * -1;
     // What was G52's becomes part of the shift. [TDi 19 note 5]
-    s_.shift[i] += s_.local[i];
+    s_.shift[i] += s_.work[i] - given[i] + s_.local[i];
     s_.local[i] = 0;
+    // The given point is the one without the tool offset. [TDi 18 table]
+    if (facts_->control->set_coordinate_without_tool.value) s_.shift[i] += s_.tool_shift[i];
   }
-  if (facts_->control->set_coordinate_without_tool.value)
-    for (int i = 0; i < kAxes; ++i)
-      if ((named >> i & 1) != 0) s_.shift[i] += 2 * s_.tool_shift[i];
   refresh_offset();
   return std::nullopt;
 }
@@ -103,10 +97,10 @@ Motion::Result Motion::set_data(BlockWords& block) {
   Axes& values = l == 2 ? tables.work[static_cast<std::size_t>(p)] : tables.extra[static_cast<std::size_t>(p) - 1];
   for (int i = 0; i < kAxes; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
-    if (facts_->machine == Machine::LatheA && i > 5) continue;
+    if (facts_->machine == MachineType::LatheA && i > 5) continue;
     if (w.has(name)) put(values[i], number(block, name), s_.incremental);
   }
-  if (facts_->machine == Machine::LatheA)
+  if (facts_->machine == MachineType::LatheA)
     for (const auto& [letter, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
       if (w.has(letter)) values[static_cast<std::size_t>(axis)] += number(block, letter);
   refresh_offset();
@@ -156,7 +150,7 @@ Motion::Result Motion::machine_move(BlockWords& block) {
   std::uint32_t named = 0;
   for (int i = 0; i < kAxes; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
-    if (!block.words.has(name) || (facts_->machine == Machine::LatheA && i > 5)) continue;
+    if (!block.words.has(name) || (facts_->machine == MachineType::LatheA && i > 5)) continue;
     named |= axis_bit(i);
     if (!s_.incremental) s_.length[i] = 0;
     end[i] = number(block, name) + (s_.incremental ? end[i] : -s_.offset[i]);
@@ -164,8 +158,10 @@ Motion::Result Motion::machine_move(BlockWords& block) {
   if (named == 0) return std::nullopt;
   if (kind == MoveKind::Feed)
     if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
-  if (!modal) drop_radius();
-  return move(block, kind, end, named);
+  s_.held.suspended = !modal;
+  auto wrong = move(block, kind, end, named);
+  s_.held.suspended = false;
+  return wrong;
 }
 
 /// G28 and G30: rapid to the intermediate point, rapid to the reference point, the named axes only.
@@ -183,10 +179,10 @@ Motion::Result Motion::reference(BlockWords& block, int number_of_point) {
   std::uint32_t named = 0;
   const Axes middle = linear_target(block, named);
   if (named == 0) return std::nullopt;
+  s_.held.suspended = true;
   if (auto wrong = move(block, MoveKind::Rapid, middle, named)) return wrong;
   s_.middle_known |= named;
   const auto found = facts_->reference.find(number_of_point);
-  drop_radius();
   Axes end = s_.work;
   for (int i = 0; i < kAxes; ++i) {
     if ((named >> i & 1) == 0) continue;
@@ -194,7 +190,9 @@ Motion::Result Motion::reference(BlockWords& block, int number_of_point) {
     s_.length[i] = 0;
     end[i] = (found == facts_->reference.end() ? 0 : found->second[static_cast<std::size_t>(i)]) - s_.offset[i];
   }
-  return move(block, MoveKind::Rapid, end, named);
+  auto wrong = move(block, MoveKind::Rapid, end, named);
+  s_.held.suspended = false;
+  return wrong;
 }
 
 /// The end point without polar coordinates, which do not reach into these codes.

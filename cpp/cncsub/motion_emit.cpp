@@ -1,5 +1,6 @@
 // From a block's motion to the rows of the table: the pieces, their lengths and times, and the travel limits.
 #include <algorithm>
+#include <limits>
 
 #include "cncsub/motion_facts.hpp"
 
@@ -54,6 +55,7 @@ Piece Motion::make_piece(const BlockWords& block, MoveKind kind, const Axes& wor
   piece.length = s_.length;
   piece.state = move_state();
   const Meaning radius = s_.modal[at(Group::Radius)].meaning;
+  if (s_.held.suspended) return piece;
   piece.side = radius == Meaning::RadiusLeft ? -1 : radius == Meaning::RadiusRight ? 1 : 0;
   piece.radius = piece.side != 0 ? radius_value() : 0;
   return piece;
@@ -62,7 +64,8 @@ Piece Motion::make_piece(const BlockWords& block, MoveKind kind, const Axes& wor
 Motion::Result Motion::move(BlockWords& block, Piece piece) {
   const Axes before = s_.work;
   s_.work = piece.end - piece.offset;
-  if (s_.tool_pending != Axes{}) take_tool_offset(piece);
+  s_.tool_pending = false;
+  s_.named |= piece.named;
   const PlaneAxes plane = plane_axes(piece.plane);
   block.outcome.axis_word = true;
   for (int i = 0; i < kAxes; ++i) {
@@ -98,6 +101,7 @@ Motion::Result Motion::record(const Piece& piece, Moves* moves, const std::array
   if (auto wrong = check_travel(piece, machine)) return wrong;
   const bool round = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
   const double length = round ? arc_length(piece, machine) : length_of(s_.tool_at, machine, facts_->diameters);
+  if (captured_ != nullptr) captured_->push_back(piece);
   s_.time += seconds_of(piece, machine, length);
   if (moves != nullptr) {
     if (!moves->begun()) moves->begin(s_.tool_at, s_.tool_at - piece.offset - piece.length, facts_->rapid, facts_->diameters);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdio>
 #include <map>
 #include <string>
 #include <vector>
@@ -87,6 +88,7 @@ struct BlockWords {
   bool submitted = false;              // a piece went out
   bool in_plane = false;               // one that moves in the plane
   bool was_cycle = false;              // a canned cycle was active before this block
+  bool consumed = false;               // the axis words belong to G68, G51 and the like
 
   bool has(Group group) const { return codes[at(group)].code >= 0; }
   Meaning meaning(Group group) const { return codes[at(group)].meaning; }

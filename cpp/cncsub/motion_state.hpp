@@ -36,24 +36,31 @@ struct Piece {
 
 /// Moves that wait because the next one decides where they end.
 struct Held {
-  std::vector<Piece> corner;        // a block with ,C or ,R
-  std::vector<Piece> radius;        // compensated moves, the last one still open
-  bool engaged = false;             // the tool centre is off the path
-  std::array<double, 2> vector{};   // from the programmed point to the tool centre, at the end of what was written
-  int idle = 0;                     // blocks without a move in the plane, in a row
+  std::vector<Piece> corner;       // a block with a chamfer or a corner round
+  Axes corner_from{};              // where it starts, base
+  std::vector<Piece> radius;       // a compensated move, and behind it those that do not move in the plane
+  Axes radius_from{};              // where the first of them starts
+  bool starting = false;           // that move is the start-up
+  bool engaged = false;            // the tool is off the programmed path
+  bool suspended = false;          // G28, G53: moves without radius compensation
+  std::array<double, 2> vector{};  // from the programmed point to the tool, in the plane, radius values
+  int idle = 0;                    // blocks without a move in the plane, in a row
 };
 
 struct CycleData {
   Meaning cycle = Meaning::CycleOff;
-  double r = 0, z = 0, q = 0, i = 0, j = 0, k = 0;
-  double p = 0;
-  double initial = 0;
-  bool has_r = false, has_z = false, has_q = false, has_shift = false, has_k = false;
+  int code = 0;
+  double r = 0, z = 0;                 // as written
+  bool r_incremental = false, z_incremental = false, has_r = false, has_z = false;
+  double q = 0, k = 0, p = 0;
+  double shift_x = 0, shift_y = 0;     // I J of G76 and G87
+  bool has_q = false, has_k = false, has_shift = false;
+  double initial = 0;                  // the level from which the cycle mode was entered
 };
 
 /// X Z R of the lathe's simple cycles, kept until the cycle ends.
 struct TurnData {
-  double x = 0, z = 0, r = 0, k = 0, j = 0;
+  double x = 0, z = 0, r = 0;
   bool has_x = false, has_z = false;
 };
 
@@ -62,6 +69,7 @@ struct MultipleData {
   double depth = 0, escape = 0;            // G71 U R, G72 W R
   double shift_x = 0, shift_z = 0;         // G73 U W
   int passes = 1;                          // G73 R
+  bool has_depth = false, has_escape = false;
   double retract = 0;                      // G74 G75 R
   int finish_passes = 1, chamfer = 0, angle = 0;  // G76 P
   double least_cut = 0, allowance = 0;     // G76 Q R
@@ -72,6 +80,7 @@ struct Turned {  // rotation, scaling and mirror
   std::array<double, 3> centre{}, scale_centre{}, scale{1, 1, 1}, mirror_at{};
   double angle = 0;
   int plane = 17;
+  bool frame = false;  // the centre is the zero point of turned coordinates
   std::uint32_t mirrored = 0;
 };
 
@@ -96,6 +105,10 @@ struct MotionState {
   Axes tool_shift{};         // lathe tool offset as a shift of the work coordinates
   Axes middle{};             // intermediate point of G28, base
   std::uint32_t middle_known = 0;
+  Axes tool_at{};            // machine position behind the last recorded move; kept where not `plain`
+  bool tool_pending = false; // a tool offset waits for the next move
+  int length_axis = 2;
+  std::uint32_t named = 0;   // axes that moves named
   Axes skip{};               // skip position, work coordinates
   std::array<GCode, kGroups> modal{};
   Meaning motion_before_cycle = Meaning::Rapid;
@@ -108,6 +121,7 @@ struct MotionState {
   int b = 0, h = 0, d = 0, t = 0;
   int tool = 0, tool_offset = 0;
   double polar_angle = 0;
+  bool polar_known = false;
   bool moved_before = false; // a block has moved: the head of the program is over
   CycleData cycle;
   TurnData turn;

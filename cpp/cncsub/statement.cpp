@@ -37,10 +37,11 @@ bool StatementReader::at_end(Cause otherwise) {
   if (c == '\0') return true;
   if (c == ']')
     refuse(Cause::BracketNotOpened, s_.offset(), 1, "this bracket was never opened");
-  else if (is_letter(c) || c == '#')
+  else if (is_letter(c))
     refuse(otherwise, s_.offset(), 1, "behind the statement stands another word");
   else
-    refuse(Cause::StatementFormat, s_.offset(), 1, "the statement ends before this");
+    refuse(block_.op == Op::Assign ? Cause::ExpressionFormat : Cause::StatementFormat, s_.offset(), 1,
+           "the statement ends before this");
   return false;
 }
 
@@ -54,8 +55,17 @@ bool StatementReader::read() {
   const Control& control = *code_.control;
   const char c = s_.peek();
   if (c == '#') {
-    assignment();
+    assignment(false);
     return true;
+  }
+  if (c == '[' && control.variable_names.value) {  // [#NAME] = 5
+    Scanner ahead = s_;
+    ahead.take('[');
+    if (ahead.take('#') && (is_letter(ahead.peek()) || ahead.peek() == '_')) {
+      s_.take('[');
+      assignment(true);
+      return true;
+    }
   }
   if (!is_letter(c)) return false;
   Statement statement;
@@ -103,7 +113,7 @@ bool StatementReader::read() {
   return true;
 }
 
-void StatementReader::assignment() {
+void StatementReader::assignment(bool bracketed) {
   Statement statement;
   statement.at = s_.offset();
   statement.variable_at = s_.offset();
@@ -158,6 +168,7 @@ void StatementReader::assignment() {
       }
     }
   }
+  if (bracketed && !s_.take(']')) return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the name's bracket is not closed");
   statement.variable_width = std::max<std::uint32_t>(1, s_.offset() - statement.variable_at);
   if (!s_.take('=')) return refuse(Cause::MissingEquals, s_.offset(), 1, "behind the variable stands no =");
   const auto value = reader.number();
@@ -173,6 +184,7 @@ void StatementReader::assignment() {
     statement.text = code_.expressions[*value].at + static_cast<std::uint32_t>(open) + 1;
     statement.text_length = static_cast<std::uint32_t>(close - open - 1);
   }
+  block_.op = Op::Assign;
   if (at_end(Cause::NcAndMacroInBlock)) finish(Op::Assign, statement);
 }
 
@@ -193,6 +205,8 @@ void StatementReader::if_statement() {
     return;
   }
   if (keyword("GOTO")) return jump(Op::IfGoto, statement);
+  if (code_.control->if_form.value == IfForm::GotoOnly)
+    return refuse(Cause::IfFormat, s_.offset(), 1, "behind the condition stands GOTO");
   if (!keyword("THEN")) return refuse(Cause::IfFormat, s_.offset(), 1, "behind the condition stands GOTO or THEN");
   if (s_.peek() == '\0' && code_.control->if_form.value == IfForm::ThenBlocks) return finish(Op::If, statement);
   then_statement(statement);
@@ -208,7 +222,7 @@ void StatementReader::then_statement(Statement& statement) {
     block_.op = Op::Fault;
     block_.aux = then.aux;
     Fault& fault = code_.faults[then.aux];
-    if (fault.cause == Cause::NcAndMacroInBlock) fault.cause = Cause::IfFormat;
+    if (fault.cause == Cause::NcAndMacroInBlock || fault.cause == Cause::StatementFormat) fault.cause = Cause::IfFormat;
     return;
   }
   const bool simple = then.op == Op::Assign || then.op == Op::Goto || then.op == Op::Print || then.op == Op::OpenOutput ||
@@ -323,7 +337,7 @@ bool StatementReader::print_field(Print& print) {
     return false;
   }
   const Number format = scan_number(s_);
-  const bool good = format.any && !format.negative && format.points == 0 && format.value < (print.binary ? 10 : 100);
+  const bool good = format.written == (print.binary ? 1 : 2) && !format.negative && format.points == 0 && format.value < (print.binary ? 10 : 100);
   if (!good || !s_.take(']')) {
     refuse(Cause::OutputFormat, at, 1, "the number of digits is two digits in brackets, as [53]");
     return false;
@@ -343,7 +357,7 @@ void StatementReader::name_variables() {
     return refuse(Cause::StatementNotAvailable, statement.at, 5, "this control has no SETVN");
   const Number first = scan_number(s_);
   if (!first.any || first.points != 0 || first.negative || first.value > 1e9 || !s_.take('['))
-    return refuse(Cause::StatementFormat, s_.offset(), 1, "write SETVN n[NAME, NAME]");
+    return refuse(Cause::SetvnFormat, s_.offset(), 1, "write SETVN n[NAME, NAME]");
   statement.number = static_cast<std::int32_t>(first.value);
   statement.index = static_cast<std::int32_t>(code_.names.size());
   for (;;) {
@@ -353,11 +367,14 @@ void StatementReader::name_variables() {
       name += s_.peek();
       ++s_.at;
     }
-    if (name.empty() || is_digit(name[0]) || name.size() > 8)
-      return refuse(Cause::IllegalVariableName, at, 1, "a variable name has up to 8 characters and starts with a letter");
+    if (name.size() > 8) return refuse(Cause::VariableNameTooLong, at, 1, "a variable name has at most 8 characters");
+    const char behind = s_.peek();
+    const bool ends = behind == ']' || behind == ',' || behind == '\0';
+    if (!ends || name.empty() || is_digit(name[0]))
+      return refuse(Cause::IllegalVariableName, ends ? at : s_.offset(), 1, "a variable name is a letter, then letters, digits and _");
     code_.names.push_back(name);
     if (s_.take(']')) break;
-    if (!s_.take(',')) return refuse(Cause::StatementFormat, s_.offset(), 1, "names are separated by commas");
+    if (!s_.take(',')) return refuse(Cause::SetvnFormat, s_.offset(), 1, "the list of names is not closed");
   }
   statement.variable_width = static_cast<std::uint32_t>(code_.names.size()) - static_cast<std::uint32_t>(statement.index);
   if (at_end(Cause::NcAndMacroInBlock)) finish(Op::NameVariables, statement);

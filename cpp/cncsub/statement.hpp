@@ -69,7 +69,7 @@ class StatementReader {
 
  private:
   bool keyword(std::string_view word);
-  void assignment();
+  void assignment(bool bracketed);
   void if_statement();
   void then_statement(Statement& statement);
   void while_statement();

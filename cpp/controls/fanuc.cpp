@@ -471,6 +471,8 @@ constexpr AlarmRow kAlarms16i[] = {
     {Cause::MissingDo, "124", "MISSING END STATEMENT", k16iList, Inferred},
     {Cause::JumpInMdi, "123", "CAN NOT USE MACRO COMMAND IN DNC", k16iList, Inferred},
     {Cause::IllegalArgument, "129", "ILLEGAL ARGUMENT ADDRESS", k16iList, Inferred},
+    {Cause::MacroCallNotFirst, "129", "ILLEGAL ARGUMENT ADDRESS", k16iList, Inferred},
+    {Cause::ModalCallsTooMany, "122", "FOUR FOLD MACRO MODAL-CALL", k16iList, Inferred},
     {Cause::StatementNotAvailable, "004", "ADDRESS NOT FOUND", k16iList, Inferred},
 };
 
@@ -522,7 +524,7 @@ constexpr AlarmRow kAlarmsPs[] = {
     {Cause::VariableWriteProtected, "PS0116", "WRITE PROTECTED VARIABLE", kAlm, Secondary},
     {Cause::VariableReadProtected, "PS1115", "READ PROTECTED VARIABLE", kAlm, Secondary},
     {Cause::VacantAssigned, "PS0116", "WRITE PROTECTED VARIABLE", kAlmInferred, Inferred},
-    {Cause::IllegalVariableName, "PS1096", "ILLEGAL VARIABLE NAME", kAlm, Secondary},
+    {Cause::IllegalVariableName, "PS1141", "ILLEGAL CHARACTER IN VAR. NAME", kAlm, Secondary},
     {Cause::VariableNameUnknown, "PS1098", "NO VARIABLE NAME", kAlm, Secondary},
     {Cause::DivisionByZero, "PS0112", "ZERO DIVIDE", kAlm, Secondary},
     {Cause::SquareRootOfNegative, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlm, Secondary},
@@ -538,6 +540,11 @@ constexpr AlarmRow kAlarmsPs[] = {
     {Cause::MissingDo, "PS1124", "MISSING DO STATEMENT", kAlm, Secondary},
     {Cause::JumpInMdi, "PS0123", "ILLEGAL MODE FOR GOTO/WHILE/DO", kAlm, Secondary},
     {Cause::IllegalArgument, "PS0129", "USE 'G' AS ARGUMENT", kAlm, Secondary},
+    {Cause::MacroCallNotFirst, "PS0129", "USE 'G' AS ARGUMENT", kAlmInferred, Inferred},
+    {Cause::MacroCallGivenTwice, "PS1092", "DUPLICATE MACRO-CALL WORD", kAlm, Secondary},
+    {Cause::ModalCallsTooMany, "PS0122", "TOO MANY MACRO NESTING", kAlm, Secondary},
+    {Cause::SetvnFormat, "PS1139", "SETVN STATEMENT FORMAT ERROR", kAlm, Secondary},
+    {Cause::VariableNameTooLong, "PS1142", "TOO LONG V-NAME (SETVN)", kAlm, Secondary},
     {Cause::TooManyArgumentSets, "PS1095", "TOO MANY TYPE-2 ARGUMENT", kAlm, Secondary},
     {Cause::ModalCallMissing, "PS1100", "CANCEL WITHOUT MODAL CALL", kAlm, Secondary},
     {Cause::StatementNotAvailable, "PS0004", "INVALID BREAK POINT OF WORDS", kAlm, Secondary},
@@ -614,6 +621,7 @@ void reading(Control& c) {
   c.zero_numbers = {true, cite({kPb155, "0 must not be used, but no alarm is named: policy"}),
                     Inferred};
   c.sequence_number_first = {false, kPolicy, Inferred};
+  c.late_sequence_numbers = {true, kPolicy, Inferred};
   c.max_words = {26,
                  cite({kAlm, "5006", "not counted: the arguments of a macro call, up to 33 (ZAP)"}),
                  Secondary};
@@ -638,6 +646,8 @@ void reading(Control& c) {
 }
 
 void calls_and_returns(Control& c) {
+  c.name_marks = {"+-_.", "general knowledge", Inferred};
+  c.return_alone_in_modal = {false, "no such alarm is known here", Inferred};
   c.program_word = {ProgramWord::CountAndNumber, cite({kGed, kRob}), Secondary};
   c.max_program_digits = {8, kGed, Secondary};
   c.count_and_l = {CountAndL::AllNumber, kKnown, Inferred};
@@ -676,6 +686,8 @@ void calls_and_returns(Control& c) {
 }
 
 void macro_statements(Control& c) {
+  c.max_constant_digits = {8, "general knowledge", Inferred};
+  c.max_condition_length = {0, kPolicy, Inferred};
   c.if_form = {IfForm::GotoThen, cite({kXGo, kFin}), Secondary};
   c.loop_form = {LoopForm::DoEnd, cite({kXGo, kAlm}), Secondary};
   c.jumps = {true, kXGo, Secondary};
@@ -706,6 +718,9 @@ void macro_statements(Control& c) {
 }
 
 void macro_calls(Control& c) {
+  c.codes_not_with_macro_call = {"", "G as an argument is illegal-argument", Inferred};
+  c.m_codes_not_with_macro_call = {"", "M is the argument #13", Inferred};
+  c.codes_not_with_modal_call = {"", "G as an argument is illegal-argument", Inferred};
   c.macro_calls = {true, cite({kSource002, kPb304}), SourceDocument};
   c.modal_every_block = {false, kKnown, Inferred};
   c.max_macro_digits = {8, cite({kKnown, "a number that no program has is not found"}), Inferred};
@@ -748,6 +763,8 @@ Control fanuc_16i() {
 Control fanuc_0i_d() {
   Control c = fanuc_16i();
   c.name = "fanuc-0i-d";
+  c.return_alone_in_modal = {true, "ALM PS1093", Secondary};
+  c.max_constant_digits = {12, "general knowledge", Inferred};
   c.title = "FANUC Series 0i-D";
   c.g_codes = {kCodes0iD, cite({k0iMd, kReg, "the rest general knowledge"}), Inferred};
   c.max_nesting = {10, kKnown, Inferred};

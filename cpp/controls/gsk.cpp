@@ -89,6 +89,7 @@ void read_988(Control& c) {
   c.max_sequence_number = {99999, kTA + "28 p.5: P of M99 has five digits", kManual};
   c.zero_numbers = {true, kPolicy, kInferred};
   c.sequence_number_first = {false, kTA + "27, note 6 asks it of macro statements only", kManual};
+  c.late_sequence_numbers = {true, kPolicy, kInferred};
   c.max_words = {0, kPolicy, kInferred};
   c.max_block_length = {256, kTalm + "002", kSecondary};
   c.max_digits = {8, kTalm + "003", kSecondary};
@@ -109,6 +110,8 @@ void read_988(Control& c) {
 }
 
 void call_988(Control& c) {
+  c.name_marks = {"+-_.", k000 + "format 2", kDocument};
+  c.return_alone_in_modal = {false, kPolicy, kInferred};
   c.program_word = {ProgramWord::CountAndNumber, k000 + "word P, format 1 (1)", kDocument};
   c.max_program_digits = {8, k000 + "word P, format 1 (1)", kDocument};
   c.count_and_l = {CountAndL::Alarm, k000 + "words L and Q (3)", kDocument};
@@ -145,6 +148,8 @@ void call_988(Control& c) {
 }
 
 void statements_988(Control& c) {
+  c.max_constant_digits = {12, kPolicy, kInferred};
+  c.max_condition_length = {0, kPolicy, kInferred};
   c.if_form = {IfForm::GotoThen, kTA + "27, example; THEN from general knowledge", kManual};
   c.loop_form = {LoopForm::DoEnd, kTalm + "209, 211", kSecondary};
   c.jumps = {true, kTalm + "213", kSecondary};
@@ -175,6 +180,9 @@ void statements_988(Control& c) {
 }
 
 void macros_988(Control& c) {
+  c.codes_not_with_macro_call = {c.g_codes.value, kTA + "27 note 6; Talm 212", kManual};
+  c.m_codes_not_with_macro_call = {"", "M is the argument #13 [TA27]", kManual};
+  c.codes_not_with_modal_call = {c.g_codes.value, kTA + "27 note 6; Talm 212", kManual};
   c.macro_calls = {true, kTA + "27", kManual};
   c.modal_every_block = {false, kTA + "27 names G65, G66 and G67", kManual};
   c.max_macro_digits = {4, kTA + "27, format 1 (2)", kManual};
@@ -232,6 +240,10 @@ void alarms_988(Control& c) {
   add(Cause::ProgramCallsItself, "084", above);
   add(Cause::ProgramCallsCaller, "084", above);
   add(Cause::CallInMdi, "085", "call not allowed in MDI and DNC");
+  add(Cause::MacroCallNotFirst, "212", "NC and macro call in one block");
+  add(Cause::CodeWithMacroCall, "212", "NC and macro call in one block");
+  add(Cause::CodeWithModalCall, "212", "NC and macro call in one block");
+  add(Cause::ModalCallsTooMany, "207", "more than 4 levels of macro calls");
   add(Cause::CallInModalCall, "204", "M98, G65 or G66 in G66 mode");
   add(Cause::IllegalWordWithReturn, "030", "G28, G30, G53, G36, G37 with M99");
   add(Cause::EndOfRecord, "019", "% reached, or no program end");
@@ -411,6 +423,7 @@ Control gsk_988ta() {
   alarms_988(c);
   c.alarms[Cause::IllegalProgramNumber] = {"291", "P[#] has more than 4 digits",
                                            k000 + "word P, format 2 (1)", kDocument};
+  c.alarms[Cause::IllegalMacroNumber] = {"291", "P[#] has more than 4 digits", "TA27", kManual};
   c.alarms[Cause::RepeatGivenTwice] = {"293", "count given in P and in L",
                                        k000 + "words L and Q (3)", kDocument};
   variables_988(c);
@@ -473,6 +486,7 @@ void read_980(Control& c) {
   c.max_sequence_number = {99999, kMDib + "0112: 0 to 99999" + kOfMDi, kSecondary};
   c.zero_numbers = {false, kMDia + "095: O0000 cannot be called" + kOfMDi, kSecondary};
   c.sequence_number_first = {true, kMDia + "006" + kOfMDi, kSecondary};
+  c.late_sequence_numbers = {true, kPolicy, kInferred};
   c.max_words = {100, kMDia + "011" + kOfMDi, kSecondary};
   c.max_block_length = {256, kMDia + "037" + kOfMDi, kSecondary};
   c.max_digits = {10, kMDia + "003: a word has at most 11 characters" + kOfMDi, kSecondary};
@@ -494,6 +508,8 @@ void read_980(Control& c) {
 }
 
 void call_980(Control& c) {
+  c.name_marks = {"+-.", kTDi + "15", kManual};
+  c.return_alone_in_modal = {false, kPolicy, kInferred};
   c.program_word = {ProgramWord::CountAndNumber, kTDi + "15 1.1.7, format 1", kManual};
   c.max_program_digits = {10, "inferred from MDib 0092: a count above 9999 is read, and alarms",
                           kInferred};
@@ -530,6 +546,8 @@ void call_980(Control& c) {
 }
 
 void statements_980(Control& c) {
+  c.max_constant_digits = {12, kPolicy, kInferred};
+  c.max_condition_length = {0, kPolicy, kInferred};
   c.if_form = {IfForm::GotoThen, kTDi + "29 3.29.2 (2)", kManual};
   c.loop_form = {LoopForm::DoEnd, kTDi + "29 3.29.2 (3)", kManual};
   c.jumps = {true, kTDi + "29 3.29.2 (1)", kManual};
@@ -560,6 +578,10 @@ void statements_980(Control& c) {
 }
 
 void macros_980(Control& c) {
+  c.codes_not_with_macro_call = {"43 44 49", kMDib + "115" + kOfMDi, kSecondary};
+  c.m_codes_not_with_macro_call = {"0 1 2 30 98 99", kMDib + "116" + kOfMDi, kSecondary};
+  c.codes_not_with_modal_call = {"0 1 2 3 4 5 6.2 6.3 7.2 7.3 28 30 31 32 33 34 36 37 50 52 53 70 71 72 73 74 75 76 84 88 90 92 94",
+                                 kMDia + "044" + kOfMDi, kSecondary};
   c.macro_calls = {true, kTDi + "28 3.28.3", kManual};
   c.modal_every_block = {false, kTDi + "28 3.28.3 names G65, G66 and G67", kManual};
   c.max_macro_digits = {4, kTDi + "28 3.28.3.1: at most four digits", kManual};
@@ -621,6 +643,11 @@ void alarms_980(Control& c) {
   add(Cause::MacroNestingTooDeep, "096", "more than 4 levels of subprograms");
   add(Cause::ProgramCallsItself, "097", "called program is the current program");
   add(Cause::ProgramCallsCaller, "094", "subprogram calls the main program");
+  add(Cause::MacroCallNotFirst, "114", "G65 or G66 is not the first word");
+  add(Cause::CodeWithMacroCall, "115", "G65 with G43, G44 or G49");
+  add(Cause::MCodeWithMacroCall, "116", "G65 with M00, M01, M02, M30, M98 or M99");
+  add(Cause::CodeWithModalCall, "044", "G66 with a G code of group 00 or 01");
+  add(Cause::IllegalMacroNumber, "119", "P of a macro call out of range");
   add(Cause::CallInModalCall, "113", "M98 or M99 P in G66 mode");
   add(Cause::NcAndMacroInBlock, "114", "G65 or G66 not at the head of the block");
   add(Cause::StatementFormat, "101", format);
@@ -746,6 +773,7 @@ Control gsk_980tdi() {
   variables_980(c);
   parameters_980(c);
   CodeCall macro = code_call(CodeCall::Form::Range, 'G', CodeCallKind::Macro, 87, 88, 86);
+  macro.own_codes = false;
   macro.last_code = 9999;
   macro.source = kTDi + "32";
   macro.evidence = kManual;
@@ -846,6 +874,9 @@ void read_928(Control& c) {
 }
 
 void call_928(Control& c) {
+  c.name_marks = {"", "there are no names", kInferred};
+  c.return_alone_in_modal = {false, kPolicy, kInferred};
+  c.late_sequence_numbers = {true, kPolicy, kInferred};
   c.program_word = {ProgramWord::SequenceNumber, k001 + "M98 P0060 L5", kDocument};
   c.max_program_digits = {4, k001 + "N of four digits", kDocument};
   c.count_and_l = {CountAndL::AllNumber, k001 + "M98 P0060 L5", kDocument};
@@ -885,6 +916,11 @@ void call_928(Control& c) {
 /// The 928TE has none of these: its jumps are M97, and the r variables of the 928T are of another
 /// kind.
 void no_macros_928(Control& c) {
+  c.max_constant_digits = {12, kPolicy, kInferred};
+  c.max_condition_length = {0, kPolicy, kInferred};
+  c.codes_not_with_macro_call = {"", "there are no macro calls", kInferred};
+  c.m_codes_not_with_macro_call = {"", "there are no macro calls", kInferred};
+  c.codes_not_with_modal_call = {"", "there are no macro calls", kInferred};
   const std::string none = kGeneral + ": no macro statements";
   c.if_form = {IfForm::GotoThen, none, kInferred};
   c.loop_form = {LoopForm::DoEnd, none, kInferred};

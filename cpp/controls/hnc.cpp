@@ -31,6 +31,7 @@ void reading(Control& c) {
   c.max_sequence_number = {99999999, kPolicy, Inferred};
   c.zero_numbers = {true, kPolicy, Inferred};
   c.sequence_number_first = {false, kPolicy, Inferred};
+  c.late_sequence_numbers = {true, kPolicy, Inferred};
   c.max_words = {0, kPolicy, Inferred};
   c.max_block_length = {0, "policy; only a condition is limited, to 128 characters (HS)", Inferred};
   c.max_digits = {8, kPolicy, Inferred};
@@ -49,8 +50,10 @@ void reading(Control& c) {
 }
 
 void calls_and_returns(Control& c) {
+  c.name_marks = {"+-_.", kPolicy, Inferred};
+  c.return_alone_in_modal = {false, kPolicy, Inferred};
   c.program_word = {ProgramWord::Number, "general knowledge; HD shows M98 P1001", Inferred};
-  c.max_program_digits = {4, kKnown, Inferred};
+  c.max_program_digits = {8, kKnown, Inferred};
   c.count_and_l = {CountAndL::AllNumber, kKnown, Inferred};
   c.bracket_names = {false, kKnown, Inferred};
   c.max_name_length = {8, "general knowledge: of a file's name", Inferred};
@@ -84,6 +87,8 @@ void calls_and_returns(Control& c) {
 }
 
 void macro_statements(Control& c) {
+  c.max_constant_digits = {12, kPolicy, Inferred};
+  c.max_condition_length = {128, "HS MAX_CONDITION_LEN of an HNC-8 header", Secondary};
   c.if_form = {IfForm::Blocks, kHd, Secondary};
   c.loop_form = {LoopForm::WhileEndw, kHd, Secondary};
   c.jumps = {false, kUnsure, Inferred};
@@ -113,6 +118,9 @@ void macro_statements(Control& c) {
 }
 
 void macro_calls(Control& c) {
+  c.codes_not_with_macro_call = {"", "there are no macro calls", Inferred};
+  c.m_codes_not_with_macro_call = {"", "there are no macro calls", Inferred};
+  c.codes_not_with_modal_call = {"", "there are no macro calls", Inferred};
   c.macro_calls = {false, "general knowledge: M98 does what G65 does elsewhere", Inferred};
   c.modal_every_block = {false, kKnown, Inferred};
   c.max_macro_digits = {4, kNone, Inferred};

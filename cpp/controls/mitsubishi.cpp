@@ -59,6 +59,7 @@ void reading(Control& c) {
   c.zero_numbers = {false, kMZ + "811: zero as program or sequence number", kSecondary};
   c.sequence_number_first = {false, kGeneral + ": only a target must have its N at the head",
                              kInferred};
+  c.late_sequence_numbers = {false, kGeneral + ": the N of a target stands at the head of its block", kInferred};
   c.max_words = {0, kPolicy, kInferred};
   c.max_block_length = {0, kPolicy, kInferred};
   c.max_digits = {15, kPolicy + "; ranges are checked address by address, " + kSK + "P35",
@@ -82,6 +83,8 @@ void reading(Control& c) {
 }
 
 void calling(Control& c) {
+  c.name_marks = {"+-_.", kPolicy, kInferred};
+  c.return_alone_in_modal = {false, kPolicy, kInferred};
   c.program_word = {ProgramWord::Number, kIMD + "P is the program number", kSecondary};
   c.max_program_digits = {8, kIMD + "P has eight digits", kSecondary};
   c.count_and_l = {CountAndL::AllNumber, kIMD + "P holds no count", kSecondary};
@@ -118,6 +121,8 @@ void calling(Control& c) {
 }
 
 void statements(Control& c) {
+  c.max_constant_digits = {12, kPolicy, kInferred};
+  c.max_condition_length = {0, kPolicy, kInferred};
   c.if_form = {IfForm::GotoThen, kGeneral + "; a single IF THEN, to be verified", kInferred};
   c.loop_form = {LoopForm::DoEnd, kMZ + "865, 868", kSecondary};
   c.jumps = {true, kMZ + "864: IF and GOTO", kSecondary};
@@ -150,6 +155,9 @@ void statements(Control& c) {
 }
 
 void macros(Control& c) {
+  c.codes_not_with_macro_call = {"", kPolicy, kInferred};
+  c.m_codes_not_with_macro_call = {"", kPolicy, kInferred};
+  c.codes_not_with_modal_call = {"", kPolicy, kInferred};
   c.macro_calls = {true, kSM + "differences of M98 and G65", kManual};
   c.modal_every_block = {true, kSM + "difference (6) names G66.1", kManual};
   c.max_macro_digits = {8, kIMD + "P has eight digits", kSecondary};
@@ -202,6 +210,7 @@ void alarms(Control& c) {
       {Cause::JumpTargetNotFound, {"P231", "NO N-NUMBER", kMZ + "843, paired", kSecondary}},
       {Cause::IllegalRepeatCount, {"P35", "CMD-VALUE OVER", range, kManual}},
       {Cause::NestingTooDeep, {"P230", "NESTING OVER", k004 + "note on levels", kDocument}},
+      {Cause::ModalCallsTooMany, {"P273", "MACRO OVERCALL", kMZ + "855, paired", kSecondary}},
       {Cause::MacroNestingTooDeep, {"P273", "MACRO OVERCALL", kMZ + "855, paired", kSecondary}},
       {Cause::ExternalCallNested,
        {"P230", "NESTING OVER", kMZ + "842; CW, nested M198", kSecondary}},
@@ -370,6 +379,7 @@ Control m700() {
 Control meldas() {
   Control c = m700();
   c.name = "mitsubishi-meldas";
+  c.if_form = {IfForm::GotoOnly, kGeneral + ": IF THEN came with the M700", kInferred};
   c.title = "Mitsubishi MELDAS before the M700";
   c.max_nesting = {4, k004 + "note on levels", kDocument};
   c.nesting_counts_macros = {

@@ -26,7 +26,7 @@ from cncsub.tables import CallTree, records
 MOST_CALLS = 200  # lines of the tree of calls
 
 
-class WrongUse(Exception):
+class WrongUseError(Exception):
     """What the caller can mend; its text is the line that is printed."""
 
 
@@ -54,7 +54,7 @@ def _one_line(error: Exception) -> str:
     """The words for wrong use; any other exception goes on."""
     # What typer finds wrong with a command line says so by this method, whatever its class is.
     words = getattr(error, "format_message", None)
-    if words is None and not isinstance(error, WrongUse):
+    if words is None and not isinstance(error, WrongUseError):
         raise error
     return " ".join(str(words() if words else error).split())
 
@@ -225,7 +225,7 @@ def explain(
     among = list(cncsub.controls.values()) if control is None else [_control(control)]
     facts = _explanations(alarm, among, all_causes=True)
     if not facts:
-        raise WrongUse(_unknown_alarm(alarm, among))
+        raise WrongUseError(_unknown_alarm(alarm, among))
     if format is Format.JSON:
         _write_json(output, facts)
     else:
@@ -249,12 +249,12 @@ def _run(options: Mapping[str, Any], *, trace: str) -> Made:
     try:
         return _made(options, trace)
     except KeyError as error:
-        raise WrongUse(str(error.args[0])) from None
+        raise WrongUseError(str(error.args[0])) from None
     except OSError as error:
         named = f"{error.filename}: " if error.filename else ""
-        raise WrongUse(f"{named}{error.strerror or error}") from None
+        raise WrongUseError(f"{named}{error.strerror or error}") from None
     except (ValueError, TypeError) as error:
-        raise WrongUse(str(error)) from None
+        raise WrongUseError(str(error)) from None
 
 
 def _made(options: Mapping[str, Any], trace: str) -> Made:
@@ -295,10 +295,10 @@ def _library(options: Mapping[str, Any]) -> cncsub.Library:
 
 def _control(name: str | None) -> cncsub.Control:
     if name is None:
-        raise WrongUse(f"which control? Give -c and one of {', '.join(cncsub.controls)}")
+        raise WrongUseError(f"which control? Give -c and one of {', '.join(cncsub.controls)}")
     if name not in cncsub.controls:
         near = did_you_mean(name, cncsub.controls, f"; there are {', '.join(cncsub.controls)}")
-        raise WrongUse(f"no control is called {name!r}{near}")
+        raise WrongUseError(f"no control is called {name!r}{near}")
     return cncsub.controls[name]
 
 
@@ -352,7 +352,7 @@ def _opened(output: Path, mode: str) -> IO[Any]:
     try:
         return output.open(mode, encoding=None if "b" in mode else "utf-8", newline=None)
     except OSError as error:
-        raise WrongUse(f"{output}: {error.strerror or error}") from None
+        raise WrongUseError(f"{output}: {error.strerror or error}") from None
 
 
 def _write_json(output: Path | None, facts: object) -> None:
@@ -373,11 +373,11 @@ def _write_moves(run: cncsub.Run, format: RunFormat, output: Path | None) -> Non
                 _write_csv(run, file)
         return
     if output is None:
-        raise WrongUse("parquet needs a file: --output moves.parquet")
+        raise WrongUseError("parquet needs a file: --output moves.parquet")
     try:
         from pyarrow import parquet
     except ImportError:
-        raise WrongUse("parquet needs pyarrow: pip install 'cncsub[arrow]'") from None
+        raise WrongUseError("parquet needs pyarrow: pip install 'cncsub[arrow]'") from None
     with _opened(output, "wb") as file:
         parquet.write_table(run.moves.to_arrow(), file)
 

@@ -1,0 +1,124 @@
+// G02 and G03: the centre from R or I J K, the checks, and the angle run through.
+#include "cncsub/motion_facts.hpp"
+
+namespace cncsub {
+namespace {
+
+constexpr std::string_view kCentreWords = "IJK";
+
+/// The angle from one direction to another, counter-clockwise in (0, 2 pi], or clockwise in [-2 pi, 0).
+double turn_between(double from, double to, bool clockwise) {
+  double turn = std::remainder(to - from, 2 * kPi);
+  if (std::fabs(turn) < 1e-12) turn = 0;
+  if (clockwise) return turn >= 0 ? turn - 2 * kPi : turn;
+  return turn <= 0 ? turn + 2 * kPi : turn;
+}
+
+bool has_centre(const BlockWords& block, const PlaneAxes& plane) {
+  return block.words.has(kCentreWords[static_cast<std::size_t>(plane.a)]) ||
+         block.words.has(kCentreWords[static_cast<std::size_t>(plane.b)]);
+}
+
+}  // namespace
+
+Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
+  const Control& c = *facts_->control;
+  const PlaneAxes plane = plane_axes(s_.plane);
+  std::uint32_t named = 0;
+  const Axes end = target(block, named);
+  const bool centre = has_centre(block, plane);
+  const bool radius = block.words.has('R') && block.words['R'] != 0;
+  if (named == 0 && !centre && !radius) return std::nullopt;
+  if (auto wrong = need_feed(block, meaning)) return wrong;
+  const char across = kCentreWords[static_cast<std::size_t>(plane.across)];
+  if ((named & axis_bit(plane.across)) != 0 && !c.helix.value) return fault(Cause::ArcAxis, block);
+  if (!radius && block.words.has(across) && block.words[across] != 0) return fault(Cause::ArcAxis, block);
+  bool clockwise = meaning == Meaning::Cw;
+  if (mirrored_plane()) clockwise = !clockwise;
+  Piece piece = make_piece(block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
+  if (auto wrong = corner_words(block, piece)) return wrong;
+  if (radius) {
+    if (auto wrong = arc_by_radius(block, piece)) return wrong;
+  } else if (centre) {
+    if (s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn && !c.centre_in_polar.value)
+      return fault(Cause::PolarCentre, block);
+    if (auto wrong = arc_by_centre(block, piece)) return wrong;
+  } else if (c.no_radius.value == NoRadius::Alarm) {
+    return fault(Cause::NoRadius, block);
+  } else {
+    piece.kind = MoveKind::Feed;
+  }
+  // R with the end at the start is no arc: nothing is left but what goes along. [16TC p.67]
+  if (piece.turn == 0 && piece.kind != MoveKind::Feed) {
+    piece.kind = MoveKind::Feed;
+    block.outcome.axis_word = true;
+    if ((named & axis_bit(plane.across)) == 0) return std::nullopt;
+  }
+  return move(block, std::move(piece));
+}
+
+Motion::Result Motion::arc_by_radius(BlockWords& block, Piece& piece) const {
+  const Control& c = *facts_->control;
+  const PlaneAxes plane = plane_axes(s_.plane);
+  double radius = number(block, 'R');
+  if (s_.turned.scaling) radius *= std::fabs(s_.turned.scale[static_cast<std::size_t>(plane.a)]);
+  const bool negative_allowed =
+      c.negative_radius.value && (!facts_->lathe() || c.negative_radius_on_lathes.value);
+  if (radius < 0 && !negative_allowed) return fault(Cause::NegativeRadius, block);
+  const Axes start = s_.work + piece.offset;
+  const double a0 = start[plane.a] * facts_->share(plane.a), b0 = start[plane.b] * facts_->share(plane.b);
+  const double da = piece.end[plane.a] * facts_->share(plane.a) - a0;
+  const double db = piece.end[plane.b] * facts_->share(plane.b) - b0;
+  const double chord = std::hypot(da, db);
+  if (chord < 1e-9) return c.radius_needs_travel.value ? Result(fault(Cause::NoArcTravel, block)) : std::nullopt;
+  double size = std::fabs(radius);
+  if (const double miss = chord / 2 - size; miss > 0) {
+    const bool half = c.small_radius.value == SmallRadius::HalfCircle;
+    if (miss > std::max(facts_->increment / 2 + 1e-9, half ? c.arc_tolerance.value * 1e-3 : 0))
+      return fault(Cause::RadiusTooSmall, block);
+    size = chord / 2;
+  }
+  const double height = std::sqrt(std::max(0.0, size * size - chord * chord / 4));
+  const bool clockwise = piece.kind == MoveKind::Cw;
+  const double side = clockwise == (radius > 0) ? -1 : 1;  // -1: the centre lies on the right of the way
+  const double ca = a0 + da / 2 - side * height * db / chord, cb = b0 + db / 2 + side * height * da / chord;
+  piece.centre[plane.a] = ca / facts_->share(plane.a);
+  piece.centre[plane.b] = cb / facts_->share(plane.b);
+  piece.turn = turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b0 + db - cb, a0 + da - ca), clockwise);
+  return std::nullopt;
+}
+
+Motion::Result Motion::arc_by_centre(BlockWords& block, Piece& piece) const {
+  const Control& c = *facts_->control;
+  const PlaneAxes plane = plane_axes(s_.plane);
+  const auto word = [&](int axis) {
+    const char name = kCentreWords[static_cast<std::size_t>(axis)];
+    return block.words.has(name) ? number(block, name) : 0.0;
+  };
+  double i = word(plane.a), j = word(plane.b);
+  turn_vector(i, j, plane);
+  const Axes start = s_.work + piece.offset;
+  const double a0 = start[plane.a] * facts_->share(plane.a), b0 = start[plane.b] * facts_->share(plane.b);
+  const double a1 = piece.end[plane.a] * facts_->share(plane.a), b1 = piece.end[plane.b] * facts_->share(plane.b);
+  const double ca = a0 + i, cb = b0 + j;
+  const double first = std::hypot(i, j), last = std::hypot(a1 - ca, b1 - cb);
+  if (first == 0 && c.arc_centre_needed.value) return fault(Cause::ArcCentre, block);
+  const double tolerance = c.arc_tolerance.value * 1e-3;
+  if (tolerance > 0 && std::fabs(first - last) > tolerance + 1e-9) {
+    char text[64];
+    std::snprintf(text, sizeof text, "radius %.4f at the start, %.4f at the end", first, last);
+    return fault(Cause::RadiusTolerance, block, text);
+  }
+  if (first == 0) {
+    piece.kind = MoveKind::Feed;
+    return std::nullopt;
+  }
+  piece.centre[plane.a] = ca / facts_->share(plane.a);
+  piece.centre[plane.b] = cb / facts_->share(plane.b);
+  const bool clockwise = piece.kind == MoveKind::Cw;
+  if (std::hypot(a1 - a0, b1 - b0) < 1e-9) piece.turn = clockwise ? -2 * kPi : 2 * kPi;
+  else piece.turn = turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b1 - cb, a1 - ca), clockwise);
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,174 @@
+// The lathe's cycles of straight cuts: G90 G92 G94, grooving G74 G75, the multiple thread G76.
+#include <algorithm>
+
+#include "cncsub/motion_facts.hpp"
+
+namespace cncsub {
+
+/// A depth: a number without a point counts least increments.
+double Motion::cycle_length(const BlockWords& block, char address) const {
+  if ((block.words.whole & bit(address)) == 0 || !facts_->lathe()) return number(block, address);
+  return raw(block, address) * facts_->increment * (g20() ? 0.1 * kInch : 1);
+}
+
+Motion::Result Motion::turning_cycle(BlockWords& block, Meaning meaning) {
+  if (meaning == Meaning::TapCycle) return tap_cycle(block);
+  TurnData& turn = s_.turn;
+  std::uint32_t named = 0;
+  const Axes end = target(block, named);
+  if (named & axis_bit(0)) turn.x = end[0], turn.has_x = true;
+  if (named & axis_bit(2)) turn.z = end[2], turn.has_z = true;
+  if (block.words.has('R')) turn.r = number(block, 'R');
+  if (named == 0 && !block.words.has('R')) return std::nullopt;
+  const bool thread = meaning == Meaning::ThreadCycle;
+  if (auto wrong = need_feed(block, thread ? Meaning::Thread : Meaning::Line)) return wrong;
+  const Axes start = s_.work;
+  const double x = turn.has_x ? turn.x : start[0], z = turn.has_z ? turn.z : start[2];
+  const MoveKind cut = thread ? MoveKind::Thread : MoveKind::Feed;
+  const bool face = meaning == Meaning::FaceCycle;
+  // A taper against the cut must not be larger than the cut. [TA 6, 7]
+  const double depth = face ? z - start[2] : (x - start[0]) / 2;
+  if (turn.r * depth < 0 && std::fabs(turn.r) > std::fabs(depth))
+    return fault(face ? Cause::FaceTaper : Cause::Taper, block);
+  Axes corner = start;
+  corner[0] = x;
+  corner[2] = z;
+  const int first = face ? 2 : 0, second = face ? 0 : 2;
+  const double in = face ? z + turn.r : x + 2 * turn.r;
+  if (auto wrong = move_axis(block, MoveKind::Rapid, first, in)) return wrong;
+  if (auto wrong = move(block, cut, corner, axis_bit(0) | axis_bit(2))) return wrong;
+  if (auto wrong = move_axis(block, thread ? MoveKind::Rapid : MoveKind::Feed, first,
+                             start[static_cast<std::size_t>(first)]))
+    return wrong;
+  return move_axis(block, MoveKind::Rapid, second, start[static_cast<std::size_t>(second)]);
+}
+
+/// In at the lead, out again. [TDi 24.5]
+Motion::Result Motion::tap_cycle(BlockWords& block) {
+  std::uint32_t named = 0;
+  const Axes start = s_.work, end = target(block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = need_feed(block, Meaning::Thread)) return wrong;
+  if (auto wrong = move(block, MoveKind::Thread, end, named)) return wrong;
+  return move(block, MoveKind::Thread, start, named);
+}
+
+namespace {
+
+bool has_end(const NcWords& w) { return w.has('X') || w.has('Z') || w.has('U') || w.has('W'); }
+
+/// The columns or levels from one value to another in steps; the last takes the rest.
+std::vector<double> steps_between(double from, double to, double step) {
+  std::vector<double> list{from};
+  if (from == to) return list;
+  const double way = to > from ? 1 : -1;
+  if (step > 0)
+    for (double at = from + way * step; (to - at) * way > 1e-9; at += way * step) list.push_back(at);
+  list.push_back(to);
+  return list;
+}
+
+}  // namespace
+
+/// G74 pecks along Z and steps along X, G75 the other way around.
+Motion::Result Motion::grooving(BlockWords& block, Meaning meaning) {
+  const NcWords& w = block.words;
+  const bool face = meaning == Meaning::PeckFace;
+  const Control& c = *facts_->control;
+  if (!has_end(w) && !w.has('P') && !w.has('Q')) {
+    if (w.has('R')) s_.multiple.retract = number(block, 'R');
+    return std::nullopt;
+  }
+  std::uint32_t named = 0;
+  const Axes start = s_.work, end = target(block, named);
+  const int deep = face ? 2 : 0, wide = face ? 0 : 2;
+  if ((named & axis_bit(deep)) == 0) return fault(Cause::GrooveAxis, block);
+  if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
+  const double p = w.has('P') ? std::fabs(cycle_length(block, 'P')) * (c.groove_p_diameter.value ? 1 : 2) : 0;
+  const double q = w.has('Q') ? std::fabs(cycle_length(block, 'Q')) : 0;
+  const double deep_share = deep == 0 ? 2 : 1, wide_share = wide == 0 ? 2 : 1;
+  const double retract = s_.multiple.retract * deep_share;
+  const double escape = w.has('R') ? number(block, 'R') * wide_share : 0;
+  const double from = start[static_cast<std::size_t>(deep)], to = end[static_cast<std::size_t>(deep)];
+  const double way = to < from ? -1 : 1;
+  const double first = start[static_cast<std::size_t>(wide)], last = end[static_cast<std::size_t>(wide)];
+  const std::vector<double> levels = steps_between(from, to, face ? q : p);
+  bool begun = false;
+  for (const double column : steps_between(first, last, face ? p : q)) {
+    if (begun)
+      if (auto wrong = move_axis(block, MoveKind::Rapid, wide, column)) return wrong;
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+      if (auto wrong = move_axis(block, MoveKind::Feed, deep, levels[i])) return wrong;
+      if (i + 1 < levels.size())
+        if (auto wrong = move_axis(block, MoveKind::Rapid, deep, levels[i] - way * retract)) return wrong;
+    }
+    if (escape != 0) {
+      const double back = first == last ? 1 : (last > first ? -1 : 1);
+      if (auto wrong = move_axis(block, MoveKind::Rapid, wide, column + back * escape)) return wrong;
+    }
+    if (auto wrong = move_axis(block, MoveKind::Rapid, deep, from)) return wrong;
+    begun = true;
+  }
+  return first == last && escape == 0 ? std::nullopt : move_axis(block, MoveKind::Rapid, wide, first);
+}
+
+namespace {
+
+/// The depths of the passes: sqrt(n) of the first cut, at least the least cut each, then the finishing passes.
+std::vector<double> thread_depths(double height, double first, const MultipleData& data) {
+  std::vector<double> list;
+  const double rough = height - data.allowance;
+  for (int n = 1; n < 10000; ++n) {
+    const double depth = std::max(std::sqrt(n) * first, std::sqrt(n - 1.0) * first + data.least_cut);
+    if (depth >= rough - 1e-9) break;
+    list.push_back(depth);
+  }
+  if (rough > 0) list.push_back(rough);
+  const int finish = std::max(1, data.finish_passes);
+  for (int i = 0; i < finish; ++i) list.push_back(height);
+  return list;
+}
+
+}  // namespace
+
+Motion::Result Motion::multiple_thread(BlockWords& block) {
+  const NcWords& w = block.words;
+  MultipleData& data = s_.multiple;
+  if (!has_end(w)) {
+    if (w.has('P')) {
+      const int p = static_cast<int>(raw(block, 'P'));
+      data.finish_passes = p / 10000, data.chamfer = p / 100 % 100, data.angle = p % 100;
+    }
+    if (w.has('Q')) data.least_cut = cycle_length(block, 'Q');
+    if (w.has('R')) data.allowance = number(block, 'R');
+    return std::nullopt;
+  }
+  if (!w.has('P') || raw(block, 'P') == 0) return fault(Cause::ThreadHeight, block);
+  const double height = cycle_length(block, 'P');
+  const double first = w.has('Q') ? std::fabs(cycle_length(block, 'Q')) : 0;
+  if (height < 0 || first <= 0 || first > height || data.allowance >= height) return fault(Cause::ThreadData, block);
+  if (auto wrong = need_feed(block, Meaning::Thread)) return wrong;
+  if (facts_->control->thread_needs_spindle.value && (s_.spindle == 5 || s_.speed <= 0))
+    return fault(Cause::SpindleStands, block);
+  std::uint32_t named = 0;
+  const Axes start = s_.work, end = target(block, named);
+  const double taper = w.has('R') ? number(block, 'R') : 0;
+  const double outside = start[0] >= end[0] + 2 * taper ? 1 : -1;
+  const double along = end[2] < start[2] ? -1 : 1;
+  const double slope = std::tan(data.angle / 2.0 * kPi / 180);
+  for (const double depth : thread_depths(height, first, data)) {
+    const double above = outside * 2 * (height - depth);
+    Axes in = start, out = end;
+    in[0] = end[0] + 2 * taper + above;
+    in[2] = start[2] + along * depth * slope;
+    out[0] = end[0] + above;
+    const std::uint32_t both = axis_bit(0) | axis_bit(2);
+    if (auto wrong = move(block, MoveKind::Rapid, in, both)) return wrong;
+    if (auto wrong = move(block, MoveKind::Thread, out, both)) return wrong;
+    if (auto wrong = move_axis(block, MoveKind::Rapid, 0, start[0])) return wrong;
+    if (auto wrong = move_axis(block, MoveKind::Rapid, 2, start[2])) return wrong;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cncsub

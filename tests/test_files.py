@@ -1,0 +1,311 @@
+"""Files and folders: what is read, what is never opened, and how bytes become text."""
+
+from __future__ import annotations
+
+import codecs
+import os
+import signal
+import socket
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import cncsub
+from cncsub import files
+from cncsub.files import decode, name_order, read_paths
+
+CONTROL = "fanuc-0i-f"
+PROGRAM = "N10 M30\n"
+
+
+@pytest.fixture(autouse=True)
+def no_hang() -> Iterator[None]:
+    """A read that waits for a pipe or a device ends as a failure."""
+    signal.alarm(30)
+    yield
+    signal.alarm(0)
+
+
+def write(folder: Path, *names: str, text: str = PROGRAM) -> None:
+    for name in names:
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+
+def found(folder: Path, **options: str | Path) -> list[str]:
+    """The files of a folder as they are read, by their path inside it."""
+    reading = read_paths([folder], **options)  # type: ignore[arg-type]
+    return [Path(file.name).relative_to(folder).as_posix() for file in reading.files]
+
+
+def reasons(folder: Path) -> dict[str, str]:
+    skipped = read_paths([folder]).skipped
+    return {Path(name).relative_to(folder).as_posix(): why for name, why in skipped}
+
+
+# ---- order ----
+
+
+def test_files_come_by_name_with_numbers_by_value_and_without_regard_to_case(tmp_path: Path) -> None:
+    write(tmp_path, "o10.nc", "O9.NC", "b.nc", "A.nc", "O1.nc", "z/O0.nc")
+    assert found(tmp_path) == ["A.nc", "b.nc", "O1.nc", "O9.NC", "o10.nc", "z/O0.nc"]
+
+
+@given(st.lists(st.text(max_size=20)))
+def test_any_names_have_an_order(names: list[str]) -> None:
+    ordered = sorted(names, key=name_order)
+    assert sorted(reversed(ordered), key=name_order) == ordered
+
+
+def test_paths_keep_the_order_in_which_they_are_given(tmp_path: Path) -> None:
+    write(tmp_path, "O1.nc", "O2.nc")
+    library = cncsub.load(tmp_path / "O2.nc", tmp_path, control=CONTROL)
+    assert list(library) == ["O2", "O1"]
+    assert library.main is library["O2"]
+
+
+def test_a_file_given_twice_is_read_once(tmp_path: Path) -> None:
+    write(tmp_path, "O1.nc")
+    library = cncsub.load(tmp_path / "O1.nc", tmp_path / ".." / tmp_path.name, control=CONTROL)
+    assert len(library.files) == 1
+    assert library.duplicates == ()
+
+
+def test_names_that_differ_in_case_only_are_one_program_and_its_duplicate(tmp_path: Path) -> None:
+    write(tmp_path, "part.nc", "PART.nc")
+    library = cncsub.load(tmp_path, control="gsk-988ta")
+    assert len(library) == 1
+    assert [program.name for program in library.duplicates] == ["part"]
+
+
+# ---- what is left out ----
+
+
+@pytest.mark.parametrize(
+    ("name", "data"),
+    [
+        (".hidden.nc", b"N10 M30\n"),
+        (".git/O1.nc", b"N10 M30\n"),
+        ("notes.pdf", b"%PDF-1.7\n"),
+        ("readme.md", b"# about\n"),
+        ("photo.nc", b"\x89PNG\r\n\x1a\n"),
+        ("job.cnc", b"PK\x03\x04zipped"),
+        ("O5", b"\x01\x02\x03\x04\x05\x06" * 50),
+    ],
+)
+def test_a_folder_leaves_out_what_is_no_program_and_says_so(
+    tmp_path: Path, name: str, data: bytes
+) -> None:
+    write(tmp_path, "O1.nc")
+    file = tmp_path / name
+    file.parent.mkdir(exist_ok=True)
+    file.write_bytes(data)
+    library = cncsub.load(tmp_path, control=CONTROL)
+    assert list(library) == ["O1"]
+    assert len(library.skipped) == 1
+
+
+def test_a_file_that_is_named_is_read_whatever_it_is_called(tmp_path: Path) -> None:
+    write(tmp_path, "O1.md")
+    assert list(cncsub.load(tmp_path / "O1.md", control=CONTROL)) == ["O1"]
+
+
+def test_a_file_above_the_bound_is_left_out_of_a_folder_and_refused_by_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write(tmp_path, "O1.nc")
+    write(tmp_path, "O2.nc", text="N1 X1\n" * 20)
+    monkeypatch.setattr(files, "LARGEST_FILE", 50)
+    assert found(tmp_path) == ["O1.nc"]
+    with pytest.raises(ValueError, match="larger than"):
+        cncsub.load(tmp_path / "O2.nc", control=CONTROL)
+
+
+def test_the_external_folder_is_no_part_of_the_memory_it_lies_in(tmp_path: Path) -> None:
+    write(tmp_path, "O1.nc", "usb/O2.nc")
+    library = cncsub.load(tmp_path, control=CONTROL, external=tmp_path / "usb")
+    assert list(library) == ["O1"]
+    assert list(library.external) == ["O2"]
+
+
+def test_one_folder_may_be_memory_and_external_device(tmp_path: Path) -> None:
+    write(tmp_path, "O1.nc")
+    library = cncsub.load(tmp_path, control=CONTROL, external=tmp_path)
+    assert list(library) == list(library.external) == ["O1"]
+
+
+# ---- links, devices, pipes ----
+
+
+def test_a_link_that_leaves_the_folder_is_not_followed(tmp_path: Path) -> None:
+    write(tmp_path, "secret/O2.nc", "job/O1.nc")
+    job = tmp_path / "job"
+    (job / "O2.nc").symlink_to(tmp_path / "secret" / "O2.nc")
+    (job / "O3.nc").symlink_to("../secret/O2.nc")
+    (job / "sub").symlink_to(tmp_path / "secret")
+    (job / "zero.nc").symlink_to("/dev/zero")
+    assert found(job) == ["O1.nc"]
+    assert set(reasons(job).values()) == {"a link that leads out of the folder"}
+    assert set(reasons(job)) == {"O2.nc", "O3.nc", "sub", "zero.nc"}
+
+
+def test_a_link_inside_the_folder_is_another_name_of_the_file(tmp_path: Path) -> None:
+    write(tmp_path, "T1.nc")
+    (tmp_path / "T2.nc").symlink_to("T1.nc")
+    assert list(cncsub.load(tmp_path, control="gsk-988ta")) == ["T1", "T2"]
+
+
+def test_links_in_a_circle_end(tmp_path: Path) -> None:
+    write(tmp_path, "a/O1.nc")
+    (tmp_path / "a" / "up").symlink_to(tmp_path)
+    (tmp_path / "b").symlink_to("a")
+    (tmp_path / "self.nc").symlink_to("self.nc")
+    (tmp_path / "dead.nc").symlink_to("nowhere.nc")
+    assert found(tmp_path) == ["a/O1.nc"]
+    assert set(reasons(tmp_path)) == {"self.nc", "dead.nc"}
+
+
+def test_a_folder_that_is_given_through_a_link_is_read(tmp_path: Path) -> None:
+    write(tmp_path, "job/O1.nc")
+    (tmp_path / "link").symlink_to("job")
+    assert found(tmp_path / "link") == ["O1.nc"]
+
+
+def test_pipes_sockets_and_devices_are_never_opened(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write(tmp_path, "O1.nc")
+    os.mkfifo(tmp_path / "O2.nc")
+    monkeypatch.chdir(tmp_path)  # the path of a socket must be short
+    with socket.socket(socket.AF_UNIX) as server:
+        server.bind("O3.nc")
+        assert found(tmp_path) == ["O1.nc"]
+        assert set(reasons(tmp_path).values()) == {"not a regular file"}
+
+
+@pytest.mark.parametrize("path", ["/dev/zero", "/dev/null", "pipe"])
+def test_a_path_that_is_no_regular_file_is_refused(tmp_path: Path, path: str) -> None:
+    if path == "pipe":
+        os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(ValueError, match="not a regular file"):
+        cncsub.load(tmp_path / path, control=CONTROL)
+
+
+@pytest.mark.parametrize("name", ["../O2", "/etc/passwd", "../../O2.nc", "sub/../../O2.nc"])
+def test_names_in_a_program_reach_nothing_outside_the_folders(tmp_path: Path, name: str) -> None:
+    write(tmp_path, "O2.nc", "O2", "job/sub/O3.nc", "usb/O4.nc")
+    calls = [f"M98 <{name}>", f"M198 <{name}>", f"M98 P[{name}]", f"M198 P[{name}]"]
+    for call in calls:
+        write(tmp_path, "job/O1.nc", text=f"N10 {call}\nN20 M30\n")
+        for control in cncsub.controls:
+            library = cncsub.load(tmp_path / "job", control=control, external=tmp_path / "usb")
+            assert library.run("O1").calls.programs[:2] == [p.name for p in library.values()]
+            assert len(library.run("O1", max_blocks=100).calls) == 0
+
+
+# ---- what is not there ----
+
+
+def test_a_missing_file_is_told_with_the_names_that_are_near(tmp_path: Path) -> None:
+    write(tmp_path, "O0010.nc", "part.nc")
+    with pytest.raises(FileNotFoundError, match="O0010.nc") as raised:
+        cncsub.load(tmp_path / "O0100.nc", control=CONTROL)
+    assert raised.value.filename == str(tmp_path / "O0100.nc")
+
+
+def test_a_missing_folder_is_told(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match="no such file or folder"):
+        cncsub.load(tmp_path / "jobs" / "O1.nc", control=CONTROL)
+
+
+def test_a_missing_external_folder_is_told(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError):
+        cncsub.loads(PROGRAM, control=CONTROL, external=tmp_path / "usb")
+
+
+def test_a_folder_without_programs_is_told_with_what_was_left_out(tmp_path: Path) -> None:
+    (tmp_path / "a.zip").write_bytes(b"PK\x03\x04")
+    with pytest.raises(ValueError, match="no program in the folder.*a.zip"):
+        cncsub.load(tmp_path, control=CONTROL)
+
+
+def test_a_text_in_place_of_a_path_is_told() -> None:
+    with pytest.raises(ValueError, match="loads"):
+        cncsub.load("O1\nM30\n", control=CONTROL)
+    with pytest.raises(TypeError, match="path"):
+        cncsub.load(b"O1", control=CONTROL)  # type: ignore[arg-type]
+
+
+# ---- encodings ----
+
+
+@pytest.mark.parametrize(
+    ("text", "encoding"),
+    [
+        ("O1 (加工外圆)\nN10 M30\n", "gbk"),
+        ("O1 (程序名称: 车螺纹 M30x2)\n", "gbk"),
+        ("(粗车循环)\n<轴类零件>\n", "gb18030"),
+        ("O1 (テスト プログラム)\n", "shift-jis"),
+        ("O1 (外径荒加工の開始)\n", "shift-jis"),
+        ("(ドリル加工 ねじ切り)\n", "cp932"),
+        ("O1 (Länge 50, Größe Ø20)\n", "cp1252"),
+        ("O1 (pièce à usiner, 45°)\n", "cp1252"),
+        ("O1 (加工)\n", "utf-8"),
+        ("O1 (加工)\n", "utf-8-sig"),
+        ("O1 (加工)\n", "utf-16"),
+        ("O1 (加工)\n", "utf-32"),
+        ("O1 (plain)\n", "ascii"),
+    ],
+)
+def test_an_encoding_is_found_out(text: str, encoding: str) -> None:
+    assert decode(text.encode(encoding)) == text
+
+
+def test_a_byte_order_mark_of_either_order_decides() -> None:
+    text = "O1 (加工)\n"
+    assert decode(codecs.BOM_UTF16_BE + text.encode("utf-16-be")) == text
+    assert decode(codecs.BOM_UTF16_LE + text.encode("utf-16-le")) == text
+
+
+def test_a_given_encoding_is_obeyed_and_what_does_not_fit_is_marked() -> None:
+    assert decode("ñ".encode("latin-1"), "latin-1") == "ñ"
+    assert decode(b"A\xff\xffB", "utf-8") == "A\ufffd\ufffdB"
+
+
+def test_an_unknown_encoding_is_told() -> None:
+    with pytest.raises(ValueError, match="unknown encoding 'klingon'"):
+        cncsub.loads(b"O1", control=CONTROL, encoding="klingon")
+    with pytest.raises(ValueError, match="unknown encoding 'hex'"):
+        cncsub.loads(b"O1", control=CONTROL, encoding="hex")
+
+
+def test_nul_leaders_and_trailers_of_a_tape_are_no_part_of_the_program(tmp_path: Path) -> None:
+    (tmp_path / "O1.nc").write_bytes(b"\0" * 300 + b"%\nO1\nN10 M30\n%\n" + b"\0" * 300)
+    run = cncsub.load(tmp_path, control=CONTROL).run()
+    assert run.stop is cncsub.Stop.END
+    assert run.steps.n.tolist() == [10]
+
+
+def test_a_comment_keeps_its_letters_through_a_file(tmp_path: Path) -> None:
+    (tmp_path / "O1.nc").write_bytes("O1 (精车外圆)\nN10 M30\n".encode("gbk"))
+    assert cncsub.load(tmp_path, control=CONTROL)["O1"].comment == "精车外圆"
+
+
+@given(st.binary(max_size=300))
+def test_decoding_never_fails(data: bytes) -> None:
+    assert isinstance(decode(data), str)
+
+
+@given(st.binary(max_size=100), st.sampled_from(["gbk", "shift-jis", "utf-16", "cp1252", "utf-7"]))
+def test_decoding_never_fails_with_an_encoding(data: bytes, encoding: str) -> None:
+    assert isinstance(decode(data, encoding), str)
+
+
+@given(st.text(alphabet=st.characters(codec="utf-8"), max_size=100))
+def test_utf8_is_read_as_it_is(text: str) -> None:
+    if not text.startswith("\ufeff"):
+        assert decode(text.encode()) == text

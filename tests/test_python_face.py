@@ -1,0 +1,740 @@
+"""The Python face: the library, runs, tables, the machine, inputs and setup."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import math
+import re
+import subprocess
+import sys
+import threading
+from collections.abc import Mapping
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import cncsub
+from cncsub.tables import Bounds, records
+
+CONTROL = "fanuc-0i-f"
+CALLS = """O1
+N10 M98 P2 L2
+N20 G65 P3 A1. B2.5
+N30 M30
+O2
+N40 G91 G1 X10. F100.
+N50 M99
+O3
+N60 #100=#1+#2
+N70 M98 P2
+N80 M99
+"""
+
+
+@pytest.fixture
+def library() -> cncsub.Library:
+    return cncsub.loads(CALLS, control=CONTROL)
+
+
+@pytest.fixture
+def run(library: cncsub.Library) -> cncsub.Run:
+    return library.run()
+
+
+# ---- controls and causes ----
+
+
+def test_the_controls_are_listed_in_order() -> None:
+    assert list(cncsub.controls) == [
+        "gsk-988ta",
+        "gsk-988t",
+        "gsk-980tdi",
+        "gsk-980mdi",
+        "gsk-928te",
+        "mitsubishi-meldas",
+        "mitsubishi-m700",
+        "mitsubishi-m800",
+        "fanuc-16i",
+        "fanuc-0i-d",
+        "fanuc-0i-f",
+        "fanuc-30i",
+        "hnc-21m",
+    ]
+
+
+def test_an_unknown_control_is_told_with_what_is_near() -> None:
+    with pytest.raises(KeyError, match="fanuc-0i-f"):
+        cncsub.controls["fanuc-0if"]
+    with pytest.raises(ValueError, match="near are.*fanuc-0i-f"):
+        cncsub.loads("O1", control="Fanuc-0IF")
+    with pytest.raises(ValueError, match="there are gsk-988ta"):
+        cncsub.loads("O1", control="???")
+    with pytest.raises(TypeError, match="control is a name"):
+        cncsub.loads("O1", control=30)  # type: ignore[arg-type]
+    assert "xyz" not in cncsub.controls
+    assert cncsub.controls.get("xyz") is None
+
+
+def test_a_control_is_taken_where_its_name_is() -> None:
+    control = cncsub.controls[CONTROL].replace(max_nesting=1)
+    run = cncsub.loads(
+        "O1\nN1 M98 P2\nO2\nN2 M98 P3\nN3 M99\nO3\nN4 M99\n", control=control
+    ).run()
+    assert run.alarm is not None
+    assert run.alarm.cause == "nesting-too-deep"
+    assert {rule.name: rule.value for rule in control.rules}["max_nesting"] == 1
+    assert {rule.name: rule.value for rule in cncsub.controls[CONTROL].rules}["max_nesting"] != 1
+
+
+@pytest.mark.parametrize("name", list(cncsub.controls))
+def test_a_changed_parameter_is_kept_in_a_copy(name: str) -> None:
+    control = cncsub.controls[name]
+    for parameter in control.parameters:
+        changed = control.with_parameters({parameter: control.parameters[parameter].value + 1})
+        assert changed.parameters[parameter].value == control.parameters[parameter].value + 1
+        assert changed.name == control.name
+
+
+def test_every_rule_takes_its_own_value_again() -> None:
+    for control in cncsub.controls.values():
+        same = control.replace(**{rule.name: rule.value for rule in control.rules})
+        assert [rule.value for rule in same.rules] == [rule.value for rule in control.rules]
+
+
+def test_a_wrong_rule_is_told() -> None:
+    with pytest.raises((ValueError, TypeError, KeyError), match="max_nestling"):
+        cncsub.controls[CONTROL].replace(max_nestling=3)
+    with pytest.raises((ValueError, TypeError)):
+        cncsub.controls[CONTROL].replace(max_nesting="many")
+
+
+def test_causes_have_a_meaning_and_a_cure() -> None:
+    cause = cncsub.causes["program-not-found"]
+    assert cause.slug == "program-not-found"
+    assert cause.meaning
+    assert cause.cure
+    with pytest.raises(KeyError, match="program-not-found"):
+        cncsub.causes["program-not-fund"]
+
+
+# ---- the library ----
+
+
+def test_a_program_is_found_by_any_way_to_write_its_name() -> None:
+    library = cncsub.loads("O1\nM30\nO0002\nM99\n", control=CONTROL)
+    assert library["O0002"] is library["O2"] is library[2] is library["o02"]
+    assert list(library) == ["O1", "O0002"]
+    assert len(library) == 2
+    assert "O2" in library
+    assert 2 in library
+    assert 3 not in library
+    assert None not in library
+    assert [name for name, program in library.items()] == [p.name for p in library.values()]
+
+
+def test_an_unknown_program_is_told_with_what_is_near(library: cncsub.Library) -> None:
+    with pytest.raises(KeyError, match="no program O20 in the memory; near are O2"):
+        library["O20"]
+    with pytest.raises(KeyError, match="O1, O2, O3"):
+        library.run("X")
+    with pytest.raises(KeyError):
+        library.machine(10**30)
+    with pytest.raises(KeyError):
+        library.run(-1)
+
+
+def test_a_library_knows_its_parts(tmp_path: Path) -> None:
+    (tmp_path / "O1.nc").write_text("N10 M30\n")
+    (tmp_path / "O2.nc").write_text("O2\nM99\nO1\nM99\n")
+    library = cncsub.load(tmp_path, control=CONTROL)
+    assert library.control.name == CONTROL
+    assert library.main is library["O1"]
+    assert library.files == (str(tmp_path / "O1.nc"), str(tmp_path / "O2.nc"))
+    assert [(p.name, p.line) for p in library.duplicates] == [("O1", 3)]
+    assert list(library.external) == []
+    assert library.skipped == ()
+    assert repr(library) == "<Library of fanuc-0i-f, 2 programs: O1, O2>"
+
+
+def test_the_external_device_has_programs_of_its_own(tmp_path: Path) -> None:
+    (tmp_path / "O9.nc").write_text("N10 M99\n")
+    library = cncsub.loads("O1\nN1 M198 P9\nN2 M30\n", control=CONTROL, external=tmp_path)
+    assert list(library.external) == ["O9"]
+    assert library.external["O9"].external
+    assert "O9" not in library
+    assert library.run().steps.n.tolist() == [1, 10, 2]
+
+
+def test_a_program_shows_its_blocks_and_words() -> None:
+    program = cncsub.loads("%\nO7 (TITLE)\nN10 G1X-1.5 Y#1 (COMMENT)\n\nM30\n%\n", control=CONTROL)[7]
+    assert (program.name, program.comment, program.line) == ("O7", "TITLE", 2)
+    assert len(program.blocks) == 2
+    first, last = program.blocks[0], program.blocks[-1]
+    assert (first.n, first.line, last.n, last.line) == (10, 3, None, 5)
+    assert [(w.address, w.value, w.text) for w in first.words][:3] == [
+        ("N", 10.0, "N10"),
+        ("G", 1.0, "G1"),
+        ("X", -1.5, "X-1.5"),
+    ] or [(w.address, w.value, w.text) for w in first.words][:2] == [
+        ("G", 1.0, "G1"),
+        ("X", -1.5, "X-1.5"),
+    ]
+    assert first.words[-1].address == "Y"
+    assert first.words[-1].value is None
+    assert first.program is program
+    assert program.blocks[0:2] == [first, last]
+    assert "G1X-1.5" in program.text
+    with pytest.raises(IndexError):
+        program.blocks[2]
+
+
+@pytest.mark.parametrize(
+    ("options", "error"),
+    [
+        ({"mode": "auto1"}, ValueError),
+        ({"trace": "all"}, ValueError),
+        ({"start": "N10"}, TypeError),
+        ({"start": -1}, ValueError),
+        ({"variables": {"a": 1}}, TypeError),
+        ({"variables": {100: "x"}}, TypeError),
+        ({"variables": {0: 1}}, ValueError),
+        ({"variables": {100: math.inf}}, ValueError),
+        ({"variables": [100]}, TypeError),
+        ({"block_skip": (10,)}, ValueError),
+        ({"block_skip": "1"}, TypeError),
+        ({"max_cycles": 0}, ValueError),
+        ({"max_blocks": -1}, ValueError),
+        ({"max_blocks": 1.5}, TypeError),
+        ({"max_blocks": 2**70}, ValueError),
+        ({"max_seconds": 0}, ValueError),
+        ({"max_seconds": "1"}, TypeError),
+        ({"inputs": {"signal": {}}}, ValueError),
+        ({"inputs": [1]}, TypeError),
+        ({"setup": {"machine": "router"}}, ValueError),
+        ({"setup": {"starts": {}}}, ValueError),
+        ({"setup": "mill"}, TypeError),
+    ],
+)
+def test_a_wrong_argument_is_told(
+    library: cncsub.Library, options: dict[str, Any], error: type[Exception]
+) -> None:
+    for call in (library.run, library.machine):
+        with pytest.raises(error, match=re.escape(next(iter(options))) + "|switches"):
+            call(**options)
+
+
+def test_wrong_texts_and_names_are_told(library: cncsub.Library) -> None:
+    with pytest.raises(TypeError, match="loads takes the text"):
+        cncsub.loads(Path("O1.nc"), control=CONTROL)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="load needs a file"):
+        cncsub.load(control=CONTROL)
+    with pytest.raises(TypeError, match="mdi takes the text"):
+        library.mdi(b"M98 P2")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="mdi runs the text"):
+        library.mdi("M98 P2", main="O2")  # type: ignore[call-arg]
+
+
+def test_run_mdi_and_machine_take_the_same_options() -> None:
+    taken = set(inspect.signature(cncsub.Library.run).parameters) - {"self", "main"}
+    from cncsub.library import ModeOptions, Options
+
+    assert set(ModeOptions.__annotations__) == taken
+    assert set(Options.__annotations__) == taken - {"mode"}
+
+
+def test_a_name_of_the_text_names_a_program_without_one() -> None:
+    library = cncsub.loads("N10 M30\n", control="gsk-988ta", name="dir/T0023.CNC")
+    assert list(library) == ["T0023"]
+    assert library.files == ("dir/T0023.CNC",)
+
+
+def test_an_empty_text_runs() -> None:
+    library = cncsub.loads("", control=CONTROL)
+    assert isinstance(library.run().stop, cncsub.Stop)
+
+
+# ---- runs ----
+
+
+def test_a_run_says_how_it_stopped(run: cncsub.Run) -> None:
+    assert run.stop is cncsub.Stop.END
+    assert run.stop == "end"
+    assert str(run.stop) == "end"
+    assert run.alarm is None
+    assert run.waiting_for == ""
+    run.raise_for_alarm()
+    assert repr(run) == "<Run: end, 12 steps, 3 calls>"
+
+
+def test_an_alarm_is_a_value_and_can_be_raised() -> None:
+    run = cncsub.loads("O1\nN10 M98 P2 L3\nO2\nN20 M98 P9\n", control=CONTROL).run()
+    alarm = run.alarm
+    assert alarm is not None
+    assert (alarm.cause, alarm.number) == ("program-not-found", "PS0078")
+    assert (alarm.program, alarm.n, alarm.line, alarm.word) == ("O2", 20, 4, "P9")
+    (frame,) = alarm.frames
+    assert (frame.program, frame.n, frame.line, frame.kind) == ("O1", 10, 2, "M98")
+    assert (frame.repeat, frame.repeats) == (1, 3)
+    with pytest.raises(cncsub.AlarmError, match="program-not-found") as raised:
+        run.raise_for_alarm()
+    assert raised.value.alarm.number == "PS0078"
+    assert repr(run).startswith("<Run: alarm PS0078 program-not-found at O2 N20")
+
+
+def test_variables_at_the_stop_are_those_of_the_main_program(library: cncsub.Library) -> None:
+    run = library.run(variables={1: 7.5, 101: None, 102: np.int64(3), 103: math.nan})
+    assert run.variables[100] == 3.5
+    assert run.variables[1] == 7.5
+    assert run.variables[2] is None
+    assert run.variables.get(101) is None
+    assert run.variables[103] is None
+    assert dict(run.variables) == {1: 7.5, 100: 3.5, 102: 3.0}
+    assert 100 in run.variables
+    assert 101 not in run.variables
+    assert len(run.variables) == 3
+    with pytest.raises(KeyError, match="#99999"):
+        run.variables[99999]
+    with pytest.raises(KeyError):
+        run.variables["x"]  # type: ignore[index]
+    assert repr(run.variables) == "{1: 7.5, 100: 3.5, 102: 3}"
+
+
+def test_codes_and_messages_are_kept_in_order() -> None:
+    text = "O1\nN10 T5 M6\nN20 M3 S100\nN30 #3006=1(CHECK)\nN40 M30\n"
+    run = cncsub.loads(text, control=CONTROL).run()
+    assert run.m_codes[:2] == [6, 3]
+    assert run.t_codes == [5]
+    assert run.messages == ["CHECK"]
+
+
+def test_limits_stop_a_run() -> None:
+    endless = cncsub.loads("O1\nN10 G4 X1.\nN20 M99\n", control=CONTROL)
+    assert endless.run().stop is cncsub.Stop.CYCLES
+    assert endless.run(max_cycles=3).steps.n.tolist() == [10, 20] * 3
+    assert endless.run(max_cycles=10**9, max_blocks=5).stop is cncsub.Stop.LIMIT
+    assert len(endless.run(max_cycles=10**9, max_blocks=5).steps) == 5
+    spinning = cncsub.loads("O1\nN10 #1=#1+1\nN20 GOTO10\n", control=CONTROL)
+    quick = spinning.run(max_blocks=10**12, max_seconds=0.05, trace="none")
+    assert quick.stop is cncsub.Stop.LIMIT
+
+
+@pytest.mark.parametrize(
+    ("trace", "counts"),
+    [("none", (0, 0, 0)), ("calls", (0, 4, 0)), ("blocks", (12, 4, 0)), ("moves", (12, 4, 3))],
+)
+def test_the_trace_keeps_what_is_asked_for(
+    library: cncsub.Library, trace: str, counts: tuple[int, int, int]
+) -> None:
+    run = library.run(trace=trace)
+    assert (len(run.steps), len(run.calls), len(run.moves)) == counts
+    assert run.variables[100] == 3.5
+
+
+def test_block_skip_takes_numbers_one_number_or_yes() -> None:
+    library = cncsub.loads("O1\n/N10 G4\n/2N20 G4\nN30 M30\n", control=CONTROL)
+    expected = {(): [10, 20, 30], (1,): [20, 30], (1, 2): [30]}
+    for switches, numbers in expected.items():
+        assert library.run(block_skip=switches).steps.n.tolist() == numbers
+    assert library.run(block_skip=1).steps.n.tolist() == [20, 30]
+    assert library.run(block_skip=True).steps.n.tolist() == [20, 30]
+
+
+def test_a_run_starts_at_a_sequence_number(library: cncsub.Library) -> None:
+    assert library.run("O3", start=80).steps.n.tolist()[:1] == [80]
+
+
+def test_runs_in_threads_do_not_disturb_each_other(library: cncsub.Library) -> None:
+    found: list[list[int]] = []
+    threads = [
+        threading.Thread(target=lambda: found.append(library.run().steps.n.tolist()))
+        for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == [library.run().steps.n.tolist()] * 4
+
+
+def test_ctrl_c_stops_a_run_as_interrupted() -> None:
+    code = (
+        "import cncsub, signal, threading, os\n"
+        "library = cncsub.loads('O1\\nN10 #1=#1+1\\nN20 GOTO10\\n', control='fanuc-0i-f')\n"
+        "threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
+        "run = library.run(max_blocks=10**15, max_seconds=30, trace='none')\n"
+        "print(run.stop)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert done.stdout == "interrupted\n", done.stderr
+
+
+# ---- tables ----
+
+
+def test_columns_are_arrays(run: cncsub.Run) -> None:
+    steps = run.steps
+    assert steps.n.tolist() == [10, 40, 50, 40, 50, 20, 60, 70, 40, 50, 80, 30]
+    assert steps.n is steps["n"]
+    assert isinstance(steps.n, np.ndarray)
+    assert steps.program.dtype == np.int32
+    assert [steps.programs[code] for code in steps.program[:3]] == ["O1", "O2", "O2"]
+    assert steps.depth.tolist() == [0, 1, 1, 1, 1, 0, 1, 1, 2, 2, 1, 0]
+    assert steps.repeat.tolist()[1:5] == [1, 1, 2, 2]
+    assert steps.columns == ["step", "program", "n", "line", "depth", "frame", "repeat"]
+    assert all(len(steps[name]) == len(steps) for name in steps.columns)
+    assert "line" in dir(steps)
+    with pytest.raises(KeyError, match="there are step, program"):
+        steps["x"]
+    with pytest.raises(AttributeError, match="no column 'x'"):
+        _ = steps.x
+    assert not hasattr(steps, "__array_interface__")
+
+
+def test_rows_are_small_objects() -> None:
+    run = cncsub.loads("O1\nG4 X1.\nN10 M30\n", control=CONTROL).run()
+    assert run.steps[0].n is None
+    assert run.steps[0] == cncsub.Step(0, "O1", None, 2, 0, -1, 1)
+    assert run.steps[-1].n == 10
+    assert run.steps[:1] == [run.steps[0]]
+    assert run.steps[::-1] == [run.steps[1], run.steps[0]]
+    assert list(run.steps) == run.steps[:]
+    assert run.steps[np.int64(1)] == run.steps[1]
+    with pytest.raises(IndexError, match="row 2 of 2 steps"):
+        run.steps[2]
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        run.steps[0].n = 5  # type: ignore[misc]
+
+
+def test_calls_are_rows_with_their_arguments(run: cncsub.Run) -> None:
+    first, macro, inner = run.calls
+    assert (first.kind, first.program, first.repeats, first.parent) == ("M98", "O2", 2, None)
+    assert (first.caller_step, first.first_step, first.last_step) == (0, 1, 4)
+    assert (macro.kind, macro.program, macro.level) == ("G65", "O3", 1)
+    assert macro.arguments == {1: 1.0, 2: 2.5}
+    assert (inner.parent, inner.program, inner.arguments) == (1, "O2", {})
+    assert [run.calls.kinds[kind] for kind in run.calls.kind] == ["M98", "G65", "M98"]
+    assert repr(run.calls).splitlines() == [
+        "M98 O2, 2 passes (4 blocks)",
+        "G65 O3 (5 blocks)",
+        "  M98 O2 (2 blocks)",
+        "3 calls",
+    ]
+
+
+def test_equal_calls_are_drawn_once_with_their_count() -> None:
+    text = "O1\nN10 #1=#1+1\nN20 M98 P2\nN30 IF[#1 LT 500]GOTO10\nM30\nO2\nM98 P3\nM99\nO3\nM99\n"
+    calls = cncsub.loads(text, control=CONTROL).run().calls
+    assert repr(calls) == "M98 O2 (3 blocks) x 500\n  M98 O3 (1 block)\n1,000 calls"
+
+
+def test_a_deep_tree_of_calls_is_drawn_without_recursion() -> None:
+    control = cncsub.controls[CONTROL].replace(
+        max_nesting=100_000, max_total_nesting=0, self_call="allowed", caller_call="allowed"
+    )
+    run = cncsub.loads("O1\nN10 M98 P1\n", control=control).run(max_blocks=5000)
+    assert len(run.calls) >= 4999
+    assert repr(run.calls).splitlines()[-2] == "..."
+
+
+def test_moves_are_rows_with_their_totals(run: cncsub.Run) -> None:
+    moves = run.moves
+    assert moves.x.tolist() == [10.0, 20.0, 30.0]
+    assert {moves.kinds[kind] for kind in moves.kind} == {"feed"}
+    assert moves[0].kind == "feed"
+    assert moves[0].cx is None
+    assert math.isnan(moves.cx[0])
+    assert moves[-1].mx == moves.mx[-1]
+    assert moves.length.tolist() == pytest.approx([10.0] * 3)
+    assert moves.time.tolist() == pytest.approx([6.0] * 3)
+    assert moves.total_length == pytest.approx(30.0)
+    assert moves.total_time == pytest.approx(18.0)
+    assert moves.bounds["X"] == moves.bounds["x"] == (0.0, 30.0)
+    assert {"a", "ma", "w"}.isdisjoint(moves.columns)
+    assert {"x", "y", "z", "mx", "cx", "plane", "feed", "spindle", "tool"} <= set(moves.columns)
+
+
+def test_bounds_are_found_by_axis_in_either_case() -> None:
+    bounds = Bounds({"X": (0.0, 1.0)})
+    assert bounds["x"] == bounds["X"]
+    with pytest.raises(KeyError):
+        bounds["y"]
+
+
+def test_the_row_of_a_move_is_the_row_of_its_columns(run: cncsub.Run) -> None:
+    for index, record in enumerate(records(run.moves)):
+        row = dataclasses.asdict(run.moves[index])
+        for name, value in record.items():
+            if name != "feed_mode":
+                assert row[name] == pytest.approx(value), name
+
+
+@pytest.mark.parametrize("table", ["steps", "calls", "moves"])
+def test_a_table_reaches_pandas_and_arrow_with_its_texts(run: cncsub.Run, table: str) -> None:
+    import pandas as pd
+    import polars as pl
+    import pyarrow as pa
+
+    rows = getattr(run, table)
+    frame = rows.to_pandas()
+    arrow = rows.to_arrow()
+    assert list(frame.columns) == arrow.column_names == rows.columns
+    assert len(frame) == arrow.num_rows == len(rows)
+    for name in rows.columns:
+        texts = rows._texts(name)
+        column = rows[name].tolist()
+        expected = column if texts is None else [texts[code] for code in column]
+        assert frame[name].tolist() == pytest.approx(expected, nan_ok=True) or texts
+        if texts is not None:
+            assert frame[name].tolist() == arrow[name].to_pylist() == expected
+    assert pa.table(rows).equals(arrow) or table == "moves"  # NaN is never equal
+    assert pl.DataFrame(rows).columns == rows.columns
+    assert isinstance(frame, pd.DataFrame)
+
+
+def test_an_empty_table_reaches_pandas_and_arrow() -> None:
+    run = cncsub.loads("O1\nN10 M98 P9\n", control=CONTROL).run()
+    assert len(run.calls) == 0
+    assert run.calls.to_arrow().num_rows == 0
+    assert run.calls.to_pandas().empty
+    assert repr(run.calls) == "0 calls"
+    assert repr(run.moves) == "0 moves"
+
+
+def test_a_missing_optional_package_is_told(
+    run: cncsub.Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(ImportError, match=r"pip install 'cncsub\[arrow\]'"):
+        run.steps.to_arrow()
+
+
+def test_a_long_table_is_printed_short(library: cncsub.Library) -> None:
+    run = cncsub.loads("O1\n" + "G91 G1 X1. F9.\n" * 2000 + "M30\n", control=CONTROL).run()
+    lines = repr(run.steps).splitlines()
+    assert lines[0].split() == run.steps.columns
+    assert lines[-1] == "2,001 steps"
+    assert len(lines) == 13
+    assert run.moves._repr_html_().count("<tr>") == 12
+
+
+def test_html_is_escaped() -> None:
+    name = "<b>&"
+    run = cncsub.loads("N10 M30\n", control="gsk-988ta", name=f"{name}.CNC").run()
+    html = run.steps._repr_html_()
+    assert "<b>" not in html
+    assert "&lt;b&gt;&amp;" in html
+
+
+# ---- the machine ----
+
+
+def test_a_machine_steps_block_by_block(library: cncsub.Library) -> None:
+    machine = library.machine()
+    assert machine.stop is None
+    assert machine.stack == ()
+    first = machine.step()
+    assert first is not None
+    assert (first.step, first.n) == (0, 10)
+    machine.step()
+    (frame,) = machine.stack
+    assert (frame.program, frame.called, frame.repeats) == ("O1", "O2", 2)
+    assert machine.position["X"] == 10.0
+    assert repr(machine) == "<Machine: running, next block O2 N50, line 7>"
+    rest = list(machine)
+    assert [step.n for step in rest] == [50, 40, 50, 20, 60, 70, 40, 50, 80, 30]
+    assert machine.stop is cncsub.Stop.END
+    assert machine.step() is None
+    assert len(machine.steps) == 12
+
+
+def test_a_machine_steps_with_any_trace(library: cncsub.Library) -> None:
+    machine = library.machine(trace="none")
+    step = machine.step()
+    assert step is not None
+    assert step.n == 10
+
+
+def test_a_machine_runs_until_a_block_or_out_of_a_call(library: cncsub.Library) -> None:
+    machine = library.machine()
+    assert machine.run(until=("O3", 70)) is None
+    assert machine.steps[-1].n == 60
+    machine.step()
+    assert len(machine.stack) == 2
+    assert machine.run(until=len(machine.stack) - 1) is None
+    assert machine.steps[-1].n == 50
+    assert machine.run(until=library["O1"].blocks[2]) is None
+    assert machine.steps[-1].n == 80
+    finished = machine.run()
+    assert finished is not None
+    assert finished.stop is cncsub.Stop.END
+    with pytest.raises(KeyError, match="no program O8"):
+        machine.run(until=("O8", 1))
+    with pytest.raises(KeyError, match="no block N1 in O2"):
+        machine.run(until=("O2", 1))
+    with pytest.raises(TypeError, match="until is a Block"):
+        machine.run(until="O2")  # type: ignore[arg-type]
+
+
+def test_until_in_a_loop_stops_at_each_pass() -> None:
+    library = cncsub.loads("O1\nN10 #1=#1+1\nN20 IF[#1 LT 3]GOTO10\nN30 M30\n", control=CONTROL)
+    machine = library.machine()
+    seen = []
+    while machine.run(until=("O1", 20)) is None:
+        seen.append(machine.variables[1])
+    assert seen == [1.0, 2.0, 3.0]
+
+
+def test_variables_of_a_machine_are_read_and_set_at_every_level(library: cncsub.Library) -> None:
+    machine = library.machine(variables={1: 9})
+    machine.run(until=("O3", 60))
+    assert machine.variables[1] == 1.0
+    assert machine.variables.level(0)[1] == 9.0
+    machine.variables[1] = 5
+    machine.variables.level(0)[2] = 6
+    machine.variables[500] = None
+    del machine.variables[2]
+    assert machine.variables[2] is None
+    assert machine.variables.level(0)[2] == 6.0
+    machine.variables[2] = 0.25
+    with pytest.raises(ValueError, match="open levels are 0 to 1"):
+        machine.variables.level(2)
+    with pytest.raises(KeyError):
+        machine.variables[99999] = 1
+    with pytest.raises(TypeError):
+        machine.variables[1] = "x"  # type: ignore[assignment]
+    run = machine.run()
+    assert run is not None
+    assert run.variables[100] == 5.25
+    assert isinstance(machine.variables, Mapping)
+
+
+def test_a_copy_of_a_machine_goes_its_own_way(library: cncsub.Library) -> None:
+    machine = library.machine()
+    machine.step()
+    copy = machine.copy()
+    copy.variables[500] = 1
+    copy.run()
+    assert machine.stop is None
+    assert machine.variables[500] is None
+    assert len(machine.steps) == 1
+    assert len(copy.steps) == 12
+
+
+# ---- inputs and setup ----
+
+
+def test_a_run_waits_for_what_nobody_gives_and_says_for_what() -> None:
+    library = cncsub.loads(
+        "O1\nN10 #500=0\nN20 IF[#500 EQ 0]GOTO20\nN30 #501=#500\nN40 M30\n", control=CONTROL
+    )
+    run = library.run()
+    assert run.stop is cncsub.Stop.WAITING
+    assert "N20" in run.waiting_for or "#500" in run.waiting_for
+    given = library.run(inputs=cncsub.Inputs(writes=[(3, {500: 7})]))
+    assert given.stop is cncsub.Stop.END
+    assert given.variables[501] == 7.0
+    assert library.run(inputs={"writes": [{500: 8}]}).variables[501] == 8.0
+
+
+def test_signals_and_clock_are_read() -> None:
+    text = "O1\nN10 #100=#1000\nN20 #101=#3011\nN30 #102=#3012\nN40 M30\n"
+    inputs = cncsub.Inputs(signals={1000: 1}, clock=datetime(2024, 5, 6, 7, 8, 9))
+    run = cncsub.loads(text, control=CONTROL).run(inputs=inputs)
+    assert [run.variables[n] for n in (100, 101, 102)] == [1.0, 20240506.0, 70809.0]
+
+
+def test_the_operator_starts_or_stops() -> None:
+    library = cncsub.loads("O1\nN10 M0\nN20 M0\nN30 M30\n", control=CONTROL)
+    assert library.run().stop is cncsub.Stop.END
+    stopped = library.run(inputs=cncsub.Inputs(operator=["start", "stop"]))
+    assert stopped.stop is cncsub.Stop.WAITING
+    assert 30 not in stopped.steps.n
+
+
+@pytest.mark.parametrize(
+    ("inputs", "error"),
+    [
+        ({"signals": {"x": 1}}, TypeError),
+        ({"signals": [1]}, TypeError),
+        ({"clock": "now"}, TypeError),
+        ({"clock": -1}, TypeError),
+        ({"operator": ["go"]}, ValueError),
+        ({"operator": "start"}, TypeError),
+        ({"writes": [5]}, TypeError),
+        ({"writes": [(0, {500: 1})]}, ValueError),
+        ({"skips": [1.5]}, ValueError),
+        ({"skips": ["a"]}, TypeError),
+    ],
+)
+def test_wrong_inputs_are_told(inputs: dict[str, Any], error: type[Exception]) -> None:
+    with pytest.raises(error):
+        cncsub.Inputs(**inputs)
+
+
+def test_a_setup_is_read_from_a_file(tmp_path: Path) -> None:
+    file = tmp_path / "setup.toml"
+    file.write_text(
+        'machine = "lathe-a"\nstart = { X = 100, z = 50 }\n'
+        "[work_offsets]\nG54 = { X = 1 }\n'g54.1p3' = { Z = 2 }\n"
+        "[length_offsets]\n1 = 50.0\n"
+        "[tools.1]\nX = 0.1\nR = 0.4\ntip = 3\n"
+        "[limits]\nX = [-10, 500]\n"
+    )
+    setup = cncsub.Setup.from_toml(file)
+    assert setup.to_core() == {
+        "machine": "lathe-a",
+        "start": {"X": 100.0, "Z": 50.0},
+        "work_offsets": {"G54": {"X": 1.0}, "G54.1 P3": {"Z": 2.0}},
+        "length_offsets": {1: 50.0},
+        "tools": {1: {"X": 0.1, "R": 0.4, "tip": 3}},
+        "limits": {"X": (-10.0, 500.0)},
+        "increment": 0.001,
+    }
+    file.write_text("machine = ")
+    with pytest.raises(ValueError, match=re.escape(str(file))):
+        cncsub.Setup.from_toml(file)
+    with pytest.raises(FileNotFoundError):
+        cncsub.Setup.from_toml(tmp_path / "none.toml")
+
+
+@pytest.mark.parametrize(
+    ("setup", "words"),
+    [
+        ({"machine": "router"}, "machine is one of mill"),
+        ({"start": {"Q": 1}}, "start: 'Q' is no axis"),
+        ({"start": {"X": "1"}}, r"start\['X'\] is a number"),
+        ({"start": 5}, "start is a mapping"),
+        ({"work_offsets": {"G60": {}}}, "'G60' is no work coordinate system"),
+        ({"length_offsets": {"a": 1}}, "length_offsets: 'a' is no number"),
+        ({"tools": {1: {"Q": 1}}}, r"tools\[1\] has no 'Q'"),
+        ({"tools": {1: {"tip": 10}}}, "the tip is a direction"),
+        ({"rapid": {"X": 0}}, "must be more than 0"),
+        ({"limits": {"X": (5, 1)}}, "5 is above 1"),
+        ({"limits": {"X": 5}}, "lowest and the highest"),
+        ({"increment": 0}, "increment must be more than 0"),
+        ({"start": {"X": math.nan}}, "out of range"),
+    ],
+)
+def test_a_wrong_setup_is_told(setup: dict[str, Any], words: str) -> None:
+    with pytest.raises((ValueError, TypeError), match=words):
+        cncsub.Setup(**setup)
+
+
+def test_travel_limits_alarm() -> None:
+    library = cncsub.loads("O1\nN10 G90 G0 X100.\nN20 M30\n", control=CONTROL)
+    assert library.run().stop is cncsub.Stop.END
+    run = library.run(setup=cncsub.Setup(limits={"X": (-10, 50)}))
+    assert run.alarm is not None
+    assert run.alarm.cause == "over-travel"
+
+
+# ---- the package ----
+
+
+def test_the_package_exports_what_it_says() -> None:
+    assert all(hasattr(cncsub, name) for name in cncsub.__all__)
+    assert sorted(cncsub.__all__) == cncsub.__all__
