@@ -92,8 +92,9 @@ def test_a_copy_of_a_machine_goes_on_like_the_machine(text: str, control: str, s
 def test_programs_show_what_was_written(text: str, control: str) -> None:
     library = cncsub.loads(text, control=control)
     for program in [*library.values(), *library.duplicates]:
-        assert [block.text for block in program.blocks] is not None
-        assert all(word.text for block in program.blocks for word in block.words)
+        for block in program.blocks:
+            assert block.line >= program.line
+            assert all(word.text for word in block.words)
         assert program.name in repr(program)
 
 
@@ -115,5 +116,3 @@ def test_large_inputs_have_an_outcome(control: str, text: str) -> None:
     run = cncsub.loads(text, control=control).run(max_blocks=1000, trace="blocks")
     assert isinstance(run.stop, cncsub.Stop)
     assert len(str(run.alarm)) < 20_000
-
-

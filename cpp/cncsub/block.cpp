@@ -1,6 +1,7 @@
 #include "cncsub/block.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <string>
 
@@ -10,6 +11,7 @@ namespace cncsub {
 
 namespace {
 
+constexpr int kPlainLength = 200;
 constexpr std::uint8_t kPoint = 1, kMinus = 2, kLength = 4;
 constexpr std::string_view kLengths = "ABCIJKQRUVWXYZ";  // a whole number counts in increments where the control says so
 
@@ -89,6 +91,7 @@ BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
   list(control_.codes_not_with_modal_call, not_with_modal_);
   list(control_.m_codes_not_with_macro_call, m_not_with_macro_);
   register_calls();
+  allow_plain();
 }
 
 void BlockReader::register_calls() {
@@ -152,8 +155,94 @@ void BlockReader::refuse(Block& block, Fault fault) {
 
 // ---- reading words ----
 
+/// Blocks such as `N10 G1 X10.5 Y-3. F200` are most of what is read, and every control reads them alike: they are
+/// compiled in one pass. Whatever is not that plain is left to the general way, which gives the same code.
+bool BlockReader::plain(const Scanner& s, Block& block) {
+  const char* p = s.at;
+  const char* const end = s.end;
+  std::array<double, 26> values;  // NOLINT: written where the mask says so
+  std::uint32_t mask = 0;
+  int g = -1;
+  std::int32_t n = -1;
+  int words = 0;
+  for (;;) {
+    while (p != end && *p == ' ') ++p;
+    if (p == end) break;
+    const char letter = *p++;
+    const Plain what = plain_[static_cast<unsigned char>(letter)];
+    if (what == Plain::No) return false;
+    ++words;
+    const bool negative = p != end && *p == '-';
+    if (negative) ++p;
+    std::uint64_t mantissa = 0;
+    const char* first = p;
+    while (p != end && is_digit(*p)) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
+    const auto whole = p - first;
+    std::ptrdiff_t decimals = 0;
+    const bool point = p != end && *p == '.';
+    if (point) {
+      first = ++p;
+      while (p != end && is_digit(*p)) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
+      decimals = p - first;
+    }
+    if (whole + decimals == 0 || whole + decimals > 15 || whole + (point ? 3 : 0) > control_.max_digits.value) return false;
+    if (what == Plain::Value) {
+      const std::uint8_t allowed = letters_[static_cast<std::size_t>(letter)];
+      const std::uint32_t mark = bit(letter);
+      const bool refused = (negative && (allowed & kMinus) == 0) || (point ? (allowed & kPoint) == 0 : (allowed & kLength) != 0);
+      if (refused || (mask & mark) != 0) return false;
+      const double value = static_cast<double>(mantissa) / kPowersOfTen[decimals];
+      values[static_cast<std::size_t>(letter - 'A')] = negative ? -value : value;
+      mask |= mark;
+    } else if (point || negative) {
+      return false;
+    } else if (what == Plain::G) {
+      if (g >= 0 || mantissa > 3 || !plain_g_[mantissa]) return false;
+      g = static_cast<int>(mantissa);
+    } else {
+      if (words > 1 || mantissa == 0 || mantissa > static_cast<std::uint64_t>(control_.max_sequence_number.value)) return false;
+      n = static_cast<std::int32_t>(mantissa);
+    }
+  }
+  if (mask == 0 && g < 0) return false;
+  block.n = n;
+  block.mask = mask;
+  block.data = static_cast<std::uint32_t>(code_.cells.size());
+  const std::size_t count = static_cast<std::size_t>(std::popcount(mask)) + (g >= 0 ? 1 : 0);
+  code_.cells.resize(code_.cells.size() + count);
+  Cell* cell = code_.cells.data() + block.data;
+  if (g >= 0) {
+    block.g_count = 1;
+    (cell++)->value = g * 10.0;
+  }
+  for (std::uint32_t left = mask; left != 0; left &= left - 1) (cell++)->value = values[static_cast<std::size_t>(std::countr_zero(left))];
+  mark_linear(block, g);
+  return true;
+}
+
+void BlockReader::allow_plain() {
+  for (const char c : std::string_view("ABCFIJKRUVWXYZ"))
+    if (switched_[static_cast<std::size_t>(c - 'A')] == 0) plain_[static_cast<std::size_t>(c)] = Plain::Value;
+  plain_['G'] = Plain::G;
+  plain_['N'] = Plain::N;
+  for (std::size_t g = 0; g < plain_g_.size(); ++g)
+    plain_g_[g] = code_.g_codes.test(g * 10) && !not_with_call_.test(g * 10) && registered('G', static_cast<double>(g)) == nullptr;
+  // A plain block is short: within every limit but an unusually tight one.
+  const int length = control_.max_block_length.value, words = control_.max_words.value;
+  if ((length > 0 && length < kPlainLength) || (words > 0 && words < 20)) plain_.fill(Plain::No);
+}
+
+/// A block of nothing but G00 or G01 (or no G), X, Y, Z and F is a linear move.
+void BlockReader::mark_linear(Block& block, int g) {
+  constexpr std::uint32_t kAxesAndFeed = bit('X') | bit('Y') | bit('Z') | bit('F');
+  if (block.mask == 0 || (block.mask & ~kAxesAndFeed) != 0 || g > 1) return;
+  block.op = Op::Linear;
+  block.flags = g < 0 ? Block::kNoG : g == 1 ? Block::kSecondG : std::uint8_t{0};
+}
+
 void BlockReader::read(Scanner s, Block& block) {
   block.op = Op::Words;
+  if (s.end - s.at < kPlainLength && plain(s, block)) return;
   if (!head(s, block)) return;
   const std::uint32_t start = block.text;
   if (control_.max_block_length.value > 0 &&
@@ -744,18 +833,10 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
       cell.value = operand.value;
     code_.cells.push_back(cell);
   }
-  constexpr std::uint32_t kPlain = bit('X') | bit('Y') | bit('Z') | bit('F');
-  const bool plain = block.flags == 0 && block.m_count == 0 && (mask & ~kPlain) == 0 && mask != 0;
-  if (plain && block.g_count == 0) {
-    block.op = Op::Linear;
-    block.flags = Block::kNoG;
-  } else if (plain && block.g_count == 1 && code_.cells[block.data].value <= 10 &&
-             (code_.cells[block.data].value == 0 || code_.cells[block.data].value == 10)) {
-    block.op = Op::Linear;
-    block.flags = code_.cells[block.data].value == 10 ? Block::kSecondG : std::uint8_t{0};
-  } else {
-    block.op = Op::Words;
-  }
+  block.op = Op::Words;
+  if (block.flags != 0 || block.m_count != 0 || block.g_count > 1) return;
+  const double g = block.g_count == 0 ? -10 : code_.cells[block.data].value;
+  if (g == -10 || g == 0 || g == 10) mark_linear(block, static_cast<int>(g / 10));
 }
 
 void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& meaning) {

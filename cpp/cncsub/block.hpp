@@ -41,6 +41,9 @@ class BlockReader {
   };
   using Tokens = std::vector<Token>;
 
+  void allow_plain();
+  bool plain(const Scanner& s, Block& block);
+  static void mark_linear(Block& block, int g);
   bool head(Scanner& s, Block& block);
   bool skip_slash(Scanner& s, std::uint16_t& mask);
   bool sequence_number(Scanner& s, Block& block);
@@ -73,6 +76,9 @@ class BlockReader {
   Code& code_;
   const Control& control_;
   Tokens tokens_;
+  enum class Plain : std::uint8_t { No, Value, G, N };
+  std::array<Plain, 256> plain_{};  // what a character begins in a plain block
+  std::array<bool, 4> plain_g_{};   // G00 to G03, where they are what they are everywhere
   std::array<std::uint8_t, 128> letters_{};
   std::bitset<10001> not_with_call_, not_with_return_, not_with_macro_, not_with_modal_, m_not_with_macro_;
   std::unordered_map<std::int64_t, RegisteredCall> registered_;  // by address and code

@@ -120,35 +120,27 @@ void Machine::run(const std::function<bool()>& interrupted, const std::function<
   if (stop_ == Stop::Interrupted) stop_ = Stop::Running;
   using Clock = std::chrono::steady_clock;
   const auto started = Clock::now();
-  std::int64_t poll = executed_ + kPollBlocks;
-  std::int64_t idle = 0;
   const Block* blocks = code_->blocks.data();
+  std::int64_t skipped = 0;
   while (stop_ == Stop::Running) {
-    const Block& block = blocks[pc_];
-    if ((block.skip & options_.skips) != 0) {
-      ++pc_;
-      if (++idle > kPollBlocks) poll = executed_;
-      continue;
-    }
-    if (executed_ >= poll) {
-      poll = executed_ + kPollBlocks;
-      idle = 0;
-      if (interrupted && interrupted()) {
-        end(Stop::Interrupted);
-        return;
+    // Between two looks at the clock and at Ctrl-C nothing but blocks.
+    const std::int64_t poll = std::min(executed_ + kPollBlocks, options_.max_blocks);
+    while (executed_ < poll && stop_ == Stop::Running) {
+      const Block& block = blocks[pc_];
+      if ((block.skip & options_.skips) != 0) [[unlikely]] {
+        ++pc_;
+        if (++skipped % kPollBlocks == 0) break;
+        continue;
       }
-      const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
-      if (options_.max_seconds > 0 && seconds > options_.max_seconds) {
-        end(Stop::Limit);
-        return;
-      }
+      if (pause && pause(*this)) return;
+      execute(block);
     }
-    if (executed_ >= options_.max_blocks) {
+    if (stop_ != Stop::Running) return;
+    const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
+    if (interrupted && interrupted())
+      end(Stop::Interrupted);
+    else if (executed_ >= options_.max_blocks || (options_.max_seconds > 0 && seconds > options_.max_seconds))
       end(Stop::Limit);
-      return;
-    }
-    if (pause && pause(*this)) return;
-    execute(block);
   }
 }
 
@@ -531,11 +523,10 @@ bool Machine::jump(const Block& block) {
 
 bool Machine::evaluate(std::uint32_t expression, double& value) {
   const Expression& e = code_->expressions[expression];
-  if (auto fault = compute(code_->instructions.data() + e.first, value)) {
-    if (fault->at < e.at || fault->at > e.at + e.width) fault->at = e.at;
-    return alarm(std::move(*fault));
-  }
-  return true;
+  Trap trap;  // NOLINT: set where it is read
+  if (compute(code_->instructions.data() + e.first, value, trap)) [[likely]] return true;
+  const bool inside = trap.at >= e.at && trap.at <= e.at + e.width;
+  return alarm({trap.cause, inside ? trap.at : e.at, 1, trap.detail});
 }
 
 bool Machine::condition(std::uint32_t expression, bool& holds) {

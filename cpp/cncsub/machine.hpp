@@ -102,6 +102,12 @@ class Machine {
     bool every_block = false;
   };
 
+  struct Trap {  // why an expression has no value
+    Cause cause;
+    std::uint32_t at;
+    const char* detail;
+  };
+
   // Blocks. Each returns false where the run stopped.
   bool execute(const Block& block);
   bool alarm(Fault fault);
@@ -157,7 +163,7 @@ class Machine {
   bool waits(Address to);
   bool evaluate(std::uint32_t expression, double& value);
   bool condition(std::uint32_t expression, bool& holds);
-  std::optional<Fault> compute(const Instruction* at, double& value);
+  bool compute(const Instruction* at, double& value, Trap& trap);
   std::optional<Fault> system_read(const VariablePlace& place, std::int64_t number, double& value);
   std::optional<Fault> system_write(const VariablePlace& place, std::int64_t number, double value);
   void record_step();

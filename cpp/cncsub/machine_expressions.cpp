@@ -12,22 +12,29 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegree = kPi / 180.0;
 
-/// Sine of degrees, exact where it is a rational number, so that TAN[90] is told from a large value.
+/// The angle within one turn, 0 to 360 degrees.
+double turn(double degrees) {
+  constexpr double kExact = 1e12;  // below, whole turns are subtracted without rounding
+  if (std::fabs(degrees) < kExact) return degrees - 360.0 * std::floor(degrees * (1.0 / 360.0));
+  const double rest = std::fmod(degrees, 360.0);
+  return rest < 0 ? rest + 360.0 : rest;
+}
+
+/// Sine of degrees, exact at multiples of 30, so that TAN[90] is told from a large value.
 double sine(double degrees) {
-  double a = std::fmod(degrees, 360.0);
-  if (a < 0) a += 360.0;
-  if (a == 0 || a == 180) return 0;
-  if (a == 90) return 1;
-  if (a == 270) return -1;
-  if (a == 30 || a == 150) return 0.5;
-  if (a == 210 || a == 330) return -0.5;
+  static constexpr double kThirds[] = {0, 0.5, 2, 1, 2, 0.5, 0, -0.5, 2, -1, 2, -0.5, 0};
+  const double a = turn(degrees);
+  const double third = a * (1.0 / 30.0);
+  const int index = static_cast<int>(third);
+  if (static_cast<double>(index) * 30.0 == a && kThirds[index] != 2) return kThirds[index];
   return std::sin(a * kDegree);
 }
 double cosine(double degrees) {
-  const double a = std::fmod(std::fabs(degrees), 360.0);
-  if (a == 90 || a == 270) return 0;
-  if (a == 60 || a == 300) return 0.5;
-  if (a == 120 || a == 240) return -0.5;
+  static constexpr double kThirds[] = {1, 2, 0.5, 0, -0.5, 2, -1, 2, -0.5, 0, 0.5, 2, 1};
+  const double a = turn(degrees);
+  const double third = a * (1.0 / 30.0);
+  const int index = static_cast<int>(third);
+  if (static_cast<double>(index) * 30.0 == a && kThirds[index] != 2) return kThirds[index];
   return std::cos(a * kDegree);
 }
 
@@ -66,14 +73,21 @@ bool as_bits(double value, std::int64_t& bits) {
 
 }  // namespace
 
-std::optional<Fault> Machine::compute(const Instruction* at, double& result) {
+/// False where the expression has no value; `trap` says why.
+bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
   // The reader allows no more than 200 values on the stack.
   std::array<double, 210> stack;  // NOLINT: written before it is read
   double* top = stack.data();     // one behind the last value
   const double* locals = locals_.data() + static_cast<std::ptrdiff_t>(level_) * code_->locals;
   const double* commons = commons_.data();
   const Control& control = *code_->control;
-  const auto fault = [&](Cause cause, const char* detail = "") { return Fault{cause, at->at, 1, detail}; };
+  const auto fault = [&](Cause cause, const char* detail = "") {
+    trap = {cause, at->at, detail};
+    return false;
+  };
+  const auto missing = [&](const std::optional<Fault>& wrong) {
+    return fault(wrong->cause, wrong->cause == Cause::IllegalVariable ? "there is no such variable" : "the variable cannot be read");
+  };
   const auto number = [](double value) { return is_vacant(value) ? 0.0 : value; };
   const bool degrees = control.angle_unit.value == AngleUnit::Degrees;
   for (;; ++at) {
@@ -96,10 +110,7 @@ std::optional<Fault> Machine::compute(const Instruction* at, double& result) {
       case Ins::Variable:
       case Ins::VariableRaw: {
         double value = 0;
-        if (auto wrong = read(static_cast<std::int64_t>(at->value), value)) {
-          wrong->at = at->at;
-          return wrong;
-        }
+        if (const auto wrong = read(static_cast<std::int64_t>(at->value), value)) return missing(wrong);
         *top++ = at->op == Ins::Variable ? number(value) : value;
         break;
       }
@@ -108,10 +119,7 @@ std::optional<Fault> Machine::compute(const Instruction* at, double& result) {
         const double index = round_half_away(top[-1]);
         if (!(std::fabs(index) < 2e9)) return fault(Cause::IllegalVariable, "the variable number is out of range");
         double value = 0;
-        if (auto wrong = read(static_cast<std::int64_t>(index), value)) {
-          wrong->at = at->at;
-          return wrong;
-        }
+        if (const auto wrong = read(static_cast<std::int64_t>(index), value)) return missing(wrong);
         top[-1] = at->op == Ins::Indirect ? number(value) : value;
         break;
       }
@@ -124,14 +132,17 @@ std::optional<Fault> Machine::compute(const Instruction* at, double& result) {
       case Ins::Add:
         --top;
         top[-1] += *top;
+        if (is_vacant(top[-1])) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Subtract:
         --top;
         top[-1] -= *top;
+        if (is_vacant(top[-1])) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Multiply:
         --top;
         top[-1] *= *top;
+        if (is_vacant(top[-1])) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Divide:
         --top;
@@ -303,10 +314,8 @@ std::optional<Fault> Machine::compute(const Instruction* at, double& result) {
       case Ins::End:
         result = top[-1];
         if (std::isinf(result)) return fault(Cause::Overflow, "the result is too large");
-        return std::nullopt;
+        return true;
     }
-    if (top > stack.data() && std::isnan(top[-1]) && at->op >= Ins::Add && at->op <= Ins::Modulo && at->op != Ins::Negate)
-      return fault(Cause::Overflow, "the result is too large");
   }
 }
 

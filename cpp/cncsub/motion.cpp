@@ -193,13 +193,14 @@ Motion::Result Motion::read(BlockWords& block) const {
     const int written = block.words.g[static_cast<std::size_t>(i)];
     const GCode code = facts_->codes.find(written);
     if (code.meaning == Meaning::None) {
+      if (!c.g_codes.value.empty()) continue;  // the control has it, and no motion depends on it
       std::string name = "G" + std::to_string(written / 10);
       if (written % 10 != 0) name += "." + std::to_string(written % 10);
       return fault(Cause::GCodeNotAvailable, block, name);
     }
     GCode& place = block.codes[at(code.group)];
-    if (place.code >= 0 && code.group != Group::OneShot && c.codes_of_one_group_alarm.value)
-      return fault(Cause::GroupGivenTwice, block);
+    if (place.code >= 0 && code.group != Group::OneShot && c.repeated_address.value == RepeatedAddress::Alarm)
+      return fault(Cause::AddressGivenTwice, block);
     place = code;
   }
   return std::nullopt;
@@ -208,7 +209,8 @@ Motion::Result Motion::read(BlockWords& block) const {
 /// What may not stand together, before anything changes.
 Motion::Result Motion::check(const BlockWords& block) const {
   const Control& c = *facts_->control;
-  if (block.has(Group::OneShot) && block.has(Group::Motion) && c.motion_with_one_shot_alarms.value)
+  if (block.has(Group::OneShot) && block.meaning(Group::OneShot) != Meaning::ExactStop && block.has(Group::Motion) &&
+      c.motion_with_one_shot_alarms.value)
     return fault(Cause::OneShotWithMotion, block);
   if (block.has(Group::Units) && block.meaning(Group::Units) != Meaning::Pulses &&
       c.unit_change.value == UnitChange::Alone &&
@@ -363,7 +365,8 @@ Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
 
 /// A chamfer written with C alone is no move of the C axis.
 bool Motion::corner_address(char name) const {
-  return name == 'C' && facts_->control->chamfer_words.value == "C";
+  const std::string& words = facts_->control->chamfer_words.value;
+  return name == 'C' && facts_->lathe() && (" " + words + " ").find(" C ") != std::string::npos;
 }
 
 /// The end point that the words name; the axes without a word stay.

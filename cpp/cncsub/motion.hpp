@@ -262,7 +262,9 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
     s.time += std::max(std::max(std::fabs(dx) * s.rapid_seconds[0], std::fabs(dy) * s.rapid_seconds[1]),
                        std::fabs(dz) * s.rapid_seconds[2]);
   const std::uint32_t axes = mask & (bit('X') | bit('Y') | bit('Z'));
-  if (moves == nullptr || axes == 0) return true;
+  if (axes == 0) return true;
+  s.moved_before = true;
+  if (moves == nullptr) return true;
   moves->mark(axes >> ('X' - 'A'));
   moves->push(step, line != 0 ? MoveKind::Feed : MoveKind::Rapid, s.work, s.row_state);
   return true;

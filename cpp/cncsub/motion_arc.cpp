@@ -102,7 +102,7 @@ Motion::Result Motion::arc_by_centre(BlockWords& block, Piece& piece) const {
   const double a1 = piece.end[plane.a] * facts_->share(plane.a), b1 = piece.end[plane.b] * facts_->share(plane.b);
   const double ca = a0 + i, cb = b0 + j;
   const double first = std::hypot(i, j), last = std::hypot(a1 - ca, b1 - cb);
-  if (first == 0 && c.arc_centre_needed.value) return fault(Cause::ArcCentre, block);
+  if (first == 0 && c.arc_centre_needed.value) return fault(Cause::NoRadius, block);
   const double tolerance = c.arc_tolerance.value * 1e-3;
   if (tolerance > 0 && std::fabs(first - last) > tolerance + 1e-9) {
     char text[64];

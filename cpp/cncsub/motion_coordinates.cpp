@@ -173,7 +173,7 @@ Motion::Result Motion::reference(BlockWords& block, int number_of_point) {
   if (number_of_point == 2) {
     const double p = block.words.has('P') ? raw(block, 'P') : 2;
     if (p < 2 || p > 4) return fault(Cause::ReferenceNumber, block);
-    if (!facts_->homed) return fault(Cause::NotHomed, block);
+    if (!facts_->homed) return fault(Cause::ReferenceNotHomed, block);
     number_of_point = static_cast<int>(p);
   }
   std::uint32_t named = 0;

@@ -17,10 +17,12 @@ bool corner_word(const NcWords& words, const std::string& name, double& value, s
   return true;
 }
 
-bool any_corner_word(const NcWords& words, const Codes& names, double& value, std::uint32_t& mask) {
+/// Without a comma they are words of lathes only.
+bool any_corner_word(const NcWords& words, const Codes& names, bool lathe, double& value, std::uint32_t& mask) {
   for (std::size_t first = 0; first < names.size();) {
     const std::size_t blank = std::min(names.find(' ', first), names.size());
-    if (corner_word(words, names.substr(first, blank - first), value, mask)) return true;
+    const std::string name = names.substr(first, blank - first);
+    if ((lathe || name[0] == ',') && corner_word(words, name, value, mask)) return true;
     first = blank + 1;
   }
   return false;
@@ -32,8 +34,8 @@ Motion::Result Motion::corner_words(BlockWords& block, Piece& piece) const {
   const Control& c = *facts_->control;
   double chamfer = 0, round = 0;
   std::uint32_t chamfer_mask = 0, round_mask = 0;
-  const bool has_chamfer = any_corner_word(block.words, c.chamfer_words.value, chamfer, chamfer_mask);
-  bool has_round = any_corner_word(block.words, c.round_words.value, round, round_mask);
+  const bool has_chamfer = any_corner_word(block.words, c.chamfer_words.value, facts_->lathe(), chamfer, chamfer_mask);
+  bool has_round = any_corner_word(block.words, c.round_words.value, facts_->lathe(), round, round_mask);
   const bool arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
   if (arc && round_mask == bit('R')) has_round = false;
   if (!has_chamfer && !has_round) return std::nullopt;

@@ -116,7 +116,8 @@ RadiusPath::Result RadiusPath::check_direction(const Curve& curve, const Piece& 
     if (dot(stop - start, curve.start_direction()) < -1e-6) return wrong;
     return std::nullopt;
   }
-  if (curve.radius() - (curve.turn > 0 ? offset : -offset) < -1e-9) return wrong;
+  if (curve.radius() - (curve.turn > 0 ? offset : -offset) < -1e-9)
+    return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
   const Point r = start - curve.centre, s = stop - curve.centre;
   if (size(r) < 1e-9 || size(s) < 1e-9) return std::nullopt;
   const double turn = std::atan2(cross(r, s), dot(r, s));
@@ -171,7 +172,7 @@ Motion::Result Motion::through_radius(Piece piece, const Axes& from, Moves* move
   }
   if (!active) {
     if (auto wrong = flush_radius(moves)) return wrong;
-    if (is_arc(piece)) return Fault{Cause::CompensationArc, piece.at, 1, {}};
+    if (is_arc(piece)) return Fault{Cause::CompensationEndArc, piece.at, 1, {}};
     held.engaged = false;
     return path.record(piece, {});
   }

@@ -139,6 +139,12 @@ double Motion::scaled(char address, double value) const {
   return value / (1 / (facts_->increment * (g20() ? 0.1 : 1)));
 }
 
+double Motion::increment(char address) const {
+  constexpr std::string_view kLengths = "ABCIJKQRUVWXYZ";
+  if (kLengths.find(address) == std::string_view::npos) return 0;
+  return facts_->increment * (g20() && address > 'C' ? 0.1 : 1);
+}
+
 std::vector<std::pair<std::string, double>> Motion::position() const {
   std::vector<std::pair<std::string, double>> list;
   for (int i = 0; i < kAxes; ++i) {

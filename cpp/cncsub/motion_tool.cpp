@@ -99,14 +99,14 @@ Motion::Result Motion::set_radius(BlockWords& block) {
   const Control& c = *facts_->control;
   if (block.words.has('D') && !facts_->lathe()) {
     const double number = raw(block, 'D');
-    if (number < 0 || number >= static_cast<double>(tables_->radius.size())) return fault(Cause::OffsetNumber, block);
+    if (number < 0 || number >= static_cast<double>(tables_->radius.size())) return fault(Cause::RadiusOffsetNumber, block);
     s_.d = static_cast<int>(number);
   }
   if (!block.has(Group::Radius)) return std::nullopt;
   s_.modal[at(Group::Radius)] = block.codes[at(Group::Radius)];
   if (!facts_->lathe() && compensating() && s_.d == 0 && !block.words.has('D') &&
       c.missing_radius_offset.value == MissingOffset::Alarm)
-    return fault(Cause::OffsetNumber, block);
+    return fault(Cause::RadiusOffsetNumber, block);
   return std::nullopt;
 }
 

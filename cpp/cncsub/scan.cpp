@@ -2,13 +2,6 @@
 
 namespace cncsub {
 
-namespace {
-
-constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                              1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
-}  // namespace
-
 Number scan_number(Scanner& s) {
   Number number;
   std::uint64_t mantissa = 0;
@@ -50,7 +43,7 @@ Number scan_number(Scanner& s) {
     }
   }
   const double value = static_cast<double>(mantissa) * scale;
-  number.value = decimals <= 22 ? value / kPowers[decimals] : 0;
+  number.value = decimals <= 22 ? value / kPowersOfTen[decimals] : 0;
   if (number.negative) number.value = -number.value;
   return number;
 }

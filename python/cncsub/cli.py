@@ -71,7 +71,7 @@ app = typer.Typer(
 
 def main() -> None:
     """What the command `cncsub` does."""
-    app()
+    app(prog_name="cncsub")
 
 
 class Format(enum.StrEnum):
@@ -422,9 +422,9 @@ def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
     waiting = [(call, "", call is trees[-1]) for call in reversed(trees)]
     while waiting:
         call, stem, last = waiting.pop()
-        what = Text(str(call))
-        what.highlight_regex(r"^\S+ \S+", "cyan")
-        yield Text(stem + ("`-- " if last else "|-- "), style="dim") + what
+        head = f"{call.kind} {call.program}"
+        branch = stem + ("`-- " if last else "|-- ")
+        yield Text.assemble((branch, "dim"), (head, "cyan"), str(call).removeprefix(head))
         below = stem + ("    " if last else "|   ")
         waiting += [(inner, below, inner is call.calls[-1]) for inner in reversed(call.calls)]
 
@@ -465,7 +465,7 @@ def _duration(seconds: float) -> str:
 def _print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
     width = max(map(len, pairs))
     for name, text in pairs.items():
-        console.print(Text(name.ljust(width), style="cyan") + Text(f"  {text}"))
+        console.print(Text.assemble((name.ljust(width), "cyan"), f"  {text}"))
 
 
 def _print_control(console: Console, control: cncsub.Control) -> None:
@@ -484,7 +484,7 @@ def _print_control(console: Console, control: cncsub.Control) -> None:
 def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, Any]]) -> None:
     console.print(Text(f"\n{title}", style="bold"))
     for head, text, fact in facts:
-        console.print(Text(f"  {head}", style="cyan") + Text(f": {text}"))
+        console.print(Text.assemble((f"  {head}", "cyan"), f": {text}"))
         console.print(Text(f"      [{fact.source}; {fact.evidence}]", style="dim"))
 
 
@@ -520,7 +520,7 @@ def _same(number: str | None, wanted: str) -> bool:
 
 
 def _alike(number: str | None, wanted: str) -> bool:
-    """`78` is said for `078` and for `PS0078`."""
+    """`78` is said for `078` and for `PS0076`."""
     return bool(number) and _figures(number) == _figures(wanted) != ""
 
 
@@ -566,7 +566,7 @@ def _print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
         for alarm in fact["alarms"]:
             number = alarm["number"] or "no number"
             text = f" {alarm['text']}" if alarm["text"] else ""
-            console.print(Text(f"  {alarm['control']}: ", style="cyan") + Text(f"{number}{text}"))
+            console.print(Text.assemble((f"  {alarm['control']}: ", "cyan"), f"{number}{text}"))
             console.print(Text(f"      [{alarm['source']}; {alarm['evidence']}]", style="dim"))
         if not fact["alarms"]:
             console.print("  no source gives a number")

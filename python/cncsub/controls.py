@@ -65,7 +65,7 @@ controls: Mapping[str, Control] = Named("control", {c.name: c for c in _core.con
 
 >>> import cncsub
 >>> cncsub.controls["fanuc-0i-f"].alarms["program-not-found"].number
-'PS0078'
+'PS0076'
 """
 
 causes: Mapping[str, Cause] = Named(

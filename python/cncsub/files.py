@@ -203,14 +203,15 @@ def _entries(folder: Path, reading: Reading) -> list[Path]:
         return []
 
 
-def name_order(name: str) -> tuple[object, ...]:
+def name_order(name: str) -> tuple[tuple[tuple[int, str], ...], str]:
     """The place of a file's name: without regard to case, numbers by their value."""
-    parts = re.split(r"([0-9]+)", name.casefold())
+    parts: list[str] = re.split(r"([0-9]+)", name.casefold())
     # Texts and numbers alternate, so that only like is compared with like.
-    numbers = [
-        (int(part) if len(part) < 40 else 10**40) if i % 2 else part for i, part in enumerate(parts)
-    ]
-    return (*numbers, name)
+    values = tuple(
+        (0, part) if i % 2 == 0 else (len(part.lstrip("0")), part.lstrip("0"))
+        for i, part in enumerate(parts)
+    )
+    return values, name
 
 
 def _refused_entry(path: Path, root: Path) -> str | None:

@@ -35,7 +35,7 @@ class Inputs:
     Raises `TypeError` and `ValueError` for values of another kind.
 
     >>> import cncsub
-    >>> text = "O1\\nN10 IF[#500 EQ 0]GOTO 10\\nN20 #501=#500*2\\nN30 M30\\n"
+    >>> text = "O1\\nN10 IF[#500 EQ #0]GOTO 10\\nN20 #501=#500*2\\nN30 M30\\n"
     >>> library = cncsub.loads(text, control="fanuc-0i-f")
     >>> library.run().stop
     <Stop.WAITING: 'waiting'>

@@ -76,8 +76,8 @@ class Program:
     >>> program = cncsub.loads("O1 (PART)\\nN10 G1X10.\\nN20 M30\\n", control="fanuc-0i-f").main
     >>> program.name, program.comment, len(program.blocks)
     ('O1', 'PART', 2)
-    >>> program.blocks[0].words
-    (Word(address='G', value=1.0, text='G1'), Word(address='X', value=10.0, text='X10.'))
+    >>> program.blocks[0].words[-1]
+    Word(address='X', value=10.0, text='X10.')
     """
 
     def __init__(self, data: _core.ProgramData, index: int) -> None:

@@ -173,7 +173,7 @@ class Run(_Outcome):
     >>> run.stop
     <Stop.ALARM: 'alarm'>
     >>> run.alarm.cause, run.alarm.number, run.alarm.n
-    ('program-not-found', 'PS0078', 10)
+    ('program-not-found', 'PS0076', 10)
     """
 
     @property

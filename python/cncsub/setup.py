@@ -39,7 +39,7 @@ class Setup:
 
     >>> import cncsub
     >>> setup = cncsub.Setup(start={"X": 0, "Y": 0, "Z": 5}, work_offsets={"G54": {"X": 100}})
-    >>> run = cncsub.loads("O1\\nN10 G0 X10\\nN20 M30\\n", control="fanuc-0i-f").run(setup=setup)
+    >>> run = cncsub.loads("O1\\nN10 G0 X10.\\nN20 M30\\n", control="fanuc-0i-f").run(setup=setup)
     >>> float(run.moves.x[0]), float(run.moves.mx[0])
     (10.0, 110.0)
     """

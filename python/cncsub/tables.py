@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
@@ -106,7 +106,7 @@ class Move:
     time: float = 0.0
 
 
-class Table(Sequence[Row], Generic[Row]):
+class Table(Generic[Row]):
     """Rows and columns of one kind. `table[5]` is a row, `table["n"]` and `table.n` are columns.
 
     A column is a NumPy array as long as the table. A column of texts holds `int32` codes; the texts
@@ -505,15 +505,15 @@ class Moves(Table[Move]):
     >>> move.kind, move.x, move.y, move.length, move.time
     ('feed', 30.0, 40.0, 50.0, 30.0)
     >>> run.moves.total_length, run.moves.bounds["X"]
-    (50.0, (0.0, 30.0))
+    (50.0, (30.0, 30.0))
     """
 
     _title = "moves"
 
     @property
     def axes(self) -> list[str]:
-        """The axes in use, as the columns are called."""
-        return [axis.lower() for axis in self._core.move_axes]
+        """The axes that moves named, as their columns are called."""
+        return self._core.move_axes
 
     @property
     def columns(self) -> list[str]:
@@ -550,9 +550,14 @@ class Moves(Table[Move]):
         return self._core.moves
 
     def _row(self, index: int) -> Move:
-        return Move(
-            **{name.lower(): _number(value) for name, value in self._core.move_row(index).items()}
-        )
+        values = {axis: float(self.column(axis)[index]) for axis in self._unnamed()}
+        values.update(self._core.move_row(index))
+        return Move(**{name: _number(value) for name, value in values.items()})
+
+    def _unnamed(self) -> list[str]:
+        """The columns of X, Y and Z where no move names the axis."""
+        unnamed = {"x", "y", "z"}.difference(self._core.move_axes)
+        return [name for axis in unnamed for name in (axis, f"m{axis}")]
 
     def _fetch(self, name: str) -> Column:
         return self._core.move_column(name)

@@ -1,5 +1,7 @@
 """FANUC: macro calls (G65, G66, G66.1, calls by code) and the macro language."""
 
+from datetime import datetime
+
 from conformance import case
 
 ALL = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
@@ -291,7 +293,7 @@ case(
         O2
         N30 M99
     """,
-    runs="", alarm="illegal-argument", number=numbers("129", "PS0129"), at="O1 N10",
+    runs="", alarm="macro-call-not-first", number=numbers("129", "PS0129"), at="O1 N10",
 )
 case(
     "a G code before G65 is refused",
@@ -303,7 +305,7 @@ case(
         O2
         N30 M99
     """,
-    runs="", alarm="illegal-argument", number=numbers("129", "PS0129"), at="O1 N10",
+    runs="", alarm="macro-call-not-first", number=numbers("129", "PS0129"), at="O1 N10",
 )
 case(
     "N and block skip may stand before G65",
@@ -329,7 +331,7 @@ case(
         O3
         N40 M99
     """,
-    runs="", alarm="call-given-twice", number="PS1092", at="O1 N10",
+    runs="", alarm="macro-call-given-twice", number="PS1092", at="O1 N10",
 )
 case(
     "a faulty argument is found before the macro runs",
@@ -1716,7 +1718,7 @@ case(
         O2
         N30 M99
     """,
-    runs="", alarm="illegal-argument", number=numbers("129", "PS0129"), at="O1 N10",
+    runs="", alarm="macro-call-not-first", number=numbers("129", "PS0129"), at="O1 N10",
 )
 case(
     "an eleventh set in G66 is refused",
@@ -1747,8 +1749,18 @@ case(
         Z1.
         M99
     """,
-    alarm="macro-nesting-too-deep", number=numbers("122", "PS0122"),
+    alarm="modal-calls-too-many", number=numbers("122", "PS0122"),
 )
+for controls, count, number in [("fanuc-16i", 4, "122"), (NEW, 5, "PS0122")]:
+    blocks = "".join(f"N{10 * i} G66 P2\n" for i in range(1, count + 2))
+    case(
+        f"{count} modal calls stack, and the G66 behind them is refused",
+        control=controls, source="K-H 122, macro nesting" if count == 4 else "ALM PS0122",
+        evidence="inferred",
+        program=f"O1\n{blocks}N90 M30\nO2\nM99\n",
+        runs=" ".join(f"N{10 * i}" for i in range(1, count + 1)), alarm="modal-calls-too-many",
+        number=number, at=f"O1 N{10 * count + 10}",
+    )
 case(
     "the 16i has no G66.1",
     control="fanuc-16i", source="K-M general knowledge", evidence="inferred",
@@ -3401,13 +3413,13 @@ case(
 )
 case(
     "a closing bracket too many alarms",
-    control=ALL, source="ALM PS1131; K-H 125", evidence="secondary",
+    control=ALL, source="ALM PS1131; K-H 114", evidence="secondary",
     program="""
         O1
         N10 #100=1+2]
         N20 M30
     """,
-    runs="", alarm="bracket-not-opened", number=numbers("125", "PS1131"), at="O1 N10",
+    runs="", alarm="bracket-not-opened", number=numbers("114", "PS1131"), at="O1 N10",
 )
 case(
     "a function without its closing bracket alarms",
@@ -4976,15 +4988,15 @@ case(
     vars={100: 7},
 )
 case(
-    "#3011 is the date as eight digits",
+    "#3011 is the date and #3012 the time, as digits",
     control=ALL, source="REG", evidence="secondary",
     program="""
         O1
-        N10 IF[#3011 GT 20000101]THEN #100=1
-        N20 IF[#3011 LT 99999999]THEN #101=1
+        N10 #100=#3011
+        N20 #101=#3012
         N90 M30
     """,
-    vars={100: 1, 101: 1},
+    inputs={"clock": datetime(2026, 3, 9, 7, 5, 4)}, vars={100: 20260309, 101: 70504},
 )
 case(
     "#3012 is the time as six digits",
@@ -5459,7 +5471,7 @@ case(
         O2
         N30 M99
     """,
-    runs="", alarm="illegal-argument", number=numbers("129", "PS0129"), at="O1 N10",
+    runs="", alarm="macro-call-not-first", number=numbers("129", "PS0129"), at="O1 N10",
 )
 case(
     "G66.1 without P names no program",
@@ -5937,7 +5949,7 @@ case(
         N20 SETVN 510[TOOLNUMBR]
         N30 M30
     """,
-    runs="N10", alarm="illegal-variable-name", number="PS1142", at="O1 N20",
+    runs="N10", alarm="variable-name-too-long", number="PS1142", at="O1 N20",
 )
 case(
     "a negative variable number cannot be read",

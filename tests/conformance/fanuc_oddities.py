@@ -499,7 +499,7 @@ case(
     runs="N10 N20 N40", t=[],
 )
 case(
-    "a loop that waits for another computer spins on its variable",
+    "a loop that waits for another computer stops waiting at the second look",
     control=ALL, source="real programs", evidence="inferred",
     program="""
         O1
@@ -508,7 +508,42 @@ case(
         N30 END1
         N40 M30
     """,
-    max_blocks=101, runs="N10 (N20 N30)*50", stop="limit",
+    runs="N10 (N20 N30)*2", stop="waiting",
+)
+case(
+    "a loop without a condition waits for nobody and spins to the limit",
+    control=ALL, source="policy; a loop that reads no variable", evidence="inferred",
+    program="""
+        O1
+        N10 DO1
+        N20 M8
+        N30 END1
+        N40 M30
+    """,
+    max_blocks=31, runs="(N10 N20 N30)*10 N10", stop="limit",
+)
+case(
+    "a GOTO to its own block spins to the limit",
+    control=ALL, source="policy; a jump that reads no variable", evidence="inferred",
+    program="""
+        O1
+        N10 GOTO 10
+        N20 M30
+    """,
+    max_blocks=12, runs="N10*12", stop="limit",
+)
+case(
+    "a loop that counts is no waiting loop",
+    control=ALL, source="policy; a loop that changes a variable", evidence="inferred",
+    program="""
+        O1
+        N10 #500=0
+        N20 WHILE[#500LT3]DO1
+        N30 #500=#500+1
+        N40 END1
+        N50 M30
+    """,
+    runs="N10 (N20 N30 N40)*3 N20 N50", vars={500: 3},
 )
 case(
     "a vacant #500 does not keep IF[#500 EQ 0] waiting",

@@ -616,6 +616,7 @@ case(
         N10 #100=#100+1
         N20 M99
     """,
+    max_cycles=100,
     max_blocks=6,
     runs="N10 N20 N10 N20 N10 N20",
     vars={100: 3},
@@ -699,7 +700,7 @@ case(
         M98 <NOTHERE>
         M30
     """,
-    alarm="program-not-found",
+    alarm="named-program-not-found",
     number="PS0310",
     at="O1",
 )
@@ -1321,7 +1322,7 @@ case(
         O2
         M99
     """,
-    alarm="illegal-argument",
+    alarm="macro-call-not-first",
     number={"fanuc-16i": "129", "fanuc-30i": "PS0129"},
     at="O1",
 )

@@ -1415,7 +1415,7 @@ case(
         M30
     """,
     moves_x=[],
-    alarm="illegal-program-number",
+    alarm="illegal-macro-number",
     number="291",
     at="O1",
 )

@@ -798,7 +798,7 @@ case(
     "GSK 988TA: a name that no program has is not found",
     control=TA, source="source 000, note 3; Talm 083", evidence=SOURCE,
     program=one_call("M98 P[T0002]", name="O0002"),
-    runs="", alarm="program-not-found", number="083", at="O1 N10",
+    runs="", alarm="named-program-not-found", number="083", at="O1 N10",
 )
 case(
     "GSK 988TA: T0002 and O0002 are two programs",
@@ -896,7 +896,7 @@ case(
     "GSK 980TDi: a name that no program has is not found",
     control=TDI, source="TDi15; number from MDia 001", evidence=INFERRED, params={"878": 1},
     program=one_call("M98 P[CUT]"),
-    runs="", alarm="program-not-found", number="001", at="O1 N10",
+    runs="", alarm="named-program-not-found", number="001", at="O1 N10",
 )
 
 # --- M198: programs of the external device ----------------------------------------------------------
@@ -1187,7 +1187,7 @@ case(
     "GSK: M99 P of a main program goes on at its block",
     control=FAMILIES, source="K, M99 P in the main program", evidence=INFERRED,
     program="O1\nN10 G0 X1\nN20 G0 X2\nN30 M99 P20\n",
-    max_cycles=2, runs="N10 (N20 N30)*2", stop="cycles",
+    max_blocks=5, runs="N10 (N20 N30)*2", stop="limit",
 )
 case(
     "GSK: M99 P of a main program may go forward to its end",
@@ -1503,7 +1503,7 @@ case(
 case(
     "GSK 988TA: MDI may call one macro",
     control=TA, source="TA27, note 5", evidence=INFERRED,
-    program="O2\nN20 G0 X#1\nN30 M99\n", mdi="N5 G65 P2 A4", runs="N5 N20 N30", arguments={1: 4},
+    program="O2\nN20 #100=#1\nN30 M99\n", mdi="N5 G65 P2 A4", runs="N5 N20 N30", vars={100: 4},
 )
 case(
     "GSK 988TA: a program called in MDI may not call another",
@@ -1712,10 +1712,10 @@ case(
 )
 case(
     "GSK: a G code that the control does not have is refused",
-    control=FAMILIES, source="Talm 009; MDia 002", evidence=SECONDARY,
+    control=FAMILIES, source="Talm 009; MDib 0002", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 G999\nN30 M30\n",
     runs="N10", alarm="g-code-not-available",
-    number={TA: "009", T: "009", TDI: "002", MDI: "002"}, at="O1 N20",
+    number={TA: "009", T: "009", TDI: "0002", MDI: "0002"}, at="O1 N20",
 )
 case(
     "GSK: a block longer than the control takes is refused",

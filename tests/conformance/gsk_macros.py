@@ -190,7 +190,7 @@ case(
     "GSK 988: G is no argument",
     control=FAMILY_988, source="TA27, argument I; Talm 212", evidence=SECONDARY,
     program=macro_call("G65 P2 A1 G1"),
-    runs="", alarm="nc-and-macro-in-block", number="212", at="O1 N10",
+    runs="", alarm="code-with-macro-call", number="212", at="O1 N10",
 )
 
 # --- G65: levels of local variables ----------------------------------------------------------------
@@ -351,19 +351,19 @@ case(
     "GSK 988TA: G65 P[#100] of five digits is refused",
     control=TA, source="TA27 p.1, format 2", evidence=MANUAL,
     program=macro_call("G65 P[#100]"),
-    variables={100: 10002}, runs="", alarm="illegal-program-number", number="291", at="O1 N10",
+    variables={100: 10002}, runs="", alarm="illegal-macro-number", number="291", at="O1 N10",
 )
 case(
     "GSK 988TA: G66 P[#100] of five digits is refused",
     control=TA, source="TA27 p.6, format 2", evidence=MANUAL,
     program="O1\nN10 G66 P[#100]\nN20 G0 X50\nN30 M30\nO2\nN40 M99\n",
-    variables={100: 21234}, runs="", alarm="illegal-program-number", number="291", at="O1 N10",
+    variables={100: 21234}, runs="", alarm="illegal-macro-number", number="291", at="O1 N10",
 )
 case(
     "GSK 988TA: G65 P#100 of five digits is refused, it holds no count",
     control=TA, source="TA27 p.1 (1)", evidence=INFERRED,
     program=macro_call("G65 P#100"),
-    variables={100: 20002}, runs="", alarm="illegal-program-number", number="291", at="O1 N10",
+    variables={100: 20002}, runs="", alarm="illegal-macro-number", number="291", at="O1 N10",
 )
 case(
     "GSK 988TA: there is no arithmetic in the brackets of G65's P",
@@ -375,13 +375,13 @@ case(
     "GSK 980: G65 calls no program above 9999",
     control=FAMILY_980, source="MDia 119", evidence=MANUAL,
     program=macro_call("G65 P10002 A1"),
-    runs="", alarm="illegal-program-number", number="119", at="O1 N10",
+    runs="", alarm="illegal-macro-number", number="119", at="O1 N10",
 )
 case(
     "GSK 980: G65 does not call program 0",
     control=FAMILY_980, source="MDib 119", evidence=MANUAL,
     program=macro_call("G65 P0 A1", name="O0000"),
-    runs="", alarm="illegal-program-number", number="119", at="O1 N10",
+    runs="", alarm="illegal-macro-number", number="119", at="O1 N10",
 )
 case(
     "GSK 988: G65 without P is refused",
@@ -433,40 +433,40 @@ for words in ("G0 X1", "M3", "G1"):
         f"GSK 988: {words} and G65 may not share a block",
         control=FAMILY_988, source="TA27, note 3; Talm 212", evidence=SECONDARY,
         program=macro_call(f"{words} G65 P2"),
-        runs="", alarm="nc-and-macro-in-block", number="212", at="O1 N10",
+        runs="", alarm="macro-call-not-first", number="212", at="O1 N10",
     )
 case(
     "GSK 988: NC words and G66 may not share a block",
     control=FAMILY_988, source="TA27, note 3; Talm 212", evidence=SECONDARY,
     program=macro_call("G0 X1 G66 P2"),
-    runs="", alarm="nc-and-macro-in-block", number="212", at="O1 N10",
+    runs="", alarm="macro-call-not-first", number="212", at="O1 N10",
 )
 case(
     "GSK 988TA: the N of a macro call must stand first",
     control=TA, source="TA27, note 6", evidence=MANUAL,
     program="O1\nN10 G0 X1\nG65 P2 N20\nN30 M30\nO2\nN40 M99\n",
-    runs="N10", alarm="sequence-number-not-first", at="O1",
+    runs="N10", alarm="sequence-number-not-first", at="O1 N20",
 )
 for call in ("G65 P2", "G66 P2"):
     case(
         f"GSK 980: {call[:3]} must be the first word of its block",
         control=FAMILY_980, source="MDia 114", evidence=MANUAL,
         program=macro_call(f"X1 {call}"),
-        runs="", alarm="nc-and-macro-in-block", number="114", at="O1 N10",
+        runs="", alarm="macro-call-not-first", number="114", at="O1 N10",
     )
 for code in ("M00", "M01", "M02", "M30", "M98", "M99"):
     case(
         f"GSK 980MDi: {code} may not share a block with G65",
         control=MDI, source="MDib 116", evidence=MANUAL,
         program=macro_call(f"G65 P2 A1 {code}"),
-        runs="", alarm="illegal-word-with-call", number="116", at="O1 N10",
+        runs="", alarm="m-code-with-macro-call", number="116", at="O1 N10",
     )
 for code in ("G43", "G44", "G49"):
     case(
         f"GSK 980MDi: {code} may not share a block with G65",
         control=MDI, source="MDib 115", evidence=MANUAL,
         program=macro_call(f"G65 P2 A1 {code}"),
-        runs="", alarm="illegal-word-with-call", number="115", at="O1 N10",
+        runs="", alarm="code-with-macro-call", number="115", at="O1 N10",
     )
 
 # --- Nesting of macros -------------------------------------------------------------------------------
@@ -710,7 +710,7 @@ for code in ("G00", "G01", "G04", "G28"):
         f"GSK 980: {code} may not share a block with G66",
         control=FAMILY_980, source="MDia 044", evidence=MANUAL,
         program=macro_call(f"G66 P2 A1 {code}"),
-        runs="", alarm="illegal-word-with-call", number="044", at="O1 N10",
+        runs="", alarm="code-with-modal-call", number="044", at="O1 N10",
     )
 case(
     "GSK 980TDi: the macro of G66 may have a name",
@@ -837,7 +837,7 @@ case(
     "GSK 988TA: a G code that calls is refused beside NC words as G65 is",
     control=TA, source="TA27 p.9, like G65; Talm 212", evidence=INFERRED, params=ON | CODES,
     program=macro_call("G0 G500 A1", name="O9030"),
-    runs="", alarm="nc-and-macro-in-block", number="212", at="O1 N10",
+    runs="", alarm="macro-call-not-first", number="212", at="O1 N10",
 )
 
 # --- 980TDi: G codes that call a macro -----------------------------------------------------------------------
@@ -865,16 +865,16 @@ case(
 )
 case(
     "GSK 980TDi: the G code behind those that call is no G code",
-    control=TDI, source="TDi32; number from MDia 002", evidence=INFERRED, params=G_CODES,
+    control=TDI, source="TDi32; number from MDib 0002", evidence=INFERRED, params=G_CODES,
     program=macro_call("G103", name="O2003"),
-    runs="", alarm="g-code-not-available", number="002", at="O1 N10",
+    runs="", alarm="g-code-not-available", number="0002", at="O1 N10",
 )
 case(
     "GSK 980TDi: with 86=0 no G code calls",
-    control=TDI, source="TDi32; number from MDia 002", evidence=INFERRED,
+    control=TDI, source="TDi32; number from MDib 0002", evidence=INFERRED,
     params={"86": 0, "87": 100, "88": 2000},
     program=macro_call("G100", name="O2000"),
-    runs="", alarm="g-code-not-available", number="002", at="O1 N10",
+    runs="", alarm="g-code-not-available", number="0002", at="O1 N10",
 )
 case(
     "GSK 980TDi: a standard G code does not call",
@@ -1025,31 +1025,31 @@ for n in (0, 7, 99):
         f"GSK 980TDi: H99 P{n} raises alarm {5900 + n}",
         control=TDI, source="TDi28, H99", evidence=MANUAL,
         program=f"O1\nN10 G0 X1\nN20 G65 H99 P{n}(/NO BAR)\nN30 M30\n",
-        runs="N10", alarm="user-alarm", number=str(5900 + n), at="O1 N20",
+        runs="N10 N20", alarm="user-alarm", number=str(5900 + n), at="O1 N20",
     )
     case(
         f"GSK 980TDi: #3000={n} raises alarm {5900 + n}",
         control=TDI, source="TDi28, system variables", evidence=MANUAL,
         program=f"O1\nN10 G0 X1\nN20 #3000={n}(NO BAR)\nN30 M30\n",
-        runs="N10", alarm="user-alarm", number=str(5900 + n), at="O1 N20",
+        runs="N10 N20", alarm="user-alarm", number=str(5900 + n), at="O1 N20",
     )
 case(
     "GSK 980TDi: H99 needs no text",
     control=TDI, source="TDi28, H99 note 1", evidence=MANUAL,
     program="O1\nN10 G65 H99 P15\nN20 M30\n",
-    runs="", alarm="user-alarm", number="5915", at="O1 N10",
+    runs="N10", alarm="user-alarm", number="5915", at="O1 N10",
 )
 case(
     "GSK 980TDi: #3000 needs no text",
     control=TDI, source="TDi28, system variables", evidence=MANUAL,
     program="O1\nN10 #3000=15\nN20 M30\n",
-    runs="", alarm="user-alarm", number="5915", at="O1 N10",
+    runs="N10", alarm="user-alarm", number="5915", at="O1 N10",
 )
 case(
     "GSK 980TDi: H99 raises the alarm inside a subprogram",
     control=TDI, source="TDi28, H99", evidence=MANUAL,
     program="O1\nN10 M98 P2\nN20 M30\nO2\nN30 G65 H99 P3\nN40 M99\n",
-    runs="N10", alarm="user-alarm", number="5903", at="O2 N30",
+    runs="N10 N30", alarm="user-alarm", number="5903", at="O2 N30",
 )
 case(
     "GSK 980: H99 P101 is outside the range",
@@ -1079,7 +1079,7 @@ case(
     "GSK 980TDi: #3000 behind a condition that is true raises its alarm",
     control=TDI, source="TDi29, IF THEN", evidence=MANUAL,
     program="O1\nN10 IF[#100 GT 5]THEN #3000=1\nN20 M30\n", variables={100: 6},
-    runs="", alarm="user-alarm", number="5901", at="O1 N10",
+    runs="N10", alarm="user-alarm", number="5901", at="O1 N10",
 )
 
 # --- 980: G65 H, faults ---------------------------------------------------------------------------------------

@@ -310,7 +310,7 @@ case(
         O123456789
         N30 M99
     """,
-    runs="", alarm="illegal-program-number", number="P35", at="O1 N10", word="P123456789",
+    runs="", alarm="too-many-digits", number="P35", at="O1 N10", word="P123456789",
 )
 case(
     "leading zeros on either side do not hide a Mitsubishi program",
@@ -1831,7 +1831,7 @@ case(
     "a file name that is not in the memory is P232",
     control=NEWER, source="IMD2; source 004, note 1", evidence="inferred",
     files={"O1.NC": "O1\nN10 M98 <SLOT.NC>\nN20 M30\n", "POCKET.NC": "N210 M99\n"},
-    main="O1", runs="", alarm="program-not-found", number="P232", at="O1 N10",
+    main="O1", runs="", alarm="named-program-not-found", number="P232", at="O1 N10",
 )
 case(
     "an H that the named file does not have is P231",

@@ -373,7 +373,7 @@ case(
     "G65 of a file that does not exist is P232",
     control=NEWER, source="IMD, <file name>; source 004, note 1", evidence="inferred",
     files={"O1.NC": "O1\nN10 G65 <BORE.NC> A1.\nN20 M30\n", "SLOT.NC": "N210 M99\n"},
-    main="O1", runs="", alarm="program-not-found", number="P232", at="O1 N10",
+    main="O1", runs="", alarm="named-program-not-found", number="P232", at="O1 N10",
 )
 case(
     "M99 P of a macro returns to the block of its caller",
@@ -1860,7 +1860,7 @@ case(
         N20 #3000=12(TOOL WORN)
         N30 M30
     """,
-    runs="N10", alarm="user-alarm", number="P277", at="O1 N20",
+    runs="N10 N20", alarm="user-alarm", number="P277", at="O1 N20",
 )
 case(
     "#3000 in a macro stops the program there",
@@ -1874,7 +1874,7 @@ case(
         N220 #3000=1(A MISSING)
         N230 M99
     """,
-    runs="N10 N210", alarm="user-alarm", number="P277", at="O200 N220",
+    runs="N10 N210 N220", alarm="user-alarm", number="P277", at="O200 N220",
 )
 case(
     "#3006 shows its text and the run goes on",

@@ -324,7 +324,7 @@ case(
         <POCKETS>
         N30 M99
     """,
-    runs="", alarm="program-not-found", number="PS0310", at="O1 N10",
+    runs="", alarm="named-program-not-found", number="PS0310", at="O1 N10",
 )
 case(
     "a name whose bracket is not closed is PS0311",
@@ -354,7 +354,7 @@ case(
     "a name whose file is not there is 083",
     control="gsk-988ta", source="source 000, note 3; Talm 83", evidence="inferred",
     files={"O0001.CNC": "O0001\nN10 M98 P[T0024] L2\nN20 M30\n", "T0023.CNC": "N30 M99\n"},
-    main="O1", runs="", alarm="program-not-found", number="083", at="O0001 N10",
+    main="O1", runs="", alarm="named-program-not-found", number="083", at="O0001 N10",
 )
 case(
     "the 988TA takes no Chinese letters in a name",
@@ -382,7 +382,7 @@ case(
     control="gsk-980tdi", source="TDi15; MDia 001", evidence="inferred",
     files={"O0001.CNC": "O0001\nN10 M98 P[\u5916\u5706]\nN20 M30\n",
            "\u87ba\u7eb9.CNC": "N30 M99\n"},
-    params={"878": 1}, main="O1", runs="", alarm="program-not-found", number="001",
+    params={"878": 1}, main="O1", runs="", alarm="named-program-not-found", number="001",
     at="O0001 N10",
 )
 case(
@@ -774,7 +774,7 @@ case(
         N20 #3000= 91 (TEXT)
         N30 M30
     """,
-    runs="N10", alarm="user-alarm",
+    runs="N10 N20", alarm="user-alarm",
     number={c: "3091" if c == "fanuc-16i" else "MC3091" for c in FANUC}, at="O1 N20",
 )
 
@@ -971,7 +971,6 @@ for claim, text, word, cause, fanuc, gsk, mitsubishi in [
      "P33"),
     ("a point in an M code", "N20 M8.", "M8.", "illegal-decimal-point", 7, "007", "P33"),
     ("a point in a tool number", "N20 T1.", "T1.", "illegal-decimal-point", 7, "007", "P33"),
-    ("a value without an address", "N20 5 M8", None, "value-without-address", 4, "004", "P33"),
 ]:
     program = f"""
         O1
@@ -987,6 +986,28 @@ for claim, text, word, cause, fanuc, gsk, mitsubishi in [
          number=gsk, **expected)
     case(f"{claim} is {mitsubishi} on a Mitsubishi: {text}", control=MITSUBISHI,
          source="SK P33", number=mitsubishi, **expected)
+for text in ("5 M8", "12.5"):
+    for controls, number, source in [
+        (FANUC, on_fanuc(4), "ALM PS0004"), (GSK_988, "004", "Talm 004"),
+        (MITSUBISHI, "P33", "SK P33"),
+    ]:
+        case(
+            f"a block that begins with a value alarms, {source}: {text}",
+            control=controls, source=source, evidence="inferred",
+            program=f"O1\nN10 M9\n{text}\nN30 M30\n",
+            runs="N10", m=[9], alarm="value-without-address", number=number, at="O1",
+        )
+case(
+    "a blank inside a sequence number is passed over on FANUC: N20 5 is N205",
+    control=FANUC, source="GED, blanks", evidence="secondary",
+    program="""
+        O1
+        N10 GOTO 205
+        N20 5 M8
+        N30 M30
+    """,
+    runs="N10 N205 N30", m=[8],
+)
 for controls, number, source in [(FANUC, on_fanuc(6), "ALM PS0006"), (GSK_988, "006", "Talm 006")]:
     for word in ("M-8", "T-1"):
         case(
@@ -1054,7 +1075,7 @@ case(
         N20 G0 X123456789
         N30 M30
     """,
-    runs="N10", alarm="value-out-of-range", number="003", at="O1 N20", word="X123456789",
+    runs="N10", alarm="too-many-digits", number="003", at="O1 N20", word="X123456789",
 )
 
 # Characters, words and codes that the control does not know
@@ -1087,10 +1108,10 @@ case(
     runs="N10 N20 N30", m=[8, 9],
 )
 case(
-    "a character that the GSK 988 does not know is an illegal address",
-    control=GSK_988, source="Talm 008", evidence="inferred",
+    "a character that the GSK 988 does not know alarms without a number",
+    control=GSK_988, source="general knowledge; no list names a character", evidence="inferred",
     files={"O1.CNC": b"O1\nN10 M9\nN20 M8 !\nN30 M30\n"},
-    runs="N10", m=[9], alarm="illegal-character", number="008", at="O1 N20",
+    runs="N10", m=[9], alarm="illegal-character", number=None, at="O1 N20",
 )
 case(
     "a character that a Mitsubishi does not know is P32",
@@ -1173,15 +1194,15 @@ case(
     runs="N10", m=[9], alarm="g-code-not-available", number="009", at="O1 N20", word="G999",
 )
 case(
-    "a G code that the GSK 980 does not have is 002",
-    control=GSK_980, source="MDia 002", evidence="inferred",
+    "a G code that the GSK 980 does not have is 0002",
+    control=GSK_980, source="MDib 0002", evidence="inferred",
     program="""
         O1
         N10 M9
         N20 G999
         N30 M30
     """,
-    runs="N10", m=[9], alarm="g-code-not-available", number="002", at="O1 N20", word="G999",
+    runs="N10", m=[9], alarm="g-code-not-available", number="0002", at="O1 N20", word="G999",
 )
 case(
     "27 words in a block are too many for FANUC",

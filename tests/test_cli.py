@@ -1,0 +1,334 @@
+"""The command line: what it prints, what it writes, and its exit status."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+import cncsub
+from cncsub.cli import app
+
+CONTROL = "fanuc-0i-f"
+GOOD = """O1
+N10 M98 P2 L5
+N20 G65 P3 A1.
+N30 M30
+O2
+N40 G91 G1 X10. F100.
+N50 M99
+O3
+N60 #3006=1(CHECK)
+N70 M98 P2
+N80 M99
+"""
+BAD = "O1\nN10 M98 P2\nO2\nN20 M98 P9\n"
+
+
+@pytest.fixture
+def job(tmp_path: Path) -> Path:
+    (tmp_path / "good.nc").write_text(GOOD)
+    (tmp_path / "bad.nc").write_text(BAD)
+    (tmp_path / "endless.nc").write_text("O1\nN10 G4 X1.\nN20 M99\n")
+    return tmp_path
+
+
+class Done:
+    """What a call of the command line left behind."""
+
+    def __init__(self, *arguments: object) -> None:
+        result = CliRunner().invoke(app, [str(argument) for argument in arguments])
+        if result.exception is not None and not isinstance(result.exception, SystemExit):
+            raise result.exception
+        self.status: int = result.exit_code
+        self.out: str = result.stdout
+        self.error: str = result.stderr
+
+    @property
+    def json(self) -> Any:
+        return json.loads(self.out)
+
+
+def test_a_run_is_a_tree_of_calls_and_how_it_stopped(job: Path) -> None:
+    done = Done("run", job / "good.nc", "-c", CONTROL)
+    assert done.status == 0
+    title = cncsub.controls[CONTROL].title
+    assert done.out.splitlines() == [
+        f"O1 on {title}",
+        "|-- M98 O2, 5 passes (10 blocks)",
+        "`-- G65 O3 (5 blocks)",
+        "    `-- M98 O2 (2 blocks)",
+        "stopped: the program ended, after 18 blocks",
+        "6 moves, length 60.000 mm, time 36.0 s",
+        "  X 10 to 60",
+        "message: CHECK",
+    ]
+
+
+def test_an_alarm_is_printed_whole_and_is_status_1(job: Path) -> None:
+    done = Done("run", job / "bad.nc", "-c", CONTROL)
+    assert done.status == 1
+    run = cncsub.load(job / "bad.nc", control=CONTROL).run()
+    assert str(run.alarm) in done.out
+    assert "called from O1 N10 (M98)" in done.out
+    assert "stopped: alarm, after" in done.out
+
+
+@pytest.mark.parametrize(
+    ("options", "status", "words"),
+    [
+        ([], 0, "the cycles are used up (--max-cycles), after 2 blocks"),
+        (["--max-cycles", "3"], 0, "after 6 blocks"),
+        (["--max-cycles", "9", "--max-blocks", "5"], 1, "the limit of blocks is reached"),
+    ],
+)
+def test_the_exit_status_says_whether_it_ran_to_its_end(
+    job: Path, options: list[str], status: int, words: str
+) -> None:
+    done = Done("run", job / "endless.nc", "-c", CONTROL, *options)
+    assert done.status == status
+    assert words in done.out
+
+
+def test_a_run_that_waits_is_status_1_and_says_for_what(tmp_path: Path) -> None:
+    file = tmp_path / "O1.nc"
+    file.write_text("N10 IF[#500 EQ #0]GOTO10\nN20 M30\n")
+    done = Done("run", file, "-c", CONTROL)
+    assert done.status == 1
+    assert "stopped: waiting for" in done.out
+    assert Done("run", file, "-c", CONTROL, "--set", "500=1").status == 0
+
+
+def test_options_reach_the_run(tmp_path: Path) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text("O1\nN10 M30\nO2\n/N20 #101=#100\nN25 M1\nN30 M6 T3\nN40 M30\n")
+    done = Done(
+        *("run", file, "-c", CONTROL, "--main", "O2", "--set", "100=23.34", "--set", "#102=5"),
+        *("--set", "103=vacant", "--start", "20", "--format", "json"),
+    )
+    assert done.status == 0
+    assert done.json["variables"] == {"100": 23.34, "101": 23.34, "102": 5.0}
+    assert done.json["steps"] == 4
+    skipped = Done("run", file, "-c", CONTROL, "--main", "O2", "--skip", "1", "--format", "json")
+    assert skipped.json["steps"] == 3
+
+
+def test_a_parameter_changes_the_control(tmp_path: Path) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text("O1\nN10 G70\nN20 M30\nO9010\nN30 M99\n")
+    done = Done("run", file, "-c", CONTROL, "--param", "6050=70", "--format", "json")
+    assert [call["program"] for call in done.json["calls"]] == ["O9010"]
+    assert done.status == 0
+
+
+def test_mdi_needs_no_program_and_takes_a_memory(job: Path) -> None:
+    assert Done("run", "-c", CONTROL, "--mdi", "G4 X1.").status in (0, 1)
+    done = Done("run", job / "good.nc", "-c", CONTROL, "--mdi", "M98 P2", "--format", "json")
+    assert [call["program"] for call in done.json["calls"]] == ["O2"]
+
+
+def test_the_external_device_is_read(tmp_path: Path) -> None:
+    (tmp_path / "usb").mkdir()
+    (tmp_path / "usb" / "O9.nc").write_text("N10 M99\n")
+    (tmp_path / "O1.nc").write_text("N10 M198 P9\nN20 M30\n")
+    done = Done("run", tmp_path / "O1.nc", "-c", CONTROL, "--external", tmp_path / "usb")
+    assert done.status == 0
+    assert "M198 O9" in done.out
+
+
+def test_a_setup_file_is_read(job: Path) -> None:
+    setup = job / "setup.toml"
+    setup.write_text("[limits]\nX = [-1, 5]\n")
+    done = Done("run", job / "good.nc", "-c", CONTROL, "--setup", setup)
+    assert done.status == 1
+    assert "over-travel" in done.out
+
+
+def test_json_has_the_whole_run(job: Path) -> None:
+    facts = Done("run", job / "good.nc", "-c", CONTROL, "--format", "json").json
+    assert (facts["stop"], facts["alarm"], facts["steps"]) == ("end", None, 18)
+    assert [call["kind"] for call in facts["calls"]] == ["M98", "G65", "M98"]
+    assert [move["x"] for move in facts["moves"]] == [10, 20, 30, 40, 50, 60]
+    assert facts["length"] == pytest.approx(60)
+    assert facts["bounds"]["X"] == [10, 60]
+    assert facts["messages"] == ["CHECK"]
+    alarm = Done("run", job / "bad.nc", "-c", CONTROL, "--format", "json").json["alarm"]
+    assert (alarm["cause"], alarm["program"], alarm["n"]) == ("program-not-found", "O2", 20)
+    assert alarm["frames"][0]["program"] == "O1"
+
+
+def test_moves_are_written_as_csv_and_parquet(job: Path) -> None:
+    done = Done("run", job / "good.nc", "-c", CONTROL, "--format", "csv")
+    rows = list(csv.DictReader(io.StringIO(done.out)))
+    assert [row["x"] for row in rows] == ["10.0", "20.0", "30.0", "40.0", "50.0", "60.0"]
+    assert rows[0]["kind"] == "feed"
+    assert rows[0]["cx"] == ""
+    assert "stopped" in done.error
+    from pyarrow import parquet
+
+    file = job / "moves.parquet"
+    Done("run", job / "good.nc", "-c", CONTROL, "--format", "parquet", "--output", file)
+    assert parquet.read_table(file)["kind"].to_pylist() == ["feed"] * 6
+
+
+def test_output_goes_to_a_file(job: Path) -> None:
+    for format in ("text", "json", "csv"):
+        file = job / f"out.{format}"
+        done = Done("run", job / "good.nc", "-c", CONTROL, "--format", format, "-o", file)
+        assert done.status == 0
+        assert done.out == ""
+        assert file.read_text()
+
+
+def test_a_tree_is_drawn(job: Path) -> None:
+    done = Done("tree", job / "good.nc", "-c", CONTROL)
+    assert done.status == 0
+    assert done.out.splitlines()[1:] == [
+        "|-- M98 O2, 5 passes (10 blocks)",
+        "`-- G65 O3 (5 blocks)",
+        "    `-- M98 O2 (2 blocks)",
+    ]
+    facts = Done("tree", job / "good.nc", "-c", CONTROL, "--format", "json").json
+    assert facts["calls"][1]["calls"][0]["program"] == "O2"
+    broken = Done("tree", job / "bad.nc", "-c", CONTROL)
+    assert broken.status == 1
+    assert "M98 O2" in broken.out
+    assert "program-not-found" in broken.error
+
+
+def test_the_controls_are_listed() -> None:
+    done = Done("controls")
+    assert [line.split()[0] for line in done.out.splitlines()] == list(cncsub.controls)
+    assert [c["name"] for c in Done("controls", "--format", "json").json] == list(cncsub.controls)
+
+
+@pytest.mark.parametrize("name", list(cncsub.controls))
+def test_a_control_is_shown_with_rules_parameters_and_alarms(name: str) -> None:
+    control = cncsub.controls[name]
+    out = Done("controls", name).out
+    assert all(f"  {rule.name} = " in out for rule in control.rules)
+    assert all(parameter in out for parameter in control.parameters)
+    assert all(alarm.cause in out for alarm in control.alarms.values())
+    assert out.count("; ") >= len(control.rules) + len(control.parameters) + len(control.alarms)
+    facts = Done("controls", name, "--format", "json").json
+    assert len(facts["rules"]) == len(control.rules)
+    assert all(rule["source"] for rule in facts["rules"])
+    assert all("evidence" in alarm for alarm in facts["alarms"])
+
+
+def test_an_alarm_number_is_explained() -> None:
+    out = Done("explain", "P232", "-c", "mitsubishi-m700").out
+    cause = cncsub.causes["program-not-found"]
+    assert "program-not-found" in out
+    assert cause.meaning in out
+    assert cause.cure in out
+    assert "mitsubishi-m700: P232" in out
+    assert "source" in out or "[" in out
+
+
+def test_a_cause_is_explained_for_every_control() -> None:
+    facts = Done("explain", "program-not-found", "--format", "json").json
+    assert [fact["cause"] for fact in facts] == ["program-not-found"]
+    told = {alarm["control"] for alarm in facts[0]["alarms"]}
+    assert told == {c.name for c in cncsub.controls.values() if "program-not-found" in c.alarms}
+
+
+def test_a_number_is_found_however_it_is_written() -> None:
+    whole = Done("explain", "PS0076", "-c", CONTROL).out
+    assert "PS0076" in whole
+    for short in ("76", "076", "ps76", "ps0076"):
+        assert "PS0076" in Done("explain", short, "-c", CONTROL).out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["run", "{job}/good.nc"], "which control? Give -c and one of gsk-988ta"),
+        (["run", "{job}/good.nc", "-c", "fanuc-0if"], "near are fanuc-0i-f"),
+        (["run", "{job}/god.nc", "-c", CONTROL], "good.nc"),
+        (["run", "-c", CONTROL], "which program?"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--main", "O20"], "near are O2"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--set", "x=1"], "--set takes NUMBER=VALUE"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--set", "100"], "--set takes NUMBER=VALUE"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6050"], "--param takes NAME=VALUE"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--skip", "12"], "1 to 9"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--max-blocks", "many"], "--max-blocks"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--max-cycles", "0"], "--max-cycles"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--format", "xml"], "--format"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--format", "parquet"], "--output"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "-o", "{job}/no/such"], "no/such"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--external", "{job}/usb"], "usb"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--setup", "{job}/none.toml"], "none.toml"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--setup", "{job}/good.nc"], "good.nc"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--mdi", "M30", "--main", "O1"], "--mdi"),
+        (["run", "/dev/zero", "-c", CONTROL], "not a regular file"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--nonsense"], "--nonsense"),
+        (["controls", "fanuc"], "near are fanuc-"),
+        (["explain", "P9999", "-c", "mitsubishi-m700"], "no alarm or cause is called 'P9999'"),
+        (["explain", "program-not-fond"], "near are program-not-found"),
+        (["rum"], "rum"),
+        ([], "command"),
+    ],
+)
+def test_wrong_use_is_one_line_and_status_2(job: Path, arguments: list[str], words: str) -> None:
+    done = Done(*(argument.replace("{job}", str(job)) for argument in arguments))
+    assert done.status == 2
+    assert done.out == ""
+    assert words in done.error
+    assert done.error.startswith("cncsub: ")
+    assert done.error.count("\n") == 1
+
+
+@pytest.mark.parametrize("command", [[], ["run"], ["tree"], ["controls"], ["explain"]])
+def test_help_is_status_0(command: list[str]) -> None:
+    done = Done(*command, "--help")
+    assert done.status == 0
+    assert "Usage" in done.out
+
+
+def test_the_installed_command_prints_without_colour_into_a_pipe(job: Path) -> None:
+    command = [sys.executable, "-c", "from cncsub.cli import main; main()"]
+    done = subprocess.run(
+        [*command, "run", str(job / "bad.nc"), "-c", CONTROL],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert done.stderr == ""
+    assert "\x1b" not in done.stdout
+    assert "program-not-found" in done.stdout
+    wrong = subprocess.run([*command, "run", "x"], capture_output=True, text=True, check=False)
+    assert wrong.returncode == 2
+    assert "Traceback" not in wrong.stderr
+
+
+def test_a_reader_that_goes_away_makes_no_traceback(job: Path) -> None:
+    many = job / "many.nc"
+    many.write_text(
+        "O1\n" + "".join(f"N{n} M98 P2 L{n % 7 + 1}\n" for n in range(1, 9000)) + "M30\nO2\nM99\n"
+    )
+    code = "from cncsub.cli import main; main()"
+    done = subprocess.run(
+        f'"{sys.executable}" -c "{code}" run {many} -c {CONTROL} --format json | head -c 10',
+        shell=True,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert "Traceback" not in done.stderr
+
+
+def test_no_message_of_a_program_moves_the_terminal(tmp_path: Path) -> None:
+    file = tmp_path / "O1.nc"
+    file.write_bytes(b"N10 #3006=1(\x1b[2J\x07HI)\nN20 M98 P9(\x1b[2J)\n")
+    done = Done("run", file, "-c", CONTROL)
+    assert "\x1b" not in done.out
+    assert "\x07" not in done.out
