@@ -332,3 +332,12 @@ def test_no_message_of_a_program_moves_the_terminal(tmp_path: Path) -> None:
     done = Done("run", file, "-c", CONTROL)
     assert "\x1b" not in done.out
     assert "\x07" not in done.out
+
+
+def test_a_long_tree_is_cut_and_says_how_much_is_left(tmp_path: Path) -> None:
+    file = tmp_path / "O1.nc"
+    calls = "".join(f"M98 P2 L{n % 2 + 1}\n" for n in range(250))
+    file.write_text(f"O1\n{calls}M30\nO2\nM99\n")
+    lines = Done("tree", file, "-c", CONTROL).out.splitlines()
+    assert len(lines) == 202
+    assert lines[-1] == "... 50 more lines"

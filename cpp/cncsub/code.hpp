@@ -39,7 +39,7 @@ struct Fault {
 
 enum class Ins : std::uint8_t {
   Constant, Local, LocalRaw, Common, CommonRaw, Variable, VariableRaw, Indirect, IndirectRaw,
-  Add, Subtract, Multiply, Divide, Modulo, And, Or, Xor, Negate,
+  Add, Subtract, Multiply, Divide, AddConstant, SubtractConstant, MultiplyConstant, DivideConstant, Modulo, And, Or, Xor, Negate,
   Equal, NotEqual, Greater, Less, GreaterEqual, LessEqual, BothTrue, EitherTrue, OneTrue, Not,
   Sin, Cos, Tan, Asin, Acos, Atan, Atan2, Sqrt, Abs, Round, RoundWord, Fix, Fup, Ln, Exp, Pow, Bin, Bcd, Adp, Parameter,
   Sign, Random, RandomBetween, Programmed, Named, End
@@ -52,10 +52,20 @@ struct Instruction {
   double value = 0;           // a constant; of a variable: its number
 };
 
+/// An expression. Most are one value, or one operation on two, and need no instructions: `form` says so.
 struct Expression {
   std::uint32_t first = 0;  // into Code::instructions
   std::uint32_t at = 0;
   std::uint32_t width = 1;
+  enum class Form : std::uint8_t { Long, One, Two } form = Form::Long;
+  Ins op = Ins::End;        // of Two
+  struct Load {
+    enum class From : std::uint8_t { Constant, Local, Common } from = From::Constant;
+    bool raw = false;       // a vacant variable stays vacant
+    std::uint32_t index = 0;
+    double value = 0;
+  };
+  std::array<Load, 2> loads{};
 };
 
 /// A value in a block: absent, written as a number, or an expression.

@@ -71,9 +71,48 @@ void ExpressionReader::emit(Ins op, std::uint32_t at, double value) {
 
 std::uint32_t ExpressionReader::finish(std::uint32_t first, std::uint32_t at) {
   emit(Ins::End, at);
-  const std::uint32_t width = std::max<std::uint32_t>(1, s_.offset() - at);
-  code_.expressions.push_back({first, at, width});
+  Expression expression;
+  expression.first = first;
+  expression.at = at;
+  expression.width = std::max<std::uint32_t>(1, s_.offset() - at);
+  shorten(expression);
+  code_.expressions.push_back(expression);
   return static_cast<std::uint32_t>(code_.expressions.size() - 1);
+}
+
+/// Tells expressions of one value, and of one operation on two, from longer ones.
+void ExpressionReader::shorten(Expression& expression) const {
+  const Instruction* at = code_.instructions.data() + expression.first;
+  const std::size_t count = code_.instructions.size() - expression.first;
+  const auto load = [](const Instruction& from, Expression::Load& to) {
+    using From = Expression::Load::From;
+    switch (from.op) {
+      case Ins::Constant:
+        to = {From::Constant, true, 0, from.value};
+        return true;
+      case Ins::Local:
+      case Ins::LocalRaw:
+        to = {From::Local, from.op == Ins::LocalRaw, from.at, 0};
+        return true;
+      case Ins::Common:
+      case Ins::CommonRaw:
+        to = {From::Common, from.op == Ins::CommonRaw, from.at, 0};
+        return true;
+      default:
+        return false;
+    }
+  };
+  if (count == 2 && load(at[0], expression.loads[0])) expression.form = Expression::Form::One;
+  if (count == 3 && at[1].op >= Ins::AddConstant && at[1].op <= Ins::MultiplyConstant && load(at[0], expression.loads[0])) {
+    expression.form = Expression::Form::Two;
+    expression.op = at[1].op == Ins::AddConstant ? Ins::Add : at[1].op == Ins::SubtractConstant ? Ins::Subtract : Ins::Multiply;
+    expression.loads[1].value = at[1].value;
+  }
+  if (count != 4 || !load(at[0], expression.loads[0]) || !load(at[1], expression.loads[1])) return;
+  const bool plain = (at[2].op >= Ins::Add && at[2].op <= Ins::Multiply) || (at[2].op >= Ins::Equal && at[2].op <= Ins::LessEqual);
+  if (!plain) return;
+  expression.form = Expression::Form::Two;
+  expression.op = at[2].op;
 }
 
 bool ExpressionReader::grow() {
@@ -417,6 +456,16 @@ std::optional<ExpressionReader::Value> ExpressionReader::apply(Ins op, std::uint
     return Value{Type::Condition, -1};
   }
   if (!arithmetic(left) || !arithmetic(right)) return std::nullopt;
+  Instruction& last = code_.instructions.back();
+  const bool divides = op == Ins::Divide && last.value != 0;
+  if (last.op == Ins::Constant && (op == Ins::Add || op == Ins::Subtract || op == Ins::Multiply || divides)) {
+    last.op = op == Ins::Add        ? Ins::AddConstant
+              : op == Ins::Subtract ? Ins::SubtractConstant
+              : op == Ins::Multiply ? Ins::MultiplyConstant
+                                    : Ins::DivideConstant;
+    last.at = at;
+    return Value{};
+  }
   emit(op, at);
   return Value{};
 }

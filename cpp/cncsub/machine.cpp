@@ -67,12 +67,6 @@ void Machine::finish() {
     if (open.call >= 0) trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
 }
 
-void Machine::record_step() {
-  if (trace_.depth >= Trace::Depth::Blocks) trace_.steps.push({pc_, frame().call, frame().repeat});
-  ++executed_;
-  jumped_after_ = pc_;
-}
-
 bool Machine::alarm(Fault fault) {
   const Address at = pc_;
   alarm_ = alarm_of(*code_, at, fault);
@@ -99,6 +93,13 @@ std::vector<Frame> Machine::frames() const {
     list.push_back(std::move(frame));
   }
   return list;
+}
+
+/// Executes the block at pc_ and records it. What it decides is where the run goes on (`next_`).
+inline bool Machine::execute(const Block& block) {
+  next_ = pc_ + 1;
+  words_done_ = false;
+  return block.op == Op::Linear && modals_.empty() ? linear(block) : branch(block);
 }
 
 bool Machine::step() {
@@ -142,13 +143,6 @@ void Machine::run(const std::function<bool()>& interrupted, const std::function<
     else if (executed_ >= options_.max_blocks || (options_.max_seconds > 0 && seconds > options_.max_seconds))
       end(Stop::Limit);
   }
-}
-
-/// Executes the block at pc_ and records it. What it decides is where the run goes on (`next_`).
-bool Machine::execute(const Block& block) {
-  next_ = pc_ + 1;
-  words_done_ = false;
-  return block.op == Op::Linear && modals_.empty() ? linear(block) : branch(block);
 }
 
 bool Machine::branch(const Block& block) {
@@ -521,8 +515,7 @@ bool Machine::jump(const Block& block) {
 
 // ---- macro statements ----
 
-bool Machine::evaluate(std::uint32_t expression, double& value) {
-  const Expression& e = code_->expressions[expression];
+bool Machine::evaluate_long(const Expression& e, double& value) {
   Trap trap;  // NOLINT: set where it is read
   if (compute(code_->instructions.data() + e.first, value, trap)) [[likely]] return true;
   const bool inside = trap.at >= e.at && trap.at <= e.at + e.width;

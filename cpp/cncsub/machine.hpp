@@ -162,6 +162,8 @@ class Machine {
   bool jump_to(Address to);
   bool waits(Address to);
   bool evaluate(std::uint32_t expression, double& value);
+  bool evaluate_long(const Expression& expression, double& value);
+  double load(const Expression::Load& from) const;
   bool condition(std::uint32_t expression, bool& holds);
   bool compute(const Instruction* at, double& value, Trap& trap);
   std::optional<Fault> system_read(const VariablePlace& place, std::int64_t number, double& value);
@@ -211,5 +213,62 @@ class Machine {
   double clock_ms_ = 0;
   std::minstd_rand random_{1};
 };
+
+[[gnu::always_inline]] inline void Machine::record_step() {
+  if (trace_.depth >= Trace::Depth::Blocks) trace_.steps.push({pc_, frame().call, frame().repeat});
+  ++executed_;
+  jumped_after_ = pc_;
+}
+
+[[gnu::always_inline]] inline double Machine::load(const Expression::Load& from) const {
+  double value = from.value;
+  if (from.from == Expression::Load::From::Local)
+    value = locals_[static_cast<std::size_t>(level_ * code_->locals) + from.index];
+  else if (from.from == Expression::Load::From::Common)
+    value = commons_[from.index];
+  return from.raw || !is_vacant(value) ? value : 0.0;
+}
+
+/// One value, or one operation on two, at once; what is longer or has no finite result goes the long way.
+inline bool Machine::evaluate(std::uint32_t expression, double& value) {
+  const Expression& e = code_->expressions[expression];
+  if (e.form == Expression::Form::Long) return evaluate_long(e, value);
+  const double a = load(e.loads[0]);
+  if (e.form == Expression::Form::One) {
+    value = a;
+    return true;
+  }
+  const double b = load(e.loads[1]);
+  const auto same = [&] { return a == b || (is_vacant(a) && is_vacant(b)); };
+  switch (e.op) {
+    case Ins::Add:
+      value = a + b;
+      return std::isfinite(value) || evaluate_long(e, value);
+    case Ins::Subtract:
+      value = a - b;
+      return std::isfinite(value) || evaluate_long(e, value);
+    case Ins::Multiply:
+      value = a * b;
+      return std::isfinite(value) || evaluate_long(e, value);
+    case Ins::Equal:
+      value = same() ? 1 : 0;
+      return true;
+    case Ins::NotEqual:
+      value = same() ? 0 : 1;
+      return true;
+    case Ins::Greater:
+      value = a > b ? 1 : 0;
+      return true;
+    case Ins::Less:
+      value = a < b ? 1 : 0;
+      return true;
+    case Ins::GreaterEqual:
+      value = a >= b ? 1 : 0;
+      return true;
+    default:
+      value = a <= b ? 1 : 0;
+      return true;
+  }
+}
 
 }  // namespace cncsub

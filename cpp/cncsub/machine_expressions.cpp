@@ -15,27 +15,35 @@ constexpr double kDegree = kPi / 180.0;
 /// The angle within one turn, 0 to 360 degrees.
 double turn(double degrees) {
   constexpr double kExact = 1e12;  // below, whole turns are subtracted without rounding
-  if (std::fabs(degrees) < kExact) return degrees - 360.0 * std::floor(degrees * (1.0 / 360.0));
+  if (std::fabs(degrees) < kExact) {
+    const auto turns = static_cast<double>(static_cast<std::int64_t>(degrees * (1.0 / 360.0)));
+    const double rest = degrees - 360.0 * turns;
+    return rest < 0 ? rest + 360.0 : rest >= 360.0 ? rest - 360.0 : rest;
+  }
   const double rest = std::fmod(degrees, 360.0);
   return rest < 0 ? rest + 360.0 : rest;
 }
 
-/// Sine of degrees, exact at multiples of 30, so that TAN[90] is told from a large value.
+/// Sines of whole degrees, exact at multiples of 30, so that TAN[90] is told from a large value.
+const std::array<double, 361> kSines = [] {
+  constexpr double kThirds[] = {0, 0.5, 2, 1, 2, 0.5, 0, -0.5, 2, -1, 2, -0.5, 0};  // 2: no rational number
+  std::array<double, 361> sines{};
+  for (int a = 0; a <= 360; ++a) {
+    const bool exact = a % 30 == 0 && kThirds[a / 30] != 2;
+    sines[static_cast<std::size_t>(a)] = exact ? kThirds[a / 30] : std::sin(a * kDegree);
+  }
+  return sines;
+}();
+
 double sine(double degrees) {
-  static constexpr double kThirds[] = {0, 0.5, 2, 1, 2, 0.5, 0, -0.5, 2, -1, 2, -0.5, 0};
   const double a = turn(degrees);
-  const double third = a * (1.0 / 30.0);
-  const int index = static_cast<int>(third);
-  if (static_cast<double>(index) * 30.0 == a && kThirds[index] != 2) return kThirds[index];
-  return std::sin(a * kDegree);
+  const auto whole = static_cast<std::size_t>(a);
+  return static_cast<double>(whole) == a ? kSines[whole] : std::sin(a * kDegree);
 }
 double cosine(double degrees) {
-  static constexpr double kThirds[] = {1, 2, 0.5, 0, -0.5, 2, -1, 2, -0.5, 0, 0.5, 2, 1};
   const double a = turn(degrees);
-  const double third = a * (1.0 / 30.0);
-  const int index = static_cast<int>(third);
-  if (static_cast<double>(index) * 30.0 == a && kThirds[index] != 2) return kThirds[index];
-  return std::cos(a * kDegree);
+  const auto whole = static_cast<std::size_t>(a);
+  return static_cast<double>(whole) == a ? kSines[whole < 270 ? whole + 90 : whole - 270] : std::cos(a * kDegree);
 }
 
 double round_half_away(double value) { return std::round(value); }
@@ -148,6 +156,19 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
         --top;
         if (*top == 0) return fault(Cause::DivisionByZero, "the divisor is 0");
         top[-1] /= *top;
+        break;
+      case Ins::AddConstant:
+        top[-1] += at->value;
+        break;
+      case Ins::SubtractConstant:
+        top[-1] -= at->value;
+        break;
+      case Ins::MultiplyConstant:
+        top[-1] *= at->value;
+        if (is_vacant(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        break;
+      case Ins::DivideConstant:
+        top[-1] /= at->value;
         break;
       case Ins::Modulo:
         if (at->value == -1) break;  // marks PRM[n,b]

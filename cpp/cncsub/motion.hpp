@@ -186,6 +186,7 @@ class Motion {
   Result move_by_length(BlockWords& block, const Axes& before);
   Result set_radius(BlockWords& block);
   double radius_value() const;
+  std::array<double, 3> tip_vector() const;
   // motion_corner.cpp: chamfers and corner rounds.
   Result corner_words(BlockWords& block, Piece& piece) const;
   Result through_corner(Piece piece, Axes from, Moves* moves);

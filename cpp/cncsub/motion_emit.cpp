@@ -58,6 +58,7 @@ Piece Motion::make_piece(const BlockWords& block, MoveKind kind, const Axes& wor
   if (s_.held.suspended) return piece;
   piece.side = radius == Meaning::RadiusLeft ? -1 : radius == Meaning::RadiusRight ? 1 : 0;
   piece.radius = piece.side != 0 ? radius_value() : 0;
+  if (piece.side != 0) piece.tip = tip_vector();
   return piece;
 }
 
@@ -129,7 +130,9 @@ std::array<double, 3> Motion::centre_of(const Piece& piece) const {
 double Motion::arc_length(const Piece& piece, const Axes& machine) const {
   const PlaneAxes plane = plane_axes(piece.plane);
   const auto polar = [&](const Axes& p) {
-    const auto part = [&](int i) { return (p[i] - piece.length[i] - piece.centre[i]) * facts_->share(i); };
+    const auto part = [&](int i) {
+      return (p[i] - piece.length[i] - piece.tip[i] - piece.centre[i]) * facts_->share(i);
+    };
     return std::array<double, 2>{std::hypot(part(plane.a), part(plane.b)), std::atan2(part(plane.b), part(plane.a))};
   };
   const auto from = polar(s_.tool_at), to = polar(machine);
@@ -158,7 +161,7 @@ double Motion::seconds_of(const Piece& piece, const Axes& machine, double length
   }
   const double zero = piece.offset[0] + piece.length[0];
   const double mean = (std::fabs(s_.tool_at[0] - zero) + std::fabs(machine[0] - zero)) / 2;
-  return cutting_time(piece.state, length, spindle_at(piece.state, mean));
+  return cutting_time(piece.state, path_of(s_.tool_at, machine, length), spindle_at(piece.state, mean));
 }
 
 Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) const {

@@ -35,7 +35,9 @@ struct RadiusPath {
 
   Result record(const Piece& piece, Point v) {
     auto& held = motion.s_.held;
-    if (auto wrong = motion.record(piece, moves, vector_of(v))) return wrong;
+    std::array<double, 3> vector = vector_of(v);
+    for (std::size_t i = 0; i < 3; ++i) vector[i] += piece.tip[i];
+    if (auto wrong = motion.record(piece, moves, vector)) return wrong;
     held.vector = {v.a, v.b};
     return std::nullopt;
   }
@@ -109,7 +111,7 @@ RadiusPath::Result RadiusPath::join(const Curve& a, const Curve& b, double offse
 RadiusPath::Result RadiusPath::check_direction(const Curve& curve, const Piece& piece, double offset, Point end,
                                                Point v) const {
   Axes tool = motion.s_.tool_at;
-  for (std::size_t i = 0; i < tool.size(); ++i) tool[i] -= piece.length[i];
+  for (std::size_t i = 0; i < tool.size(); ++i) tool[i] -= piece.length[i] + (i < 3 ? piece.tip[i] : 0);
   const Point start = view.point(tool), stop = end + v;
   const Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
   if (curve.line()) {

@@ -119,4 +119,15 @@ double Motion::radius_value() const {
   return s_.d == 0 || number >= tables_->radius.size() ? 0 : tables_->radius[number] + tables_->radius_wear[number];
 }
 
+/// From the centre of the nose to the imaginary tip, which the program moves: tip 3 points to -X and -Z, 8 to -X.
+std::array<double, 3> Motion::tip_vector() const {
+  static constexpr std::array<std::array<int, 2>, 10> kTips = {  // X and Z of tips 0 to 9
+      {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}, {0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 0}}};
+  if (!facts_->lathe() || s_.plane != 18) return {};
+  const auto found = tables_->tools.find(s_.tool_offset);
+  if (found == tables_->tools.end() || found->second.tip < 0 || found->second.tip > 9) return {};
+  const auto& tip = kTips[static_cast<std::size_t>(found->second.tip)];
+  return {tip[0] * found->second.radius / facts_->share(0), 0, tip[1] * found->second.radius};
+}
+
 }  // namespace cncsub

@@ -5,10 +5,12 @@
 
 namespace cncsub {
 
-/// A depth: a number without a point counts least increments.
+/// P and Q of a lathe's cycles: whole numbers count least increments, also where a length would be millimetres.
 double Motion::cycle_length(const BlockWords& block, char address) const {
-  if ((block.words.whole & bit(address)) == 0 || !facts_->lathe()) return number(block, address);
-  return raw(block, address) * facts_->increment * (g20() ? 0.1 * kInch : 1);
+  const double value = raw(block, address);
+  const bool whole = value == std::floor(value) && (address == 'P' || (block.words.computed & bit(address)) == 0);
+  if (!facts_->lathe() || !whole || !facts_->control->cycle_increments.value) return number(block, address);
+  return value * facts_->increment * (g20() ? 0.1 * kInch : 1);
 }
 
 Motion::Result Motion::turning_cycle(BlockWords& block, Meaning meaning) {

@@ -50,13 +50,18 @@ double cutting_time(const MoveState& state, double length, double mean_spindle) 
 }
 
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
-  double sum = 0, turned = 0;
+  double sum = 0;
   for (int i = 0; i < kAxes; ++i) {
-    double d = to[i] - from[i];
-    if ((diameters >> i & 1) != 0) d /= 2;
-    (i >= 3 && i < 6 ? turned : sum) += d * d;
+    const double d = (to[i] - from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
+    if (i < 3 || i > 5) sum += d * d;
   }
-  return std::sqrt(sum > 0 ? sum : turned);  // a rotary axis alone: its degrees
+  return std::sqrt(sum);
+}
+
+double path_of(const Axes& from, const Axes& to, double length) {
+  double sum = length * length;
+  for (int i = 3; i < 6; ++i) sum += (to[i] - from[i]) * (to[i] - from[i]);
+  return std::sqrt(sum);
 }
 
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters) {
@@ -246,7 +251,7 @@ struct Moves::Walk {
         break;
     }
     const double mean = (std::fabs(from[0] - x_offset) + std::fabs(row.point[0])) / 2;
-    return cutting_time(*row.state, row.length, spindle_at(*row.state, mean));
+    return cutting_time(*row.state, path_of(from, row.machine, row.length), spindle_at(*row.state, mean));
   }
 };
 

@@ -164,7 +164,10 @@ class Moves {
 double cutting_time(const MoveState& state, double length, double mean_spindle);
 /// r/min at this diameter.
 double spindle_at(const MoveState& state, double diameter);
+/// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
+/// What a feed is counted along: the length, and the degrees of rotary axes.
+double path_of(const Axes& from, const Axes& to, double length);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
 double thread_time(const MoveState& state, const Axes& from, const Axes& to, std::uint32_t diameters);
 

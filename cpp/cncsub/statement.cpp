@@ -130,7 +130,7 @@ void StatementReader::assignment(bool bracketed) {
     code_.names.push_back(name);
     statement.target = Statement::Target::Indirect;
     statement.variable = static_cast<std::uint32_t>(code_.expressions.size());
-    code_.expressions.push_back({static_cast<std::uint32_t>(code_.instructions.size()), statement.at, 1});
+    code_.expressions.push_back({.first = static_cast<std::uint32_t>(code_.instructions.size()), .at = statement.at});
     code_.instructions.push_back({Ins::Named, 0, statement.at, static_cast<double>(code_.names.size() - 1)});
     code_.instructions.push_back({Ins::End, 0, statement.at, 0});
   } else {
@@ -146,7 +146,7 @@ void StatementReader::assignment(bool bracketed) {
       if (indirect) {
         statement.target = Statement::Target::Indirect;
         statement.variable = static_cast<std::uint32_t>(code_.expressions.size());
-        code_.expressions.push_back({static_cast<std::uint32_t>(code_.instructions.size()), statement.at, 1});
+        code_.expressions.push_back({.first = static_cast<std::uint32_t>(code_.instructions.size()), .at = statement.at});
         const VariablePlace inner = code_.place(number - 9000);
         const bool common = inner.kind == VariableKind::Common || inner.kind == VariableKind::Kept;
         const bool local = inner.kind == VariableKind::Local;

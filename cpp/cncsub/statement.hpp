@@ -48,6 +48,7 @@ class ExpressionReader {
   bool close();
   bool comma();
   bool grow();
+  void shorten(Expression& expression) const;
   void emit(Ins op, std::uint32_t at, double value = 0);
   std::nullopt_t refuse(Cause cause, std::uint32_t at, std::string detail = {});
   std::uint32_t finish(std::uint32_t first, std::uint32_t at);

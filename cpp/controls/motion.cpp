@@ -80,6 +80,7 @@ void set_length_normal(Control& c, double v) {
   if (v != 0) c.length_type.value = LengthType::Normal;
 }
 void set_tool_motion(Control& c, double v) { c.tool_offset.value = v != 0 ? ToolOffset::NextMove : ToolOffset::Shift; }
+void set_cycle_increments(Control& c, double v) { c.cycle_increments.value = v != 0; }
 void set_chamfer_length(Control& c, double v) {
   c.chamfer_length.value = v != 0 ? ChamferLength::Corner : ChamferLength::Line;
 }
@@ -291,6 +292,8 @@ void gsk_988(Control& c) {
   c.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, "Talm 181", Secondary};
   c.power_on_per_minute = {false, "TApar 3402#4", Manual};
   fanuc_numbers(c, "TApar", Manual);
+  add_effect(c, "3401#1", 0, "CPQ: P and Q of cycles are 0 millimetres, 1 least increments", "TApar 3401#1", Manual,
+             set_cycle_increments);
   add_effect(c, "3401#6", 0, "G code system: 0 A, 1 B", "TApar 3401#6", Manual, set_machine_system);
   add_effect(c, "3405#4", 1, "CDR: 1 = C and R make corners without a comma", "TApar 3405#4", Manual,
              set_plain_corners);

@@ -15,9 +15,9 @@ from cncsub.controls import Cause, causes, controls
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
+from cncsub.rows import Call, Move, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
-from cncsub.tables import Call, Move, Step
 
 __all__ = [
     "Alarm",

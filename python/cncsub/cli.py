@@ -10,20 +10,27 @@ import enum
 import json
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import IO, Annotated, Any
 
 import typer
 import typer.core
 from rich.console import Console
-from rich.text import Text
 
 import cncsub
 from cncsub.controls import did_you_mean
-from cncsub.tables import CallTree, records
-
-MOST_CALLS = 200  # lines of the tree of calls
+from cncsub.facts import control_facts, explanations, run_facts, tree_facts, unknown_alarm
+from cncsub.printing import (
+    console_on,
+    print_control,
+    print_explanations,
+    print_pairs,
+    print_run,
+    print_stop,
+    print_tree,
+)
+from cncsub.tables import records
 
 
 class WrongUseError(Exception):
@@ -151,16 +158,15 @@ def run(
     output: Output = None,
 ) -> None:
     """Run a program and print its calls and how it stopped."""
-    with_moves = format is not RunFormat.TEXT
-    made = _run(locals(), trace="moves")
+    made, title = _run(locals(), trace="moves")
     if format is RunFormat.TEXT:
-        _write_text(output, lambda console: _print_run(console, made))
+        _write_text(output, lambda console: print_run(console, made, title))
     elif format is RunFormat.JSON:
-        _write_json(output, _run_facts(made.run, made.title, with_moves=with_moves))
+        _write_json(output, run_facts(made, title))
     else:
-        _write_moves(made.run, format, output)
-        _print_stop(Console(stderr=True, highlight=False, soft_wrap=True), made.run)
-    raise typer.Exit(_status(made.run))
+        _write_moves(made, format, output)
+        print_stop(console_on(sys.stderr), made)
+    raise typer.Exit(_status(made))
 
 
 @app.command()
@@ -183,14 +189,14 @@ def tree(
     output: Output = None,
 ) -> None:
     """Draw the calls a program makes."""
-    made = _run(locals(), trace="blocks")
+    made, title = _run(locals(), trace="blocks")
     if format is Format.JSON:
-        _write_json(output, _tree_facts(made))
+        _write_json(output, tree_facts(made, title))
     else:
-        _write_text(output, lambda console: _print_tree(console, made))
-        if made.run.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
-            _print_stop(Console(stderr=True, highlight=False, soft_wrap=True), made.run)
-    raise typer.Exit(_status(made.run))
+        _write_text(output, lambda console: print_tree(console, made, title))
+        if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
+            print_stop(console_on(sys.stderr), made)
+    raise typer.Exit(_status(made))
 
 
 @app.command()
@@ -205,13 +211,13 @@ def controls(
         if format is Format.JSON:
             _write_json(output, [{"name": key, "title": title} for key, title in listed.items()])
         else:
-            _write_text(output, lambda console: _print_pairs(console, listed))
+            _write_text(output, lambda console: print_pairs(console, listed))
         return
     control = _control(name)
     if format is Format.JSON:
-        _write_json(output, _control_facts(control))
+        _write_json(output, control_facts(control))
     else:
-        _write_text(output, lambda console: _print_control(console, control))
+        _write_text(output, lambda console: print_control(console, control))
 
 
 @app.command()
@@ -223,31 +229,22 @@ def explain(
 ) -> None:
     """Tell what an alarm means, what raises it and how to cure it."""
     among = list(cncsub.controls.values()) if control is None else [_control(control)]
-    facts = _explanations(alarm, among, all_causes=True)
+    facts = explanations(alarm, among)
     if not facts:
-        raise WrongUseError(_unknown_alarm(alarm, among))
+        raise WrongUseError(unknown_alarm(alarm, among))
     if format is Format.JSON:
         _write_json(output, facts)
     else:
-        _write_text(output, lambda console: _print_explanations(console, facts))
+        _write_text(output, lambda console: print_explanations(console, facts))
 
 
 # ---- running ----
 
 
-class Made:
-    """A run of the command line: the library, the run, and the name of what ran."""
-
-    def __init__(self, library: cncsub.Library, run: cncsub.Run, program: str) -> None:
-        self.library = library
-        self.run = run
-        self.title = f"{program} on {library.control.title}"
-
-
-def _run(options: Mapping[str, Any], *, trace: str) -> Made:
-    """Run what the options say; every wrong one is a usage error."""
+def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str]:
+    """Run what the options say, and name what ran; every wrong option is a usage error."""
     try:
-        return _made(options, trace)
+        return _made_run(options, trace)
     except KeyError as error:
         raise WrongUseError(str(error.args[0])) from None
     except OSError as error:
@@ -257,7 +254,7 @@ def _run(options: Mapping[str, Any], *, trace: str) -> Made:
         raise WrongUseError(str(error)) from None
 
 
-def _made(options: Mapping[str, Any], trace: str) -> Made:
+def _made_run(options: Mapping[str, Any], trace: str) -> tuple[cncsub.Run, str]:
     library = _library(options)
     mdi = options["mdi"]
     asked: dict[str, Any] = {
@@ -271,13 +268,14 @@ def _made(options: Mapping[str, Any], trace: str) -> Made:
     }
     if options["setup"] is not None:
         asked["setup"] = cncsub.Setup.from_toml(options["setup"])
+    where = f"on {library.control.title}"
     if mdi is None:
         program = library.main if options["main"] is None else library[options["main"]]
-        found = library.run(options["main"], **asked)
-        return Made(library, found, "nothing" if program is None else program.name)
+        name = "nothing" if program is None else program.name
+        return library.run(options["main"], **asked), f"{name} {where}"
     if options["main"] is not None:
         raise ValueError("--mdi runs what was typed and --main a program; give one of them")
-    return Made(library, library.mdi(mdi, **asked), "MDI")
+    return library.mdi(mdi, **asked), f"MDI {where}"
 
 
 def _library(options: Mapping[str, Any]) -> cncsub.Library:
@@ -337,15 +335,10 @@ def _status(run: cncsub.Run) -> int:
 
 def _write_text(output: Path | None, write: Callable[[Console], None]) -> None:
     if output is None:
-        write(_console(sys.stdout))
+        write(console_on(sys.stdout))
         return
     with _opened(output, "w") as file:
-        write(_console(file))
-
-
-def _console(file: IO[str]) -> Console:
-    """Colour on a terminal only; nothing is wrapped or marked up by rich."""
-    return Console(file=file, highlight=False, markup=False, emoji=False, soft_wrap=True)
+        write(console_on(file))
 
 
 def _opened(output: Path, mode: str) -> IO[Any]:
@@ -388,284 +381,3 @@ def _write_csv(run: cncsub.Run, file: IO[str]) -> None:
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(run.moves.columns)
     writer.writerows(record.values() for record in records(run.moves))
-
-
-# ---- text ----
-
-_COLOURS = {"end": "green", "cycles": "green", "alarm": "bold red"}
-
-
-def _print_run(console: Console, made: Made) -> None:
-    run = made.run
-    _print_tree(console, made)
-    _print_stop(console, run)
-    if len(run.moves):
-        console.print(f"{len(run.moves):,} moves, length {run.moves.total_length:,.3f} mm,", end="")
-        console.print(f" time {_duration(run.moves.total_time)}")
-        for axis, (low, high) in run.moves.bounds.items():
-            console.print(f"  {axis} {low:.10g} to {high:.10g}")
-    for message in run.messages:
-        console.print(f"message: {_shown(message)}")
-
-
-def _print_tree(console: Console, made: Made) -> None:
-    console.print(Text(_shown(made.title), style="bold"))
-    lines = _tree_lines(made.run.calls.tree())
-    for line, _ in zip(lines, range(MOST_CALLS), strict=False):
-        console.print(line)
-    left = sum(1 for _ in lines)
-    if left:
-        console.print(f"... {left:,} more lines")
-
-
-def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
-    waiting = [(call, "", call is trees[-1]) for call in reversed(trees)]
-    while waiting:
-        call, stem, last = waiting.pop()
-        head = f"{call.kind} {call.program}"
-        branch = stem + ("`-- " if last else "|-- ")
-        yield Text.assemble((branch, "dim"), (head, "cyan"), str(call).removeprefix(head))
-        below = stem + ("    " if last else "|   ")
-        waiting += [(inner, below, inner is call.calls[-1]) for inner in reversed(call.calls)]
-
-
-def _print_stop(console: Console, run: cncsub.Run) -> None:
-    stop = Text(f"stopped: {_stop_text(run)}", style=_COLOURS.get(run.stop.value, "yellow"))
-    console.print(stop)
-    if run.alarm is not None:
-        console.print(Text(str(run.alarm)))
-
-
-def _stop_text(run: cncsub.Run) -> str:
-    blocks = f"{len(run.steps):,} block{'s' if len(run.steps) != 1 else ''}"
-    if run.stop is cncsub.Stop.WAITING:
-        return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
-    reasons = {
-        cncsub.Stop.END: "the program ended",
-        cncsub.Stop.ALARM: "alarm",
-        cncsub.Stop.CYCLES: "the cycles are used up (--max-cycles)",
-        cncsub.Stop.LIMIT: "the limit of blocks is reached (--max-blocks)",
-        cncsub.Stop.INTERRUPTED: "interrupted",
-    }
-    return f"{reasons[run.stop]}, after {blocks}"
-
-
-def _shown(text: str) -> str:
-    """A text of a program without what a terminal would obey."""
-    return "".join(c if c.isprintable() else " " for c in text)
-
-
-def _duration(seconds: float) -> str:
-    minutes, rest = divmod(seconds, 60)
-    hours, minutes = divmod(int(minutes), 60)
-    parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]
-    return " ".join([*filter(None, parts), f"{rest:.1f} s"])
-
-
-def _print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
-    width = max(map(len, pairs))
-    for name, text in pairs.items():
-        console.print(Text.assemble((name.ljust(width), "cyan"), f"  {text}"))
-
-
-def _print_control(console: Console, control: cncsub.Control) -> None:
-    console.print(Text(f"{control.title} ({control.name})", style="bold"))
-    rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
-    _print_facts(console, "Rules", rules)
-    parameters = ((f"{p.name} = {p.value:g}", p.meaning, p) for p in control.parameters.values())
-    _print_facts(console, "Parameters", parameters)
-    alarms = (
-        (f"{a.number or '(no number)'} {a.cause}", a.text or cncsub.causes[a.cause].meaning, a)
-        for a in control.alarms.values()
-    )
-    _print_facts(console, "Alarms", alarms)
-
-
-def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, Any]]) -> None:
-    console.print(Text(f"\n{title}", style="bold"))
-    for head, text, fact in facts:
-        console.print(Text.assemble((f"  {head}", "cyan"), f": {text}"))
-        console.print(Text(f"      [{fact.source}; {fact.evidence}]", style="dim"))
-
-
-def _value(value: bool | int | str) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return str(value) or "none"
-
-
-# ---- alarms ----
-
-
-def _explanations(
-    asked: str, among: list[cncsub.Control], *, all_causes: bool
-) -> list[dict[str, Any]]:
-    """What is known about a cause or a number: one entry for each cause, with its controls."""
-    wanted = asked.strip().casefold()
-    slugs = [slug for slug in cncsub.causes if slug == wanted]
-    if not slugs:
-        slugs = _causes_of_number(wanted, among)
-    by_number = wanted not in cncsub.causes
-    return [_explanation(slug, among, wanted if by_number else None) for slug in slugs]
-
-
-def _causes_of_number(wanted: str, among: list[cncsub.Control]) -> list[str]:
-    exact = {a.cause for c in among for a in c.alarms.values() if _same(a.number, wanted)}
-    loose = {a.cause for c in among for a in c.alarms.values() if _alike(a.number, wanted)}
-    return [slug for slug in cncsub.causes if slug in (exact or loose)]
-
-
-def _same(number: str | None, wanted: str) -> bool:
-    return number is not None and number.casefold() == wanted
-
-
-def _alike(number: str | None, wanted: str) -> bool:
-    """`78` is said for `078` and for `PS0076`."""
-    return bool(number) and _figures(number) == _figures(wanted) != ""
-
-
-def _figures(number: str | None) -> str:
-    text = (number or "").casefold().strip()
-    for prefix in ("ps", "sr", "p/s", "p", "no.", "#"):
-        if text.startswith(prefix) and text[len(prefix) :].strip().isdigit():
-            text = text[len(prefix) :].strip()
-            break
-    return text.lstrip("0") if text.isdigit() else ""
-
-
-def _explanation(slug: str, among: list[cncsub.Control], wanted: str | None) -> dict[str, Any]:
-    cause = cncsub.causes[slug]
-    entries = [(c, c.alarms[slug]) for c in among if slug in c.alarms]
-    if wanted is not None:
-        exact = [(c, a) for c, a in entries if _same(a.number, wanted)]
-        entries = exact or [(c, a) for c, a in entries if _alike(a.number, wanted)]
-    return {
-        "cause": slug,
-        "meaning": cause.meaning,
-        "cure": cause.cure,
-        "alarms": [{"control": control.name, **_alarm_entry(entry)} for control, entry in entries],
-    }
-
-
-def _alarm_entry(entry: Any) -> dict[str, Any]:
-    return {
-        "number": entry.number or None,
-        "text": entry.text,
-        "source": entry.source,
-        "evidence": entry.evidence,
-    }
-
-
-def _print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
-    for place, fact in enumerate(facts):
-        if place:
-            console.print()
-        console.print(Text(fact["cause"], style="bold"))
-        console.print(f"  raised by: {fact['meaning']}")
-        console.print(f"  cure: {fact['cure']}")
-        for alarm in fact["alarms"]:
-            number = alarm["number"] or "no number"
-            text = f" {alarm['text']}" if alarm["text"] else ""
-            console.print(Text.assemble((f"  {alarm['control']}: ", "cyan"), f"{number}{text}"))
-            console.print(Text(f"      [{alarm['source']}; {alarm['evidence']}]", style="dim"))
-        if not fact["alarms"]:
-            console.print("  no source gives a number")
-
-
-def _unknown_alarm(asked: str, among: list[cncsub.Control]) -> str:
-    numbers = [a.number for c in among for a in c.alarms.values() if a.number]
-    near = did_you_mean(asked, [*cncsub.causes, *dict.fromkeys(numbers)])
-    where = f" on {among[0].name}" if len(among) == 1 else ""
-    return f"no alarm or cause is called {asked!r}{where}{near}"
-
-
-# ---- JSON ----
-
-
-def _run_facts(run: cncsub.Run, title: str, *, with_moves: bool) -> dict[str, Any]:
-    facts: dict[str, Any] = {
-        "title": title,
-        "stop": run.stop.value,
-        "waiting_for": run.waiting_for or None,
-        "alarm": None if run.alarm is None else _alarm_facts(run.alarm),
-        "steps": len(run.steps),
-        "calls": [dict(record) for record in records(run.calls)],
-        "length": run.moves.total_length,
-        "time": run.moves.total_time,
-        "bounds": {axis: list(pair) for axis, pair in run.moves.bounds.items()},
-        "messages": run.messages,
-        "m_codes": run.m_codes,
-        "t_codes": run.t_codes,
-        "variables": {str(number): value for number, value in run.variables.items()},
-        "position": run.position,
-        "modal": run.modal,
-    }
-    if with_moves:
-        facts["moves"] = [dict(record) for record in records(run.moves)]
-    return facts
-
-
-def _alarm_facts(alarm: cncsub.Alarm) -> dict[str, Any]:
-    names = "cause number text program n line column word file detail".split()  # noqa: SIM905
-    return {
-        **{name: getattr(alarm, name) for name in names},
-        "frames": [_frame_facts(frame) for frame in alarm.frames],
-        "message": str(alarm),
-    }
-
-
-def _frame_facts(frame: cncsub.Frame) -> dict[str, Any]:
-    names = "program n line file kind called repeat repeats".split()  # noqa: SIM905
-    return {name: getattr(frame, name) for name in names}
-
-
-def _tree_facts(made: Made) -> dict[str, Any]:
-    return {
-        "title": made.title,
-        "stop": made.run.stop.value,
-        "alarm": None if made.run.alarm is None else _alarm_facts(made.run.alarm),
-        "calls": [_call_facts(call) for call in made.run.calls.tree()],
-    }
-
-
-def _call_facts(call: CallTree) -> dict[str, Any]:
-    return {
-        "kind": call.kind,
-        "program": call.program,
-        "start_n": call.start_n,
-        "repeats": call.repeats,
-        "blocks": call.blocks,
-        "count": call.count,
-        "calls": [_call_facts(inner) for inner in call.calls],
-    }
-
-
-def _control_facts(control: cncsub.Control) -> dict[str, Any]:
-    return {
-        "name": control.name,
-        "title": control.title,
-        "rules": [
-            {
-                "name": rule.name,
-                "value": rule.value,
-                "meaning": rule.meaning,
-                "choices": list(rule.choices),
-                "source": rule.source,
-                "evidence": rule.evidence,
-            }
-            for rule in control.rules
-        ],
-        "parameters": [
-            {
-                "name": parameter.name,
-                "value": parameter.value,
-                "meaning": parameter.meaning,
-                "source": parameter.source,
-                "evidence": parameter.evidence,
-            }
-            for parameter in control.parameters.values()
-        ],
-        "alarms": [
-            {"cause": alarm.cause, **_alarm_entry(alarm)} for alarm in control.alarms.values()
-        ],
-    }

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import functools
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import NamedTuple, TypeVar
 
 from cncsub import _core
@@ -39,9 +40,13 @@ def did_you_mean(name: object, names: Iterable[str], otherwise: str = "") -> str
 class Named(Mapping[str, T]):
     """A mapping whose `KeyError` names what is near."""
 
-    def __init__(self, what: str, entries: dict[str, T]) -> None:
+    def __init__(self, what: str, read: Callable[[], dict[str, T]]) -> None:
         self._what = what
-        self._entries = entries
+        self._read = read
+
+    @functools.cached_property
+    def _entries(self) -> dict[str, T]:
+        return self._read()
 
     def __getitem__(self, name: str) -> T:
         try:
@@ -60,7 +65,7 @@ class Named(Mapping[str, T]):
         return f"<{len(self)} {self._what}s: {', '.join(self)}>"
 
 
-controls: Mapping[str, Control] = Named("control", {c.name: c for c in _core.controls()})
+controls: Mapping[str, Control] = Named("control", lambda: {c.name: c for c in _core.controls()})
 """Every control by its name, in listing order.
 
 >>> import cncsub
@@ -69,7 +74,7 @@ controls: Mapping[str, Control] = Named("control", {c.name: c for c in _core.con
 """
 
 causes: Mapping[str, Cause] = Named(
-    "cause", {slug: Cause(slug, *rest) for slug, *rest in _core.causes()}
+    "cause", lambda: {slug: Cause(slug, *rest) for slug, *rest in _core.causes()}
 )
 """Every cause of an alarm by its slug: what happened, and how to cure it.
 

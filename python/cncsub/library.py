@@ -121,8 +121,8 @@ class Library(Mapping[str, Program]):
     @property
     def external(self) -> Mapping[str, Program]:
         """The programs on the external device, by name."""
-        programs = (program for program in self._programs if program.external)
-        return Named("external program", {p.name: p for p in programs if p._data.duplicate_of < 0})
+        programs = [p for p in self._programs if p.external and p._data.duplicate_of < 0]
+        return Named("external program", lambda: {p.name: p for p in programs})
 
     @property
     def duplicates(self) -> tuple[Program, ...]:

@@ -12,7 +12,8 @@ from cncsub._core import Alarm, Frame
 from cncsub.controls import did_you_mean
 from cncsub.inputs import checked_variables
 from cncsub.program import Block
-from cncsub.tables import Calls, Moves, Step, Steps
+from cncsub.rows import Step
+from cncsub.tables import Calls, Moves, Steps
 
 Until = Block | tuple[str | int, int] | int
 

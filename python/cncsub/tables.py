@@ -10,11 +10,13 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, fields
+from collections.abc import Iterator, Mapping
+from dataclasses import fields
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
 from cncsub import _core
+from cncsub.calltree import CallTree, trees, write_lines
+from cncsub.rows import Call, Move, Step
 
 if TYPE_CHECKING:
     import numpy as np
@@ -23,87 +25,10 @@ if TYPE_CHECKING:
 
     Column = np.ndarray[Any, Any]
 
-Row = TypeVar("Row", bound="Step | Call | Move")
+Row = TypeVar("Row", bound=Step | Call | Move)
 
+_DRAWN = 2000  # calls in a printed tree
 _SHOWN = 5  # rows at the head and at the end of a printed table
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """One executed block. `frame` is the row of its call in `run.calls`, -1 in the main program."""
-
-    step: int
-    program: str
-    n: int | None
-    line: int
-    depth: int
-    frame: int
-    repeat: int
-
-
-@dataclass(frozen=True, slots=True)
-class Call:
-    """One entered subprogram or macro; steps are rows of `run.steps`.
-
-    `parent` is the call it was made in, `None` for the main program; `last_step` is `None` where
-    the call did not come to its end. `arguments` are the local variables it was given, by number.
-    """
-
-    call: int
-    parent: int | None
-    kind: str
-    program: str
-    start_n: int | None
-    repeats: int
-    level: int
-    first_step: int
-    last_step: int | None
-    caller_step: int
-    arguments: dict[int, float | None] = field(default_factory=dict, compare=False)
-
-
-@dataclass(frozen=True, slots=True)
-class Move:
-    """One motion. Lengths in mm, time in s.
-
-    `x`, `y`, `z` and the other axes in use: the programmed end in the work coordinates in force, a
-    diameter on a diameter axis. `mx`, `my`, `mz` ...: the machine position of the tool, offsets
-    included. `cx`, `cy`, `cz`: the centre of an arc. What does not apply is `None`.
-    """
-
-    move: int
-    step: int
-    kind: str
-    x: float | None = None
-    y: float | None = None
-    z: float | None = None
-    a: float | None = None
-    b: float | None = None
-    c: float | None = None
-    u: float | None = None
-    v: float | None = None
-    w: float | None = None
-    mx: float | None = None
-    my: float | None = None
-    mz: float | None = None
-    ma: float | None = None
-    mb: float | None = None
-    mc: float | None = None
-    mu: float | None = None
-    mv: float | None = None
-    mw: float | None = None
-    cx: float | None = None
-    cy: float | None = None
-    cz: float | None = None
-    plane: int | None = None
-    feed: float | None = None
-    feed_mode: str | None = None
-    spindle: float | None = None
-    tool: int | None = None
-    h: int | None = None
-    d: int | None = None
-    length: float = 0.0
-    time: float = 0.0
 
 
 class Table(Generic[Row]):
@@ -393,88 +318,19 @@ class Calls(Table[Call]):
     def _texts(self, name: str) -> list[str] | None:
         return {"program": self.programs, "kind": self.kinds}.get(name)
 
-    def tree(self, *, most: int = 2000) -> list[CallTree]:
+    def tree(self, *, most: int = _DRAWN) -> list[CallTree]:
         """The first `most` calls as trees; equal neighbours are one tree with a count."""
-        return _trees(self, most)
+        return trees(self[:most])
 
     def __repr__(self) -> str:
         lines: list[str] = []
-        _tree_lines(self.tree(), lines.append, most=40)
+        write_lines(self.tree(), lines.append, most=40)
+        if len(self) > _DRAWN:
+            lines.append(f"... drawn are the first {_DRAWN:,} calls")
         return "\n".join([*lines, self._size()])
 
     def __str__(self) -> str:
         return repr(self)
-
-
-@dataclass(slots=True)
-class CallTree:
-    """One call, or `count` equal calls one after the other, and the calls made in it."""
-
-    kind: str
-    program: str
-    start_n: int | None
-    repeats: int
-    blocks: (
-        int | None
-    )  # executed in one of them, called programs included; None where it did not end
-    count: int = 1
-    calls: list[CallTree] = field(default_factory=list)
-
-    def __str__(self) -> str:
-        start = "" if self.start_n is None else f" from N{self.start_n}"
-        passes = "" if self.repeats == 1 else f", {self.repeats} passes"
-        count = "" if self.count == 1 else f" x {self.count}"
-        blocks = (
-            "not ended"
-            if self.blocks is None
-            else f"{self.blocks} block{'s' if self.blocks != 1 else ''}"
-        )
-        return f"{self.kind} {self.program}{start}{passes} ({blocks}){count}"
-
-
-def _trees(calls: Calls, most: int) -> list[CallTree]:
-    """Built from the last call to the first: a call stands behind the one it was made in."""
-    shown = min(len(calls), most)
-    made_in: dict[int | None, list[tuple[int, CallTree]]] = {}
-    # Equal trees have equal numbers, so that comparing two of them needs no descent.
-    numbers: dict[tuple[object, ...], int] = {}
-    for index in range(shown - 1, -1, -1):
-        row = calls[index]
-        inner = made_in.pop(index, [])[::-1]
-        blocks = None if row.last_step is None else row.last_step - row.first_step + 1
-        tree = CallTree(
-            row.kind, row.program, row.start_n, row.repeats, blocks, 1, [t for _, t in inner]
-        )
-        shape = (*_shape(tree), tuple((number, t.count) for number, t in inner))
-        _add_in_front(
-            made_in.setdefault(row.parent, []), numbers.setdefault(shape, len(numbers)), tree
-        )
-    return [tree for _, tree in made_in.get(None, [])[::-1]]
-
-
-def _shape(tree: CallTree) -> tuple[object, ...]:
-    return tree.kind, tree.program, tree.start_n, tree.repeats, tree.blocks
-
-
-def _add_in_front(trees: list[tuple[int, CallTree]], number: int, tree: CallTree) -> None:
-    """The list runs backwards; a tree equal to its neighbour only counts."""
-    if trees and trees[-1][0] == number:
-        trees[-1][1].count += 1
-    else:
-        trees.append((number, tree))
-
-
-def _tree_lines(trees: list[CallTree], write: Callable[[str], object], *, most: int) -> None:
-    waiting = [(tree, 0) for tree in reversed(trees)]
-    written = 0
-    while waiting:
-        if written == most:
-            write("...")
-            return
-        tree, depth = waiting.pop()
-        write("  " * depth + str(tree))
-        waiting += [(inner, depth + 1) for inner in reversed(tree.calls)]
-        written += 1
 
 
 _ALL_AXES = "xyzabcuvw"

@@ -2977,6 +2977,16 @@ case(
     """,
     runs="", alarm="illegal-variable-name", number="PS1141", at="O1 N10",
 )
+for text, fault in [
+    ("[TOOLNO]", "without a variable"), ("510.5[TOOLNO]", "of a variable that is not whole"),
+    ("510[TOOLNO", "with an open list"), ("510 TOOLNO", "without brackets"),
+]:
+    case(
+        f"SETVN {fault} is refused: SETVN {text}",
+        control="fanuc-30i", source="ALM PS1139; K-M syntax", evidence="secondary",
+        program=f"O1\nN10 T1\nN20 SETVN {text}\nN30 M30\n",
+        runs="N10", alarm="setvn-format", number="PS1139", at="O1 N20", t=[1],
+    )
 
 # Vacant and zero in comparisons (9.2.8)
 

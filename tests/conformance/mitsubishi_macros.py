@@ -1896,3 +1896,28 @@ case(
     """,
     runs="N10 N20", messages=[], vars={100: 1},
 )
+case(
+    "SETVN gives two variables their names",
+    control=EVERY, source="MZ 866; general knowledge, SETVN", evidence="inferred",
+    program="""
+        O1
+        N10 SETVN 510[TOOLNO,WORKNO]
+        N20 #510=4
+        N30 M30
+    """,
+    runs="N10 N20 N30", vars={510: 4, 511: None},
+)
+for text in ("[TOOLNO]", "510[TOOLNO", "510 TOOLNO"):
+    case(
+        f"SETVN of a wrong form is P292: SETVN {text}",
+        control=EVERY, source="MZ 866, paired with P292", evidence="secondary",
+        program=f"O1\nN10 S1\nN20 SETVN {text}\nN30 M30\n",
+        runs="N10", alarm="setvn-format", number="P292", at="O1 N20",
+    )
+for text in ("510[TOOL*]", "510[TOOLNO,2B]"):
+    case(
+        f"SETVN of an illegal name is P300: SETVN {text}",
+        control=EVERY, source="MZ 870, paired with P300", evidence="secondary",
+        program=f"O1\nN10 S1\nN20 SETVN {text}\nN30 M30\n",
+        runs="N10", alarm="illegal-variable-name", number="P300", at="O1 N20",
+    )

@@ -1,0 +1,78 @@
+"""Calls drawn as trees."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from cncsub.rows import Call
+
+
+@dataclass(slots=True)
+class CallTree:
+    """One call, or `count` equal calls one after the other, and the calls made in it."""
+
+    kind: str
+    program: str
+    start_n: int | None
+    repeats: int
+    blocks: (
+        int | None
+    )  # executed in one of them, called programs included; None where it did not end
+    count: int = 1
+    calls: list[CallTree] = field(default_factory=list)
+
+    def __str__(self) -> str:
+        start = "" if self.start_n is None else f" from N{self.start_n}"
+        passes = "" if self.repeats == 1 else f", {self.repeats} passes"
+        count = "" if self.count == 1 else f" x {self.count}"
+        blocks = (
+            "not ended"
+            if self.blocks is None
+            else f"{self.blocks} block{'s' if self.blocks != 1 else ''}"
+        )
+        return f"{self.kind} {self.program}{start}{passes} ({blocks}){count}"
+
+
+def trees(calls: Sequence[Call]) -> list[CallTree]:
+    """The calls as trees, built from the last to the first: a call stands behind its caller."""
+    made_in: dict[int | None, list[tuple[int, CallTree]]] = {}
+    # Equal trees have equal numbers, so that comparing two of them needs no descent.
+    numbers: dict[tuple[object, ...], int] = {}
+    for index in range(len(calls) - 1, -1, -1):
+        row = calls[index]
+        inner = made_in.pop(index, [])[::-1]
+        blocks = None if row.last_step is None else row.last_step - row.first_step + 1
+        tree = CallTree(
+            row.kind, row.program, row.start_n, row.repeats, blocks, 1, [t for _, t in inner]
+        )
+        shape = (*_shape(tree), tuple((number, t.count) for number, t in inner))
+        _add_in_front(
+            made_in.setdefault(row.parent, []), numbers.setdefault(shape, len(numbers)), tree
+        )
+    return [tree for _, tree in made_in.get(None, [])[::-1]]
+
+
+def _shape(tree: CallTree) -> tuple[object, ...]:
+    return tree.kind, tree.program, tree.start_n, tree.repeats, tree.blocks
+
+
+def _add_in_front(trees: list[tuple[int, CallTree]], number: int, tree: CallTree) -> None:
+    """The list runs backwards; a tree equal to its neighbour only counts."""
+    if trees and trees[-1][0] == number:
+        trees[-1][1].count += 1
+    else:
+        trees.append((number, tree))
+
+
+def write_lines(trees: list[CallTree], write: Callable[[str], object], *, most: int) -> None:
+    waiting = [(tree, 0) for tree in reversed(trees)]
+    written = 0
+    while waiting:
+        if written == most:
+            write("...")
+            return
+        tree, depth = waiting.pop()
+        write("  " * depth + str(tree))
+        waiting += [(inner, depth + 1) for inner in reversed(tree.calls)]
+        written += 1

@@ -1,0 +1,164 @@
+"""Runs, controls and alarms as plain values: what the command line writes as JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import cncsub
+from cncsub.calltree import CallTree
+from cncsub.controls import did_you_mean
+from cncsub.tables import records
+
+
+def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
+    return {
+        "title": title,
+        "stop": run.stop.value,
+        "waiting_for": run.waiting_for or None,
+        "alarm": None if run.alarm is None else alarm_facts(run.alarm),
+        "steps": len(run.steps),
+        "calls": [dict(record) for record in records(run.calls)],
+        "length": run.moves.total_length,
+        "time": run.moves.total_time,
+        "bounds": {axis: list(pair) for axis, pair in run.moves.bounds.items()},
+        "messages": run.messages,
+        "m_codes": run.m_codes,
+        "t_codes": run.t_codes,
+        "variables": {str(number): value for number, value in run.variables.items()},
+        "position": run.position,
+        "modal": run.modal,
+        "moves": [dict(record) for record in records(run.moves)],
+    }
+
+
+def alarm_facts(alarm: cncsub.Alarm) -> dict[str, Any]:
+    names = "cause number text program n line column word file detail".split()  # noqa: SIM905
+    return {
+        **{name: getattr(alarm, name) for name in names},
+        "frames": [_frame_facts(frame) for frame in alarm.frames],
+        "message": str(alarm),
+    }
+
+
+def _frame_facts(frame: cncsub.Frame) -> dict[str, Any]:
+    names = "program n line file kind called repeat repeats".split()  # noqa: SIM905
+    return {name: getattr(frame, name) for name in names}
+
+
+def tree_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
+    return {
+        "title": title,
+        "stop": run.stop.value,
+        "alarm": None if run.alarm is None else alarm_facts(run.alarm),
+        "calls": [_call_facts(call) for call in run.calls.tree()],
+    }
+
+
+def _call_facts(call: CallTree) -> dict[str, Any]:
+    return {
+        "kind": call.kind,
+        "program": call.program,
+        "start_n": call.start_n,
+        "repeats": call.repeats,
+        "blocks": call.blocks,
+        "count": call.count,
+        "calls": [_call_facts(inner) for inner in call.calls],
+    }
+
+
+def control_facts(control: cncsub.Control) -> dict[str, Any]:
+    return {
+        "name": control.name,
+        "title": control.title,
+        "rules": [
+            {
+                "name": rule.name,
+                "value": rule.value,
+                "meaning": rule.meaning,
+                "choices": list(rule.choices),
+                "source": rule.source,
+                "evidence": rule.evidence,
+            }
+            for rule in control.rules
+        ],
+        "parameters": [
+            {
+                "name": parameter.name,
+                "value": parameter.value,
+                "meaning": parameter.meaning,
+                "source": parameter.source,
+                "evidence": parameter.evidence,
+            }
+            for parameter in control.parameters.values()
+        ],
+        "alarms": [
+            {"cause": alarm.cause, **_alarm_entry(alarm)} for alarm in control.alarms.values()
+        ],
+    }
+
+
+# ---- alarms ----
+
+
+def explanations(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]]:
+    """What is known about a cause or a number: one entry for each cause, with its controls."""
+    wanted = asked.strip().casefold()
+    slugs = [slug for slug in cncsub.causes if slug == wanted]
+    if not slugs:
+        slugs = _causes_of_number(wanted, among)
+    by_number = wanted not in cncsub.causes
+    return [_explanation(slug, among, wanted if by_number else None) for slug in slugs]
+
+
+def _causes_of_number(wanted: str, among: list[cncsub.Control]) -> list[str]:
+    exact = {a.cause for c in among for a in c.alarms.values() if _same(a.number, wanted)}
+    loose = {a.cause for c in among for a in c.alarms.values() if _alike(a.number, wanted)}
+    return [slug for slug in cncsub.causes if slug in (exact or loose)]
+
+
+def _same(number: str | None, wanted: str) -> bool:
+    return number is not None and number.casefold() == wanted
+
+
+def _alike(number: str | None, wanted: str) -> bool:
+    """`78` is said for `078` and for `PS0076`."""
+    return bool(number) and _figures(number) == _figures(wanted) != ""
+
+
+def _figures(number: str | None) -> str:
+    text = (number or "").casefold().strip()
+    for prefix in ("ps", "sr", "p/s", "p", "no.", "#"):
+        if text.startswith(prefix) and text[len(prefix) :].strip().isdigit():
+            text = text[len(prefix) :].strip()
+            break
+    return text.lstrip("0") if text.isdigit() else ""
+
+
+def _explanation(slug: str, among: list[cncsub.Control], wanted: str | None) -> dict[str, Any]:
+    cause = cncsub.causes[slug]
+    entries = [(c, c.alarms[slug]) for c in among if slug in c.alarms]
+    if wanted is not None:
+        exact = [(c, a) for c, a in entries if _same(a.number, wanted)]
+        entries = exact or [(c, a) for c, a in entries if _alike(a.number, wanted)]
+    return {
+        "cause": slug,
+        "meaning": cause.meaning,
+        "cure": cause.cure,
+        "alarms": [{"control": control.name, **_alarm_entry(entry)} for control, entry in entries],
+    }
+
+
+def _alarm_entry(entry: Any) -> dict[str, Any]:
+    return {
+        "number": entry.number or None,
+        "text": entry.text,
+        "source": entry.source,
+        "evidence": entry.evidence,
+    }
+
+
+def unknown_alarm(asked: str, among: list[cncsub.Control]) -> str:
+    numbers = [a.number for c in among for a in c.alarms.values() if a.number]
+    near = did_you_mean(asked, [*cncsub.causes, *dict.fromkeys(numbers)])
+    where = f" on {among[0].name}" if len(among) == 1 else ""
+    return f"no alarm or cause is called {asked!r}{where}{near}"

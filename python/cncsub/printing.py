@@ -1,0 +1,140 @@
+"""Runs, controls and alarms as text for people: in colour on a terminal, plain elsewhere."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Iterator, Mapping
+from typing import IO, Any
+
+from rich.console import Console
+from rich.text import Text
+
+import cncsub
+from cncsub.calltree import CallTree
+
+MOST_CALLS = 100_000  # drawn in a tree
+MOST_LINES = 200  # printed of it
+
+
+def console_on(file: IO[str]) -> Console:
+    """Colour on a terminal only; nothing is wrapped or marked up by rich."""
+    return Console(file=file, highlight=False, markup=False, emoji=False, soft_wrap=True)
+
+
+_COLOURS = {"end": "green", "cycles": "green", "alarm": "bold red"}
+
+
+def print_run(console: Console, run: cncsub.Run, title: str) -> None:
+    print_tree(console, run, title)
+    print_stop(console, run)
+    if len(run.moves):
+        console.print(f"{len(run.moves):,} moves, length {run.moves.total_length:,.3f} mm,", end="")
+        console.print(f" time {_duration(run.moves.total_time)}")
+        for axis, (low, high) in run.moves.bounds.items():
+            console.print(f"  {axis} {low:.10g} to {high:.10g}")
+    for message in run.messages:
+        console.print(f"message: {_shown(message)}")
+
+
+def print_tree(console: Console, run: cncsub.Run, title: str) -> None:
+    console.print(Text(_shown(title), style="bold"))
+    lines = _tree_lines(run.calls.tree(most=MOST_CALLS))
+    for line in itertools.islice(lines, MOST_LINES):
+        console.print(line)
+    left = sum(1 for _ in lines)
+    if left:
+        console.print(f"... {left:,} more lines")
+    if len(run.calls) > MOST_CALLS:
+        console.print(f"... drawn are the first {MOST_CALLS:,} of {len(run.calls):,} calls")
+
+
+def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
+    waiting = [(call, "", call is trees[-1]) for call in reversed(trees)]
+    while waiting:
+        call, stem, last = waiting.pop()
+        head = f"{call.kind} {call.program}"
+        branch = stem + ("`-- " if last else "|-- ")
+        yield Text.assemble((branch, "dim"), (head, "cyan"), str(call).removeprefix(head))
+        below = stem + ("    " if last else "|   ")
+        waiting += [(inner, below, inner is call.calls[-1]) for inner in reversed(call.calls)]
+
+
+def print_stop(console: Console, run: cncsub.Run) -> None:
+    stop = Text(f"stopped: {_stop_text(run)}", style=_COLOURS.get(run.stop.value, "yellow"))
+    console.print(stop)
+    if run.alarm is not None:
+        console.print(Text(str(run.alarm)))
+
+
+def _stop_text(run: cncsub.Run) -> str:
+    blocks = f"{len(run.steps):,} block{'s' if len(run.steps) != 1 else ''}"
+    if run.stop is cncsub.Stop.WAITING:
+        return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
+    reasons = {
+        cncsub.Stop.END: "the program ended",
+        cncsub.Stop.ALARM: "alarm",
+        cncsub.Stop.CYCLES: "the cycles are used up (--max-cycles)",
+        cncsub.Stop.LIMIT: "the limit of blocks is reached (--max-blocks)",
+        cncsub.Stop.INTERRUPTED: "interrupted",
+    }
+    return f"{reasons[run.stop]}, after {blocks}"
+
+
+def _shown(text: str) -> str:
+    """A text of a program without what a terminal would obey."""
+    return "".join(c if c.isprintable() else " " for c in text)
+
+
+def _duration(seconds: float) -> str:
+    minutes, rest = divmod(seconds, 60)
+    hours, minutes = divmod(int(minutes), 60)
+    parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]
+    return " ".join([*filter(None, parts), f"{rest:.1f} s"])
+
+
+def print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
+    width = max(map(len, pairs))
+    for name, text in pairs.items():
+        console.print(Text.assemble((name.ljust(width), "cyan"), f"  {text}"))
+
+
+def print_control(console: Console, control: cncsub.Control) -> None:
+    console.print(Text(f"{control.title} ({control.name})", style="bold"))
+    rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
+    _print_facts(console, "Rules", rules)
+    parameters = ((f"{p.name} = {p.value:g}", p.meaning, p) for p in control.parameters.values())
+    _print_facts(console, "Parameters", parameters)
+    alarms = (
+        (f"{a.number or '(no number)'} {a.cause}", a.text or cncsub.causes[a.cause].meaning, a)
+        for a in control.alarms.values()
+    )
+    _print_facts(console, "Alarms", alarms)
+
+
+def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, Any]]) -> None:
+    console.print(Text(f"\n{title}", style="bold"))
+    for head, text, fact in facts:
+        console.print(Text.assemble((f"  {head}", "cyan"), f": {text}"))
+        console.print(Text(f"      [{fact.source}; {fact.evidence}]", style="dim"))
+
+
+def _value(value: bool | int | str) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(value) or "none"
+
+
+def print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
+    for place, fact in enumerate(facts):
+        if place:
+            console.print()
+        console.print(Text(fact["cause"], style="bold"))
+        console.print(f"  raised by: {fact['meaning']}")
+        console.print(f"  cure: {fact['cure']}")
+        for alarm in fact["alarms"]:
+            number = alarm["number"] or "no number"
+            text = f" {alarm['text']}" if alarm["text"] else ""
+            console.print(Text.assemble((f"  {alarm['control']}: ", "cyan"), f"{number}{text}"))
+            console.print(Text(f"      [{alarm['source']}; {alarm['evidence']}]", style="dim"))
+        if not fact["alarms"]:
+            console.print("  no source gives a number")

@@ -1,0 +1,83 @@
+"""The rows of the tables of a run, as small objects."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One executed block. `frame` is the row of its call in `run.calls`, -1 in the main program."""
+
+    step: int
+    program: str
+    n: int | None
+    line: int
+    depth: int
+    frame: int
+    repeat: int
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """One entered subprogram or macro; steps are rows of `run.steps`.
+
+    `parent` is the call it was made in, `None` for the main program; `last_step` is `None` where
+    the call did not come to its end. `arguments` are the local variables it was given, by number.
+    """
+
+    call: int
+    parent: int | None
+    kind: str
+    program: str
+    start_n: int | None
+    repeats: int
+    level: int
+    first_step: int
+    last_step: int | None
+    caller_step: int
+    arguments: dict[int, float | None] = field(default_factory=dict, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """One motion. Lengths in mm, time in s.
+
+    `x`, `y`, `z` and the other axes in use: the programmed end in the work coordinates in force, a
+    diameter on a diameter axis. `mx`, `my`, `mz` ...: the machine position of the tool, offsets
+    included. `cx`, `cy`, `cz`: the centre of an arc. What does not apply is `None`.
+    """
+
+    move: int
+    step: int
+    kind: str
+    x: float | None = None
+    y: float | None = None
+    z: float | None = None
+    a: float | None = None
+    b: float | None = None
+    c: float | None = None
+    u: float | None = None
+    v: float | None = None
+    w: float | None = None
+    mx: float | None = None
+    my: float | None = None
+    mz: float | None = None
+    ma: float | None = None
+    mb: float | None = None
+    mc: float | None = None
+    mu: float | None = None
+    mv: float | None = None
+    mw: float | None = None
+    cx: float | None = None
+    cy: float | None = None
+    cz: float | None = None
+    plane: int | None = None
+    feed: float | None = None
+    feed_mode: str | None = None
+    spindle: float | None = None
+    tool: int | None = None
+    h: int | None = None
+    d: int | None = None
+    length: float = 0.0
+    time: float = 0.0
