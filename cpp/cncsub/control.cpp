@@ -155,8 +155,14 @@ const VariableRange* Control::variable(std::int64_t number) const {
 const std::vector<Control>& all_controls() {
   static const std::vector<Control> list = [] {
     std::vector<Control> all;
-    for (const auto& add : {gsk_controls, mitsubishi_controls, fanuc_controls, hnc_controls})
-      for (Control& c : add()) all.push_back(std::move(c));
+    const auto take = [&](std::vector<Control> maker, void (*add_motion)(std::vector<Control>&)) {
+      add_motion(maker);
+      for (Control& control : maker) all.push_back(std::move(control));
+    };
+    take(gsk_controls(), add_gsk_motion);
+    take(mitsubishi_controls(), add_mitsubishi_motion);
+    take(fanuc_controls(), add_fanuc_motion);
+    take(hnc_controls(), add_hnc_motion);
     return all;
   }();
   return list;

@@ -31,13 +31,21 @@ bool StatementReader::keyword(std::string_view word) {
   return true;
 }
 
+/// `#2=` rather than a stray variable.
+bool StatementReader::starts_assignment() const {
+  Scanner ahead = s_;
+  if (!ahead.take('#')) return false;
+  while (is_digit(ahead.peek())) ++ahead.at;
+  return ahead.peek() == '=';
+}
+
 /// Nothing may stand behind a statement.
 bool StatementReader::at_end(Cause otherwise) {
   const char c = s_.peek();
   if (c == '\0') return true;
   if (c == ']')
     refuse(Cause::BracketNotOpened, s_.offset(), 1, "this bracket was never opened");
-  else if (is_letter(c))
+  else if (is_letter(c) || starts_assignment())
     refuse(otherwise, s_.offset(), 1, "behind the statement stands another word");
   else
     refuse(block_.op == Op::Assign ? Cause::ExpressionFormat : Cause::StatementFormat, s_.offset(), 1,

@@ -80,6 +80,7 @@ class StatementReader {
   bool print_field(Print& print);
   void name_variables();
   void finish(Op op, Statement statement);
+  bool starts_assignment() const;
   bool at_end(Cause otherwise);
   void refuse(Fault fault);
   void refuse(Cause cause, std::uint32_t at, std::uint32_t width = 1, std::string detail = {});

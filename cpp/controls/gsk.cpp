@@ -696,6 +696,7 @@ void variables_980(Control& c) {
   add(0, 0, VariableKind::Vacant);
   add(1, 33, VariableKind::Local, Access::ReadWrite);
   add(100, 199, VariableKind::Common, Access::ReadWrite);
+  add(200, 499, VariableKind::Common, Access::ReadWrite);  // the manual's example of #9100 uses #205
   add(500, 999, VariableKind::Kept, Access::ReadWrite);
   add(1000, 1015, VariableKind::Input);
   add(1032, 1034, VariableKind::InputWord);

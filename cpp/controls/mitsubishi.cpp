@@ -210,6 +210,7 @@ void alarms(Control& c) {
       {Cause::JumpTargetNotFound, {"P231", "NO N-NUMBER", kMZ + "843, paired", kSecondary}},
       {Cause::IllegalRepeatCount, {"P35", "CMD-VALUE OVER", range, kManual}},
       {Cause::NestingTooDeep, {"P230", "NESTING OVER", k004 + "note on levels", kDocument}},
+      {Cause::SetvnFormat, {"P292", "SETVN SNT. ERR", kMZ + "866, paired", kSecondary}},
       {Cause::ModalCallsTooMany, {"P273", "MACRO OVERCALL", kMZ + "855, paired", kSecondary}},
       {Cause::MacroNestingTooDeep, {"P273", "MACRO OVERCALL", kMZ + "855, paired", kSecondary}},
       {Cause::ExternalCallNested,

@@ -261,7 +261,10 @@ py::dict move_row(const Machine& machine, std::size_t index) {
   fields["move"] = index;
   fields["step"] = row.step;
   fields["kind"] = std::string(to_string(row.kind));
-  for (const char axis : machine.trace().moves.axes()) {
+  std::string axes = "XYZ";
+  for (const char axis : machine.trace().moves.axes())
+    if (axes.find(axis) == std::string::npos) axes += axis;
+  for (const char axis : axes) {
     const auto place = kAxisNames.find(axis);
     fields[py::str(axis_name(axis))] = row.point[place];
     fields[py::str(axis_name(axis, "m"))] = row.machine[place];
@@ -273,6 +276,7 @@ py::dict move_row(const Machine& machine, std::size_t index) {
   fields["feed"] = row.state == nullptr ? 0 : row.state->feed;
   fields["spindle"] = row.spindle;
   fields["tool"] = row.state == nullptr ? 0 : row.state->tool;
+  fields["feed_mode"] = row.state == nullptr ? 0 : static_cast<int>(row.state->feed_mode);
   fields["h"] = row.state == nullptr ? 0 : row.state->h;
   fields["d"] = row.state == nullptr ? 0 : row.state->d;
   fields["length"] = row.length;

@@ -677,7 +677,7 @@ case(
     "HNC: a condition of more than 128 characters is refused",
     control=HNC, source="HS, MAX_CONDITION_LEN 128", evidence="inferred",
     program="%1\nN10 IF #50 EQ " + "+".join(["1"] * 70) + "\nN20 S2\nENDIF\nN30 M30\n",
-    variables={50: 70}, runs="", alarm="expression-format", number=None, at="%1 N10",
+    variables={50: 70}, runs="", alarm="if-format", number=None, at="%1 N10",
 )
 
 # WHILE
