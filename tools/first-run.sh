@@ -6,5 +6,5 @@ cd "$(dirname "$0")/.."
 . tools/environment.sh
 
 install .
-[ $# -gt 0 ] || set -- examples/first-run -c gsk-988ta
+[ $# -gt 0 ] || set -- examples/gsk/988ta-nested-self-call.nc -c gsk-988ta
 exec "$VENV/bin/cncsub" run "$@"

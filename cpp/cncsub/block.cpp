@@ -189,6 +189,7 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
     if (what == Plain::Value) {
       const std::uint8_t allowed = letters_[static_cast<std::size_t>(letter)];
       const std::uint32_t mark = bit(letter);
+      if (decimals > 3 && control_.cuts_fine_digits.value) return false;
       const bool refused = (negative && (allowed & kMinus) == 0) || (point ? (allowed & kPoint) == 0 : (allowed & kLength) != 0);
       if (refused || (mask & mark) != 0) return false;
       const double value = static_cast<double>(mantissa) / kPowersOfTen[decimals];
@@ -376,6 +377,12 @@ bool BlockReader::stray(Scanner& s, Block& block) {
     while (s.at + width < s.end && (static_cast<unsigned char>(s.at[width]) & 0xC0u) == 0x80u) ++width;
     fault.width = width;
     fault.detail = "the control does not know this character";
+    const std::string_view character(s.at, width);
+    const bool parenthesis = character == "\uFF08" || character == "\uFF09";  // full-width
+    if (parenthesis && control_.open_comment.value == OpenComment::Alarm) {
+      fault.cause = Cause::CommentNotClosed;
+      fault.detail = "a full-width parenthesis begins no comment";
+    }
   }
   refuse(block, fault);
   return false;
@@ -412,6 +419,7 @@ bool BlockReader::scan_value(Scanner& s, Block& block, Token& token) {
       operand.digits = static_cast<std::uint8_t>(std::min<std::uint32_t>(number.digits, 255));
       operand.written = static_cast<std::uint8_t>(std::min<std::uint32_t>(number.written, 255));
       operand.whole = number.points == 0;
+      operand.fine = number.decimals > 3 && kLengths.find(token.letter) != std::string_view::npos;
       operand.width = std::max(1u, s.offset() - operand.at);
       if (auto fault = check_number(token, number)) {
         fault->at = operand.at;
@@ -764,6 +772,21 @@ std::optional<Fault> BlockReader::check_together(const Tokens& tokens, const Mea
   return std::nullopt;
 }
 
+bool BlockReader::cut(const Operand& operand) const { return operand.fine && control_.cuts_fine_digits.value; }
+
+/// A length with more digits than the least increment has, which depends on the unit in force.
+std::uint32_t BlockReader::cut_word(const Operand& operand, char address) {
+  Expression expression;
+  expression.first = static_cast<std::uint32_t>(code_.instructions.size());
+  expression.at = operand.at;
+  expression.width = operand.width;
+  code_.instructions.push_back({Ins::Constant, 0, operand.at, operand.value});
+  code_.instructions.push_back({Ins::CutWord, static_cast<std::uint8_t>(address), operand.at, 0});
+  code_.instructions.push_back({Ins::End, 0, operand.at, 0});
+  code_.expressions.push_back(expression);
+  return static_cast<std::uint32_t>(code_.expressions.size() - 1);
+}
+
 /// The block's own words: G and M codes, and the values of its addresses; of an address given twice the last.
 void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning& meaning) {
   const bool call = meaning.call != nullptr;
@@ -789,7 +812,8 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
     values[static_cast<std::size_t>(place)] = &token;
     const std::uint32_t mark = 1u << place;
     mask |= mark;
-    expressions = token.operand.kind == Operand::Kind::Expression ? expressions | mark : expressions & ~mark;
+    const bool computed = token.operand.kind == Operand::Kind::Expression || cut(token.operand);
+    expressions = computed ? expressions | mark : expressions & ~mark;
     const bool length = token.operand.whole && (letters_[static_cast<std::size_t>(token.letter)] & kLength) != 0;
     whole = length ? whole | mark : whole & ~mark;
   }
@@ -827,7 +851,9 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
   for (std::uint32_t left = mask; left != 0; left &= left - 1) {
     const Operand& operand = values[static_cast<std::size_t>(__builtin_ctz(left))]->operand;
     Cell cell{};
-    if (operand.kind == Operand::Kind::Expression)
+    if (cut(operand))
+      cell.expression = cut_word(operand, static_cast<char>('A' + std::countr_zero(left)));
+    else if (operand.kind == Operand::Kind::Expression)
       cell.expression = operand.expression;
     else
       cell.value = operand.value;

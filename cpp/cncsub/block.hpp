@@ -65,6 +65,8 @@ class BlockReader {
   std::optional<Fault> check_together(const Tokens& tokens, const Meaning& meaning) const;
   void register_calls();
   const RegisteredCall* registered(char address, double code) const;
+  bool cut(const Operand& operand) const;
+  std::uint32_t cut_word(const Operand& operand, char address);
   void write_words(Block& block, const Tokens& tokens, const Meaning& meaning);
   void build_call(Block& block, const Tokens& tokens, const Meaning& meaning);
   void build_return(Block& block, const Tokens& tokens, const Meaning& meaning);

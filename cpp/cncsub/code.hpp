@@ -41,7 +41,7 @@ enum class Ins : std::uint8_t {
   Constant, Local, LocalRaw, Common, CommonRaw, Variable, VariableRaw, Indirect, IndirectRaw,
   Add, Subtract, Multiply, Divide, AddConstant, SubtractConstant, MultiplyConstant, DivideConstant, Modulo, And, Or, Xor, Negate,
   Equal, NotEqual, Greater, Less, GreaterEqual, LessEqual, BothTrue, EitherTrue, OneTrue, Not,
-  Sin, Cos, Tan, Asin, Acos, Atan, Atan2, Sqrt, Abs, Round, RoundWord, Fix, Fup, Ln, Exp, Pow, Bin, Bcd, Adp, Parameter,
+  Sin, Cos, Tan, Asin, Acos, Atan, Atan2, Sqrt, Abs, Round, RoundWord, CutWord, Fix, Fup, Ln, Exp, Pow, Bin, Bcd, Adp, Parameter,
   Sign, Random, RandomBetween, Programmed, Named, End
 };
 
@@ -73,6 +73,7 @@ struct Operand {
   enum class Kind : std::uint8_t { Absent, Constant, Expression } kind = Kind::Absent;
   bool bracketed = false;    // P[#100]
   bool whole = false;        // a number without a decimal point
+  bool fine = false;         // a number with more than three decimals
   std::uint8_t digits = 0;   // without leading zeros
   std::uint8_t written = 0;  // with them
   std::uint32_t expression = 0;

@@ -277,6 +277,12 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
         top[-1] = step > 0 ? round_half_away(top[-1] / step) * step : round_half_away(top[-1]);
         break;
       }
+      case Ins::CutWord: {
+        const double step = motion_.increment(static_cast<char>(at->address));
+        constexpr double kHair = 1e-6;  // 1.235 is 1234.9999... thousandths
+        if (step > 0) top[-1] = std::copysign(std::floor(std::fabs(top[-1]) / step + kHair) * step, top[-1]);
+        break;
+      }
       case Ins::Fix:
         top[-1] = std::trunc(top[-1]);
         break;

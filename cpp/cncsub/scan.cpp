@@ -42,6 +42,7 @@ Number scan_number(Scanner& s) {
       break;
     }
   }
+  number.decimals = decimals;
   const double value = static_cast<double>(mantissa) * scale;
   number.value = decimals <= 22 ? value / kPowersOfTen[decimals] : 0;
   if (number.negative) number.value = -number.value;

@@ -61,6 +61,7 @@ struct Number {
   double value = 0;
   std::uint32_t digits = 0;        // without leading zeros
   std::uint32_t whole_digits = 0;  // of them before the point
+  std::uint32_t decimals = 0;
   std::uint32_t written = 0;       // digits with leading zeros
   std::uint8_t points = 0;
   bool negative = false;

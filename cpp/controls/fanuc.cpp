@@ -621,6 +621,7 @@ void reading(Control& c) {
   c.zero_numbers = {true, cite({kPb155, "0 must not be used, but no alarm is named: policy"}),
                     Inferred};
   c.sequence_number_first = {false, kPolicy, Inferred};
+  c.cuts_fine_digits = {true, "general knowledge", Inferred};
   c.late_sequence_numbers = {true, kPolicy, Inferred};
   c.max_words = {26,
                  cite({kAlm, "5006", "not counted: the arguments of a macro call, up to 33 (ZAP)"}),

@@ -89,6 +89,7 @@ void read_988(Control& c) {
   c.max_sequence_number = {99999, kTA + "28 p.5: P of M99 has five digits", kManual};
   c.zero_numbers = {true, kPolicy, kInferred};
   c.sequence_number_first = {false, kTA + "27, note 6 asks it of macro statements only", kManual};
+  c.cuts_fine_digits = {false, kPolicy, kInferred};
   c.late_sequence_numbers = {true, kPolicy, kInferred};
   c.max_words = {0, kPolicy, kInferred};
   c.max_block_length = {256, kTalm + "002", kSecondary};
@@ -486,6 +487,7 @@ void read_980(Control& c) {
   c.max_sequence_number = {99999, kMDib + "0112: 0 to 99999" + kOfMDi, kSecondary};
   c.zero_numbers = {false, kMDia + "095: O0000 cannot be called" + kOfMDi, kSecondary};
   c.sequence_number_first = {true, kMDia + "006" + kOfMDi, kSecondary};
+  c.cuts_fine_digits = {false, kPolicy, kInferred};
   c.late_sequence_numbers = {true, kPolicy, kInferred};
   c.max_words = {100, kMDia + "011" + kOfMDi, kSecondary};
   c.max_block_length = {256, kMDia + "037" + kOfMDi, kSecondary};
@@ -877,6 +879,7 @@ void read_928(Control& c) {
 void call_928(Control& c) {
   c.name_marks = {"", "there are no names", kInferred};
   c.return_alone_in_modal = {false, kPolicy, kInferred};
+  c.cuts_fine_digits = {false, kPolicy, kInferred};
   c.late_sequence_numbers = {true, kPolicy, kInferred};
   c.program_word = {ProgramWord::SequenceNumber, k001 + "M98 P0060 L5", kDocument};
   c.max_program_digits = {4, k001 + "N of four digits", kDocument};

@@ -31,6 +31,7 @@ void reading(Control& c) {
   c.max_sequence_number = {99999999, kPolicy, Inferred};
   c.zero_numbers = {true, kPolicy, Inferred};
   c.sequence_number_first = {false, kPolicy, Inferred};
+  c.cuts_fine_digits = {false, kPolicy, Inferred};
   c.late_sequence_numbers = {true, kPolicy, Inferred};
   c.max_words = {0, kPolicy, Inferred};
   c.max_block_length = {0, "policy; only a condition is limited, to 128 characters (HS)", Inferred};

@@ -59,6 +59,7 @@ void reading(Control& c) {
   c.zero_numbers = {false, kMZ + "811: zero as program or sequence number", kSecondary};
   c.sequence_number_first = {false, kGeneral + ": only a target must have its N at the head",
                              kInferred};
+  c.cuts_fine_digits = {false, kPolicy, kInferred};
   c.late_sequence_numbers = {false, kGeneral + ": the N of a target stands at the head of its block", kInferred};
   c.max_words = {0, kPolicy, kInferred};
   c.max_block_length = {0, kPolicy, kInferred};

@@ -266,6 +266,7 @@ void hnc_rules(Control& c) {
   c.cycle_repeats = {"L", kKnown, Inferred};
   c.peck_words = {PeckWords::K, kKnown, Inferred};
   c.machine_move = {MachineMove::Rapid, "source 003, G53", SourceDocument};
+  c.feed_needed = {false, "no alarm is known", Inferred};
   add_effect(c, "3402#0", 1, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred, set_power_on_line);
   add_effect(c, "3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a line, 1 = an alarm", kKnown, Inferred,
              set_no_radius);
@@ -386,6 +387,7 @@ void gsk_928(Control& c) {
   lathe_rules(c);
   c.machine = {MachineType::LatheA, "source 001, Fig. 3-1: U is a diameter increment", SourceDocument};
   c.power_on_per_minute = {true, "source 001: F80, F500", SourceDocument};
+  c.feed_needed = {false, "no alarm is known", Inferred};
   add_effect(c, "3402#0", 0, "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
              Inferred, set_power_on_line);
   add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked", kKnown, Inferred,

@@ -1932,11 +1932,11 @@ case(
     params={"6001#5": 1}, runs="N10 N40 N20 N40 N30", calls="T-code:O9000 T-code:O9000", t=[],
 )
 case(
-    "without parameter 6050 G70 is no call: a mill does not have it",
+    "without parameter 6050 G199 is no call, and no G code either",
     control=ALL, source="source 002; ALM PS0010", evidence="inferred",
     program="""
         O1
-        N10 G70 A1.
+        N10 G199 A1.
         N20 M30
         O9010
         N30 M99
@@ -2350,12 +2350,12 @@ case(
         N10 M60
         N20 M30
         O9001
-        N30 G70
+        N30 G199
         N40 M99
         O9010
         N50 M99
     """,
-    params={"6071": 60, "6050": 70}, runs="N10", alarm="g-code-not-available",
+    params={"6071": 60, "6050": 199}, runs="N10", alarm="g-code-not-available",
     number=numbers("010", "PS0010"), at="O9001 N30",
 )
 case(

@@ -1,0 +1,1918 @@
+"""What a control has and what it has not: rules that no other topic pins down, one row for each."""
+
+from conformance import case
+
+TA, T = GSK_988 = ["gsk-988ta", "gsk-988t"]
+TDI, MDI = GSK_980 = ["gsk-980tdi", "gsk-980mdi"]
+GSK = GSK_988 + GSK_980
+MELDAS, M700, M800 = MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
+F16, F0D, F0F, F30 = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
+FANUC_PS = FANUC[1:]
+
+# Reading
+
+case(
+    "a name in angle brackets heads no program",
+    control=[MDI, MELDAS, F16, F0D], source="general knowledge, program names",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        <PART>
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-character",
+    number={MDI: None, MELDAS: "P32", F16: "009", F0D: "PS0009"}, at="O1",
+)
+case(
+    "the highest program number is 9999",
+    control=[T, *GSK_980, F16, F0D], source="general knowledge, four digits", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P9999
+        N20 M30
+        O9999
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "a sequence number has five digits and not six",
+    control=[*GSK, *MITSUBISHI, F16, F0D],
+    source="PB155; Talm 003; MDia 006; SK P35; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N99999 M8
+        N100000 M9
+        N30 M30
+    """,
+    runs="N99999", alarm="illegal-sequence-number",
+    number={**dict.fromkeys(GSK_988, "003"), **dict.fromkeys(GSK_980, "006"), **dict.fromkeys(MITSUBISHI, "P35"), F16: None, F0D: "PS1014"},
+    m=[8],
+)
+case(
+    "N0 names a block as any number does",
+    control=[*GSK_988, *FANUC], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 GOTO 30
+        N0 M8
+        N30 M30
+    """,
+    runs="N10 N30",
+)
+case(
+    "N0 is read and its block runs",
+    control=[*GSK_988, *FANUC], source="policy", evidence="inferred",
+    program="""
+        O1
+        N0 M8
+        N30 M30
+    """,
+    runs="N0 N30", m=[8],
+)
+case(
+    "an N behind other words is read",
+    control=[T, *FANUC], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        M9 N20
+        N30 M30
+    """,
+    runs="N10 N20 N30", m=[8, 9],
+)
+case(
+    "GOTO finds no N that stands behind other words",
+    control=MITSUBISHI, source="general knowledge, N at the head; MZ 843", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N12 GOTO 20
+        N15 M8
+        M9 N20
+        N30 M30
+    """,
+    runs="N10", alarm="jump-target-not-found", number="P231", at="O1 N12",
+)
+case(
+    "an N behind other words names its block",
+    control=[T, *FANUC], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 GOTO 20
+        N15 M8
+        M9 N20
+        N30 M30
+    """,
+    runs="N10 N20 N30", m=[9],
+)
+case(
+    "a spindle speed of 8 digits is read",
+    control=[*GSK_988, F16, F0D], source="general knowledge, 8 digits", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 S12345678
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "a spindle speed of 9 digits is refused",
+    control=[*GSK_988, F16, F0D], source="general knowledge, 8 digits", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 S123456789
+        N30 M30
+    """,
+    runs="N10", alarm="too-many-digits",
+    number={**dict.fromkeys([*GSK_988, F16], "003"), F0D: "PS0003"}, at="O1 N20",
+)
+case(
+    "a spindle speed of 9 digits is read",
+    control=[F0F, F30], source="general knowledge, 9 digits", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 S123456789
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "a spindle speed of 10 digits is refused",
+    control=[F0F, F30], source="general knowledge, 9 digits", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 S1234567890
+        N30 M30
+    """,
+    runs="N10", alarm="too-many-digits", number="PS0003", at="O1 N20",
+)
+case(
+    "a spindle speed of 10 digits is read",
+    control=GSK_980, source="general knowledge, 10 digits", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 S1234567890
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "a spindle speed of 11 digits is refused",
+    control=GSK_980, source="general knowledge, 10 digits", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 S12345678901
+        N30 M30
+    """,
+    runs="N10", alarm="too-many-digits", number="003", at="O1 N20",
+)
+case(
+    "a spindle speed of 15 digits is read",
+    control=MITSUBISHI, source="general knowledge, 15 digits", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 S123456789012345
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "a spindle speed of 16 digits is refused",
+    control=MITSUBISHI, source="general knowledge, 15 digits", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 S1234567890123456
+        N30 M30
+    """,
+    runs="N10", alarm="too-many-digits", number="P35", at="O1 N20",
+)
+case(
+    "a slash inside a block drops the rest of it",
+    control=[*GSK_988, *FANUC], source="general knowledge, block skip", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 T1 /M9
+        N30 M30
+    """,
+    skip=(1,), runs="N10 N20 N30", m=[8], t=[1],
+)
+case(
+    "a slash inside a block is refused",
+    control=[*GSK_980, *MITSUBISHI], source="general knowledge, block skip at the head only",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 T1 /M9
+        N30 M30
+    """,
+    skip=(1,), runs="N10", alarm="illegal-character",
+    number={**dict.fromkeys(GSK_980, None), **dict.fromkeys(MITSUBISHI, "P32")}, at="O1 N20",
+)
+case(
+    "a comment that is not closed reaches to the end of its block",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="policy; GED", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 T1 (OPEN M9
+        N30 M30
+    """,
+    runs="N10 N20 N30", m=[8], t=[1],
+)
+case(
+    "D and H take a decimal point",
+    control=GSK_988, source="general knowledge, decimal points", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 D1.
+        N25 H1.
+        N30 M30
+    """,
+    runs="N10 N20 N25 N30",
+)
+case(
+    "L takes a decimal point on the 980",
+    control=GSK_980, source="general knowledge, decimal points", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 G65 P2 L1.
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10 N20 N40 N30",
+)
+case(
+    "D and H take a decimal point on the 980",
+    control=GSK_980, source="general knowledge, decimal points", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 D1.
+        N25 H1.
+        N30 M30
+    """,
+    runs="N10 N20 N25 N30",
+)
+case(
+    "L takes no decimal point",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge, decimal points",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 G65 P2 L1.
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-decimal-point",
+    number={**dict.fromkeys([*GSK_988, F16], "007"), **dict.fromkeys(MITSUBISHI, "P33"), **dict.fromkeys(FANUC_PS, "PS0007")},
+    at="O1 N20",
+)
+case(
+    "D takes no decimal point",
+    control=[*MITSUBISHI, *FANUC], source="general knowledge, decimal points",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 D1.
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-decimal-point",
+    number={**dict.fromkeys(MITSUBISHI, "P33"), F16: "007", **dict.fromkeys(FANUC_PS, "PS0007")},
+    at="O1 N20", word="D1.",
+)
+case(
+    "H takes no decimal point",
+    control=[*MITSUBISHI, *FANUC], source="general knowledge, decimal points",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 H1.
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-decimal-point",
+    number={**dict.fromkeys(MITSUBISHI, "P33"), F16: "007", **dict.fromkeys(FANUC_PS, "PS0007")},
+    at="O1 N20", word="H1.",
+)
+case(
+    "S takes no decimal point",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, decimal points",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 S1.
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-decimal-point",
+    number={**dict.fromkeys([*GSK_988, F16], "007"), **dict.fromkeys(GSK_980, "012"), **dict.fromkeys(MITSUBISHI, "P33"), **dict.fromkeys(FANUC_PS, "PS0007")},
+    at="O1 N20", word="S1.",
+)
+case(
+    "P of M98 takes no decimal point",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, decimal points",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 M98 P2.
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-decimal-point",
+    number={**dict.fromkeys([*GSK_988, F16], "007"), **dict.fromkeys(GSK_980, "012"), **dict.fromkeys(MITSUBISHI, "P33"), **dict.fromkeys(FANUC_PS, "PS0007")},
+    at="O1 N20", word="P2.",
+)
+case(
+    "D takes a minus sign",
+    control=[*GSK_988, TDI], source="general knowledge, minus signs", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 D-1
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "D takes no minus sign on FANUC",
+    control=FANUC, source="general knowledge, minus signs; ALM PS0006", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 D-1
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-minus-sign",
+    number={F16: "006", **dict.fromkeys(FANUC_PS, "PS0006")}, at="O1 N20", word="D-1",
+)
+case(
+    "a negative L is a count out of its range, not a wrong sign",
+    control=[*GSK, *MITSUBISHI], source="TA27; MDia 092; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 G65 P2 L-1
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-repeat-count",
+    number={**dict.fromkeys(GSK_988, "003"), **dict.fromkeys(GSK_980, "092"), **dict.fromkeys(MITSUBISHI, "P35")},
+    at="O1 N20",
+)
+case(
+    "of two M codes the last counts",
+    control=[*GSK, *FANUC], source="TApar 3404#7; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 M8 M9
+        N30 M30
+    """,
+    runs="N10 N30", m=[9],
+)
+case(
+    "of five M codes the last four count on a Mitsubishi",
+    control=MITSUBISHI, source="general knowledge, M codes", evidence="inferred",
+    program="""
+        O1
+        N10 M10 M11 M12 M13 M14
+        N30 M30
+    """,
+    runs="N10 N30", m=[11, 12, 13, 14],
+)
+case(
+    "G without a number is refused",
+    control=GSK, source="Talm 005; MDia 003", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 G X1
+        N30 M30
+    """,
+    runs="N10", alarm="address-without-value",
+    number={**dict.fromkeys(GSK_988, "005"), **dict.fromkeys(GSK_980, "003")}, at="O1 N20",
+)
+case(
+    "G without a number is G00",
+    control=MITSUBISHI, source="general knowledge, G alone", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 G M9
+        N30 M30
+    """,
+    runs="N10 N20 N30", m=[8, 9],
+)
+case(
+    "a program without its end alarms",
+    control=GSK_980, source="MDia; policy", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 M9
+    """,
+    runs="N10 N20", alarm="end-of-record",
+)
+case(
+    "26 words are not too many",
+    control=FANUC, source="ALM PS5006", evidence="secondary",
+    program="""
+        O1
+        N10 M8
+        N20 A1 B1 C1 D1 E1 F1 H1 I1 J1 K1 Q1 R1 S1 T1 U1 V1 W1 X1 Y1 Z1 P1 L1 G90 G94 G40
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "% with a number heads no program on the 980",
+    control=GSK_980, source="general knowledge, O heads a program", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2
+        N20 M30
+        %2
+        N30 M99
+    """,
+    runs="", alarm="program-not-found", number="001",
+)
+
+# Calls and returns
+
+case(
+    "M1 without its switch does not start the program over",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, M01", evidence="inferred",
+    program="""
+        O1
+        N10 M1
+        N20 M30
+    """,
+    runs="N10 N20",
+)
+case(
+    "M20 is sent to the machine and starts nothing over",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, M20", evidence="inferred",
+    program="""
+        O1
+        N10 M20
+        N20 M30
+    """,
+    runs="N10 N20", m=[20],
+)
+case(
+    "M97 is no jump but a code for the machine",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="TApar 6003#4; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M97 P30
+        N20 T1
+        N30 M30
+    """,
+    runs="N10 N20 N30", m=[97], t=[1],
+)
+case(
+    ",D names no device",
+    control=[*GSK, MELDAS, *FANUC], source="general knowledge, device words", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 M98 P2 ,D1
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="address-not-usable",
+    number={**dict.fromkeys(GSK_988, "008"), **dict.fromkeys(GSK_980, None), MELDAS: "P32", F16: "009", **dict.fromkeys(FANUC_PS, "PS0009")},
+    at="O1 N20",
+)
+case(
+    "eight digits of P with four zeros in front are one call",
+    control=[*GSK_988, *FANUC], source="policy; PB304", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P00000002
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "zeros in front of P's number are nothing on a Mitsubishi",
+    control=MITSUBISHI, source="IMD, P; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P00000002
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "a count of zeros in P is refused on the 980",
+    control=GSK_980, source="MDia 092", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P00000002
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="", alarm="illegal-repeat-count", number="092", at="O1 N10",
+)
+case(
+    "M99 P leaves at once, whatever passes remain",
+    control=[*GSK_988, *FANUC], source="source 000, M99; policy", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2 L3
+        N20 T1
+        N30 M30
+        O2
+        N40 M99 P30
+    """,
+    runs="N10 N40 N30",
+)
+case(
+    "M99 P leaves a counted call at once on the 980",
+    control=GSK_980, source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P30002
+        N20 T1
+        N30 M30
+        O2
+        N40 M99 P30
+    """,
+    runs="N10 N40 N30",
+)
+case(
+    "M99 L0 is M99",
+    control=[*GSK_988, F16], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2 L3
+        N30 M30
+        O2
+        N40 M99 L0
+    """,
+    runs="N10 N40*3 N30",
+)
+case(
+    "M99 L0 is M99 on the 980",
+    control=GSK_980, source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P30002
+        N30 M30
+        O2
+        N40 M99 L0
+    """,
+    runs="N10 N40*3 N30",
+)
+case(
+    "other words may stand beside M99 while a modal call is active",
+    control=[*GSK, *MITSUBISHI, F16], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 G0 X5
+        N30 G67
+        N40 M30
+        O2
+        N50 T1 M99
+    """,
+    runs="N10 N20 N50 N30 N40", t=[1],
+)
+case(
+    "other words beside M99 alarm while a modal call is active",
+    control=FANUC_PS, source="ALM PS1093", evidence="secondary",
+    program="""
+        O1
+        N10 G66 P2
+        N20 G0 X5
+        N30 G67
+        N40 M30
+        O2
+        N50 T1 M99
+    """,
+    runs="N10 N20", alarm="illegal-word-with-return", number="PS1093", at="O2 N50",
+)
+case(
+    "G54 may share a block with M98",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="PMI39; SM 3; source 000, words L and Q (5)",
+    evidence="inferred",
+    program="""
+        O1
+        N10 G54 M98 P2
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "G4 may share a block with M98",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="PMI39; SM 3; source 000, words L and Q (5)",
+    evidence="inferred",
+    program="""
+        O1
+        N10 G4 X1. M98 P2
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "G28 may share a block with M99",
+    control=[MDI, *MITSUBISHI, *FANUC], source="K-H, words before M99", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2
+        N20 M30
+        O2
+        N30 G28 Z0 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "G53 may share a block with M99 on the 980TDi",
+    control=TDI, source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2
+        N20 M30
+        O2
+        N30 G53 Z0 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "a P in M98 that is not whole is cut",
+    control=GSK, source="source 000, word P; policy", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P#100
+        N20 M30
+        O2
+        N30 M99
+        O3
+        N40 M99
+    """,
+    variables={100: 2.7}, runs="N10 N30 N20",
+)
+case(
+    "M98 without P is refused though it names a start",
+    control=T, source="Talm 081", evidence="secondary",
+    program="""
+        O1
+        N10 M8
+        N20 M98 Q40
+        N30 M30
+        N40 M99
+    """,
+    runs="N10", alarm="program-number-missing", number="081", at="O1 N20",
+)
+case(
+    "M98 with Q alone is refused on the 980",
+    control=GSK_980, source="MDia 095", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 M98 Q40
+        N30 M30
+        N40 M99
+    """,
+    runs="N10", alarm="program-number-missing", number="095", at="O1 N20",
+)
+case(
+    "M98 with Q alone is refused on the 16i",
+    control=F16, source="K-H 076", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 M98 Q40
+        N30 M30
+        N40 M99
+    """,
+    runs="N10", alarm="program-number-missing", number="076", at="O1 N20",
+)
+case(
+    "Q of M98 starts at its block",
+    control=T, source="source 000, words L and Q (1)", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2 Q40
+        N20 M30
+        O2
+        N30 T1
+        N40 M99
+    """,
+    runs="N10 N40 N20",
+)
+case(
+    "Q of M98 starts nothing: the call begins at the head",
+    control=[*GSK_980, F16], source="general knowledge, M98 without a start word",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2 Q40
+        N20 M30
+        O2
+        N30 T1
+        N40 M99
+    """,
+    runs="N10 N30 N40 N20",
+)
+case(
+    "H of M98 starts nothing: the call begins at the head",
+    control=[*GSK, *FANUC], source="general knowledge, M98 without H", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2 H20
+        N50 M30
+        O2
+        N15 T1
+        N20 M99
+    """,
+    runs="N10 N15 N20 N50",
+)
+case(
+    "a program cannot call itself, with Q neither",
+    control=T, source="Talm 084", evidence="secondary",
+    program="""
+        O1
+        N10 M8
+        N20 M98 P1 Q40
+        N30 M30
+        N40 M99
+    """,
+    runs="N10", alarm="program-calls-itself", number="084", at="O1 N20",
+)
+case(
+    "a subprogram cannot call its caller, with Q neither",
+    control=T, source="Talm 084", evidence="secondary",
+    program="""
+        O1
+        N10 M98 P2
+        N30 M30
+        N40 M99
+        O2
+        N50 M98 P1 Q40
+        N60 M99
+    """,
+    runs="N10", alarm="program-calls-caller", number="084", at="O2 N50",
+)
+case(
+    "a program may call itself with a start block",
+    control=[M700, M800], source="IMD; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P1 H40
+        N30 M30
+        N40 M99
+    """,
+    runs="N10 N40 N30",
+)
+case(
+    "a program may call itself without a start block",
+    control=[*MITSUBISHI, *FANUC], source="ALM PS0077; SM", evidence="inferred",
+    program="""
+        O1
+        N10 #100=#100+1
+        N20 IF[#100 GE 3]GOTO 40
+        N30 M98 P1
+        N40 IF[#100 LT 9]GOTO 60
+        N50 M30
+        N60 #100=9
+        N70 M99
+    """,
+    runs="N10 N20 N30 N10 N20 N30 N10 N20 N40 N60 N70 N40 N50", vars={100: 9},
+)
+case(
+    "a subprogram may call the program that called it",
+    control=[*MITSUBISHI, *FANUC], source="ALM PS0077; SM", evidence="inferred",
+    program="""
+        O1
+        N10 #100=#100+1
+        N20 IF[#100 GE 2]GOTO 50
+        N30 M98 P2
+        N40 M30
+        N50 M99
+        O2
+        N60 M98 P1
+        N70 M99
+    """,
+    runs="N10 N20 N30 N60 N10 N20 N50 N70 N40",
+)
+case(
+    "a subprogram may call a subprogram that is open, but not the main program",
+    control=GSK_980, source="MDia 094", evidence="inferred",
+    program="""
+        O1
+        N10 #100=0
+        N20 M98 P2
+        N30 M30
+        O2
+        N40 #100=#100+1
+        N50 IF[#100 GE 2]GOTO 70
+        N60 M98 P3
+        N70 M99
+        O3
+        N80 M98 P2
+        N90 M99
+    """,
+    runs="N10 N20 N40 N50 N60 N80 N40 N50 N70 N90 N70 N30",
+)
+case(
+    "L0 is no count",
+    control=GSK_988, source="source 000, words L and Q (2)", evidence="source document",
+    program="""
+        O1
+        N10 M8
+        N20 M98 P2 L0
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-repeat-count", number="003", at="O1 N20",
+)
+case(
+    "L0 of a macro call is no count on the 980",
+    control=GSK_980, source="TDi28, L 1 to 9999; MDia 092", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 G65 P2 L0
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-repeat-count", number="092", at="O1 N20",
+)
+case(
+    "L above 9999 makes 9999 passes",
+    control=GSK_988, source="source 000, M198 (3); TA28", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2 L10000
+        N20 M30
+        O2
+        #100=#100+1
+        M99
+    """,
+    runs="N10 N20", vars={100: 9999},
+)
+case(
+    "a count in P and an L are refused together on the 988T",
+    control=T, source="source 000, words L and Q (3)", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 M98 P30002 L2
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="repeat-given-twice", at="O1 N20",
+)
+case(
+    "an L beside a plain P of the 980 counts nothing",
+    control=GSK_980, source="TDi15, M98: L only with P[name]", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P30002 L2
+        N20 M30
+        O2
+        N40 M99
+    """,
+    runs="N10 N40*3 N20",
+)
+case(
+    "M198 is a code for the machine",
+    control=[*GSK_980, MELDAS], source="general knowledge, no external calls",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M198 P2
+        N20 M30
+    """,
+    external={"O2.CNC": "N30 M99\n"}, runs="N10 N20", m=[198],
+)
+case(
+    "M198 calls from the external device on the 988T",
+    control=T, source="source 000, M198", evidence="inferred",
+    program="""
+        O1
+        N10 M198 P2
+        N20 M30
+    """,
+    external={"O0002.CNC": "O0002\nN30 M99\n"}, runs="N10 N30 N20", calls="M198:O0002",
+)
+case(
+    "M99 P takes the nearest block behind the call",
+    control=T, source="source 000, note 2", evidence="inferred",
+    program="""
+        O1
+        N20 T1
+        N10 M98 P2
+        N20 T2
+        N20 T3
+        N40 M30
+        O2
+        N50 M99 P20
+    """,
+    runs="N20 N10 N50 N20 N20 N40", t=[1, 2, 3],
+)
+case(
+    "M99 P takes the first block from the head",
+    control=[*GSK_980, *MITSUBISHI, *FANUC], source="policy, GED", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 IF[#100 EQ 1]GOTO 50
+        N30 #100=1
+        N40 M98 P2
+        N20 T2
+        N50 M30
+        O2
+        N60 M99 P20
+    """,
+    variables={100: 0}, runs="N10 N20 N30 N40 N60 N20 N50", t=[1],
+)
+case(
+    "P[NAME] calls a program by its name on the 988T",
+    control=T, source="source 000, word P, format 2", evidence="inferred",
+    files={"O0001.CNC": "O0001\nN10 M98 P[T+1-A_B.C]\nN20 M30\n", "T+1-A_B.C.CNC": "N30 M99\n"},
+    main="O0001", runs="N10 N30 N20",
+)
+case(
+    "P[NAME] is no call on this control",
+    control=[MDI, *MITSUBISHI, *FANUC], source="general knowledge, no names in brackets",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 M98 P[CUT]
+        N30 M30
+    """,
+    runs="N10", alarm="expression-format",
+    number={MDI: "101", **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
+    at="O1 N20",
+)
+case(
+    "a name of 32 characters can be called in brackets",
+    control=GSK_988, source="policy", evidence="inferred",
+    files={"O0001.CNC": "O0001\nN10 M98 P[AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA]\nN20 M30\n", "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA.CNC": "N30 M99\n"},
+    main="O0001", runs="N10 N30 N20",
+)
+case(
+    "a name of 33 characters cannot be called in brackets",
+    control=GSK_988, source="policy", evidence="inferred",
+    files={"O0001.CNC": "O0001\nN10 M98 P[AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA]\nN20 M30\n", "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA.CNC": "N30 M99\n"},
+    main="O0001", runs="", alarm="illegal-program-name", at="O0001 N10",
+)
+case(
+    "a Chinese name cannot be called on the 988",
+    control=GSK_988, source="source 000, word P, format 2 (1)", evidence="source document",
+    files={"O0001.CNC": "O0001\nN10 M98 P[\u5916\u5706]\nN20 M30\n"}, main="O0001", runs="",
+    alarm="illegal-program-name", at="O0001 N10",
+)
+case(
+    "a called program may call in MDI",
+    control=[*MITSUBISHI, *FANUC], source="IMD; general knowledge", evidence="inferred",
+    program="""
+        O2
+        N20 M98 P3
+        N30 M99
+        O3
+        N40 M99
+    """,
+    mdi="N5 M98 P2", runs="N5 N20 N40 N30",
+)
+case(
+    "an M code may stand beside M98",
+    control=[*GSK_988, *MITSUBISHI], source="policy; SM 3", evidence="inferred",
+    program="""
+        O1
+        N10 M8 M98 P2
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "in a canned cycle M98 may share its block with words",
+    control=[MDI, *MITSUBISHI, F16], source="general knowledge; no alarm known",
+    evidence="inferred",
+    program="""
+        O1
+        N10 G90 G81 X0 Z-5. R1. F100
+        N20 X10. M98 P2
+        N30 G80
+        N40 M30
+        O2
+        N50 M99
+    """,
+    runs="N10 N20 N50 N30 N40",
+)
+
+# Macro statements
+
+case(
+    "THEN without a statement is refused",
+    control=[*GSK, MELDAS, M700, *FANUC], source="general knowledge, IF blocks; ALM PS1137",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 IF[1 EQ 1]THEN
+        N30 M30
+    """,
+    runs="N10", alarm="if-format",
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys([MELDAS, M700], "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
+    at="O1 N20",
+)
+case(
+    "GOTO takes the next block of that number",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, search order",
+    evidence="inferred",
+    program="""
+        O1
+        N20 T1
+        N10 IF[#100 EQ 1]GOTO 40
+        N15 #100=1
+        N18 GOTO 20
+        N20 T2
+        N40 M30
+    """,
+    runs="N20 N10 N15 N18 N20 N40", t=[1, 2],
+)
+case(
+    "three open loops do not count in a called program",
+    control=[*GSK, *FANUC], source="general knowledge, loops belong to their program",
+    evidence="inferred",
+    program="""
+        O1
+        N10 DO1
+        N20 DO2
+        N30 DO3
+        N40 M98 P2
+        N50 GOTO 90
+        END3
+        END2
+        END1
+        N90 M30
+        O2
+        N60 DO1
+        N70 GOTO 80
+        END1
+        N80 M99
+    """,
+    runs="N10 N20 N30 N40 N60 N70 N80 N50 N90",
+)
+case(
+    "twelve digits are read in a statement",
+    control=[*GSK, *MITSUBISHI, *FANUC_PS], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 #100=123456789012
+        N20 M30
+    """,
+    runs="N10 N20", vars={100: 123456789012},
+)
+case(
+    "thirteen digits are too many in a statement",
+    control=[*GSK, *MITSUBISHI, *FANUC_PS], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #100=1234567890123
+        N30 M30
+    """,
+    runs="N10", alarm="too-many-digits",
+    number={**dict.fromkeys(GSK, "003"), **dict.fromkeys(MITSUBISHI, "P35"), **dict.fromkeys(FANUC_PS, "PS0003")},
+    at="O1 N20",
+)
+case(
+    "ATAN counts a full turn",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="TApar 6004#0; TDi29; ALI; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 #100=ATAN[0-1]/[0-1]
+        N20 M30
+    """,
+    runs="N10 N20", vars={100: 225},
+)
+case(
+    "ASIN of a negative value lies behind 180",
+    control=[*GSK_988, MDI, *FANUC], source="TApar 6004#0; ALI; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 #100=ASIN[0-1]
+        N20 M30
+    """,
+    runs="N10 N20", vars={100: 270},
+)
+case(
+    "ASIN of a negative value is negative",
+    control=[TDI, *MITSUBISHI], source="TDi29; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 #100=ASIN[0-1]
+        N20 M30
+    """,
+    runs="N10 N20", vars={100: -90},
+)
+case(
+    "two conditions cannot be joined",
+    control=[*GSK, *FANUC], source="policy; general knowledge 6006#0", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 IF[[1 EQ 1]AND[2 EQ 2]]GOTO 40
+        N30 T2
+        N40 M30
+    """,
+    runs="N10", alarm="if-format",
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "101"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
+    at="O1 N20",
+)
+case(
+    "two conditions can be joined",
+    control=MITSUBISHI, source="general knowledge, AND in conditions", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 IF[[1 EQ 1]AND[2 EQ 2]]GOTO 40
+        N30 T2
+        N40 M30
+    """,
+    runs="N10 N20 N40",
+)
+case(
+    "== is no operator",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge, condition operators",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 IF[1 == 1]GOTO 40
+        N30 T2
+        N40 M30
+    """,
+    runs="N10", alarm="if-format",
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(MITSUBISHI, "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
+    at="O1 N20",
+)
+case(
+    "== stands for EQ on the 980",
+    control=GSK_980, source="TDi29", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 IF[1 == 1]GOTO 40
+        N30 T2
+        N40 M30
+    """,
+    runs="N10 N20 N40",
+)
+case(
+    "a condition stands in brackets",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="TA27; X-GO; MZ 864", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 IF 1 EQ 1 GOTO 40
+        N30 T2
+        N40 M30
+    """,
+    runs="N10", alarm="if-format",
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
+    at="O1 N20",
+)
+case(
+    "two letters are no function",
+    control=[*GSK, *MITSUBISHI], source="general knowledge, function names", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #100=RO[1.7]
+        N30 M30
+    """,
+    runs="N10", alarm="expression-format",
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P282")},
+    at="O1 N20",
+)
+case(
+    "RND[1.7] is a function",
+    control=MITSUBISHI, source="general knowledge, functions", evidence="inferred",
+    program="""
+        O1
+        N10 #100=RND[1.7]
+        N20 M30
+    """,
+    runs="N10 N20", vars={100: 2},
+)
+case(
+    "RND[1.7] is no function",
+    control=[*GSK, *FANUC], source="general knowledge, functions", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #100=RND[1.7]
+        N30 M30
+    """,
+    runs="N10", alarm="expression-format",
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
+    at="O1 N20",
+)
+case(
+    "POW[2,3] is a function",
+    control=[F0F, F30], source="general knowledge, functions", evidence="inferred",
+    program="""
+        O1
+        N10 #100=POW[2,3]
+        N20 M30
+    """,
+    runs="N10 N20", vars={100: 8},
+)
+case(
+    "POW[2,3] is no function",
+    control=[*GSK, *MITSUBISHI, F16], source="general knowledge, functions", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #100=POW[2,3]
+        N30 M30
+    """,
+    runs="N10", alarm="expression-format",
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125"},
+    at="O1 N20",
+)
+case(
+    "SIGN[5] is no function",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, functions",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #100=SIGN[5]
+        N30 M30
+    """,
+    runs="N10", alarm="expression-format",
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
+    at="O1 N20",
+)
+case(
+    "RAND[5] is no function",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge, functions",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #100=RAND[5]
+        N30 M30
+    """,
+    runs="N10", alarm="expression-format",
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
+    at="O1 N20",
+)
+case(
+    "MOD is no operator",
+    control=[*GSK, F16], source="general knowledge, MOD", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #100=7 MOD 4
+        N30 M30
+    """,
+    runs="N10", alarm="nc-and-macro-in-block",
+    number={**dict.fromkeys(GSK_988, "212"), **dict.fromkeys(GSK_980, "114"), F16: "127"},
+    at="O1 N20",
+)
+case(
+    "MOD is the rest of a division",
+    control=[*MITSUBISHI, *FANUC_PS], source="general knowledge, MOD", evidence="inferred",
+    program="""
+        O1
+        N10 #100=7 MOD 4
+        N30 M30
+    """,
+    runs="N10 N30", vars={100: 3},
+)
+case(
+    "a word with a vacant variable is left out",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="XIA, JIX; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T#1
+        N20 M30
+    """,
+    runs="N10 N20", t=[],
+)
+case(
+    "a word with a vacant variable is 0",
+    control=GSK_980, source="TDi28", evidence="inferred",
+    program="""
+        O1
+        N10 T#1
+        N20 M30
+    """,
+    runs="N10 N20", t=[0],
+)
+case(
+    "a vacant variable does not equal 0",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="M7V; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 IF[#1 EQ 0]GOTO 30
+        N20 T1
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "a vacant variable equals 0 on the 980",
+    control=GSK_980, source="TDi28", evidence="inferred",
+    program="""
+        O1
+        N10 IF[#1 EQ 0]GOTO 30
+        N20 T1
+        N30 M30
+    """,
+    runs="N10 N30",
+)
+case(
+    "#9100 is no variable",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge, variables",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #101=#9100
+        N30 M30
+    """,
+    variables={100: 102}, runs="N10", alarm="illegal-variable",
+    number={**dict.fromkeys(GSK_988, "203"), **dict.fromkeys(MITSUBISHI, "P241"), F16: "115", **dict.fromkeys(FANUC_PS, "PS0115")},
+    at="O1 N20",
+)
+case(
+    "#9100 reads the variable that #100 names",
+    control=GSK_980, source="TDi28", evidence="inferred",
+    program="""
+        O1
+        N10 #101=#9100
+        N30 M30
+    """,
+    variables={100: 102, 102: 5}, runs="N10 N30", vars={101: 5},
+)
+case(
+    "SETVN does not exist",
+    control=[*GSK, F16], source="general knowledge, no variable names", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 SETVN 510[NAME]
+        N30 M30
+    """,
+    runs="N10", alarm="statement-not-available",
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "101"), F16: "004"},
+    at="O1 N20",
+)
+case(
+    "five brackets inside each other are read",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="Talm 205; MDia 104; MZ 858; X-NUL",
+    evidence="inferred",
+    program="""
+        O1
+        N10 #100=[[[[[1]]]]]
+        N20 M30
+    """,
+    runs="N10 N20", vars={100: 1},
+)
+case(
+    "six brackets inside each other are too many",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="Talm 205; MDia 104; MZ 858; X-NUL",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #100=[[[[[[1]]]]]]
+        N30 M30
+    """,
+    runs="N10", alarm="brackets-too-deep",
+    number={**dict.fromkeys(GSK_988, "205"), **dict.fromkeys(GSK_980, "104"), **dict.fromkeys(MITSUBISHI, "P280"), F16: "118", **dict.fromkeys(FANUC_PS, "PS0118")},
+    at="O1 N20",
+)
+case(
+    "AND takes a negative value",
+    control=[*GSK_980, *MITSUBISHI, *FANUC], source="policy; ALI", evidence="inferred",
+    program="""
+        O1
+        N10 #100=[0-1]AND 3
+        N20 M30
+    """,
+    runs="N10 N20", vars={100: 3},
+)
+case(
+    "OR binds like plus",
+    control=[*GSK, *FANUC], source="general knowledge, priorities", evidence="inferred",
+    program="""
+        O1
+        N10 IF[2 EQ 2 OR 1]GOTO 30
+        N20 T1
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "OR binds weaker than a comparison",
+    control=MITSUBISHI, source="general knowledge, priorities", evidence="inferred",
+    program="""
+        O1
+        N10 IF[2 EQ 2 OR 1 EQ 2]GOTO 30
+        N20 T1
+        N30 M30
+    """,
+    runs="N10 N30",
+)
+case(
+    "DO4 is no loop",
+    control=[*GSK, *FANUC], source="Talm 211; MDia 102; ALM PS0126", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 DO4
+        N25 GOTO 30
+        END4
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-loop-number",
+    number={**dict.fromkeys(GSK_988, "211"), **dict.fromkeys(GSK_980, "102"), F16: "126", **dict.fromkeys(FANUC_PS, "PS0126")},
+    at="O1 N20",
+)
+case(
+    "DO3 is a loop",
+    control=[*GSK, *FANUC], source="Talm 211; MDia 102; ALM PS0126", evidence="inferred",
+    program="""
+        O1
+        N20 DO3
+        N25 GOTO 30
+        END3
+        N30 M30
+    """,
+    runs="N20 N25 N30",
+)
+case(
+    "DO127 is a loop and DO128 is none",
+    control=MITSUBISHI, source="general knowledge, m = 1 to 127", evidence="inferred",
+    program="""
+        O1
+        N10 DO127
+        N20 GOTO 30
+        END127
+        N30 DO128
+        N40 M30
+        END128
+    """,
+    runs="N10 N20", alarm="illegal-loop-number", number="P291", at="O1 N30",
+)
+case(
+    "GOTO takes five digits and not six",
+    control=[*GSK, *MITSUBISHI, F16, F0D], source="Talm 213; MDia 112; X-GO; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 GOTO 99999
+        N99999 GOTO 100000
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-jump-number",
+    number={**dict.fromkeys(GSK_988, "213"), **dict.fromkeys(GSK_980, "112"), **dict.fromkeys(MITSUBISHI, "P231"), F16: "128", F0D: "PS1128"},
+    at="O1 N99999",
+)
+case(
+    "GOTO may stand in MDI",
+    control=MITSUBISHI, source="MZ 869: tape only; general knowledge", evidence="inferred",
+    program="""
+        O2
+        N20 M99
+    """,
+    mdi="N5 GOTO 8\nN7 T1\nN8 T2", runs="N5 N8", t=[2],
+)
+case(
+    "GOTO may not stand in MDI",
+    control=[*GSK, *FANUC], source="Talm 208; ALM PS0123; policy", evidence="inferred",
+    program="""
+        O2
+        N20 M99
+    """,
+    mdi="N5 T1\nN6 GOTO 8\nN7 T1\nN8 T2", runs="N5", alarm="jump-in-mdi",
+    number={**dict.fromkeys(GSK_988, "208"), **dict.fromkeys(GSK_980, None), F16: "123", **dict.fromkeys(FANUC_PS, "PS0123")},
+    t=[1],
+)
+case(
+    "a program may raise alarm 200 and not 201",
+    control=[*GSK_988, *FANUC], source="general knowledge, #3000", evidence="inferred",
+    program="""
+        O1
+        N10 IF[#100 EQ 1]GOTO 30
+        N20 #3000=201
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-user-alarm", at="O1 N20",
+)
+case(
+    "a program may raise alarm 200",
+    control=[*GSK_988, *FANUC], source="general knowledge, #3000", evidence="inferred",
+    program="""
+        O1
+        N20 #3000=200
+        N30 M30
+    """,
+    runs="N20", alarm="user-alarm",
+    number={**dict.fromkeys([*GSK_988, F16], "3200"), **dict.fromkeys(FANUC_PS, "MC3200")},
+    at="O1 N20",
+)
+case(
+    "a program may raise alarm 99 on the 980",
+    control=GSK_980, source="TDi28, #3000", evidence="inferred",
+    program="""
+        O1
+        N20 #3000=99
+        N30 M30
+    """,
+    runs="N20", alarm="user-alarm", number="5999", at="O1 N20",
+)
+case(
+    "a program may raise alarm 9999 on a Mitsubishi",
+    control=MITSUBISHI, source="general knowledge, #3000", evidence="inferred",
+    program="""
+        O1
+        N20 #3000=9999
+        N30 M30
+    """,
+    runs="N20", alarm="user-alarm", number="P277", at="O1 N20",
+)
+case(
+    "a program may not raise alarm 10000 on a Mitsubishi",
+    control=MITSUBISHI, source="general knowledge, #3000", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #3000=10000
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-user-alarm", at="O1 N20",
+)
+
+# Macro calls
+
+case(
+    "M30 is an argument of a macro call",
+    control=[*GSK_988, *MITSUBISHI, *FANUC],
+    source="source 002, argument I; TA27; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G65 P2 M30
+        N20 T1
+        N25 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20 N25", arguments={13: 30},
+)
+case(
+    "G66.1 does not exist",
+    control=[*GSK, F16], source="general knowledge, G66.1", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G66.1 P2 A1
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="g-code-not-available",
+    number={**dict.fromkeys(GSK_988, "009"), **dict.fromkeys(GSK_980, "0002"), F16: "010"},
+    at="O1 N20",
+)
+case(
+    "of an argument given twice the last counts",
+    control=[*GSK, *MITSUBISHI, *FANUC], source="TA27; PB304; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 G65 P2 A1. A2.
+        N20 M30
+        O2
+        N30 #100=#1
+        N40 M99
+    """,
+    runs="N10 N30 N40 N20", vars={100: 2},
+)
+case(
+    "two modal calls stack: behind a move the last runs, and its own move calls the first",
+    control=[*MITSUBISHI, *FANUC], source="NCT; M7V; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 G66 P3
+        N30 G0 X5
+        N40 M30
+        O2
+        N50 M99
+        O3
+        N60 G0 X6
+        N70 M99
+    """,
+    runs="N10 N20 N30 N60 N50 N70 N40",
+)
+case(
+    "two modal calls stack on the 980: one G67 leaves the first",
+    control=GSK_980, source="general knowledge, nested G66", evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 G66 P3
+        N30 G67
+        N40 G0 X5
+        N50 M30
+        O2
+        N60 M99
+        O3
+        N70 M99
+    """,
+    runs="N10 N20 N30 N40 N60 N50",
+)
+case(
+    "a macro call runs while a modal call is active",
+    control=[*MITSUBISHI, *FANUC], source="general knowledge, G65 inside G66",
+    evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 G65 P3
+        N30 G0 X5
+        N40 M30
+        O2
+        N50 M99
+        O3
+        N60 M99
+    """,
+    runs="N10 N20 N60 N30 N50 N40",
+)
+case(
+    "M98 runs while a modal call is active",
+    control=[*MITSUBISHI, *FANUC], source="general knowledge, M98 inside G66",
+    evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 M98 P3
+        N30 G0 X5
+        N40 M30
+        O2
+        N50 M99
+        O3
+        N60 M99
+    """,
+    runs="N10 N20 N60 N30 N50 N40",
+)
+case(
+    "a modal macro gets its arguments again at each call",
+    control=[*GSK, *MITSUBISHI], source="TA27, G66; TDi28, G66; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2 A1
+        N20 G0 X5
+        N30 G0 X6
+        N40 G67
+        N50 M30
+        O2
+        N60 #100=#100+#1
+        N70 #1=50
+        N80 M99
+    """,
+    variables={100: 0}, vars={100: 2},
+)
+case(
+    "what a modal macro leaves in #1 is there at its next call",
+    control=FANUC, source="K-H, G66", evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2 A1.
+        N20 G0 X5.
+        N30 G0 X6.
+        N40 G67
+        N50 M30
+        O2
+        N60 #100=#100+#1
+        N70 #1=50
+        N80 M99
+    """,
+    variables={100: 0}, vars={100: 51},
+)
+case(
+    "a block that writes an axis and does not move it calls on the 980",
+    control=GSK_980, source="TDi28, G66 (3)", evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 G0 X0
+        N40 M30
+        O2
+        N50 M99
+    """,
+    setup={"start": {"X": 0, "Y": 0, "Z": 0}}, runs="N10 N20 N50 N40",
+)
+case(
+    "a block that writes an axis and does not move it calls nothing",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="TA27, G66; M7V; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 G0 X0
+        N40 M30
+        O2
+        N50 M99
+    """,
+    setup={"start": {"X": 0, "Y": 0, "Z": 0}}, runs="N10 N20 N40",
+)
+case(
+    "G67 without a modal call is nothing",
+    control=[*GSK_980, F16], source="general knowledge, G67", evidence="inferred",
+    program="""
+        O1
+        N10 G67
+        N20 M30
+    """,
+    runs="N10 N20",
+)
+case(
+    "G67 without a modal call to cancel is refused",
+    control=[*GSK_988, *MITSUBISHI, *FANUC_PS], source="Talm 218; MZ 857; ALM PS1100",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G67
+        N30 M30
+    """,
+    runs="N10", alarm="modal-call-missing",
+    number={**dict.fromkeys(GSK_988, "218"), **dict.fromkeys(MITSUBISHI, "P276"), **dict.fromkeys(FANUC_PS, "PS1100")},
+    at="O1 N20",
+)
+case(
+    "X1 and X2 name no arguments of their own",
+    control=[*GSK_980, *MITSUBISHI, *FANUC], source="source 002, argument I; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 G65 P2 X1.
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20", arguments={24: 1, 27: None},
+)
+case(
+    "P of a macro call has four digits",
+    control=GSK, source="TA27; TDi28", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G65 P10002
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-macro-number",
+    number={**dict.fromkeys(GSK_988, "291"), **dict.fromkeys(GSK_980, "119")}, at="O1 N20",
+)
+case(
+    "P of a macro call has eight digits",
+    control=[*MITSUBISHI, F30, F0F], source="IMD, P; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G65 P12345678
+        N30 M30
+        O12345678
+        N40 M99
+    """,
+    runs="N10 N40 N30",
+)
+case(
+    "I, J and K count per letter on the 980",
+    control=GSK_980, source="TDi28", evidence="inferred",
+    program="""
+        O1
+        N10 G65 P2 I1 J2 I3 K4
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20", arguments={4: 1, 5: 2, 7: 3, 6: 4},
+)
+case(
+    "I, J and K count in sets as they are written on a Mitsubishi",
+    control=MITSUBISHI, source="general knowledge, argument II", evidence="inferred",
+    program="""
+        O1
+        N10 G65 P2 K1. J2. I3.
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20", arguments={6: 1, 8: 2, 10: 3},
+)
+case(
+    "four macros may be open, and a fifth is too many",
+    control=[*GSK_980, MELDAS], source="MDia 096; SM 6", evidence="inferred",
+    program="""
+        O1
+        N10 G65 P2
+        N15 M30
+        O2
+        N20 G65 P3
+        M99
+        O3
+        N30 G65 P4
+        M99
+        O4
+        N40 G65 P5
+        M99
+        O5
+        N50 G65 P6
+        M99
+        O6
+        N60 T1
+        M99
+    """,
+    runs="N10 N20 N30 N40", alarm="macro-nesting-too-deep",
+    number={**dict.fromkeys(GSK_980, "096"), MELDAS: "P273"}, at="O5 N50",
+)
+case(
+    "macros do not count as subprograms on the 980",
+    control=GSK_980, source="general knowledge, nesting", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2
+        N15 M30
+        O2
+        N20 M98 P3
+        M99
+        O3
+        N30 M98 P4
+        M99
+        O4
+        N40 M98 P5
+        M99
+        O5
+        N50 G65 P6
+        M99
+        O6
+        N60 M99
+    """,
+    runs="N10 N20 N30 N40 N50 N60 N15",
+)
+case(
+    "H99 raises alarm 5900 and the number in P",
+    control=MDI, source="TDi28, H99", evidence="inferred",
+    program="""
+        O1
+        N10 G65 H99 P5
+        N20 M30
+    """,
+    runs="N10", alarm="user-alarm", number="5905", at="O1 N10",
+)
