@@ -119,14 +119,14 @@ def half_away(value: float) -> float:
     return math.copysign(math.floor(abs(value) + 0.5), value)
 
 
-class Edge(Exception):
+class EdgeError(Exception):
     """A step function stands so near its step that rounding decides."""
 
 
 def stepped(compute: Callable[[float], float], step: float) -> Callable[[float], float]:
     def careful(value: float) -> float:
         if abs((value - step) - round(value - step)) < 1e-6:
-            raise Edge
+            raise EdgeError
         return compute(value)
 
     return careful
@@ -165,7 +165,7 @@ def test_expressions_have_pythons_value(expression: Value, control: str) -> None
     run = cncsub.loads(f"O1\n#100={written}\nM30\n", control=roomy).run()
     try:
         expected = float(compute())
-    except Edge:
+    except EdgeError:
         return
     except (ValueError, ZeroDivisionError):
         # Python refuses: so does the control, unless rounding of an angle made the value just possible.

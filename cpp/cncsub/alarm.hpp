@@ -49,7 +49,7 @@ struct Alarm {
   std::string word;
   std::string file;
   std::string detail;
-  std::string source_line;  // the text of the line
+  std::string source_line;    // the text of the line
   std::vector<Frame> frames;  // innermost first
 };
 

@@ -13,9 +13,12 @@ namespace {
 
 constexpr int kPlainLength = 200;
 constexpr std::uint8_t kPoint = 1, kMinus = 2, kLength = 4;
-constexpr std::string_view kLengths = "ABCIJKQRUVWXYZ";  // a whole number counts in increments where the control says so
+constexpr std::string_view kLengths =
+    "ABCIJKQRUVWXYZ";  // a whole number counts in increments where the control says so
 
-std::int64_t key(char address, std::int32_t code) { return (static_cast<std::int64_t>(address) << 32) | code; }
+std::int64_t key(char address, std::int32_t code) {
+  return (static_cast<std::int64_t>(address) << 32) | code;
+}
 
 /// Calls `use` for each code of a list such as "0 1 54.1", as ten times the code.
 template <class Use>
@@ -42,13 +45,15 @@ std::string spell(double value) {
 
 /// Ten times a written code, as an index into the sets of codes.
 std::size_t code_index(const Operand& operand) {
-  const bool known = operand.kind == Operand::Kind::Constant && operand.value >= 0 && operand.value < 1000;
+  const bool known =
+      operand.kind == Operand::Kind::Constant && operand.value >= 0 && operand.value < 1000;
   return known ? static_cast<std::size_t>(operand.value * 10 + 0.5) : std::size_t{10000};
 }
 
 /// #i of an argument letter by specification I, 0 for the letters that are none.
 int argument_variable(char letter) {
-  static constexpr int kVariables[26] = {1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  static constexpr int kVariables[26] = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
+                                         0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
   return kVariables[letter - 'A'];
 }
 
@@ -56,28 +61,30 @@ int argument_variable(char letter) {
 
 /// What the words of a block say together.
 struct BlockReader::Meaning {
-  const Token* call = nullptr;      // M98, G65, a calling code ...
+  const Token* call = nullptr;  // M98, G65, a calling code ...
   const Token* second_call = nullptr;
   CallKind kind = CallKind::M98;
   CodeCallKind code_kind = CodeCallKind::Subprogram;
   const RegisteredCall* registered = nullptr;
-  const Token* back = nullptr;      // M99
-  const Token* jump = nullptr;      // M97
-  const Token* end = nullptr;       // M02, M30
-  const Token* cancel = nullptr;    // G67
+  const Token* back = nullptr;    // M99
+  const Token* jump = nullptr;    // M97
+  const Token* end = nullptr;     // M02, M30
+  const Token* cancel = nullptr;  // G67
   std::array<const Token*, 12> g{};
   std::array<const Token*, 12> m{};
   int g_count = 0;
   int m_count = 0;
-  const Token* lonely = nullptr;    // an M code that wants to be alone
+  const Token* lonely = nullptr;  // an M code that wants to be alone
   int m_words = 0;
 
   bool calls_macro() const { return call != nullptr && is_macro(kind, code_kind); }
 };
 
 BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
-  for (const char c : control_.point_addresses.value) letters_[static_cast<std::size_t>(c)] |= kPoint;
-  for (const char c : control_.minus_addresses.value) letters_[static_cast<std::size_t>(c)] |= kMinus;
+  for (const char c : control_.point_addresses.value)
+    letters_[static_cast<std::size_t>(c)] |= kPoint;
+  for (const char c : control_.minus_addresses.value)
+    letters_[static_cast<std::size_t>(c)] |= kMinus;
   if (control_.whole_numbers.value == WholeNumbers::Increments)
     for (const char c : kLengths) letters_[static_cast<std::size_t>(c)] |= kLength;
   const auto list = [](const Rule<Codes>& rule, std::bitset<10001>& codes) {
@@ -115,15 +122,18 @@ void BlockReader::register_calls() {
         return;
       }
       if (code == 0 || code < list.first_code || code > list.last_code) return;
-      const bool own = address == 'G' && code < 1000 && code_.g_codes.test(static_cast<std::size_t>(code) * 10);
+      const bool own =
+          address == 'G' && code < 1000 && code_.g_codes.test(static_cast<std::size_t>(code) * 10);
       if (own && !list.own_codes) return;
       bool refused = false;
       for_each_code(list.refused, [&](int code10) { refused = refused || code10 == code * 10; });
-      registered_.emplace(key(address, code), RegisteredCall{kind, program, list.variable, refused, false});
+      registered_.emplace(key(address, code),
+                          RegisteredCall{kind, program, list.variable, refused, false});
     };
     switch (list.form) {
       case CodeCall::Form::List:
-        for (std::int32_t i = 0; i < list.count; ++i) add(value_of(list.parameter + i), list.program + i);
+        for (std::int32_t i = 0; i < list.count; ++i)
+          add(value_of(list.parameter + i), list.program + i);
         break;
       case CodeCall::Form::Range: {
         const std::int32_t first = value_of(list.parameter);
@@ -133,7 +143,8 @@ void BlockReader::register_calls() {
       }
       case CodeCall::Form::Switch:
         switches_.push_back({list.kind, list.program, list.variable, false, false});
-        switched_[static_cast<std::size_t>(list.address - 'A')] = static_cast<int>(switches_.size());
+        switched_[static_cast<std::size_t>(list.address - 'A')] =
+            static_cast<int>(switches_.size());
         break;
     }
   }
@@ -155,8 +166,9 @@ void BlockReader::refuse(Block& block, Fault fault) {
 
 // ---- reading words ----
 
-/// Blocks such as `N10 G1 X10.5 Y-3. F200` are most of what is read, and every control reads them alike: they are
-/// compiled in one pass. Whatever is not that plain is left to the general way, which gives the same code.
+/// Blocks such as `N10 G1 X10.5 Y-3. F200` are most of what is read, and every control reads them
+/// alike: they are compiled in one pass. Whatever is not that plain is left to the general way,
+/// which gives the same code.
 bool BlockReader::plain(const Scanner& s, Block& block) {
   const char* p = s.at;
   const char* const end = s.end;
@@ -176,21 +188,26 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
     if (negative) ++p;
     std::uint64_t mantissa = 0;
     const char* first = p;
-    while (p != end && is_digit(*p)) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
+    while (p != end && is_digit(*p))
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
     const auto whole = p - first;
     std::ptrdiff_t decimals = 0;
     const bool point = p != end && *p == '.';
     if (point) {
       first = ++p;
-      while (p != end && is_digit(*p)) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
+      while (p != end && is_digit(*p))
+        mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
       decimals = p - first;
     }
-    if (whole + decimals == 0 || whole + decimals > 15 || whole + (point ? 3 : 0) > control_.max_digits.value) return false;
+    if (whole + decimals == 0 || whole + decimals > 15 ||
+        whole + (point ? 3 : 0) > control_.max_digits.value)
+      return false;
     if (what == Plain::Value) {
       const std::uint8_t allowed = letters_[static_cast<std::size_t>(letter)];
       const std::uint32_t mark = bit(letter);
       if (decimals > 3 && control_.cuts_fine_digits.value) return false;
-      const bool refused = (negative && (allowed & kMinus) == 0) || (point ? (allowed & kPoint) == 0 : (allowed & kLength) != 0);
+      const bool refused = (negative && (allowed & kMinus) == 0) ||
+                           (point ? (allowed & kPoint) == 0 : (allowed & kLength) != 0);
       if (refused || (mask & mark) != 0) return false;
       const double value = static_cast<double>(mantissa) / kPowersOfTen[decimals];
       values[static_cast<std::size_t>(letter - 'A')] = negative ? -value : value;
@@ -201,7 +218,9 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
       if (g >= 0 || mantissa > 3 || !plain_g_[mantissa]) return false;
       g = static_cast<int>(mantissa);
     } else {
-      if (words > 1 || mantissa == 0 || mantissa > static_cast<std::uint64_t>(control_.max_sequence_number.value)) return false;
+      if (words > 1 || mantissa == 0 ||
+          mantissa > static_cast<std::uint64_t>(control_.max_sequence_number.value))
+        return false;
       n = static_cast<std::int32_t>(mantissa);
     }
   }
@@ -216,18 +235,21 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
     block.g_count = 1;
     (cell++)->value = g * 10.0;
   }
-  for (std::uint32_t left = mask; left != 0; left &= left - 1) (cell++)->value = values[static_cast<std::size_t>(std::countr_zero(left))];
+  for (std::uint32_t left = mask; left != 0; left &= left - 1)
+    (cell++)->value = values[static_cast<std::size_t>(std::countr_zero(left))];
   mark_linear(block, g);
   return true;
 }
 
 void BlockReader::allow_plain() {
   for (const char c : std::string_view("ABCFIJKRUVWXYZ"))
-    if (switched_[static_cast<std::size_t>(c - 'A')] == 0) plain_[static_cast<std::size_t>(c)] = Plain::Value;
+    if (switched_[static_cast<std::size_t>(c - 'A')] == 0)
+      plain_[static_cast<std::size_t>(c)] = Plain::Value;
   plain_['G'] = Plain::G;
   plain_['N'] = Plain::N;
   for (std::size_t g = 0; g < plain_g_.size(); ++g)
-    plain_g_[g] = code_.g_codes.test(g * 10) && !not_with_call_.test(g * 10) && registered('G', static_cast<double>(g)) == nullptr;
+    plain_g_[g] = code_.g_codes.test(g * 10) && !not_with_call_.test(g * 10) &&
+                  registered('G', static_cast<double>(g)) == nullptr;
   // A plain block is short: within every limit but an unusually tight one.
   const int length = control_.max_block_length.value, words = control_.max_words.value;
   if ((length > 0 && length < kPlainLength) || (words > 0 && words < 20)) plain_.fill(Plain::No);
@@ -249,7 +271,8 @@ void BlockReader::read(Scanner s, Block& block) {
   if (control_.max_block_length.value > 0 &&
       s.end - (s.file + start) > static_cast<std::ptrdiff_t>(control_.max_block_length.value))
     return refuse(block, {Cause::BlockTooLong, start, 1,
-                          "a block has at most " + std::to_string(control_.max_block_length.value) + " characters"});
+                          "a block has at most " + std::to_string(control_.max_block_length.value) +
+                              " characters"});
   StatementReader statement(code_, s, block);
   if (statement.read()) return;
   tokens_.clear();
@@ -294,15 +317,19 @@ bool BlockReader::sequence_number(Scanner& s, Block& block) {
     refuse(block, {cause, at, std::max(1u, s.offset() - at), std::move(detail)});
     return false;
   };
-  if (c == '#' || c == '[') return wrong(Cause::IllegalSequenceNumber, "a sequence number cannot come from a variable");
+  if (c == '#' || c == '[')
+    return wrong(Cause::IllegalSequenceNumber, "a sequence number cannot come from a variable");
   const Number number = scan_number(s);
   if (!number.any) return wrong(Cause::AddressWithoutValue, "N without a number");
-  if (number.points != 0) return wrong(Cause::IllegalDecimalPoint, "a sequence number has no point");
+  if (number.points != 0)
+    return wrong(Cause::IllegalDecimalPoint, "a sequence number has no point");
   if (number.signed_) return wrong(Cause::IllegalMinusSign, "a sequence number has no sign");
   if (number.value > control_.max_sequence_number.value)
-    return wrong(Cause::IllegalSequenceNumber,
-                 "the largest sequence number is " + std::to_string(control_.max_sequence_number.value));
-  if (number.value == 0 && !control_.zero_numbers.value) return wrong(Cause::ProgramNumberZero, "N0 is no sequence number");
+    return wrong(
+        Cause::IllegalSequenceNumber,
+        "the largest sequence number is " + std::to_string(control_.max_sequence_number.value));
+  if (number.value == 0 && !control_.zero_numbers.value)
+    return wrong(Cause::ProgramNumberZero, "N0 is no sequence number");
   block.n = static_cast<std::int32_t>(number.value);
   return true;
 }
@@ -323,7 +350,8 @@ bool BlockReader::scan_words(Scanner& s, Block& block) {
       if (c == '/') {
         const std::uint32_t at = s.offset();
         if (control_.block_skip.value == BlockSkip::HeadOnly) {
-          refuse(block, {Cause::IllegalCharacter, at, 1, "a block-skip slash stands only at the head of a block"});
+          refuse(block, {Cause::IllegalCharacter, at, 1,
+                         "a block-skip slash stands only at the head of a block"});
           return false;
         }
         token.letter = '/';
@@ -343,7 +371,8 @@ bool BlockReader::scan_words(Scanner& s, Block& block) {
     token.letter = c;
     if (c == 'N' && !token.comma) {
       if (control_.sequence_number_first.value) {
-        refuse(block, {Cause::SequenceNumberNotFirst, s.offset(), 1, "N must be the first word of its block"});
+        refuse(block, {Cause::SequenceNumberNotFirst, s.offset(), 1,
+                       "N must be the first word of its block"});
         return false;
       }
       if (block.n < 0) {
@@ -374,7 +403,8 @@ bool BlockReader::stray(Scanner& s, Block& block) {
     fault = {Cause::BracketNotOpened, at, 1, "this bracket was never opened"};
   } else {
     std::uint32_t width = 1;
-    while (s.at + width < s.end && (static_cast<unsigned char>(s.at[width]) & 0xC0u) == 0x80u) ++width;
+    while (s.at + width < s.end && (static_cast<unsigned char>(s.at[width]) & 0xC0u) == 0x80u)
+      ++width;
     fault.width = width;
     fault.detail = "the control does not know this character";
     const std::string_view character(s.at, width);
@@ -407,8 +437,8 @@ bool BlockReader::scan_value(Scanner& s, Block& block, Token& token) {
     }
     if (c != '#' && c != '[') {
       const Number number = scan_number(s);
-      if (control_.numbered_axis_arguments.value && number.points == 0 && number.any && s.peek() == '=' &&
-          number.value >= 1 && number.value <= 2 && token.letter >= 'X') {
+      if (control_.numbered_axis_arguments.value && number.points == 0 && number.any &&
+          s.peek() == '=' && number.value >= 1 && number.value <= 2 && token.letter >= 'X') {
         ++s.at;
         token.axis = static_cast<std::uint8_t>(number.value);
         --s.at;
@@ -430,11 +460,13 @@ bool BlockReader::scan_value(Scanner& s, Block& block, Token& token) {
       return true;
     }
   }
-  if (c == '[' && token.letter == 'P' && control_.bracket_names.value && bracket_name(s, block, token))
+  if (c == '[' && token.letter == 'P' && control_.bracket_names.value &&
+      bracket_name(s, block, token))
     return block.op != Op::Fault;
   if (c == '#' || c == '[') {
     if (token.letter == 'O') {
-      refuse(block, {Cause::AddressNotUsable, operand.at, 1, "a program number cannot come from a variable"});
+      refuse(block, {Cause::AddressNotUsable, operand.at, 1,
+                     "a program number cannot come from a variable"});
       return false;
     }
     s.at = value_at;
@@ -458,27 +490,32 @@ bool BlockReader::scan_value(Scanner& s, Block& block, Token& token) {
   if (is_letter(c)) {
     Scanner ahead = s;
     ahead.at = letter_at;
-    for (const std::string_view word : {"IF", "WHILE", "GOTO", "DO", "END", "WH", "DPRNT", "POPEN", "PCLOS"}) {
+    for (const std::string_view word :
+         {"IF", "WHILE", "GOTO", "DO", "END", "WH", "DPRNT", "POPEN", "PCLOS"}) {
       Scanner probe = ahead;
       if (probe.take_word(word) && (word != "WH" || !is_letter(probe.peek()))) {
-        refuse(block, {Cause::NcAndMacroInBlock, operand.at, static_cast<std::uint32_t>(word.size()),
-                       "a macro statement stands behind NC words"});
+        refuse(block,
+               {Cause::NcAndMacroInBlock, operand.at, static_cast<std::uint32_t>(word.size()),
+                "a macro statement stands behind NC words"});
         return false;
       }
     }
   }
-  refuse(block, {Cause::AddressWithoutValue, operand.at, 1, std::string(1, token.letter) + " stands without a value"});
+  refuse(block, {Cause::AddressWithoutValue, operand.at, 1,
+                 std::string(1, token.letter) + " stands without a value"});
   return false;
 }
 
-/// P[NAME], or P[#100] which is read as an expression. True where a name stands here (or the block was refused).
+/// P[NAME], or P[#100] which is read as an expression. True where a name stands here (or the block
+/// was refused).
 bool BlockReader::bracket_name(Scanner& s, Block& block, Token& token) {
   Scanner inside = s;
   inside.take('[');
   const bool variable = inside.take('#');
   while (is_digit(inside.peek())) ++inside.at;
   if (variable && inside.peek() == ']') return false;
-  const std::string_view whole(s.file + block.text, static_cast<std::size_t>(s.end - s.file) - block.text);
+  const std::string_view whole(s.file + block.text,
+                               static_cast<std::size_t>(s.end - s.file) - block.text);
   const auto says = [&](std::string_view word) {
     Scanner look = s;
     for (look.at = whole.data(); look.at < s.end; ++look.at)
@@ -490,7 +527,8 @@ bool BlockReader::bracket_name(Scanner& s, Block& block, Token& token) {
       }
     return false;
   };
-  if (!says("M98") && !says("M198") && !says("G65") && !says("G66")) return false;  // G04 P[...] takes an expression
+  if (!says("M98") && !says("M198") && !says("G65") && !says("G66"))
+    return false;  // G04 P[...] takes an expression
   s.take('[');
   token.letter = '<';
   scan_name(s, block, token, ']');
@@ -506,7 +544,8 @@ bool BlockReader::scan_name(Scanner& s, Block& block, Token& token, char close) 
   while (!token.name.empty() && is_blank(token.name.back())) token.name.remove_suffix(1);
   const auto wrong = [&](std::string detail) {
     token.operand.width = std::max(1u, s.offset() - token.operand.at);
-    refuse(block, {Cause::IllegalProgramName, token.operand.at, token.operand.width, std::move(detail)});
+    refuse(block,
+           {Cause::IllegalProgramName, token.operand.at, token.operand.width, std::move(detail)});
     return false;
   };
   if (s.at == s.end) return wrong(std::string("the name is not closed with ") + close);
@@ -524,14 +563,18 @@ bool BlockReader::scan_name(Scanner& s, Block& block, Token& token, char close) 
       return wrong("a program name has letters, digits and " + control_.name_marks.value + " only");
   }
   if (letters > static_cast<std::size_t>(control_.max_name_length.value))
-    return wrong("a program name has at most " + std::to_string(control_.max_name_length.value) + " characters");
+    return wrong("a program name has at most " + std::to_string(control_.max_name_length.value) +
+                 " characters");
   return true;
 }
 
-/// What is wrong whatever the word is for; what only an argument of a macro may have is kept in the token.
+/// What is wrong whatever the word is for; what only an argument of a macro may have is kept in the
+/// token.
 std::optional<Fault> BlockReader::check_number(Token& token, const Number& number) const {
   const std::uint8_t allowed = letters_[static_cast<std::size_t>(token.letter)];
-  if (!number.any) return Fault{Cause::AddressWithoutValue, 0, 1, std::string(1, token.letter) + " stands without a value"};
+  if (!number.any)
+    return Fault{Cause::AddressWithoutValue, 0, 1,
+                 std::string(1, token.letter) + " stands without a value"};
   if (number.points > 1) return Fault{Cause::IllegalDecimalPoint, 0, 1, "two points in one number"};
   const std::uint32_t digits = number.points == 1 ? number.whole_digits + 3 : number.digits;
   token.odd = true;
@@ -564,10 +607,12 @@ void BlockReader::build(Block& block, const Tokens& tokens, bool calls) {
   auto fault = sort(tokens, calls, meaning);
   if (!fault && control_.max_words.value > 0 && !meaning.calls_macro() &&
       tokens.size() > static_cast<std::size_t>(control_.max_words.value))
-    fault = {Cause::TooManyWords, block.text, 1, "a block has at most " + std::to_string(control_.max_words.value) + " words"};
+    fault = {Cause::TooManyWords, block.text, 1,
+             "a block has at most " + std::to_string(control_.max_words.value) + " words"};
   if (!fault) fault = check_together(tokens, meaning);
   if (fault) return refuse(block, *fault);
-  if (meaning.registered != nullptr && calls) {  // inside a program that a code called, codes may not call
+  if (meaning.registered != nullptr &&
+      calls) {  // inside a program that a code called, codes may not call
     Variant variant;
     variant.address = meaning.call->letter;
     Block first = block;
@@ -624,15 +669,17 @@ std::optional<Fault> BlockReader::sort(const Tokens& tokens, bool calls, Meaning
       if (meaning.calls_macro()) continue;
       fault = sort_m(token, calls, meaning);
     } else if (token.letter == 'O') {
-      fault = Fault{Cause::AddressNotUsable, token.operand.at, token.operand.width, "a program number stands at the head of a program only"};
-    } else if (calls && !token.comma && token.letter != '<' && token.letter != 'P' && token.letter != 'L' &&
-               !meaning.calls_macro() && token.operand.kind == Operand::Kind::Constant) {
+      fault = Fault{Cause::AddressNotUsable, token.operand.at, token.operand.width,
+                    "a program number stands at the head of a program only"};
+    } else if (calls && !token.comma && token.letter != '<' && token.letter != 'P' &&
+               token.letter != 'L' && !meaning.calls_macro() &&
+               token.operand.kind == Operand::Kind::Constant) {
       if (const RegisteredCall* found = registered(token.letter, token.operand.value)) {
         if (meaning.call != nullptr) meaning.second_call = &token;
         meaning.call = &token;
         meaning.registered = found;
         meaning.code_kind = found->kind;
-        meaning.kind = found->ascii         ? CallKind::Ascii
+        meaning.kind = found->ascii          ? CallKind::Ascii
                        : token.letter == 'T' ? CallKind::TCode
                        : token.letter == 'S' ? CallKind::SCode
                        : token.letter == 'B' ? CallKind::BCode
@@ -646,7 +693,9 @@ std::optional<Fault> BlockReader::sort(const Tokens& tokens, bool calls, Meaning
 
 std::optional<Fault> BlockReader::sort_g(const Token& token, bool calls, Meaning& meaning) const {
   const Operand& operand = token.operand;
-  const auto full = [&] { return Fault{Cause::TooManyWords, operand.at, operand.width, "too many G codes in one block"}; };
+  const auto full = [&] {
+    return Fault{Cause::TooManyWords, operand.at, operand.width, "too many G codes in one block"};
+  };
   if (operand.kind == Operand::Kind::Expression) {
     if (static_cast<std::size_t>(meaning.g_count) == meaning.g.size()) return full();
     meaning.g[static_cast<std::size_t>(meaning.g_count++)] = &token;
@@ -681,10 +730,12 @@ std::optional<Fault> BlockReader::sort_g(const Token& token, bool calls, Meaning
     }
   }
   const bool macro_code = code10 >= 650 && code10 <= 670;
-  const bool known = code >= 0 && code < 1000 && code_.g_codes.test(static_cast<std::size_t>(code10)) &&
+  const bool known = code >= 0 && code < 1000 &&
+                     code_.g_codes.test(static_cast<std::size_t>(code10)) &&
                      (!macro_code || control_.macro_calls.value);
   if (!known)
-    return Fault{Cause::GCodeNotAvailable, operand.at, operand.width, "G" + spell(code) + " is no code of this control"};
+    return Fault{Cause::GCodeNotAvailable, operand.at, operand.width,
+                 "G" + spell(code) + " is no code of this control"};
   if (meaning.calls_macro()) return std::nullopt;  // told as an argument
   if (static_cast<std::size_t>(meaning.g_count) == meaning.g.size()) return full();
   meaning.g[static_cast<std::size_t>(meaning.g_count++)] = &token;
@@ -696,7 +747,8 @@ std::optional<Fault> BlockReader::sort_m(const Token& token, bool calls, Meaning
   ++meaning.m_words;
   if (operand.kind == Operand::Kind::Constant) {
     const double code = operand.value;
-    if (code == 0 || code == 1 || code == 2 || code == 30 || code == 98 || code == 99 || code == external_m_)
+    if (code == 0 || code == 1 || code == 2 || code == 30 || code == 98 || code == 99 ||
+        code == external_m_)
       meaning.lonely = &token;
     const auto call = [&](CallKind kind, CodeCallKind code_kind, const RegisteredCall* found) {
       if (meaning.call != nullptr) {
@@ -711,7 +763,8 @@ std::optional<Fault> BlockReader::sort_m(const Token& token, bool calls, Meaning
     if (calls) {
       if (const RegisteredCall* found = registered('M', code)) {
         if (found->refused)
-          return Fault{Cause::CodeMayNotCall, operand.at, operand.width, "M" + spell(code) + " may not call a program"};
+          return Fault{Cause::CodeMayNotCall, operand.at, operand.width,
+                       "M" + spell(code) + " may not call a program"};
         meaning.lonely = &token;
         call(CallKind::MCode, found->kind, found);
         return std::nullopt;
@@ -739,18 +792,21 @@ std::optional<Fault> BlockReader::sort_m(const Token& token, bool calls, Meaning
   return std::nullopt;
 }
 
-std::optional<Fault> BlockReader::check_together(const Tokens& tokens, const Meaning& meaning) const {
+std::optional<Fault> BlockReader::check_together(const Tokens& tokens,
+                                                 const Meaning& meaning) const {
   const auto at = [](Cause cause, const Token& token, std::string detail) {
     return Fault{cause, token.operand.at, token.operand.width, std::move(detail)};
   };
   if (meaning.second_call != nullptr) {
     const bool macros = meaning.calls_macro() && meaning.second_call->letter == 'G';
-    return at(macros ? Cause::MacroCallGivenTwice : Cause::CallGivenTwice, *meaning.second_call, "a block calls once");
+    return at(macros ? Cause::MacroCallGivenTwice : Cause::CallGivenTwice, *meaning.second_call,
+              "a block calls once");
   }
   if (meaning.call != nullptr && meaning.back != nullptr)
     return at(Cause::CallGivenTwice, *meaning.back, "a block calls or returns");
   if (control_.m_codes_alone.value && meaning.lonely != nullptr && meaning.m_words > 1)
-    return at(Cause::IllegalMCombination, *meaning.lonely, "this M code shares no block with another M code");
+    return at(Cause::IllegalMCombination, *meaning.lonely,
+              "this M code shares no block with another M code");
   for (int i = 0; i < meaning.g_count; ++i) {
     const Token& token = *meaning.g[static_cast<std::size_t>(i)];
     if (token.operand.kind != Operand::Kind::Constant) continue;
@@ -765,14 +821,17 @@ std::optional<Fault> BlockReader::check_together(const Tokens& tokens, const Mea
     for (const Token& token : tokens) {
       if (token.letter == 'G' || token.letter == 'M' || token.letter == '<') continue;
       const std::uint64_t mark = 1ULL << (token.letter - 'A' + (token.comma ? 32 : 0));
-      if ((seen & mark) != 0) return at(Cause::AddressGivenTwice, token, "the address stands twice in the block");
+      if ((seen & mark) != 0)
+        return at(Cause::AddressGivenTwice, token, "the address stands twice in the block");
       seen |= mark;
     }
   }
   return std::nullopt;
 }
 
-bool BlockReader::cut(const Operand& operand) const { return operand.fine && control_.cuts_fine_digits.value; }
+bool BlockReader::cut(const Operand& operand) const {
+  return operand.fine && control_.cuts_fine_digits.value;
+}
 
 /// A length with more digits than the least increment has, which depends on the unit in force.
 std::uint32_t BlockReader::cut_word(const Operand& operand, char address) {
@@ -787,7 +846,8 @@ std::uint32_t BlockReader::cut_word(const Operand& operand, char address) {
   return static_cast<std::uint32_t>(code_.expressions.size() - 1);
 }
 
-/// The block's own words: G and M codes, and the values of its addresses; of an address given twice the last.
+/// The block's own words: G and M codes, and the values of its addresses; of an address given twice
+/// the last.
 void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning& meaning) {
   const bool call = meaning.call != nullptr;
   const bool macro = meaning.calls_macro();
@@ -795,10 +855,14 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
   std::array<const Token*, kAddresses> values{};
   std::uint32_t mask = 0, expressions = 0, whole = 0;
   const auto owned = [&](const Token& token) {  // by the call or the return, not by the block
-    if (token.late || token.letter == 'G' || token.letter == 'M' || token.letter == '<' || token.letter == '/') return true;
+    if (token.late || token.letter == 'G' || token.letter == 'M' || token.letter == '<' ||
+        token.letter == '/')
+      return true;
     if (token.comma) return sub && token.letter == 'D' && control_.device_word.value;
     if (&token == meaning.call) return true;
-    if ((meaning.back != nullptr || meaning.jump != nullptr) && (token.letter == 'P' || token.letter == 'L')) return true;
+    if ((meaning.back != nullptr || meaning.jump != nullptr) &&
+        (token.letter == 'P' || token.letter == 'L'))
+      return true;
     if (meaning.kind != CallKind::M98 && meaning.kind != CallKind::M198) return false;
     if (!sub) return false;
     if (token.letter == 'P' || token.letter == 'L' || token.letter == 'Q') return true;
@@ -808,13 +872,18 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
     if (macro && token.operand.at >= meaning.call->operand.at) break;  // from here on: arguments
     if (owned(token)) continue;
     int place = token.letter - 'A';
-    if (token.comma) place = token.letter == 'C' ? kCommaC : token.letter == 'R' ? kCommaR : token.letter == 'A' ? kCommaA : kCommaD;
+    if (token.comma)
+      place = token.letter == 'C'   ? kCommaC
+              : token.letter == 'R' ? kCommaR
+              : token.letter == 'A' ? kCommaA
+                                    : kCommaD;
     values[static_cast<std::size_t>(place)] = &token;
     const std::uint32_t mark = 1u << place;
     mask |= mark;
     const bool computed = token.operand.kind == Operand::Kind::Expression || cut(token.operand);
     expressions = computed ? expressions | mark : expressions & ~mark;
-    const bool length = token.operand.whole && (letters_[static_cast<std::size_t>(token.letter)] & kLength) != 0;
+    const bool length =
+        token.operand.whole && (letters_[static_cast<std::size_t>(token.letter)] & kLength) != 0;
     whole = length ? whole | mark : whole & ~mark;
   }
   block.data = static_cast<std::uint32_t>(code_.cells.size());
@@ -832,7 +901,8 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
       block.flags |= Block::kCodeExpression;
       cell.value = -1.0 - token.operand.expression;
     } else {
-      cell.value = static_cast<double>(static_cast<std::int64_t>(token.operand.value * factor + 0.5));
+      cell.value =
+          static_cast<double>(static_cast<std::int64_t>(token.operand.value * factor + 0.5));
     }
     code_.cells.push_back(cell);
   };
@@ -845,7 +915,8 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
   }
   const int most = std::min(control_.m_codes_per_block.value, 6);
   const int first_m = std::max(0, meaning.m_count - most);
-  for (int i = first_m; i < meaning.m_count; ++i) code_cell(*meaning.m[static_cast<std::size_t>(i)], 1);
+  for (int i = first_m; i < meaning.m_count; ++i)
+    code_cell(*meaning.m[static_cast<std::size_t>(i)], 1);
   block.g_count = static_cast<std::uint8_t>(g_count);
   block.m_count = static_cast<std::uint8_t>(meaning.m_count - first_m);
   for (std::uint32_t left = mask; left != 0; left &= left - 1) {
@@ -885,9 +956,11 @@ void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& 
   for (const Token& token : tokens) {
     if (&token == &word) continue;
     if (token.comma) {
-      if (token.letter == 'D' && control_.device_word.value && by_number) call.device = token.operand;
+      if (token.letter == 'D' && control_.device_word.value && by_number)
+        call.device = token.operand;
       if (token.letter == 'D' && !control_.device_word.value)
-        return refuse(block, {Cause::AddressNotUsable, token.operand.at, token.operand.width, "the control has no ,D"});
+        return refuse(block, {Cause::AddressNotUsable, token.operand.at, token.operand.width,
+                              "the control has no ,D"});
       continue;
     }
     if (by_number && token.letter == '<') {
@@ -900,17 +973,21 @@ void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& 
       call.p = token.operand;
       seen_p = &token;
       if (macro && !first_p && control_.repeated_argument.value == RepeatedAddress::Alarm)
-        return refuse(block, {Cause::AddressGivenTwice, token.operand.at, token.operand.width, "P stands twice in the call"});
+        return refuse(block, {Cause::AddressGivenTwice, token.operand.at, token.operand.width,
+                              "P stands twice in the call"});
     }
     if (token.letter == 'L' && (by_number || macro)) {
       call.l = token.operand;
       seen_l = &token;
       if (macro && !first_l && control_.repeated_argument.value == RepeatedAddress::Alarm)
-        return refuse(block, {Cause::AddressGivenTwice, token.operand.at, token.operand.width, "L stands twice in the call"});
+        return refuse(block, {Cause::AddressGivenTwice, token.operand.at, token.operand.width,
+                              "L stands twice in the call"});
     }
     if (by_number && !macro) {
-      if (token.letter == 'Q' && control_.start_word.value == StartWord::Q) call.start = token.operand;
-      if (token.letter == 'H' && control_.start_word.value == StartWord::H) call.start = token.operand;
+      if (token.letter == 'Q' && control_.start_word.value == StartWord::Q)
+        call.start = token.operand;
+      if (token.letter == 'H' && control_.start_word.value == StartWord::H)
+        call.start = token.operand;
     }
   }
   if (control_.h_codes.value && meaning.kind == CallKind::G65) {
@@ -931,7 +1008,8 @@ void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& 
   if (macro && (block.mask != 0 || block.g_count != 0 || block.m_count != 0) &&
       control_.words_before_macro_call.value == WordsBeforeMacroCall::Alarm) {
     const Token& first = tokens.front();
-    return refuse(block, {Cause::MacroCallNotFirst, first.operand.at, first.operand.width, "a word stands before the macro call"});
+    return refuse(block, {Cause::MacroCallNotFirst, first.operand.at, first.operand.width,
+                          "a word stands before the macro call"});
   }
   switch (meaning.code_kind) {
     case CodeCallKind::Subprogram:
@@ -950,14 +1028,16 @@ void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& 
 }
 
 /// The arguments of a macro call, as the locals they set, in the order written: the later one wins.
-std::optional<Fault> BlockReader::arguments(CallRecord& call, const Tokens& tokens, const Meaning& meaning) {
+std::optional<Fault> BlockReader::arguments(CallRecord& call, const Tokens& tokens,
+                                            const Meaning& meaning) {
   call.first_argument = static_cast<std::uint32_t>(code_.arguments.size());
   const auto add = [&](int variable, const Token& token) {
     code_.arguments.push_back({static_cast<std::int16_t>(variable), token.letter, token.operand});
   };
   if (!call.macro) {  // M98 that passes its words: A is #0 ... Z is #25
     for (const Token& token : tokens)
-      if (&token != meaning.call && is_letter(token.letter) && !token.comma) add(token.letter - 'A', token);
+      if (&token != meaning.call && is_letter(token.letter) && !token.comma)
+        add(token.letter - 'A', token);
     call.arguments = static_cast<std::uint32_t>(code_.arguments.size()) - call.first_argument;
     return std::nullopt;
   }
@@ -973,18 +1053,24 @@ std::optional<Fault> BlockReader::arguments(CallRecord& call, const Tokens& toke
     }
     if (!behind || token.letter == 'P' || token.letter == 'L' || token.letter == '<') {
       if (token.letter == 'P' && meaning.registered != nullptr && behind)
-        return Fault{Cause::IllegalArgument, token.operand.at, token.operand.width, "P cannot be an argument"};
+        return Fault{Cause::IllegalArgument, token.operand.at, token.operand.width,
+                     "P cannot be an argument"};
       continue;
     }
     if (token.late)
-      return Fault{Cause::SequenceNumberNotFirst, token.operand.at, 1, "N stands at the head of a macro call"};
+      return Fault{Cause::SequenceNumberNotFirst, token.operand.at, 1,
+                   "N stands at the head of a macro call"};
     const std::size_t code = code_index(token.operand);
     const auto refused = [&](Cause cause) {
-      return Fault{cause, token.operand.at, token.operand.width, "this code may not stand with a macro call"};
+      return Fault{cause, token.operand.at, token.operand.width,
+                   "this code may not stand with a macro call"};
     };
-    if (token.letter == 'G' && meaning.kind == CallKind::G65 && not_with_macro_.test(code)) return refused(Cause::CodeWithMacroCall);
-    if (token.letter == 'G' && meaning.kind == CallKind::G66 && not_with_modal_.test(code)) return refused(Cause::CodeWithModalCall);
-    if (token.letter == 'M' && meaning.kind == CallKind::G65 && m_not_with_macro_.test(code)) return refused(Cause::MCodeWithMacroCall);
+    if (token.letter == 'G' && meaning.kind == CallKind::G65 && not_with_macro_.test(code))
+      return refused(Cause::CodeWithMacroCall);
+    if (token.letter == 'G' && meaning.kind == CallKind::G66 && not_with_modal_.test(code))
+      return refused(Cause::CodeWithModalCall);
+    if (token.letter == 'M' && meaning.kind == CallKind::G65 && m_not_with_macro_.test(code))
+      return refused(Cause::MCodeWithMacroCall);
     if (token.letter == 'G' || token.letter == 'O' || token.letter == 'N' || token.comma)
       return Fault{Cause::IllegalArgument, token.operand.at, token.operand.width,
                    std::string(token.comma ? "," : "") + token.letter + " cannot be an argument"};
@@ -996,7 +1082,8 @@ std::optional<Fault> BlockReader::arguments(CallRecord& call, const Tokens& toke
     if (token.letter < 'I' || token.letter > 'K') {
       const std::uint32_t mark = bit(token.letter);
       if ((seen & mark) != 0 && control_.repeated_argument.value == RepeatedAddress::Alarm)
-        return Fault{Cause::AddressGivenTwice, token.operand.at, token.operand.width, "the argument stands twice in the call"};
+        return Fault{Cause::AddressGivenTwice, token.operand.at, token.operand.width,
+                     "the argument stands twice in the call"};
       seen |= mark;
       add(argument_variable(token.letter), token);
       continue;
@@ -1015,7 +1102,8 @@ std::optional<Fault> BlockReader::arguments(CallRecord& call, const Tokens& toke
     }
     last = token.letter;
     if (set > 10)
-      return Fault{Cause::TooManyArgumentSets, token.operand.at, token.operand.width, "there are ten sets of I, J, K"};
+      return Fault{Cause::TooManyArgumentSets, token.operand.at, token.operand.width,
+                   "there are ten sets of I, J, K"};
     add(3 * set + 1 + place, token);
   }
   call.arguments = static_cast<std::uint32_t>(code_.arguments.size()) - call.first_argument;
@@ -1032,7 +1120,8 @@ void BlockReader::build_return(Block& block, const Tokens& tokens, const Meaning
     if (token.letter == 'L') back.l = token.operand;
   }
   if (back.p.present() && control_.return_with_p.value == ReturnWithP::Refused)
-    return refuse(block, {Cause::IllegalWordWithReturn, back.p.at, back.p.width, "M99 takes no P on this control"});
+    return refuse(block, {Cause::IllegalWordWithReturn, back.p.at, back.p.width,
+                          "M99 takes no P on this control"});
   write_words(block, tokens, meaning);
   block.op = Op::Return;
   block.aux = static_cast<std::uint32_t>(code_.calls.size());
@@ -1046,7 +1135,8 @@ void BlockReader::build_jump(Block& block, const Tokens& tokens, const Meaning& 
   for (const Token& token : tokens)
     if (token.letter == 'P' && !token.comma) jump.p = token.operand;
   if (!jump.p.present())
-    return refuse(block, {Cause::ProgramNumberMissing, jump.at, jump.width, "M97 does not say where to jump"});
+    return refuse(block, {Cause::ProgramNumberMissing, jump.at, jump.width,
+                          "M97 does not say where to jump"});
   write_words(block, tokens, meaning);
   block.op = Op::Jump;
   block.aux = static_cast<std::uint32_t>(code_.statements.size());
@@ -1060,7 +1150,9 @@ void BlockReader::build_h_code(Block& block, const Tokens& tokens, const Meaning
   for (const Token& token : tokens) {
     switch (token.letter) {
       case 'H':
-        h.number = token.operand.kind == Operand::Kind::Constant ? static_cast<std::int32_t>(token.operand.value) : -1;
+        h.number = token.operand.kind == Operand::Kind::Constant
+                       ? static_cast<std::int32_t>(token.operand.value)
+                       : -1;
         h.variable_at = token.operand.at;
         h.variable_width = token.operand.width;
         break;
@@ -1084,7 +1176,8 @@ void BlockReader::build_h_code(Block& block, const Tokens& tokens, const Meaning
   const std::size_t line_end = std::min(whole.find('\n', h.at), whole.size());
   if (open < line_end) {
     h.text = static_cast<std::uint32_t>(open) + 1;
-    h.text_length = static_cast<std::uint32_t>(std::min(whole.find(')', open), line_end) - open - 1);
+    h.text_length =
+        static_cast<std::uint32_t>(std::min(whole.find(')', open), line_end) - open - 1);
   }
   block.op = Op::HCode;
   block.aux = static_cast<std::uint32_t>(code_.statements.size());

@@ -24,13 +24,14 @@ struct RegisteredCall {
 class BlockReader {
  public:
   explicit BlockReader(Code& code);
-  /// Compiles what stands between the scanner and its end into `block`, whose text and line are set.
+  /// Compiles what stands between the scanner and its end into `block`, whose text and line are
+  /// set.
   void read(Scanner scanner, Block& block);
 
  private:
   struct Token {
-    char letter = 0;      // '/' for a block-skip slash
-    bool comma = false;   // ,C
+    char letter = 0;        // '/' for a block-skip slash
+    bool comma = false;     // ,C
     std::uint8_t axis = 0;  // X1=
     std::uint16_t skip = 0;
     Operand operand;
@@ -82,10 +83,11 @@ class BlockReader {
   std::array<Plain, 256> plain_{};  // what a character begins in a plain block
   std::array<bool, 4> plain_g_{};   // G00 to G03, where they are what they are everywhere
   std::array<std::uint8_t, 128> letters_{};
-  std::bitset<10001> not_with_call_, not_with_return_, not_with_macro_, not_with_modal_, m_not_with_macro_;
+  std::bitset<10001> not_with_call_, not_with_return_, not_with_macro_, not_with_modal_,
+      m_not_with_macro_;
   std::unordered_map<std::int64_t, RegisteredCall> registered_;  // by address and code
   std::vector<RegisteredCall> switches_;                         // addresses whose every code calls
-  std::array<int, 26> switched_{};                               // 1 + the place there, 0 = the address does not call
+  std::array<int, 26> switched_{};  // 1 + the place there, 0 = the address does not call
   std::int32_t external_m_ = 198;
 };
 

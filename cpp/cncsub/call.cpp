@@ -17,27 +17,37 @@ std::string spell(double value) {
   return {text.data(), done.ptr};
 }
 
-Fault fault(Cause cause, const Operand& word, std::string detail) { return {cause, word.at, word.width, std::move(detail)}; }
-Fault fault(Cause cause, const CallRecord& call, std::string detail) { return {cause, call.at, call.width, std::move(detail)}; }
+Fault fault(Cause cause, const Operand& word, std::string detail) {
+  return {cause, word.at, word.width, std::move(detail)};
+}
+Fault fault(Cause cause, const CallRecord& call, std::string detail) {
+  return {cause, call.at, call.width, std::move(detail)};
+}
 
-/// "P[#100] is 21234": the word as written where it holds a variable; the message puts it in for the braces.
+/// "P[#100] is 21234": the word as written where it holds a variable; the message puts it in for
+/// the braces.
 std::string named(const Operand& word, const char* letter, double value) {
-  return (word.kind == Operand::Kind::Expression ? "{} is " : std::string(letter) + " is ") + spell(value);
+  return (word.kind == Operand::Kind::Expression ? "{} is " : std::string(letter) + " is ") +
+         spell(value);
 }
 
 bool given(const Operand& operand, double value) { return operand.present() && !is_vacant(value); }
 
-/// A whole number from a value: written numbers are whole, computed ones are cut or rounded as the control does.
+/// A whole number from a value: written numbers are whole, computed ones are cut or rounded as the
+/// control does.
 double whole(const Control& control, const Operand& operand, double value) {
   if (operand.kind != Operand::Kind::Expression) return value;
   return control.call_values.value == CallValues::Cut ? std::trunc(value) : std::round(value);
 }
 
-std::optional<Fault> repeats(const Control& control, const CallRecord& call, double value, Target& target) {
+std::optional<Fault> repeats(const Control& control, const CallRecord& call, double value,
+                             Target& target) {
   const double count = whole(control, call.l, value);
   const std::string says = named(call.l, "L", value);
   const int most = control.max_repeats.value;
-  if (count < 0) return fault(Cause::IllegalRepeatCount, call.l, says + "; the count is 1 to " + std::to_string(most));
+  if (count < 0)
+    return fault(Cause::IllegalRepeatCount, call.l,
+                 says + "; the count is 1 to " + std::to_string(most));
   if (count == 0) {
     switch (control.zero_repeats.value) {
       case ZeroRepeats::Once:
@@ -46,12 +56,14 @@ std::optional<Fault> repeats(const Control& control, const CallRecord& call, dou
         target.skipped = true;
         return std::nullopt;
       case ZeroRepeats::Alarm:
-        return fault(Cause::IllegalRepeatCount, call.l, says + "; the count is 1 to " + std::to_string(most));
+        return fault(Cause::IllegalRepeatCount, call.l,
+                     says + "; the count is 1 to " + std::to_string(most));
     }
   }
   if (count > most) {
     if (control.too_many_repeats.value == TooManyRepeats::Alarm)
-      return fault(Cause::IllegalRepeatCount, call.l, says + "; the count is 1 to " + std::to_string(most));
+      return fault(Cause::IllegalRepeatCount, call.l,
+                   says + "; the count is 1 to " + std::to_string(most));
     target.repeats = most;
     return std::nullopt;
   }
@@ -60,8 +72,8 @@ std::optional<Fault> repeats(const Control& control, const CallRecord& call, dou
 }
 
 /// The number of a program in P. A call of a subprogram may hold a repeat count in it.
-std::optional<Fault> program_number(const Control& control, const CallRecord& call, double value, bool count_in_l,
-                                    Target& target) {
+std::optional<Fault> program_number(const Control& control, const CallRecord& call, double value,
+                                    bool count_in_l, Target& target) {
   const double number = whole(control, call.p, value);
   const std::string says = named(call.p, "P", value);
   const Cause illegal = call.macro ? Cause::IllegalMacroNumber : Cause::IllegalProgramNumber;
@@ -77,11 +89,13 @@ std::optional<Fault> program_number(const Control& control, const CallRecord& ca
     return fault(call.macro ? illegal : Cause::TooManyDigits, call.p,
                  says + "; it has at most " + std::to_string(digits) + " digits");
   if (number == 0 && !control.zero_numbers.value)
-    return fault(call.macro ? illegal : Cause::ProgramNumberZero, call.p, says + "; programs are numbered from 1");
+    return fault(call.macro ? illegal : Cause::ProgramNumberZero, call.p,
+                 says + "; programs are numbered from 1");
   const auto p = static_cast<std::int64_t>(number);
   target.program_number = p;
   if (call.macro || control.program_word.value != ProgramWord::CountAndNumber || p < kCountBase) {
-    const bool zeros = !call.macro && control.program_word.value == ProgramWord::CountAndNumber && call.p.written > 4;
+    const bool zeros = !call.macro && control.program_word.value == ProgramWord::CountAndNumber &&
+                       call.p.written > 4;
     if (zeros && count_in_l && control.count_and_l.value == CountAndL::Alarm)
       return fault(Cause::RepeatGivenTwice, call.l, "P gives a repeat count already");
     if (zeros && control.zero_count_alarms.value)
@@ -99,9 +113,12 @@ std::optional<Fault> program_number(const Control& control, const CallRecord& ca
     }
   }
   target.program_number = p % kCountBase;
-  target.repeats = static_cast<std::int32_t>(std::min<std::int64_t>(p / kCountBase, control.max_repeats.value));
-  if (p / kCountBase > control.max_repeats.value && control.too_many_repeats.value == TooManyRepeats::Alarm)
-    return fault(Cause::IllegalRepeatCount, call.p, says + "; the count in it is above " + std::to_string(control.max_repeats.value));
+  target.repeats =
+      static_cast<std::int32_t>(std::min<std::int64_t>(p / kCountBase, control.max_repeats.value));
+  if (p / kCountBase > control.max_repeats.value &&
+      control.too_many_repeats.value == TooManyRepeats::Alarm)
+    return fault(Cause::IllegalRepeatCount, call.p,
+                 says + "; the count in it is above " + std::to_string(control.max_repeats.value));
   if (target.program_number == 0 && !control.zero_numbers.value)
     return fault(Cause::ProgramNumberZero, call.p, says + "; programs are numbered from 1");
   return std::nullopt;
@@ -109,8 +126,8 @@ std::optional<Fault> program_number(const Control& control, const CallRecord& ca
 
 }  // namespace
 
-std::optional<Fault> decode_call(const Code& code, const CallRecord& call, const CallOperands& operands, std::int32_t own,
-                                 Target& target) {
+std::optional<Fault> decode_call(const Code& code, const CallRecord& call,
+                                 const CallOperands& operands, std::int32_t own, Target& target) {
   const Control& control = *code.control;
   const bool by_code = call.program_number >= 0;
   target.external = call.kind == CallKind::M198;
@@ -127,7 +144,8 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call, const
   if (given(call.start, operands.start)) {
     const double n = whole(control, call.start, operands.start);
     if (n < 0 || n > control.max_sequence_number.value)
-      return fault(Cause::IllegalSequenceNumber, call.start, "the start block is " + spell(operands.start));
+      return fault(Cause::IllegalSequenceNumber, call.start,
+                   "the start block is " + spell(operands.start));
     target.start_n = static_cast<std::int32_t>(n);
   }
   if (by_code) {
@@ -138,7 +156,8 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call, const
   if (given(call.p, operands.p)) {
     if (control.program_word.value == ProgramWord::SequenceNumber && !call.macro) {
       target.program = own;
-      target.start_n = static_cast<std::int32_t>(std::clamp(whole(control, call.p, operands.p), -1.0, 2e9));
+      target.start_n =
+          static_cast<std::int32_t>(std::clamp(whole(control, call.p, operands.p), -1.0, 2e9));
       return std::nullopt;
     }
     return program_number(control, call, operands.p, count_in_l, target);
@@ -164,17 +183,23 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call, const
   return fault(Cause::ProgramNumberMissing, call, "the call does not say which program");
 }
 
-std::optional<Fault> find_target(const Code& code, const CallRecord& call, std::int32_t own, Target& target) {
+std::optional<Fault> find_target(const Code& code, const CallRecord& call, std::int32_t own,
+                                 Target& target) {
   if (target.skipped) return std::nullopt;
   const bool external = target.external && code.external_device;
   const Operand& word = call.p.present() ? call.p : call.start;
   if (target.program == kNoProgram) {
     const bool by_name = !call.name.empty();
-    target.program = by_name ? code.find(call.name, external) : code.find(target.program_number, external);
+    target.program =
+        by_name ? code.find(call.name, external) : code.find(target.program_number, external);
     if (target.program == kNoProgram) {
-      const Cause cause = target.external ? Cause::ExternalProgramNotFound : by_name ? Cause::NamedProgramNotFound : Cause::ProgramNotFound;
-      const std::string what = by_name ? "<" + call.name + ">" : "O" + std::to_string(target.program_number);
-      const std::string where = external ? " is not on the external device" : " is not in the memory";
+      const Cause cause = target.external ? Cause::ExternalProgramNotFound
+                          : by_name       ? Cause::NamedProgramNotFound
+                                          : Cause::ProgramNotFound;
+      const std::string what =
+          by_name ? "<" + call.name + ">" : "O" + std::to_string(target.program_number);
+      const std::string where =
+          external ? " is not on the external device" : " is not in the memory";
       if (by_name) return Fault{cause, call.name_at, call.name_width, what + where};
       if (call.p.present()) return fault(cause, call.p, what + where);
       return fault(cause, call, what + where);

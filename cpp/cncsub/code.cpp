@@ -41,7 +41,8 @@ std::string name_key(std::string_view name) {
 }
 
 std::int64_t number_in(std::string_view name) {
-  if (!name.empty() && (upper(name[0]) == 'O' || name[0] == '%' || name[0] == ':')) name.remove_prefix(1);
+  if (!name.empty() && (upper(name[0]) == 'O' || name[0] == '%' || name[0] == ':'))
+    name.remove_prefix(1);
   if (name.empty() || name.size() > 15) return -1;
   std::int64_t number = 0;
   for (const char c : name) {
@@ -60,7 +61,9 @@ VariablePlace Code::place(std::int64_t number) const {
       place.kind = range.kind;
       place.range = &range;
       const auto offset = static_cast<std::int32_t>(number) - range.first;
-      place.index = range.kind == VariableKind::Local ? static_cast<std::int32_t>(number) : common ? base + offset : offset;
+      place.index = range.kind == VariableKind::Local ? static_cast<std::int32_t>(number)
+                    : common                          ? base + offset
+                                                      : offset;
       return place;
     }
     if (common) base += range.last - range.first + 1;
@@ -69,8 +72,9 @@ VariablePlace Code::place(std::int64_t number) const {
 }
 
 std::int32_t Code::program_at(Address address) const {
-  const auto behind = std::upper_bound(programs.begin(), programs.end(), address,
-                                       [](Address a, const Program& program) { return a < program.first; });
+  const auto behind =
+      std::upper_bound(programs.begin(), programs.end(), address,
+                       [](Address a, const Program& program) { return a < program.first; });
   return static_cast<std::int32_t>(behind - programs.begin()) - 1;
 }
 
@@ -107,8 +111,10 @@ struct Entries {
 Entries entries(const Code& code, const Program& program, std::int64_t n) {
   const SequenceEntry* first = code.sequence.data() + program.first_entry;
   const SequenceEntry* last = code.sequence.data() + program.last_entry;
-  const auto low = std::lower_bound(first, last, n, [](const SequenceEntry& e, std::int64_t value) { return e.n < value; });
-  const auto high = std::upper_bound(low, last, n, [](std::int64_t value, const SequenceEntry& e) { return value < e.n; });
+  const auto low = std::lower_bound(
+      first, last, n, [](const SequenceEntry& e, std::int64_t value) { return e.n < value; });
+  const auto high = std::upper_bound(
+      low, last, n, [](std::int64_t value, const SequenceEntry& e) { return value < e.n; });
   return {low, high};
 }
 
@@ -121,15 +127,17 @@ Address Code::first_of(const Program& program, std::int64_t n) const {
 
 Address Code::next_of(const Program& program, std::int64_t n, Address behind) const {
   const Entries found = entries(*this, program, n);
-  const auto next = std::upper_bound(found.first, found.last, behind,
-                                     [](Address a, const SequenceEntry& e) { return a < e.address; });
+  const auto next =
+      std::upper_bound(found.first, found.last, behind,
+                       [](Address a, const SequenceEntry& e) { return a < e.address; });
   return next == found.last ? kNowhere : next->address;
 }
 
 Address Code::last_of(const Program& program, std::int64_t n, Address before) const {
   const Entries found = entries(*this, program, n);
-  const auto behind = std::lower_bound(found.first, found.last, before,
-                                       [](const SequenceEntry& e, Address a) { return e.address < a; });
+  const auto behind =
+      std::lower_bound(found.first, found.last, before,
+                       [](const SequenceEntry& e, Address a) { return e.address < a; });
   return behind == found.first ? kNowhere : behind[-1].address;
 }
 

@@ -1,7 +1,9 @@
-// The programs of a library, compiled: every block once, against the control's rules, into flat arrays.
+// The programs of a library, compiled: every block once, against the control's rules, into flat
+// arrays.
 //
-// A block's address is one number, its place in `Code::blocks`, and so is a jump target, a return address and the origin
-// of a step. A block that the control would refuse is kept as the fault it will raise when it is reached.
+// A block's address is one number, its place in `Code::blocks`, and so is a jump target, a return
+// address and the origin of a step. A block that the control would refuse is kept as the fault it
+// will raise when it is reached.
 #pragma once
 
 #include <array>
@@ -23,7 +25,8 @@ using Address = std::uint32_t;
 constexpr Address kNowhere = 0xffffffff;
 constexpr std::int32_t kNoProgram = -1;
 
-/// The value of #0 and of a variable never set. Arithmetic never produces a NaN, so every NaN is vacant.
+/// The value of #0 and of a variable never set. Arithmetic never produces a NaN, so every NaN is
+/// vacant.
 constexpr double kVacant = std::numeric_limits<double>::quiet_NaN();
 inline bool is_vacant(double value) { return std::isnan(value); }
 
@@ -38,30 +41,85 @@ struct Fault {
 // ---- expressions ----
 
 enum class Ins : std::uint8_t {
-  Constant, Local, LocalRaw, Common, CommonRaw, Variable, VariableRaw, Indirect, IndirectRaw,
-  Add, Subtract, Multiply, Divide, AddConstant, SubtractConstant, MultiplyConstant, DivideConstant, Modulo, And, Or, Xor, Negate,
-  Equal, NotEqual, Greater, Less, GreaterEqual, LessEqual, BothTrue, EitherTrue, OneTrue, Not,
-  Sin, Cos, Tan, Asin, Acos, Atan, Atan2, Sqrt, Abs, Round, RoundWord, CutWord, Fix, Fup, Ln, Exp, Pow, Bin, Bcd, Adp, Parameter,
-  Sign, Random, RandomBetween, Programmed, Named, End
+  Constant,
+  Local,
+  LocalRaw,
+  Common,
+  CommonRaw,
+  Variable,
+  VariableRaw,
+  Indirect,
+  IndirectRaw,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  AddConstant,
+  SubtractConstant,
+  MultiplyConstant,
+  DivideConstant,
+  Modulo,
+  And,
+  Or,
+  Xor,
+  Negate,
+  Equal,
+  NotEqual,
+  Greater,
+  Less,
+  GreaterEqual,
+  LessEqual,
+  BothTrue,
+  EitherTrue,
+  OneTrue,
+  Not,
+  Sin,
+  Cos,
+  Tan,
+  Asin,
+  Acos,
+  Atan,
+  Atan2,
+  Sqrt,
+  Abs,
+  Round,
+  RoundWord,
+  CutWord,
+  Fix,
+  Fup,
+  Ln,
+  Exp,
+  Pow,
+  Bin,
+  Bcd,
+  Adp,
+  Parameter,
+  Sign,
+  Random,
+  RandomBetween,
+  Programmed,
+  Named,
+  End
 };
 
 struct Instruction {
   Ins op = Ins::End;
-  std::uint8_t address = 0;   // RoundWord: the word's address
-  std::uint32_t at = 0;       // where in the text, for a fault; of a variable: its index
-  double value = 0;           // a constant; of a variable: its number
+  std::uint8_t address = 0;  // RoundWord: the word's address
+  std::uint32_t at = 0;      // where in the text, for a fault; of a variable: its index
+  double value = 0;          // a constant; of a variable: its number
 };
 
-/// An expression. Most are one value, or one operation on two, and need no instructions: `form` says so.
+/// An expression. Most are one value, or one operation on two, and need no instructions: `form`
+/// says so.
 struct Expression {
   std::uint32_t first = 0;  // into Code::instructions
   std::uint32_t at = 0;
   std::uint32_t width = 1;
   enum class Form : std::uint8_t { Long, One, Two } form = Form::Long;
-  Ins op = Ins::End;        // of Two
+  Ins op = Ins::End;  // of Two
   struct Load {
     enum class From : std::uint8_t { Constant, Local, Common } from = From::Constant;
-    bool raw = false;       // a vacant variable stays vacant
+    bool raw = false;  // a vacant variable stays vacant
     std::uint32_t index = 0;
     double value = 0;
   };
@@ -87,36 +145,42 @@ struct Operand {
 // ---- blocks ----
 
 enum class Op : std::uint8_t {
-  Words,         // NC words only
-  Linear,        // a G00 or G01 move with nothing but X, Y, Z and F, the case that must be fast
-  Call,          // words, then a subprogram call (aux: call)
-  MacroCall,     // G65 and macro calls by code (aux: call)
-  ModalCall,     // G66, G66.1 and modal calls by code (aux: call)
-  CancelModal,   // G67, with words
-  Return,        // words, then M99 (aux: call; P and L are its operands)
-  Jump,          // words, then M97 (aux: statement)
-  EndProgram,    // words, then M02 or M30
-  Assign,        // aux: statement
-  Goto,          // aux: statement
-  IfGoto,        // aux: statement
-  IfThen,        // aux: statement
-  If, Else, EndIf,      // aux: statement; If: to = behind ELSE or ENDIF
-  While, Do, EndDo,     // aux: statement; While: to = behind END; EndDo: to = the WHILE or DO
-  HCode,         // G65 H (aux: statement)
-  Print,         // DPRNT, BPRNT (aux: print)
-  OpenOutput, CloseOutput,
+  Words,        // NC words only
+  Linear,       // a G00 or G01 move with nothing but X, Y, Z and F, the case that must be fast
+  Call,         // words, then a subprogram call (aux: call)
+  MacroCall,    // G65 and macro calls by code (aux: call)
+  ModalCall,    // G66, G66.1 and modal calls by code (aux: call)
+  CancelModal,  // G67, with words
+  Return,       // words, then M99 (aux: call; P and L are its operands)
+  Jump,         // words, then M97 (aux: statement)
+  EndProgram,   // words, then M02 or M30
+  Assign,       // aux: statement
+  Goto,         // aux: statement
+  IfGoto,       // aux: statement
+  IfThen,       // aux: statement
+  If,
+  Else,
+  EndIf,  // aux: statement; If: to = behind ELSE or ENDIF
+  While,
+  Do,
+  EndDo,  // aux: statement; While: to = behind END; EndDo: to = the WHILE or DO
+  HCode,  // G65 H (aux: statement)
+  Print,  // DPRNT, BPRNT (aux: print)
+  OpenOutput,
+  CloseOutput,
   NameVariables,  // SETVN (aux: statement)
-  Choose,        // aux: variant: which of two blocks this one is, by the skip switches or by who called
-  Fault,         // aux: fault
-  EndOfRecord,   // behind the last block of every program
+  Choose,  // aux: variant: which of two blocks this one is, by the skip switches or by who called
+  Fault,   // aux: fault
+  EndOfRecord,  // behind the last block of every program
 };
 
 /// A word's cell: its value, or the number of its expression.
 union Cell {
   double value;
   struct {
-    std::uint32_t expressions;  // of a block's extra cell: the addresses whose cell is an expression
-    std::uint32_t whole;        // and those whose number has no point
+    std::uint32_t
+        expressions;      // of a block's extra cell: the addresses whose cell is an expression
+    std::uint32_t whole;  // and those whose number has no point
   } extra;
   std::uint64_t expression;
 };
@@ -126,8 +190,9 @@ constexpr int kCommaC = 26, kCommaR = 27, kCommaA = 28, kCommaD = 29;
 constexpr int kAddresses = 30;
 constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
 
-/// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G codes, the M codes (one
-/// cell each, or an expression), then the values of the mask's addresses in alphabetical order.
+/// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G
+/// codes, the M codes (one cell each, or an expression), then the values of the mask's addresses in
+/// alphabetical order.
 struct Block {
   std::uint32_t text = 0;  // where it starts in its file
   std::uint32_t line = 0;  // 1-based
@@ -139,32 +204,46 @@ struct Block {
   std::uint8_t g_count = 0;
   std::uint8_t m_count = 0;
   std::uint8_t flags = 0;
-  std::uint16_t skip = 0;   // bit k: not executed when switch k is on
+  std::uint16_t skip = 0;    // bit k: not executed when switch k is on
   std::uint16_t length = 0;  // bytes of text, at most 65535
 
   static constexpr std::uint8_t kHasExtra = 1;
-  static constexpr std::uint8_t kCodeExpression = 2;  // a G or M is an expression: its cell holds -1 - expression
-  static constexpr std::uint8_t kSecondG = 4;         // Linear: G01 is written, not G00
-  static constexpr std::uint8_t kNoG = 8;             // Linear: no G is written
+  static constexpr std::uint8_t kCodeExpression =
+      2;  // a G or M is an expression: its cell holds -1 - expression
+  static constexpr std::uint8_t kSecondG = 4;  // Linear: G01 is written, not G00
+  static constexpr std::uint8_t kNoG = 8;      // Linear: no G is written
 };
 
 /// The words of a block, ready to be executed.
 struct NcWords {
   std::uint32_t mask = 0;
-  std::uint32_t whole = 0;      // written as a number without a point
-  std::uint32_t computed = 0;   // came from a variable or an expression
+  std::uint32_t whole = 0;     // written as a number without a point
+  std::uint32_t computed = 0;  // came from a variable or an expression
   std::array<double, kAddresses> value{};
-  std::array<int, 12> g{};      // ten times the code: G54.1 is 541
+  std::array<int, 12> g{};  // ten times the code: G54.1 is 541
   std::array<int, 6> m{};
   int g_count = 0;
   int m_count = 0;
-  std::uint32_t at = 0;         // where the block stands, for faults
+  bool ends = false;     // M02 or M30 stands in the block
+  std::uint32_t at = 0;  // where the block stands, for faults
 
   bool has(char address) const { return (mask & bit(address)) != 0; }
   double operator[](char address) const { return value[static_cast<std::size_t>(address - 'A')]; }
 };
 
-enum class CallKind : std::uint8_t { M98, M198, G65, G66, G661, GCode, MCode, TCode, SCode, BCode, Ascii };
+enum class CallKind : std::uint8_t {
+  M98,
+  M198,
+  G65,
+  G66,
+  G661,
+  GCode,
+  MCode,
+  TCode,
+  SCode,
+  BCode,
+  Ascii
+};
 std::string_view to_string(CallKind kind);
 inline bool is_macro(CallKind kind, CodeCallKind code) {
   switch (kind) {
@@ -193,40 +272,47 @@ struct Target {
   Address start = kNowhere;
   std::int32_t start_n = -1;
   std::int32_t repeats = 1;
-  bool skipped = false;  // L0
-  bool jump = false;     // a MELDAS M98 without P
+  bool skipped = false;   // L0
+  bool jump = false;      // a MELDAS M98 without P
   bool external = false;  // on the external device
 };
 
 struct CallRecord {
   CallKind kind = CallKind::M98;
   CodeCallKind code_kind = CodeCallKind::Subprogram;
-  std::int32_t code = 0;       // the calling code: 60 of M60
-  std::int32_t variable = 0;   // takes the code's value
+  std::int32_t code = 0;      // the calling code: 60 of M60
+  std::int32_t variable = 0;  // takes the code's value
   Operand p, l, start, device;
-  std::string name;            // <NAME>, P[NAME]
+  std::string name;  // <NAME>, P[NAME]
   std::uint32_t name_at = 0, name_width = 1;
   std::int32_t program_number = -1;  // a call by code: the program it is registered for
   std::uint32_t first_argument = 0, arguments = 0;
-  std::uint32_t at = 0, width = 1;   // the calling word
+  std::uint32_t at = 0, width = 1;  // the calling word
   bool macro = false;
-  bool constant = false;       // `target` holds for every execution
+  bool constant = false;  // `target` holds for every execution
   Target target;
 };
 
 struct Statement {
   std::uint32_t expression = 0;  // the condition, or the value to assign, or the jump's number
-  std::uint32_t variable = 0;    // Assign: an expression that gives the variable's number, when target is Indirect
-  enum class Target : std::uint8_t { None, Local, Common, Variable, Indirect } target = Target::None;
-  std::int32_t index = 0;        // Local, Common: the place; Variable: the number
-  Address to = kNowhere;         // where a jump goes, when known
-  Address end = kNowhere;        // Do, While: the address of the END
-  std::int32_t number = 0;       // DO m, GOTO n, G65 Hm
+  std::uint32_t variable =
+      0;  // Assign: an expression that gives the variable's number, when target is Indirect
+  enum class Target : std::uint8_t {
+    None,
+    Local,
+    Common,
+    Variable,
+    Indirect
+  } target = Target::None;
+  std::int32_t index = 0;   // Local, Common: the place; Variable: the number
+  Address to = kNowhere;    // where a jump goes, when known
+  Address end = kNowhere;   // Do, While: the address of the END
+  std::int32_t number = 0;  // DO m, GOTO n, G65 Hm
   std::uint32_t at = 0, width = 1;
   std::uint32_t variable_at = 0, variable_width = 1;
   std::uint32_t text = 0, text_length = 0;  // the comment of #3000 and #3006
-  std::uint32_t then = 0;        // IfThen: the variant block to execute
-  Operand p, q, r;               // G65 H
+  std::uint32_t then = 0;                   // IfThen: the variant block to execute
+  Operand p, q, r;                          // G65 H
 };
 
 struct PrintField {
@@ -244,9 +330,10 @@ struct Print {
 };
 
 struct Variant {
-  std::uint16_t skip = 0;      // != 0: `second` when one of these switches is on
-  char address = 0;            // != 0: `second` when the frame was entered by a code that keeps this address from calling
-  std::uint32_t first = 0;     // into Code::variants
+  std::uint16_t skip = 0;  // != 0: `second` when one of these switches is on
+  char address = 0;  // != 0: `second` when the frame was entered by a code that keeps this address
+                     // from calling
+  std::uint32_t first = 0;  // into Code::variants
   std::uint32_t second = 0;
 };
 
@@ -269,11 +356,11 @@ struct Program {
   std::int64_t number = -1;  // of O0023, :23, %23
   std::string comment;
   std::uint32_t file = 0;
-  std::uint32_t line = 0;      // of its head
-  std::uint32_t text = 0;      // where its text starts in the file
+  std::uint32_t line = 0;  // of its head
+  std::uint32_t text = 0;  // where its text starts in the file
   std::uint32_t text_end = 0;
   Address first = 0;
-  Address last = 0;            // one behind the last block: the EndOfRecord
+  Address last = 0;                               // one behind the last block: the EndOfRecord
   std::uint32_t first_entry = 0, last_entry = 0;  // in Code::sequence, sorted by n, then by address
   std::int32_t duplicate_of = kNoProgram;
 };
@@ -281,7 +368,8 @@ struct Program {
 /// Where a variable lives.
 struct VariablePlace {
   VariableKind kind = VariableKind::Common;
-  std::int32_t index = -1;  // Local: the number itself; Common and Kept: the place among the commons; else number - first
+  std::int32_t index = -1;  // Local: the number itself; Common and Kept: the place among the
+                            // commons; else number - first
   const VariableRange* range = nullptr;  // null: there is no such variable
 };
 
@@ -289,8 +377,8 @@ struct Code {
   std::shared_ptr<const Control> control;
   bool external_device = false;
   std::bitset<10001> g_codes;  // the codes of the control, ten times each; all where it has no list
-  std::vector<std::string> names;  // of variables used by name
-  std::int32_t locals = 34;        // the locals of one level, #0 included
+  std::vector<std::string> names;      // of variables used by name
+  std::int32_t locals = 34;            // the locals of one level, #0 included
   std::int32_t locals_per_level = 33;  // as a level's image counts them
   std::int32_t commons = 0;
   std::vector<SourceFile> files;
@@ -327,17 +415,19 @@ struct Code {
   Address return_target(const Program& program, std::int64_t n, Address call) const;
 };
 
-/// Reads the files into one library of compiled programs. Never fails: what the control would refuse becomes a fault.
-/// Without an external device the memory stands in for it: M198 then finds the programs that M98 finds.
-std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control, std::vector<SourceFile> files,
-                                    bool external_device);
+/// Reads the files into one library of compiled programs. Never fails: what the control would
+/// refuse becomes a fault. Without an external device the memory stands in for it: M198 then finds
+/// the programs that M98 finds.
+std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
+                                    std::vector<SourceFile> files, bool external_device);
 /// The same library with one more program behind the others, the text typed in MDI.
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text);
 
 /// The alarm of a fault in this block; frames are the caller's to add.
 Alarm alarm_of(const Code& code, Address address, const Fault& fault);
 
-/// The key under which a program's name is found: upper case, without an extension the control gives its files.
+/// The key under which a program's name is found: upper case, without an extension the control
+/// gives its files.
 std::string name_key(std::string_view name);
 /// The number in O0023, %23, :23 or 23; -1 where the name is none.
 std::int64_t number_in(std::string_view name);

@@ -1,5 +1,5 @@
-// A growing column that never moves what it holds: rows are appended to chunks of a fixed size, so that memory stays what
-// the rows need, and appending is one store.
+// A growing column that never moves what it holds: rows are appended to chunks of a fixed size, so
+// that memory stays what the rows need, and appending is one store.
 #pragma once
 
 #include <algorithm>

@@ -28,10 +28,12 @@ class LibraryReader {
     first_in_file_ = true;
     const bool semicolons = code_.control->semicolon.value == Semicolon::EndOfBlock;
     while (at < end) {
-      const char* newline = static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
+      const char* newline =
+          static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
       const char* line_end = newline == nullptr ? end : newline;
       ++line_;
-      const char* semicolon = static_cast<const char*>(std::memchr(at, ';', static_cast<std::size_t>(line_end - at)));
+      const char* semicolon =
+          static_cast<const char*>(std::memchr(at, ';', static_cast<std::size_t>(line_end - at)));
       if (semicolon == nullptr) {
         block(at, line_end);
       } else if (semicolons) {
@@ -127,7 +129,8 @@ class LibraryReader {
       const Number number = scan_number(s);
       s.blanks();
       const std::string name(start, static_cast<std::size_t>(s.at - start));
-      begin_program(trimmed(name), number.value < 1e15 ? static_cast<std::int64_t>(number.value) : -1,
+      begin_program(trimmed(name),
+                    number.value < 1e15 ? static_cast<std::int64_t>(number.value) : -1,
                     static_cast<std::uint32_t>(start - begin_), true);
       title(start, s.end);
       return;
@@ -149,9 +152,11 @@ class LibraryReader {
         if (number.digits > 0 || *ahead.at != '0') ++number.digits;
         number.value = number.value * 10 + (*ahead.at++ - '0');
       }
-      const std::string name = "O" + std::string(digits, static_cast<std::size_t>(ahead.at - digits));
+      const std::string name =
+          "O" + std::string(digits, static_cast<std::size_t>(ahead.at - digits));
       const auto offset = static_cast<std::uint32_t>(start - begin_);
-      begin_program(name, number.digits <= 15 ? static_cast<std::int64_t>(number.value) : -1, offset, true);
+      begin_program(name, number.digits <= 15 ? static_cast<std::int64_t>(number.value) : -1,
+                    offset, true);
       title(start, s.end);
       const bool zero = number.value == 0 && !code_.control->zero_numbers.value;
       const bool large = number.value > code_.control->max_program_number.value;
@@ -160,11 +165,14 @@ class LibraryReader {
         block.text = offset;
         block.line = line_;
         block.op = Op::Fault;
-        block.length = static_cast<std::uint16_t>(std::min<std::ptrdiff_t>(ahead.at - start, 65535));
+        block.length =
+            static_cast<std::uint16_t>(std::min<std::ptrdiff_t>(ahead.at - start, 65535));
         block.aux = static_cast<std::uint32_t>(code_.faults.size());
-        code_.faults.push_back({zero ? Cause::ProgramNumberZero : Cause::IllegalProgramNumber, offset, block.length,
-                                zero ? "O0 is no program number"
-                                     : "the largest program number is " + std::to_string(code_.control->max_program_number.value)});
+        code_.faults.push_back(
+            {zero ? Cause::ProgramNumberZero : Cause::IllegalProgramNumber, offset, block.length,
+             zero ? "O0 is no program number"
+                  : "the largest program number is " +
+                        std::to_string(code_.control->max_program_number.value)});
         code_.blocks.push_back(block);
       }
       s.at = ahead.at;
@@ -173,7 +181,8 @@ class LibraryReader {
     if (c == '<' && (code_.control->named_programs.value || code_.control->bracket_names.value)) {
       const char* close_at = std::find(s.at, s.end, '>');
       if (close_at == s.end) return false;
-      const std::string name = trimmed(std::string(s.at + 1, static_cast<std::size_t>(close_at - s.at - 1)));
+      const std::string name =
+          trimmed(std::string(s.at + 1, static_cast<std::size_t>(close_at - s.at - 1)));
       begin_program(name, number_in(name), static_cast<std::uint32_t>(start - begin_), true);
       title(start, s.end);
       s.at = close_at + 1;
@@ -196,7 +205,8 @@ class LibraryReader {
     code_.programs.back().comment.assign(open + 1, close_at);
   }
 
-  void begin_program(const std::string& name, std::int64_t number, std::uint32_t offset, bool headed) {
+  void begin_program(const std::string& name, std::int64_t number, std::uint32_t offset,
+                     bool headed) {
     if (open_) {
       const Program& before = code_.programs.back();
       const bool empty = before.first == static_cast<Address>(code_.blocks.size());
@@ -249,9 +259,11 @@ class LibraryReader {
     program.last_entry = static_cast<std::uint32_t>(code_.sequence.size());
     const auto first = code_.sequence.begin() + program.first_entry;
     const auto by_number = [](const SequenceEntry& a, const SequenceEntry& b) { return a.n < b.n; };
-    if (!std::is_sorted(first, code_.sequence.end(), by_number)) std::stable_sort(first, code_.sequence.end(), by_number);
+    if (!std::is_sorted(first, code_.sequence.end(), by_number))
+      std::stable_sort(first, code_.sequence.end(), by_number);
     match_loops(program);
-    for (Address a = program.first; a < program.last; ++a) resolve_jump(program, a, code_.blocks[a]);
+    for (Address a = program.first; a < program.last; ++a)
+      resolve_jump(program, a, code_.blocks[a]);
   }
 
   void resolve_jump(const Program& program, Address address, const Block& block) {
@@ -278,7 +290,8 @@ class LibraryReader {
     Address other = kNowhere;  // of an IF: its ELSE
   };
 
-  /// Pairs WHILE and DO with END, IF with ELSE and ENDIF. What has no partner becomes a fault where it stands.
+  /// Pairs WHILE and DO with END, IF with ELSE and ENDIF. What has no partner becomes a fault where
+  /// it stands.
   void match_loops(const Program& program) {
     std::vector<Open> loops, ifs;
     for (Address a = program.first; a < program.last; ++a) {
@@ -293,7 +306,8 @@ class LibraryReader {
         case Op::If:
           ifs.push_back({a, 0});
           if (ifs.size() > static_cast<std::size_t>(code_.control->max_ifs.value)) {
-            fault_at(a, Cause::IfTooDeep, "more IF blocks inside each other than the control takes");
+            fault_at(a, Cause::IfTooDeep,
+                     "more IF blocks inside each other than the control takes");
           }
           break;
         case Op::Else:
@@ -306,10 +320,13 @@ class LibraryReader {
           break;
       }
     }
-    for (const Open& open : loops) fault_at(open.address, Cause::MissingEnd, "this loop has no end");
+    for (const Open& open : loops)
+      fault_at(open.address, Cause::MissingEnd, "this loop has no end");
     for (const Open& open : ifs) {
-      if (open.other != kNowhere) fault_at(open.other, Cause::IfWithoutEnd, "this ELSE has no ENDIF");
-      if (code_.blocks[open.address].op == Op::If) fault_at(open.address, Cause::IfWithoutEnd, "this IF has no ENDIF");
+      if (open.other != kNowhere)
+        fault_at(open.other, Cause::IfWithoutEnd, "this ELSE has no ENDIF");
+      if (code_.blocks[open.address].op == Op::If)
+        fault_at(open.address, Cause::IfWithoutEnd, "this IF has no ENDIF");
     }
   }
 
@@ -318,9 +335,11 @@ class LibraryReader {
     const bool numbered = code_.control->loop_form.value == LoopForm::DoEnd;
     if (numbered)
       for (const Open& open : loops)
-        if (open.number == number) return fault_at(a, Cause::MissingEnd, "this DO number is open already");
+        if (open.number == number)
+          return fault_at(a, Cause::MissingEnd, "this DO number is open already");
     if (loops.size() >= static_cast<std::size_t>(code_.control->max_loops.value))
-      return fault_at(a, Cause::LoopsTooDeep, "more loops inside each other than the control takes");
+      return fault_at(a, Cause::LoopsTooDeep,
+                      "more loops inside each other than the control takes");
     loops.push_back({a, number});
   }
 
@@ -330,7 +349,8 @@ class LibraryReader {
     std::size_t at = loops.size();
     while (at > 0 && numbered && loops[at - 1].number != number) --at;
     if (at == 0) return fault_at(a, Cause::MissingDo, "this end has no loop");
-    for (std::size_t i = at; i < loops.size(); ++i) fault_at(loops[i].address, Cause::MissingEnd, "this loop crosses another");
+    for (std::size_t i = at; i < loops.size(); ++i)
+      fault_at(loops[i].address, Cause::MissingEnd, "this loop crosses another");
     const Address start = loops[at - 1].address;
     loops.resize(at - 1);
     code_.statements[code_.blocks[start].aux].end = a;
@@ -372,7 +392,8 @@ void number_variables(Code& code) {
       code.locals = std::max(code.locals, range.last + 1);
       code.locals_per_level = range.last - range.first + 1;
     }
-    if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept) code.commons += range.last - range.first + 1;
+    if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept)
+      code.commons += range.last - range.first + 1;
   }
 }
 
@@ -402,8 +423,11 @@ void resolve_calls(Code& code, std::size_t from) {
   const auto resolve = [&](Block& block, std::int32_t own) {
     if (block.op != Op::Call && block.op != Op::MacroCall && block.op != Op::ModalCall) return;
     CallRecord& call = code.calls[block.aux];
-    const auto constant = [](const Operand& operand) { return operand.kind != Operand::Kind::Expression; };
-    if (!constant(call.p) || !constant(call.l) || !constant(call.start) || !constant(call.device)) return;
+    const auto constant = [](const Operand& operand) {
+      return operand.kind != Operand::Kind::Expression;
+    };
+    if (!constant(call.p) || !constant(call.l) || !constant(call.start) || !constant(call.device))
+      return;
     const CallOperands operands{call.p.value, call.l.value, call.start.value, call.device.value};
     Target target;
     if (auto fault = decode_call(code, call, operands, own, target)) {
@@ -436,8 +460,8 @@ void resolve_calls(Code& code, std::size_t from) {
 
 }  // namespace
 
-std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control, std::vector<SourceFile> files,
-                                    bool external_device) {
+std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
+                                    std::vector<SourceFile> files, bool external_device) {
   auto code = std::make_shared<Code>();
   code->external_device = external_device;
   code->control = std::move(control);

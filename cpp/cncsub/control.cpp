@@ -31,9 +31,9 @@ std::string_view to_string(Evidence evidence) {
   return "";
 }
 
-#define CHOICE(type)                              \
-  template <>                                     \
-  const std::vector<Option>& options<type>() {    \
+#define CHOICE(type)                           \
+  template <>                                  \
+  const std::vector<Option>& options<type>() { \
     static const std::vector<Option> list = {
 #define OPTION(type, name, slug, example) {slug, example},
 #define END_CHOICE(type) \
@@ -109,15 +109,16 @@ std::vector<RuleView> rules(const Control& control) {
   };
 }
 
-std::optional<std::string> set_rule(Control& control, const std::string& rule_name, const RuleValue& value) {
-#define RULE(type, name, default_value, meaning)                      \
-  if (rule_name == #name) {                                           \
-    auto wrong = assign(#name, control.name, value);                  \
-    if (!wrong) {                                                     \
-      control.name.source = "set by the caller";                      \
-      control.name.evidence = Evidence::Inferred;                     \
-    }                                                                 \
-    return wrong;                                                     \
+std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
+                                    const RuleValue& value) {
+#define RULE(type, name, default_value, meaning)     \
+  if (rule_name == #name) {                          \
+    auto wrong = assign(#name, control.name, value); \
+    if (!wrong) {                                    \
+      control.name.source = "set by the caller";     \
+      control.name.evidence = Evidence::Inferred;    \
+    }                                                \
+    return wrong;                                    \
   }
 #include "cncsub/rules.def"
 #undef RULE
@@ -143,7 +144,8 @@ void Control::set_parameter(const std::string& parameter_name, double value) {
       if (effect != nullptr) effect(*this, value);
       return;
     }
-  parameters.push_back({parameter_name, value, "no rule depends on it", "set by the caller", Evidence::Inferred, nullptr});
+  parameters.push_back({parameter_name, value, "no rule depends on it", "set by the caller",
+                        Evidence::Inferred, nullptr});
 }
 
 const VariableRange* Control::variable(std::int64_t number) const {

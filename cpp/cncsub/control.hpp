@@ -1,4 +1,5 @@
-// A control as data: the rules it follows, its parameters, variables, code calls and alarms, each with its source.
+// A control as data: the rules it follows, its parameters, variables, code calls and alarms, each
+// with its source.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +56,8 @@ struct AlarmEntry {
 
 struct Control;
 
-/// A setting of the control. `effect` turns its value into rules; null where the engine reads the number itself.
+/// A setting of the control. `effect` turns its value into rules; null where the engine reads the
+/// number itself.
 struct Parameter {
   std::string name;  // "6050" or "3404#6"
   double value = 0;
@@ -65,33 +67,34 @@ struct Parameter {
   void (*effect)(Control&, double) = nullptr;
 };
 
-/// What a variable number is. The engine knows the kinds; the control says at which numbers they stand.
+/// What a variable number is. The engine knows the kinds; the control says at which numbers they
+/// stand.
 enum class VariableKind : std::uint8_t {
-  Vacant,         // #0
-  Local,          // of the present level
-  LevelImage,     // the locals of level (index / count of locals)
-  Common,         // shared by all programs, cleared at power-off
-  Kept,           // shared by all programs, kept at power-off
-  Input,          // signals from the machine, one bit each
-  InputWord,      // 16 or 32 of them as one number
-  Output,         // signals to the machine
-  OutputWord,     //
-  UserAlarm,      // #3000
-  Milliseconds,   // #3001
-  Hours,          // #3002
-  Control1,       // #3003, #3004: switches of the automatic operation
-  Settings,       // #3005
-  Message,        // #3006
-  Mirror,         // #3007
-  Restart,        // #3008
-  Date,           // #3011, YYYYMMDD
-  Time,           // #3012, HHMMSS
-  PartsCount,     // #3901, #3902
-  ModalCode,      // #4001...: the code of group index + 1, of the block before
-  ModalWord,      // the modal word of an address, of the block before
-  ActiveCode,     // #4201...: the same of the running block
-  ActiveWord,     //
-  BlockEnd,       // #5001...: end of the block before, work coordinates
+  Vacant,           // #0
+  Local,            // of the present level
+  LevelImage,       // the locals of level (index / count of locals)
+  Common,           // shared by all programs, cleared at power-off
+  Kept,             // shared by all programs, kept at power-off
+  Input,            // signals from the machine, one bit each
+  InputWord,        // 16 or 32 of them as one number
+  Output,           // signals to the machine
+  OutputWord,       //
+  UserAlarm,        // #3000
+  Milliseconds,     // #3001
+  Hours,            // #3002
+  Control1,         // #3003, #3004: switches of the automatic operation
+  Settings,         // #3005
+  Message,          // #3006
+  Mirror,           // #3007
+  Restart,          // #3008
+  Date,             // #3011, YYYYMMDD
+  Time,             // #3012, HHMMSS
+  PartsCount,       // #3901, #3902
+  ModalCode,        // #4001...: the code of group index + 1, of the block before
+  ModalWord,        // the modal word of an address, of the block before
+  ActiveCode,       // #4201...: the same of the running block
+  ActiveWord,       //
+  BlockEnd,         // #5001...: end of the block before, work coordinates
   MachinePosition,  // #5021...
   WorkPosition,     // #5041...
   SkipPosition,     // #5061...
@@ -120,31 +123,32 @@ struct VariableRange {
 /// How a code calls a program.
 enum class CodeCallKind : std::uint8_t { Subprogram, Macro, Modal, ModalEveryBlock };
 
-/// Codes that call programs, by parameters. Either a list (parameters `parameter`, `parameter + 1` ... hold the codes and
-/// call `program`, `program + 1` ...), a range (three parameters: first code, first program, how many), or a switch
-/// (every code of the address calls `program`).
+/// Codes that call programs, by parameters. Either a list (parameters `parameter`, `parameter + 1`
+/// ... hold the codes and call `program`, `program + 1` ...), a range (three parameters: first
+/// code, first program, how many), or a switch (every code of the address calls `program`).
 struct CodeCall {
   enum class Form : std::uint8_t { List, Range, Switch } form = Form::List;
   char address = 'M';
   CodeCallKind kind = CodeCallKind::Subprogram;
-  std::int32_t parameter = 0;   // the first parameter; of a range: the first code
-  std::int32_t program = 0;     // List, Switch: the first program; Range: the parameter that holds it
-  std::int32_t count = 0;       // List: how many parameters; Range: the parameter that says how many
-  std::string enable;           // a parameter that must not be 0, or empty
-  std::int32_t variable = 0;    // the common variable that takes the code's value, 0 = none
+  std::int32_t parameter = 0;  // the first parameter; of a range: the first code
+  std::int32_t program = 0;   // List, Switch: the first program; Range: the parameter that holds it
+  std::int32_t count = 0;     // List: how many parameters; Range: the parameter that says how many
+  std::string enable;         // a parameter that must not be 0, or empty
+  std::int32_t variable = 0;  // the common variable that takes the code's value, 0 = none
   std::int32_t first_code = 0;  // the codes that may be registered
   std::int32_t last_code = 99999999;
-  std::string refused;          // codes inside that range that may not (they alarm: code-may-not-call)
+  std::string refused;  // codes inside that range that may not (they alarm: code-may-not-call)
   std::string source;
   Evidence evidence = Evidence::Inferred;
-  bool own_codes = true;        // codes that the control has itself may be registered
+  bool own_codes = true;  // codes that the control has itself may be registered
 };
 
 struct Control {
   std::string name;   // "gsk-988ta"
   std::string title;  // "GSK 988TA lathe"
 
-#define RULE(type, name, value, meaning) Rule<type> name{value, "family default", Evidence::Inferred};
+#define RULE(type, name, value, meaning) \
+  Rule<type> name{value, "family default", Evidence::Inferred};
 #include "cncsub/rules.def"
 #undef RULE
 
@@ -178,7 +182,8 @@ struct RuleView {
 
 std::vector<RuleView> rules(const Control& control);
 /// Sets a rule by its name. Returns what is wrong with the name or the value, or nothing.
-std::optional<std::string> set_rule(Control& control, const std::string& rule_name, const RuleValue& value);
+std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
+                                    const RuleValue& value);
 
 /// All controls, in listing order. Each of cpp/controls/*.cpp adds the controls of one maker.
 const std::vector<Control>& all_controls();

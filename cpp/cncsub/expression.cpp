@@ -13,13 +13,32 @@ struct FunctionName {
   std::string_view name;
   Ins op;
 };
-constexpr FunctionName kFunctions[] = {
-    {"SIN", Ins::Sin},    {"COS", Ins::Cos},     {"TAN", Ins::Tan},   {"ASIN", Ins::Asin}, {"ACOS", Ins::Acos},
-    {"ATAN", Ins::Atan},  {"ATAN2", Ins::Atan2}, {"SQRT", Ins::Sqrt}, {"SQR", Ins::Sqrt},  {"ABS", Ins::Abs},
-    {"ROUND", Ins::Round}, {"RND", Ins::Round},  {"FIX", Ins::Fix},   {"INT", Ins::Fix},   {"FUP", Ins::Fup},
-    {"LN", Ins::Ln},      {"EXP", Ins::Exp},     {"POW", Ins::Pow},   {"BIN", Ins::Bin},   {"BCD", Ins::Bcd},
-    {"ADP", Ins::Adp},    {"PRM", Ins::Parameter}, {"SIGN", Ins::Sign}, {"RAND", Ins::Random}, {"SRAND", Ins::RandomBetween},
-    {"AR", Ins::Programmed}};
+constexpr FunctionName kFunctions[] = {{"SIN", Ins::Sin},
+                                       {"COS", Ins::Cos},
+                                       {"TAN", Ins::Tan},
+                                       {"ASIN", Ins::Asin},
+                                       {"ACOS", Ins::Acos},
+                                       {"ATAN", Ins::Atan},
+                                       {"ATAN2", Ins::Atan2},
+                                       {"SQRT", Ins::Sqrt},
+                                       {"SQR", Ins::Sqrt},
+                                       {"ABS", Ins::Abs},
+                                       {"ROUND", Ins::Round},
+                                       {"RND", Ins::Round},
+                                       {"FIX", Ins::Fix},
+                                       {"INT", Ins::Fix},
+                                       {"FUP", Ins::Fup},
+                                       {"LN", Ins::Ln},
+                                       {"EXP", Ins::Exp},
+                                       {"POW", Ins::Pow},
+                                       {"BIN", Ins::Bin},
+                                       {"BCD", Ins::Bcd},
+                                       {"ADP", Ins::Adp},
+                                       {"PRM", Ins::Parameter},
+                                       {"SIGN", Ins::Sign},
+                                       {"RAND", Ins::Random},
+                                       {"SRAND", Ins::RandomBetween},
+                                       {"AR", Ins::Programmed}};
 
 bool listed(const Codes& list, std::string_view name) {
   std::size_t at = 0;
@@ -103,13 +122,17 @@ void ExpressionReader::shorten(Expression& expression) const {
     }
   };
   if (count == 2 && load(at[0], expression.loads[0])) expression.form = Expression::Form::One;
-  if (count == 3 && at[1].op >= Ins::AddConstant && at[1].op <= Ins::MultiplyConstant && load(at[0], expression.loads[0])) {
+  if (count == 3 && at[1].op >= Ins::AddConstant && at[1].op <= Ins::MultiplyConstant &&
+      load(at[0], expression.loads[0])) {
     expression.form = Expression::Form::Two;
-    expression.op = at[1].op == Ins::AddConstant ? Ins::Add : at[1].op == Ins::SubtractConstant ? Ins::Subtract : Ins::Multiply;
+    expression.op = at[1].op == Ins::AddConstant        ? Ins::Add
+                    : at[1].op == Ins::SubtractConstant ? Ins::Subtract
+                                                        : Ins::Multiply;
     expression.loads[1].value = at[1].value;
   }
   if (count != 4 || !load(at[0], expression.loads[0]) || !load(at[1], expression.loads[1])) return;
-  const bool plain = (at[2].op >= Ins::Add && at[2].op <= Ins::Multiply) || (at[2].op >= Ins::Equal && at[2].op <= Ins::LessEqual);
+  const bool plain = (at[2].op >= Ins::Add && at[2].op <= Ins::Multiply) ||
+                     (at[2].op >= Ins::Equal && at[2].op <= Ins::LessEqual);
   if (!plain) return;
   expression.form = Expression::Form::Two;
   expression.op = at[2].op;
@@ -142,7 +165,8 @@ std::optional<std::uint32_t> ExpressionReader::number() {
   const std::uint32_t at = s_.offset();
   const auto value = expression(0);
   if (!value) return std::nullopt;
-  if (value->type != Type::Number) return refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
+  if (value->type != Type::Number)
+    return refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
   return finish(first, at);
 }
 
@@ -155,8 +179,10 @@ std::optional<std::uint32_t> ExpressionReader::word_value(char address) {
   if (!negative) s_.take('+');
   auto value = s_.peek() == '#' ? variable_value() : bracket();
   if (!value) return std::nullopt;
-  if (value->type != Type::Number) return refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
-  if (negative) emit(Ins::Negate, at);  // of a vacant variable it stays vacant: X-#1 is no word then
+  if (value->type != Type::Number)
+    return refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
+  if (negative)
+    emit(Ins::Negate, at);  // of a vacant variable it stays vacant: X-#1 is no word then
   return finish(first, at);
 }
 
@@ -165,17 +191,20 @@ std::optional<std::uint32_t> ExpressionReader::condition() {
   s_.blanks();
   const std::uint32_t at = s_.offset();
   const bool bare = code_.control->conditions_without_brackets.value;
-  if (!bare && s_.peek() != '[') return refuse(Cause::ExpressionFormat, at, "a condition stands in brackets");
+  if (!bare && s_.peek() != '[')
+    return refuse(Cause::ExpressionFormat, at, "a condition stands in brackets");
   auto value = bare ? expression(0) : bracket();
   if (!value) return std::nullopt;
   const int most = code_.control->max_condition_length.value;
   if (most > 0 && s_.offset() - at > static_cast<std::uint32_t>(most))
-    return refuse(Cause::ExpressionFormat, at, "a condition has at most " + std::to_string(most) + " characters");
+    return refuse(Cause::ExpressionFormat, at,
+                  "a condition has at most " + std::to_string(most) + " characters");
   if (bare && value->type == Type::Number) {  // WHILE TRUE
     arithmetic(*value);
     value->type = Type::Condition;
   }
-  if (value->type != Type::Condition) return refuse(Cause::ExpressionFormat, at, "a condition compares two values");
+  if (value->type != Type::Condition)
+    return refuse(Cause::ExpressionFormat, at, "a condition compares two values");
   return finish(first, at);
 }
 
@@ -188,7 +217,9 @@ std::optional<ExpressionReader::Variable> ExpressionReader::variable() {
     if (!inner || !arithmetic(*inner)) return std::nullopt;
     return Variable{-1, finish(first, at)};
   }
-  if (!is_digit(c)) return refuse(Cause::ExpressionFormat, at, "behind # stands a number, or an expression in brackets");
+  if (!is_digit(c))
+    return refuse(Cause::ExpressionFormat, at,
+                  "behind # stands a number, or an expression in brackets");
   const Number number = scan_number(s_);
   if (number.points != 0 || number.digits > 9)
     return refuse(Cause::IllegalVariable, at, "a variable number is a whole number");
@@ -209,7 +240,8 @@ std::optional<ExpressionReader::Value> ExpressionReader::variable_value() {
     emit(Ins::IndirectRaw, at);
   } else if (is_letter(c) || c == '_') {
     if (!code_.control->variable_names.value)
-      return refuse(Cause::ExpressionFormat, at, "behind # stands a number, or an expression in brackets");
+      return refuse(Cause::ExpressionFormat, at,
+                    "behind # stands a number, or an expression in brackets");
     std::string name;
     while (is_letter(s_.peek()) || s_.peek() == '_' || (!name.empty() && is_digit(s_.peek()))) {
       name += s_.peek();
@@ -256,7 +288,8 @@ bool ExpressionReader::open() {
   }
   if (++brackets_ > code_.control->max_brackets.value || brackets_ > kDeepest) {
     refuse(Cause::BracketsTooDeep, at,
-           "more than " + std::to_string(code_.control->max_brackets.value) + " brackets inside each other");
+           "more than " + std::to_string(code_.control->max_brackets.value) +
+               " brackets inside each other");
     return false;
   }
   return true;
@@ -268,7 +301,8 @@ bool ExpressionReader::close() {
     if (c == '\0')
       refuse(Cause::BracketNotClosed, s_.offset(), "a closing bracket is missing");
     else
-      refuse(Cause::ExpressionFormat, s_.offset(), "an operator or a closing bracket is missing here");
+      refuse(Cause::ExpressionFormat, s_.offset(),
+             "an operator or a closing bracket is missing here");
     return false;
   }
   ++s_.at;
@@ -297,7 +331,8 @@ std::optional<ExpressionReader::Value> ExpressionReader::operand() {
   if (c == '-' || c == '+') {
     ++s_.at;
     const char next = s_.peek();
-    if (next == '-' || next == '+') return refuse(Cause::ExpressionFormat, s_.offset(), "two signs in a row");
+    if (next == '-' || next == '+')
+      return refuse(Cause::ExpressionFormat, s_.offset(), "two signs in a row");
     auto value = operand();
     if (!value || !arithmetic(*value)) return std::nullopt;
     if (c == '-') emit(Ins::Negate, at);
@@ -305,19 +340,24 @@ std::optional<ExpressionReader::Value> ExpressionReader::operand() {
   }
   if (is_digit(c) || c == '.') {
     const Number number = scan_number(s_);
-    if (number.points > 1) return refuse(Cause::IllegalDecimalPoint, at, "two points in one number");
+    if (number.points > 1)
+      return refuse(Cause::IllegalDecimalPoint, at, "two points in one number");
     if (!number.any) return refuse(Cause::ExpressionFormat, at, "a point is no number");
     const int most = code_.control->max_constant_digits.value;
     if (number.digits > static_cast<std::uint32_t>(most))
-      return refuse(Cause::TooManyDigits, at, "a number has at most " + std::to_string(most) + " digits");
+      return refuse(Cause::TooManyDigits, at,
+                    "a number has at most " + std::to_string(most) + " digits");
     if (!grow()) return std::nullopt;
     emit(Ins::Constant, at, number.value);
     return Value{};
   }
   if (is_letter(c)) return function();
   if (c == ']')
-    return refuse(brackets_ > 0 ? Cause::ExpressionFormat : Cause::BracketNotOpened, at, "a value is missing before the bracket");
-  if (c == '\0') return refuse(brackets_ > 0 ? Cause::BracketNotClosed : Cause::ExpressionFormat, at, "a value is missing at the end");
+    return refuse(brackets_ > 0 ? Cause::ExpressionFormat : Cause::BracketNotOpened, at,
+                  "a value is missing before the bracket");
+  if (c == '\0')
+    return refuse(brackets_ > 0 ? Cause::BracketNotClosed : Cause::ExpressionFormat, at,
+                  "a value is missing at the end");
   return refuse(Cause::ExpressionFormat, at, "a value is missing here");
 }
 
@@ -338,18 +378,23 @@ std::optional<ExpressionReader::Value> ExpressionReader::function() {
   if (word == "NOT" && code_.control->conditions_without_brackets.value) {
     auto value = operand();
     if (!value) return std::nullopt;
-    if (value->type != Type::Condition) return refuse(Cause::ExpressionFormat, at, "NOT takes a condition");
+    if (value->type != Type::Condition)
+      return refuse(Cause::ExpressionFormat, at, "NOT takes a condition");
     emit(Ins::Not, at);
     return value;
   }
   const FunctionName* found = find_function(*code_.control, word);
-  if (found == nullptr) return refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
+  if (found == nullptr)
+    return refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
   if (found->op == Ins::Atan && !listed(known, "ATAN2")) return arc_tangent(at);
-  if (found->op == Ins::Programmed) {  // AR[#23]: how the word was programmed, so the variable itself counts
-    if (!open() || s_.peek() != '#') return refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+  if (found->op ==
+      Ins::Programmed) {  // AR[#23]: how the word was programmed, so the variable itself counts
+    if (!open() || s_.peek() != '#')
+      return refuse(Cause::ExpressionFormat, at, "AR takes a variable");
     s_.take('#');
     const auto target = variable();
-    if (!target || target->number < 0) return refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+    if (!target || target->number < 0)
+      return refuse(Cause::ExpressionFormat, at, "AR takes a variable");
     if (!close() || !grow()) return std::nullopt;
     emit(Ins::Programmed, at, static_cast<double>(target->number));
     return Value{};
@@ -358,7 +403,8 @@ std::optional<ExpressionReader::Value> ExpressionReader::function() {
   auto value = expression(0);
   if (!value || !arithmetic(*value)) return std::nullopt;
   Ins op = found->op;
-  if (op == Ins::Pow || op == Ins::Atan2 || op == Ins::RandomBetween || (op == Ins::Parameter && s_.peek() == ',')) {
+  if (op == Ins::Pow || op == Ins::Atan2 || op == Ins::RandomBetween ||
+      (op == Ins::Parameter && s_.peek() == ',')) {
     if (!comma()) return std::nullopt;
     auto second = expression(0);
     if (!second || !arithmetic(*second)) return std::nullopt;
@@ -403,13 +449,14 @@ std::optional<Ins> ExpressionReader::take_operator(int level) {
     Ins op;
     int high, low;  // the level where logic binds like arithmetic, and where it binds last
   };
-  static constexpr Word kWords[] = {
-      {"AND", Ins::And, 2, 0},   {"XOR", Ins::Xor, 1, 0},      {"MOD", Ins::Modulo, 2, 3},  {"OR", Ins::Or, 1, 0},
-      {"EQ", Ins::Equal, 0, 1},  {"NE", Ins::NotEqual, 0, 1},  {"GT", Ins::Greater, 0, 1},  {"LT", Ins::Less, 0, 1},
-      {"GE", Ins::GreaterEqual, 0, 1}, {"LE", Ins::LessEqual, 0, 1}};
-  static constexpr Word kSymbols[] = {
-      {"==", Ins::Equal, 0, 1}, {"<>", Ins::NotEqual, 0, 1}, {">=", Ins::GreaterEqual, 0, 1}, {"<=", Ins::LessEqual, 0, 1},
-      {">", Ins::Greater, 0, 1}, {"<", Ins::Less, 0, 1}};
+  static constexpr Word kWords[] = {{"AND", Ins::And, 2, 0},         {"XOR", Ins::Xor, 1, 0},
+                                    {"MOD", Ins::Modulo, 2, 3},      {"OR", Ins::Or, 1, 0},
+                                    {"EQ", Ins::Equal, 0, 1},        {"NE", Ins::NotEqual, 0, 1},
+                                    {"GT", Ins::Greater, 0, 1},      {"LT", Ins::Less, 0, 1},
+                                    {"GE", Ins::GreaterEqual, 0, 1}, {"LE", Ins::LessEqual, 0, 1}};
+  static constexpr Word kSymbols[] = {{"==", Ins::Equal, 0, 1},        {"<>", Ins::NotEqual, 0, 1},
+                                      {">=", Ins::GreaterEqual, 0, 1}, {"<=", Ins::LessEqual, 0, 1},
+                                      {">", Ins::Greater, 0, 1},       {"<", Ins::Less, 0, 1}};
   const bool last = code_.control->logic_binds_last.value;
   const char c = s_.peek();
   const auto binds = [&](int high, int low) { return (last ? low : high) == level; };
@@ -436,7 +483,8 @@ std::optional<Ins> ExpressionReader::take_operator(int level) {
   return std::nullopt;
 }
 
-std::optional<ExpressionReader::Value> ExpressionReader::apply(Ins op, std::uint32_t at, Value left, Value right) {
+std::optional<ExpressionReader::Value> ExpressionReader::apply(Ins op, std::uint32_t at, Value left,
+                                                               Value right) {
   --depth_;
   const bool comparison = op >= Ins::Equal && op <= Ins::LessEqual;
   if (comparison) {
@@ -458,7 +506,8 @@ std::optional<ExpressionReader::Value> ExpressionReader::apply(Ins op, std::uint
   if (!arithmetic(left) || !arithmetic(right)) return std::nullopt;
   Instruction& last = code_.instructions.back();
   const bool divides = op == Ins::Divide && last.value != 0;
-  if (last.op == Ins::Constant && (op == Ins::Add || op == Ins::Subtract || op == Ins::Multiply || divides)) {
+  if (last.op == Ins::Constant &&
+      (op == Ins::Add || op == Ins::Subtract || op == Ins::Multiply || divides)) {
     last.op = op == Ins::Add        ? Ins::AddConstant
               : op == Ins::Subtract ? Ins::SubtractConstant
               : op == Ins::Multiply ? Ins::MultiplyConstant

@@ -9,7 +9,8 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::int64_t kPollBlocks = 1 << 14;  // blocks between two looks at the clock and at Ctrl-C
+constexpr std::int64_t kPollBlocks = 1
+                                     << 14;  // blocks between two looks at the clock and at Ctrl-C
 
 }  // namespace
 
@@ -34,7 +35,9 @@ std::string_view to_string(Stop stop) {
 }
 
 Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options options)
-    : code_(std::move(code)), options_(std::move(options)), motion_(code_->control, options_.setup) {
+    : code_(std::move(code)),
+      options_(std::move(options)),
+      motion_(code_->control, options_.setup) {
   trace_.depth = options_.trace;
   locals_.assign(static_cast<std::size_t>(code_->locals), kVacant);
   programmed_.assign(locals_.size(), 0);
@@ -64,7 +67,8 @@ bool Machine::end(Stop stop) {
 
 void Machine::finish() {
   for (const Open& open : stack_)
-    if (open.call >= 0) trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
+    if (open.call >= 0)
+      trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
 }
 
 bool Machine::alarm(Fault fault) {
@@ -117,7 +121,8 @@ bool Machine::step() {
   return executed_ != before;
 }
 
-void Machine::run(const std::function<bool()>& interrupted, const std::function<bool(const Machine&)>& pause) {
+void Machine::run(const std::function<bool()>& interrupted,
+                  const std::function<bool(const Machine&)>& pause) {
   if (stop_ == Stop::Interrupted) stop_ = Stop::Running;
   using Clock = std::chrono::steady_clock;
   const auto started = Clock::now();
@@ -140,14 +145,15 @@ void Machine::run(const std::function<bool()>& interrupted, const std::function<
     const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
     if (interrupted && interrupted())
       end(Stop::Interrupted);
-    else if (executed_ >= options_.max_blocks || (options_.max_seconds > 0 && seconds > options_.max_seconds))
+    else if (executed_ >= options_.max_blocks ||
+             (options_.max_seconds > 0 && seconds > options_.max_seconds))
       end(Stop::Limit);
   }
 }
 
 bool Machine::branch(const Block& block) {
-  if (!modals_.empty() && modals_.back().every_block && frame().modal < 0 && block.op != Op::CancelModal &&
-      block.op != Op::Fault && block.op != Op::EndOfRecord)
+  if (!modals_.empty() && modals_.back().every_block && frame().modal < 0 &&
+      block.op != Op::CancelModal && block.op != Op::Fault && block.op != Op::EndOfRecord)
     return every_block(block);
   switch (block.op) {
     case Op::Linear:
@@ -260,10 +266,12 @@ bool Machine::choose(const Block& block) {
 bool Machine::linear(const Block& block) {
   if (modals_.empty()) {
     bool moved = false;
-    const int g = (block.flags & Block::kNoG) != 0 ? -1 : (block.flags & Block::kSecondG) != 0 ? 1 : 0;
+    const int g = (block.flags & Block::kNoG) != 0       ? -1
+                  : (block.flags & Block::kSecondG) != 0 ? 1
+                                                         : 0;
     const Cell* values = code_->cells.data() + block.data + block.g_count;
-    Moves* moves = trace_.depth == Trace::Depth::Moves ? &trace_.moves : nullptr;
-    if (motion_.linear(block.mask, values, g, static_cast<std::uint32_t>(executed_), moves, moved)) {
+    if (motion_.linear(block.mask, values, g, static_cast<std::uint32_t>(executed_),
+                       recorded_moves(), moved)) {
       changes_ += moved ? 1 : 0;
       last_n_ = block.n >= 0 ? block.n : last_n_;
       record_step();
@@ -274,7 +282,8 @@ bool Machine::linear(const Block& block) {
   return words(block);
 }
 
-/// The words of a block with their values. A vacant variable's word is left out, or counts as 0, as the control does.
+/// The words of a block with their values. A vacant variable's word is left out, or counts as 0, as
+/// the control does.
 bool Machine::decode(const Block& block, NcWords& words) {
   const Cell* cell = code_->cells.data() + block.data;
   std::uint32_t expressions = 0;
@@ -305,7 +314,8 @@ bool Machine::decode(const Block& block, NcWords& words) {
     int g = 0;
     if (!code(10, g)) return false;
     if (g > 10000 || (g >= 0 && !code_->g_codes.test(static_cast<std::size_t>(g))))
-      return alarm({Cause::GCodeNotAvailable, block.text, block.length, "the control has no such G code"});
+      return alarm(
+          {Cause::GCodeNotAvailable, block.text, block.length, "the control has no such G code"});
     if (g >= 0) words.g[static_cast<std::size_t>(words.g_count++)] = g;
   }
   for (int i = 0; i < block.m_count; ++i) {
@@ -350,9 +360,10 @@ bool Machine::words(const Block& block) {
   if (!decode(block, words)) return false;
   outcome_ = {};
   Motion::Outcome& outcome = outcome_;
+  words.ends = block.op == Op::EndProgram;
   Outside around = outside();
-  Moves* moves = trace_.depth == Trace::Depth::Moves ? &trace_.moves : nullptr;
-  if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), moves, outcome, around))
+  if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), recorded_moves(),
+                                   outcome, around))
     return alarm(std::move(*fault));
   if (!auxiliary(words, block)) return false;
   words_done_ = true;
@@ -365,15 +376,20 @@ bool Machine::words(const Block& block) {
 /// M and T codes go to the machine; M00 and M01 wait for the operator.
 bool Machine::auxiliary(const NcWords& words, const Block& block) {
   if (words.has('T') && trace_.depth != Trace::Depth::None)
-    trace_.t_codes.push_back(static_cast<std::int64_t>(std::llround(std::clamp(words['T'], -1e15, 1e15))));
+    trace_.t_codes.push_back(
+        static_cast<std::int64_t>(std::llround(std::clamp(words['T'], -1e15, 1e15))));
   for (int i = 0; i < words.m_count; ++i) {
     const int m = words.m[static_cast<std::size_t>(i)];
     if (trace_.depth != Trace::Depth::None) trace_.m_codes.push_back(m);
     last_m_ = m;
     const bool stops = m == 0 || (m == 1 && options_.optional_stop);
+    if (stops)
+      if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_), recorded_moves()))
+        return alarm(std::move(*fault));
     if (stops && !wait_for_operator(m == 0 ? "M00" : "M01")) return false;
     if (m != 0 && m == code_->control->restart_m_code.value && stack_.size() == 1) next_ = kNowhere;
-    if ((m == 2 || m == 30) && block.op != Op::EndProgram) next_ = kNowhere - 1;  // M#1 that ends the program
+    if ((m == 2 || m == 30) && block.op != Op::EndProgram)
+      next_ = kNowhere - 1;  // M#1 that ends the program
   }
   return true;
 }
@@ -381,7 +397,8 @@ bool Machine::auxiliary(const NcWords& words, const Block& block) {
 bool Machine::wait_for_operator(const std::string& what) {
   if (!options_.inputs.operator_given) return true;
   const std::size_t answer = next_answer_++;
-  if (answer < options_.inputs.operator_starts.size() && options_.inputs.operator_starts[answer]) return true;
+  if (answer < options_.inputs.operator_starts.size() && options_.inputs.operator_starts[answer])
+    return true;
   waiting_for_ = "cycle start after " + what;
   record_step();
   pc_ = next_;
@@ -403,8 +420,7 @@ bool Machine::after_words(const Motion::Outcome& outcome) {
 
 bool Machine::end_program(const Block& block) {
   if (!words(block)) return false;
-  if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_),
-                                  trace_.depth == Trace::Depth::Moves ? &trace_.moves : nullptr))
+  if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_), recorded_moves()))
     return alarm(std::move(*fault));
   record_step();
   return end(Stop::End);
@@ -414,7 +430,8 @@ bool Machine::end_of_record() {
   const bool typed = options_.mdi && stack_.size() == 1;  // what is typed in MDI needs no end
   if (typed || code_->control->missing_end.value == MissingEnd::Ends) return end(Stop::End);
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-  return alarm({Cause::EndOfRecord, program.text_end, 1, program.name + " ends without M02, M30 or M99"});
+  return alarm(
+      {Cause::EndOfRecord, program.text_end, 1, program.name + " ends without M02, M30 or M99"});
 }
 
 // ---- M99, M97 ----
@@ -426,10 +443,15 @@ bool Machine::return_from_call(const Block& block) {
   const Control& control = *code_->control;
   const bool modal_active = !modals_.empty() && frame().modal < 0;
   if (modal_active && !is_vacant(p) && control.calls_in_modal.value == CallsInModal::EndModal)
-    return alarm({Cause::CallInModalCall, back.at, back.width, "M99 P while a modal macro call is active"});
+    return alarm(
+        {Cause::CallInModalCall, back.at, back.width, "M99 P while a modal macro call is active"});
+  if (!is_vacant(p) && motion_.compensating() && !control.jumps_in_compensation.value)
+    return alarm({Cause::ReturnInCompensation, back.p.at, back.p.width,
+                  "M99 P while the radius offset is on"});
   const bool other_words = block.mask != 0 || block.g_count != 0 || block.m_count != 0;
   if (!modals_.empty() && other_words && control.return_alone_in_modal.value)
-    return alarm({Cause::IllegalWordWithReturn, back.at, back.width, "M99 with other words while a modal macro call is active"});
+    return alarm({Cause::IllegalWordWithReturn, back.at, back.width,
+                  "M99 with other words while a modal macro call is active"});
   if (!words(block)) return false;
   if (stack_.size() == 1) return return_from_main(block, back, p);
   Open& open = frame();
@@ -445,18 +467,24 @@ bool Machine::return_from_call(const Block& block) {
     pc_ = open.restart;
     if (rewritten) {
       const std::vector<double>& again = modals_[static_cast<std::size_t>(open.modal)].locals;
-      std::copy(again.begin(), again.end(), locals_.begin() + static_cast<std::ptrdiff_t>(level_) * code_->locals);
+      std::copy(again.begin(), again.end(),
+                locals_.begin() + static_cast<std::ptrdiff_t>(level_) * code_->locals);
     }
     return true;
   }
   Address to = open.return_to;
   if (!is_vacant(p)) {
-    const Program& caller = code_->programs[static_cast<std::size_t>(stack_[stack_.size() - 2].program)];
+    const Program& caller =
+        code_->programs[static_cast<std::size_t>(stack_[stack_.size() - 2].program)];
     const double n = std::round(p);
-    to = n >= 0 && n < 2e9 ? code_->return_target(caller, static_cast<std::int64_t>(n), open.called_at) : kNowhere;
+    to = n >= 0 && n < 2e9
+             ? code_->return_target(caller, static_cast<std::int64_t>(n), open.called_at)
+             : kNowhere;
     if (to == kNowhere)
       return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
-                    "there is no N" + std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " + caller.name});
+                    "there is no N" +
+                        std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) +
+                        " in " + caller.name});
   }
   record_step();
   return leave(to);
@@ -465,7 +493,8 @@ bool Machine::return_from_call(const Block& block) {
 bool Machine::return_from_main(const Block&, const CallRecord& back, double p) {
   switch (code_->control->main_return.value) {
     case MainReturn::Alarm:
-      return alarm({Cause::ReturnInMainProgram, back.at, back.width, "M99 stands in the main program"});
+      return alarm(
+          {Cause::ReturnInMainProgram, back.at, back.width, "M99 stands in the main program"});
     case MainReturn::Ends:
       record_step();
       return end(Stop::End);
@@ -478,10 +507,13 @@ bool Machine::return_from_main(const Block&, const CallRecord& back, double p) {
   }
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const double n = std::round(p);
-  const Address to = n >= 0 && n < 2e9 ? code_->first_of(program, static_cast<std::int64_t>(n)) : kNowhere;
+  const Address to =
+      n >= 0 && n < 2e9 ? code_->first_of(program, static_cast<std::int64_t>(n)) : kNowhere;
   if (to == kNowhere)
     return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
-                  "there is no N" + std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " + program.name});
+                  "there is no N" +
+                      std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
+                      program.name});
   record_step();
   pc_ = to;
   return true;
@@ -504,207 +536,22 @@ bool Machine::jump(const Block& block) {
   if (!words(block)) return false;
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const double n = is_vacant(p) ? -1 : std::round(p);
-  const Address to = n >= 0 && n < 2e9 ? code_->first_of(program, static_cast<std::int64_t>(n)) : kNowhere;
+  const Address to =
+      n >= 0 && n < 2e9 ? code_->first_of(program, static_cast<std::int64_t>(n)) : kNowhere;
   if (to == kNowhere)
     return alarm({Cause::JumpTargetNotFound, statement.p.at, statement.p.width,
-                  "there is no N" + std::to_string(static_cast<std::int64_t>(std::clamp(n, -1.0, 2e9))) + " in " + program.name});
+                  "there is no N" +
+                      std::to_string(static_cast<std::int64_t>(std::clamp(n, -1.0, 2e9))) + " in " +
+                      program.name});
   record_step();
   pc_ = to;
   return true;
 }
 
-// ---- macro statements ----
-
-bool Machine::evaluate_long(const Expression& e, double& value) {
-  Trap trap;  // NOLINT: set where it is read
-  if (compute(code_->instructions.data() + e.first, value, trap)) [[likely]] return true;
-  const bool inside = trap.at >= e.at && trap.at <= e.at + e.width;
-  return alarm({trap.cause, inside ? trap.at : e.at, 1, trap.detail});
-}
-
-bool Machine::condition(std::uint32_t expression, bool& holds) {
-  double value = 0;
-  last_condition_ = expression;
-  if (!evaluate(expression, value)) return false;
-  holds = value != 0;
-  return true;
-}
-
-bool Machine::assign(const Statement& statement) {
-  double value = 0;
-  if (!evaluate(statement.expression, value)) return false;
-  return store(statement, value);
-}
-
-bool Machine::store(const Statement& statement, double value) {
-  if (std::fabs(value) > 1e47)  // a vacant value compares false
-    return alarm({Cause::Overflow, statement.at, statement.width, "the result is too large"});
-  const auto put = [&](double& place) {
-    if (!(place == value)) ++changes_;
-    place = value;
-  };
-  switch (statement.target) {
-    case Statement::Target::Local:
-      put(locals_[static_cast<std::size_t>(level_ * code_->locals + statement.index)]);
-      programmed_[static_cast<std::size_t>(level_ * code_->locals + statement.index)] = 0;
-      return true;
-    case Statement::Target::Common:
-      put(commons_[static_cast<std::size_t>(statement.index)]);
-      return true;
-    case Statement::Target::Variable:
-      return store_number(statement.index, value, statement);
-    case Statement::Target::Indirect: {
-      double number = 0;
-      if (!evaluate(statement.variable, number)) return false;
-      if (is_vacant(number)) number = 0;
-      return store_number(static_cast<std::int64_t>(std::clamp(std::round(number), -1e9, 2e9)), value, statement);
-    }
-    case Statement::Target::None:
-      break;
-  }
-  return true;
-}
-
-bool Machine::store_number(std::int64_t number, double value, const Statement& statement) {
-  const VariablePlace place = code_->place(number);
-  if (place.range != nullptr && place.kind == VariableKind::UserAlarm)
-    return user_alarm(is_vacant(value) ? 0 : value, statement);
-  if (place.range != nullptr && place.kind == VariableKind::Message) {
-    const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-    trace_.messages.push_back(code_->files[program.file].text.substr(statement.text, statement.text_length));
-    ++changes_;
-    return wait_for_operator("#" + std::to_string(number));
-  }
-  if (auto fault = write(number, value)) {
-    fault->at = statement.variable_at;
-    fault->width = statement.variable_width;
-    return alarm(std::move(*fault));
-  }
-  ++changes_;
-  return true;
-}
-
-/// #3000 = n (TEXT). The block is a step: the alarm is what it does.
-bool Machine::user_alarm(double n, const Statement& statement) {
-  const Control& control = *code_->control;
-  const double number = std::round(n);
-  if (number < 0 || number > control.user_alarm_last.value)
-    return alarm({Cause::IllegalUserAlarm, statement.at, statement.width,
-                  "a program may raise alarms 0 to " + std::to_string(control.user_alarm_last.value)});
-  const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-  const std::string text = code_->files[program.file].text.substr(statement.text, statement.text_length);
-  std::string shown = std::to_string(control.user_alarm_offset.value + static_cast<std::int64_t>(number));
-  while (static_cast<int>(shown.size()) < control.user_alarm_digits) shown.insert(0, "0");
-  words_done_ = true;
-  alarm({Cause::UserAlarm, statement.at, statement.width, text.empty() ? "raised by the program" : text});
-  alarm_->number = control.user_alarm_number.empty() ? control.user_alarm_prefix + shown : control.user_alarm_number;
-  alarm_->text = text;
-  return false;
-}
-
-bool Machine::go_to(const Statement& statement) {
-  if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
-    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a jump in MDI"});
-  Address to = statement.to;
-  std::int64_t n = statement.number;
-  if (n < 0) {
-    double value = 0;
-    if (!evaluate(statement.variable, value)) return false;
-    const double rounded = is_vacant(value) ? 0 : std::round(value);
-    if (!(rounded >= 1 && rounded <= code_->control->max_jump_number.value))
-      return alarm({Cause::IllegalJumpNumber, statement.variable_at, statement.variable_width,
-                    "GOTO takes 1 to " + std::to_string(code_->control->max_jump_number.value)});
-    n = static_cast<std::int64_t>(rounded);
-    to = code_->jump_target(code_->programs[static_cast<std::size_t>(frame().program)], n, pc_);
-  }
-  if (to == kNowhere)
-    return alarm({Cause::JumpTargetNotFound, statement.variable_at, statement.variable_width,
-                  "there is no N" + std::to_string(n) + " in " +
-                      code_->programs[static_cast<std::size_t>(frame().program)].name});
-  return jump_to(to);
-}
-
-/// Goes on at a block of the running program. Loops that do not hold it are left.
-bool Machine::jump_to(Address to) {
-  while (loops_.size() > frame().loops) {
-    const Address start = loops_.back();
-    if (to >= start && to <= code_->statements[code_->blocks[start].aux].end) break;
-    loops_.pop_back();
-  }
-  if (to <= pc_ && waits(to)) return false;
-  next_ = to;
-  return true;
-}
-
-/// A jump back that is reached twice with nothing changed in between can only wait for the world outside.
-bool Machine::waits(Address) {
-  const bool idle = jumped_from_ == pc_ && changes_at_jump_ == changes_ && last_condition_ != kNowhere;
-  jumped_from_ = pc_;
-  changes_at_jump_ = changes_;
-  if (!idle) return false;
-  const Instruction* at = code_->instructions.data() + code_->expressions[last_condition_].first;
-  while (at->op != Ins::End && at->op != Ins::Common && at->op != Ins::CommonRaw && at->op != Ins::Variable &&
-         at->op != Ins::VariableRaw)
-    ++at;
-  if (at->op == Ins::End) return false;
-  if (next_write_ < options_.inputs.writes.size()) {
-    for (const auto& [number, value] : options_.inputs.writes[next_write_++]) {
-      if (const VariablePlace place = code_->place(number);
-          place.range != nullptr && (place.kind == VariableKind::Input || place.kind == VariableKind::InputWord))
-        options_.inputs.signals[number] = value;
-      else
-        write(number, value);
-    }
-    ++changes_;
-    return false;
-  }
-  waiting_for_ = "#" + std::to_string(static_cast<std::int64_t>(at->value));
-  record_step();
-  end(Stop::Waiting);
-  return true;
-}
-
-bool Machine::loop(const Block& block) {
-  const Statement& statement = code_->statements[block.aux];
-  if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
-    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a loop in MDI"});
-  const bool inside = loops_.size() > frame().loops && loops_.back() == pc_;
-  bool holds = true;
-  if (block.op == Op::While && !condition(statement.expression, holds)) return false;
-  if (!holds) {
-    if (inside) loops_.pop_back();
-    next_ = statement.to;
-    return true;
-  }
-  if (inside) return true;
-  if (code_->control->loops_count_across_calls.value &&
-      loops_.size() >= static_cast<std::size_t>(code_->control->max_loops.value))
-    return alarm({Cause::LoopsTooDeep, statement.at, statement.width, "more loops inside each other than the control takes"});
-  loops_.push_back(pc_);
-  return true;
-}
-
-bool Machine::end_loop(const Block& block) {
-  const Statement& statement = code_->statements[block.aux];
-  while (loops_.size() > frame().loops && loops_.back() != statement.to) loops_.pop_back();
-  if (loops_.size() == frame().loops)
-    return alarm({Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"});
-  if (waits(statement.to)) return false;
-  next_ = statement.to;
-  return true;
-}
-
-bool Machine::name_variables(const Statement& statement) {
-  for (std::uint32_t i = 0; i < statement.variable_width; ++i)
-    names_[code_->names[static_cast<std::size_t>(statement.index) + i]] = statement.number + i;
-  return true;
-}
-
 Outside Machine::outside() {
   Outside around;
-  around.profile = [this](std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks, bool& behind) {
-    return profile(ns, nf, blocks, behind);
-  };
+  around.profile = [this](std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks,
+                          bool& behind) { return profile(ns, nf, blocks, behind); };
   around.skip = [this]() -> std::optional<std::array<double, 3>> {
     if (next_skip_ >= options_.inputs.skips.size()) return std::nullopt;
     return std::array<double, 3>{options_.inputs.skips[next_skip_++], 0, 0};

@@ -26,10 +26,12 @@ struct Inputs {
   double clock_ms = 0;                     // #3001 when the run starts
   double date = 20000101;                  // #3011, YYYYMMDD
   double time = 0;                         // #3012, HHMMSS
-  std::vector<bool> operator_starts;       // at M00, M01, #3006: cycle start, or not; all start when empty
+  std::vector<bool>
+      operator_starts;  // at M00, M01, #3006: cycle start, or not; all start when empty
   bool operator_given = false;
-  std::vector<std::map<std::int32_t, double>> writes;  // variables another program writes, each time the run waits
-  std::vector<double> skips;               // G31: where the signal comes, as a fraction of the move; none beyond
+  std::vector<std::map<std::int32_t, double>>
+      writes;                 // variables another program writes, each time the run waits
+  std::vector<double> skips;  // G31: where the signal comes, as a fraction of the move; none beyond
 };
 
 struct Options {
@@ -53,7 +55,8 @@ class Machine {
   /// Executes one block. False where the run has stopped before one was executed.
   bool step();
   /// Runs until the run stops, or until `pause` says so (asked before each block when it is given).
-  void run(const std::function<bool()>& interrupted, const std::function<bool(const Machine&)>& pause = {});
+  void run(const std::function<bool()>& interrupted,
+           const std::function<bool(const Machine&)>& pause = {});
 
   const Code& code() const { return *code_; }
   std::shared_ptr<const Code> shared_code() const { return code_; }
@@ -80,7 +83,7 @@ class Machine {
  private:
   struct Open {  // a frame
     std::int32_t program = 0;
-    std::int32_t call = -1;       // the row in the trace, -1 for the main program
+    std::int32_t call = -1;  // the row in the trace, -1 for the main program
     std::int32_t repeat = 1, repeats = 1;
     Address return_to = 0;
     Address called_at = 0;
@@ -89,10 +92,11 @@ class Machine {
     bool macro = false;
     bool own_locals = false;
     bool external = false;
-    char code_letter = 0;         // the code that called this program or one below it
-    std::int32_t modal = -1;      // the modal call this frame runs
-    std::int32_t modal_limit = 0;  // only the modal calls below this one follow the moves of this frame
-    std::uint32_t loops = 0;      // the loops of the frames below
+    char code_letter = 0;     // the code that called this program or one below it
+    std::int32_t modal = -1;  // the modal call this frame runs
+    std::int32_t modal_limit =
+        0;                    // only the modal calls below this one follow the moves of this frame
+    std::uint32_t loops = 0;  // the loops of the frames below
   };
   struct Modal {
     std::uint32_t record = 0;
@@ -173,8 +177,10 @@ class Machine {
   bool end(Stop stop);
   const Open& frame() const { return stack_.back(); }
   Open& frame() { return stack_.back(); }
+  Moves* recorded_moves() { return trace_.depth == Trace::Depth::Moves ? &trace_.moves : nullptr; }
   Outside outside();
-  std::optional<Fault> profile(std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks, bool& behind);
+  std::optional<Fault> profile(std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks,
+                               bool& behind);
 
   std::shared_ptr<const Code> code_;
   Options options_;
@@ -184,21 +190,21 @@ class Machine {
   Address pc_ = 0;
   Address next_ = 0;  // where the run goes on behind the block that is being executed
   std::vector<Open> stack_;
-  std::vector<double> locals_;       // level after level
+  std::vector<double> locals_;            // level after level
   std::vector<std::uint8_t> programmed_;  // how an argument was programmed, for AR[]
   int level_ = 0;
   std::vector<double> commons_;
   std::map<std::int64_t, double> system_;  // what was written to system variables
   std::map<std::string, std::int64_t> names_;
-  std::vector<Address> loops_;       // the DO blocks entered
+  std::vector<Address> loops_;  // the DO blocks entered
   std::vector<Modal> modals_;
   int subprograms_ = 0, macros_ = 0;
   std::int64_t executed_ = 0;
   std::int64_t cycles_ = 0;
   std::int64_t last_m_ = -1, last_n_ = -1;
   bool words_done_ = false;
-  Motion::Outcome outcome_;           // of the words of the running block
-  std::vector<double> scratch_;       // the locals of a level that is about to open
+  Motion::Outcome outcome_;      // of the words of the running block
+  std::vector<double> scratch_;  // the locals of a level that is about to open
   std::vector<std::uint8_t> scratch_programmed_;
   Stop stop_ = Stop::Running;
   std::optional<Alarm> alarm_;
@@ -207,7 +213,7 @@ class Machine {
   // Waiting is a loop that changes nothing.
   std::uint64_t changes_ = 0, changes_at_jump_ = ~0ULL;
   Address jumped_from_ = kNowhere;
-  Address jumped_after_ = 0;          // the block whose move a modal call follows
+  Address jumped_after_ = 0;  // the block whose move a modal call follows
   std::uint32_t last_condition_ = kNowhere;
   std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
   double clock_ms_ = 0;
@@ -229,7 +235,8 @@ class Machine {
   return from.raw || !is_vacant(value) ? value : 0.0;
 }
 
-/// One value, or one operation on two, at once; what is longer or has no finite result goes the long way.
+/// One value, or one operation on two, at once; what is longer or has no finite result goes the
+/// long way.
 inline bool Machine::evaluate(std::uint32_t expression, double& value) {
   const Expression& e = code_->expressions[expression];
   if (e.form == Expression::Form::Long) return evaluate_long(e, value);

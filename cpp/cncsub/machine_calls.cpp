@@ -27,40 +27,49 @@ bool Machine::decode_target(const CallRecord& record, Target& target) {
     return true;
   }
   CallOperands values;
-  if (!operand(record.p, values.p) || !operand(record.l, values.l) || !operand(record.start, values.start) ||
-      !operand(record.device, values.device))
+  if (!operand(record.p, values.p) || !operand(record.l, values.l) ||
+      !operand(record.start, values.start) || !operand(record.device, values.device))
     return false;
-  if (auto fault = decode_call(*code_, record, values, frame().program, target)) return alarm(std::move(*fault));
+  if (auto fault = decode_call(*code_, record, values, frame().program, target))
+    return alarm(std::move(*fault));
   return true;
 }
 
 bool Machine::find(const CallRecord& record, Target& target) {
   if (record.constant) return true;
-  if (auto fault = find_target(*code_, record, frame().program, target)) return alarm(std::move(*fault));
+  if (auto fault = find_target(*code_, record, frame().program, target))
+    return alarm(std::move(*fault));
   return true;
 }
 
 /// Calls that the state refuses, whatever is called.
 std::optional<Fault> Machine::refused_here(const CallRecord& record) const {
   const Control& control = *code_->control;
-  const auto fault = [&](Cause cause, std::string detail) { return Fault{cause, record.at, record.width, std::move(detail)}; };
+  const auto fault = [&](Cause cause, std::string detail) {
+    return Fault{cause, record.at, record.width, std::move(detail)};
+  };
   if (options_.mdi) {
     const bool refused = control.mdi_calls.value == MdiCalls::Refused ||
                          (control.mdi_calls.value == MdiCalls::OneLevel && stack_.size() > 1);
-    if (refused) return fault(Cause::CallInMdi, stack_.size() > 1 ? "a call inside a program called from MDI" : "a call from MDI");
+    if (refused)
+      return fault(Cause::CallInMdi, stack_.size() > 1 ? "a call inside a program called from MDI"
+                                                       : "a call from MDI");
   }
-  const bool by_name = record.kind == CallKind::M98 || record.kind == CallKind::M198 || record.kind == CallKind::G65 ||
-                       record.kind == CallKind::G66 || record.kind == CallKind::G661;
+  const bool by_name = record.kind == CallKind::M98 || record.kind == CallKind::M198 ||
+                       record.kind == CallKind::G65 || record.kind == CallKind::G66 ||
+                       record.kind == CallKind::G661;
   if (!modals_.empty() && by_name) {
     switch (control.calls_in_modal.value) {
       case CallsInModal::Allowed:
         break;
       case CallsInModal::EndModal:
-        if (!record.macro) return fault(Cause::CallInModalCall, "M98 while a modal macro call is active");
+        if (!record.macro)
+          return fault(Cause::CallInModalCall, "M98 while a modal macro call is active");
         break;
       case CallsInModal::Refused:
         if (modals_.back().program == frame().program)
-          return fault(Cause::CallInModalCall, "a call while a modal macro call of this program is active");
+          return fault(Cause::CallInModalCall,
+                       "a call while a modal macro call of this program is active");
         break;
     }
   }
@@ -69,10 +78,13 @@ std::optional<Fault> Machine::refused_here(const CallRecord& record) const {
 
 std::optional<Fault> Machine::refused(const CallRecord& record, const Target& target) const {
   const Control& control = *code_->control;
-  const auto fault = [&](Cause cause, std::string detail) { return Fault{cause, record.at, record.width, std::move(detail)}; };
+  const auto fault = [&](Cause cause, std::string detail) {
+    return Fault{cause, record.at, record.width, std::move(detail)};
+  };
   const bool started = target.start_n >= 0;
   if (target.program == frame().program) {
-    const bool bad = control.self_call.value == SelfCall::Refused || (control.self_call.value == SelfCall::WithStart && !started);
+    const bool bad = control.self_call.value == SelfCall::Refused ||
+                     (control.self_call.value == SelfCall::WithStart && !started);
     if (bad) return fault(Cause::ProgramCallsItself, "the program calls itself");
   } else if (control.caller_call.value != CallerCall::Allowed) {
     const CallerCall rule = control.caller_call.value;
@@ -80,20 +92,25 @@ std::optional<Fault> Machine::refused(const CallRecord& record, const Target& ta
       if (stack_[i].program != target.program) continue;
       if (rule == CallerCall::MainRefused && i > 0) continue;
       if (rule == CallerCall::WithStart && started) continue;
-      return fault(Cause::ProgramCallsCaller,
-                   code_->programs[static_cast<std::size_t>(target.program)].name + " is open already");
+      return fault(
+          Cause::ProgramCallsCaller,
+          code_->programs[static_cast<std::size_t>(target.program)].name + " is open already");
     }
   }
   const int macros = macros_ + (record.macro ? 1 : 0);
   const int subprograms = subprograms_ + (record.macro ? 0 : 1);
   const int counted = control.nesting_counts_macros.value ? macros + subprograms : subprograms;
-  const auto deep = [](int most, const char* what) { return "the control allows " + std::to_string(most) + " " + what; };
+  const auto deep = [](int most, const char* what) {
+    return "the control allows " + std::to_string(most) + " " + what;
+  };
   if (record.macro && macros > control.max_macro_nesting.value)
-    return fault(Cause::MacroNestingTooDeep, deep(control.max_macro_nesting.value, "levels of macro calls"));
+    return fault(Cause::MacroNestingTooDeep,
+                 deep(control.max_macro_nesting.value, "levels of macro calls"));
   if (counted > control.max_nesting.value)
     return fault(Cause::NestingTooDeep, deep(control.max_nesting.value, "levels of calls"));
   if (control.max_total_nesting.value > 0 && macros + subprograms > control.max_total_nesting.value)
-    return fault(Cause::NestingTooDeep, deep(control.max_total_nesting.value, "levels of calls of both kinds"));
+    return fault(Cause::NestingTooDeep,
+                 deep(control.max_total_nesting.value, "levels of calls of both kinds"));
   return std::nullopt;
 }
 
@@ -105,12 +122,14 @@ bool Machine::call(const Block& block) {
   if (record.arguments > 0 && !evaluate_arguments(record)) return false;
   const bool other_words = block.mask != 0 || block.g_count != 0 || block.m_count != 0;
   if (other_words && motion_.in_cycle() && !code_->control->words_with_call_in_cycle.value)
-    return alarm({Cause::CallWithWordsInCycle, record.at, record.width, "M98 shares its block with words in a canned cycle"});
+    return alarm({Cause::CallWithWordsInCycle, record.at, record.width,
+                  "M98 shares its block with words in a canned cycle"});
   if (!words(block)) return false;
   const Motion::Outcome outcome = outcome_;
   if (target.skipped) return after_words(outcome);
   if (target.external && frame().external)
-    return alarm({Cause::ExternalCallNested, record.at, record.width, "a program of the external device calls another one"});
+    return alarm({Cause::ExternalCallNested, record.at, record.width,
+                  "a program of the external device calls another one"});
   if (!find(record, target)) return false;
   if (target.jump) {
     const Program& program = code_->programs[static_cast<std::size_t>(target.program)];
@@ -128,7 +147,9 @@ bool Machine::macro_call(const Block& block) {
   Target target;
   if (!decode_target(record, target) || !evaluate_arguments(record)) return false;
   if (!words(block)) return false;
-  if (record.kind == CallKind::G65 && code_->control->calls_in_modal.value == CallsInModal::EndModal) modals_.clear();
+  if (record.kind == CallKind::G65 &&
+      code_->control->calls_in_modal.value == CallsInModal::EndModal)
+    modals_.clear();
   if (target.skipped) return after_words(outcome_);
   if (!find(record, target)) return false;
   return enter(block.aux, target, -1);
@@ -148,7 +169,8 @@ bool Machine::modal_call(const Block& block) {
   modal.every_block = record.code_kind == CodeCallKind::ModalEveryBlock;
   if (modals_.size() >= static_cast<std::size_t>(code_->control->max_macro_nesting.value))
     return alarm({Cause::ModalCallsTooMany, record.at, record.width,
-                  "the control takes " + std::to_string(code_->control->max_macro_nesting.value) + " modal calls"});
+                  "the control takes " + std::to_string(code_->control->max_macro_nesting.value) +
+                      " modal calls"});
   modals_.push_back(std::move(modal));
   ++changes_;
   record_step();
@@ -182,12 +204,14 @@ bool Machine::every_block(const Block& block) {
   NcWords words;
   if (!decode(block, words)) return false;
   scratch_.assign(static_cast<std::size_t>(code_->locals), kVacant);
-  static constexpr int kVariables[26] = {1, 2, 3, 7, 8, 9, 10, 11, 4, 5, 6, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  static constexpr int kVariables[26] = {1,  2,  3,  7,  8,  9,  10, 11, 4,  5,  6,  12, 13,
+                                         14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
   for (int i = 0; i < 26; ++i)
     if ((words.mask & (1u << i)) != 0) {
       const double value = words.value[static_cast<std::size_t>(i)];
       const bool whole = (words.whole & (1u << i)) != 0;
-      scratch_[static_cast<std::size_t>(kVariables[i])] = whole ? motion_.scaled(static_cast<char>('A' + i), value) : value;
+      scratch_[static_cast<std::size_t>(kVariables[i])] =
+          whole ? motion_.scaled(static_cast<char>('A' + i), value) : value;
     }
   if (words.g_count > 0) scratch_[10] = words.g[static_cast<std::size_t>(words.g_count - 1)] / 10.0;
   if (words.m_count > 0) scratch_[13] = words.m[static_cast<std::size_t>(words.m_count - 1)];
@@ -211,7 +235,9 @@ bool Machine::evaluate_arguments(const CallRecord& record) {
     if (argument->operand.whole && argument->operand.kind == Operand::Kind::Constant)
       value = motion_.scaled(argument->address, value);
     scratch_[static_cast<std::size_t>(argument->variable)] = value;
-    if (told) scratch_programmed_[static_cast<std::size_t>(argument->variable)] = motion_.modal_code(3) == 91 ? 91 : 90;
+    if (told)
+      scratch_programmed_[static_cast<std::size_t>(argument->variable)] =
+          motion_.modal_code(3) == 91 ? 91 : 90;
   }
   return true;
 }
@@ -226,10 +252,12 @@ void Machine::open_level() {
   }
   std::copy(scratch_.begin(), scratch_.end(), locals_.begin() + static_cast<std::ptrdiff_t>(first));
   if (code_->control->call_passes_words.value)
-    std::copy(scratch_programmed_.begin(), scratch_programmed_.end(), programmed_.begin() + static_cast<std::ptrdiff_t>(first));
+    std::copy(scratch_programmed_.begin(), scratch_programmed_.end(),
+              programmed_.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-/// Opens a frame for what `target` says; the arguments lie in scratch_. The block is recorded as a step of the caller.
+/// Opens a frame for what `target` says; the arguments lie in scratch_. The block is recorded as a
+/// step of the caller.
 bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t modal) {
   const CallRecord& record = code_->calls[index];
   if (auto fault = refused(record, target)) return alarm(std::move(*fault));
@@ -283,7 +311,8 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
     row.first_argument = static_cast<std::uint32_t>(trace_.arguments.size());
     if (open.own_locals)
       for (std::size_t i = 0; i < scratch_.size(); ++i)
-        if (!is_vacant(scratch_[i])) trace_.arguments.push({static_cast<std::int32_t>(i), scratch_[i]});
+        if (!is_vacant(scratch_[i]))
+          trace_.arguments.push({static_cast<std::int32_t>(i), scratch_[i]});
     row.arguments = static_cast<std::uint32_t>(trace_.arguments.size()) - row.first_argument;
     open.call = static_cast<std::int32_t>(trace_.calls.size());
     trace_.calls.push(row);
@@ -295,8 +324,10 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
 
 bool Machine::call_after_move(const Motion::Outcome& outcome) {
   if (modals_.empty()) return true;
-  const bool triggers = code_->control->modal_trigger.value == ModalTrigger::Move ? outcome.moved : outcome.axis_word;
-  const auto top = std::min<std::int32_t>(static_cast<std::int32_t>(modals_.size()), frame().modal_limit);
+  const bool triggers =
+      code_->control->modal_trigger.value == ModalTrigger::Move ? outcome.moved : outcome.axis_word;
+  const auto top =
+      std::min<std::int32_t>(static_cast<std::int32_t>(modals_.size()), frame().modal_limit);
   if (!triggers || top <= 0 || modals_[static_cast<std::size_t>(top - 1)].every_block) return true;
   return enter_modal(top - 1);
 }
@@ -326,7 +357,8 @@ bool Machine::leave(Address to) {
     const auto first = locals_.begin() + static_cast<std::ptrdiff_t>(level_) * code_->locals;
     modals_[static_cast<std::size_t>(open.modal)].locals.assign(first, first + code_->locals);
   }
-  if (open.call >= 0) trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
+  if (open.call >= 0)
+    trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
   if (open.own_locals) --level_;
   (open.macro ? macros_ : subprograms_) -= 1;
   loops_.resize(open.loops);
@@ -346,13 +378,15 @@ std::map<std::int32_t, double> Machine::arguments(std::size_t call) const {
 }
 
 /// The words of the blocks N(ns) to N(nf) of the running program, for a cycle that follows them.
-std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks, bool& behind) {
+std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf,
+                                      std::vector<NcWords>& blocks, bool& behind) {
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const Address first = code_->jump_target(program, ns, pc_);
   const Address last = first == kNowhere ? kNowhere : code_->next_of(program, nf, first - 1);
   const Block& here = code_->blocks[pc_];
   const auto missing = [&](std::int64_t n) {
-    return Fault{Cause::PqNotFound, here.text, 1, "there is no N" + std::to_string(n) + " in " + program.name};
+    return Fault{Cause::PqNotFound, here.text, 1,
+                 "there is no N" + std::to_string(n) + " in " + program.name};
   };
   if (first == kNowhere) return missing(ns);
   if (last == kNowhere || last < first) return missing(nf);
@@ -369,9 +403,11 @@ std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf, std::vec
       case Op::ModalCall:
       case Op::Return:
       case Op::Choose:
-        return Fault{Cause::ProfileCall, block.text, block.length, "a call inside the blocks of the profile"};
+        return Fault{Cause::ProfileCall, block.text, block.length,
+                     "a call inside the blocks of the profile"};
       default:
-        return Fault{Cause::ProfileMacro, block.text, block.length, "a macro statement inside the blocks of the profile"};
+        return Fault{Cause::ProfileMacro, block.text, block.length,
+                     "a macro statement inside the blocks of the profile"};
     }
     NcWords words;
     const Address at = pc_;

@@ -26,7 +26,8 @@ double turn(double degrees) {
 
 /// Sines of whole degrees, exact at multiples of 30, so that TAN[90] is told from a large value.
 const std::array<double, 361> kSines = [] {
-  constexpr double kThirds[] = {0, 0.5, 2, 1, 2, 0.5, 0, -0.5, 2, -1, 2, -0.5, 0};  // 2: no rational number
+  constexpr double kThirds[] = {0,    0.5, 2,  1, 2,    0.5, 0,
+                                -0.5, 2,   -1, 2, -0.5, 0};  // 2: no rational number
   std::array<double, 361> sines{};
   for (int a = 0; a <= 360; ++a) {
     const bool exact = a % 30 == 0 && kThirds[a / 30] != 2;
@@ -43,12 +44,14 @@ double sine(double degrees) {
 double cosine(double degrees) {
   const double a = turn(degrees);
   const auto whole = static_cast<std::size_t>(a);
-  return static_cast<double>(whole) == a ? kSines[whole < 270 ? whole + 90 : whole - 270] : std::cos(a * kDegree);
+  return static_cast<double>(whole) == a ? kSines[whole < 270 ? whole + 90 : whole - 270]
+                                         : std::cos(a * kDegree);
 }
 
 double round_half_away(double value) { return std::round(value); }
 
-/// The value a binary number has when its digits are read as decimal (BCD), and the other way; false where it has none.
+/// The value a binary number has when its digits are read as decimal (BCD), and the other way;
+/// false where it has none.
 bool to_bcd(double value, double& result) {
   const double whole = round_half_away(value);
   if (whole != value || whole < 0 || whole > 99999999) return false;
@@ -94,7 +97,9 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
     return false;
   };
   const auto missing = [&](const std::optional<Fault>& wrong) {
-    return fault(wrong->cause, wrong->cause == Cause::IllegalVariable ? "there is no such variable" : "the variable cannot be read");
+    return fault(wrong->cause, wrong->cause == Cause::IllegalVariable
+                                   ? "there is no such variable"
+                                   : "the variable cannot be read");
   };
   const auto number = [](double value) { return is_vacant(value) ? 0.0 : value; };
   const bool degrees = control.angle_unit.value == AngleUnit::Degrees;
@@ -118,14 +123,16 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
       case Ins::Variable:
       case Ins::VariableRaw: {
         double value = 0;
-        if (const auto wrong = read(static_cast<std::int64_t>(at->value), value)) return missing(wrong);
+        if (const auto wrong = read(static_cast<std::int64_t>(at->value), value))
+          return missing(wrong);
         *top++ = at->op == Ins::Variable ? number(value) : value;
         break;
       }
       case Ins::Indirect:
       case Ins::IndirectRaw: {
         const double index = round_half_away(top[-1]);
-        if (!(std::fabs(index) < 2e9)) return fault(Cause::IllegalVariable, "the variable number is out of range");
+        if (!(std::fabs(index) < 2e9))
+          return fault(Cause::IllegalVariable, "the variable number is out of range");
         double value = 0;
         if (const auto wrong = read(static_cast<std::int64_t>(index), value)) return missing(wrong);
         top[-1] = at->op == Ins::Indirect ? number(value) : value;
@@ -133,7 +140,8 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
       }
       case Ins::Named: {
         const auto found = names_.find(code_->names[static_cast<std::size_t>(at->value)]);
-        if (found == names_.end()) return fault(Cause::VariableNameUnknown, "the name is not registered");
+        if (found == names_.end())
+          return fault(Cause::VariableNameUnknown, "the name is not registered");
         *top++ = static_cast<double>(found->second);
         break;
       }
@@ -181,9 +189,13 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
       case Ins::Xor: {
         --top;
         std::int64_t a = 0, b = 0;
-        if (!as_bits(top[-1], a) || !as_bits(*top, b)) return fault(Cause::Overflow, "AND, OR and XOR take 32 bits");
-        if (!control.negative_logic.value && (a < 0 || b < 0)) return fault(Cause::LogicOfNegative, "the value is negative");
-        top[-1] = static_cast<double>(at->op == Ins::And ? a & b : at->op == Ins::Or ? a | b : a ^ b);
+        if (!as_bits(top[-1], a) || !as_bits(*top, b))
+          return fault(Cause::Overflow, "AND, OR and XOR take 32 bits");
+        if (!control.negative_logic.value && (a < 0 || b < 0))
+          return fault(Cause::LogicOfNegative, "the value is negative");
+        top[-1] = static_cast<double>(at->op == Ins::And  ? a & b
+                                      : at->op == Ins::Or ? a | b
+                                                          : a ^ b);
         break;
       }
       case Ins::Negate:
@@ -242,10 +254,12 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
       }
       case Ins::Asin:
       case Ins::Acos: {
-        if (!(std::fabs(top[-1]) <= 1)) return fault(Cause::ArcSineOutOfRange, "the value is outside -1 to 1");
+        if (!(std::fabs(top[-1]) <= 1))
+          return fault(Cause::ArcSineOutOfRange, "the value is outside -1 to 1");
         double angle = at->op == Ins::Asin ? std::asin(top[-1]) : std::acos(top[-1]);
         if (degrees) angle /= kDegree;
-        const bool turn = at->op == Ins::Asin && degrees && control.asin_range.value == AngleRange::FullTurn;
+        const bool turn =
+            at->op == Ins::Asin && degrees && control.asin_range.value == AngleRange::FullTurn;
         top[-1] = turn && angle < 0 ? angle + 360 : angle;
         break;
       }
@@ -280,7 +294,8 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
       case Ins::CutWord: {
         const double step = motion_.increment(static_cast<char>(at->address));
         constexpr double kHair = 1e-6;  // 1.235 is 1234.9999... thousandths
-        if (step > 0) top[-1] = std::copysign(std::floor(std::fabs(top[-1]) / step + kHair) * step, top[-1]);
+        if (step > 0)
+          top[-1] = std::copysign(std::floor(std::fabs(top[-1]) / step + kHair) * step, top[-1]);
         break;
       }
       case Ins::Fix:
@@ -290,7 +305,8 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
         top[-1] = top[-1] < 0 ? std::floor(top[-1]) : std::ceil(top[-1]);
         break;
       case Ins::Ln:
-        if (!(top[-1] > 0)) return fault(Cause::LogarithmOfNonPositive, "the value is not positive");
+        if (!(top[-1] > 0))
+          return fault(Cause::LogarithmOfNonPositive, "the value is not positive");
         top[-1] = std::log(top[-1]);
         break;
       case Ins::Exp:
@@ -305,10 +321,12 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
         break;
       }
       case Ins::Bin:
-        if (!from_bcd(top[-1], top[-1])) return fault(Cause::ArgumentOutOfRange, "the value is no BCD number");
+        if (!from_bcd(top[-1], top[-1]))
+          return fault(Cause::ArgumentOutOfRange, "the value is no BCD number");
         break;
       case Ins::Bcd:
-        if (!to_bcd(top[-1], top[-1])) return fault(Cause::ArgumentOutOfRange, "the value has no BCD number");
+        if (!to_bcd(top[-1], top[-1]))
+          return fault(Cause::ArgumentOutOfRange, "the value has no BCD number");
         break;
       case Ins::Adp:
         break;
@@ -316,9 +334,12 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
         const bool bit_form = at[-1].op == Ins::Modulo && at[-1].value == -1;
         if (bit_form) --top;
         const double which = round_half_away(bit_form ? top[-1] : top[-1]);
-        if (!(std::fabs(which) < 1e9)) return fault(Cause::ArgumentOutOfRange, "there is no such parameter");
+        if (!(std::fabs(which) < 1e9))
+          return fault(Cause::ArgumentOutOfRange, "there is no such parameter");
         std::string name = std::to_string(static_cast<std::int64_t>(which));
-        if (bit_form) name += "#" + std::to_string(static_cast<std::int64_t>(std::clamp(round_half_away(*top), 0.0, 31.0)));
+        if (bit_form)
+          name += "#" + std::to_string(static_cast<std::int64_t>(
+                            std::clamp(round_half_away(*top), 0.0, 31.0)));
         top[-1] = control.parameter(name);
         break;
       }
@@ -333,8 +354,10 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
         top[-1] += (*top - top[-1]) * static_cast<double>(random_()) / 2147483646.0;
         break;
       case Ins::Programmed: {
-        const auto place = static_cast<std::size_t>(level_ * code_->locals) + static_cast<std::size_t>(at->value);
-        if (at->value >= code_->locals) return fault(Cause::IllegalVariable, "AR takes a local variable");
+        const auto place =
+            static_cast<std::size_t>(level_ * code_->locals) + static_cast<std::size_t>(at->value);
+        if (at->value >= code_->locals)
+          return fault(Cause::IllegalVariable, "AR takes a local variable");
         *top++ = programmed_[place];
         break;
       }

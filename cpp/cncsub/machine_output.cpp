@@ -9,8 +9,8 @@ namespace cncsub {
 
 namespace {
 
-/// A value as DPRNT writes it: a sign or a blank, the whole digits with blanks for leading zeros, the decimals. With
-/// 6001#1 = 1 the blanks are left out.
+/// A value as DPRNT writes it: a sign or a blank, the whole digits with blanks for leading zeros,
+/// the decimals. With 6001#1 = 1 the blanks are left out.
 std::string written(double value, const PrintField& field, bool without_blanks) {
   const double scale = std::pow(10.0, field.decimals);
   double units = std::round(std::fabs(value) * scale);
@@ -42,7 +42,8 @@ bool Machine::print(const Print& print) {
     if (!evaluate(field.expression, value)) return false;
     if (is_vacant(value)) value = 0;
     if (print.binary)
-      line += std::to_string(static_cast<std::int64_t>(std::clamp(std::round(value * std::pow(10.0, field.decimals)), -2147483648.0, 2147483647.0)));
+      line += std::to_string(static_cast<std::int64_t>(std::clamp(
+          std::round(value * std::pow(10.0, field.decimals)), -2147483648.0, 2147483647.0)));
     else
       line += written(value, field, without_blanks);
   }
@@ -73,7 +74,8 @@ bool Machine::h_variable(const Operand& operand, std::int64_t& number) {
   if (at[1].op == Ins::IndirectRaw) {  // #9100
     double index = 0;
     if (read(number, index).has_value()) return false;
-    number = static_cast<std::int64_t>(std::clamp(is_vacant(index) ? 0.0 : std::round(index), 0.0, 1e9));
+    number =
+        static_cast<std::int64_t>(std::clamp(is_vacant(index) ? 0.0 : std::round(index), 0.0, 1e9));
   }
   return true;
 }
@@ -90,21 +92,27 @@ bool Machine::h_code(const Statement& h) {
   if (code == 99) return h_alarm(h);
   if (code >= 80 && code <= 86) {
     if (!h.p.present()) return wrong(Cause::HCodeFormat, h.p, "the jump has no P");
-    if (code > 80 && (!h.q.present() || !h.r.present())) return wrong(Cause::HCodeOperand, h.q, "the comparison takes Q and R");
-    const bool holds = code == 80 || (code == 81 && q == r) || (code == 82 && q != r) || (code == 83 && q > r) ||
-                       (code == 84 && q < r) || (code == 85 && q >= r) || (code == 86 && q <= r);
+    if (code > 80 && (!h.q.present() || !h.r.present()))
+      return wrong(Cause::HCodeOperand, h.q, "the comparison takes Q and R");
+    const bool holds = code == 80 || (code == 81 && q == r) || (code == 82 && q != r) ||
+                       (code == 83 && q > r) || (code == 84 && q < r) || (code == 85 && q >= r) ||
+                       (code == 86 && q <= r);
     if (!holds) return true;
     double n = 0;
     if (!operand(h.p, n)) return false;
-    return h_jump(h, is_vacant(n) ? -1 : static_cast<std::int64_t>(std::clamp(std::round(n), -1.0, 2e9)));
+    return h_jump(
+        h, is_vacant(n) ? -1 : static_cast<std::int64_t>(std::clamp(std::round(n), -1.0, 2e9)));
   }
-  const bool two = (code >= 2 && code <= 5) || (code >= 11 && code <= 13) || code == 23 || code == 26 || code == 27 ||
-                   (code >= 31 && code <= 34);
+  const bool two = (code >= 2 && code <= 5) || (code >= 11 && code <= 13) || code == 23 ||
+                   code == 26 || code == 27 || (code >= 31 && code <= 34);
   const bool one = code == 1 || code == 21 || code == 22 || code == 24 || code == 25;
-  if (!one && !two) return alarm({Cause::IllegalHCode, h.variable_at, h.variable_width, "there is no such H code"});
+  if (!one && !two)
+    return alarm({Cause::IllegalHCode, h.variable_at, h.variable_width, "there is no such H code"});
   std::int64_t target = 0;
-  if (!h.p.present() || !h_variable(h.p, target)) return wrong(Cause::HCodeFormat, h.p, "P names the variable that takes the result");
-  if (!h.q.present() || (two && !h.r.present())) return wrong(Cause::HCodeOperand, h.q, "an operand is missing");
+  if (!h.p.present() || !h_variable(h.p, target))
+    return wrong(Cause::HCodeFormat, h.p, "P names the variable that takes the result");
+  if (!h.q.present() || (two && !h.r.present()))
+    return wrong(Cause::HCodeOperand, h.q, "an operand is missing");
   double result = 0;
   if (auto cause = h_result(code, q, r, target, result)) return wrong(*cause, h.q, "");
   if (std::fabs(result) > 1e47) return wrong(Cause::Overflow, h.q, "the result is too large");
@@ -115,8 +123,11 @@ bool Machine::h_code(const Statement& h) {
   return store_number(target, result, assign);
 }
 
-std::optional<Cause> Machine::h_result(int code, double q, double r, std::int64_t target, double& result) {
-  const auto bits = [](double value) { return static_cast<std::int64_t>(std::clamp(std::round(value), -4294967295.0, 4294967295.0)); };
+std::optional<Cause> Machine::h_result(int code, double q, double r, std::int64_t target,
+                                       double& result) {
+  const auto bits = [](double value) {
+    return static_cast<std::int64_t>(std::clamp(std::round(value), -4294967295.0, 4294967295.0));
+  };
   switch (code) {
     case 1:
       result = q;
@@ -138,7 +149,9 @@ std::optional<Cause> Machine::h_result(int code, double q, double r, std::int64_
     case 12:
     case 13:
       if (!code_->control->negative_logic.value && (q < 0 || r < 0)) return Cause::LogicOfNegative;
-      result = static_cast<double>(code == 11 ? bits(q) | bits(r) : code == 12 ? bits(q) & bits(r) : bits(q) ^ bits(r));
+      result = static_cast<double>(code == 11   ? bits(q) | bits(r)
+                                   : code == 12 ? bits(q) & bits(r)
+                                                : bits(q) ^ bits(r));
       break;
     case 21:
       if (q < 0) return Cause::SquareRootOfNegative;
@@ -220,7 +233,8 @@ bool Machine::h_alarm(const Statement& h) {
   const Control& control = *code_->control;
   const double number = is_vacant(n) ? -1 : std::round(n);
   if (!(number >= 0 && number <= 99))
-    return alarm({Cause::IllegalUserAlarm, h.p.present() ? h.p.at : h.at, h.p.width, "H99 raises alarms 0 to 99"});
+    return alarm({Cause::IllegalUserAlarm, h.p.present() ? h.p.at : h.at, h.p.width,
+                  "H99 raises alarms 0 to 99"});
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   std::string text = code_->files[program.file].text.substr(h.text, h.text_length);
   if (!text.empty() && text[0] == '/') text.erase(0, 1);

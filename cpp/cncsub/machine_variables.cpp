@@ -8,18 +8,25 @@ namespace cncsub {
 
 namespace {
 
-Fault no_variable(std::int64_t number) { return {Cause::IllegalVariable, 0, 1, "there is no #" + std::to_string(number)}; }
+Fault no_variable(std::int64_t number) {
+  return {Cause::IllegalVariable, 0, 1, "there is no #" + std::to_string(number)};
+}
 
 }  // namespace
 
-std::optional<Fault> Machine::read(std::int64_t number, double& value) { return read_at(number, level_, value); }
-std::optional<Fault> Machine::write(std::int64_t number, double value) { return write_at(number, level_, value); }
+std::optional<Fault> Machine::read(std::int64_t number, double& value) {
+  return read_at(number, level_, value);
+}
+std::optional<Fault> Machine::write(std::int64_t number, double value) {
+  return write_at(number, level_, value);
+}
 
 std::optional<Fault> Machine::read_at(std::int64_t number, int level, double& value) {
   const VariablePlace place = code_->place(number);
   if (place.range == nullptr) return no_variable(number);
   if (place.range->access == Access::WriteOnly)
-    return Fault{Cause::VariableReadProtected, 0, 1, "#" + std::to_string(number) + " cannot be read"};
+    return Fault{Cause::VariableReadProtected, 0, 1,
+                 "#" + std::to_string(number) + " cannot be read"};
   switch (place.kind) {
     case VariableKind::Vacant:
       value = kVacant;
@@ -34,7 +41,8 @@ std::optional<Fault> Machine::read_at(std::int64_t number, int level, double& va
     case VariableKind::LevelImage: {
       const int of = place.index / code_->locals_per_level;
       value = of > level_ ? kVacant
-                          : locals_[static_cast<std::size_t>(of * code_->locals + place.index % code_->locals_per_level)];
+                          : locals_[static_cast<std::size_t>(
+                                of * code_->locals + place.index % code_->locals_per_level)];
       return std::nullopt;
     }
     default:
@@ -45,9 +53,11 @@ std::optional<Fault> Machine::read_at(std::int64_t number, int level, double& va
 std::optional<Fault> Machine::write_at(std::int64_t number, int level, double value) {
   const VariablePlace place = code_->place(number);
   if (place.range == nullptr) return no_variable(number);
-  if (place.kind == VariableKind::Vacant) return Fault{Cause::VacantAssigned, 0, 1, "#0 is always vacant"};
+  if (place.kind == VariableKind::Vacant)
+    return Fault{Cause::VacantAssigned, 0, 1, "#0 is always vacant"};
   if (place.range->access == Access::ReadOnly)
-    return Fault{Cause::VariableWriteProtected, 0, 1, "#" + std::to_string(number) + " cannot be written"};
+    return Fault{Cause::VariableWriteProtected, 0, 1,
+                 "#" + std::to_string(number) + " cannot be written"};
   switch (place.kind) {
     case VariableKind::Local:
       locals_[static_cast<std::size_t>(level * code_->locals + place.index)] = value;
@@ -60,7 +70,8 @@ std::optional<Fault> Machine::write_at(std::int64_t number, int level, double va
     case VariableKind::LevelImage: {
       const int of = place.index / code_->locals_per_level;
       if (of <= level_)
-        locals_[static_cast<std::size_t>(of * code_->locals + place.index % code_->locals_per_level)] = value;
+        locals_[static_cast<std::size_t>(of * code_->locals +
+                                         place.index % code_->locals_per_level)] = value;
       return std::nullopt;
     }
     default:
@@ -68,7 +79,8 @@ std::optional<Fault> Machine::write_at(std::int64_t number, int level, double va
   }
 }
 
-std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64_t number, double& value) {
+std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64_t number,
+                                          double& value) {
   const int index = place.index;
   const auto written = [&](double otherwise) {
     const auto found = system_.find(number);
@@ -87,7 +99,8 @@ std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64
       value = signal(static_cast<std::int32_t>(number));
       break;
     case VariableKind::Milliseconds:
-      // The clock goes on with the motion, and a little with every look at it: a program that waits for it comes on.
+      // The clock goes on with the motion, and a little with every look at it: a program that waits
+      // for it comes on.
       clock_ms_ += 1;
       ++changes_;
       value = clock_ms_ + motion_.time() * 1000.0;
@@ -142,7 +155,8 @@ std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64
       value = index % kSystems > 8 ? 0 : motion_.work_offset(index / kSystems, index % kSystems);
       break;
     case VariableKind::ExtraWorkOffset:
-      value = index % kSystems > 8 ? 0 : motion_.extra_offset(index / kSystems + 1, index % kSystems);
+      value =
+          index % kSystems > 8 ? 0 : motion_.extra_offset(index / kSystems + 1, index % kSystems);
       break;
     case VariableKind::LengthWear:
     case VariableKind::LengthGeometry:
@@ -157,8 +171,12 @@ std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64
   return std::nullopt;
 }
 
-std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int64_t number, double value) {
+std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int64_t number,
+                                           double value) {
   const int index = place.index;
+  if (is_vacant(value) && !code_->control->vacant_system_writes.value)
+    return Fault{Cause::IllegalVariableValue, 0, 1,
+                 "a vacant value for #" + std::to_string(number)};
   if (is_vacant(value)) value = 0;
   constexpr int kSystems = 20;
   switch (place.kind) {
@@ -172,7 +190,8 @@ std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int6
       if (index % kSystems <= 8) motion_.set_work_offset(index / kSystems, index % kSystems, value);
       break;
     case VariableKind::ExtraWorkOffset:
-      if (index % kSystems <= 8) motion_.set_extra_offset(index / kSystems + 1, index % kSystems, value);
+      if (index % kSystems <= 8)
+        motion_.set_extra_offset(index / kSystems + 1, index % kSystems, value);
       break;
     case VariableKind::LengthWear:
     case VariableKind::LengthGeometry:
@@ -194,7 +213,8 @@ std::map<std::int32_t, double> Machine::variables(int level) const {
     const bool common = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
     if (!local && !common) continue;
     for (std::int32_t number = range.first; number <= range.last; ++number) {
-      const VariablePlace place = local ? VariablePlace{range.kind, number, &range} : code_->place(number);
+      const VariablePlace place =
+          local ? VariablePlace{range.kind, number, &range} : code_->place(number);
       const double value = local ? locals_[static_cast<std::size_t>(level * code_->locals + number)]
                                  : commons_[static_cast<std::size_t>(place.index)];
       if (!is_vacant(value)) values[number] = value;

@@ -14,8 +14,10 @@ std::string place(const std::string& program, std::int64_t n) {
 std::string without_controls(const std::string& text) {
   std::string clean;
   for (const char c : text)
-    if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) clean += c;
-    else if (c == '\t' || c == '\0') clean += ' ';
+    if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)
+      clean += c;
+    else if (c == '\t' || c == '\0')
+      clean += ' ';
   return clean;
 }
 
@@ -26,9 +28,10 @@ constexpr std::size_t kLongestLine = 160;  // of the source, as shown
 std::string message(const Alarm& alarm) {
   const std::string slug(info(alarm.cause).slug);
   std::string text = alarm.number.empty() ? slug : alarm.number + " " + slug;
-  text += ": " + (alarm.detail.empty() ? std::string(info(alarm.cause).meaning) : without_controls(alarm.detail));
-  text += "\n  --> " + place(alarm.program, alarm.n) + ", " + alarm.file + ":" + std::to_string(alarm.line) + ":" +
-          std::to_string(alarm.column);
+  text += ": " + (alarm.detail.empty() ? std::string(info(alarm.cause).meaning)
+                                       : without_controls(alarm.detail));
+  text += "\n  --> " + place(alarm.program, alarm.n) + ", " + alarm.file + ":" +
+          std::to_string(alarm.line) + ":" + std::to_string(alarm.column);
   std::string line = without_controls(alarm.source_line);
   if (!line.empty() && line.size() <= kLongestLine) {
     text += "\n   | " + line;
@@ -36,7 +39,8 @@ std::string message(const Alarm& alarm) {
   }
   for (const Frame& frame : alarm.frames) {
     text += "\ncalled from " + place(frame.program, frame.n) + " (" + frame.kind;
-    if (frame.repeats > 1) text += ", pass " + std::to_string(frame.repeat) + " of " + std::to_string(frame.repeats);
+    if (frame.repeats > 1)
+      text += ", pass " + std::to_string(frame.repeat) + " of " + std::to_string(frame.repeats);
     text += "), " + frame.file + ":" + std::to_string(frame.line);
   }
   return text;

@@ -22,7 +22,8 @@ void fill(Axes& axes, const std::map<char, double>& values) {
 void fill(std::vector<double>& table, const std::map<int, double>& values) {
   for (const auto& [number, value] : values) {
     if (number < 0 || number > 9999) continue;
-    if (table.size() <= static_cast<std::size_t>(number)) table.resize(static_cast<std::size_t>(number) + 1);
+    if (table.size() <= static_cast<std::size_t>(number))
+      table.resize(static_cast<std::size_t>(number) + 1);
     table[static_cast<std::size_t>(number)] = value;
   }
 }
@@ -34,16 +35,26 @@ struct GroupName {
 };
 // [REG; lathe 1.3]
 constexpr GroupName kGroupNames[] = {
-    {"motion", Group::Motion, 1, 1},     {"plane", Group::Plane, 2, 16},
-    {"distance", Group::Distance, 3, 3}, {"stroke", Group::Stroke, 4, 9},
-    {"feed", Group::Feed, 5, 5},         {"units", Group::Units, 6, 6},
-    {"radius", Group::Radius, 7, 7},     {"length", Group::Length, 8, 0},
-    {"cycle", Group::Cycle, 9, 10},      {"return", Group::Return, 10, 11},
-    {"scaling", Group::Scaling, 11, 0},  {"macro", Group::Macro, 12, 12},
-    {"surface", Group::Surface, 13, 2},  {"work", Group::Work, 14, 14},
-    {"path", Group::Path, 15, 0},        {"rotation", Group::Rotation, 16, 0},
-    {"polar", Group::Polar, 17, 0},      {"mirror", Group::Mirror, 22, 0},
-    {"turret", Group::Turret, 0, 4},     {"fluctuation", Group::Fluctuation, 0, 8},
+    {"motion", Group::Motion, 1, 1},
+    {"plane", Group::Plane, 2, 16},
+    {"distance", Group::Distance, 3, 3},
+    {"stroke", Group::Stroke, 4, 9},
+    {"feed", Group::Feed, 5, 5},
+    {"units", Group::Units, 6, 6},
+    {"radius", Group::Radius, 7, 7},
+    {"length", Group::Length, 8, 0},
+    {"cycle", Group::Cycle, 9, 10},
+    {"return", Group::Return, 10, 11},
+    {"scaling", Group::Scaling, 11, 0},
+    {"macro", Group::Macro, 12, 12},
+    {"surface", Group::Surface, 13, 2},
+    {"work", Group::Work, 14, 14},
+    {"path", Group::Path, 15, 0},
+    {"rotation", Group::Rotation, 16, 0},
+    {"polar", Group::Polar, 17, 0},
+    {"mirror", Group::Mirror, 22, 0},
+    {"turret", Group::Turret, 0, 4},
+    {"fluctuation", Group::Fluctuation, 0, 8},
     {"polar-milling", Group::PolarMilling, 0, 21},
 };
 
@@ -99,6 +110,7 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
     : control(std::move(c)),
       machine(machine_of(*control, setup.machine)),
       codes(*control, machine),
+      other_codes(*control, machine == MachineType::Mill ? MachineType::LatheA : MachineType::Mill),
       axis_order(machine == MachineType::Mill ? "XYZABCUVW" : "XZYCABUVW"),
       diameters(machine == MachineType::Mill ? 0 : 1),
       increment(setup.increment > 0 ? setup.increment : 0.001) {
@@ -136,19 +148,21 @@ void Motion::power_on() {
     if (code.code >= 0) s_.modal[at(code.group)] = code;
   };
   for (const Meaning meaning :
-       {c.power_on_line.value ? Meaning::Line : Meaning::Rapid, lathe ? Meaning::PlaneZX : Meaning::PlaneXY,
+       {c.power_on_line.value ? Meaning::Line : Meaning::Rapid,
+        lathe ? Meaning::PlaneZX : Meaning::PlaneXY,
         c.power_on_incremental.value ? Meaning::Incremental : Meaning::Absolute,
-        !lathe || c.power_on_per_minute.value ? Meaning::PerMinute : Meaning::PerRevolution, Meaning::SpindleSpeed,
-        Meaning::Metric, Meaning::RadiusOff, Meaning::LengthOff, Meaning::CycleOff, Meaning::ReturnInitial,
-        Meaning::ScalingOff, Meaning::MacroOff, Meaning::Work1, Meaning::PathCut, Meaning::RotationOff,
-        Meaning::PolarOff, Meaning::MirrorOff, Meaning::StrokeOff})
+        !lathe || c.power_on_per_minute.value ? Meaning::PerMinute : Meaning::PerRevolution,
+        Meaning::SpindleSpeed, Meaning::Metric, Meaning::RadiusOff, Meaning::LengthOff,
+        Meaning::CycleOff, Meaning::ReturnInitial, Meaning::ScalingOff, Meaning::MacroOff,
+        Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
+        Meaning::MirrorOff, Meaning::StrokeOff})
     wake(meaning);
   s_.plane = lathe ? 18 : 17;
   s_.feed = c.power_on_feed.value;
 }
 
-std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome,
-                                     Outside& outside) {
+std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, Moves* moves,
+                                     Outcome& outcome, Outside& outside) {
   if (s_.plain) s_.tool_at = machine_point();
   const MotionState before = s_;
   const std::size_t rows = moves != nullptr ? moves->size() : 0;
@@ -193,13 +207,16 @@ Motion::Result Motion::read(BlockWords& block) const {
     const int written = block.words.g[static_cast<std::size_t>(i)];
     const GCode code = facts_->codes.find(written);
     if (code.meaning == Meaning::None) {
-      if (!c.g_codes.value.empty()) continue;  // the control has it, and no motion depends on it
+      // The control's list has it, and no motion depends on it.
+      const bool elsewhere = facts_->other_codes.find(written).meaning != Meaning::None;
+      if (!c.g_codes.value.empty() && !elsewhere) continue;
       std::string name = "G" + std::to_string(written / 10);
       if (written % 10 != 0) name += "." + std::to_string(written % 10);
       return fault(Cause::GCodeNotAvailable, block, name);
     }
     GCode& place = block.codes[at(code.group)];
-    if (place.code >= 0 && code.group != Group::OneShot && c.repeated_address.value == RepeatedAddress::Alarm)
+    if (place.code >= 0 && code.group != Group::OneShot &&
+        c.repeated_address.value == RepeatedAddress::Alarm)
       return fault(Cause::AddressGivenTwice, block);
     place = code;
   }
@@ -209,29 +226,31 @@ Motion::Result Motion::read(BlockWords& block) const {
 /// What may not stand together, before anything changes.
 Motion::Result Motion::check(const BlockWords& block) const {
   const Control& c = *facts_->control;
-  if (block.has(Group::OneShot) && block.meaning(Group::OneShot) != Meaning::ExactStop && block.has(Group::Motion) &&
-      c.motion_with_one_shot_alarms.value)
+  if (block.has(Group::OneShot) && block.meaning(Group::OneShot) != Meaning::ExactStop &&
+      block.has(Group::Motion) && c.motion_with_one_shot_alarms.value)
     return fault(Cause::OneShotWithMotion, block);
   if (block.has(Group::Units) && block.meaning(Group::Units) != Meaning::Pulses &&
       c.unit_change.value == UnitChange::Alone &&
       (s_.moved_before || block.words.g_count > 1 || (block.words.mask & ~bit('N')) != 0))
     return fault(Cause::UnitChangeLate, block);
   const bool polar = s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn;
-  if (polar && block.has(Group::Plane) && !c.plane_change_in_polar.value) return fault(Cause::PolarPlane, block);
+  if (polar && block.has(Group::Plane) && !c.plane_change_in_polar.value)
+    return fault(Cause::PolarPlane, block);
   if (polar && block.has(Group::Work) && !c.work_change_in_polar.value)
     return fault(Cause::PolarWorkSystem, block);
   if (s_.turned.rotation && block.has(Group::Plane) && !c.plane_change_in_rotation.value)
     return fault(Cause::RotationPlane, block);
   if (!s_.held.corner.empty() && block.has(Group::Plane)) return fault(Cause::CornerPlane, block);
-  if (compensating() && block.has(Group::Plane) && block.codes[at(Group::Plane)].code != s_.plane * 10)
+  if (compensating() && block.has(Group::Plane) &&
+      block.codes[at(Group::Plane)].code != s_.plane * 10)
     return fault(Cause::CompensationPlane, block);
   return std::nullopt;
 }
 
 Motion::Result Motion::set_modes(BlockWords& block) {
-  for (const Group group : {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units, Group::Return,
-                            Group::Macro, Group::Surface, Group::Path, Group::Turret, Group::Fluctuation,
-                            Group::PolarMilling})
+  for (const Group group : {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units,
+                            Group::Return, Group::Macro, Group::Surface, Group::Path, Group::Turret,
+                            Group::Fluctuation, Group::PolarMilling})
     if (block.has(group)) s_.modal[at(group)] = block.codes[at(group)];
   s_.plane = s_.modal[at(Group::Plane)].code / 10;
   s_.surface = s_.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
@@ -253,7 +272,8 @@ Motion::Result Motion::set_feed(const BlockWords& block) {
   if (!block.words.has('F')) return std::nullopt;
   const double value = raw(block, 'F');
   double unit = s_.unit;
-  if ((block.words.whole & bit('F')) != 0 && facts_->control->whole_numbers.value == WholeNumbers::Increments)
+  if ((block.words.whole & bit('F')) != 0 &&
+      facts_->control->whole_numbers.value == WholeNumbers::Increments)
     unit *= feed_increment();
   const int most = facts_->control->max_feed.value;
   if (value < 0 || (most > 0 && value * unit > most)) return fault(Cause::FeedOutOfRange, block);
@@ -270,8 +290,10 @@ double Motion::feed_increment() const {
 Motion::Result Motion::set_spindle(const BlockWords& block) {
   if (block.words.has('S')) {
     const double value = raw(block, 'S');
-    if (block.meaning(Group::OneShot) == Meaning::SetCoordinate) s_.max_speed = value;
-    else (s_.surface ? s_.surface_speed : s_.speed) = value;
+    if (block.meaning(Group::OneShot) == Meaning::SetCoordinate)
+      s_.max_speed = value;
+    else
+      (s_.surface ? s_.surface_speed : s_.speed) = value;
   }
   for (int i = 0; i < block.words.m_count; ++i) {
     const int m = block.words.m[static_cast<std::size_t>(i)];
@@ -322,6 +344,8 @@ Motion::Result Motion::one_shot(BlockWords& block) {
 
 Motion::Result Motion::motion(BlockWords& block) {
   if (block.has(Group::Motion)) {
+    // The taper of a turning cycle ends with it. [TA 6 note 2]
+    if (block.meaning(Group::Motion) != s_.modal[at(Group::Motion)].meaning) s_.turn = {};
     s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
     end_cycles();
   }
@@ -345,7 +369,8 @@ Motion::Result Motion::motion(BlockWords& block) {
 }
 
 Motion::Result Motion::need_feed(const BlockWords& block, Meaning meaning) const {
-  if (meaning == Meaning::Rapid || s_.feed > 0 || !facts_->control->feed_needed.value) return std::nullopt;
+  if (meaning == Meaning::Rapid || s_.feed > 0 || !facts_->control->feed_needed.value)
+    return std::nullopt;
   return fault(meaning == Meaning::Thread ? Cause::ThreadLead : Cause::NoFeed, block);
 }
 
@@ -357,7 +382,9 @@ Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
   const bool thread = meaning == Meaning::Thread || meaning == Meaning::VariableThread;
   if (thread && facts_->control->thread_needs_spindle.value && (s_.spindle == 5 || s_.speed <= 0))
     return fault(Cause::SpindleStands, block);
-  const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : thread ? MoveKind::Thread : MoveKind::Feed;
+  const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid
+                        : thread                  ? MoveKind::Thread
+                                                  : MoveKind::Feed;
   Piece piece = make_piece(block, kind, end, named);
   if (auto wrong = corner_words(block, piece)) return wrong;
   return move(block, std::move(piece));
@@ -371,7 +398,8 @@ bool Motion::corner_address(char name) const {
 
 /// The end point that the words name; the axes without a word stay.
 Axes Motion::target(BlockWords& block, std::uint32_t& named) {
-  static constexpr std::pair<char, char> kIncrements[] = {{'U', 'X'}, {'W', 'Z'}, {'V', 'Y'}, {'H', 'C'}};
+  static constexpr std::pair<char, char> kIncrements[] = {
+      {'U', 'X'}, {'W', 'Z'}, {'V', 'Y'}, {'H', 'C'}};
   Axes end = turned() ? turned_back(s_.work) : s_.work;
   const bool lathe_a = facts_->machine == MachineType::LatheA;
   for (int i = 0; i < (lathe_a ? 6 : kAxes); ++i) {
@@ -424,7 +452,8 @@ double Motion::number(const BlockWords& block, char address) const {
   if ((w.computed & bit(address)) != 0) {
     const double steps = 1 / step;
     value = std::round(value * steps) / steps;
-  } else if ((w.whole & bit(address)) != 0 && facts_->control->whole_numbers.value == WholeNumbers::Increments) {
+  } else if ((w.whole & bit(address)) != 0 &&
+             facts_->control->whole_numbers.value == WholeNumbers::Increments) {
     value = value / (1 / step);
   }
   return rotary ? value : value * s_.unit;
@@ -439,10 +468,12 @@ void Motion::settle() {
   s_.seconds_per_mm = s_.feed > 0 ? 60 / s_.feed : 0;
   if (feed == Meaning::PerRevolution)
     s_.seconds_per_mm = s_.feed > 0 && s_.speed > 0 ? 60 / (s_.feed * s_.speed) : 0;
-  s_.plain = (motion == Meaning::Line || motion == Meaning::Rapid) && !in_cycle() && !compensating() &&
-             s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged && feed != Meaning::InverseTime &&
-             s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() && facts_->limits.empty() && !s_.surface &&
-             !s_.tool_pending && facts_->control->max_feed.value == 0;
+  s_.plain = (motion == Meaning::Line || motion == Meaning::Rapid) && !in_cycle() &&
+             !compensating() && s_.held.corner.empty() && s_.held.radius.empty() &&
+             !s_.held.engaged && feed != Meaning::InverseTime &&
+             s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() &&
+             facts_->limits.empty() && !s_.surface && !s_.tool_pending &&
+             facts_->control->max_feed.value == 0;
 }
 
 std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {

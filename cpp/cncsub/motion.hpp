@@ -1,4 +1,5 @@
-// Where the tool goes: a block's words change the modal state, move the axes and leave rows in the table of moves.
+// Where the tool goes: a block's words change the modal state, move the axes and leave rows in the
+// table of moves.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +23,8 @@ namespace cncsub {
 
 /// What was set at the machine before the run. Lengths in mm, X of a lathe as a diameter.
 struct Setup {
-  std::string machine;            // "mill", "lathe-a", "lathe-b"; empty = the control's own
-  std::map<char, double> start;   // work coordinates; an axis not named stands at its machine zero
+  std::string machine;           // "mill", "lathe-a", "lathe-b"; empty = the control's own
+  std::map<char, double> start;  // work coordinates; an axis not named stands at its machine zero
   std::map<std::string, std::map<char, double>> work_offsets;  // "G54", "EXT", "G54.1 P3"
   std::map<int, double> length_offsets, radius_offsets;        // H, D
   struct Tool {
@@ -31,16 +32,17 @@ struct Setup {
     int tip = 0;
     double radius = 0;
   };
-  std::map<int, Tool> tools;      // of a lathe, by offset number
-  std::map<int, std::map<char, double>> reference;  // machine coordinates, 1 = G28
-  std::map<char, double> rapid;   // mm/min
+  std::map<int, Tool> tools;                         // of a lathe, by offset number
+  std::map<int, std::map<char, double>> reference;   // machine coordinates, 1 = G28
+  std::map<char, double> rapid;                      // mm/min
   std::map<char, std::pair<double, double>> limits;  // machine coordinates
-  double increment = 0.001;       // the least input increment
+  double increment = 0.001;                          // the least input increment
 };
 
 /// What a block needs from around it.
 struct Outside {
-  /// The blocks N(ns) to N(nf) of the running program, and whether N(ns) stands right behind the running block.
+  /// The blocks N(ns) to N(nf) of the running program, and whether N(ns) stands right behind the
+  /// running block.
   std::function<std::optional<Fault>(std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks,
                                      bool& starts_right_behind)>
       profile;
@@ -63,14 +65,17 @@ class Motion {
     std::int64_t behind_n = -1;
   };
   /// Executes the motion words of a block. When it returns a fault nothing has changed.
-  std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome,
-                               Outside& outside);
+  std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves,
+                               Outcome& outcome, Outside& outside);
 
-  /// A block with nothing but G00 or G01 (g 0, 1, or -1 for none), X, Y, Z and F, its values in the order of the alphabet.
-  /// Returns false when the state wants the general path; then nothing has changed.
-  bool linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves, bool& moved);
+  /// A block with nothing but G00 or G01 (g 0, 1, or -1 for none), X, Y, Z and F, its values in the
+  /// order of the alphabet. Returns false when the state wants the general path; then nothing has
+  /// changed.
+  bool linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves,
+              bool& moved);
 
-  /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the run.
+  /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the
+  /// run.
   std::optional<Fault> finish(std::uint32_t step, Moves* moves);
   /// What M02, M30 and the reset key do.
   void reset();
@@ -84,7 +89,8 @@ class Motion {
   /// The least input increment of an address, 0 where it has none.
   double increment(char address) const;
 
-  // System variables. `axis` counts from 0 in the control's order: X Y Z A B C U V W; lathe X Z Y C A B.
+  // System variables. `axis` counts from 0 in the control's order: X Y Z A B C U V W; lathe X Z Y C
+  // A B.
   double modal_code(int group) const;
   double modal_word(char address) const;
   double block_end(int axis) const;
@@ -107,7 +113,8 @@ class Motion {
 
   // motion.cpp: a block from its words to its effect.
   void power_on();
-  Result run(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome, Outside& outside);
+  Result run(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome,
+             Outside& outside);
   Result read(BlockWords& block) const;
   Result check(const BlockWords& block) const;
   Result set_modes(BlockWords& block);
@@ -129,7 +136,8 @@ class Motion {
   // motion_emit.cpp: pieces on their way to the table.
   Axes machine_point() const;
   MoveState move_state() const;
-  Piece make_piece(const BlockWords& block, MoveKind kind, const Axes& work_end, std::uint32_t named) const;
+  Piece make_piece(const BlockWords& block, MoveKind kind, const Axes& work_end,
+                   std::uint32_t named) const;
   Result move(BlockWords& block, Piece piece);
   Result move(BlockWords& block, MoveKind kind, const Axes& work_end, std::uint32_t named);
   Result move_axis(BlockWords& block, MoveKind kind, int axis, double value);
@@ -217,10 +225,11 @@ class Motion {
   // motion_contour.cpp: G70 to G73.
   Result contour(BlockWords& block, Meaning meaning);
   Result finish_contour(BlockWords& block, const std::vector<NcWords>& blocks);
-  Result rough_contour(BlockWords& block, Meaning meaning, const std::vector<NcWords>& blocks, bool go_behind,
-                       std::int64_t nf);
+  Result rough_contour(BlockWords& block, Meaning meaning, const std::vector<NcWords>& blocks,
+                       bool go_behind, std::int64_t nf);
   Result rough_pattern(BlockWords& block, struct Contour& contour);
-  Result capture(const std::vector<NcWords>& blocks, Outside& outside, std::vector<Piece>& pieces) const;
+  Result capture(const std::vector<NcWords>& blocks, Outside& outside,
+                 std::vector<Piece>& pieces) const;
   // motion_system.cpp
   int axis_number(int axis) const;
   double shown(int axis, const Axes& values) const;
@@ -234,12 +243,12 @@ class Motion {
   std::array<GCode, 2> line_codes_;
   MotionState s_;
   std::shared_ptr<const MotionFacts> facts_;
-  std::shared_ptr<OffsetTables> tables_;  // copied before it is written when it is shared
+  std::shared_ptr<OffsetTables> tables_;    // copied before it is written when it is shared
   std::vector<Piece>* captured_ = nullptr;  // pieces go here instead of to the table
 };
 
-inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves,
-                           bool& moved) {
+inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step,
+                           Moves* moves, bool& moved) {
   MotionState& s = s_;
   if (!s.plain) return false;
   const bool has_feed = (mask & bit('F')) != 0;
@@ -260,8 +269,9 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
   if (line != 0)
     s.time += std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz) * s.seconds_per_mm;
   else
-    s.time += std::max(std::max(std::fabs(dx) * s.rapid_seconds[0], std::fabs(dy) * s.rapid_seconds[1]),
-                       std::fabs(dz) * s.rapid_seconds[2]);
+    s.time +=
+        std::max(std::max(std::fabs(dx) * s.rapid_seconds[0], std::fabs(dy) * s.rapid_seconds[1]),
+                 std::fabs(dz) * s.rapid_seconds[2]);
   const std::uint32_t axes = mask & (bit('X') | bit('Y') | bit('Z'));
   if (axes == 0) return true;
   s.moved_before = true;

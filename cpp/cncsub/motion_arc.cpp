@@ -6,7 +6,8 @@ namespace {
 
 constexpr std::string_view kCentreWords = "IJK";
 
-/// The angle from one direction to another, counter-clockwise in (0, 2 pi], or clockwise in [-2 pi, 0).
+/// The angle from one direction to another, counter-clockwise in (0, 2 pi], or clockwise in [-2 pi,
+/// 0).
 double turn_between(double from, double to, bool clockwise) {
   double turn = std::remainder(to - from, 2 * kPi);
   if (std::fabs(turn) < 1e-12) turn = 0;
@@ -32,7 +33,8 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
   if (auto wrong = need_feed(block, meaning)) return wrong;
   const char across = kCentreWords[static_cast<std::size_t>(plane.across)];
   if ((named & axis_bit(plane.across)) != 0 && !c.helix.value) return fault(Cause::ArcAxis, block);
-  if (!radius && block.words.has(across) && block.words[across] != 0) return fault(Cause::ArcAxis, block);
+  if (!radius && block.words.has(across) && block.words[across] != 0)
+    return fault(Cause::ArcAxis, block);
   bool clockwise = meaning == Meaning::Cw;
   if (mirrored_plane()) clockwise = !clockwise;
   Piece piece = make_piece(block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
@@ -66,11 +68,13 @@ Motion::Result Motion::arc_by_radius(BlockWords& block, Piece& piece) const {
       c.negative_radius.value && (!facts_->lathe() || c.negative_radius_on_lathes.value);
   if (radius < 0 && !negative_allowed) return fault(Cause::NegativeRadius, block);
   const Axes start = s_.work + piece.offset;
-  const double a0 = start[plane.a] * facts_->share(plane.a), b0 = start[plane.b] * facts_->share(plane.b);
+  const double a0 = start[plane.a] * facts_->share(plane.a),
+               b0 = start[plane.b] * facts_->share(plane.b);
   const double da = piece.end[plane.a] * facts_->share(plane.a) - a0;
   const double db = piece.end[plane.b] * facts_->share(plane.b) - b0;
   const double chord = std::hypot(da, db);
-  if (chord < 1e-9) return c.radius_needs_travel.value ? Result(fault(Cause::NoArcTravel, block)) : std::nullopt;
+  if (chord < 1e-9)
+    return c.radius_needs_travel.value ? Result(fault(Cause::NoArcTravel, block)) : std::nullopt;
   double size = std::fabs(radius);
   if (const double miss = chord / 2 - size; miss > 0) {
     const bool half = c.small_radius.value == SmallRadius::HalfCircle;
@@ -80,11 +84,14 @@ Motion::Result Motion::arc_by_radius(BlockWords& block, Piece& piece) const {
   }
   const double height = std::sqrt(std::max(0.0, size * size - chord * chord / 4));
   const bool clockwise = piece.kind == MoveKind::Cw;
-  const double side = clockwise == (radius > 0) ? -1 : 1;  // -1: the centre lies on the right of the way
-  const double ca = a0 + da / 2 - side * height * db / chord, cb = b0 + db / 2 + side * height * da / chord;
+  const double side =
+      clockwise == (radius > 0) ? -1 : 1;  // -1: the centre lies on the right of the way
+  const double ca = a0 + da / 2 - side * height * db / chord,
+               cb = b0 + db / 2 + side * height * da / chord;
   piece.centre[plane.a] = ca / facts_->share(plane.a);
   piece.centre[plane.b] = cb / facts_->share(plane.b);
-  piece.turn = turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b0 + db - cb, a0 + da - ca), clockwise);
+  piece.turn =
+      turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b0 + db - cb, a0 + da - ca), clockwise);
   return std::nullopt;
 }
 
@@ -98,8 +105,10 @@ Motion::Result Motion::arc_by_centre(BlockWords& block, Piece& piece) const {
   double i = word(plane.a), j = word(plane.b);
   turn_vector(i, j, plane);
   const Axes start = s_.work + piece.offset;
-  const double a0 = start[plane.a] * facts_->share(plane.a), b0 = start[plane.b] * facts_->share(plane.b);
-  const double a1 = piece.end[plane.a] * facts_->share(plane.a), b1 = piece.end[plane.b] * facts_->share(plane.b);
+  const double a0 = start[plane.a] * facts_->share(plane.a),
+               b0 = start[plane.b] * facts_->share(plane.b);
+  const double a1 = piece.end[plane.a] * facts_->share(plane.a),
+               b1 = piece.end[plane.b] * facts_->share(plane.b);
   const double ca = a0 + i, cb = b0 + j;
   const double first = std::hypot(i, j), last = std::hypot(a1 - ca, b1 - cb);
   if (first == 0 && c.arc_centre_needed.value) return fault(Cause::NoRadius, block);
@@ -116,8 +125,11 @@ Motion::Result Motion::arc_by_centre(BlockWords& block, Piece& piece) const {
   piece.centre[plane.a] = ca / facts_->share(plane.a);
   piece.centre[plane.b] = cb / facts_->share(plane.b);
   const bool clockwise = piece.kind == MoveKind::Cw;
-  if (std::hypot(a1 - a0, b1 - b0) < 1e-9) piece.turn = clockwise ? -2 * kPi : 2 * kPi;
-  else piece.turn = turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b1 - cb, a1 - ca), clockwise);
+  if (std::hypot(a1 - a0, b1 - b0) < 1e-9)
+    piece.turn = clockwise ? -2 * kPi : 2 * kPi;
+  else
+    piece.turn =
+        turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b1 - cb, a1 - ca), clockwise);
   return std::nullopt;
 }
 

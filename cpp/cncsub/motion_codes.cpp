@@ -9,65 +9,140 @@ namespace {
 using G = Group;
 using M = Meaning;
 
-// [motion groups 1.3; FANUC names, which the others share where a control's rules do not say otherwise]
+// [motion groups 1.3; FANUC names, which the others share where a control's rules do not say
+// otherwise]
 constexpr GCode kShared[] = {
-    {40, G::OneShot, M::Dwell},        {50, G::OneShot, M::Ignored},       {51, G::OneShot, M::Ignored},
-    {80, G::OneShot, M::Ignored},      {90, G::OneShot, M::ExactStop},     {100, G::OneShot, M::SetData},
-    {110, G::OneShot, M::Ignored},     {270, G::OneShot, M::CheckReference}, {280, G::OneShot, M::Reference},
-    {290, G::OneShot, M::FromReference}, {300, G::OneShot, M::SecondReference}, {310, G::OneShot, M::Skip},
-    {360, G::OneShot, M::Ignored},     {370, G::OneShot, M::Ignored},      {390, G::OneShot, M::Ignored},
-    {520, G::OneShot, M::Local},       {530, G::OneShot, M::Machine},      {600, G::OneShot, M::Ignored},
-    {650, G::OneShot, M::Ignored},     {0, G::Motion, M::Rapid},           {10, G::Motion, M::Line},
-    {20, G::Motion, M::Cw},            {30, G::Motion, M::Ccw},            {170, G::Plane, M::PlaneXY},
-    {180, G::Plane, M::PlaneZX},       {190, G::Plane, M::PlaneYZ},        {220, G::Stroke, M::StrokeOn},
-    {230, G::Stroke, M::StrokeOff},    {400, G::Radius, M::RadiusOff},     {410, G::Radius, M::RadiusLeft},
-    {420, G::Radius, M::RadiusRight},  {660, G::Macro, M::MacroOn},        {661, G::Macro, M::MacroOn},
-    {670, G::Macro, M::MacroOff},      {960, G::Surface, M::SurfaceSpeed}, {970, G::Surface, M::SpindleSpeed},
-    {540, G::Work, M::Work1},          {550, G::Work, M::Work2},           {560, G::Work, M::Work3},
-    {570, G::Work, M::Work4},          {580, G::Work, M::Work5},           {590, G::Work, M::Work6},
-    {541, G::Work, M::WorkExtra},      {800, G::Cycle, M::CycleOff},       {200, G::Units, M::Inch},
+    {40, G::OneShot, M::Dwell},
+    {50, G::OneShot, M::Ignored},
+    {51, G::OneShot, M::Ignored},
+    {80, G::OneShot, M::Ignored},
+    {90, G::OneShot, M::ExactStop},
+    {100, G::OneShot, M::SetData},
+    {110, G::OneShot, M::Ignored},
+    {270, G::OneShot, M::CheckReference},
+    {280, G::OneShot, M::Reference},
+    {290, G::OneShot, M::FromReference},
+    {300, G::OneShot, M::SecondReference},
+    {310, G::OneShot, M::Skip},
+    {360, G::OneShot, M::Ignored},
+    {370, G::OneShot, M::Ignored},
+    {390, G::OneShot, M::Ignored},
+    {520, G::OneShot, M::Local},
+    {530, G::OneShot, M::Machine},
+    {600, G::OneShot, M::Ignored},
+    {650, G::OneShot, M::Ignored},
+    {0, G::Motion, M::Rapid},
+    {10, G::Motion, M::Line},
+    {20, G::Motion, M::Cw},
+    {30, G::Motion, M::Ccw},
+    {170, G::Plane, M::PlaneXY},
+    {180, G::Plane, M::PlaneZX},
+    {190, G::Plane, M::PlaneYZ},
+    {220, G::Stroke, M::StrokeOn},
+    {230, G::Stroke, M::StrokeOff},
+    {400, G::Radius, M::RadiusOff},
+    {410, G::Radius, M::RadiusLeft},
+    {420, G::Radius, M::RadiusRight},
+    {660, G::Macro, M::MacroOn},
+    {661, G::Macro, M::MacroOn},
+    {670, G::Macro, M::MacroOff},
+    {960, G::Surface, M::SurfaceSpeed},
+    {970, G::Surface, M::SpindleSpeed},
+    {540, G::Work, M::Work1},
+    {550, G::Work, M::Work2},
+    {560, G::Work, M::Work3},
+    {570, G::Work, M::Work4},
+    {580, G::Work, M::Work5},
+    {590, G::Work, M::Work6},
+    {541, G::Work, M::WorkExtra},
+    {800, G::Cycle, M::CycleOff},
+    {200, G::Units, M::Inch},
     {210, G::Units, M::Metric},
 };
 
 constexpr GCode kMill[] = {
-    {330, G::Motion, M::Thread},       {900, G::Distance, M::Absolute},    {910, G::Distance, M::Incremental},
-    {930, G::Feed, M::InverseTime},    {940, G::Feed, M::PerMinute},       {950, G::Feed, M::PerRevolution},
-    {430, G::Length, M::LengthPlus},   {440, G::Length, M::LengthMinus},   {490, G::Length, M::LengthOff},
-    {730, G::Cycle, M::PeckFast},      {740, G::Cycle, M::LeftTap},        {760, G::Cycle, M::FineBore},
-    {810, G::Cycle, M::Drill},         {820, G::Cycle, M::DrillDwell},     {830, G::Cycle, M::Peck},
-    {840, G::Cycle, M::Tap},           {850, G::Cycle, M::Bore},           {860, G::Cycle, M::BoreStop},
-    {870, G::Cycle, M::BackBore},      {880, G::Cycle, M::BoreManual},     {890, G::Cycle, M::BoreDwell},
-    {980, G::Return, M::ReturnInitial}, {990, G::Return, M::ReturnR},      {500, G::Scaling, M::ScalingOff},
-    {510, G::Scaling, M::ScalingOn},   {610, G::Path, M::PathExact},       {620, G::Path, M::PathCorner},
-    {630, G::Path, M::PathTap},        {640, G::Path, M::PathCut},         {680, G::Rotation, M::RotationOn},
-    {690, G::Rotation, M::RotationOff}, {150, G::Polar, M::PolarOff},      {160, G::Polar, M::PolarOn},
-    {501, G::Mirror, M::MirrorOff},    {511, G::Mirror, M::MirrorOn},      {920, G::OneShot, M::SetCoordinate},
-    {921, G::OneShot, M::ClearCoordinate}, {450, G::OneShot, M::Ignored},  {460, G::OneShot, M::Ignored},
-    {470, G::OneShot, M::Ignored},     {480, G::OneShot, M::Ignored},
+    {330, G::Motion, M::Thread},
+    {900, G::Distance, M::Absolute},
+    {910, G::Distance, M::Incremental},
+    {930, G::Feed, M::InverseTime},
+    {940, G::Feed, M::PerMinute},
+    {950, G::Feed, M::PerRevolution},
+    {430, G::Length, M::LengthPlus},
+    {440, G::Length, M::LengthMinus},
+    {490, G::Length, M::LengthOff},
+    {730, G::Cycle, M::PeckFast},
+    {740, G::Cycle, M::LeftTap},
+    {760, G::Cycle, M::FineBore},
+    {810, G::Cycle, M::Drill},
+    {820, G::Cycle, M::DrillDwell},
+    {830, G::Cycle, M::Peck},
+    {840, G::Cycle, M::Tap},
+    {850, G::Cycle, M::Bore},
+    {860, G::Cycle, M::BoreStop},
+    {870, G::Cycle, M::BackBore},
+    {880, G::Cycle, M::BoreManual},
+    {890, G::Cycle, M::BoreDwell},
+    {980, G::Return, M::ReturnInitial},
+    {990, G::Return, M::ReturnR},
+    {500, G::Scaling, M::ScalingOff},
+    {510, G::Scaling, M::ScalingOn},
+    {610, G::Path, M::PathExact},
+    {620, G::Path, M::PathCorner},
+    {630, G::Path, M::PathTap},
+    {640, G::Path, M::PathCut},
+    {680, G::Rotation, M::RotationOn},
+    {690, G::Rotation, M::RotationOff},
+    {150, G::Polar, M::PolarOff},
+    {160, G::Polar, M::PolarOn},
+    {501, G::Mirror, M::MirrorOff},
+    {511, G::Mirror, M::MirrorOn},
+    {920, G::OneShot, M::SetCoordinate},
+    {921, G::OneShot, M::ClearCoordinate},
+    {450, G::OneShot, M::Ignored},
+    {460, G::OneShot, M::Ignored},
+    {470, G::OneShot, M::Ignored},
+    {480, G::OneShot, M::Ignored},
 };
 
 constexpr GCode kLathe[] = {
-    {340, G::Motion, M::VariableThread}, {700, G::OneShot, M::Finish},     {710, G::OneShot, M::RoughTurn},
-    {720, G::OneShot, M::RoughFace},   {730, G::OneShot, M::RoughPattern}, {740, G::OneShot, M::PeckFace},
-    {750, G::OneShot, M::PeckTurn},    {760, G::OneShot, M::MultipleThread}, {830, G::Cycle, M::Peck},
-    {840, G::Cycle, M::Tap},           {850, G::Cycle, M::Bore},           {870, G::Cycle, M::Peck},
-    {880, G::Cycle, M::Tap},           {890, G::Cycle, M::Bore},           {250, G::Fluctuation, M::Ignored},
-    {260, G::Fluctuation, M::Ignored}, {680, G::Turret, M::Ignored},       {690, G::Turret, M::Ignored},
-    {681, G::Rotation, M::RotationOn}, {691, G::Rotation, M::RotationOff}, {121, G::PolarMilling, M::Ignored},
+    {340, G::Motion, M::VariableThread},
+    {700, G::OneShot, M::Finish},
+    {710, G::OneShot, M::RoughTurn},
+    {720, G::OneShot, M::RoughFace},
+    {730, G::OneShot, M::RoughPattern},
+    {740, G::OneShot, M::PeckFace},
+    {750, G::OneShot, M::PeckTurn},
+    {760, G::OneShot, M::MultipleThread},
+    {830, G::Cycle, M::Peck},
+    {840, G::Cycle, M::Tap},
+    {850, G::Cycle, M::Bore},
+    {870, G::Cycle, M::Peck},
+    {880, G::Cycle, M::Tap},
+    {890, G::Cycle, M::Bore},
+    {250, G::Fluctuation, M::Ignored},
+    {260, G::Fluctuation, M::Ignored},
+    {680, G::Turret, M::Ignored},
+    {690, G::Turret, M::Ignored},
+    {681, G::Rotation, M::RotationOn},
+    {691, G::Rotation, M::RotationOff},
+    {121, G::PolarMilling, M::Ignored},
     {131, G::PolarMilling, M::Ignored},
 };
 
 constexpr GCode kLatheA[] = {
-    {320, G::Motion, M::Thread},       {900, G::Motion, M::TurnCycle},     {920, G::Motion, M::ThreadCycle},
-    {940, G::Motion, M::FaceCycle},    {500, G::OneShot, M::SetCoordinate}, {980, G::Feed, M::PerMinute},
-    {990, G::Feed, M::PerRevolution},  {503, G::OneShot, M::ClearCoordinate},
+    {320, G::Motion, M::Thread},         {900, G::Motion, M::TurnCycle},
+    {920, G::Motion, M::ThreadCycle},    {940, G::Motion, M::FaceCycle},
+    {500, G::OneShot, M::SetCoordinate}, {980, G::Feed, M::PerMinute},
+    {990, G::Feed, M::PerRevolution},    {503, G::OneShot, M::ClearCoordinate},
 };
 
 constexpr GCode kLatheB[] = {
-    {330, G::Motion, M::Thread},       {770, G::Motion, M::TurnCycle},     {780, G::Motion, M::ThreadCycle},
-    {790, G::Motion, M::FaceCycle},    {920, G::OneShot, M::SetCoordinate}, {921, G::OneShot, M::ClearCoordinate},
-    {900, G::Distance, M::Absolute},   {910, G::Distance, M::Incremental}, {940, G::Feed, M::PerMinute},
-    {950, G::Feed, M::PerRevolution},  {980, G::Return, M::ReturnInitial}, {990, G::Return, M::ReturnR},
+    {330, G::Motion, M::Thread},         {770, G::Motion, M::TurnCycle},
+    {780, G::Motion, M::ThreadCycle},    {790, G::Motion, M::FaceCycle},
+    {920, G::OneShot, M::SetCoordinate}, {921, G::OneShot, M::ClearCoordinate},
+    {900, G::Distance, M::Absolute},     {910, G::Distance, M::Incremental},
+    {940, G::Feed, M::PerMinute},        {950, G::Feed, M::PerRevolution},
+    {980, G::Return, M::ReturnInitial},  {990, G::Return, M::ReturnR},
 };
 
 /// What a control may give another code: the words of the rule g_meanings.
@@ -77,13 +152,20 @@ struct Word {
   Meaning meaning;
 };
 constexpr Word kWords[] = {
-    {"ignored", G::OneShot, M::Ignored},       {"inch", G::Units, M::Inch},
-    {"metric", G::Units, M::Metric},           {"pulses", G::Units, M::Pulses},
-    {"mirror", G::Mirror, M::MirrorOn},        {"mirror-off", G::Mirror, M::MirrorOff},
-    {"tap-cycle", G::Motion, M::TapCycle},     {"thread", G::Motion, M::Thread},
-    {"rotation", G::Rotation, M::RotationOn},  {"rotation-off", G::Rotation, M::RotationOff},
-    {"dwell", G::OneShot, M::Dwell},           {"per-minute", G::Feed, M::PerMinute},
-    {"per-revolution", G::Feed, M::PerRevolution}, {"none", G::OneShot, M::None},
+    {"ignored", G::OneShot, M::Ignored},
+    {"inch", G::Units, M::Inch},
+    {"metric", G::Units, M::Metric},
+    {"pulses", G::Units, M::Pulses},
+    {"mirror", G::Mirror, M::MirrorOn},
+    {"mirror-off", G::Mirror, M::MirrorOff},
+    {"tap-cycle", G::Motion, M::TapCycle},
+    {"thread", G::Motion, M::Thread},
+    {"rotation", G::Rotation, M::RotationOn},
+    {"rotation-off", G::Rotation, M::RotationOff},
+    {"dwell", G::OneShot, M::Dwell},
+    {"per-minute", G::Feed, M::PerMinute},
+    {"per-revolution", G::Feed, M::PerRevolution},
+    {"none", G::OneShot, M::None},
 };
 
 }  // namespace
@@ -93,8 +175,10 @@ GCodes::GCodes(const Control& control, MachineType machine) {
     for (const GCode& entry : list) set(entry);
   };
   add(kShared);
-  if (machine == MachineType::Mill) add(kMill);
-  else add(kLathe);
+  if (machine == MachineType::Mill)
+    add(kMill);
+  else
+    add(kLathe);
   if (machine == MachineType::LatheA) add(kLatheA);
   if (machine == MachineType::LatheB) add(kLatheB);
   change(control.g_meanings.value);
@@ -103,8 +187,10 @@ GCodes::GCodes(const Control& control, MachineType machine) {
 void GCodes::set(GCode entry) {
   const auto place = std::lower_bound(codes_.begin(), codes_.end(), entry.code,
                                       [](const GCode& a, int code) { return a.code < code; });
-  if (place != codes_.end() && place->code == entry.code) *place = entry;
-  else codes_.insert(place, entry);
+  if (place != codes_.end() && place->code == entry.code)
+    *place = entry;
+  else
+    codes_.insert(place, entry);
 }
 
 /// "22=pulses 24=mirror": codes in tenths where they have a point, as in "68.1=rotation".

@@ -52,7 +52,7 @@ struct Contour {
   Axes start{};               // A, work coordinates
   int level_axis = 0;         // the axis the levels lie across: X of G71, Z of G72
   double depth = 0, escape = 0;
-  Axes shift{};               // finishing allowance
+  Axes shift{};  // finishing allowance
   bool pockets = false;
 
   int cut_axis() const { return level_axis == 0 ? 2 : 0; }
@@ -61,8 +61,12 @@ struct Contour {
   double& cut_of(Axes& p) const { return p[static_cast<std::size_t>(cut_axis())]; }
   Axes end_of(const Piece& piece) const { return piece.end - piece.offset; }
 
-  Result go(MoveKind kind, const Axes& end, std::uint32_t named = kXz) { return motion.move(block, kind, end, named); }
-  Result go_axis(MoveKind kind, int axis, double value) { return motion.move_axis(block, kind, axis, value); }
+  Result go(MoveKind kind, const Axes& end, std::uint32_t named = kXz) {
+    return motion.move(block, kind, end, named);
+  }
+  Result go_axis(MoveKind kind, int axis, double value) {
+    return motion.move_axis(block, kind, axis, value);
+  }
 
   Result check() const;
   bool monotone(int axis) const;
@@ -73,7 +77,8 @@ struct Contour {
   Result pass(const Axes& by);
 };
 
-/// The points of a piece where it crosses a level, as values of the cut axis, shifted by the allowance.
+/// The points of a piece where it crosses a level, as values of the cut axis, shifted by the
+/// allowance.
 std::vector<double> Contour::crossings(double level) const {
   std::vector<double> list;
   for (std::size_t i = 1; i < pieces.size(); ++i) {
@@ -88,13 +93,16 @@ std::vector<double> Contour::crossings(double level) const {
     Axes centre{};
     for (std::size_t k = 0; k < 3; ++k) centre[k] = piece.centre[k] - piece.offset[k] + shift[k];
     const double ls = scale(level_axis), cs = scale(cut_axis());
-    const double radius = std::hypot((a - level_of(centre)) / ls, (cut_of(from) - cut_of(centre)) / cs);
+    const double radius =
+        std::hypot((a - level_of(centre)) / ls, (cut_of(from) - cut_of(centre)) / cs);
     const double up = (level - level_of(centre)) / ls, square = radius * radius - up * up;
     if (square < 0) continue;
     for (const double side : {-1.0, 1.0}) {
       const double at = side * std::sqrt(square) * cs;
-      const double low = std::min(cut_of(from), cut_of(to)) - 1e-9, high = std::max(cut_of(from), cut_of(to)) + 1e-9;
-      if (cut_of(centre) + at >= low && cut_of(centre) + at <= high && (level - a) * (level - b) <= 1e-12)
+      const double low = std::min(cut_of(from), cut_of(to)) - 1e-9,
+                   high = std::max(cut_of(from), cut_of(to)) + 1e-9;
+      if (cut_of(centre) + at >= low && cut_of(centre) + at <= high &&
+          (level - a) * (level - b) <= 1e-12)
         list.push_back(cut_of(centre) + at);
     }
   }
@@ -104,7 +112,8 @@ std::vector<double> Contour::crossings(double level) const {
 bool Contour::monotone(int axis) const {
   int way = 0;
   for (std::size_t i = 1; i < pieces.size(); ++i) {
-    const double step = pieces[i].end[static_cast<std::size_t>(axis)] - pieces[i - 1].end[static_cast<std::size_t>(axis)];
+    const double step = pieces[i].end[static_cast<std::size_t>(axis)] -
+                        pieces[i - 1].end[static_cast<std::size_t>(axis)];
     if (std::fabs(step) < 1e-9) continue;
     if (way != 0 && (step > 0) != (way > 0)) return false;
     way = step > 0 ? 1 : -1;
@@ -150,7 +159,9 @@ Contour::Result Contour::rough_level(double level, double back, double away) {
   Axes out = motion.s_.work;
   level_of(out) += away * escape * scale(level_axis);
   cut_of(out) += back * escape * scale(cut_axis());
-  const MoveKind kind = motion.facts_->control->escape.value == ReturnedEscape::Feed ? MoveKind::Feed : MoveKind::Rapid;
+  const MoveKind kind = motion.facts_->control->escape.value == ReturnedEscape::Feed
+                            ? MoveKind::Feed
+                            : MoveKind::Rapid;
   if (auto wrong = go(kind, out)) return wrong;
   return go_axis(MoveKind::Rapid, cut_axis(), home);
 }
@@ -161,7 +172,8 @@ Contour::Result Contour::rough() {
   const double back = cut_of(last) <= cut_of(start) ? 1 : -1;
   if (auto wrong = go(MoveKind::Rapid, begin)) return wrong;
   const double step = depth * scale(level_axis);
-  for (double level = level_of(begin) - away * step; (level - level_of(first)) * away > 1e-9; level -= away * step)
+  for (double level = level_of(begin) - away * step; (level - level_of(first)) * away > 1e-9;
+       level -= away * step)
     if (auto wrong = rough_level(level, back, away)) return wrong;
   if (auto wrong = follow(shift, 0)) return wrong;
   return go(MoveKind::Rapid, start);
@@ -173,13 +185,15 @@ Contour::Result Contour::pass(const Axes& by) {
 }
 
 /// What the blocks do, as pieces, tried out on a copy.
-Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outside, std::vector<Piece>& pieces) const {
+Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outside,
+                               std::vector<Piece>& pieces) const {
   Motion trial = *this;
   trial.captured_ = &pieces;
   trial.end_cycles();
   for (const NcWords& words : blocks) {
     const bool calling = calls(words);
-    if (calling && facts_->control->profile_calls_alarm.value) return Fault{Cause::ProfileCall, words.at, 1, {}};
+    if (calling && facts_->control->profile_calls_alarm.value)
+      return Fault{Cause::ProfileCall, words.at, 1, {}};
     for (int i = 0; i < words.g_count; ++i)
       if (!allowed(facts_->codes.find(words.g[static_cast<std::size_t>(i)]).meaning))
         return Fault{Cause::ProfileCode, words.at, 1, {}};
@@ -188,7 +202,8 @@ Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outs
     trial.s_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
     if (auto wrong = trial.run(plain, 0, nullptr, outcome, outside)) return wrong;
   }
-  if (!trial.s_.held.corner.empty()) return Fault{Cause::CornerNoMove, trial.s_.held.corner.back().at, 1, {}};
+  if (!trial.s_.held.corner.empty())
+    return Fault{Cause::CornerNoMove, trial.s_.held.corner.back().at, 1, {}};
   std::erase_if(pieces, [](const Piece& piece) { return piece.kind == MoveKind::Dwell; });
   return std::nullopt;
 }
@@ -197,20 +212,24 @@ Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outs
 Motion::Result Motion::finish_contour(BlockWords& block, const std::vector<NcWords>& blocks) {
   const Axes start = s_.work;
   for (const NcWords& words : blocks) {
-    if (calls(words) && facts_->control->profile_calls_alarm.value) return fault(Cause::ProfileCall, block);
-    if (auto wrong = run(words, block.step, block.moves, block.outcome, block.outside)) return wrong;
+    if (calls(words) && facts_->control->profile_calls_alarm.value)
+      return fault(Cause::ProfileCall, block);
+    if (auto wrong = run(words, block.step, block.moves, block.outcome, block.outside))
+      return wrong;
   }
   const GCode radius = s_.modal[at(Group::Radius)];
   s_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
   auto wrong = move(block, MoveKind::Rapid, start, kXz);
-  if (facts_->codes.of(Meaning::RadiusOff).code != radius.code && !compensating()) s_.held.engaged = false;
+  if (facts_->codes.of(Meaning::RadiusOff).code != radius.code && !compensating())
+    s_.held.engaged = false;
   return wrong;
 }
 
 namespace {
 
 /// Depth and escape of the first block of G71 and G72, shift and passes of G73.
-void take_first_block(const NcWords& w, Meaning meaning, MultipleData& data, double u, double r, double wz) {
+void take_first_block(const NcWords& w, Meaning meaning, MultipleData& data, double u, double r,
+                      double wz) {
   if (meaning == Meaning::RoughPattern) {
     if (w.has('U')) data.shift_x = u;
     if (w.has('W')) data.shift_z = wz;
@@ -237,26 +256,36 @@ Motion::Result Motion::contour(BlockWords& block, Meaning meaning) {
   if (!block.outside.profile) return fault(Cause::PqNotFound, block);
   std::vector<NcWords> blocks;
   bool right_behind = false;
-  const auto ns = static_cast<std::int64_t>(raw(block, 'P')), nf = static_cast<std::int64_t>(raw(block, 'Q'));
+  const auto ns = static_cast<std::int64_t>(raw(block, 'P')),
+             nf = static_cast<std::int64_t>(raw(block, 'Q'));
   if (auto wrong = block.outside.profile(ns, nf, blocks, right_behind)) return wrong;
   if (blocks.empty()) return fault(Cause::PqNotFound, block);
   if (meaning == Meaning::Finish) return finish_contour(block, blocks);
   return rough_contour(block, meaning, blocks, right_behind || c.contour_behind.value, nf);
 }
 
-Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning, const std::vector<NcWords>& blocks,
-                                     bool go_behind, std::int64_t nf) {
+Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning,
+                                     const std::vector<NcWords>& blocks, bool go_behind,
+                                     std::int64_t nf) {
   const NcWords& w = block.words;
   const Control& c = *facts_->control;
   const MultipleData data = s_.multiple;
   if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
-  Contour contour{*this, block, {}, s_.work, meaning == Meaning::RoughFace ? 2 : 0,
+  Contour contour{*this,
+                  block,
+                  {},
+                  s_.work,
+                  meaning == Meaning::RoughFace ? 2 : 0,
                   data.has_depth ? data.depth : c.rough_depth.value * 1e-3,
-                  data.has_escape ? data.escape : c.rough_escape.value * 1e-3, {}, false};
+                  data.has_escape ? data.escape : c.rough_escape.value * 1e-3,
+                  {},
+                  false};
   if (auto wrong = capture(blocks, block.outside, contour.pieces)) return wrong;
   const NcWords& first = blocks.front();
   const bool x = first.has('X') || first.has('U'), z = first.has('Z') || first.has('W');
-  const bool needed = meaning == Meaning::RoughTurn ? x : meaning == Meaning::RoughFace ? z : x || z;
+  const bool needed = meaning == Meaning::RoughTurn   ? x
+                      : meaning == Meaning::RoughFace ? z
+                                                      : x || z;
   if (contour.pieces.empty() || !needed || contour.pieces.front().turn != 0)
     return Fault{Cause::ProfileFirstBlock, first.at, 1, {}};
   contour.pockets = x && z;

@@ -5,8 +5,9 @@ namespace cncsub {
 
 /// The way from work to base coordinates: EXT + G54... + G92 + G52, and the tool shift of a lathe.
 Axes Motion::zero_offset() const {
-  const Axes& system = s_.work_system > 0 ? tables_->work[static_cast<std::size_t>(s_.work_system)]
-                                          : tables_->extra[static_cast<std::size_t>(s_.extra_system - 1)];
+  const Axes& system = s_.work_system > 0
+                           ? tables_->work[static_cast<std::size_t>(s_.work_system)]
+                           : tables_->extra[static_cast<std::size_t>(s_.extra_system - 1)];
   return tables_->work[0] + system + s_.shift + s_.local + s_.tool_shift;
 }
 
@@ -22,11 +23,13 @@ Motion::Result Motion::select_work(BlockWords& block) {
   if (!block.has(Group::Work)) return std::nullopt;
   const Meaning meaning = block.meaning(Group::Work);
   // [TDi 21 note 6: G54 in a block of G50 is ignored]
-  if (facts_->lathe() && block.meaning(Group::OneShot) == Meaning::SetCoordinate) return std::nullopt;
+  if (facts_->lathe() && block.meaning(Group::OneShot) == Meaning::SetCoordinate)
+    return std::nullopt;
   int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
   if (meaning == Meaning::WorkExtra) {
     const double p = block.words.has('P') ? raw(block, 'P') : 1;
-    if (p < 1 || p > static_cast<double>(tables_->extra.size())) return fault(Cause::WorkSystem, block);
+    if (p < 1 || p > static_cast<double>(tables_->extra.size()))
+      return fault(Cause::WorkSystem, block);
     s_.extra_system = static_cast<int>(p);
     system = 0;
   }
@@ -83,18 +86,22 @@ void put(double& place, double value, bool add) { place = add ? place + value : 
 
 Motion::Result Motion::set_data(BlockWords& block) {
   const NcWords& w = block.words;
-  if (!w.has('L')) return facts_->lathe() ? set_tool_data(block) : Result(fault(Cause::G10L, block));
+  if (!w.has('L'))
+    return facts_->lathe() ? set_tool_data(block) : Result(fault(Cause::G10L, block));
   const int l = static_cast<int>(raw(block, 'L'));
   const bool offsets = l >= 10 && l <= 13;
-  if (l != 2 && l != 20 && !offsets && l != 3 && l != 50 && l != 1) return fault(Cause::G10L, block);
-  if (l == 3 || l == 50) return std::nullopt;  // tool life and parameters: no motion depends on them
+  if (l != 2 && l != 20 && !offsets && l != 3 && l != 50 && l != 1)
+    return fault(Cause::G10L, block);
+  if (l == 3 || l == 50)
+    return std::nullopt;  // tool life and parameters: no motion depends on them
   if (!w.has('P') && l != 2) return fault(Cause::G10P, block);
   const double p = w.has('P') ? raw(block, 'P') : s_.work_system;
   if (offsets || l == 1) return set_offset_data(block, l, p);
   const double last = l == 2 ? 6 : static_cast<double>(tables_->extra.size());
   if (p < (l == 2 ? 0 : 1) || p > last || p != std::floor(p)) return fault(Cause::G10P, block);
   OffsetTables& tables = own_tables();
-  Axes& values = l == 2 ? tables.work[static_cast<std::size_t>(p)] : tables.extra[static_cast<std::size_t>(p) - 1];
+  Axes& values = l == 2 ? tables.work[static_cast<std::size_t>(p)]
+                        : tables.extra[static_cast<std::size_t>(p) - 1];
   for (int i = 0; i < kAxes; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
     if (facts_->machine == MachineType::LatheA && i > 5) continue;
@@ -112,7 +119,10 @@ Motion::Result Motion::set_offset_data(BlockWords& block, int l, double p) {
   if (p < 0 || p >= static_cast<double>(tables_->length.size())) return fault(Cause::G10P, block);
   if (!block.words.has('R')) return fault(Cause::G10P, block, "R is missing");
   OffsetTables& tables = own_tables();
-  auto& table = l == 10 ? tables.length : l == 12 ? tables.radius : l == 13 ? tables.radius_wear : tables.length_wear;
+  auto& table = l == 10   ? tables.length
+                : l == 12 ? tables.radius
+                : l == 13 ? tables.radius_wear
+                          : tables.length_wear;
   put(table[static_cast<std::size_t>(p)], number(block, 'R'), s_.incremental);
   return std::nullopt;
 }
@@ -123,11 +133,13 @@ Motion::Result Motion::set_tool_data(BlockWords& block) {
   if (!w.has('P')) return fault(Cause::G10P, block);
   const int p = static_cast<int>(raw(block, 'P'));
   const int tool = p % 10000;
-  if (p < 0 || p >= 20000 || tool > facts_->control->max_offset_number.value) return fault(Cause::G10P, block);
+  if (p < 0 || p >= 20000 || tool > facts_->control->max_offset_number.value)
+    return fault(Cause::G10P, block);
   OffsetTables& tables = own_tables();
   Axes& values = p == 0 ? tables.work[0] : tables.tools[tool].value;
   for (const auto& [name, axis] : {std::pair{'X', 0}, {'Y', 1}, {'Z', 2}})
-    if (w.has(name)) put(values[static_cast<std::size_t>(axis)], number(block, name), s_.incremental);
+    if (w.has(name))
+      put(values[static_cast<std::size_t>(axis)], number(block, name), s_.incremental);
   for (const auto& [name, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
     if (w.has(name)) values[static_cast<std::size_t>(axis)] += number(block, name);
   if (p != 0 && w.has('R')) tables.tools[tool].radius = number(block, 'R');
@@ -136,10 +148,12 @@ Motion::Result Motion::set_tool_data(BlockWords& block) {
   return std::nullopt;
 }
 
-/// G53: the named axes go to machine coordinates; the tool length is taken away on them. [0iMB p.228]
+/// G53: the named axes go to machine coordinates; the tool length is taken away on them. [0iMB
+/// p.228]
 Motion::Result Motion::machine_move(BlockWords& block) {
   const Control& c = *facts_->control;
-  if (block.was_cycle && !c.machine_move_in_cycle.value) return fault(Cause::MachineMoveInCycle, block);
+  if (block.was_cycle && !c.machine_move_in_cycle.value)
+    return fault(Cause::MachineMoveInCycle, block);
   const bool modal = c.machine_move.value == MachineMove::Modal;
   if (!facts_->homed) return fault(Cause::NotHomed, block);
   if (block.has(Group::Motion)) s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
@@ -188,7 +202,8 @@ Motion::Result Motion::reference(BlockWords& block, int number_of_point) {
     if ((named >> i & 1) == 0) continue;
     s_.middle[i] = middle[i] + s_.offset[i];
     s_.length[i] = 0;
-    end[i] = (found == facts_->reference.end() ? 0 : found->second[static_cast<std::size_t>(i)]) - s_.offset[i];
+    end[i] = (found == facts_->reference.end() ? 0 : found->second[static_cast<std::size_t>(i)]) -
+             s_.offset[i];
   }
   auto wrong = move(block, MoveKind::Rapid, end, named);
   s_.held.suspended = false;
@@ -204,7 +219,8 @@ Axes Motion::linear_target(BlockWords& block, std::uint32_t& named) {
   return end;
 }
 
-/// G29: over the intermediate point of the last G28 to the point; under G91 the values count from there.
+/// G29: over the intermediate point of the last G28 to the point; under G91 the values count from
+/// there.
 Motion::Result Motion::from_reference(BlockWords& block) {
   const Control& c = *facts_->control;
   if (block.was_cycle && !c.reference_in_cycle.value) return fault(Cause::ReferenceInCycle, block);
@@ -214,7 +230,8 @@ Motion::Result Motion::from_reference(BlockWords& block) {
   if (named == 0) return std::nullopt;
   Axes middle = s_.work;
   for (int i = 0; i < kAxes; ++i)
-    if ((named >> i & 1) != 0 && (s_.middle_known >> i & 1) != 0) middle[i] = s_.middle[i] - s_.offset[i];
+    if ((named >> i & 1) != 0 && (s_.middle_known >> i & 1) != 0)
+      middle[i] = s_.middle[i] - s_.offset[i];
   if (auto wrong = move(block, MoveKind::Rapid, middle, named)) return wrong;
   const Axes end = linear_target(block, named);
   return move(block, MoveKind::Rapid, end, named);
@@ -222,11 +239,14 @@ Motion::Result Motion::from_reference(BlockWords& block) {
 
 Motion::Result Motion::check_reference(BlockWords& block) {
   const NcWords& w = block.words;
+  if (w.ends && !facts_->control->reference_with_end.value)
+    return fault(Cause::ReferenceWithEnd, block);
   for (int i = 0; i < w.m_count; ++i)
     if (const int m = w.m[static_cast<std::size_t>(i)];
         (m <= 2 || m == 30) && !facts_->control->reference_with_end.value)
       return fault(Cause::ReferenceWithEnd, block);
-  if (block.was_cycle && !facts_->control->reference_in_cycle.value) return fault(Cause::ReferenceInCycle, block);
+  if (block.was_cycle && !facts_->control->reference_in_cycle.value)
+    return fault(Cause::ReferenceInCycle, block);
   std::uint32_t named = 0;
   const Axes end = linear_target(block, named);
   if (named == 0) return std::nullopt;
@@ -234,7 +254,8 @@ Motion::Result Motion::check_reference(BlockWords& block) {
   const auto found = facts_->reference.find(1);
   const Axes machine = machine_point();
   for (int i = 0; i < kAxes; ++i) {
-    const double wanted = found == facts_->reference.end() ? 0 : found->second[static_cast<std::size_t>(i)];
+    const double wanted =
+        found == facts_->reference.end() ? 0 : found->second[static_cast<std::size_t>(i)];
     if ((named >> i & 1) != 0 && std::fabs(machine[i] - wanted) > facts_->increment / 2)
       return fault(Cause::NotAtReference, block);
   }

@@ -6,11 +6,15 @@ namespace cncsub {
 namespace {
 
 /// The value of a word written ",C" or "L"; false where the block has none.
-bool corner_word(const NcWords& words, const std::string& name, double& value, std::uint32_t& mask) {
+bool corner_word(const NcWords& words, const std::string& name, double& value,
+                 std::uint32_t& mask) {
   int place = -1;
-  if (name == ",C") place = kCommaC;
-  else if (name == ",R") place = kCommaR;
-  else if (name.size() == 1) place = name[0] - 'A';
+  if (name == ",C")
+    place = kCommaC;
+  else if (name == ",R")
+    place = kCommaR;
+  else if (name.size() == 1)
+    place = name[0] - 'A';
   if (place < 0 || (words.mask >> place & 1) == 0) return false;
   value = words.value[static_cast<std::size_t>(place)];
   mask = 1u << place;
@@ -18,7 +22,8 @@ bool corner_word(const NcWords& words, const std::string& name, double& value, s
 }
 
 /// Without a comma they are words of lathes only.
-bool any_corner_word(const NcWords& words, const Codes& names, bool lathe, double& value, std::uint32_t& mask) {
+bool any_corner_word(const NcWords& words, const Codes& names, bool lathe, double& value,
+                     std::uint32_t& mask) {
   for (std::size_t first = 0; first < names.size();) {
     const std::size_t blank = std::min(names.find(' ', first), names.size());
     const std::string name = names.substr(first, blank - first);
@@ -34,8 +39,10 @@ Motion::Result Motion::corner_words(BlockWords& block, Piece& piece) const {
   const Control& c = *facts_->control;
   double chamfer = 0, round = 0;
   std::uint32_t chamfer_mask = 0, round_mask = 0;
-  const bool has_chamfer = any_corner_word(block.words, c.chamfer_words.value, facts_->lathe(), chamfer, chamfer_mask);
-  bool has_round = any_corner_word(block.words, c.round_words.value, facts_->lathe(), round, round_mask);
+  const bool has_chamfer =
+      any_corner_word(block.words, c.chamfer_words.value, facts_->lathe(), chamfer, chamfer_mask);
+  bool has_round =
+      any_corner_word(block.words, c.round_words.value, facts_->lathe(), round, round_mask);
   const bool arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
   if (arc && round_mask == bit('R')) has_round = false;
   if (!has_chamfer && !has_round) return std::nullopt;

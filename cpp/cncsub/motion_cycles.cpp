@@ -39,8 +39,10 @@ Motion::Result Motion::cycle_words(BlockWords& block, int& repeats) {
   CycleData& cycle = s_.cycle;
   const Control& c = *facts_->control;
   const char depth = kAxisNames[static_cast<std::size_t>(drill_axis(cycle.code))];
-  if (w.has('R')) cycle.r = number(block, 'R'), cycle.r_incremental = s_.incremental, cycle.has_r = true;
-  if (w.has(depth)) cycle.z = number(block, depth), cycle.z_incremental = s_.incremental, cycle.has_z = true;
+  if (w.has('R'))
+    cycle.r = number(block, 'R'), cycle.r_incremental = s_.incremental, cycle.has_r = true;
+  if (w.has(depth))
+    cycle.z = number(block, depth), cycle.z_incremental = s_.incremental, cycle.has_z = true;
   if (w.has('Q')) cycle.q = cycle_length(block, 'Q'), cycle.has_q = true;
   if (w.has('P')) cycle.p = raw(block, 'P') * (c.dwell_p_seconds.value ? 1 : 0.001);
   if (w.has('I') || w.has('J')) {
@@ -48,14 +50,16 @@ Motion::Result Motion::cycle_words(BlockWords& block, int& repeats) {
     cycle.shift_y = w.has('J') ? number(block, 'J') : 0;
     cycle.has_shift = true;
   }
-  if (w.has('K') && c.peck_words.value == PeckWords::K) cycle.k = number(block, 'K'), cycle.has_k = true;
+  if (w.has('K') && c.peck_words.value == PeckWords::K)
+    cycle.k = number(block, 'K'), cycle.has_k = true;
   repeats = 1;
   for (const char letter : c.cycle_repeats.value)
     if (w.has(letter)) repeats = static_cast<int>(raw(block, letter));
   if (repeats < 0 || (repeats == 0 && c.zero_cycle_repeats.value == ZeroCycleRepeats::Alarm))
     return fault(Cause::CycleRepeats, block);
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
-  if (pecks && !facts_->lathe() && cycle.q == 0 && c.peck_needed.value) return fault(Cause::NoPeck, block);
+  if (pecks && !facts_->lathe() && cycle.q == 0 && c.peck_needed.value)
+    return fault(Cause::NoPeck, block);
   return std::nullopt;
 }
 
@@ -78,7 +82,9 @@ Motion::Result Motion::drill(BlockWords& block) {
   const CycleData cycle = s_.cycle;
   const int axis = drill_axis(cycle.code);
   const double present = s_.work[static_cast<std::size_t>(axis)];
-  const double r = !cycle.has_r ? cycle.initial : cycle.r_incremental ? cycle.initial + cycle.r : cycle.r;
+  const double r = !cycle.has_r          ? cycle.initial
+                   : cycle.r_incremental ? cycle.initial + cycle.r
+                                         : cycle.r;
   const double z = !cycle.has_z ? r : cycle.z_incremental ? r + cycle.z : cycle.z;
   std::uint32_t named = 0;
   Axes place = target(block, named);
@@ -110,12 +116,14 @@ Motion::Result Motion::drill_down(BlockWords& block, int axis, double r, double 
   }
 }
 
-/// Down in bits of Q: G73 draws back a little, G83 to R and down again to just above the last depth.
+/// Down in bits of Q: G73 draws back a little, G83 to R and down again to just above the last
+/// depth.
 Motion::Result Motion::peck(BlockWords& block, int axis, double r, double z) {
   const Control& c = *facts_->control;
   const CycleData cycle = s_.cycle;
   const double down = z < r ? -1 : 1, q = std::fabs(cycle.q);
-  const bool fast = cycle.cycle == Meaning::PeckFast || (facts_->lathe() && !c.drill_full_retract.value);
+  const bool fast =
+      cycle.cycle == Meaning::PeckFast || (facts_->lathe() && !c.drill_full_retract.value);
   double gap = (fast ? c.peck_retract.value : c.peck_clearance.value) * 1e-3;
   if (c.peck_words.value == PeckWords::K && cycle.has_k) gap = std::fabs(cycle.k);
   for (double depth = r + down * q; (z - depth) * down > 1e-9; depth += down * q) {
@@ -154,7 +162,8 @@ Motion::Result Motion::shift_tool(BlockWords& block, const Axes& hole, bool away
   const PlaneAxes plane = plane_axes(s_.plane);
   const CycleData& cycle = s_.cycle;
   Axes end = s_.work;
-  const double a = cycle.has_shift ? cycle.shift_x : std::fabs(cycle.q), b = cycle.has_shift ? cycle.shift_y : 0;
+  const double a = cycle.has_shift ? cycle.shift_x : std::fabs(cycle.q),
+               b = cycle.has_shift ? cycle.shift_y : 0;
   end[plane.a] = hole[plane.a] + (away ? a : 0);
   end[plane.b] = hole[plane.b] + (away ? b : 0);
   std::uint32_t named = axis_bit(plane.a);
@@ -178,7 +187,8 @@ Motion::Result Motion::bore_shifted(BlockWords& block, double r, double z) {
   return shift_tool(block, hole, false);
 }
 
-/// The drilling cycles of a lathe: R counts from the initial level, the way out leads back to it. [TA 24]
+/// The drilling cycles of a lathe: R counts from the initial level, the way out leads back to it.
+/// [TA 24]
 Motion::Result Motion::drilling_cycle(BlockWords& block) {
   const NcWords& w = block.words;
   bool position = false;

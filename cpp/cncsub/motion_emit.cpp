@@ -1,4 +1,5 @@
-// From a block's motion to the rows of the table: the pieces, their lengths and times, and the travel limits.
+// From a block's motion to the rows of the table: the pieces, their lengths and times, and the
+// travel limits.
 #include <algorithm>
 #include <limits>
 
@@ -43,7 +44,8 @@ void Motion::new_row_state(Moves& moves) {
 }
 
 /// A motion of this block to a point in work coordinates.
-Piece Motion::make_piece(const BlockWords& block, MoveKind kind, const Axes& work_end, std::uint32_t named) const {
+Piece Motion::make_piece(const BlockWords& block, MoveKind kind, const Axes& work_end,
+                         std::uint32_t named) const {
   Piece piece;
   piece.kind = kind;
   piece.step = block.step;
@@ -79,7 +81,8 @@ Motion::Result Motion::move(BlockWords& block, Piece piece) {
   return through_corner(std::move(piece), before + piece.offset, block.moves);
 }
 
-Motion::Result Motion::move(BlockWords& block, MoveKind kind, const Axes& work_end, std::uint32_t named) {
+Motion::Result Motion::move(BlockWords& block, MoveKind kind, const Axes& work_end,
+                            std::uint32_t named) {
   return move(block, make_piece(block, kind, work_end, named));
 }
 
@@ -95,21 +98,29 @@ Motion::Result Motion::wait(BlockWords& block, double seconds) {
   return through_radius(std::move(piece), s_.work + s_.offset, block.moves);
 }
 
-/// Writes the row of a piece whose tool path is known. `vector` leads from the programmed point to the tool.
-Motion::Result Motion::record(const Piece& piece, Moves* moves, const std::array<double, 3>& vector) {
+/// Writes the row of a piece whose tool path is known. `vector` leads from the programmed point to
+/// the tool.
+Motion::Result Motion::record(const Piece& piece, Moves* moves,
+                              const std::array<double, 3>& vector) {
   Axes machine = piece.end + piece.length;
   for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
   if (auto wrong = check_travel(piece, machine)) return wrong;
   const bool round = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
-  const double length = round ? arc_length(piece, machine) : length_of(s_.tool_at, machine, facts_->diameters);
+  const double length =
+      round ? arc_length(piece, machine) : length_of(s_.tool_at, machine, facts_->diameters);
   if (captured_ != nullptr) captured_->push_back(piece);
   s_.time += seconds_of(piece, machine, length);
   if (moves != nullptr) {
-    if (!moves->begun()) moves->begin(s_.tool_at, s_.tool_at - piece.offset - piece.length, facts_->rapid, facts_->diameters);
+    if (!moves->begun())
+      moves->begin(s_.tool_at, s_.tool_at - piece.offset - piece.length, facts_->rapid,
+                   facts_->diameters);
     const Axes point = piece.end - piece.offset;
-    if (piece.named >> 3 != 0) moves->use(piece.named, s_.tool_at - piece.offset - piece.length);
-    else moves->mark(piece.named);
-    moves->push(piece.step, piece.kind, point, moves->intern(piece.state, piece.offset + piece.length));
+    if (piece.named >> 3 != 0)
+      moves->use(piece.named, s_.tool_at - piece.offset - piece.length);
+    else
+      moves->mark(piece.named);
+    moves->push(piece.step, piece.kind, point,
+                moves->intern(piece.state, piece.offset + piece.length));
     if (round) moves->arc(centre_of(piece), length);
     if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves->vector(vector);
     if (piece.kind == MoveKind::Dwell) moves->seconds(piece.seconds);
@@ -122,7 +133,8 @@ std::array<double, 3> Motion::centre_of(const Piece& piece) const {
   const PlaneAxes plane = plane_axes(piece.plane);
   std::array<double, 3> centre;
   for (int i = 0; i < 3; ++i)
-    centre[i] = i == plane.across ? std::numeric_limits<double>::quiet_NaN() : piece.centre[i] - piece.offset[i];
+    centre[i] = i == plane.across ? std::numeric_limits<double>::quiet_NaN()
+                                  : piece.centre[i] - piece.offset[i];
   return centre;
 }
 
@@ -133,7 +145,8 @@ double Motion::arc_length(const Piece& piece, const Axes& machine) const {
     const auto part = [&](int i) {
       return (p[i] - piece.length[i] - piece.tip[i] - piece.centre[i]) * facts_->share(i);
     };
-    return std::array<double, 2>{std::hypot(part(plane.a), part(plane.b)), std::atan2(part(plane.b), part(plane.a))};
+    return std::array<double, 2>{std::hypot(part(plane.a), part(plane.b)),
+                                 std::atan2(part(plane.b), part(plane.a))};
   };
   const auto from = polar(s_.tool_at), to = polar(machine);
   const double turn = piece.turn + std::remainder(to[1] - from[1] - piece.turn, 2 * kPi);
@@ -161,7 +174,8 @@ double Motion::seconds_of(const Piece& piece, const Axes& machine, double length
   }
   const double zero = piece.offset[0] + piece.length[0];
   const double mean = (std::fabs(s_.tool_at[0] - zero) + std::fabs(machine[0] - zero)) / 2;
-  return cutting_time(piece.state, path_of(s_.tool_at, machine, length), spindle_at(piece.state, mean));
+  return cutting_time(piece.state, path_of(s_.tool_at, machine, length),
+                      spindle_at(piece.state, mean));
 }
 
 Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) const {
@@ -175,7 +189,8 @@ Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) con
     number.erase(number.find_last_not_of('0') + 1);
     if (number.back() == '.') number.pop_back();
     return Fault{Cause::OverTravel, piece.at, 1,
-                 std::string(1, kAxisNames[static_cast<std::size_t>(limit.axis)]) + " would go to " + number};
+                 std::string(1, kAxisNames[static_cast<std::size_t>(limit.axis)]) +
+                     " would go to " + number};
   }
   return std::nullopt;
 }
@@ -184,15 +199,18 @@ Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) con
 void Motion::arc_reach(const Piece& piece, int axis, double& low, double& high) const {
   const PlaneAxes plane = plane_axes(piece.plane);
   if (axis != plane.a && axis != plane.b) return;
-  const auto part = [&](int i) { return (s_.tool_at[i] - piece.length[i] - piece.centre[i]) * facts_->share(i); };
+  const auto part = [&](int i) {
+    return (s_.tool_at[i] - piece.length[i] - piece.centre[i]) * facts_->share(i);
+  };
   const double radius = std::hypot(part(plane.a), part(plane.b));
   const double first = std::atan2(part(plane.b), part(plane.a));
   const double from = std::min(first, first + piece.turn), to = std::max(first, first + piece.turn);
   for (int quarter = -6; quarter <= 6; ++quarter) {
     const double t = quarter * kPi / 2;
     if (t < from || t > to) continue;
-    const double reach = radius * (axis == plane.a ? std::cos(t) : std::sin(t)) / facts_->share(axis) +
-                         piece.centre[static_cast<std::size_t>(axis)] + piece.length[static_cast<std::size_t>(axis)];
+    const double reach =
+        radius * (axis == plane.a ? std::cos(t) : std::sin(t)) / facts_->share(axis) +
+        piece.centre[static_cast<std::size_t>(axis)] + piece.length[static_cast<std::size_t>(axis)];
     low = std::min(low, reach);
     high = std::max(high, reach);
   }

@@ -47,6 +47,7 @@ struct MotionFacts {
   std::shared_ptr<const Control> control;
   MachineType machine;
   GCodes codes;
+  GCodes other_codes;      // of the other kind of machine
   std::string axis_order;  // the control's axes by number
   std::array<int, kGroups> group_numbers{};
   std::uint32_t diameters = 0;
@@ -72,8 +73,8 @@ struct ToolOffsets {
 };
 
 struct OffsetTables {
-  std::array<Axes, 7> work{};  // 0 = EXT
-  std::vector<Axes> extra;     // G54.1 P1...
+  std::array<Axes, 7> work{};                                    // 0 = EXT
+  std::vector<Axes> extra;                                       // G54.1 P1...
   std::vector<double> length, length_wear, radius, radius_wear;  // by number
   std::map<int, ToolOffsets> tools;
 };

@@ -43,11 +43,14 @@ std::vector<Point> circle_circle(Point c, double r, Point d, double s, double to
 }
 
 /// The radius of an arc moved to its left: an arc to the left has its centre there.
-double moved_radius(const Curve& curve, double offset) { return curve.radius() - (curve.turn > 0 ? offset : -offset); }
+double moved_radius(const Curve& curve, double offset) {
+  return curve.radius() - (curve.turn > 0 ? offset : -offset);
+}
 
 }  // namespace
 
-std::vector<Point> meetings(const Curve& a, double offset_a, const Curve& b, double offset_b, double tolerance) {
+std::vector<Point> meetings(const Curve& a, double offset_a, const Curve& b, double offset_b,
+                            double tolerance) {
   if (!a.line() && b.line()) return meetings(b, offset_b, a, offset_a, tolerance);
   if (a.line()) {
     const Point u = a.start_direction(), p = a.from + offset_a * left(u);
@@ -93,7 +96,8 @@ bool at_distance(const Curve& curve, double distance, bool before_end, Point& fo
   if (angle > std::fabs(curve.turn) + 1e-9) return false;
   const double t = (curve.turn > 0) == before_end ? -angle : angle;
   const Point r = corner - curve.centre;
-  found = curve.centre + Point{r.a * std::cos(t) - r.b * std::sin(t), r.a * std::sin(t) + r.b * std::cos(t)};
+  found = curve.centre +
+          Point{r.a * std::cos(t) - r.b * std::sin(t), r.a * std::sin(t) + r.b * std::cos(t)};
   return true;
 }
 
@@ -138,8 +142,8 @@ bool cut_round(const Curve& a, const Curve& b, double radius, Cut& cut) {
   if (std::fabs(side) < 1e-9 && dot(u, v) > 0) return cut.none = true;
   cut.left_turn = side > 0;
   const double offset = cut.left_turn ? radius : -radius;
-  return nearest(meetings(a, offset, b, offset, 0), a.to, cut.centre) && foot_on(a, cut.centre, cut.first) &&
-         foot_on(b, cut.centre, cut.second);
+  return nearest(meetings(a, offset, b, offset, 0), a.to, cut.centre) &&
+         foot_on(a, cut.centre, cut.first) && foot_on(b, cut.centre, cut.second);
 }
 
 /// The angle an arc still runs through when its ends have been cut.
@@ -159,8 +163,8 @@ void cut_across(const PlaneView& view, const Axes& from, const Axes& to, double 
 
 }  // namespace
 
-bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, const Piece& second, bool chamfer_line,
-                CornerPieces& corner) {
+bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, const Piece& second,
+                bool chamfer_line, CornerPieces& corner) {
   const Curve a = curve_of(view, from, first), b = curve_of(view, first.end, second);
   corner.first = first;
   corner.second = second;

@@ -52,9 +52,10 @@ struct Curve {
 };
 Curve curve_of(const PlaneView& view, const Axes& from, const Piece& piece);
 
-/// The points where two curves, moved sideways by `offset_a` and `offset_b` (plus = left), meet; the lines and circles
-/// are not bounded. Touching counts, within `tolerance`.
-std::vector<Point> meetings(const Curve& a, double offset_a, const Curve& b, double offset_b, double tolerance);
+/// The points where two curves, moved sideways by `offset_a` and `offset_b` (plus = left), meet;
+/// the lines and circles are not bounded. Touching counts, within `tolerance`.
+std::vector<Point> meetings(const Curve& a, double offset_a, const Curve& b, double offset_b,
+                            double tolerance);
 /// The one that is nearest to a point.
 bool nearest(const std::vector<Point>& points, Point to, Point& found);
 
@@ -64,7 +65,7 @@ struct CornerPieces {
   Axes at_first{}, at_second{};  // where the corner begins and ends
 };
 /// Cuts a chamfer or a round between two pieces; false when one of them is too short.
-bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, const Piece& second, bool chamfer_line,
-                CornerPieces& corner);
+bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, const Piece& second,
+                bool chamfer_line, CornerPieces& corner);
 
 }  // namespace cncsub

@@ -50,7 +50,8 @@ Motion::Result Motion::set_rotation(BlockWords& block) {
     for (int i = 0; i < 3; ++i) {
       const char name = kAxisNames[static_cast<std::size_t>(i)];
       turned.centre[i] = s_.work[i];
-      if (block.words.has(name)) turned.centre[i] = number(block, name) + (s_.incremental ? s_.work[i] : 0);
+      if (block.words.has(name))
+        turned.centre[i] = number(block, name) + (s_.incremental ? s_.work[i] : 0);
     }
     block.consumed = true;
   }
@@ -67,7 +68,8 @@ Motion::Result Motion::set_scaling(BlockWords& block) {
   block.consumed = true;
   for (int i = 0; i < 3; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)], own = "IJK"[i];
-    s_.turned.scale_centre[i] = w.has(name) ? number(block, name) + (s_.incremental ? s_.work[i] : 0) : s_.work[i];
+    s_.turned.scale_centre[i] =
+        w.has(name) ? number(block, name) + (s_.incremental ? s_.work[i] : 0) : s_.work[i];
     double scale = w.has('P') ? scale_of(block, 'P') : w.has(own) ? scale_of(block, own) : 1;
     if (scale == 0) return fault(Cause::ScaleZero, block);
     s_.turned.scale[i] = scale;
@@ -124,7 +126,8 @@ void Motion::turn_point(Axes& point, std::uint32_t& named) const {
   rotate(a, b, t.angle);
   point[plane.a] = a + t.centre[plane.a];
   point[plane.b] = b + t.centre[plane.b];
-  if ((named & (axis_bit(plane.a) | axis_bit(plane.b))) != 0) named |= axis_bit(plane.a) | axis_bit(plane.b);
+  if ((named & (axis_bit(plane.a) | axis_bit(plane.b))) != 0)
+    named |= axis_bit(plane.a) | axis_bit(plane.b);
 }
 
 Axes Motion::turned_back(Axes point) const {

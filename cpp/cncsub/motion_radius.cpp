@@ -11,9 +11,9 @@ bool is_arc(const Piece& piece) { return piece.turn != 0; }
 
 /// How two moves with their offsets join.
 struct Join {
-  Point leave;               // where the tool leaves the first move, from the corner
-  std::vector<Point> way;    // points in between, from the corner
-  bool arc = false;          // the last of them is reached in an arc around the corner
+  Point leave;             // where the tool leaves the first move, from the corner
+  std::vector<Point> way;  // points in between, from the corner
+  bool arc = false;        // the last of them is reached in an arc around the corner
   double arc_turn = 0;
 };
 
@@ -60,12 +60,14 @@ struct RadiusPath {
 
   Result join(const Curve& a, const Curve& b, double offset, std::uint32_t at, Join& join) const;
   void go_around(const Curve& a, const Curve& b, Point u, Point v, double offset, Join& join) const;
-  Result check_direction(const Curve& curve, const Piece& piece, double offset, Point end, Point v) const;
+  Result check_direction(const Curve& curve, const Piece& piece, double offset, Point end,
+                         Point v) const;
   Result leave(Point v, const Join* join);
 };
 
 /// Outside corners. Up to 90 degrees the tangents are followed to where they meet. [M7 p.191]
-void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, double offset, Join& join) const {
+void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, double offset,
+                           Join& join) const {
   const Point na = offset * left(u), nb = offset * left(v);
   const double reach = std::fabs(offset);
   if (dot(u, v) >= -1e-9) {
@@ -108,10 +110,11 @@ RadiusPath::Result RadiusPath::join(const Curve& a, const Curve& b, double offse
 }
 
 /// The tool must go the way the program goes, not back. [16iLB p.208]
-RadiusPath::Result RadiusPath::check_direction(const Curve& curve, const Piece& piece, double offset, Point end,
-                                               Point v) const {
+RadiusPath::Result RadiusPath::check_direction(const Curve& curve, const Piece& piece,
+                                               double offset, Point end, Point v) const {
   Axes tool = motion.s_.tool_at;
-  for (std::size_t i = 0; i < tool.size(); ++i) tool[i] -= piece.length[i] + (i < 3 ? piece.tip[i] : 0);
+  for (std::size_t i = 0; i < tool.size(); ++i)
+    tool[i] -= piece.length[i] + (i < 3 ? piece.tip[i] : 0);
   const Point start = view.point(tool), stop = end + v;
   const Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
   if (curve.line()) {
@@ -141,7 +144,9 @@ RadiusPath::Result RadiusPath::leave(Point v, const Join* join) {
   if (join != nullptr)
     for (std::size_t i = 0; i < join->way.size(); ++i) {
       const bool last = i + 1 == join->way.size();
-      if (auto wrong = record_bit(first, first.end, join->way[i], last && join->arc ? join->arc_turn : 0)) return wrong;
+      if (auto wrong =
+              record_bit(first, first.end, join->way[i], last && join->arc ? join->arc_turn : 0))
+        return wrong;
     }
   held.radius.clear();
   held.starting = false;
@@ -164,7 +169,8 @@ Motion::Result Motion::through_radius(Piece piece, const Axes& from, Moves* move
   if (!active && !held.engaged && held.radius.empty()) return record(piece, moves, {});
   RadiusPath path{*this, moves, {plane_axes(piece.plane), facts_->share(0)}};
   const Curve curve = curve_of(path.view, from, piece);
-  const bool in_plane = piece.kind != MoveKind::Dwell && (is_arc(piece) || size(curve.to - curve.from) > 1e-9);
+  const bool in_plane =
+      piece.kind != MoveKind::Dwell && (is_arc(piece) || size(curve.to - curve.from) > 1e-9);
   if (!in_plane) {
     if (!held.radius.empty()) {
       held.radius.push_back(std::move(piece));
@@ -211,7 +217,8 @@ Motion::Result Motion::through_radius(Piece piece, const Axes& from, Moves* move
   return std::nullopt;
 }
 
-/// Looks over a few blocks without a move in the plane; behind more of them the offset stands on the normal.
+/// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
+/// the normal.
 Motion::Result Motion::count_idle(BlockWords& block) {
   Held& held = s_.held;
   if (held.radius.empty() || block.in_plane) {

@@ -18,45 +18,47 @@ struct Piece {
   MoveKind kind = MoveKind::Rapid;
   std::uint32_t step = 0;
   Axes end{};
-  std::uint32_t named = 0;             // axes with a word, bit i = kAxisNames[i]
-  std::array<double, 3> centre{};      // of an arc, base
+  std::uint32_t named = 0;         // axes with a word, bit i = kAxisNames[i]
+  std::array<double, 3> centre{};  // of an arc, base
   int plane = 17;
-  double turn = 0;                     // of an arc: the angle run through, plus = counter-clockwise
-  double seconds = 0;                  // of a dwell
-  int side = 0;                        // radius compensation: -1 left, 1 right, 0 off
+  double turn = 0;     // of an arc: the angle run through, plus = counter-clockwise
+  double seconds = 0;  // of a dwell
+  int side = 0;        // radius compensation: -1 left, 1 right, 0 off
   double radius = 0;
-  std::array<double, 3> tip{};         // of a lathe: from the nose centre to the imaginary tip
-  char corner = 0;                     // 'C' or 'R' between this piece and the next
+  std::array<double, 3> tip{};  // of a lathe: from the nose centre to the imaginary tip
+  char corner = 0;              // 'C' or 'R' between this piece and the next
   double corner_size = 0;
-  bool corner_piece = false;           // put in between two blocks
-  std::uint32_t at = 0;                // where its block stands, for faults
-  Axes offset{};                       // work to base
-  Axes length{};                       // base to machine
+  bool corner_piece = false;  // put in between two blocks
+  std::uint32_t at = 0;       // where its block stands, for faults
+  Axes offset{};              // work to base
+  Axes length{};              // base to machine
   MoveState state;
 };
 
 /// Moves that wait because the next one decides where they end.
 struct Held {
-  std::vector<Piece> corner;       // a block with a chamfer or a corner round
-  Axes corner_from{};              // where it starts, base
-  std::vector<Piece> radius;       // a compensated move, and behind it those that do not move in the plane
-  Axes radius_from{};              // where the first of them starts
-  bool starting = false;           // that move is the start-up
-  bool engaged = false;            // the tool is off the programmed path
-  bool suspended = false;          // G28, G53: moves without radius compensation
-  std::array<double, 2> vector{};  // from the programmed point to the tool, in the plane, radius values
-  int idle = 0;                    // blocks without a move in the plane, in a row
+  std::vector<Piece> corner;  // a block with a chamfer or a corner round
+  Axes corner_from{};         // where it starts, base
+  std::vector<Piece>
+      radius;              // a compensated move, and behind it those that do not move in the plane
+  Axes radius_from{};      // where the first of them starts
+  bool starting = false;   // that move is the start-up
+  bool engaged = false;    // the tool is off the programmed path
+  bool suspended = false;  // G28, G53: moves without radius compensation
+  std::array<double, 2>
+      vector{};  // from the programmed point to the tool, in the plane, radius values
+  int idle = 0;  // blocks without a move in the plane, in a row
 };
 
 struct CycleData {
   Meaning cycle = Meaning::CycleOff;
   int code = 0;
-  double r = 0, z = 0;                 // as written
+  double r = 0, z = 0;  // as written
   bool r_incremental = false, z_incremental = false, has_r = false, has_z = false;
   double q = 0, k = 0, p = 0;
-  double shift_x = 0, shift_y = 0;     // I J of G76 and G87
+  double shift_x = 0, shift_y = 0;  // I J of G76 and G87
   bool has_q = false, has_k = false, has_shift = false;
-  double initial = 0;                  // the level from which the cycle mode was entered
+  double initial = 0;  // the level from which the cycle mode was entered
 };
 
 /// X Z R of the lathe's simple cycles, kept until the cycle ends.
@@ -67,13 +69,13 @@ struct TurnData {
 
 /// The first blocks of the two-block cycles G71 to G76.
 struct MultipleData {
-  double depth = 0, escape = 0;            // G71 U R, G72 W R
-  double shift_x = 0, shift_z = 0;         // G73 U W
-  int passes = 1;                          // G73 R
+  double depth = 0, escape = 0;     // G71 U R, G72 W R
+  double shift_x = 0, shift_z = 0;  // G73 U W
+  int passes = 1;                   // G73 R
   bool has_depth = false, has_escape = false;
-  double retract = 0;                      // G74 G75 R
+  double retract = 0;                             // G74 G75 R
   int finish_passes = 1, chamfer = 0, angle = 0;  // G76 P
-  double least_cut = 0, allowance = 0;     // G76 Q R
+  double least_cut = 0, allowance = 0;            // G76 Q R
 };
 
 struct Turned {  // rotation, scaling and mirror
@@ -87,43 +89,43 @@ struct Turned {  // rotation, scaling and mirror
 
 struct MotionState {
   // What the fast path reads and writes.
-  bool plain = false;        // nothing but G00 and G01 with words for X Y Z F can happen
+  bool plain = false;  // nothing but G00 and G01 with words for X Y Z F can happen
   bool incremental = false;
-  std::uint8_t line = 0;     // 1: G01
+  std::uint8_t line = 0;  // 1: G01
   std::uint32_t row_state = 0;
   const Moves* row_moves = nullptr;  // the table row_state belongs to; only compared
-  double unit = 1;           // mm in one unit of the program
-  double feed = 0;           // mm/min, mm/rev
+  double unit = 1;                   // mm in one unit of the program
+  double feed = 0;                   // mm/min, mm/rev
   double seconds_per_mm = 0;
   double time = 0;
-  Axes work{};               // the programmed point, work coordinates
-  std::array<double, 3> half{1, 1, 1};  // squared share of an axis in a path's length
+  Axes work{};                            // the programmed point, work coordinates
+  std::array<double, 3> half{1, 1, 1};    // squared share of an axis in a path's length
   std::array<double, 3> rapid_seconds{};  // per unit of the axis
 
-  Axes offset{};             // work to base: zero points, shift, local
-  Axes length{};             // base to machine: tool length
+  Axes offset{};  // work to base: zero points, shift, local
+  Axes length{};  // base to machine: tool length
   Axes shift{}, local{};
-  Axes tool_shift{};         // lathe tool offset as a shift of the work coordinates
-  Axes middle{};             // intermediate point of G28, base
+  Axes tool_shift{};  // lathe tool offset as a shift of the work coordinates
+  Axes middle{};      // intermediate point of G28, base
   std::uint32_t middle_known = 0;
-  Axes tool_at{};            // machine position behind the last recorded move; kept where not `plain`
-  bool tool_pending = false; // a tool offset waits for the next move
+  Axes tool_at{};  // machine position behind the last recorded move; kept where not `plain`
+  bool tool_pending = false;  // a tool offset waits for the next move
   int length_axis = 2;
-  std::uint32_t named = 0;   // axes that moves named
-  Axes skip{};               // skip position, work coordinates
+  std::uint32_t named = 0;  // axes that moves named
+  Axes skip{};              // skip position, work coordinates
   std::array<GCode, kGroups> modal{};
   Meaning motion_before_cycle = Meaning::Rapid;
   int plane = 17;
-  int work_system = 1;       // 1 to 6, 0 = extra
-  int extra_system = 0;      // G54.1 P
+  int work_system = 1;                                 // 1 to 6, 0 = extra
+  int extra_system = 0;                                // G54.1 P
   double speed = 0, surface_speed = 0, max_speed = 0;  // S of G97, of G96, limit
   bool surface = false;
-  int spindle = 5;           // 3 4 5
+  int spindle = 5;  // 3 4 5
   int b = 0, h = 0, d = 0, t = 0;
   int tool = 0, tool_offset = 0;
   double polar_angle = 0;
   bool polar_known = false;
-  bool moved_before = false; // a block has moved: the head of the program is over
+  bool moved_before = false;  // a block has moved: the head of the program is over
   CycleData cycle;
   TurnData turn;
   MultipleData multiple;

@@ -8,8 +8,10 @@ namespace {
 
 std::string code_name(int code) {
   char text[16];
-  if (code % 10 != 0) std::snprintf(text, sizeof text, "G%02d.%d", code / 10, code % 10);
-  else std::snprintf(text, sizeof text, "G%02d", code / 10);
+  if (code % 10 != 0)
+    std::snprintf(text, sizeof text, "G%02d.%d", code / 10, code % 10);
+  else
+    std::snprintf(text, sizeof text, "G%02d", code / 10);
   return text;
 }
 
@@ -31,12 +33,14 @@ int Motion::axis_number(int axis) const {
 double Motion::shown(int axis, const Axes& values) const {
   const int i = axis_number(axis);
   if (i < 0) return 0;
-  return is_rotary(i) || !g20() ? values[static_cast<std::size_t>(i)] : values[static_cast<std::size_t>(i)] / kInch;
+  return is_rotary(i) || !g20() ? values[static_cast<std::size_t>(i)]
+                                : values[static_cast<std::size_t>(i)] / kInch;
 }
 
 double Motion::modal_code(int group) const {
   for (std::size_t g = 0; g < kGroups; ++g)
-    if (facts_->group_numbers[g] == group && group > 0 && s_.modal[g].code >= 0) return s_.modal[g].code / 10.0;
+    if (facts_->group_numbers[g] == group && group > 0 && s_.modal[g].code >= 0)
+      return s_.modal[g].code / 10.0;
   return kVacant;
 }
 
@@ -47,7 +51,8 @@ double Motion::modal_word(char address) const {
     case 'D':
       return s_.d;
     case 'F':
-      return s_.modal[at(Group::Feed)].meaning == Meaning::InverseTime ? s_.feed : s_.feed / s_.unit;
+      return s_.modal[at(Group::Feed)].meaning == Meaning::InverseTime ? s_.feed
+                                                                       : s_.feed / s_.unit;
     case 'H':
       return s_.h;
     case 'S':
@@ -61,7 +66,9 @@ double Motion::modal_word(char address) const {
 
 double Motion::block_end(int axis) const { return shown(axis, s_.work); }
 
-double Motion::machine_position(int axis) const { return shown(axis, s_.plain ? machine_point() : s_.tool_at); }
+double Motion::machine_position(int axis) const {
+  return shown(axis, s_.plain ? machine_point() : s_.tool_at);
+}
 
 double Motion::work_position(int axis) const {
   return shown(axis, (s_.plain ? machine_point() : s_.tool_at) - s_.offset);
@@ -90,7 +97,8 @@ void Motion::write(Axes& values, int axis, double value) {
 }
 
 void Motion::set_work_offset(int system, int axis, double value) {
-  if (system >= 0 && system <= 6) write(own_tables().work[static_cast<std::size_t>(system)], axis, value);
+  if (system >= 0 && system <= 6)
+    write(own_tables().work[static_cast<std::size_t>(system)], axis, value);
 }
 
 double Motion::extra_offset(int p, int axis) const {
@@ -157,10 +165,10 @@ std::vector<std::pair<std::string, double>> Motion::position() const {
 
 std::vector<std::pair<std::string, std::string>> Motion::modal() const {
   static constexpr std::pair<const char*, Group> kNames[] = {
-      {"motion", Group::Motion},   {"plane", Group::Plane},     {"distance", Group::Distance},
-      {"feed_mode", Group::Feed},  {"units", Group::Units},     {"radius", Group::Radius},
-      {"length", Group::Length},   {"cycle", Group::Cycle},     {"return", Group::Return},
-      {"scaling", Group::Scaling}, {"surface", Group::Surface}, {"work", Group::Work},
+      {"motion", Group::Motion},   {"plane", Group::Plane},       {"distance", Group::Distance},
+      {"feed_mode", Group::Feed},  {"units", Group::Units},       {"radius", Group::Radius},
+      {"length", Group::Length},   {"cycle", Group::Cycle},       {"return", Group::Return},
+      {"scaling", Group::Scaling}, {"surface", Group::Surface},   {"work", Group::Work},
       {"path", Group::Path},       {"rotation", Group::Rotation}, {"polar", Group::Polar},
       {"mirror", Group::Mirror},   {"stroke", Group::Stroke}};
   std::vector<std::pair<std::string, std::string>> list;
@@ -171,7 +179,8 @@ std::vector<std::pair<std::string, std::string>> Motion::modal() const {
     if (group == Group::Work && s_.work_system == 0) text += " P" + std::to_string(s_.extra_system);
     list.emplace_back(name, text);
   }
-  for (const char word : {'F', 'S', 'T', 'H', 'D'}) list.emplace_back(std::string(1, word), number_text(modal_word(word)));
+  for (const char word : {'F', 'S', 'T', 'H', 'D'})
+    list.emplace_back(std::string(1, word), number_text(modal_word(word)));
   return list;
 }
 

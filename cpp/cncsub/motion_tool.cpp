@@ -11,9 +11,12 @@ Motion::Result Motion::set_tool(BlockWords& block) {
     return std::nullopt;
   }
   const Control& c = *facts_->control;
-  const int split = c.tool_offset_digits.value == 1 ? 10 : c.tool_offset_digits.value == 3 ? 1000 : 100;
+  const int split = c.tool_offset_digits.value == 1   ? 10
+                    : c.tool_offset_digits.value == 3 ? 1000
+                                                      : 100;
   const int number = t % split;
-  if (number > c.max_offset_number.value) return fault(Cause::OffsetNumber, block, "T" + std::to_string(t));
+  if (number > c.max_offset_number.value)
+    return fault(Cause::OffsetNumber, block, "T" + std::to_string(t));
   s_.t = t;
   if (t / split != 0) s_.tool = t / split;
   s_.tool_offset = number;
@@ -36,16 +39,19 @@ Motion::Result Motion::set_length(BlockWords& block) {
   if (!h && !block.has(Group::Length)) return std::nullopt;
   if (h) {
     const double number = raw(block, 'H');
-    if (number < 0 || number >= static_cast<double>(tables_->length.size())) return fault(Cause::OffsetNumber, block);
+    if (number < 0 || number >= static_cast<double>(tables_->length.size()))
+      return fault(Cause::OffsetNumber, block);
     s_.h = static_cast<int>(number);
   }
   if (block.has(Group::Length)) {
     s_.modal[at(Group::Length)] = block.codes[at(Group::Length)];
-    const Meaning motion = (block.has(Group::Motion) ? block.codes : s_.modal)[at(Group::Motion)].meaning;
+    const Meaning motion =
+        (block.has(Group::Motion) ? block.codes : s_.modal)[at(Group::Motion)].meaning;
     const Meaning once = block.meaning(Group::OneShot);
-    if (!facts_->control->length_with_motion_codes.value && block.meaning(Group::Length) != Meaning::LengthOff &&
-        (motion == Meaning::Cw || motion == Meaning::Ccw || once == Meaning::Dwell || once == Meaning::Skip ||
-         once == Meaning::SetCoordinate))
+    if (!facts_->control->length_with_motion_codes.value &&
+        block.meaning(Group::Length) != Meaning::LengthOff &&
+        (motion == Meaning::Cw || motion == Meaning::Ccw || once == Meaning::Dwell ||
+         once == Meaning::Skip || once == Meaning::SetCoordinate))
       return fault(Cause::LengthWithMotion, block);
   }
   const Meaning meaning = s_.modal[at(Group::Length)].meaning;
@@ -85,12 +91,15 @@ Motion::Result Motion::length_axis(BlockWords& block, int& axis) const {
 
 /// A changed tool vector moves its axis at once when the block does not move it anyway.
 Motion::Result Motion::move_by_length(BlockWords& block, const Axes& before) {
-  if (s_.length == before || block.submitted || s_.tool_pending || block.has(Group::OneShot)) return std::nullopt;
+  if (s_.length == before || block.submitted || s_.tool_pending || block.has(Group::OneShot))
+    return std::nullopt;
   std::uint32_t named = 0;
   for (int i = 0; i < kAxes; ++i)
     if (s_.length[i] != before[i]) named |= axis_bit(i);
-  const bool rapid = in_cycle() || s_.modal[at(Group::Motion)].meaning == Meaning::Rapid || s_.feed <= 0;
-  if (auto wrong = move(block, rapid ? MoveKind::Rapid : MoveKind::Feed, s_.work, named)) return wrong;
+  const bool rapid =
+      in_cycle() || s_.modal[at(Group::Motion)].meaning == Meaning::Rapid || s_.feed <= 0;
+  if (auto wrong = move(block, rapid ? MoveKind::Rapid : MoveKind::Feed, s_.work, named))
+    return wrong;
   block.outcome.moved = true;
   return std::nullopt;
 }
@@ -99,7 +108,8 @@ Motion::Result Motion::set_radius(BlockWords& block) {
   const Control& c = *facts_->control;
   if (block.words.has('D') && !facts_->lathe()) {
     const double number = raw(block, 'D');
-    if (number < 0 || number >= static_cast<double>(tables_->radius.size())) return fault(Cause::RadiusOffsetNumber, block);
+    if (number < 0 || number >= static_cast<double>(tables_->radius.size()))
+      return fault(Cause::RadiusOffsetNumber, block);
     s_.d = static_cast<int>(number);
   }
   if (!block.has(Group::Radius)) return std::nullopt;
@@ -116,12 +126,16 @@ double Motion::radius_value() const {
     return found == tables_->tools.end() ? 0 : found->second.radius;
   }
   const auto number = static_cast<std::size_t>(s_.d);
-  return s_.d == 0 || number >= tables_->radius.size() ? 0 : tables_->radius[number] + tables_->radius_wear[number];
+  return s_.d == 0 || number >= tables_->radius.size()
+             ? 0
+             : tables_->radius[number] + tables_->radius_wear[number];
 }
 
-/// From the centre of the nose to the imaginary tip, which the program moves: tip 3 points to -X and -Z, 8 to -X.
+/// From the centre of the nose to the imaginary tip, which the program moves: tip 3 points to -X
+/// and -Z, 8 to -X.
 std::array<double, 3> Motion::tip_vector() const {
-  static constexpr std::array<std::array<int, 2>, 10> kTips = {  // X and Z of tips 0 to 9
+  static constexpr std::array<std::array<int, 2>, 10> kTips = {
+      // X and Z of tips 0 to 9
       {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}, {0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 0}}};
   if (!facts_->lathe() || s_.plane != 18) return {};
   const auto found = tables_->tools.find(s_.tool_offset);

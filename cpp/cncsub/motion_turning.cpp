@@ -5,11 +5,14 @@
 
 namespace cncsub {
 
-/// P and Q of a lathe's cycles: whole numbers count least increments, also where a length would be millimetres.
+/// P and Q of a lathe's cycles: whole numbers count least increments, also where a length would be
+/// millimetres.
 double Motion::cycle_length(const BlockWords& block, char address) const {
   const double value = raw(block, address);
-  const bool whole = value == std::floor(value) && (address == 'P' || (block.words.computed & bit(address)) == 0);
-  if (!facts_->lathe() || !whole || !facts_->control->cycle_increments.value) return number(block, address);
+  const bool whole =
+      value == std::floor(value) && (address == 'P' || (block.words.computed & bit(address)) == 0);
+  if (!facts_->lathe() || !whole || !facts_->control->cycle_increments.value)
+    return number(block, address);
   return value * facts_->increment * (g20() ? 0.1 * kInch : 1);
 }
 
@@ -65,7 +68,8 @@ std::vector<double> steps_between(double from, double to, double step) {
   if (from == to) return list;
   const double way = to > from ? 1 : -1;
   if (step > 0)
-    for (double at = from + way * step; (to - at) * way > 1e-9; at += way * step) list.push_back(at);
+    for (double at = from + way * step; (to - at) * way > 1e-9; at += way * step)
+      list.push_back(at);
   list.push_back(to);
   return list;
 }
@@ -86,14 +90,17 @@ Motion::Result Motion::grooving(BlockWords& block, Meaning meaning) {
   const int deep = face ? 2 : 0, wide = face ? 0 : 2;
   if ((named & axis_bit(deep)) == 0) return fault(Cause::GrooveAxis, block);
   if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
-  const double p = w.has('P') ? std::fabs(cycle_length(block, 'P')) * (c.groove_p_diameter.value ? 1 : 2) : 0;
+  const double p =
+      w.has('P') ? std::fabs(cycle_length(block, 'P')) * (c.groove_p_diameter.value ? 1 : 2) : 0;
   const double q = w.has('Q') ? std::fabs(cycle_length(block, 'Q')) : 0;
   const double deep_share = deep == 0 ? 2 : 1, wide_share = wide == 0 ? 2 : 1;
   const double retract = s_.multiple.retract * deep_share;
   const double escape = w.has('R') ? number(block, 'R') * wide_share : 0;
-  const double from = start[static_cast<std::size_t>(deep)], to = end[static_cast<std::size_t>(deep)];
+  const double from = start[static_cast<std::size_t>(deep)],
+               to = end[static_cast<std::size_t>(deep)];
   const double way = to < from ? -1 : 1;
-  const double first = start[static_cast<std::size_t>(wide)], last = end[static_cast<std::size_t>(wide)];
+  const double first = start[static_cast<std::size_t>(wide)],
+               last = end[static_cast<std::size_t>(wide)];
   const std::vector<double> levels = steps_between(from, to, face ? q : p);
   bool begun = false;
   for (const double column : steps_between(first, last, face ? p : q)) {
@@ -102,26 +109,31 @@ Motion::Result Motion::grooving(BlockWords& block, Meaning meaning) {
     for (std::size_t i = 1; i < levels.size(); ++i) {
       if (auto wrong = move_axis(block, MoveKind::Feed, deep, levels[i])) return wrong;
       if (i + 1 < levels.size())
-        if (auto wrong = move_axis(block, MoveKind::Rapid, deep, levels[i] - way * retract)) return wrong;
+        if (auto wrong = move_axis(block, MoveKind::Rapid, deep, levels[i] - way * retract))
+          return wrong;
     }
     if (escape != 0) {
       const double back = first == last ? 1 : (last > first ? -1 : 1);
-      if (auto wrong = move_axis(block, MoveKind::Rapid, wide, column + back * escape)) return wrong;
+      if (auto wrong = move_axis(block, MoveKind::Rapid, wide, column + back * escape))
+        return wrong;
     }
     if (auto wrong = move_axis(block, MoveKind::Rapid, deep, from)) return wrong;
     begun = true;
   }
-  return first == last && escape == 0 ? std::nullopt : move_axis(block, MoveKind::Rapid, wide, first);
+  return first == last && escape == 0 ? std::nullopt
+                                      : move_axis(block, MoveKind::Rapid, wide, first);
 }
 
 namespace {
 
-/// The depths of the passes: sqrt(n) of the first cut, at least the least cut each, then the finishing passes.
+/// The depths of the passes: sqrt(n) of the first cut, at least the least cut each, then the
+/// finishing passes.
 std::vector<double> thread_depths(double height, double first, const MultipleData& data) {
   std::vector<double> list;
   const double rough = height - data.allowance;
   for (int n = 1; n < 10000; ++n) {
-    const double depth = std::max(std::sqrt(n) * first, std::sqrt(n - 1.0) * first + data.least_cut);
+    const double depth =
+        std::max(std::sqrt(n) * first, std::sqrt(n - 1.0) * first + data.least_cut);
     if (depth >= rough - 1e-9) break;
     list.push_back(depth);
   }
@@ -148,7 +160,8 @@ Motion::Result Motion::multiple_thread(BlockWords& block) {
   if (!w.has('P') || raw(block, 'P') == 0) return fault(Cause::ThreadHeight, block);
   const double height = cycle_length(block, 'P');
   const double first = w.has('Q') ? std::fabs(cycle_length(block, 'Q')) : 0;
-  if (height < 0 || first <= 0 || first > height || data.allowance >= height) return fault(Cause::ThreadData, block);
+  if (height < 0 || first <= 0 || first > height || data.allowance >= height)
+    return fault(Cause::ThreadData, block);
   if (auto wrong = need_feed(block, Meaning::Thread)) return wrong;
   if (facts_->control->thread_needs_spindle.value && (s_.spindle == 5 || s_.speed <= 0))
     return fault(Cause::SpindleStands, block);

@@ -74,9 +74,11 @@ double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint
   return longest;
 }
 
-double thread_time(const MoveState& state, const Axes& from, const Axes& to, std::uint32_t diameters) {
+double thread_time(const MoveState& state, const Axes& from, const Axes& to,
+                   std::uint32_t diameters) {
   const double dx = (to[0] - from[0]) * ((diameters & 1) != 0 ? 0.5 : 1);
-  const double along = std::max({std::fabs(dx), std::fabs(to[1] - from[1]), std::fabs(to[2] - from[2])});
+  const double along =
+      std::max({std::fabs(dx), std::fabs(to[1] - from[1]), std::fabs(to[2] - from[2])});
   const double rate = state.feed * spindle_at(state, (from[0] + to[0]) / 2);
   return rate > 0 ? along / rate * 60 : 0;
 }
@@ -107,7 +109,8 @@ void Moves::add_chunk() {
   last_ = chunks_.back().get();
 }
 
-void Moves::begin(const Axes& machine, const Axes& point, const Axes& rapid, std::uint32_t diameters) {
+void Moves::begin(const Axes& machine, const Axes& point, const Axes& rapid,
+                  std::uint32_t diameters) {
   begun_ = true;
   start_ = machine;
   start_point_ = point;
@@ -192,7 +195,7 @@ Axes Moves::point(std::size_t row) const {
 struct Moves::Walk {
   const Moves& moves;
   std::size_t arc = 0, vector = 0, second = 0;
-  Axes from{};        // machine position before the row
+  Axes from{};  // machine position before the row
 
   void seek(std::size_t row) {
     arc = find_row(moves.arcs_, row);
@@ -251,7 +254,8 @@ struct Moves::Walk {
         break;
     }
     const double mean = (std::fabs(from[0] - x_offset) + std::fabs(row.point[0])) / 2;
-    return cutting_time(*row.state, path_of(from, row.machine, row.length), spindle_at(*row.state, mean));
+    return cutting_time(*row.state, path_of(from, row.machine, row.length),
+                        spindle_at(*row.state, mean));
   }
 };
 
@@ -290,13 +294,13 @@ double Moves::time() const {
 namespace {
 
 /// Widens the bounds of a plane's two axes by the quadrant points that an arc passes.
-void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters, Axes& low, Axes& high) {
+void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters, Axes& low,
+                  Axes& high) {
   const int a = row.state->plane == 17 ? 0 : row.state->plane == 18 ? 2 : 1;
   const int b = row.state->plane == 17 ? 1 : row.state->plane == 18 ? 0 : 2;
   const auto share = [&](int axis) { return (diameters >> axis & 1) != 0 ? 0.5 : 1.0; };
   const double ca = row.centre[a], cb = row.centre[b];
-  const double radius =
-      std::hypot((row.point[a] - ca) * share(a), (row.point[b] - cb) * share(b));
+  const double radius = std::hypot((row.point[a] - ca) * share(a), (row.point[b] - cb) * share(b));
   const auto angle = [&](const Axes& p) {
     return std::atan2((p[b] - cb) * share(b), (p[a] - ca) * share(a));
   };
@@ -306,7 +310,8 @@ void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters,
   for (int quarter = -4; quarter <= 8; ++quarter) {
     const double t = quarter * kPi / 2;
     if (t < first || t > last) continue;
-    const double pa = ca + radius * std::cos(t) / share(a), pb = cb + radius * std::sin(t) / share(b);
+    const double pa = ca + radius * std::cos(t) / share(a),
+                 pb = cb + radius * std::sin(t) / share(b);
     low[a] = std::min(low[a], pa), high[a] = std::max(high[a], pa);
     low[b] = std::min(low[b], pb), high[b] = std::max(high[b], pb);
   }
@@ -379,11 +384,14 @@ bool Moves::column(std::string_view name, std::int64_t* out) const {
     return true;
   };
   const auto state = [&](auto field) {
-    return fill([&](const Chunk& c, std::size_t p, std::size_t) { return field(states_[c.state[p]]); });
+    return fill(
+        [&](const Chunk& c, std::size_t p, std::size_t) { return field(states_[c.state[p]]); });
   };
   if (name == "move") return fill([](const Chunk&, std::size_t, std::size_t i) { return i; });
-  if (name == "step") return fill([](const Chunk& c, std::size_t p, std::size_t) { return c.step[p]; });
-  if (name == "kind") return fill([](const Chunk& c, std::size_t p, std::size_t) { return c.kind[p]; });
+  if (name == "step")
+    return fill([](const Chunk& c, std::size_t p, std::size_t) { return c.step[p]; });
+  if (name == "kind")
+    return fill([](const Chunk& c, std::size_t p, std::size_t) { return c.kind[p]; });
   if (name == "plane") return state([](const MoveState& s) { return s.plane; });
   if (name == "tool") return state([](const MoveState& s) { return s.tool; });
   if (name == "h") return state([](const MoveState& s) { return s.h; });
@@ -393,8 +401,9 @@ bool Moves::column(std::string_view name, std::int64_t* out) const {
 }
 
 std::size_t Moves::bytes() const {
-  return chunks_.size() * sizeof(Chunk) + states_.size() * sizeof(MoveState) + offsets_.size() * sizeof(Axes) +
-         arcs_.size() * sizeof(Arc) + vectors_.size() * sizeof(Vector) + seconds_.size() * sizeof(Seconds) +
+  return chunks_.size() * sizeof(Chunk) + states_.size() * sizeof(MoveState) +
+         offsets_.size() * sizeof(Axes) + arcs_.size() * sizeof(Arc) +
+         vectors_.size() * sizeof(Vector) + seconds_.size() * sizeof(Seconds) +
          extras_.size() * rows_ * sizeof(double);
 }
 

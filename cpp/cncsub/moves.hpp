@@ -1,6 +1,6 @@
-// The moves of a run as columns: one row per motion. What is constant over many rows stands in a table of states, what
-// only some rows have (arc centres, radius offsets, dwells) in lists by row, and what follows from these is computed when
-// it is asked for.
+// The moves of a run as columns: one row per motion. What is constant over many rows stands in a
+// table of states, what only some rows have (arc centres, radius offsets, dwells) in lists by row,
+// and what follows from these is computed when it is asked for.
 #pragma once
 
 #include <array>
@@ -25,9 +25,9 @@ enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
 
 /// What holds for a row besides its end point.
 struct MoveState {
-  double feed = 0;     // mm/min, mm/rev or 1/min
-  double spindle = 0;  // r/min, or m/min where `surface`
-  double max_spindle = 0;  // 0 = no limit
+  double feed = 0;           // mm/min, mm/rev or 1/min
+  double spindle = 0;        // r/min, or m/min where `surface`
+  double max_spindle = 0;    // 0 = no limit
   std::uint32_t offset = 0;  // into the table of offsets
   std::int32_t tool = 0;
   std::int32_t h = 0;
@@ -43,8 +43,8 @@ struct MoveState {
 struct MoveRow {
   std::uint32_t step = 0;
   MoveKind kind = MoveKind::Rapid;
-  Axes point{};    // programmed end, work coordinates, diameter on a diameter axis
-  Axes machine{};  // machine position of the tool
+  Axes point{};                    // programmed end, work coordinates, diameter on a diameter axis
+  Axes machine{};                  // machine position of the tool
   std::array<double, 3> centre{};  // NaN where none
   const MoveState* state = nullptr;
   double spindle = 0;  // r/min at the end of the move
@@ -70,7 +70,8 @@ class Moves {
     Axes low, high;  // work coordinates; NaN on an axis no move named
   };
   Bounds bounds() const;
-  /// Writes a whole column: x y z a b c u v w, mx my mz ma ..., cx cy cz, feed, spindle, length, time; false for another name.
+  /// Writes a whole column: x y z a b c u v w, mx my mz ma ..., cx cy cz, feed, spindle, length,
+  /// time; false for another name.
   bool column(std::string_view name, double* out) const;
   /// move, step, kind, plane, tool, h, d, feed_mode.
   bool column(std::string_view name, std::int64_t* out) const;
@@ -78,7 +79,8 @@ class Moves {
 
   // What the motion engine writes.
 
-  /// The machine's facts that lengths and times need: where the tool was, rapid rates, diameter axes.
+  /// The machine's facts that lengths and times need: where the tool was, rapid rates, diameter
+  /// axes.
   void begin(const Axes& machine, const Axes& point, const Axes& rapid, std::uint32_t diameters);
   bool begun() const { return begun_; }
   std::uint32_t intern(MoveState state, const Axes& offset);
@@ -169,6 +171,7 @@ double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
 /// What a feed is counted along: the length, and the degrees of rotary axes.
 double path_of(const Axes& from, const Axes& to, double length);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
-double thread_time(const MoveState& state, const Axes& from, const Axes& to, std::uint32_t diameters);
+double thread_time(const MoveState& state, const Axes& from, const Axes& to,
+                   std::uint32_t diameters);
 
 }  // namespace cncsub

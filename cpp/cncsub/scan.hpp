@@ -12,9 +12,12 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 inline char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 /// Blanks, and the characters of punched tape that say nothing: NUL and DEL.
-inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\x7f' || c == '\v' || c == '\f'; }
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\0' || c == '\x7f' || c == '\v' || c == '\f';
+}
 
-/// A place in a block's text. The text ends where the block ends, comments are passed over like blanks.
+/// A place in a block's text. The text ends where the block ends, comments are passed over like
+/// blanks.
 struct Scanner {
   const char* at = nullptr;
   const char* end = nullptr;
@@ -42,7 +45,8 @@ struct Scanner {
     ++at;
     return true;
   }
-  /// Takes a word if it stands here, letters apart or not. `least`: how many of its letters suffice before a non-letter.
+  /// Takes a word if it stands here, letters apart or not. `least`: how many of its letters suffice
+  /// before a non-letter.
   bool take_word(std::string_view word) {
     const char* start = at;
     for (const char c : word) {
@@ -62,7 +66,7 @@ struct Number {
   std::uint32_t digits = 0;        // without leading zeros
   std::uint32_t whole_digits = 0;  // of them before the point
   std::uint32_t decimals = 0;
-  std::uint32_t written = 0;       // digits with leading zeros
+  std::uint32_t written = 0;  // digits with leading zeros
   std::uint8_t points = 0;
   bool negative = false;
   bool signed_ = false;
@@ -70,8 +74,9 @@ struct Number {
 };
 
 /// Powers of ten that are exact.
-inline constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                          1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+inline constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                          1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                          1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 /// Reads sign, digits, points; blanks may stand inside. Leaves the scanner behind it.
 Number scan_number(Scanner& s);

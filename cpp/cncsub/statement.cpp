@@ -11,11 +11,13 @@ void StatementReader::refuse(Fault fault) {
   code_.faults.push_back(std::move(fault));
 }
 
-void StatementReader::refuse(Cause cause, std::uint32_t at, std::uint32_t width, std::string detail) {
+void StatementReader::refuse(Cause cause, std::uint32_t at, std::uint32_t width,
+                             std::string detail) {
   refuse({cause, at, width, std::move(detail)});
 }
 
-/// A keyword stands here: whole, or its first two letters with something behind them that is no letter of a longer word.
+/// A keyword stands here: whole, or its first two letters with something behind them that is no
+/// letter of a longer word.
 bool StatementReader::keyword(std::string_view word) {
   Scanner ahead = s_;
   if (ahead.take_word(word)) {
@@ -48,8 +50,8 @@ bool StatementReader::at_end(Cause otherwise) {
   else if (is_letter(c) || starts_assignment())
     refuse(otherwise, s_.offset(), 1, "behind the statement stands another word");
   else
-    refuse(block_.op == Op::Assign ? Cause::ExpressionFormat : Cause::StatementFormat, s_.offset(), 1,
-           "the statement ends before this");
+    refuse(block_.op == Op::Assign ? Cause::ExpressionFormat : Cause::StatementFormat, s_.offset(),
+           1, "the statement ends before this");
   return false;
 }
 
@@ -129,7 +131,8 @@ void StatementReader::assignment(bool bracketed) {
   ExpressionReader reader(code_, s_);
   if (is_letter(s_.peek()) || s_.peek() == '_') {
     if (!code_.control->variable_names.value)
-      return refuse(Cause::ExpressionFormat, s_.offset(), 1, "behind # stands a number, or an expression in brackets");
+      return refuse(Cause::ExpressionFormat, s_.offset(), 1,
+                    "behind # stands a number, or an expression in brackets");
     std::string name;
     while (is_letter(s_.peek()) || s_.peek() == '_' || (!name.empty() && is_digit(s_.peek()))) {
       name += s_.peek();
@@ -138,8 +141,10 @@ void StatementReader::assignment(bool bracketed) {
     code_.names.push_back(name);
     statement.target = Statement::Target::Indirect;
     statement.variable = static_cast<std::uint32_t>(code_.expressions.size());
-    code_.expressions.push_back({.first = static_cast<std::uint32_t>(code_.instructions.size()), .at = statement.at});
-    code_.instructions.push_back({Ins::Named, 0, statement.at, static_cast<double>(code_.names.size() - 1)});
+    code_.expressions.push_back(
+        {.first = static_cast<std::uint32_t>(code_.instructions.size()), .at = statement.at});
+    code_.instructions.push_back(
+        {Ins::Named, 0, statement.at, static_cast<double>(code_.names.size() - 1)});
     code_.instructions.push_back({Ins::End, 0, statement.at, 0});
   } else {
     const auto variable = reader.variable();
@@ -154,19 +159,24 @@ void StatementReader::assignment(bool bracketed) {
       if (indirect) {
         statement.target = Statement::Target::Indirect;
         statement.variable = static_cast<std::uint32_t>(code_.expressions.size());
-        code_.expressions.push_back({.first = static_cast<std::uint32_t>(code_.instructions.size()), .at = statement.at});
+        code_.expressions.push_back(
+            {.first = static_cast<std::uint32_t>(code_.instructions.size()), .at = statement.at});
         const VariablePlace inner = code_.place(number - 9000);
         const bool common = inner.kind == VariableKind::Common || inner.kind == VariableKind::Kept;
         const bool local = inner.kind == VariableKind::Local;
         const bool plain = inner.range != nullptr && (common || local);
-        code_.instructions.push_back({!plain ? Ins::Variable : common ? Ins::Common : Ins::Local, 0,
-                                      plain ? static_cast<std::uint32_t>(inner.index) : statement.at,
-                                      static_cast<double>(number - 9000)});
+        code_.instructions.push_back(
+            {!plain   ? Ins::Variable
+             : common ? Ins::Common
+                      : Ins::Local,
+             0, plain ? static_cast<std::uint32_t>(inner.index) : statement.at,
+             static_cast<double>(number - 9000)});
         code_.instructions.push_back({Ins::End, 0, statement.at, 0});
       } else if (place.range != nullptr && place.kind == VariableKind::Local) {
         statement.target = Statement::Target::Local;
         statement.index = place.index;
-      } else if (place.range != nullptr && (place.kind == VariableKind::Common || place.kind == VariableKind::Kept) &&
+      } else if (place.range != nullptr &&
+                 (place.kind == VariableKind::Common || place.kind == VariableKind::Kept) &&
                  place.range->access == Access::ReadWrite) {
         statement.target = Statement::Target::Common;
         statement.index = place.index;
@@ -176,16 +186,19 @@ void StatementReader::assignment(bool bracketed) {
       }
     }
   }
-  if (bracketed && !s_.take(']')) return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the name's bracket is not closed");
+  if (bracketed && !s_.take(']'))
+    return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the name's bracket is not closed");
   statement.variable_width = std::max<std::uint32_t>(1, s_.offset() - statement.variable_at);
-  if (!s_.take('=')) return refuse(Cause::MissingEquals, s_.offset(), 1, "behind the variable stands no =");
+  if (!s_.take('='))
+    return refuse(Cause::MissingEquals, s_.offset(), 1, "behind the variable stands no =");
   const auto value = reader.number();
   if (!value) return refuse(reader.fault());
   statement.expression = *value;
   statement.width = std::max<std::uint32_t>(1, s_.offset() - statement.at);
   // The comment behind the value is data of #3000 and #3006.
-  const std::string_view rest(s_.file + code_.expressions[*value].at,
-                              static_cast<std::size_t>(s_.end - s_.file) - code_.expressions[*value].at);
+  const std::string_view rest(
+      s_.file + code_.expressions[*value].at,
+      static_cast<std::size_t>(s_.end - s_.file) - code_.expressions[*value].at);
   const std::size_t open = rest.find('(');
   if (open != std::string_view::npos) {
     const std::size_t close = std::min(rest.find(')', open), rest.size());
@@ -215,8 +228,10 @@ void StatementReader::if_statement() {
   if (keyword("GOTO")) return jump(Op::IfGoto, statement);
   if (code_.control->if_form.value == IfForm::GotoOnly)
     return refuse(Cause::IfFormat, s_.offset(), 1, "behind the condition stands GOTO");
-  if (!keyword("THEN")) return refuse(Cause::IfFormat, s_.offset(), 1, "behind the condition stands GOTO or THEN");
-  if (s_.peek() == '\0' && code_.control->if_form.value == IfForm::ThenBlocks) return finish(Op::If, statement);
+  if (!keyword("THEN"))
+    return refuse(Cause::IfFormat, s_.offset(), 1, "behind the condition stands GOTO or THEN");
+  if (s_.peek() == '\0' && code_.control->if_form.value == IfForm::ThenBlocks)
+    return finish(Op::If, statement);
   then_statement(statement);
 }
 
@@ -230,12 +245,14 @@ void StatementReader::then_statement(Statement& statement) {
     block_.op = Op::Fault;
     block_.aux = then.aux;
     Fault& fault = code_.faults[then.aux];
-    if (fault.cause == Cause::NcAndMacroInBlock || fault.cause == Cause::StatementFormat) fault.cause = Cause::IfFormat;
+    if (fault.cause == Cause::NcAndMacroInBlock || fault.cause == Cause::StatementFormat)
+      fault.cause = Cause::IfFormat;
     return;
   }
-  const bool simple = then.op == Op::Assign || then.op == Op::Goto || then.op == Op::Print || then.op == Op::OpenOutput ||
-                      then.op == Op::CloseOutput;
-  if (!simple) return refuse(Cause::IfFormat, at, 1, "THEN takes an assignment, a jump or an output");
+  const bool simple = then.op == Op::Assign || then.op == Op::Goto || then.op == Op::Print ||
+                      then.op == Op::OpenOutput || then.op == Op::CloseOutput;
+  if (!simple)
+    return refuse(Cause::IfFormat, at, 1, "THEN takes an assignment, a jump or an output");
   statement.then = static_cast<std::uint32_t>(code_.variants.size());
   code_.variants.push_back(then);
   finish(Op::IfThen, statement);
@@ -257,14 +274,16 @@ void StatementReader::while_statement() {
     if (at_end(Cause::NcAndMacroInBlock)) finish(Op::While, statement);
     return;
   }
-  if (!s_.take_word("DO")) return refuse(Cause::WhileFormat, s_.offset(), 1, "behind the condition stands DO");
+  if (!s_.take_word("DO"))
+    return refuse(Cause::WhileFormat, s_.offset(), 1, "behind the condition stands DO");
   loop(Op::While, statement);
 }
 
 void StatementReader::loop(Op op, Statement statement) {
   const std::uint32_t at = s_.offset();
   if (!is_digit(s_.peek())) {
-    refuse(op == Op::While ? Cause::WhileFormat : Cause::IllegalLoopNumber, s_.offset(), 1, "the loop has no number");
+    refuse(op == Op::While ? Cause::WhileFormat : Cause::IllegalLoopNumber, s_.offset(), 1,
+           "the loop has no number");
     return;
   }
   const Number number = scan_number(s_);
@@ -293,7 +312,8 @@ void StatementReader::jump(Op op, Statement statement) {
   } else if (is_digit(c) || c == '-' || c == '.' || c == '+') {
     const Number number = scan_number(s_);
     const int most = code_.control->max_jump_number.value;
-    if (number.points != 0) return refuse(Cause::IllegalDecimalPoint, at, 1, "a sequence number has no point");
+    if (number.points != 0)
+      return refuse(Cause::IllegalDecimalPoint, at, 1, "a sequence number has no point");
     if (!number.any) return refuse(format, at, 1, "GOTO without a sequence number");
     if (number.value < 1 || number.value > most)
       return refuse(Cause::IllegalJumpNumber, at, std::max(1u, s_.offset() - at),
@@ -310,9 +330,11 @@ void StatementReader::print(bool binary) {
   Print print;
   print.binary = binary;
   print.at = s_.offset();
-  if (!s_.take('[')) return refuse(Cause::OutputFormat, s_.offset(), 1, "the output stands in brackets");
+  if (!s_.take('['))
+    return refuse(Cause::OutputFormat, s_.offset(), 1, "the output stands in brackets");
   while (s_.peek() != ']') {
-    if (s_.peek() == '\0') return refuse(Cause::OutputFormat, s_.offset(), 1, "the output's bracket is not closed");
+    if (s_.peek() == '\0')
+      return refuse(Cause::OutputFormat, s_.offset(), 1, "the output's bracket is not closed");
     if (s_.peek() == '#') {
       if (!print_field(print)) return;
       continue;
@@ -345,7 +367,8 @@ bool StatementReader::print_field(Print& print) {
     return false;
   }
   const Number format = scan_number(s_);
-  const bool good = format.written == (print.binary ? 1 : 2) && !format.negative && format.points == 0 && format.value < (print.binary ? 10 : 100);
+  const bool good = format.written == (print.binary ? 1 : 2) && !format.negative &&
+                    format.points == 0 && format.value < (print.binary ? 10 : 100);
   if (!good || !s_.take(']')) {
     refuse(Cause::OutputFormat, at, 1, "the number of digits is two digits in brackets, as [53]");
     return false;
@@ -375,16 +398,20 @@ void StatementReader::name_variables() {
       name += s_.peek();
       ++s_.at;
     }
-    if (name.size() > 8) return refuse(Cause::VariableNameTooLong, at, 1, "a variable name has at most 8 characters");
+    if (name.size() > 8)
+      return refuse(Cause::VariableNameTooLong, at, 1, "a variable name has at most 8 characters");
     const char behind = s_.peek();
     const bool ends = behind == ']' || behind == ',' || behind == '\0';
     if (!ends || name.empty() || is_digit(name[0]))
-      return refuse(Cause::IllegalVariableName, ends ? at : s_.offset(), 1, "a variable name is a letter, then letters, digits and _");
+      return refuse(Cause::IllegalVariableName, ends ? at : s_.offset(), 1,
+                    "a variable name is a letter, then letters, digits and _");
     code_.names.push_back(name);
     if (s_.take(']')) break;
-    if (!s_.take(',')) return refuse(Cause::SetvnFormat, s_.offset(), 1, "the list of names is not closed");
+    if (!s_.take(','))
+      return refuse(Cause::SetvnFormat, s_.offset(), 1, "the list of names is not closed");
   }
-  statement.variable_width = static_cast<std::uint32_t>(code_.names.size()) - static_cast<std::uint32_t>(statement.index);
+  statement.variable_width =
+      static_cast<std::uint32_t>(code_.names.size()) - static_cast<std::uint32_t>(statement.index);
   if (at_end(Cause::NcAndMacroInBlock)) finish(Op::NameVariables, statement);
 }
 

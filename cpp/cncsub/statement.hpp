@@ -13,9 +13,11 @@ class ExpressionReader {
  public:
   ExpressionReader(Code& code, Scanner& scanner) : code_(code), s_(scanner) {}
 
-  /// An expression that gives a number; nothing where it is faulty (see `fault`). Reads as far as the expression goes.
+  /// An expression that gives a number; nothing where it is faulty (see `fault`). Reads as far as
+  /// the expression goes.
   std::optional<std::uint32_t> number();
-  /// The value behind an address: `#1`, `-#1`, `[...]`, `-[...]`. In a word, ROUND rounds to the address's increment.
+  /// The value behind an address: `#1`, `-#1`, `[...]`, `-[...]`. In a word, ROUND rounds to the
+  /// address's increment.
   std::optional<std::uint32_t> word_value(char address);
   /// The condition of IF and WHILE, brackets included.
   std::optional<std::uint32_t> condition();
@@ -32,7 +34,8 @@ class ExpressionReader {
   enum class Type { Number, Condition };
   struct Value {
     Type type = Type::Number;
-    std::int64_t raw = -1;  // the instruction, where the value is one variable and may still be vacant
+    std::int64_t raw =
+        -1;  // the instruction, where the value is one variable and may still be vacant
   };
 
   std::optional<Value> expression(int level);
@@ -59,13 +62,15 @@ class ExpressionReader {
   bool failed_ = false;
   char address_ = 0;  // of the word the expression stands in
   int brackets_ = 0;
-  int depth_ = 0;     // values on the stack
+  int depth_ = 0;  // values on the stack
 };
 
-/// Compiles a macro statement into `block`. False where no statement stands here and the block is one of words.
+/// Compiles a macro statement into `block`. False where no statement stands here and the block is
+/// one of words.
 class StatementReader {
  public:
-  StatementReader(Code& code, Scanner& scanner, Block& block) : code_(code), s_(scanner), block_(block) {}
+  StatementReader(Code& code, Scanner& scanner, Block& block)
+      : code_(code), s_(scanner), block_(block) {}
   bool read();
 
  private:

@@ -12,7 +12,7 @@ void pass_value(Scanner& s) {
   while (s.at != s.end) {
     const char c = s.peek();
     if (c == '\0') return;
-    if (brackets == 0 && (is_letter(c) || c == ',' || c == '/') ) return;
+    if (brackets == 0 && (is_letter(c) || c == ',' || c == '/')) return;
     if (c == '[') ++brackets;
     if (c == ']') --brackets;
     ++s.at;

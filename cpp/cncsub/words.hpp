@@ -1,4 +1,5 @@
-// The words of a block as they are written, for people and tools; the engine itself reads blocks as code.
+// The words of a block as they are written, for people and tools; the engine itself reads blocks as
+// code.
 #pragma once
 
 #include <string>
@@ -13,7 +14,7 @@ struct WrittenWord {
   std::string address;  // "X", ",C", "#", "/"; empty for a macro statement
   bool known = false;   // the value is written as a number
   double value = 0;
-  std::string text;     // "X10."
+  std::string text;  // "X10."
 };
 
 std::vector<WrittenWord> written_words(const Control& control, std::string_view block);

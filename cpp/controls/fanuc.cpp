@@ -687,6 +687,7 @@ void calls_and_returns(Control& c) {
 }
 
 void macro_statements(Control& c) {
+  c.vacant_system_writes = {true, kPolicy, Inferred};
   c.max_constant_digits = {8, "general knowledge", Inferred};
   c.max_condition_length = {0, kPolicy, Inferred};
   c.if_form = {IfForm::GotoThen, cite({kXGo, kFin}), Secondary};

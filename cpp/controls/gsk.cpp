@@ -149,6 +149,7 @@ void call_988(Control& c) {
 }
 
 void statements_988(Control& c) {
+  c.vacant_system_writes = {true, kPolicy, kInferred};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};
   c.if_form = {IfForm::GotoThen, kTA + "27, example; THEN from general knowledge", kManual};
@@ -548,6 +549,7 @@ void call_980(Control& c) {
 }
 
 void statements_980(Control& c) {
+  c.vacant_system_writes = {false, kMDia + "121" + kOfMDi, kSecondary};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};
   c.if_form = {IfForm::GotoThen, kTDi + "29 3.29.2 (2)", kManual};
@@ -582,8 +584,10 @@ void statements_980(Control& c) {
 void macros_980(Control& c) {
   c.codes_not_with_macro_call = {"43 44 49", kMDib + "115" + kOfMDi, kSecondary};
   c.m_codes_not_with_macro_call = {"0 1 2 30 98 99", kMDib + "116" + kOfMDi, kSecondary};
-  c.codes_not_with_modal_call = {"0 1 2 3 4 5 6.2 6.3 7.2 7.3 28 30 31 32 33 34 36 37 50 52 53 70 71 72 73 74 75 76 84 88 90 92 94",
-                                 kMDia + "044" + kOfMDi, kSecondary};
+  c.codes_not_with_modal_call = {
+      "0 1 2 3 4 5 6.2 6.3 7.2 7.3 28 30 31 32 33 34 36 37 50 52 53 70 71 72 73 74 75 76 84 88 90 "
+      "92 94",
+      kMDia + "044" + kOfMDi, kSecondary};
   c.macro_calls = {true, kTDi + "28 3.28.3", kManual};
   c.modal_every_block = {false, kTDi + "28 3.28.3 names G65, G66 and G67", kManual};
   c.max_macro_digits = {4, kTDi + "28 3.28.3.1: at most four digits", kManual};
@@ -698,7 +702,8 @@ void variables_980(Control& c) {
   add(0, 0, VariableKind::Vacant);
   add(1, 33, VariableKind::Local, Access::ReadWrite);
   add(100, 199, VariableKind::Common, Access::ReadWrite);
-  add(200, 499, VariableKind::Common, Access::ReadWrite);  // the manual's example of #9100 uses #205
+  add(200, 499, VariableKind::Common,
+      Access::ReadWrite);  // the manual's example of #9100 uses #205
   add(500, 999, VariableKind::Kept, Access::ReadWrite);
   add(1000, 1015, VariableKind::Input);
   add(1032, 1034, VariableKind::InputWord);
@@ -920,6 +925,7 @@ void call_928(Control& c) {
 /// The 928TE has none of these: its jumps are M97, and the r variables of the 928T are of another
 /// kind.
 void no_macros_928(Control& c) {
+  c.vacant_system_writes = {true, kPolicy, kInferred};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};
   c.codes_not_with_macro_call = {"", "there are no macro calls", kInferred};

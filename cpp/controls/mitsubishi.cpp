@@ -60,7 +60,8 @@ void reading(Control& c) {
   c.sequence_number_first = {false, kGeneral + ": only a target must have its N at the head",
                              kInferred};
   c.cuts_fine_digits = {false, kPolicy, kInferred};
-  c.late_sequence_numbers = {false, kGeneral + ": the N of a target stands at the head of its block", kInferred};
+  c.late_sequence_numbers = {
+      false, kGeneral + ": the N of a target stands at the head of its block", kInferred};
   c.max_words = {0, kPolicy, kInferred};
   c.max_block_length = {0, kPolicy, kInferred};
   c.max_digits = {15, kPolicy + "; ranges are checked address by address, " + kSK + "P35",
@@ -122,6 +123,7 @@ void calling(Control& c) {
 }
 
 void statements(Control& c) {
+  c.vacant_system_writes = {true, kPolicy, kInferred};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};
   c.if_form = {IfForm::GotoThen, kGeneral + "; a single IF THEN, to be verified", kInferred};
@@ -211,6 +213,7 @@ void alarms(Control& c) {
       {Cause::JumpTargetNotFound, {"P231", "NO N-NUMBER", kMZ + "843, paired", kSecondary}},
       {Cause::IllegalRepeatCount, {"P35", "CMD-VALUE OVER", range, kManual}},
       {Cause::NestingTooDeep, {"P230", "NESTING OVER", k004 + "note on levels", kDocument}},
+      {Cause::IllegalMacroNumber, {"P35", "CMD-VALUE OVER", kSK + "P35", kManual}},
       {Cause::SetvnFormat, {"P292", "SETVN SNT. ERR", kMZ + "866, paired", kSecondary}},
       {Cause::ModalCallsTooMany, {"P273", "MACRO OVERCALL", kMZ + "855, paired", kSecondary}},
       {Cause::MacroNestingTooDeep, {"P273", "MACRO OVERCALL", kMZ + "855, paired", kSecondary}},

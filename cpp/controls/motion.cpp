@@ -1,9 +1,9 @@
 // Motion rules, parameters and alarms of every maker. The tags of the sources:
 //   source 000, 001, 003   the given documents: GSK 988TA, GSK 928, HNC-21M and FANUC 0i-M
-//   TDi n, TA n            GSK 980TDi manual chapter 3.n, GSK 988TA programming paper n; TApar, TDipar their parameters
-//   Talm nnn, MDib nnnn    alarms of the 988T and the 980MDi
-//   M7 p.n, MZ nnn         Mitsubishi M700V manual; Mazak's alarms, paired with Mitsubishi's by order
-//   16MC, 16TC, 15iM, 30i, 30iM, 0iMB, 0iTC, 16iLB p.n   FANUC manuals; ALM a transcript of the 30i's alarms
+//   TDi n, TA n            GSK 980TDi manual chapter 3.n, GSK 988TA programming paper n; TApar,
+//   TDipar their parameters Talm nnn, MDib nnnn    alarms of the 988T and the 980MDi M7 p.n, MZ nnn
+//   Mitsubishi M700V manual; Mazak's alarms, paired with Mitsubishi's by order 16MC, 16TC, 15iM,
+//   30i, 30iM, 0iMB, 0iTC, 16iLB p.n   FANUC manuals; ALM a transcript of the 30i's alarms
 #include <initializer_list>
 
 #include "controls/controls.hpp"
@@ -24,12 +24,14 @@ struct AlarmRow {
 };
 
 void add_alarms(Control& c, std::initializer_list<AlarmRow> rows) {
-  for (const AlarmRow& row : rows) c.alarms.insert({row.cause, {row.number, row.text, row.source, row.evidence}});
+  for (const AlarmRow& row : rows)
+    c.alarms.insert({row.cause, {row.number, row.text, row.source, row.evidence}});
 }
 
-/// Gives a parameter its effect; one the control's own list already has keeps its value and its source.
-void add_effect(Control& c, const char* name, double value, const char* meaning, const char* source, Evidence evidence,
-                void (*effect)(Control&, double)) {
+/// Gives a parameter its effect; one the control's own list already has keeps its value and its
+/// source.
+void add_effect(Control& c, const char* name, double value, const char* meaning, const char* source,
+                Evidence evidence, void (*effect)(Control&, double)) {
   for (Parameter& p : c.parameters)
     if (p.name == name) {
       p.effect = effect;
@@ -47,11 +49,15 @@ void set_power_on_incremental(Control& c, double v) { c.power_on_incremental.val
 void set_power_on_per_minute(Control& c, double v) { c.power_on_per_minute.value = v != 0; }
 void set_power_on_feed(Control& c, double v) { c.power_on_feed.value = static_cast<int>(v); }
 void set_clear_on_reset(Control& c, double v) { c.clear_on_reset.value = v != 0; }
-void set_no_radius(Control& c, double v) { c.no_radius.value = v != 0 ? NoRadius::Alarm : NoRadius::Line; }
+void set_no_radius(Control& c, double v) {
+  c.no_radius.value = v != 0 ? NoRadius::Alarm : NoRadius::Line;
+}
 void set_small_radius(Control& c, double v) {
   c.small_radius.value = v != 0 ? SmallRadius::Alarm : SmallRadius::HalfCircle;
 }
-void set_start_up(Control& c, double v) { c.start_up.value = v != 0 ? StartUp::TypeB : StartUp::TypeA; }
+void set_start_up(Control& c, double v) {
+  c.start_up.value = v != 0 ? StartUp::TypeB : StartUp::TypeA;
+}
 void set_plain_corners(Control& c, double v) {
   c.chamfer_words.value = v != 0 ? ",C C" : ",C";
   c.round_words.value = v != 0 ? ",R R" : ",R";
@@ -70,40 +76,53 @@ void set_rough_escape(Control& c, double v) {
   if (v > 0) c.rough_escape.value = micrometres(v);
 }
 void set_max_feed(Control& c, double v) { c.max_feed.value = static_cast<int>(v); }
-void set_acute_corner(Control& c, double v) { c.acute_corner.value = v != 0 ? AcuteCorner::Arc : AcuteCorner::Lines; }
+void set_acute_corner(Control& c, double v) {
+  c.acute_corner.value = v != 0 ? AcuteCorner::Arc : AcuteCorner::Lines;
+}
 void set_reset_local(Control& c, double v) { c.clear_local_on_reset.value = v != 0; }
-void set_machine_system(Control& c, double v) { c.machine.value = v != 0 ? MachineType::LatheB : MachineType::LatheA; }
+void set_machine_system(Control& c, double v) {
+  c.machine.value = v != 0 ? MachineType::LatheB : MachineType::LatheA;
+}
 void set_coordinate_refused(Control& c, double v) { c.set_coordinate_alarms.value = v != 0; }
 void set_offset_digits(Control& c, double v) { c.tool_offset_digits.value = v != 0 ? 2 : 1; }
-void set_length_named(Control& c, double v) { c.length_type.value = v != 0 ? LengthType::Named : LengthType::Z; }
+void set_length_named(Control& c, double v) {
+  c.length_type.value = v != 0 ? LengthType::Named : LengthType::Z;
+}
 void set_length_normal(Control& c, double v) {
   if (v != 0) c.length_type.value = LengthType::Normal;
 }
-void set_tool_motion(Control& c, double v) { c.tool_offset.value = v != 0 ? ToolOffset::NextMove : ToolOffset::Shift; }
+void set_tool_motion(Control& c, double v) {
+  c.tool_offset.value = v != 0 ? ToolOffset::NextMove : ToolOffset::Shift;
+}
 void set_cycle_increments(Control& c, double v) { c.cycle_increments.value = v != 0; }
 void set_chamfer_length(Control& c, double v) {
   c.chamfer_length.value = v != 0 ? ChamferLength::Corner : ChamferLength::Line;
 }
 
 /// The parameters that FANUC and the GSK 988 number alike.
-void fanuc_numbers(Control& c, const char* source, Evidence evidence) {
+void fanuc_numbers(Control& c, const char* source, Evidence evidence, double power_on_feed) {
   add_effect(c, "3402#0", 0, "at power-on 0 = G00, 1 = G01", source, evidence, set_power_on_line);
-  add_effect(c, "3402#3", 0, "at power-on 0 = G90, 1 = G91", source, evidence, set_power_on_incremental);
-  add_effect(c, "3402#4", 0, "lathes at power-on 0 = feed per revolution, 1 = per minute", source, evidence,
-             set_power_on_per_minute);
-  add_effect(c, "3402#6", 0, "at reset and M30 0 = modal codes stay, 1 = those of power-on", source, evidence,
-             set_clear_on_reset);
-  add_effect(c, "3403#4", 0, "R too small: 0 = a half circle inside the tolerance, 1 = alarm", source, evidence,
-             set_small_radius);
-  add_effect(c, "3403#5", 0, "an arc without R, I, J, K: 0 = a line, 1 = alarm", source, evidence, set_no_radius);
-  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked", source, evidence,
-             set_tolerance);
-  add_effect(c, "1411", 0, "the feed at power-on", source, evidence, set_power_on_feed);
-  add_effect(c, "5003#0", 0, "the start-up of the radius offset: 0 = type A, 1 = type B", source, evidence,
-             set_start_up);
-  add_effect(c, "5114", 0, "the retract of the fast pecking cycle, mm", source, evidence, set_peck_retract);
-  add_effect(c, "5115", 0, "the clearance of the pecking cycle, mm", source, evidence, set_peck_clearance);
-  add_effect(c, "5132", 0, "the depth of cut of G71 and G72, mm", source, evidence, set_rough_depth);
+  add_effect(c, "3402#3", 0, "at power-on 0 = G90, 1 = G91", source, evidence,
+             set_power_on_incremental);
+  add_effect(c, "3402#4", 0, "lathes at power-on 0 = feed per revolution, 1 = per minute", source,
+             evidence, set_power_on_per_minute);
+  add_effect(c, "3402#6", 0, "at reset and M30 0 = modal codes stay, 1 = those of power-on", source,
+             evidence, set_clear_on_reset);
+  add_effect(c, "3403#4", 0, "R too small: 0 = a half circle inside the tolerance, 1 = alarm",
+             source, evidence, set_small_radius);
+  add_effect(c, "3403#5", 0, "an arc without R, I, J, K: 0 = a line, 1 = alarm", source, evidence,
+             set_no_radius);
+  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked", source,
+             evidence, set_tolerance);
+  add_effect(c, "1411", power_on_feed, "the feed at power-on", source, evidence, set_power_on_feed);
+  add_effect(c, "5003#0", 0, "the start-up of the radius offset: 0 = type A, 1 = type B", source,
+             evidence, set_start_up);
+  add_effect(c, "5114", 0, "the retract of the fast pecking cycle, mm", source, evidence,
+             set_peck_retract);
+  add_effect(c, "5115", 0, "the clearance of the pecking cycle, mm", source, evidence,
+             set_peck_clearance);
+  add_effect(c, "5132", 0, "the depth of cut of G71 and G72, mm", source, evidence,
+             set_rough_depth);
   add_effect(c, "5133", 0, "the escape of G71 and G72, mm", source, evidence, set_rough_escape);
 }
 
@@ -120,16 +139,18 @@ void fanuc_rules(Control& c) {
   c.cycle_repeats = {"K", kKnown, Inferred};
   c.power_on_per_minute = {false, "3402#4", Inferred};
   c.max_rotation = {360, kKnown, Inferred};
-  fanuc_numbers(c, kKnown, Inferred);
+  fanuc_numbers(c, kKnown, Inferred, 0);
   // Cases of lathes write chamfers without a comma, which CCR allows.
   for (Parameter& p : c.parameters)
     if (p.name == "3405#4") p.value = 1;
-  add_effect(c, "3405#4", 1, "lathes: 1 = C and R make corners without a comma", kKnown, Inferred, set_plain_corners);
-  add_effect(c, "1202#3", 0, "reset ends the local coordinate system", kKnown, Inferred, set_reset_local);
-  add_effect(c, "5001#0", 0, "1 = length offset on the axis that the block names (type C)", kKnown, Inferred,
-             set_length_named);
-  add_effect(c, "5001#1", 0, "1 = length offset on the axis across the plane (type B)", kKnown, Inferred,
-             set_length_normal);
+  add_effect(c, "3405#4", 1, "lathes: 1 = C and R make corners without a comma", kKnown, Inferred,
+             set_plain_corners);
+  add_effect(c, "1202#3", 0, "reset ends the local coordinate system", kKnown, Inferred,
+             set_reset_local);
+  add_effect(c, "5001#0", 0, "1 = length offset on the axis that the block names (type C)", kKnown,
+             Inferred, set_length_named);
+  add_effect(c, "5001#1", 0, "1 = length offset on the axis across the plane (type B)", kKnown,
+             Inferred, set_length_normal);
 }
 
 /// The numbers of the 16i; the later series write PS0 in front.
@@ -167,35 +188,47 @@ void fanuc_alarms(Control& c, const std::string& prefix) {
       {Cause::CornerNextMove, "052", "CODE IS NOT G01 AFTER CHF/CNR", Secondary},
       {Cause::CornerFormat, "053", "TOO MANY ADDRESS COMMANDS", Secondary},
       {Cause::CornerTooShort, "055", "MISSING MOVE VALUE IN CHF/CNR", Secondary},
-      {Cause::PqMissing, "061", "P OR Q COMMAND IS NOT IN THE MULTIPLE REPETIVE CYCLES BLOCK", Secondary},
-      {Cause::CycleDepth, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL", Secondary},
-      {Cause::ThreadData, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL", Secondary},
-      {Cause::ThreadHeight, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL", Inferred},
-      {Cause::PqNotFound, "063", "THE BLOCK OF A SPECIFIED SEQUENCE NUMBER IS NOT FOUND", Secondary},
-      {Cause::ProfileNotMonotone, "064", "THE FINISHING SHAPE IS NOT A MONOTONOUS CHANGE", Secondary},
-      {Cause::ProfileFirstBlock, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM", Secondary},
-      {Cause::ProfileCode, "066", "UNAVAILABLE COMMAND IS IN THE MULTIPLE REPETIVE CYCLES BLOCK", Secondary},
-      {Cause::ProfileCall, "066", "UNAVAILABLE COMMAND IS IN THE MULTIPLE REPETIVE CYCLES BLOCK", Inferred},
+      {Cause::PqMissing, "061", "P OR Q COMMAND IS NOT IN THE MULTIPLE REPETIVE CYCLES BLOCK",
+       Secondary},
+      {Cause::CycleDepth, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Secondary},
+      {Cause::ThreadData, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Secondary},
+      {Cause::ThreadHeight, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Inferred},
+      {Cause::PqNotFound, "063", "THE BLOCK OF A SPECIFIED SEQUENCE NUMBER IS NOT FOUND",
+       Secondary},
+      {Cause::ProfileNotMonotone, "064", "THE FINISHING SHAPE IS NOT A MONOTONOUS CHANGE",
+       Secondary},
+      {Cause::ProfileFirstBlock, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM",
+       Secondary},
+      {Cause::ProfileCode, "066", "UNAVAILABLE COMMAND IS IN THE MULTIPLE REPETIVE CYCLES BLOCK",
+       Secondary},
+      {Cause::ProfileCall, "066", "UNAVAILABLE COMMAND IS IN THE MULTIPLE REPETIVE CYCLES BLOCK",
+       Inferred},
       {Cause::NotAtReference, "092", "ZERO RETURN CHECK (G27) ERROR", Secondary},
   };
   for (const Row& row : kRows)
-    c.alarms.insert({row.cause,
-                     {prefix.empty() ? row.number : prefix + row.number, row.text,
-                      row.evidence == Secondary ? std::string("ALM ") + row.number : kKnown, row.evidence}});
+    c.alarms.insert(
+        {row.cause,
+         {prefix.empty() ? row.number : prefix + row.number, row.text,
+          row.evidence == Secondary ? std::string("ALM ") + row.number : kKnown, row.evidence}});
 }
 
 /// What the 30i and its relatives number from 300 on.
 void fanuc_alarms_30i(Control& c) {
-  add_alarms(c, {{Cause::NoIntermediate, "PS0305", "ILLEGAL RETURN REFERENCE POINT", "ALM 305", Secondary},
-                 {Cause::ThreadLead, "PS0313", "ILLEGAL LEAD COMMAND", "ALM 313", Secondary},
-                 {Cause::CornerPlane, "PS0306", "MISMATCH AXIS WITH CNR/CHF", "ALM 306", Secondary},
-                 {Cause::ScaleZero, "PS0300", "ILLEGAL COMMAND IN SCALING", "ALM 300", Secondary}});
+  add_alarms(
+      c, {{Cause::NoIntermediate, "PS0305", "ILLEGAL RETURN REFERENCE POINT", "ALM 305", Secondary},
+          {Cause::ThreadLead, "PS0313", "ILLEGAL LEAD COMMAND", "ALM 313", Secondary},
+          {Cause::CornerPlane, "PS0306", "MISMATCH AXIS WITH CNR/CHF", "ALM 306", Secondary},
+          {Cause::ScaleZero, "PS0300", "ILLEGAL COMMAND IN SCALING", "ALM 300", Secondary}});
 }
 
 // ---- Mitsubishi ----
 
 void mitsubishi_rules(Control& c) {
-  c.modal_groups = {"work=12 path=13 macro=14 rotation=16 surface=17 polar=18 mirror=19", kKnown, Inferred};
+  c.modal_groups = {"work=12 path=13 macro=14 rotation=16 surface=17 polar=18 mirror=19", kKnown,
+                    Inferred};
   c.machine_move = {MachineMove::Modal, "M7 p.520 (4)-(8)", Manual};
   c.no_radius = {NoRadius::Alarm, kKnown, Inferred};
   c.idle_blocks = {3, "M7 p.191, 202, 203", Manual};
@@ -206,60 +239,73 @@ void mitsubishi_rules(Control& c) {
   c.feed_needed = {true, "M7 p.52: P62", Manual};
   c.power_on_line = {true, "M7 p.534 (11): G54 X Y right after power-on alarms P62", Manual};
   c.small_radius = {SmallRadius::Alarm, "MZ 818, paired with P71", Secondary};
-  add_effect(c, "3402#0", 1, "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own",
+  add_effect(c, "3402#0", 1,
+             "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own",
              "M7 p.534 (11)", Manual, set_power_on_line);
-  add_effect(c, "3402#3", 0, "at power-on 0 = G90, 1 = G91; FANUC's number stands for the control's own", kKnown,
+  add_effect(c, "3402#3", 0,
+             "at power-on 0 = G90, 1 = G91; FANUC's number stands for the control's own", kKnown,
              Inferred, set_power_on_incremental);
-  add_effect(c, "3403#5", 1, "an arc without R, I, J, K: 0 = a line, 1 = alarm", kKnown, Inferred, set_no_radius);
-  add_effect(c, "3410", 0.1, "how far the radii of an arc may differ, mm; stands for #1084 RadErr", "M7 p.194", Manual,
-             set_tolerance);
-  add_effect(c, "1084", 0.1, "RadErr: how far the radii of an arc may differ, mm", "M7 p.194", Manual, set_tolerance);
-  add_effect(c, "5114", 0, "the return of G73, mm; FANUC's number stands for #8012", kKnown, Inferred,
-             set_peck_retract);
-  add_effect(c, "5115", 0, "the clearance of G83, mm; FANUC's number stands for #8013", kKnown, Inferred,
-             set_peck_clearance);
-  add_effect(c, "5003#0", 0, "the start-up of the radius offset, 1 = type B; stands for #1229 bit 2", "M7 p.188",
+  add_effect(c, "3403#5", 1, "an arc without R, I, J, K: 0 = a line, 1 = alarm", kKnown, Inferred,
+             set_no_radius);
+  add_effect(c, "3410", 0.1, "how far the radii of an arc may differ, mm; stands for #1084 RadErr",
+             "M7 p.194", Manual, set_tolerance);
+  add_effect(c, "1084", 0.1, "RadErr: how far the radii of an arc may differ, mm", "M7 p.194",
+             Manual, set_tolerance);
+  add_effect(c, "5114", 0, "the return of G73, mm; FANUC's number stands for #8012", kKnown,
+             Inferred, set_peck_retract);
+  add_effect(c, "5115", 0, "the clearance of G83, mm; FANUC's number stands for #8013", kKnown,
+             Inferred, set_peck_clearance);
+  add_effect(c, "5003#0", 0,
+             "the start-up of the radius offset, 1 = type B; stands for #1229 bit 2", "M7 p.188",
              Manual, set_start_up);
 }
 
 void mitsubishi_alarms(Control& c) {
-  add_alarms(c, {{Cause::NoRadius, "P33", "Format error", kKnown, Inferred},
-                 {Cause::ReferenceNumber, "P35", "Setting value range over", kKnown, Inferred},
-                 {Cause::NoFeed, "P62", "No F command", "M7 p.52", Manual},
-                 {Cause::RadiusTolerance, "P70", "Arc end point deviation large", "MZ 817, paired", Secondary},
-                 {Cause::RadiusTooSmall, "P71", "Arc center error", "MZ 818, paired", Secondary},
-                 {Cause::ThreadLead, "P93", "Illegal pitch value", kKnown, Inferred},
-                 {Cause::RotationPlane, "P111", "Plane selected while coordinate rotation", "MZ 824, paired", Secondary},
-                 {Cause::CompensationPlane, "P112", "Plane selected while R compensation", "MZ 825, paired", Secondary},
-                 {Cause::ArcAxis, "P113", "Illegal plane select", kKnown, Inferred},
-                 {Cause::CompensationArc, "P151", "Radius compensation in arc mode", "M7 p.194", Manual},
-                 {Cause::CompensationEndArc, "P151", "Radius compensation in arc mode", "M7 p.194", Manual},
-                 {Cause::CompensationNoIntersection, "P152", "No intersection", "M7 p.194", Manual},
-                 {Cause::CompensationInterference, "P153", "Compensation interference", "MZ 837, paired", Secondary},
-                 {Cause::CompensationArcTooSmall, "P153", "Compensation interference", kKnown, Inferred},
-                 {Cause::CompensationCycle, "P155", "Fixed cycle exec during compensation", "MZ 901, paired", Secondary},
-                 {Cause::OffsetNumber, "P170", "No offset number", "MZ 839, paired", Secondary},
-                 {Cause::RadiusOffsetNumber, "P170", "No offset number", "MZ 839, paired", Secondary},
-                 {Cause::Taper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
-                 {Cause::FaceTaper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
-                 {Cause::PqNotFound, "P201", "Program error (MRC)", "MZ 897, paired", Secondary},
-                 {Cause::ProfileNotMonotone, "P203", "Program error (MRC)", "MZ 897, paired", Secondary},
-                 {Cause::CornerNoMove, "P382", "No corner movement", "MZ 912, paired", Secondary},
-                 {Cause::CornerTooShort, "P383", "Corner movement short", "MZ 913, paired", Secondary},
-                 {Cause::CornerInRapid, "P385", "G0 G33 in corner", "MZ 951, paired", Secondary},
-                 {Cause::CornerPlane, "P396", "Plane command in corner", "MZ 919, paired", Secondary},
-                 {Cause::NotHomed, "P430", "R-pnt return incomplete", "MZ 880, paired", Secondary},
-                 {Cause::ReferenceNotHomed, "P430", "R-pnt return incomplete", "MZ 880, paired", Secondary},
-                 {Cause::NotAtReference, "P434", "Compare error", "MZ 884, paired", Secondary},
-                 {Cause::ReferenceWithEnd, "P435", "G27 and M commands in one block", "MZ 920, paired", Secondary},
-                 {Cause::CompensationSkip, "P608", "Skip during radius compensation", kKnown, Inferred}});
+  add_alarms(
+      c,
+      {{Cause::NoRadius, "P33", "Format error", kKnown, Inferred},
+       {Cause::ReferenceNumber, "P35", "Setting value range over", kKnown, Inferred},
+       {Cause::NoFeed, "P62", "No F command", "M7 p.52", Manual},
+       {Cause::RadiusTolerance, "P70", "Arc end point deviation large", "MZ 817, paired",
+        Secondary},
+       {Cause::RadiusTooSmall, "P71", "Arc center error", "MZ 818, paired", Secondary},
+       {Cause::ThreadLead, "P93", "Illegal pitch value", kKnown, Inferred},
+       {Cause::RotationPlane, "P111", "Plane selected while coordinate rotation", "MZ 824, paired",
+        Secondary},
+       {Cause::CompensationPlane, "P112", "Plane selected while R compensation", "MZ 825, paired",
+        Secondary},
+       {Cause::ArcAxis, "P113", "Illegal plane select", kKnown, Inferred},
+       {Cause::CompensationArc, "P151", "Radius compensation in arc mode", "M7 p.194", Manual},
+       {Cause::CompensationEndArc, "P151", "Radius compensation in arc mode", "M7 p.194", Manual},
+       {Cause::CompensationNoIntersection, "P152", "No intersection", "M7 p.194", Manual},
+       {Cause::CompensationInterference, "P153", "Compensation interference", "MZ 837, paired",
+        Secondary},
+       {Cause::CompensationArcTooSmall, "P153", "Compensation interference", kKnown, Inferred},
+       {Cause::CompensationCycle, "P155", "Fixed cycle exec during compensation", "MZ 901, paired",
+        Secondary},
+       {Cause::OffsetNumber, "P170", "No offset number", "MZ 839, paired", Secondary},
+       {Cause::RadiusOffsetNumber, "P170", "No offset number", "MZ 839, paired", Secondary},
+       {Cause::Taper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
+       {Cause::FaceTaper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
+       {Cause::PqNotFound, "P201", "Program error (MRC)", "MZ 897, paired", Secondary},
+       {Cause::ProfileNotMonotone, "P203", "Program error (MRC)", "MZ 897, paired", Secondary},
+       {Cause::CornerNoMove, "P382", "No corner movement", "MZ 912, paired", Secondary},
+       {Cause::CornerTooShort, "P383", "Corner movement short", "MZ 913, paired", Secondary},
+       {Cause::CornerInRapid, "P385", "G0 G33 in corner", "MZ 951, paired", Secondary},
+       {Cause::CornerPlane, "P396", "Plane command in corner", "MZ 919, paired", Secondary},
+       {Cause::NotHomed, "P430", "R-pnt return incomplete", "MZ 880, paired", Secondary},
+       {Cause::ReferenceNotHomed, "P430", "R-pnt return incomplete", "MZ 880, paired", Secondary},
+       {Cause::NotAtReference, "P434", "Compare error", "MZ 884, paired", Secondary},
+       {Cause::ReferenceWithEnd, "P435", "G27 and M commands in one block", "MZ 920, paired",
+        Secondary},
+       {Cause::CompensationSkip, "P608", "Skip during radius compensation", kKnown, Inferred}});
 }
 
 // ---- HNC ----
 
 void hnc_rules(Control& c) {
-  c.g_meanings = {"22=pulses 24=mirror 25=mirror-off", "source 003, G22; the mirror from general knowledge",
-                  SourceDocument};
+  c.g_meanings = {"22=pulses 24=mirror 25=mirror-off",
+                  "source 003, G22; the mirror from general knowledge", SourceDocument};
   c.power_on_line = {true, kKnown, Inferred};
   c.dwell_p_seconds = {true, "source 003, G04", SourceDocument};
   c.no_radius = {NoRadius::Alarm, kKnown, Inferred};
@@ -267,11 +313,13 @@ void hnc_rules(Control& c) {
   c.peck_words = {PeckWords::K, kKnown, Inferred};
   c.machine_move = {MachineMove::Rapid, "source 003, G53", SourceDocument};
   c.feed_needed = {false, "no alarm is known", Inferred};
-  add_effect(c, "3402#0", 1, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred, set_power_on_line);
-  add_effect(c, "3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a line, 1 = an alarm", kKnown, Inferred,
-             set_no_radius);
-  add_effect(c, "3410", 0, "stands for: how far the radii of an arc may differ, mm, 0 = not checked", kKnown, Inferred,
-             set_tolerance);
+  add_effect(c, "3402#0", 1, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred,
+             set_power_on_line);
+  add_effect(c, "3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a line, 1 = an alarm",
+             kKnown, Inferred, set_no_radius);
+  add_effect(c, "3410", 0,
+             "stands for: how far the radii of an arc may differ, mm, 0 = not checked", kKnown,
+             Inferred, set_tolerance);
 }
 
 // ---- GSK ----
@@ -292,60 +340,72 @@ void gsk_988(Control& c) {
   c.cycle_repeats = {"K", "TA 24: K 1 to 99", Manual};
   c.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, "Talm 181", Secondary};
   c.power_on_per_minute = {false, "TApar 3402#4", Manual};
-  fanuc_numbers(c, "TApar", Manual);
-  add_effect(c, "3401#1", 0, "CPQ: P and Q of cycles are 0 millimetres, 1 least increments", "TApar 3401#1", Manual,
-             set_cycle_increments);
+  // The examples of the 988TA feed without F; the 988T has an alarm for that. [source 000, Talm
+  // 021]
+  fanuc_numbers(c, "TApar", Manual, c.name == "gsk-988ta" ? 100 : 0);
+  add_effect(c, "3401#1", 0, "CPQ: P and Q of cycles are 0 millimetres, 1 least increments",
+             "TApar 3401#1", Manual, set_cycle_increments);
   add_effect(c, "3401#6", 0, "G code system: 0 A, 1 B", "TApar 3401#6", Manual, set_machine_system);
-  add_effect(c, "3405#4", 1, "CDR: 1 = C and R make corners without a comma", "TApar 3405#4", Manual,
-             set_plain_corners);
+  add_effect(c, "3405#4", 1, "CDR: 1 = C and R make corners without a comma", "TApar 3405#4",
+             Manual, set_plain_corners);
   add_effect(c, "1202#2", 0, "1 = G50 is an alarm", "TApar 1202#2", Manual, set_coordinate_refused);
-  add_effect(c, "1202#3", 0, "RLC: reset ends the local coordinate system", "TApar 1202#3", Manual, set_reset_local);
-  add_effect(c, "5002#0", 1, "digits of T that name the offset: 0 one, 1 two", "TApar 5002#0", Manual,
-             set_offset_digits);
-  add_effect(c, "5002#4", 0, "LGT: the offset is 0 a shift of the coordinates, 1 a motion of the tool",
+  add_effect(c, "1202#3", 0, "RLC: reset ends the local coordinate system", "TApar 1202#3", Manual,
+             set_reset_local);
+  add_effect(c, "5002#0", 1, "digits of T that name the offset: 0 one, 1 two", "TApar 5002#0",
+             Manual, set_offset_digits);
+  add_effect(c, "5002#4", 0,
+             "LGT: the offset is 0 a shift of the coordinates, 1 a motion of the tool",
              "TApar 5002#4", Manual, set_tool_motion);
-  add_alarms(c, {{Cause::NoFeed, "021", "no feed, or one that does not fit G98 and G99", "Talm 021", Secondary},
-                 {Cause::OffsetNumber, "026", "offset number", "Talm 026", Secondary},
-                 {Cause::RadiusOffsetNumber, "026", "offset number", "Talm 026", Secondary},
-                 {Cause::LengthAxis, "027", "no axis for the length offset", "Talm 027", Secondary},
-                 {Cause::ArcAxis, "033", "axis outside the plane of the arc", "Talm 033", Secondary},
-                 {Cause::NoRadius, "034", "neither R nor I, J, K", "Talm 034", Secondary},
-                 {Cause::RadiusTooSmall, "035", "R too small", "Talm 035", Secondary},
-                 {Cause::RadiusTolerance, "036", "the radii of start and end differ", "Talm 036", Secondary},
-                 {Cause::ThreadLead, "038", "thread lead", "Talm 038", Secondary},
-                 {Cause::UnitChangeLate, "042", "G20, G21 not alone at the head", "Talm 042", Secondary},
-                 {Cause::NotAtReference, "045", "G27 not at the reference point", "Talm 045", Secondary},
-                 {Cause::NotHomed, "043", "the machine zero is not known", "Talm 043", Secondary},
-                 {Cause::ReferenceNotHomed, "047", "G30 before the machine zero is known", "Talm 047", Secondary},
-                 {Cause::ReferenceNumber, "048", "P of G30", "Talm 048", Secondary},
-                 {Cause::CompensationSkip, "059", "G31 in G41, G42", "Talm 059", Secondary},
-                 {Cause::G10L, "061", "L of G10", "Talm 061", Secondary},
-                 {Cause::G10P, "062", "P of G10", "Talm 062", Secondary},
-                 {Cause::SpindleStands, "102", "thread at spindle speed 0", "Talm 102", Secondary},
-                 {Cause::Taper, "123", "taper of G90, G92", "Talm 123", Secondary},
-                 {Cause::FaceTaper, "124", "taper of G94", "Talm 124", Secondary},
-                 {Cause::ProfileCall, "131", "a call in the profile", "Talm 131", Secondary},
-                 {Cause::PqMissing, "133", "P or Q missing", "Talm 133", Secondary},
-                 {Cause::PqNotFound, "134", "P or Q not found", "Talm 134", Secondary},
-                 {Cause::ProfileNotMonotone, "138", "the profile is not monotone", "Talm 138", Secondary},
-                 {Cause::ProfileFirstBlock, "144", "ns is not G00 or G01", "Talm 144", Secondary},
-                 {Cause::CycleDepth, "148", "depth of cut", "Talm 148", Secondary},
-                 {Cause::GrooveAxis, "154", "G75 without X", "Talm 154", Secondary},
-                 {Cause::ThreadData, "165", "data of G76", "Talm 165", Secondary},
-                 {Cause::ThreadHeight, "167", "no height of the thread", "Talm 167", Secondary},
-                 {Cause::CycleRepeats, "181", "K outside 1 to 99", "Talm 181", Secondary},
-                 {Cause::CompensationNoIntersection, "251", "no intersection", "Talm 251", Secondary},
-                 {Cause::CompensationArc, "252", "start or end of the compensation in an arc", "Talm 252", Secondary},
-                 {Cause::CompensationEndArc, "252", "start or end of the compensation in an arc", "Talm 252", Secondary},
-                 {Cause::CompensationPlane, "253", "plane change in the compensation", "Talm 253", Secondary},
-                 {Cause::CompensationInterference, "256", "interference", "Talm 256", Secondary},
-                 {Cause::CompensationArcTooSmall, "261", "inner arc smaller than the radius", "Talm 261", Secondary},
-                 {Cause::CornerInRapid, "271", "chamfer in a block that takes none", "Talm 271", Secondary},
-                 {Cause::CornerNextMove, "272", "the block behind the chamfer", "Talm 272", Secondary},
-                 {Cause::CornerNoMove, "273", "no move behind the chamfer", "Talm 273", Secondary},
-                 {Cause::CornerPlane, "274", "plane change behind the chamfer", "Talm 274", Secondary},
-                 {Cause::CornerTooShort, "275", "the move is shorter than the chamfer", "Talm 275", Secondary},
-                 {Cause::CornerFormat, "276", "C, R and A together", "Talm 276", Secondary}});
+  add_alarms(
+      c,
+      {{Cause::NoFeed, "021", "no feed, or one that does not fit G98 and G99", "Talm 021",
+        Secondary},
+       {Cause::OffsetNumber, "026", "offset number", "Talm 026", Secondary},
+       {Cause::RadiusOffsetNumber, "026", "offset number", "Talm 026", Secondary},
+       {Cause::LengthAxis, "027", "no axis for the length offset", "Talm 027", Secondary},
+       {Cause::ArcAxis, "033", "axis outside the plane of the arc", "Talm 033", Secondary},
+       {Cause::NoRadius, "034", "neither R nor I, J, K", "Talm 034", Secondary},
+       {Cause::RadiusTooSmall, "035", "R too small", "Talm 035", Secondary},
+       {Cause::RadiusTolerance, "036", "the radii of start and end differ", "Talm 036", Secondary},
+       {Cause::ThreadLead, "038", "thread lead", "Talm 038", Secondary},
+       {Cause::UnitChangeLate, "042", "G20, G21 not alone at the head", "Talm 042", Secondary},
+       {Cause::NotAtReference, "045", "G27 not at the reference point", "Talm 045", Secondary},
+       {Cause::NotHomed, "043", "the machine zero is not known", "Talm 043", Secondary},
+       {Cause::ReferenceNotHomed, "047", "G30 before the machine zero is known", "Talm 047",
+        Secondary},
+       {Cause::ReferenceNumber, "048", "P of G30", "Talm 048", Secondary},
+       {Cause::CompensationSkip, "059", "G31 in G41, G42", "Talm 059", Secondary},
+       {Cause::G10L, "061", "L of G10", "Talm 061", Secondary},
+       {Cause::G10P, "062", "P of G10", "Talm 062", Secondary},
+       {Cause::SpindleStands, "102", "thread at spindle speed 0", "Talm 102", Secondary},
+       {Cause::Taper, "123", "taper of G90, G92", "Talm 123", Secondary},
+       {Cause::FaceTaper, "124", "taper of G94", "Talm 124", Secondary},
+       {Cause::ProfileCall, "131", "a call in the profile", "Talm 131", Secondary},
+       {Cause::PqMissing, "133", "P or Q missing", "Talm 133", Secondary},
+       {Cause::PqNotFound, "134", "P or Q not found", "Talm 134", Secondary},
+       {Cause::ProfileNotMonotone, "138", "the profile is not monotone", "Talm 138", Secondary},
+       {Cause::ProfileFirstBlock, "144", "ns is not G00 or G01", "Talm 144", Secondary},
+       {Cause::CycleDepth, "148", "depth of cut", "Talm 148", Secondary},
+       {Cause::GrooveAxis, "154", "G75 without X", "Talm 154", Secondary},
+       {Cause::ThreadData, "165", "data of G76", "Talm 165", Secondary},
+       {Cause::ThreadHeight, "167", "no height of the thread", "Talm 167", Secondary},
+       {Cause::CycleRepeats, "181", "K outside 1 to 99", "Talm 181", Secondary},
+       {Cause::CompensationNoIntersection, "251", "no intersection", "Talm 251", Secondary},
+       {Cause::CompensationArc, "252", "start or end of the compensation in an arc", "Talm 252",
+        Secondary},
+       {Cause::CompensationEndArc, "252", "start or end of the compensation in an arc", "Talm 252",
+        Secondary},
+       {Cause::CompensationPlane, "253", "plane change in the compensation", "Talm 253", Secondary},
+       {Cause::CompensationInterference, "256", "interference", "Talm 256", Secondary},
+       {Cause::CompensationArcTooSmall, "261", "inner arc smaller than the radius", "Talm 261",
+        Secondary},
+       {Cause::CornerInRapid, "271", "chamfer in a block that takes none", "Talm 271", Secondary},
+       {Cause::CornerNextMove, "272", "the block behind the chamfer", "Talm 272", Secondary},
+       {Cause::CornerNoMove, "273", "no move behind the chamfer", "Talm 273", Secondary},
+       {Cause::CornerPlane, "274", "plane change behind the chamfer", "Talm 274", Secondary},
+       {Cause::CornerTooShort, "275", "the move is shorter than the chamfer", "Talm 275",
+        Secondary},
+       {Cause::CornerFormat, "276", "C, R and A together", "Talm 276", Secondary}});
 }
 
 void gsk_980tdi(Control& c) {
@@ -363,35 +423,41 @@ void gsk_980tdi(Control& c) {
   c.groove_p_diameter = {true, "TDi 23.5", Manual};
   c.drill_retract = {true, "TDi 23.9", Manual};
   c.helix = {false, kKnown, Inferred};
-  add_effect(c, "3402#0", 0, "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
+  add_effect(c, "3402#0", 0,
+             "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
              Inferred, set_power_on_line);
-  add_effect(c, "3403#4", 1, "R too small: 0 = a half circle, 1 = alarm; FANUC's number", "TDi 4 note 3", Manual,
-             set_small_radius);
-  add_effect(c, "3403#5", 1, "an arc without R, I, K: 0 = a line, 1 = alarm; FANUC's number", "TDi 4 note 1", Manual,
-             set_no_radius);
-  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm; FANUC's number stands for 154", kKnown,
+  add_effect(c, "3403#4", 1, "R too small: 0 = a half circle, 1 = alarm; FANUC's number",
+             "TDi 4 note 3", Manual, set_small_radius);
+  add_effect(c, "3403#5", 1, "an arc without R, I, K: 0 = a line, 1 = alarm; FANUC's number",
+             "TDi 4 note 1", Manual, set_no_radius);
+  add_effect(c, "3410", 0,
+             "how far the radii of an arc may differ, mm; FANUC's number stands for 154", kKnown,
              Inferred, set_tolerance);
-  add_effect(c, "154", 0, "how far the radii of an arc may differ, mm, 0 = not checked", "TDipar 154", Manual,
-             set_tolerance);
+  add_effect(c, "154", 0, "how far the radii of an arc may differ, mm, 0 = not checked",
+             "TDipar 154", Manual, set_tolerance);
   add_effect(c, "030", 0, "the feed at power-on", "TDipar 030", Manual, set_power_on_feed);
-  add_effect(c, "051", 0, "the depth of cut of G71 and G72, mm", "TDipar 051", Manual, set_rough_depth);
+  add_effect(c, "051", 0, "the depth of cut of G71 and G72, mm", "TDipar 051", Manual,
+             set_rough_depth);
   add_effect(c, "052", 0, "the escape of G71 and G72, mm", "TDipar 052", Manual, set_rough_escape);
-  add_effect(c, "003#4", 0, "a tool offset is 0 a shift of the coordinates, 1 a motion", "TDipar 003#4", Manual,
-             set_tool_motion);
-  add_effect(c, "002#5", 0, "around an acute corner 0 lines, 1 an arc", "TDipar 002#5", Manual, set_acute_corner);
-  add_effect(c, "181#0", 0, "L is 0 the length of the chamfer, 1 its distance from the corner", "TDipar 181#0", Manual,
-             set_chamfer_length);
+  add_effect(c, "003#4", 0, "a tool offset is 0 a shift of the coordinates, 1 a motion",
+             "TDipar 003#4", Manual, set_tool_motion);
+  add_effect(c, "002#5", 0, "around an acute corner 0 lines, 1 an arc", "TDipar 002#5", Manual,
+             set_acute_corner);
+  add_effect(c, "181#0", 0, "L is 0 the length of the chamfer, 1 its distance from the corner",
+             "TDipar 181#0", Manual, set_chamfer_length);
 }
 
 void gsk_928(Control& c) {
   lathe_rules(c);
-  c.machine = {MachineType::LatheA, "source 001, Fig. 3-1: U is a diameter increment", SourceDocument};
+  c.machine = {MachineType::LatheA, "source 001, Fig. 3-1: U is a diameter increment",
+               SourceDocument};
   c.power_on_per_minute = {true, "source 001: F80, F500", SourceDocument};
   c.feed_needed = {false, "no alarm is known", Inferred};
-  add_effect(c, "3402#0", 0, "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
+  add_effect(c, "3402#0", 0,
+             "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
              Inferred, set_power_on_line);
-  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked", kKnown, Inferred,
-             set_tolerance);
+  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked", kKnown,
+             Inferred, set_tolerance);
 }
 
 void gsk_980mdi(Control& c) {
@@ -425,56 +491,68 @@ void gsk_980mdi(Control& c) {
   c.helix = {true, "MDib 0032", Manual};
   c.groove_p_diameter = {false, kKnown, Inferred};
   c.feed_needed = {true, "MDib 0023", Manual};
-  add_effect(c, "027", 0, "the largest cutting feed, mm/min, 0 = any", "MDib 0023", Manual, set_max_feed);
-  add_effect(c, "3402#0", 0, "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
+  add_effect(c, "027", 0, "the largest cutting feed, mm/min, 0 = any", "MDib 0023", Manual,
+             set_max_feed);
+  add_effect(c, "3402#0", 0,
+             "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
              Inferred, set_power_on_line);
-  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked", "MDib 0018", Manual,
-             set_tolerance);
-  add_effect(c, "5114", 0, "the retract of G73, mm; FANUC's number stands for the control's own", kKnown, Inferred,
-             set_peck_retract);
-  add_effect(c, "5115", 0, "the clearance of G83, mm; FANUC's number stands for the control's own", kKnown, Inferred,
-             set_peck_clearance);
-  add_alarms(c, {{Cause::ArcAxis, "0008", "axis outside the plane of the arc", "MDib 0008", Manual},
-                 {Cause::OneShotWithMotion, "0014", "codes of groups 00 and 01 in one block", "MDib 0014", Manual},
-                 {Cause::OffsetNumber, "0016", "H outside 0 to 32", "MDib 0016", Manual},
-                 {Cause::RadiusTolerance, "0018", "the radii of an arc differ", "MDib 0018", Manual},
-                 {Cause::RadiusTooSmall, "0018", "the radii of an arc differ", "MDib 0018", Manual},
-                 {Cause::RadiusOffsetNumber, "0020", "D outside its range", "MDib 0020", Manual},
-                 {Cause::NoRadius, "0021", "I, J, K of G02, G03", "MDib 0021", Manual},
-                 {Cause::NoFeed, "0023", "F wrong or over 027", "MDib 0023", Manual},
-                 {Cause::FeedOutOfRange, "0023", "F wrong or over 027", "MDib 0023", Manual},
-                 {Cause::CompensationPlane, "0030", "plane change in the compensation", "MDib 0030", Manual},
-                 {Cause::CornerPlane, "0031", "plane change behind a chamfer", "MDib 0031", Manual},
-                 {Cause::CompensationSkip, "0035", "G31 in the compensation", "MDib 0035", Manual},
-                 {Cause::CornerNoMove, "0036", "the block behind a chamfer", "MDib 0036", Manual},
-                 {Cause::CornerNextMove, "0036", "the block behind a chamfer", "MDib 0036", Manual},
-                 {Cause::UnitChangeLate, "0038", "G20, G21 not alone at the head", "MDib 0038", Manual},
-                 {Cause::LengthWithMotion, "0042", "length offset with G02 G03 G04 G31 G92", "MDib 0042", Manual},
-                 {Cause::NoIntermediate, "0068", "G29 without G28", "MDib 0068", Manual},
-                 {Cause::ReferenceNotHomed, "0069", "G30 before the machine zero is known", "MDib 0069", Manual},
-                 {Cause::CornerFormat, "0093", "chamfer words combined", "MDib 0093", Manual},
-                 {Cause::ReturnInCompensation, "0099", "a jump in the compensation", "MDib 0099", Manual},
-                 {Cause::JumpInCompensation, "0100", "a jump in the compensation", "MDib 0100", Manual},
-                 {Cause::ReferenceInRotation, "0152", "G28 to G30 in rotation or mirror", "MDib 0152", Manual},
-                 {Cause::RotationPlane, "0154", "plane change in rotation", "MDib 0154", Manual},
-                 {Cause::TurnedInCompensation, "0155", "rotation or mirror in the compensation", "MDib 0155", Manual},
-                 {Cause::RotationAngle, "0156", "angle over 360", "MDib 0156", Manual},
-                 {Cause::ScaleZero, "0158", "scale 0", "MDib 0158", Manual},
-                 {Cause::MachineMoveInCycle, "0165", "G53 in a fixed cycle", "MDib 0165", Manual},
-                 {Cause::NotHomed, "0166", "G53 before the machine zero is known", "MDib 0166", Manual},
-                 {Cause::PolarCentre, "0176", "I, J, K in polar coordinates", "MDib 0176", Manual},
-                 {Cause::PolarPlane, "0186", "plane change in polar coordinates", "MDib 0186", Manual},
-                 {Cause::PolarWorkSystem, "0187", "G54 to G59 in polar coordinates", "MDib 0187", Manual},
-                 {Cause::CycleRepeats, "0203", "repeat count 0", "MDib 0203", Manual},
-                 {Cause::G10P, "0238", "P of G10", "MDib 0238", Manual},
-                 {Cause::G10L, "0244", "L of G10", "MDib 0244", Manual},
-                 {Cause::CompensationArcTooSmall, "0256", "inner arc smaller than the radius", "MDib 0256", Manual},
-                 {Cause::CompensationNoIntersection, "0257", "no intersection", "MDib 0257", Manual},
-                 {Cause::CompensationArc, "0258", "start of the compensation in an arc", "MDib 0258", Manual},
-                 {Cause::CompensationEndArc, "0259", "end of the compensation in an arc", "MDib 0259", Manual},
-                 {Cause::CompensationInterference, "0260", "interference", "MDib 0260", Manual},
-                 {Cause::CompensationIdle, "0263", "too many blocks without a move", "MDib 0263", Manual},
-                 {Cause::CornerTooShort, "0271", "the move is shorter than the chamfer", "MDib 0271", Manual}});
+  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked",
+             "MDib 0018", Manual, set_tolerance);
+  add_effect(c, "5114", 0, "the retract of G73, mm; FANUC's number stands for the control's own",
+             kKnown, Inferred, set_peck_retract);
+  add_effect(c, "5115", 0, "the clearance of G83, mm; FANUC's number stands for the control's own",
+             kKnown, Inferred, set_peck_clearance);
+  add_alarms(
+      c,
+      {{Cause::ArcAxis, "0008", "axis outside the plane of the arc", "MDib 0008", Manual},
+       {Cause::OneShotWithMotion, "0014", "codes of groups 00 and 01 in one block", "MDib 0014",
+        Manual},
+       {Cause::OffsetNumber, "0016", "H outside 0 to 32", "MDib 0016", Manual},
+       {Cause::RadiusTolerance, "0018", "the radii of an arc differ", "MDib 0018", Manual},
+       {Cause::RadiusTooSmall, "0018", "the radii of an arc differ", "MDib 0018", Manual},
+       {Cause::RadiusOffsetNumber, "0020", "D outside its range", "MDib 0020", Manual},
+       {Cause::NoRadius, "0021", "I, J, K of G02, G03", "MDib 0021", Manual},
+       {Cause::NoFeed, "0023", "F wrong or over 027", "MDib 0023", Manual},
+       {Cause::FeedOutOfRange, "0023", "F wrong or over 027", "MDib 0023", Manual},
+       {Cause::CompensationPlane, "0030", "plane change in the compensation", "MDib 0030", Manual},
+       {Cause::CornerPlane, "0031", "plane change behind a chamfer", "MDib 0031", Manual},
+       {Cause::CompensationSkip, "0035", "G31 in the compensation", "MDib 0035", Manual},
+       {Cause::CornerNoMove, "0036", "the block behind a chamfer", "MDib 0036", Manual},
+       {Cause::CornerNextMove, "0036", "the block behind a chamfer", "MDib 0036", Manual},
+       {Cause::UnitChangeLate, "0038", "G20, G21 not alone at the head", "MDib 0038", Manual},
+       {Cause::LengthWithMotion, "0042", "length offset with G02 G03 G04 G31 G92", "MDib 0042",
+        Manual},
+       {Cause::NoIntermediate, "0068", "G29 without G28", "MDib 0068", Manual},
+       {Cause::ReferenceNotHomed, "0069", "G30 before the machine zero is known", "MDib 0069",
+        Manual},
+       {Cause::CornerFormat, "0093", "chamfer words combined", "MDib 0093", Manual},
+       {Cause::ReturnInCompensation, "0099", "a jump in the compensation", "MDib 0099", Manual},
+       {Cause::JumpInCompensation, "0100", "a jump in the compensation", "MDib 0100", Manual},
+       {Cause::ReferenceInRotation, "0152", "G28 to G30 in rotation or mirror", "MDib 0152",
+        Manual},
+       {Cause::RotationPlane, "0154", "plane change in rotation", "MDib 0154", Manual},
+       {Cause::TurnedInCompensation, "0155", "rotation or mirror in the compensation", "MDib 0155",
+        Manual},
+       {Cause::RotationAngle, "0156", "angle over 360", "MDib 0156", Manual},
+       {Cause::ScaleZero, "0158", "scale 0", "MDib 0158", Manual},
+       {Cause::MachineMoveInCycle, "0165", "G53 in a fixed cycle", "MDib 0165", Manual},
+       {Cause::NotHomed, "0166", "G53 before the machine zero is known", "MDib 0166", Manual},
+       {Cause::PolarCentre, "0176", "I, J, K in polar coordinates", "MDib 0176", Manual},
+       {Cause::PolarPlane, "0186", "plane change in polar coordinates", "MDib 0186", Manual},
+       {Cause::PolarWorkSystem, "0187", "G54 to G59 in polar coordinates", "MDib 0187", Manual},
+       {Cause::CycleRepeats, "0203", "repeat count 0", "MDib 0203", Manual},
+       {Cause::G10P, "0238", "P of G10", "MDib 0238", Manual},
+       {Cause::G10L, "0244", "L of G10", "MDib 0244", Manual},
+       {Cause::CompensationArcTooSmall, "0256", "inner arc smaller than the radius", "MDib 0256",
+        Manual},
+       {Cause::CompensationNoIntersection, "0257", "no intersection", "MDib 0257", Manual},
+       {Cause::CompensationArc, "0258", "start of the compensation in an arc", "MDib 0258", Manual},
+       {Cause::CompensationEndArc, "0259", "end of the compensation in an arc", "MDib 0259",
+        Manual},
+       {Cause::CompensationInterference, "0260", "interference", "MDib 0260", Manual},
+       {Cause::CompensationIdle, "0263", "too many blocks without a move", "MDib 0263", Manual},
+       {Cause::CornerTooShort, "0271", "the move is shorter than the chamfer", "MDib 0271",
+        Manual}});
 }
 
 }  // namespace
@@ -488,7 +566,8 @@ void add_fanuc_motion(std::vector<Control>& controls) {
     if (old_series) c.negative_radius_on_lathes = {false, "16TC p.67", Manual};
     if (c.name == "fanuc-30i") {
       c.idle_blocks = {3, "30iM p.166, 15iM p.419", Manual};
-      add_effect(c, "19607#2", 0, "around an acute corner 0 lines, 1 an arc", kKnown, Inferred, set_acute_corner);
+      add_effect(c, "19607#2", 0, "around an acute corner 0 lines, 1 an arc", kKnown, Inferred,
+                 set_acute_corner);
     }
   }
 }
@@ -506,10 +585,14 @@ void add_hnc_motion(std::vector<Control>& controls) {
 
 void add_gsk_motion(std::vector<Control>& controls) {
   for (Control& c : controls) {
-    if (c.name == "gsk-980tdi") gsk_980tdi(c);
-    else if (c.name == "gsk-980mdi") gsk_980mdi(c);
-    else if (c.name == "gsk-928te") gsk_928(c);
-    else gsk_988(c);
+    if (c.name == "gsk-980tdi")
+      gsk_980tdi(c);
+    else if (c.name == "gsk-980mdi")
+      gsk_980mdi(c);
+    else if (c.name == "gsk-928te")
+      gsk_928(c);
+    else
+      gsk_988(c);
   }
 }
 

@@ -1,5 +1,5 @@
 O0001
-(GSK 988T: a program may not call itself. The older relative of the 988TA refuses what that allows.)
+(GSK 988T: a program may not call itself. It refuses what its relative 988TA allows.)
 (Look at: this run stops in alarm 084 at N20, the call of the own program from N100.)
 (With -c gsk-988ta the same text runs: N100 to N120 twice, then N30.)
 (Run: cncsub run examples/gsk/988t-self-call.nc -c gsk-988t)

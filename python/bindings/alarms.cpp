@@ -18,11 +18,13 @@ void add_alarms(py::module_& m) {
       .def_readonly("repeat", &Frame::repeat)
       .def_readonly("repeats", &Frame::repeats)
       .def("__repr__", [](const Frame& f) {
-        return "<Frame " + f.called + " called from " + f.program + (f.n < 0 ? "" : " N" + std::to_string(f.n)) + " (" +
-               f.kind + ", pass " + std::to_string(f.repeat) + " of " + std::to_string(f.repeats) + ")>";
+        return "<Frame " + f.called + " called from " + f.program +
+               (f.n < 0 ? "" : " N" + std::to_string(f.n)) + " (" + f.kind + ", pass " +
+               std::to_string(f.repeat) + " of " + std::to_string(f.repeats) + ")>";
       });
   py::class_<Alarm>(m, "Alarm", py::is_final())
-      .def_property_readonly("cause", [](const Alarm& a) { return std::string(info(a.cause).slug); })
+      .def_property_readonly("cause",
+                             [](const Alarm& a) { return std::string(info(a.cause).slug); })
       .def_property_readonly("number", [](const Alarm& a) { return text_or_none(a.number); })
       .def_property_readonly("text", [](const Alarm& a) { return text_or_none(a.text); })
       .def_readonly("program", &Alarm::program)
@@ -35,12 +37,14 @@ void add_alarms(py::module_& m) {
       .def_property_readonly("frames",
                              [](const Alarm& a) {
                                py::tuple rows(a.frames.size());
-                               for (std::size_t i = 0; i < a.frames.size(); ++i) rows[i] = py::cast(a.frames[i]);
+                               for (std::size_t i = 0; i < a.frames.size(); ++i)
+                                 rows[i] = py::cast(a.frames[i]);
                                return rows;
                              })
       .def("__str__", [](const Alarm& a) { return message(a); })
       .def("__repr__", [](const Alarm& a) {
-        return "<Alarm " + (a.number.empty() ? "" : a.number + " ") + std::string(info(a.cause).slug) + " at " + a.program +
+        return "<Alarm " + (a.number.empty() ? "" : a.number + " ") +
+               std::string(info(a.cause).slug) + " at " + a.program +
                (a.n < 0 ? "" : " N" + std::to_string(a.n)) + ">";
       });
 }

@@ -26,11 +26,13 @@ struct ProgramData {
 
 using FileRow = std::tuple<std::string, std::string, std::string, bool>;
 
-std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control, std::vector<FileRow> rows, bool external_device) {
+std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
+                                    std::vector<FileRow> rows, bool external_device) {
   std::vector<SourceFile> files;
   files.reserve(rows.size());
   for (FileRow& row : rows)
-    files.push_back({std::move(std::get<0>(row)), std::move(std::get<1>(row)), std::move(std::get<2>(row)), std::get<3>(row)});
+    files.push_back({std::move(std::get<0>(row)), std::move(std::get<1>(row)),
+                     std::move(std::get<2>(row)), std::get<3>(row)});
   py::gil_scoped_release release;
   return std::const_pointer_cast<Code>(compile(control, std::move(files), external_device));
 }
@@ -44,35 +46,52 @@ void add_code(py::module_& m) {
       .def_property_readonly("line", [](const ProgramData& p) { return p.program().line; })
       .def_property_readonly("text",
                              [](const ProgramData& p) {
-                               return p.file().text.substr(p.program().text, p.program().text_end - p.program().text);
+                               return p.file().text.substr(p.program().text,
+                                                           p.program().text_end - p.program().text);
                              })
       .def_property_readonly("comment", [](const ProgramData& p) { return p.program().comment; })
       .def_property_readonly("external", [](const ProgramData& p) { return p.file().external; })
-      .def_property_readonly("duplicate_of", [](const ProgramData& p) { return p.program().duplicate_of; })
-      .def_property_readonly("blocks", [](const ProgramData& p) { return p.program().last - p.program().first; })
+      .def_property_readonly("duplicate_of",
+                             [](const ProgramData& p) { return p.program().duplicate_of; })
+      .def_property_readonly(
+          "blocks", [](const ProgramData& p) { return p.program().last - p.program().first; })
       .def("block",
            [](const ProgramData& p, std::size_t i) {
              const Block& block = p.block(i);
-             return py::make_tuple(sequence_number(block.n), block.line, py::str(std::string(p.code->text_of(block, p.program()))));
+             return py::make_tuple(sequence_number(block.n), block.line,
+                                   py::str(std::string(p.code->text_of(block, p.program()))));
            })
       .def("words", [](const ProgramData& p, std::size_t i) {
         py::list rows;
-        for (const WrittenWord& word : written_words(*p.code->control, p.code->text_of(p.block(i), p.program())))
-          rows.append(py::make_tuple(word.address, word.known ? py::object(py::float_(word.value)) : py::none(), word.text));
+        for (const WrittenWord& word :
+             written_words(*p.code->control, p.code->text_of(p.block(i), p.program())))
+          rows.append(py::make_tuple(word.address,
+                                     word.known ? py::object(py::float_(word.value)) : py::none(),
+                                     word.text));
         return rows;
       });
   py::class_<Code, std::shared_ptr<Code>>(m, "Code", py::is_final())
-      .def_property_readonly("control", [](const Code& c) { return std::const_pointer_cast<Control>(c.control); })
+      .def_property_readonly(
+          "control", [](const Code& c) { return std::const_pointer_cast<Control>(c.control); })
       .def_property_readonly("programs",
                              [](const std::shared_ptr<Code>& c) {
                                py::list rows;
-                               for (std::size_t i = 0; i < c->programs.size(); ++i) rows.append(ProgramData{c, i});
+                               for (std::size_t i = 0; i < c->programs.size(); ++i)
+                                 rows.append(ProgramData{c, i});
                                return rows;
                              })
-      .def("find", [](const Code& c, const std::string& name, bool external) { return c.find(name, external); }, py::arg("name"),
-           py::arg("external") = false)
-      .def("find", [](const Code& c, std::int64_t number, bool external) { return c.find(number, external); }, py::arg("name"),
-           py::arg("external") = false)
+      .def(
+          "find",
+          [](const Code& c, const std::string& name, bool external) {
+            return c.find(name, external);
+          },
+          py::arg("name"), py::arg("external") = false)
+      .def(
+          "find",
+          [](const Code& c, std::int64_t number, bool external) {
+            return c.find(number, external);
+          },
+          py::arg("name"), py::arg("external") = false)
       .def(
           "with_mdi",
           [](const Code& c, const std::string& text) {
@@ -80,7 +99,8 @@ void add_code(py::module_& m) {
             return std::const_pointer_cast<Code>(compile_mdi(c, text));
           },
           py::arg("text"));
-  m.def("compile", &compile_files, py::arg("control"), py::arg("files"), py::arg("external_device") = false);
+  m.def("compile", &compile_files, py::arg("control"), py::arg("files"),
+        py::arg("external_device") = false);
 }
 
 }  // namespace cncsub::bindings

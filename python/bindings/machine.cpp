@@ -13,14 +13,18 @@ namespace cncsub::bindings {
 
 namespace {
 
-py::object value_or_none(double value) { return is_vacant(value) ? py::object(py::none()) : py::object(py::float_(value)); }
+py::object value_or_none(double value) {
+  return is_vacant(value) ? py::object(py::none()) : py::object(py::float_(value));
+}
 
 template <class T>
 T get(const py::dict& from, const char* key, T otherwise) {
   return from.contains(key) ? from[key].cast<T>() : otherwise;
 }
 
-double number_or_vacant(const py::handle& value) { return value.is_none() ? kVacant : value.cast<double>(); }
+double number_or_vacant(const py::handle& value) {
+  return value.is_none() ? kVacant : value.cast<double>();
+}
 
 Inputs inputs_of(const py::dict& from) {
   Inputs inputs;
@@ -31,12 +35,14 @@ Inputs inputs_of(const py::dict& from) {
   inputs.skips = get(from, "skips", inputs.skips);
   if (from.contains("operator") && !from["operator"].is_none()) {
     inputs.operator_given = true;
-    for (const py::handle answer : from["operator"]) inputs.operator_starts.push_back(answer.cast<std::string>() == "start");
+    for (const py::handle answer : from["operator"])
+      inputs.operator_starts.push_back(answer.cast<std::string>() == "start");
   }
   if (from.contains("writes"))
     for (const py::handle write : from["writes"]) {
       std::map<std::int32_t, double> values;
-      for (const auto& [number, value] : write.cast<py::dict>()) values[number.cast<std::int32_t>()] = number_or_vacant(value);
+      for (const auto& [number, value] : write.cast<py::dict>())
+        values[number.cast<std::int32_t>()] = number_or_vacant(value);
       inputs.writes.push_back(std::move(values));
     }
   return inputs;
@@ -46,7 +52,8 @@ char axis_of(const std::string& name) { return name.empty() ? ' ' : name[0]; }
 
 std::map<char, double> axes_of(const py::handle& from) {
   std::map<char, double> axes;
-  for (const auto& [axis, value] : from.cast<py::dict>()) axes[axis_of(axis.cast<std::string>())] = value.cast<double>();
+  for (const auto& [axis, value] : from.cast<py::dict>())
+    axes[axis_of(axis.cast<std::string>())] = value.cast<double>();
   return axes;
 }
 
@@ -57,9 +64,11 @@ Setup setup_of(const py::dict& from) {
   if (from.contains("start")) setup.start = axes_of(from["start"]);
   if (from.contains("rapid")) setup.rapid = axes_of(from["rapid"]);
   if (from.contains("work_offsets"))
-    for (const auto& [name, axes] : from["work_offsets"].cast<py::dict>()) setup.work_offsets[name.cast<std::string>()] = axes_of(axes);
+    for (const auto& [name, axes] : from["work_offsets"].cast<py::dict>())
+      setup.work_offsets[name.cast<std::string>()] = axes_of(axes);
   if (from.contains("reference"))
-    for (const auto& [number, axes] : from["reference"].cast<py::dict>()) setup.reference[number.cast<int>()] = axes_of(axes);
+    for (const auto& [number, axes] : from["reference"].cast<py::dict>())
+      setup.reference[number.cast<int>()] = axes_of(axes);
   setup.length_offsets = get(from, "length_offsets", setup.length_offsets);
   setup.radius_offsets = get(from, "radius_offsets", setup.radius_offsets);
   if (from.contains("limits"))
@@ -70,9 +79,12 @@ Setup setup_of(const py::dict& from) {
       Setup::Tool tool;
       for (const auto& [key, value] : values.cast<py::dict>()) {
         const auto name = key.cast<std::string>();
-        if (name == "tip") tool.tip = value.cast<int>();
-        else if (name == "R") tool.radius = value.cast<double>();
-        else tool.values[axis_of(name)] = value.cast<double>();
+        if (name == "tip")
+          tool.tip = static_cast<int>(value.cast<double>());
+        else if (name == "R")
+          tool.radius = value.cast<double>();
+        else
+          tool.values[axis_of(name)] = value.cast<double>();
       }
       setup.tools[number.cast<int>()] = tool;
     }
@@ -87,19 +99,25 @@ Trace::Depth depth_of(const std::string& name) {
   throw py::value_error("trace is 'none', 'calls', 'blocks' or 'moves', not '" + name + "'");
 }
 
-std::unique_ptr<Machine> make_machine(const std::shared_ptr<Code>& code, std::int32_t main, bool mdi, std::optional<std::int64_t> start,
-                                      const std::optional<py::dict>& variables, const std::vector<int>& block_skip,
-                                      bool optional_stop, std::int64_t max_cycles, std::int64_t max_blocks,
+std::unique_ptr<Machine> make_machine(const std::shared_ptr<Code>& code, std::int32_t main,
+                                      bool mdi, std::optional<std::int64_t> start,
+                                      const std::optional<py::dict>& variables,
+                                      const std::vector<int>& block_skip, bool optional_stop,
+                                      std::int64_t max_cycles, std::int64_t max_blocks,
                                       std::optional<double> max_seconds, const std::string& trace,
-                                      const std::optional<py::dict>& inputs, const std::optional<py::dict>& setup) {
-  if (main < 0 || static_cast<std::size_t>(main) >= code->programs.size()) throw py::index_error("no such program");
+                                      const std::optional<py::dict>& inputs,
+                                      const std::optional<py::dict>& setup) {
+  if (main < 0 || static_cast<std::size_t>(main) >= code->programs.size())
+    throw py::index_error("no such program");
   Options options;
   options.mdi = mdi;
   options.start = start.value_or(-1);
   if (variables)
-    for (const auto& [number, value] : *variables) options.variables[number.cast<std::int32_t>()] = number_or_vacant(value);
+    for (const auto& [number, value] : *variables)
+      options.variables[number.cast<std::int32_t>()] = number_or_vacant(value);
   for (const int number : block_skip) {
-    if (number < 1 || number > 9) throw py::value_error("a block-skip switch is 1 to 9, not " + std::to_string(number));
+    if (number < 1 || number > 9)
+      throw py::value_error("a block-skip switch is 1 to 9, not " + std::to_string(number));
     options.skips = static_cast<std::uint16_t>(options.skips | (1u << number));
   }
   options.optional_stop = optional_stop;
@@ -122,7 +140,8 @@ void run(Machine& machine, const std::optional<std::pair<std::int64_t, std::int6
       if (m.blocks() == first) return false;
       if (until->first < 0) return m.depth() <= until->second;
       const Code& code = m.code();
-      return code.program_at(m.address()) == until->first && code.blocks[m.address()].line == until->second;
+      return code.program_at(m.address()) == until->first &&
+             code.blocks[m.address()].line == until->second;
     };
   {
     py::gil_scoped_release release;
@@ -168,11 +187,19 @@ py::array step_column(const Machine& machine, const std::string& name) {
       return last;
     });
   }
-  if (name == "n") return step_array<std::int32_t>(machine, [&](const Trace::Step& s) { return code.blocks[s.address].n; });
-  if (name == "line") return step_array<std::int32_t>(machine, [&](const Trace::Step& s) { return code.blocks[s.address].line; });
-  if (name == "depth") return step_array<std::int32_t>(machine, [&](const Trace::Step& s) { return depth_of_call(machine, s.call); });
-  if (name == "frame") return step_array<std::int32_t>(machine, [](const Trace::Step& s) { return s.call; });
-  if (name == "repeat") return step_array<std::int32_t>(machine, [](const Trace::Step& s) { return s.repeat; });
+  if (name == "n")
+    return step_array<std::int32_t>(machine,
+                                    [&](const Trace::Step& s) { return code.blocks[s.address].n; });
+  if (name == "line")
+    return step_array<std::int32_t>(
+        machine, [&](const Trace::Step& s) { return code.blocks[s.address].line; });
+  if (name == "depth")
+    return step_array<std::int32_t>(
+        machine, [&](const Trace::Step& s) { return depth_of_call(machine, s.call); });
+  if (name == "frame")
+    return step_array<std::int32_t>(machine, [](const Trace::Step& s) { return s.call; });
+  if (name == "repeat")
+    return step_array<std::int32_t>(machine, [](const Trace::Step& s) { return s.repeat; });
   throw py::key_error(name);
 }
 
@@ -181,8 +208,10 @@ py::tuple step_row(const Machine& machine, std::size_t index) {
   const Trace::Step step = machine.trace().steps[index];
   const Code& code = machine.code();
   const Block& block = code.blocks[step.address];
-  return py::make_tuple(index, code.programs[static_cast<std::size_t>(code.program_at(step.address))].name,
-                        sequence_number(block.n), block.line, depth_of_call(machine, step.call), step.call, step.repeat);
+  return py::make_tuple(index,
+                        code.programs[static_cast<std::size_t>(code.program_at(step.address))].name,
+                        sequence_number(block.n), block.line, depth_of_call(machine, step.call),
+                        step.call, step.repeat);
 }
 
 py::array call_column(const Machine& machine, const std::string& name) {
@@ -223,15 +252,16 @@ py::tuple call_row(const Machine& machine, std::size_t index) {
   if (index >= machine.trace().calls.size()) throw py::index_error("no such call");
   const CallRow call = machine.trace().calls[index];
   return py::make_tuple(index, call.parent, std::string(to_string(call.kind)),
-                        machine.code().programs[static_cast<std::size_t>(call.program)].name, sequence_number(call.start_n),
-                        call.repeats, call.level, call.first_step, call.last_step, call.caller_step);
+                        machine.code().programs[static_cast<std::size_t>(call.program)].name,
+                        sequence_number(call.start_n), call.repeats, call.level, call.first_step,
+                        call.last_step, call.caller_step);
 }
 
 py::array move_column(const Machine& machine, const std::string& name) {
   const Moves& moves = machine.trace().moves;
   const auto rows = static_cast<py::ssize_t>(moves.size());
-  const bool whole = name == "move" || name == "step" || name == "kind" || name == "plane" || name == "tool" || name == "h" ||
-                     name == "d" || name == "feed_mode";
+  const bool whole = name == "move" || name == "step" || name == "kind" || name == "plane" ||
+                     name == "tool" || name == "h" || name == "d" || name == "feed_mode";
   if (whole) {
     py::array_t<std::int64_t> array(rows);
     std::int64_t* out = array.mutable_data();
@@ -290,7 +320,8 @@ py::dict bounds_of(const Machine& machine) {
   const Moves::Bounds box = moves.bounds();
   for (const char axis : moves.axes()) {
     const auto place = kAxisNames.find(axis);
-    if (!std::isnan(box.low[place])) bounds[py::str(axis_name(axis))] = py::make_tuple(box.low[place], box.high[place]);
+    if (!std::isnan(box.low[place]))
+      bounds[py::str(axis_name(axis))] = py::make_tuple(box.low[place], box.high[place]);
   }
   return bounds;
 }
@@ -298,7 +329,8 @@ py::dict bounds_of(const Machine& machine) {
 py::dict variables_of(const Machine& machine, int level) {
   if (level > machine.level()) throw py::index_error("no such level");
   py::dict values;
-  for (const auto& [number, value] : machine.variables(level < 0 ? machine.level() : level)) values[py::int_(number)] = value;
+  for (const auto& [number, value] : machine.variables(level < 0 ? machine.level() : level))
+    values[py::int_(number)] = value;
   return values;
 }
 
@@ -313,50 +345,63 @@ int level_or_present(const Machine& machine, int level) {
 
 void add_machine(py::module_& m) {
   py::class_<Machine>(m, "Machine", py::is_final())
-      .def(py::init(&make_machine), py::arg("code"), py::arg("main"), py::kw_only(), py::arg("mdi") = false,
-           py::arg("start") = py::none(), py::arg("variables") = py::none(), py::arg("block_skip") = std::vector<int>{},
-           py::arg("optional_stop") = false, py::arg("max_cycles") = 1, py::arg("max_blocks") = 10'000'000,
-           py::arg("max_seconds") = py::none(), py::arg("trace") = "moves", py::arg("inputs") = py::none(),
-           py::arg("setup") = py::none())
+      .def(py::init(&make_machine), py::arg("code"), py::arg("main"), py::kw_only(),
+           py::arg("mdi") = false, py::arg("start") = py::none(), py::arg("variables") = py::none(),
+           py::arg("block_skip") = std::vector<int>{}, py::arg("optional_stop") = false,
+           py::arg("max_cycles") = 1, py::arg("max_blocks") = 10'000'000,
+           py::arg("max_seconds") = py::none(), py::arg("trace") = "moves",
+           py::arg("inputs") = py::none(), py::arg("setup") = py::none())
       .def("run", &run, py::arg("until") = py::none())
       .def("step", &Machine::step)
       .def("copy", [](const Machine& machine) { return std::make_unique<Machine>(machine); })
-      .def_property_readonly("code", [](const Machine& machine) { return std::const_pointer_cast<Code>(machine.shared_code()); })
-      .def_property_readonly("stop",
+      .def_property_readonly("code",
                              [](const Machine& machine) {
-                               return machine.stop() == Stop::Running ? py::object(py::none())
-                                                                      : py::object(py::str(std::string(to_string(machine.stop()))));
+                               return std::const_pointer_cast<Code>(machine.shared_code());
                              })
+      .def_property_readonly(
+          "stop",
+          [](const Machine& machine) {
+            return machine.stop() == Stop::Running
+                       ? py::object(py::none())
+                       : py::object(py::str(std::string(to_string(machine.stop()))));
+          })
       .def_property_readonly("waiting_for", &Machine::waiting_for)
       .def_property_readonly("alarm",
                              [](const Machine& machine) {
-                               return machine.alarm() ? py::cast(*machine.alarm()) : py::object(py::none());
+                               return machine.alarm() ? py::cast(*machine.alarm())
+                                                      : py::object(py::none());
                              })
       .def_property_readonly("stack",
                              [](const Machine& machine) {
                                const auto frames = machine.frames();
                                py::tuple rows(frames.size());
-                               for (std::size_t i = 0; i < frames.size(); ++i) rows[i] = py::cast(frames[i]);
+                               for (std::size_t i = 0; i < frames.size(); ++i)
+                                 rows[i] = py::cast(frames[i]);
                                return rows;
                              })
-      .def_property_readonly("position_in_program",
-                             [](const Machine& machine) {
-                               const Code& code = machine.code();
-                               const Block& block = code.blocks[machine.address()];
-                               return py::make_tuple(code.programs[static_cast<std::size_t>(code.program_at(machine.address()))].name,
-                                                     sequence_number(block.n), block.line);
-                             })
+      .def_property_readonly(
+          "position_in_program",
+          [](const Machine& machine) {
+            const Code& code = machine.code();
+            const Block& block = code.blocks[machine.address()];
+            return py::make_tuple(
+                code.programs[static_cast<std::size_t>(code.program_at(machine.address()))].name,
+                sequence_number(block.n), block.line);
+          })
       .def_property_readonly("blocks", &Machine::blocks)
-      .def_property_readonly("steps", [](const Machine& machine) { return machine.trace().steps.size(); })
+      .def_property_readonly("steps",
+                             [](const Machine& machine) { return machine.trace().steps.size(); })
       .def("step_row", &step_row, py::arg("index"))
       .def("step_column", &step_column, py::arg("name"))
       .def_property_readonly("program_names",
                              [](const Machine& machine) {
                                std::vector<std::string> names;
-                               for (const Program& program : machine.code().programs) names.push_back(program.name);
+                               for (const Program& program : machine.code().programs)
+                                 names.push_back(program.name);
                                return names;
                              })
-      .def_property_readonly("calls", [](const Machine& machine) { return machine.trace().calls.size(); })
+      .def_property_readonly("calls",
+                             [](const Machine& machine) { return machine.trace().calls.size(); })
       .def("call_row", &call_row, py::arg("index"))
       .def("call_column", &call_column, py::arg("name"))
       .def_property_readonly("kind_names",
@@ -366,15 +411,18 @@ void add_machine(py::module_& m) {
                                  names.emplace_back(to_string(static_cast<CallKind>(i)));
                                return names;
                              })
-      .def("call_arguments",
-           [](const Machine& machine, std::size_t index) {
-             if (index >= machine.trace().calls.size()) throw py::index_error("no such call");
-             py::dict values;
-             for (const auto& [number, value] : machine.arguments(index)) values[py::int_(number)] = value_or_none(value);
-             return values;
-           },
-           py::arg("index"))
-      .def_property_readonly("moves", [](const Machine& machine) { return machine.trace().moves.size(); })
+      .def(
+          "call_arguments",
+          [](const Machine& machine, std::size_t index) {
+            if (index >= machine.trace().calls.size()) throw py::index_error("no such call");
+            py::dict values;
+            for (const auto& [number, value] : machine.arguments(index))
+              values[py::int_(number)] = value_or_none(value);
+            return values;
+          },
+          py::arg("index"))
+      .def_property_readonly("moves",
+                             [](const Machine& machine) { return machine.trace().moves.size(); })
       .def("move_row", &move_row, py::arg("index"))
       .def("move_column", &move_column, py::arg("name"))
       .def_property_readonly("move_kinds",
@@ -387,33 +435,44 @@ void add_machine(py::module_& m) {
       .def_property_readonly("move_axes",
                              [](const Machine& machine) {
                                std::vector<std::string> names;
-                               for (const char axis : machine.trace().moves.axes()) names.push_back(axis_name(axis));
+                               for (const char axis : machine.trace().moves.axes())
+                                 names.push_back(axis_name(axis));
                                return names;
                              })
-      .def_property_readonly("path_length", [](const Machine& machine) { return machine.trace().moves.length(); })
+      .def_property_readonly("path_length",
+                             [](const Machine& machine) { return machine.trace().moves.length(); })
       .def_property_readonly("time", [](const Machine& machine) { return machine.motion().time(); })
       .def_property_readonly("bounds", &bounds_of)
-      .def_property_readonly("m_codes", [](const Machine& machine) { return machine.trace().m_codes; })
-      .def_property_readonly("t_codes", [](const Machine& machine) { return machine.trace().t_codes; })
-      .def_property_readonly("messages", [](const Machine& machine) { return machine.trace().messages; })
+      .def_property_readonly("m_codes",
+                             [](const Machine& machine) { return machine.trace().m_codes; })
+      .def_property_readonly("t_codes",
+                             [](const Machine& machine) { return machine.trace().t_codes; })
+      .def_property_readonly("messages",
+                             [](const Machine& machine) { return machine.trace().messages; })
       .def("variables", &variables_of, py::arg("level") = -1)
-      .def("get_variable",
-           [](Machine& machine, std::int64_t number, int level) {
-             double value = 0;
-             if (auto fault = machine.read_at(number, level_or_present(machine, level), value)) raise(*fault);
-             return value_or_none(value);
-           },
-           py::arg("number"), py::arg("level") = -1)
-      .def("set_variable",
-           [](Machine& machine, std::int64_t number, std::optional<double> value, int level) {
-             if (auto fault = machine.write_at(number, level_or_present(machine, level), value.value_or(kVacant))) raise(*fault);
-           },
-           py::arg("number"), py::arg("value"), py::arg("level") = -1)
+      .def(
+          "get_variable",
+          [](Machine& machine, std::int64_t number, int level) {
+            double value = 0;
+            if (auto fault = machine.read_at(number, level_or_present(machine, level), value))
+              raise(*fault);
+            return value_or_none(value);
+          },
+          py::arg("number"), py::arg("level") = -1)
+      .def(
+          "set_variable",
+          [](Machine& machine, std::int64_t number, std::optional<double> value, int level) {
+            if (auto fault = machine.write_at(number, level_or_present(machine, level),
+                                              value.value_or(kVacant)))
+              raise(*fault);
+          },
+          py::arg("number"), py::arg("value"), py::arg("level") = -1)
       .def_property_readonly("level", &Machine::level)
       .def_property_readonly("position",
                              [](const Machine& machine) {
                                py::dict values;
-                               for (const auto& [axis, value] : machine.motion().position()) values[py::str(axis)] = value;
+                               for (const auto& [axis, value] : machine.motion().position())
+                                 values[py::str(axis)] = value;
                                return values;
                              })
       .def_property_readonly("modal", [](const Machine& machine) {

@@ -1,6 +1,7 @@
 """One measurement in a process of its own: `python measure.py JOB` prints what it took, as JSON.
 
-A job names a file, a control and the options of `Library.run`; or a peer and a file.
+A job names a file, a control and the options of `Library.run`; or a peer and a file. Seconds are
+those of the processor, as the peers count them, so that other work on the machine does not count.
 """
 
 from __future__ import annotations
@@ -32,25 +33,34 @@ def forget_peak() -> None:
 def run_cncsub(file: str, control: str, **options: Any) -> dict[str, Any]:
     import cncsub
 
-    began = time.perf_counter()
+    began = time.process_time()
     library = cncsub.load(file, control=control)
-    read = time.perf_counter()
+    read = time.process_time()
     before = memory("VmRSS")
     forget_peak()
-    started = time.perf_counter()
+    started = time.process_time()
     run = library.run(max_blocks=10**12, **options)
-    done = time.perf_counter()
+    done = time.process_time()
+    kept, peak = memory("VmRSS") - before, memory("VmHWM") - before  # before the tables are opened
     return {
         "stop": str(run.stop),
         "read": read - began,
         "run": done - started,
+        "kept": kept,
+        "peak": peak,
         "steps": len(run.steps),
-        "calls": len(run.calls),
-        "moves": len(run.moves),
-        "kept": memory("VmRSS") - before,
-        "peak": memory("VmHWM") - before,
         "result": run.variables[2],
+        "columns": open_columns(run.moves),
     }
+
+
+def open_columns(moves: Any) -> float:
+    """Seconds for all columns of a table as NumPy arrays; the import of NumPy is not counted."""
+    importlib.import_module("numpy")
+    began = time.process_time()
+    for name in moves.columns:
+        getattr(moves, name)
+    return time.process_time() - began
 
 
 def parse_gcodeparser(text: str) -> None:
@@ -79,18 +89,19 @@ def run_peer(peer: str, file: str) -> dict[str, Any]:
     """Seconds for a text that is in memory; the import of the peer is not counted."""
     text = Path(file).read_text(encoding="ascii")
     importlib.import_module(peer.replace("-", "_"))
-    began = time.perf_counter()
+    began = time.process_time()
     PEERS[peer](text)
-    return {"run": time.perf_counter() - began}
+    return {"run": time.process_time() - began}
 
 
 def import_cncsub() -> dict[str, Any]:
     """Seconds of `import cncsub`, and which heavy modules it brought along."""
-    began = time.perf_counter()
-    importlib.import_module("cncsub")
-    seconds = time.perf_counter() - began
+    began = time.process_time()
+    cncsub = importlib.import_module("cncsub")
+    seconds = time.process_time() - began
     heavy = ("numpy", "pandas", "polars", "pyarrow", "duckdb", "rich", "typer")
-    return {"run": seconds, "heavy": [name for name in heavy if name in sys.modules]}
+    brought = [name for name in heavy if name in sys.modules]
+    return {"run": seconds, "heavy": brought, "version": cncsub.__version__}
 
 
 def main() -> None:

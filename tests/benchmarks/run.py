@@ -1,8 +1,8 @@
 """Measures cncsub beside its peers: `python tests/benchmarks/run.py [--size small|full]`.
 
 Every measurement is a process of its own on the same files; the rounds are interleaved, so that
-what else the machine does falls on all of them. Prints a table of medians for the README;
-`--write README.md` puts it there, between the marks.
+what else the machine does falls on all of them. Prints a table of medians for the README, seconds
+being those of the processor; `--write README.md` puts it there, between the marks.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ import tempfile
 from collections import defaultdict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from importlib import metadata, util
+from importlib import util
 from pathlib import Path
 from typing import Any
 
@@ -112,11 +112,14 @@ def lua_job(lua: str) -> Job:
 
 
 def rs274_job(rs274: str) -> Job:
-    """CPU seconds of the interpreter, its output thrown away."""
+    """CPU seconds of the interpreter with its start; its output is thrown away."""
 
     def run(file: Path) -> Figures:
+        tools, variables = file.parent / "tool.tbl", file.parent / "variables"
+        tools.touch()
+        variables.touch()
+        command = [rs274, "-t", str(tools), "-v", str(variables), "-g", str(file)]
         before = os.times()
-        command = [rs274, "-g", str(file)]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         after = os.times()
         children = after.children_user - before.children_user
@@ -228,6 +231,12 @@ def flat_rows(bench: Bench) -> Iterator[tuple[str, str, str]]:
     for trace in TRACES:
         run = bench.median(f"flat {trace}")
         yield f"the same: `run`, trace {trace}", seconds_text(run), millions(blocks / run, "blocks")
+    opened = bench.median("flat moves", "columns")
+    yield (
+        "the same: all columns of the moves as NumPy arrays",
+        seconds_text(opened),
+        ("positions, lengths and times are worked out here"),
+    )
     both = statistics.median(r["read"] + r["run"] for r in bench.results["flat moves"])
     rate = blocks / both
     yield "the same: `load` and `run` with moves", seconds_text(both), millions(rate, "blocks")
@@ -251,26 +260,41 @@ def call_rows(bench: Bench) -> Iterator[tuple[str, str, str]]:
         what = "the same"
     if "rs274" not in bench.missing:
         other = bench.median("rs274 calls")
-        yield "the same: LinuxCNC `rs274 -g`", seconds_text(other), ratio(
-            other / bench.median("calls moves"), "of trace moves"
+        yield (
+            "the same: LinuxCNC `rs274 -g`",
+            seconds_text(other),
+            ratio(other / bench.median("calls moves"), "of trace moves"),
         )
     for trace in ("blocks", "moves"):
-        kept, peak = (bench.median(f"calls {trace}", key) / steps for key in ("kept", "peak"))
-        yield f"the same: memory a step, trace {trace}", f"{kept:.1f} bytes", (
-            f"at most {peak:.1f} bytes while running"
+        kept, peak = (
+            (bench.median(f"calls {trace}", key) - bench.median("calls none", key)) / steps
+            for key in ("kept", "peak")
         )
+        yield (
+            f"the same: memory a step, trace {trace}",
+            f"{kept:.1f} bytes",
+            (f"above trace none; at most {peak:.1f} bytes while running"),
+        )
+    fixed = bench.median("calls none", "peak")
+    yield "the same: memory of the run, trace none", f"{fixed / 1e6:.1f} MB", "above the library"
     first = bench.median("subprograms")
     count = size.subprograms
-    yield f"{count:,} small subprograms, each called once", seconds_text(first), nanoseconds(
-        first / count, "a call"
+    yield (
+        f"{count:,} small subprograms, each called once",
+        seconds_text(first),
+        nanoseconds(first / count, "a call"),
     )
     deep, count = bench.median("nested"), 12 * 9999
-    yield f"twelve nested calls, {count:,} calls in all", seconds_text(deep), nanoseconds(
-        deep / count, "a call with its return"
+    yield (
+        f"twelve nested calls, {count:,} calls in all",
+        seconds_text(deep),
+        nanoseconds(deep / count, "a call with its return"),
     )
     macro, count = bench.median("macros"), 1000 * size.macro_repeats
-    yield f"G65 with six arguments, {count:,} calls", seconds_text(macro), nanoseconds(
-        macro / count, "a call with its return"
+    yield (
+        f"G65 with six arguments, {count:,} calls",
+        seconds_text(macro),
+        nanoseconds(macro / count, "a call with its return"),
     )
 
 
@@ -281,16 +305,24 @@ def loop_rows(bench: Bench) -> Iterator[tuple[str, str, str]]:
     yield what, seconds_text(own), nanoseconds(own / passes, "a pass")
     for kind in () if "lua5.4" in bench.missing else ("fields", "locals"):
         other = bench.median(f"lua5.4 {kind}")
-        yield f"the same: Lua 5.4, table {kind}" if kind == "fields" else (
-            "the same: Lua 5.4, local variables"
-        ), seconds_text(other), ratio(other / own)
+        yield (
+            f"the same: Lua 5.4, table {kind}"
+            if kind == "fields"
+            else ("the same: Lua 5.4, local variables"),
+            seconds_text(other),
+            ratio(other / own),
+        )
     short, long = bench.median("jump-short"), bench.median("jump-long")
-    yield f"IF..GOTO loop, {passes:,} passes, in a program of 14 blocks", seconds_text(
-        short
-    ), nanoseconds(short / passes, "a pass")
+    yield (
+        f"IF..GOTO loop, {passes:,} passes, in a program of 14 blocks",
+        seconds_text(short),
+        nanoseconds(short / passes, "a pass"),
+    )
     blocks = 2 * bench.size.around
-    yield f"the same in a program of {blocks:,} blocks", seconds_text(long), (
-        f"{long / short:.2f} times the short one"
+    yield (
+        f"the same in a program of {blocks:,} blocks",
+        seconds_text(long),
+        (f"{long / short:.2f} times the short one"),
     )
 
 
@@ -319,17 +351,13 @@ def machine() -> str:
     return f"{day}, {cpu}, {os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}"
 
 
-def version() -> str:
-    try:
-        return metadata.version("cncsub")
-    except metadata.PackageNotFoundError:
-        return "not installed as a package"
-
-
 def table(bench: Bench) -> str:
     lines = ["| what | median | |", "|---|---:|---|"]
     lines += [f"| {what} | {figure} | {compared} |" for what, figure, compared in rows(bench)]
-    lines += ["", f"cncsub {version()}; {machine()}; {bench.size.rounds} rounds."]
+    lines += [
+        "",
+        f"cncsub {bench.last('import', 'version')}; {machine()}; {bench.size.rounds} rounds.",
+    ]
     if bench.missing:
         missing = ", ".join(f"{peer} ({why})" for peer, why in bench.missing.items())
         lines.append(f"Not measured: {missing}.")

@@ -52,9 +52,7 @@ def flat(blocks: int) -> str:
 def call_loop(calls: int, repeats: int) -> str:
     """M98 L with a body of eight G1 blocks."""
     body = "".join(f"N{n} G1 X{n}. Y{n % 3}.5\n" for n in range(1, 9))
-    return (
-        "O1\nG90 G1 F500.\n" + f"M98 P2 L{repeats}\n" * calls + "M30\n" + "O2\n" + body + "M99\n"
-    )
+    return "O1\nG90 G1 F500.\n" + f"M98 P2 L{repeats}\n" * calls + "M30\n" + "O2\n" + body + "M99\n"
 
 
 def subprograms(count: int) -> str:

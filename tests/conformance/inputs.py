@@ -92,7 +92,7 @@ case(
 )
 case(
     "a program cannot write an input signal",
-    control=ALL, source="A51, R; M: general knowledge P243; Talm 220", evidence="inferred",
+    control=ALL, source="A51; general knowledge P243; Talm 220", evidence="inferred",
     program="""
         O1
         N10 M8

@@ -8,6 +8,7 @@ GSK = GSK_988 + GSK_980
 MELDAS, M700, M800 = MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
 F16, F0D, F0F, F30 = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 FANUC_PS = FANUC[1:]
+HNC, TE = "hnc-21m", "gsk-928te"
 
 # Reading
 
@@ -434,17 +435,6 @@ case(
     runs="N10 N20", alarm="end-of-record",
 )
 case(
-    "26 words are not too many",
-    control=FANUC, source="ALM PS5006", evidence="secondary",
-    program="""
-        O1
-        N10 M8
-        N20 A1 B1 C1 D1 E1 F1 H1 I1 J1 K1 Q1 R1 S1 T1 U1 V1 W1 X1 Y1 Z1 P1 L1 G90 G94 G40
-        N30 M30
-    """,
-    runs="N10 N20 N30",
-)
-case(
     "% with a number heads no program on the 980",
     control=GSK_980, source="general knowledge, O heads a program", evidence="inferred",
     program="""
@@ -455,6 +445,62 @@ case(
         N30 M99
     """,
     runs="", alarm="program-not-found", number="001",
+)
+case(
+    "a block of 256 characters is read",
+    control=GSK, source="Talm 002; MDia 037", evidence="inferred",
+    program="""
+        O1
+        N10 M9
+        N20 M8 (AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA)
+        N30 M30
+    """,
+    runs="N10 N20 N30", m=[9, 8],
+)
+case(
+    "a block of 257 characters is too long",
+    control=GSK, source="Talm 002; MDia 037", evidence="inferred",
+    program="""
+        O1
+        N10 M9
+        N20 M8 (AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA)
+        N30 M30
+    """,
+    runs="N10", alarm="block-too-long",
+    number={**dict.fromkeys(GSK_988, "002"), **dict.fromkeys(GSK_980, "037")}, at="O1 N20", m=[9],
+)
+case(
+    "an N behind other words is read and names nothing",
+    control=MITSUBISHI, source="general knowledge, N at the head", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        M9 N20
+        N30 M30
+    """,
+    runs="N10 N30", m=[8, 9],
+)
+case(
+    "26 words besides the N are not too many",
+    control=FANUC, source="ALM PS5006", evidence="secondary",
+    program="""
+        O1
+        N10 M8
+        N20 A1 B1 C1 E1 F1 I1 J1 K1 Q1 R1 S1 T1 U1 V1 W1 X1 Y1 Z1 P1 L1 D1 H1 G90 G94 G40 G17
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "sequence numbers have eight digits and not nine",
+    control=[F0F, F30], source="ALM PS1128; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N99999999 M8
+        N100000000 M9
+        N30 M30
+    """,
+    runs="N99999999", alarm="illegal-sequence-number", number="PS1014", m=[8],
 )
 
 # Calls and returns
@@ -1040,6 +1086,111 @@ case(
     """,
     runs="N10 N20 N50 N30 N40",
 )
+case(
+    "the highest program number is 99999999",
+    control=[F0F, F30], source="general knowledge, 8 digits", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P99999999 L1
+        N20 M30
+        O99999999
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "a P of more than four digits with an L is all program number",
+    control=[*MITSUBISHI, F0F, F30], source="general knowledge, L with P", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P20002 L2
+        N20 M30
+        O20002
+        N30 M99
+        O2
+        N40 M99
+    """,
+    runs="N10 N30*2 N20",
+)
+case(
+    "a P of five digits with an L names a number that these controls do not have",
+    control=[F16, F0D], source="general knowledge, L with P", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 M98 P20002 L2
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="program-not-found", number={F16: "078", F0D: "PS0076"}, at="O1 N20",
+)
+case(
+    "without 6005#0 Q of M98 starts nothing",
+    control=FANUC_PS, source="general knowledge, 6005#0", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2 Q40
+        N20 M30
+        O2
+        N30 T1
+        N40 M99
+    """,
+    params={"6005#0": 0}, runs="N10 N30 N40 N20",
+)
+case(
+    "a count of 10000 is refused",
+    control=[F16, F0D, F0F], source="ROB; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 M98 P2 L10000
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-repeat-count", at="O1 N20",
+)
+case(
+    "a count of eight digits is taken on the 30i",
+    control=F30, source="general knowledge, 8 digits", evidence="inferred",
+    program="""
+        O1
+        N20 M98 P2 L99999999
+        N30 M30
+        O2
+        N40 M99
+    """,
+    max_blocks=4, runs="N20 N40*3", stop="limit",
+)
+case(
+    "a count of nine digits is refused on the 30i",
+    control=F30, source="general knowledge, 8 digits", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 M98 P2 L100000000
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-repeat-count", at="O1 N20",
+)
+case(
+    "in a turning cycle M98 may share its block with words",
+    control=[*GSK_988, TDI], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 G0 X50 Z0
+        N15 G90 X40 Z-5 F100
+        N20 X30 M98 P2
+        N30 G0 X60
+        N40 M30
+        O2
+        N50 M99
+    """,
+    runs="N10 N15 N20 N50 N30 N40",
+)
 
 # Macro statements
 
@@ -1593,6 +1744,84 @@ case(
     """,
     runs="N10", alarm="illegal-user-alarm", at="O1 N20",
 )
+case(
+    "GOTO takes eight digits",
+    control=[F0F, F30], source="ALM PS1128", evidence="secondary",
+    program="""
+        O1
+        N10 GOTO 99999999
+        N20 T1
+        N99999999 M30
+    """,
+    runs="N10 N99999999",
+)
+case(
+    "GOTO takes no nine digits",
+    control=[F0F, F30], source="ALM PS1128", evidence="secondary",
+    program="""
+        O1
+        N10 T1
+        N20 GOTO 100000000
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-jump-number", number="PS1128", at="O1 N20",
+)
+case(
+    "two letters of a function suffice",
+    control=FANUC, source="K-H, two letters", evidence="inferred",
+    program="""
+        O1
+        N10 #100=RO[1.7]
+        N30 M30
+    """,
+    runs="N10 N30", vars={100: 2},
+)
+case(
+    "SETVN gives names",
+    control=FANUC_PS, source="ALM PS1139; K-M syntax", evidence="inferred",
+    program="""
+        O1
+        N10 SETVN 510[TOOLNO]
+        N20 [#TOOLNO]=5
+        N30 M30
+    """,
+    runs="N10 N20 N30", vars={510: 5},
+)
+case(
+    "RAND and SRAND are functions of the 980",
+    control=GSK_980, source="TDi29", evidence="inferred",
+    program="""
+        O1
+        N10 #100=RAND[5]
+        N20 #101=SRAND[1,5]
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "PRM is no function",
+    control=[*GSK, *MITSUBISHI, F16, F0D], source="general knowledge, functions",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 #100=PRM[1]
+        N30 M30
+    """,
+    runs="N10", alarm="expression-format",
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", F0D: "PS1125"},
+    at="O1 N20",
+)
+case(
+    "POW[2,3] is a function of the 0i-D",
+    control=F0D, source="general knowledge, functions", evidence="inferred",
+    program="""
+        O1
+        N10 #100=POW[2,3]
+        N30 M30
+    """,
+    runs="N10 N30", vars={100: 8},
+)
 
 # Macro calls
 
@@ -1770,7 +1999,7 @@ case(
     setup={"start": {"X": 0, "Y": 0, "Z": 0}}, runs="N10 N20 N40",
 )
 case(
-    "G67 without a modal call is nothing",
+    "G67 without a modal call to cancel is nothing",
     control=[*GSK_980, F16], source="general knowledge, G67", evidence="inferred",
     program="""
         O1
@@ -1915,4 +2144,516 @@ case(
         N20 M30
     """,
     runs="N10", alarm="user-alarm", number="5905", at="O1 N10",
+)
+case(
+    "G17 may not share a block with G66",
+    control=GSK_988, source="TA27, note 6; Talm 212", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G66 P2 G17
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="code-with-modal-call", number="212", at="O1 N20",
+)
+case(
+    "G97 is no argument of G66",
+    control=GSK_980, source="MDia 044: groups 00 and 01 only; general knowledge",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G66 P2 G97
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-argument", at="O1 N20",
+)
+case(
+    "G04 is no argument of G66",
+    control=[*MITSUBISHI, *FANUC], source="ALM PS0129; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G66 P2 G4
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-argument",
+    number={**dict.fromkeys(MITSUBISHI, "P33"), F16: "129", **dict.fromkeys(FANUC_PS, "PS0129")},
+    at="O1 N20", word="G4",
+)
+case(
+    "G43 is no argument of G65",
+    control=[*MITSUBISHI, *FANUC], source="ALM PS0129; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G65 P2 G43
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-argument",
+    number={**dict.fromkeys(MITSUBISHI, "P33"), F16: "129", **dict.fromkeys(FANUC_PS, "PS0129")},
+    at="O1 N20", word="G43",
+)
+case(
+    "X1= gives the 988T an argument of its own",
+    control=T, source="TA27, argument I; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G65 P2 X1=27.5 X2=30.5
+        N20 M30
+        O2
+        N30 M99
+    """,
+    runs="N10 N30 N20", arguments={27: 27.5, 30: 30.5, 24: None},
+)
+case(
+    "X1= is no argument",
+    control=[*GSK_980, *MITSUBISHI, *FANUC], source="general knowledge, arguments",
+    evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G65 P2 X1=27.5
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-character",
+    number={**dict.fromkeys(GSK_980, None), **dict.fromkeys(MITSUBISHI, "P32"), F16: "009", **dict.fromkeys(FANUC_PS, "PS0009")},
+    at="O1 N20",
+)
+case(
+    "P of a macro call has no nine digits on a Mitsubishi",
+    control=MITSUBISHI, source="SK P35; general knowledge, 8 digits", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G65 P123456789
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-macro-number", number="P35", at="O1 N20",
+)
+case(
+    "P of a macro call has no nine digits",
+    control=FANUC, source="general knowledge, 8 digits", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G65 P123456789
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-macro-number", at="O1 N20",
+)
+case(
+    "P of a macro call of eight digits names a number that these controls do not have",
+    control=[F16, F0D], source="general knowledge, 4 digits", evidence="inferred",
+    program="""
+        O1
+        N10 T1
+        N20 G65 P12345678
+        N30 M30
+    """,
+    runs="N10", alarm="program-not-found", number={F16: "078", F0D: "PS0076"}, at="O1 N20",
+)
+
+# Reading: HNC and GSK 928
+
+case(
+    "N0 is read on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N0 M8
+        N30 M30
+    """,
+    runs="N0 N30", m=[8],
+)
+case(
+    "an N behind other words is read on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        M9 N20
+        N30 M30
+    """,
+    m=[8, 9],
+)
+case(
+    "eight digits are read on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge, 8 digits", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 S12345678
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "nine digits are refused on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge, 8 digits", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 S123456789
+        N30 M30
+    """,
+    runs="N10", alarm="too-many-digits", at="%1 N20",
+)
+case(
+    "a slash inside a block is refused on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge, block skip", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 T1 /M9
+        N30 M30
+    """,
+    skip=(1,), runs="N10", alarm="illegal-character", at="%1 N20",
+)
+case(
+    "of an address given twice the last counts on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 T1 T2
+        N30 M30
+    """,
+    runs="N10 N30", t=[2],
+)
+case(
+    "a comment that is not closed reaches to the end of its block on the HNC and the GSK 928",
+    control=[HNC, TE], source="policy", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 T1 (OPEN M9
+        N30 M30
+    """,
+    runs="N10 N20 N30", m=[8], t=[1],
+)
+case(
+    "L takes no decimal point on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 M98 P40 L1.
+        N30 M30
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-decimal-point", at="%1 N20", word="L1.",
+)
+case(
+    "S takes a decimal point on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 S1.5
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "S takes no decimal point on the GSK 928",
+    control=TE, source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 S1.5
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-decimal-point", at="%1 N20", word="S1.5",
+)
+case(
+    "D takes a decimal point on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 D1.
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
+case(
+    "L takes no minus sign on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 M98 P2 L-1
+        N30 M30
+        %2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-minus-sign", at="%1 N20", word="L-1",
+)
+case(
+    "a negative L is a count out of its range on the GSK 928",
+    control=TE, source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 M98 P40 L-1
+        N30 M30
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-repeat-count", at="%1 N20",
+)
+case(
+    "of two M codes the last counts on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8 M9
+        N30 M30
+    """,
+    runs="N10 N30", m=[9],
+)
+case(
+    "G without a number is refused on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 G M9
+        N30 M30
+    """,
+    runs="N10", alarm="address-without-value", at="%1 N20",
+)
+case(
+    "a sequence number has four digits on the GSK 928",
+    control=TE, source="source 001, N of four digits", evidence="inferred",
+    program="""
+        %1
+        N9999 M8
+        N10000 M9
+        N30 M30
+    """,
+    runs="N9999", alarm="illegal-sequence-number", m=[8],
+)
+
+# Calls and returns: HNC and GSK 928
+
+case(
+    "an M code may stand beside M98 on the HNC",
+    control=HNC, source="policy", evidence="inferred",
+    program="""
+        %1
+        N10 M8 M98 P2
+        N20 M30
+        %2
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "an M code may stand beside M98 on the GSK 928",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        %1
+        N10 M8 M98 P30
+        N20 M30
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "H starts nothing on the HNC: the call begins at the head",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 M98 P2 H20
+        N50 M30
+        %2
+        N15 T1
+        N20 M99
+    """,
+    runs="N10 N15 N20 N50",
+)
+case(
+    "a subprogram may call its caller on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 #50=#50+1
+        N20 IF #50 EQ 1
+        N30 M98 P2
+        N40 ENDIF
+        N50 IF #51 EQ 1
+        N60 #51=0
+        N70 M99
+        N75 ENDIF
+        N80 M30
+        %2
+        N90 #51=1
+        N95 M98 P1
+        N99 M99
+    """,
+    variables={50: 0, 51: 0}, vars={50: 2, 51: 0},
+)
+case(
+    "a count of 10000 is refused on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 M98 P2 L10000
+        N30 M30
+        %2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-repeat-count", at="%1 N20",
+)
+case(
+    "a count of 9999 is taken on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N20 M98 P2 L9999
+        N30 M30
+        %2
+        N40 M99
+    """,
+    max_blocks=3, runs="N20 N40*2", stop="limit",
+)
+case(
+    "a count of 10000 is refused on the GSK 928",
+    control=TE, source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 M98 P40 L10000
+        N30 M30
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-repeat-count", at="%1 N20",
+)
+case(
+    "a count of 9999 is taken on the GSK 928",
+    control=TE, source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N20 M98 P40 L9999
+        N30 M30
+        N40 M99
+    """,
+    max_blocks=3, runs="N20 N40*2", stop="limit",
+)
+case(
+    "L0 calls once on the HNC",
+    control=HNC, source="policy", evidence="inferred",
+    program="""
+        %1
+        N20 M98 P2 L0
+        N30 M30
+        %2
+        N40 M99
+    """,
+    runs="N20 N40 N30",
+)
+case(
+    "L0 calls once on the GSK 928",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        %1
+        N20 M98 P40 L0
+        N30 M30
+        N40 M99
+    """,
+    runs="N20 N40 N30",
+)
+case(
+    "M198 is a code for the machine on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M198 P2
+        N20 M30
+    """,
+    external={"O2.NC": "N30 M99\n"}, runs="N10 N20", m=[198],
+)
+case(
+    ",D names no device on the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 M98 P40 ,D1
+        N30 M30
+        N40 M99
+    """,
+    runs="N10", alarm="address-not-usable", at="%1 N20",
+)
+case(
+    "M97 is no jump but a code for the machine on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 M97 P30
+        N20 T1
+        N30 M30
+    """,
+    runs="N10 N20 N30", m=[97], t=[1],
+)
+case(
+    "a called program may call in MDI on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %2
+        N20 M98 P3
+        N30 M99
+        %3
+        N40 M99
+    """,
+    mdi="N5 M98 P2", runs="N5 N20 N40 N30",
+)
+case(
+    "M99 L0 is M99 on the HNC",
+    control=HNC, source="policy", evidence="inferred",
+    program="""
+        %1
+        N10 M98 P2 L3
+        N30 M30
+        %2
+        N40 M99 L0
+    """,
+    runs="N10 N40*3 N30",
+)
+case(
+    "M99 L0 is M99 on the GSK 928",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        %1
+        N10 M98 P40 L3
+        N30 M30
+        N40 M99 L0
+    """,
+    runs="N10 N40*3 N30",
+)
+case(
+    "a P in M98 is rounded on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 #50=2.6
+        N15 M98 P[#50]
+        N20 M30
+        %2
+        N30 M99
+        %3
+        N40 M99
+    """,
+    runs="N10 N15 N40 N20",
 )

@@ -1,0 +1,209 @@
+// Macro statements: assignments, branches, loops.
+#include <algorithm>
+#include <cmath>
+
+#include "cncsub/machine.hpp"
+
+namespace cncsub {
+
+bool Machine::evaluate_long(const Expression& e, double& value) {
+  Trap trap;  // NOLINT: set where it is read
+  if (compute(code_->instructions.data() + e.first, value, trap)) [[likely]]
+    return true;
+  const bool inside = trap.at >= e.at && trap.at <= e.at + e.width;
+  return alarm({trap.cause, inside ? trap.at : e.at, 1, trap.detail});
+}
+
+bool Machine::condition(std::uint32_t expression, bool& holds) {
+  double value = 0;
+  last_condition_ = expression;
+  if (!evaluate(expression, value)) return false;
+  holds = value != 0;
+  return true;
+}
+
+bool Machine::assign(const Statement& statement) {
+  double value = 0;
+  if (!evaluate(statement.expression, value)) return false;
+  return store(statement, value);
+}
+
+bool Machine::store(const Statement& statement, double value) {
+  if (std::fabs(value) > 1e47)  // a vacant value compares false
+    return alarm({Cause::Overflow, statement.at, statement.width, "the result is too large"});
+  const auto put = [&](double& place) {
+    if (!(place == value)) ++changes_;
+    place = value;
+  };
+  switch (statement.target) {
+    case Statement::Target::Local:
+      put(locals_[static_cast<std::size_t>(level_ * code_->locals + statement.index)]);
+      programmed_[static_cast<std::size_t>(level_ * code_->locals + statement.index)] = 0;
+      return true;
+    case Statement::Target::Common:
+      put(commons_[static_cast<std::size_t>(statement.index)]);
+      return true;
+    case Statement::Target::Variable:
+      return store_number(statement.index, value, statement);
+    case Statement::Target::Indirect: {
+      double number = 0;
+      if (!evaluate(statement.variable, number)) return false;
+      if (is_vacant(number)) number = 0;
+      return store_number(static_cast<std::int64_t>(std::clamp(std::round(number), -1e9, 2e9)),
+                          value, statement);
+    }
+    case Statement::Target::None:
+      break;
+  }
+  return true;
+}
+
+bool Machine::store_number(std::int64_t number, double value, const Statement& statement) {
+  const VariablePlace place = code_->place(number);
+  if (place.range != nullptr && place.kind == VariableKind::UserAlarm)
+    return user_alarm(is_vacant(value) ? 0 : value, statement);
+  if (place.range != nullptr && place.kind == VariableKind::Message) {
+    const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+    trace_.messages.push_back(
+        code_->files[program.file].text.substr(statement.text, statement.text_length));
+    ++changes_;
+    return wait_for_operator("#" + std::to_string(number));
+  }
+  if (auto fault = write(number, value)) {
+    fault->at = statement.variable_at;
+    fault->width = statement.variable_width;
+    return alarm(std::move(*fault));
+  }
+  ++changes_;
+  return true;
+}
+
+/// #3000 = n (TEXT). The block is a step: the alarm is what it does.
+bool Machine::user_alarm(double n, const Statement& statement) {
+  const Control& control = *code_->control;
+  const double number = std::round(n);
+  if (number < 0 || number > control.user_alarm_last.value)
+    return alarm(
+        {Cause::IllegalUserAlarm, statement.at, statement.width,
+         "a program may raise alarms 0 to " + std::to_string(control.user_alarm_last.value)});
+  const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
+  const std::string text =
+      code_->files[program.file].text.substr(statement.text, statement.text_length);
+  std::string shown =
+      std::to_string(control.user_alarm_offset.value + static_cast<std::int64_t>(number));
+  while (static_cast<int>(shown.size()) < control.user_alarm_digits) shown.insert(0, "0");
+  words_done_ = true;
+  alarm({Cause::UserAlarm, statement.at, statement.width,
+         text.empty() ? "raised by the program" : text});
+  alarm_->number = control.user_alarm_number.empty() ? control.user_alarm_prefix + shown
+                                                     : control.user_alarm_number;
+  alarm_->text = text;
+  return false;
+}
+
+bool Machine::go_to(const Statement& statement) {
+  if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
+    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a jump in MDI"});
+  if (motion_.compensating() && !code_->control->jumps_in_compensation.value)
+    return alarm({Cause::JumpInCompensation, statement.at, statement.width,
+                  "a jump while the radius offset is on"});
+  Address to = statement.to;
+  std::int64_t n = statement.number;
+  if (n < 0) {
+    double value = 0;
+    if (!evaluate(statement.variable, value)) return false;
+    const double rounded = is_vacant(value) ? 0 : std::round(value);
+    if (!(rounded >= 1 && rounded <= code_->control->max_jump_number.value))
+      return alarm({Cause::IllegalJumpNumber, statement.variable_at, statement.variable_width,
+                    "GOTO takes 1 to " + std::to_string(code_->control->max_jump_number.value)});
+    n = static_cast<std::int64_t>(rounded);
+    to = code_->jump_target(code_->programs[static_cast<std::size_t>(frame().program)], n, pc_);
+  }
+  if (to == kNowhere)
+    return alarm({Cause::JumpTargetNotFound, statement.variable_at, statement.variable_width,
+                  "there is no N" + std::to_string(n) + " in " +
+                      code_->programs[static_cast<std::size_t>(frame().program)].name});
+  return jump_to(to);
+}
+
+/// Goes on at a block of the running program. Loops that do not hold it are left.
+bool Machine::jump_to(Address to) {
+  while (loops_.size() > frame().loops) {
+    const Address start = loops_.back();
+    if (to >= start && to <= code_->statements[code_->blocks[start].aux].end) break;
+    loops_.pop_back();
+  }
+  if (to <= pc_ && waits(to)) return false;
+  next_ = to;
+  return true;
+}
+
+/// A jump back that is reached twice with nothing changed in between can only wait for the world
+/// outside.
+bool Machine::waits(Address) {
+  const bool idle =
+      jumped_from_ == pc_ && changes_at_jump_ == changes_ && last_condition_ != kNowhere;
+  jumped_from_ = pc_;
+  changes_at_jump_ = changes_;
+  if (!idle) return false;
+  const Instruction* at = code_->instructions.data() + code_->expressions[last_condition_].first;
+  while (at->op != Ins::End && at->op != Ins::Common && at->op != Ins::CommonRaw &&
+         at->op != Ins::Variable && at->op != Ins::VariableRaw)
+    ++at;
+  if (at->op == Ins::End) return false;
+  if (next_write_ < options_.inputs.writes.size()) {
+    for (const auto& [number, value] : options_.inputs.writes[next_write_++]) {
+      if (const VariablePlace place = code_->place(number);
+          place.range != nullptr &&
+          (place.kind == VariableKind::Input || place.kind == VariableKind::InputWord))
+        options_.inputs.signals[number] = value;
+      else
+        write(number, value);
+    }
+    ++changes_;
+    return false;
+  }
+  waiting_for_ = "#" + std::to_string(static_cast<std::int64_t>(at->value));
+  record_step();
+  end(Stop::Waiting);
+  return true;
+}
+
+bool Machine::loop(const Block& block) {
+  const Statement& statement = code_->statements[block.aux];
+  if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
+    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a loop in MDI"});
+  const bool inside = loops_.size() > frame().loops && loops_.back() == pc_;
+  bool holds = true;
+  if (block.op == Op::While && !condition(statement.expression, holds)) return false;
+  if (!holds) {
+    if (inside) loops_.pop_back();
+    next_ = statement.to;
+    return true;
+  }
+  if (inside) return true;
+  if (code_->control->loops_count_across_calls.value &&
+      loops_.size() >= static_cast<std::size_t>(code_->control->max_loops.value))
+    return alarm({Cause::LoopsTooDeep, statement.at, statement.width,
+                  "more loops inside each other than the control takes"});
+  loops_.push_back(pc_);
+  return true;
+}
+
+bool Machine::end_loop(const Block& block) {
+  const Statement& statement = code_->statements[block.aux];
+  while (loops_.size() > frame().loops && loops_.back() != statement.to) loops_.pop_back();
+  if (loops_.size() == frame().loops)
+    return alarm({Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"});
+  if (waits(statement.to)) return false;
+  next_ = statement.to;
+  return true;
+}
+
+bool Machine::name_variables(const Statement& statement) {
+  for (std::uint32_t i = 0; i < statement.variable_width; ++i)
+    names_[code_->names[static_cast<std::size_t>(statement.index) + i]] = statement.number + i;
+  return true;
+}
+
+}  // namespace cncsub
