@@ -83,7 +83,7 @@ def test_steps_and_copies_do_what_a_run_does(main: list[str], second: list[str],
 
 @given(repeats=st.integers(1, 20), control=st.sampled_from(MACRO_CONTROLS))
 def test_a_repeated_call_is_that_many_calls(repeats: int, control: str) -> None:
-    body = "O2\nN20 G91 G0 X1.\n#100=#100+1\nM99\n"
+    body = "O2\n#100=#100+1\nN20 G0 X#100\nM99\n"
     once = cncsub.loads("O1\n" + "M98 P2\n" * repeats + f"M30\n{body}", control=control).run()
     many = cncsub.loads(f"O1\nM98 P2 L{repeats}\nM30\n{body}", control=control).run()
     assert [m.x for m in once.moves] == [m.x for m in many.moves]

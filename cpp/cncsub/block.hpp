@@ -59,7 +59,25 @@ class BlockReader {
   // What the words say. `calls`: codes may call.
   void build(Block& block, const Tokens& tokens, bool calls);
   void build_slash(Block& block, const Tokens& tokens, std::size_t slash, bool calls);
-  struct Meaning;
+  struct Meaning {
+    const Token* call = nullptr;  // M98, G65, a calling code ...
+    const Token* second_call = nullptr;
+    CallKind kind = CallKind::M98;
+    CodeCallKind code_kind = CodeCallKind::Subprogram;
+    const RegisteredCall* registered = nullptr;
+    const Token* back = nullptr;    // M99
+    const Token* jump = nullptr;    // M97
+    const Token* end = nullptr;     // M02, M30
+    const Token* cancel = nullptr;  // G67
+    std::array<const Token*, 12> g{};
+    std::array<const Token*, 12> m{};
+    int g_count = 0;
+    int m_count = 0;
+    const Token* lonely = nullptr;  // an M code that wants to be alone
+    int m_words = 0;
+
+    bool calls_macro() const { return call != nullptr && is_macro(kind, code_kind); }
+  };
   std::optional<Fault> sort(const Tokens& tokens, bool calls, Meaning& meaning) const;
   std::optional<Fault> sort_g(const Token& token, bool calls, Meaning& meaning) const;
   std::optional<Fault> sort_m(const Token& token, bool calls, Meaning& meaning) const;
@@ -75,6 +93,10 @@ class BlockReader {
   void build_h_code(Block& block, const Tokens& tokens, const Meaning& meaning);
   std::optional<Fault> arguments(CallRecord& call, const Tokens& tokens, const Meaning& meaning);
   void refuse(Block& block, Fault fault);
+
+  /// Ten times a written code, as an index into the sets of codes; 10000 where it is none.
+  static std::size_t code_index(const Operand& operand);
+  static constexpr std::uint8_t kPoint = 1, kMinus = 2, kLength = 4;  // what an address may have
 
   Code& code_;
   const Control& control_;

@@ -13,7 +13,7 @@ namespace cncsub {
 template <class T>
 class Column {
  public:
-  static constexpr std::size_t kChunk = 1 << 16;
+  static constexpr std::size_t kChunk = sizeof(T) <= 16 ? 1 << 16 : 1 << 10;
 
   Column() = default;
   Column(Column&&) noexcept = default;

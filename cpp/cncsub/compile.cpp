@@ -43,6 +43,8 @@ class LibraryReader {
       }
       at = line_end + 1;
     }
+    // A file without a block is still a program of the memory, an empty one.
+    if (first_in_file_) begin_program(code_.files[file_].stem, -1, 0, false);
     close(static_cast<std::uint32_t>(text.size()));
   }
 
@@ -469,8 +471,9 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   LibraryReader reader(*code);
   std::size_t bytes = 0;
   for (const SourceFile& file : files) bytes += file.text.size();
-  code->blocks.reserve(bytes / 32 + files.size());
-  code->cells.reserve(bytes / 12);
+  // Room that is never written costs nothing, and a table that never moves is never copied.
+  code->blocks.reserve(bytes / 8 + files.size());
+  code->cells.reserve(bytes / 4);
   code->files.reserve(files.size());
   for (SourceFile& file : files) {
     code->files.push_back(std::move(file));
@@ -487,17 +490,7 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   with->files.push_back({"MDI", "MDI", text, false});
   LibraryReader reader(*with);
   reader.read(static_cast<std::uint32_t>(with->files.size() - 1));
-  // What is typed in MDI is no program of the memory: nothing finds it.
-  if (with->programs.size() == programs) {
-    Program empty;
-    empty.name = "MDI";
-    empty.file = static_cast<std::uint32_t>(with->files.size() - 1);
-    empty.first = empty.last = static_cast<Address>(with->blocks.size());
-    Block end;
-    end.op = Op::EndOfRecord;
-    with->blocks.push_back(end);
-    with->programs.push_back(std::move(empty));
-  }
+  // What is typed in MDI is no program of the memory: it is not registered, nothing finds it.
   resolve_calls(*with, programs);
   return with;
 }

@@ -40,7 +40,7 @@ Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options op
       motion_(code_->control, options_.setup) {
   trace_.depth = options_.trace;
   locals_.assign(static_cast<std::size_t>(code_->locals), kVacant);
-  programmed_.assign(locals_.size(), 0);
+  if (code_->control->call_passes_words.value) programmed_.assign(locals_.size(), 0);
   commons_.assign(static_cast<std::size_t>(code_->commons), kVacant);
   clock_ms_ = options_.inputs.clock_ms;
   const Program& program = code_->programs[static_cast<std::size_t>(main)];
@@ -100,10 +100,37 @@ std::vector<Frame> Machine::frames() const {
 }
 
 /// Executes the block at pc_ and records it. What it decides is where the run goes on (`next_`).
+/// Moves, assignments and loops, which fill most runs, are told apart here.
 inline bool Machine::execute(const Block& block) {
   next_ = pc_ + 1;
   words_done_ = false;
-  return block.op == Op::Linear && modals_.empty() ? linear(block) : branch(block);
+  if (!modals_.empty()) return branch(block);
+  switch (block.op) {
+    case Op::Linear:
+      return linear(block);
+    case Op::Assign:
+      if (!assign(code_->statements[block.aux])) return false;
+      break;
+    case Op::IfGoto: {
+      const Statement& statement = code_->statements[block.aux];
+      bool holds = false;
+      if (!condition(statement.expression, holds)) return false;
+      if (holds && !go_to(statement)) return false;
+      break;
+    }
+    case Op::While:
+    case Op::Do:
+      if (!loop(block)) return false;
+      break;
+    case Op::EndDo:
+      if (!end_loop(block)) return false;
+      break;
+    default:
+      return branch(block);
+  }
+  record_step();
+  pc_ = next_;
+  return true;
 }
 
 bool Machine::step() {

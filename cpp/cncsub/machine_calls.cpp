@@ -248,7 +248,7 @@ void Machine::open_level() {
   const std::size_t end = first + static_cast<std::size_t>(code_->locals);
   if (locals_.size() < end) {
     locals_.resize(end, kVacant);
-    programmed_.resize(end, 0);
+    if (!programmed_.empty()) programmed_.resize(end, 0);
   }
   std::copy(scratch_.begin(), scratch_.end(), locals_.begin() + static_cast<std::ptrdiff_t>(first));
   if (code_->control->call_passes_words.value)

@@ -356,7 +356,7 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
       case Ins::Programmed: {
         const auto place =
             static_cast<std::size_t>(level_ * code_->locals) + static_cast<std::size_t>(at->value);
-        if (at->value >= code_->locals)
+        if (at->value >= code_->locals || programmed_.empty())
           return fault(Cause::IllegalVariable, "AR takes a local variable");
         *top++ = programmed_[place];
         break;

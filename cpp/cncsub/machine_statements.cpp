@@ -38,7 +38,8 @@ bool Machine::store(const Statement& statement, double value) {
   switch (statement.target) {
     case Statement::Target::Local:
       put(locals_[static_cast<std::size_t>(level_ * code_->locals + statement.index)]);
-      programmed_[static_cast<std::size_t>(level_ * code_->locals + statement.index)] = 0;
+      if (!programmed_.empty())
+        programmed_[static_cast<std::size_t>(level_ * code_->locals + statement.index)] = 0;
       return true;
     case Statement::Target::Common:
       put(commons_[static_cast<std::size_t>(statement.index)]);

@@ -61,7 +61,8 @@ std::optional<Fault> Machine::write_at(std::int64_t number, int level, double va
   switch (place.kind) {
     case VariableKind::Local:
       locals_[static_cast<std::size_t>(level * code_->locals + place.index)] = value;
-      programmed_[static_cast<std::size_t>(level * code_->locals + place.index)] = 0;
+      if (!programmed_.empty())
+        programmed_[static_cast<std::size_t>(level * code_->locals + place.index)] = 0;
       return std::nullopt;
     case VariableKind::Common:
     case VariableKind::Kept:

@@ -295,7 +295,7 @@ case(
     """,
     params=MM,
     setup=MILL | {"radius_offsets": {1: 6}},
-    alarm="offset-interference",
+    alarm="offset-arc-too-small",
     number={
         "fanuc-16i": "041",
         "fanuc-30i": "PS0041",
@@ -1511,7 +1511,7 @@ case(
     """,
     params=MM,
     setup=MILL,
-    alarm="reference-not-known",
+    alarm="machine-zero-not-known",
     number="0166",
     at="O1",
 )
@@ -1642,7 +1642,7 @@ case(
     params=MM,
     setup=MILL | {"length_offsets": {1: 20}},
     moves="CW X10 Y0 C X5 Y0",
-    alarm="length-offset-in-arc",
+    alarm="length-with-motion",
     number="0042",
     at="O1",
 )
@@ -1876,7 +1876,7 @@ case(
     """,
     params=MM,
     setup=MILL,
-    alarm="offset-number",
+    alarm="radius-offset-number",
     number={"mitsubishi-m700": "P170", "fanuc-16i": "030"},
     at="O1",
 )
@@ -2236,7 +2236,7 @@ case(
     """,
     params=MM,
     setup=MILL,
-    alarm="illegal-repeat-count",
+    alarm="cycle-repeats",
     number="0203",
     at="O1",
 )
@@ -3009,7 +3009,7 @@ case(
     """,
     params=MM,
     setup=LATHE_A | {"start": {"X": 50, "Z": 2}},
-    alarm="cycle-word-missing",
+    alarm="groove-axis",
     number="154",
     at="O1",
 )
@@ -3027,7 +3027,7 @@ case(
     """,
     params=MM,
     setup=LATHE_A | {"start": {"X": 80, "Z": 10}},
-    alarm="cycle-word-missing",
+    alarm="thread-height",
     number="167",
     at="O1",
 )
@@ -3453,7 +3453,7 @@ case(
     """,
     params=MM,
     setup=MILL | {"radius_offsets": {1: 3}},
-    alarm="jump-in-offset",
+    alarm="return-in-offset",
     number="0099",
 )
 
@@ -3468,7 +3468,7 @@ case(
     """,
     params=MM,
     setup=MILL,
-    alarm="m-code-with-reference-return",
+    alarm="reference-with-end",
     number="P435",
     at="O1",
 )

@@ -1,59 +1,73 @@
-"""Changes one rule of a control at a time, and looks for a row that notices."""
+"""Changes one rule of a control at a time, and finds a row that notices.
+
+`pins.json` names that row for every rule of every control. The test of it runs these rows alone;
+`python tests/conformance/mutation.py` searches all rows and writes the file anew, which takes some
+minutes. A rule that no row can notice on a control stands in `unpinned.py`, with the reason.
+"""
 
 from __future__ import annotations
 
-from collections import defaultdict
+import json
+import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import cncsub
-from conformance import Case, Row
+from conformance import Case, rows
 from outcome import differences
 
+FILE = Path(__file__).parent / "pins.json"
+HOW_TO_WRITE = "python tests/conformance/mutation.py writes pins.json anew"
 
-def survivors(rows: list[Row]) -> Iterator[str]:
-    """Every changed rule that no row notices, written as `control: rule = value`.
+# From this rule on the rules are about moves; no row notices them without looking at moves.
+FIRST_MOTION_RULE = "machine"
 
-    A rule that has no other value to try counts as one that nobody notices: `control: rule`.
-    """
-    killers = Killers()
-    seen: defaultdict[str, set[Any]] = defaultdict(set)
-    for control in cncsub.controls.values():
-        for rule in control.rules:
-            seen[rule.name].add(rule.value)
-    for name, control in cncsub.controls.items():
-        cases = [row.case for row in rows if row.control == name]
-        cases = [case for case in cases if passes(case, control)]
-        for rule in control.rules:
-            values = list(mutants(control, rule, seen[rule.name]))
-            if not values:
-                yield f"{name}: {rule.name}"
-            for value, mutant in values:
-                if not killers.kill(rule.name, mutant, cases):
-                    yield f"{name}: {rule.name} = {value}"
+# Control, rule, and the claim of the row that notices.
+Pins = dict[str, dict[str, str]]
 
 
-def mutants(
-    control: cncsub.Control, rule: Any, seen: set[Any]
-) -> Iterator[tuple[Any, cncsub.Control]]:
-    """The control with every other admissible value of the rule."""
-    for value in other_values(rule, seen):
+def read_pins() -> Pins:
+    pins: Pins = json.loads(FILE.read_text(encoding="utf-8"))
+    return pins
+
+
+def notices(case: Case, control: cncsub.Control, rule: Any) -> bool:
+    """Whether some other value of the rule makes the row fail."""
+    return any(not passes(case, mutant) for mutant in mutants(control, rule))
+
+
+def mutants(control: cncsub.Control, rule: Any) -> Iterator[cncsub.Control]:
+    """The control with another value of the rule, for each value worth trying."""
+    for value in other_values(rule):
         try:
-            yield value, control.replace(**{rule.name: value})
+            yield control.replace(**{rule.name: value})
         except ValueError:
-            continue  # A neighbouring number the rule cannot take.
+            continue  # A value the rule cannot take.
 
 
-def other_values(rule: Any, seen: set[Any]) -> list[Any]:
-    """The values to try; `seen` are those that any control has for the rule."""
+def other_values(rule: Any) -> list[Any]:
+    """The other values to try: near numbers, other choices, a list with an entry less or more."""
     if isinstance(rule.value, bool):
         return [not rule.value]
     if isinstance(rule.value, int):
-        return [rule.value + step for step in (-1, 1) if rule.value + step >= 0]
+        return [rule.value + step for step in (1, -1) if rule.value + step >= 0]
     if rule.choices:
         return [value for value in rule.choices if value != rule.value]
-    # A list of letters or codes: what the other controls have, or else all but one.
-    return sorted(seen - {rule.value}) or [rule.value[:-1].rstrip()] * bool(rule.value)
+    return [value for value in _other_lists(rule) if value != rule.value]
+
+
+def _other_lists(rule: Any) -> Iterator[str]:
+    """A list of letters or codes without one of its entries, and as other controls have it."""
+    separator = " " if " " in rule.value or len(rule.value) > 30 else ""
+    entries = rule.value.split() if separator else list(rule.value)
+    for entry in dict.fromkeys(entries):
+        yield separator.join(other for other in entries if other != entry)
+    yield from sorted({_value_on(control, rule.name) for control in cncsub.controls.values()})
+
+
+def _value_on(control: cncsub.Control, rule: str) -> str:
+    return next(str(other.value) for other in control.rules if other.name == rule)
 
 
 def passes(case: Case, control: cncsub.Control) -> bool:
@@ -63,34 +77,63 @@ def passes(case: Case, control: cncsub.Control) -> bool:
         return False
 
 
-class Killers:
-    """Runs the rows in the order in which they are likely to notice a changed rule.
+def is_about_moves(control: cncsub.Control, rule: Any) -> bool:
+    names = [other.name for other in control.rules]
+    return names.index(rule.name) >= names.index(FIRST_MOTION_RULE)
 
-    A rule means the same on every control: the row, and then the topic, that noticed it on one
-    control is tried first on the next.
+
+def find_pins() -> Pins:
+    """Search all rows; a rule that no row notices is left out."""
+    cases = {
+        name: [row.case for row in rows() if row.control == name and passes(row.case, control)]
+        for name, control in cncsub.controls.items()
+    }
+    places = {name: place for place, name in enumerate(_rule_names())}
+    pins: Pins = {name: {} for name in cncsub.controls}
+    for name in places:
+        tried_first: list[str] = []
+        for control in cncsub.controls.values():
+            found = _find(name, control, cases[control.name], tried_first)
+            if found is not None:
+                pins[control.name][name] = found.claim
+                tried_first[:0] = [found.claim, found.topic]
+    return pins
+
+
+def _rule_names() -> list[str]:
+    return [rule.name for rule in next(iter(cncsub.controls.values())).rules]
+
+
+def _find(
+    name: str, control: cncsub.Control, cases: list[Case], tried_first: list[str]
+) -> Case | None:
+    """A rule means the same on every control: the row, then the topic, that noticed it elsewhere
+    is likely to notice it here too.
     """
+    rule = next(rule for rule in control.rules if rule.name == name)
+    if is_about_moves(control, rule):
+        cases = [case for case in cases if case.wants_moves or "motion" in case.topic]
 
-    def __init__(self) -> None:
-        self._cases: defaultdict[str, list[str]] = defaultdict(list)
-        self._topics: defaultdict[str, list[str]] = defaultdict(list)
+    def rank(case: Case) -> tuple[int, int]:
+        return _place(tried_first, case.claim), _place(tried_first, case.topic)
 
-    def kill(self, rule: str, mutant: cncsub.Control, cases: list[Case]) -> bool:
-        for case in sorted(cases, key=lambda case: self._rank(rule, case)):
-            if not passes(case, mutant):
-                _to_front(self._cases[rule], case.claim)
-                _to_front(self._topics[rule], case.topic)
-                return True
-        return False
-
-    def _rank(self, rule: str, case: Case) -> tuple[int, int]:
-        return _place(self._cases[rule], case.claim), _place(self._topics[rule], case.topic)
-
-
-def _to_front(names: list[str], name: str) -> None:
-    if name in names:
-        names.remove(name)
-    names.insert(0, name)
+    changed = list(mutants(control, rule))
+    for case in sorted(cases, key=rank):
+        if any(not passes(case, mutant) for mutant in changed):
+            return case
+    return None
 
 
 def _place(names: list[str], name: str) -> int:
     return names.index(name) if name in names else len(names)
+
+
+def main() -> None:
+    pins = find_pins()
+    FILE.write_text(json.dumps(pins, indent=1, ensure_ascii=True) + "\n", encoding="utf-8")
+    count = sum(map(len, pins.values()))
+    print(f"{count} pins of {len(_rule_names()) * len(pins)} rules", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()
