@@ -51,22 +51,41 @@ def test_a_comment_changes_nothing(control: str, blocks: list[str]) -> None:
 
 calls = st.lists(
     st.sampled_from(
-        ["G0 X1.", "G1 Y2. F100.", "M98 P2", "M98 P2 L3", "M98 P3", "#100=#100+1", "G65 P3 A2.", "M8", "M98 P9"]
+        [
+            "G0 X1.",
+            "G1 Y2. F100.",
+            "M98 P2",
+            "M98 P2 L3",
+            "M98 P3",
+            "#100=#100+1",
+            "G65 P3 A2.",
+            "M8",
+            "M98 P9",
+        ]
     ),
     max_size=6,
 )
 
 
 def library_of(main: list[str], second: list[str], control: str) -> cncsub.Library:
-    programs = [("O1", main, "M30"), ("O2", second, "M99"), ("O3", ["#101=#1", "G91 G0 Z1."], "M99")]
+    programs = [
+        ("O1", main, "M30"),
+        ("O2", second, "M99"),
+        ("O3", ["#101=#1", "G91 G0 Z1."], "M99"),
+    ]
     return cncsub.loads(
-        "".join(f"{name}\n" + "".join(f"{b}\n" for b in body) + f"{end}\n" for name, body, end in programs),
+        "".join(
+            f"{name}\n" + "".join(f"{b}\n" for b in body) + f"{end}\n"
+            for name, body, end in programs
+        ),
         control=control,
     )
 
 
 @given(main=calls, second=calls, control=st.sampled_from(MACRO_CONTROLS))
-def test_steps_and_copies_do_what_a_run_does(main: list[str], second: list[str], control: str) -> None:
+def test_steps_and_copies_do_what_a_run_does(
+    main: list[str], second: list[str], control: str
+) -> None:
     library = library_of(main, second, control)
     run = library.run(max_blocks=200)
     machine = library.machine(max_blocks=200)
@@ -104,7 +123,9 @@ def constant(value: float) -> Value:
 constants = st.floats(-1000, 1000, allow_nan=False).map(lambda v: constant(round(v, 4)))
 
 
-def binary(symbol: str, compute: Callable[[float, float], float]) -> Callable[[Value, Value], Value]:
+def binary(
+    symbol: str, compute: Callable[[float, float], float]
+) -> Callable[[Value, Value], Value]:
     def build(left: Value, right: Value) -> Value:
         return f"[{left[0]}{symbol}{right[0]}]", lambda: compute(left[1](), right[1]())
 
@@ -172,7 +193,11 @@ def test_expressions_have_pythons_value(expression: Value, control: str) -> None
         assert run.alarm is not None or run.variables[100] is not None
         return
     if run.alarm is not None:
-        assert run.alarm.cause in {"division-by-zero", "square-root-of-negative", "logarithm-of-non-positive"}
+        assert run.alarm.cause in {
+            "division-by-zero",
+            "square-root-of-negative",
+            "logarithm-of-non-positive",
+        }
         return
     value = run.variables[100]
     assert value is not None
@@ -181,13 +206,26 @@ def test_expressions_have_pythons_value(expression: Value, control: str) -> None
 
 @given(a=st.integers(-50, 50), b=st.integers(-50, 50), c=st.integers(1, 50))
 def test_precedence_without_brackets(a: int, b: int, c: int) -> None:
-    run = cncsub.loads(f"O1\n#1={a}\n#2={b}\n#100=#1+#2*{c}-#1/{c}\nM30\n", control="fanuc-30i").run()
+    run = cncsub.loads(
+        f"O1\n#1={a}\n#2={b}\n#100=#1+#2*{c}-#1/{c}\nM30\n", control="fanuc-30i"
+    ).run()
     assert run.variables[100] == pytest.approx(a + b * c - a / c, abs=1e-9)
 
 
-@given(left=st.one_of(st.none(), st.integers(-3, 3)), right=st.one_of(st.none(), st.integers(-3, 3)))
-def test_comparisons_tell_vacant_from_zero_in_eq_and_ne_only(left: int | None, right: int | None) -> None:
-    signs = {"EQ": operator.eq, "NE": operator.ne, "GT": operator.gt, "LT": operator.lt, "GE": operator.ge, "LE": operator.le}
+@given(
+    left=st.one_of(st.none(), st.integers(-3, 3)), right=st.one_of(st.none(), st.integers(-3, 3))
+)
+def test_comparisons_tell_vacant_from_zero_in_eq_and_ne_only(
+    left: int | None, right: int | None
+) -> None:
+    signs = {
+        "EQ": operator.eq,
+        "NE": operator.ne,
+        "GT": operator.gt,
+        "LT": operator.lt,
+        "GE": operator.ge,
+        "LE": operator.le,
+    }
     for word, compare in signs.items():
         program = f"O1\nIF[#1 {word} #2]THEN #100=1\nM30\n"
         run = cncsub.loads(program, control="fanuc-30i").run(variables={1: left, 2: right})

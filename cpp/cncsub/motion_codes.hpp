@@ -38,27 +38,22 @@ enum class Group : std::uint8_t {
 };
 constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
 
-#define CNCSUB_MEANINGS(M)                                                                         \
-  M(None)                                                                                          \
-  M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) M(FromReference)      \
-      M(SecondReference) M(Skip) M(Local) M(Machine) M(SetCoordinate) M(ClearCoordinate) M(Finish) \
-          M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) M(PeckTurn) M(MultipleThread)      \
-              M(Rapid) M(Line) M(Cw) M(Ccw) M(Thread) M(VariableThread) M(TurnCycle)               \
-                  M(ThreadCycle) M(FaceCycle) M(TapCycle) M(PlaneXY) M(PlaneZX) M(PlaneYZ)         \
-                      M(Absolute) M(Incremental) M(StrokeOn) M(StrokeOff) M(PerMinute)             \
-                          M(PerRevolution) M(InverseTime) M(Inch) M(Metric) M(Pulses) M(RadiusOff) \
-                              M(RadiusLeft) M(RadiusRight) M(LengthPlus) M(LengthMinus)            \
-                                  M(LengthOff) M(PeckFast) M(LeftTap) M(FineBore) M(CycleOff)      \
-                                      M(Drill) M(DrillDwell) M(Peck) M(Tap) M(Bore) M(BoreStop)    \
-                                          M(BackBore) M(BoreManual) M(BoreDwell) M(ReturnInitial)  \
-                                              M(ReturnR) M(ScalingOn) M(ScalingOff) M(MacroOn)     \
-                                                  M(MacroOff) M(SurfaceSpeed) M(SpindleSpeed)      \
-                                                      M(Work1) M(Work2) M(Work3) M(Work4) M(Work5) \
-                                                          M(Work6) M(WorkExtra) M(PathExact)       \
-                                                              M(PathCorner) M(PathTap) M(PathCut)  \
-                                                                  M(RotationOn) M(RotationOff)     \
-                                                                      M(PolarOn) M(PolarOff)       \
-                                                                          M(MirrorOn) M(MirrorOff)
+// clang-format off
+#define CNCSUB_MEANINGS(M) \
+  M(None) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
+  M(FromReference) M(SecondReference) M(Skip) M(Local) M(Machine) M(SetCoordinate) \
+  M(ClearCoordinate) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
+  M(PeckTurn) M(MultipleThread) M(Rapid) M(Line) M(Cw) M(Ccw) M(Thread) M(VariableThread) \
+  M(TurnCycle) M(ThreadCycle) M(FaceCycle) M(TapCycle) M(PlaneXY) M(PlaneZX) M(PlaneYZ) \
+  M(Absolute) M(Incremental) M(StrokeOn) M(StrokeOff) M(PerMinute) M(PerRevolution) \
+  M(InverseTime) M(Inch) M(Metric) M(Pulses) M(RadiusOff) M(RadiusLeft) M(RadiusRight) \
+  M(LengthPlus) M(LengthMinus) M(LengthOff) M(PeckFast) M(LeftTap) M(FineBore) M(CycleOff) \
+  M(Drill) M(DrillDwell) M(Peck) M(Tap) M(Bore) M(BoreStop) M(BackBore) M(BoreManual) \
+  M(BoreDwell) M(ReturnInitial) M(ReturnR) M(ScalingOn) M(ScalingOff) M(MacroOn) \
+  M(MacroOff) M(SurfaceSpeed) M(SpindleSpeed) M(Work1) M(Work2) M(Work3) M(Work4) M(Work5) \
+  M(Work6) M(WorkExtra) M(PathExact) M(PathCorner) M(PathTap) M(PathCut) M(RotationOn) \
+  M(RotationOff) M(PolarOn) M(PolarOff) M(MirrorOn) M(MirrorOff)
+// clang-format on
 
 enum class Meaning : std::uint8_t {
 #define CNCSUB_MEANING(name) name,

@@ -30,7 +30,7 @@ def everywhere(claim, text, **expected):
 
 
 POLICY = "general knowledge"
-PLAIN = dict(source=POLICY, evidence="inferred", runs="N10 N20 N30", m=[8, 9])
+PLAIN = {"source": POLICY, "evidence": "inferred", "runs": "N10 N20 N30", "m": [8, 9]}
 
 # Ends of block
 
@@ -978,8 +978,8 @@ for claim, text, word, cause, fanuc, gsk, mitsubishi in [
         {text}
         N30 M30
     """
-    expected = dict(program=program, evidence="inferred", runs="N10", m=[9], alarm=cause,
-                    at="O1 N20", word=word)
+    expected = {"program": program, "evidence": "inferred", "runs": "N10", "m": [9], "alarm": cause,
+                    "at": "O1 N20", "word": word}
     case(f"{claim} is alarm {fanuc:03d} on FANUC: {text}", control=FANUC,
          source=f"ALM PS{fanuc:04d}", number=on_fanuc(fanuc), **expected)
     case(f"{claim} is {gsk} on the GSK 988: {text}", control=GSK_988, source=f"Talm {gsk}",
