@@ -73,6 +73,12 @@ class Machine {
   /// The call's arguments, as given.
   std::map<std::int32_t, double> arguments(std::size_t call) const;
 
+  /// What the reset key, M02 and M30 do: calls, modal calls and loops are gone, the variables that
+  /// the control clears are vacant, and the main program is at its head again. What was recorded
+  /// stays.
+  void reset();
+  /// Whether a reset makes a variable vacant.
+  bool cleared_by_reset(std::int64_t number) const;
   /// Every variable that is not vacant or was ever written: commons and the locals of a level.
   std::map<std::int32_t, double> variables(int level) const;
   std::optional<Fault> read(std::int64_t number, double& value);

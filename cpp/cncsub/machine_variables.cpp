@@ -207,6 +207,36 @@ std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int6
   return std::nullopt;
 }
 
+bool Machine::cleared_by_reset(std::int64_t number) const {
+  const VariablePlace place = code_->place(number);
+  if (place.range == nullptr) return false;
+  const Control& control = *code_->control;
+  return (place.kind == VariableKind::Local && control.reset_clears_locals.value) ||
+         (place.kind == VariableKind::Common && control.reset_clears_commons.value);
+}
+
+void Machine::reset() {
+  motion_.reset();
+  modals_.clear();
+  loops_.clear();
+  stack_.resize(1);
+  frame().repeat = 1;
+  level_ = 0;
+  subprograms_ = macros_ = 0;
+  cycles_ = 0;
+  for (std::int64_t number = 0; number < code_->locals; ++number)
+    if (cleared_by_reset(number)) locals_[static_cast<std::size_t>(number)] = kVacant;
+  for (const VariableRange& range : code_->control->variables)
+    if (range.kind == VariableKind::Common)
+      for (std::int32_t number = range.first; number <= range.last; ++number)
+        if (cleared_by_reset(number))
+          commons_[static_cast<std::size_t>(code_->place(number).index)] = kVacant;
+  stop_ = Stop::Running;
+  alarm_.reset();
+  waiting_for_.clear();
+  pc_ = frame().restart;
+}
+
 std::map<std::int32_t, double> Machine::variables(int level) const {
   std::map<std::int32_t, double> values;
   for (const VariableRange& range : code_->control->variables) {

@@ -143,8 +143,10 @@ constexpr ParameterRow kParameters[] = {
     {"6001#4", 0, "CRO: DPRNT and BPRNT end with 0 = LF, 1 = CR LF", kKnown, Inferred, nullptr},
     {"6001#5", 0, "TCS: 1 = every T code calls O9000, with the T value in #149", kSource002,
      SourceDocument, nullptr},
-    {"6001#6", 0, "CCV: 1 = reset keeps #100 to #199", kCwG, Secondary, nullptr},
-    {"6001#7", 0, "CLV: 1 = reset keeps #1 to #33", kCwG, Secondary, nullptr},
+    {"6001#6", 0, "CCV: 1 = reset keeps #100 to #199", kCwG, Secondary,
+     [](Control& c, double v) { c.reset_clears_commons.value = v == 0; }},
+    {"6001#7", 0, "CLV: 1 = reset keeps #1 to #33", kCwG, Secondary,
+     [](Control& c, double v) { c.reset_clears_locals.value = v == 0; }},
     {"6003", 0, "interruption macro: bits MUS MCY MSB MPR TSE MIN", kKnown, Inferred, nullptr},
     {"6004#0", 0,
      "NAT: ATAN is 0 = 0 to 360, 1 = -180 to 180; ASIN is 0 = 270 to 90, 1 = -90 to 90", kAli,
@@ -687,6 +689,8 @@ void calls_and_returns(Control& c) {
 }
 
 void macro_statements(Control& c) {
+  c.reset_clears_locals = {true, "CW-G, parameter 6001#7 CLV", Secondary};
+  c.reset_clears_commons = {true, "CW-G, parameter 6001#6 CCV", Secondary};
   c.vacant_system_writes = {true, kPolicy, Inferred};
   c.max_constant_digits = {8, "general knowledge", Inferred};
   c.max_condition_length = {0, kPolicy, Inferred};

@@ -149,6 +149,8 @@ void call_988(Control& c) {
 }
 
 void statements_988(Control& c) {
+  c.reset_clears_locals = {true, kTA + "27, parameter 6001#7", kManual};
+  c.reset_clears_commons = {true, kTA + "27, parameter 6001#6", kManual};
   c.vacant_system_writes = {true, kPolicy, kInferred};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};
@@ -369,9 +371,9 @@ void parameters_988(Control& c) {
       {"6000#7", 0, "EMA, G65: 0 calls a macro, 1 is type A, G65 H", kTApar + "6000#7", kManual,
        [](Control& k, double value) { k.h_codes.value = value != 0; }},
       {"6001#6", 0, "CCV, #100 to #199 at reset: 0 cleared, 1 kept", kTApar + "6001#6", kManual,
-       nullptr},
+       [](Control& k, double value) { k.reset_clears_commons.value = value == 0; }},
       {"6001#7", 0, "CLV, #1 to #33 at reset: 0 cleared, 1 kept", kTApar + "6001#7", kManual,
-       nullptr},
+       [](Control& k, double value) { k.reset_clears_locals.value = value == 0; }},
       {"6004#0", 0,
        "NAT, ATAN and ASIN: 0 gives 0 to 360 and 270 to 90, 1 -180 to 180 and -90 to 90",
        kTApar + "6004#0", kManual,
@@ -549,6 +551,8 @@ void call_980(Control& c) {
 }
 
 void statements_980(Control& c) {
+  c.reset_clears_locals = {true, kPolicy, kInferred};
+  c.reset_clears_commons = {false, kPolicy, kInferred};
   c.vacant_system_writes = {false, kMDia + "121" + kOfMDi, kSecondary};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};
@@ -925,6 +929,8 @@ void call_928(Control& c) {
 /// The 928TE has none of these: its jumps are M97, and the r variables of the 928T are of another
 /// kind.
 void no_macros_928(Control& c) {
+  c.reset_clears_locals = {true, kPolicy, kInferred};
+  c.reset_clears_commons = {false, kPolicy, kInferred};
   c.vacant_system_writes = {true, kPolicy, kInferred};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};

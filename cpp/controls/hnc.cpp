@@ -88,6 +88,8 @@ void calls_and_returns(Control& c) {
 }
 
 void macro_statements(Control& c) {
+  c.reset_clears_locals = {true, kPolicy, Inferred};
+  c.reset_clears_commons = {false, kPolicy, Inferred};
   c.vacant_system_writes = {true, kPolicy, Inferred};
   c.max_constant_digits = {12, kPolicy, Inferred};
   c.max_condition_length = {128, "HS MAX_CONDITION_LEN of an HNC-8 header", Secondary};

@@ -123,6 +123,8 @@ void calling(Control& c) {
 }
 
 void statements(Control& c) {
+  c.reset_clears_locals = {true, kPolicy, kInferred};
+  c.reset_clears_commons = {false, kPolicy, kInferred};
   c.vacant_system_writes = {true, kPolicy, kInferred};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};

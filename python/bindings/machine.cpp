@@ -467,6 +467,8 @@ void add_machine(py::module_& m) {
               raise(*fault);
           },
           py::arg("number"), py::arg("value"), py::arg("level") = -1)
+      .def("reset", &Machine::reset)
+      .def("cleared_by_reset", &Machine::cleared_by_reset, py::arg("number"))
       .def_property_readonly("level", &Machine::level)
       .def_property_readonly("position",
                              [](const Machine& machine) {

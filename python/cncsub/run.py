@@ -189,6 +189,22 @@ class Run(_Outcome):
         """
         return Variables(self._core, 0)
 
+    @property
+    def variables_after_reset(self) -> dict[int, float]:
+        """What is left of `variables` when M02, M30 or the reset key has cleared what the control
+        clears (on FANUC by 6001#6 and 6001#7).
+
+        >>> import cncsub
+        >>> run = cncsub.loads("O1\\n#1=1\\n#500=5\\nM30\\n", control="fanuc-0i-f").run()
+        >>> run.variables[1], run.variables_after_reset
+        (1.0, {500: 5.0})
+        """
+        return {
+            number: value
+            for number, value in self.variables.items()
+            if value is not None and not self._core.cleared_by_reset(number)
+        }
+
     def __repr__(self) -> str:
         return f"<Run: {self._summary()}, {len(self.steps):,} steps, {len(self.calls):,} calls>"
 
@@ -252,6 +268,12 @@ class Machine(_Outcome):
     def __iter__(self) -> Iterator[Step]:
         while (step := self.step()) is not None:
             yield step
+
+    def reset(self) -> None:
+        """Presses the reset key: calls and modal calls are gone, the variables that the control
+        clears are vacant, and the main program is at its head. What was recorded stays.
+        """
+        self._core.reset()
 
     def copy(self) -> Machine:
         """A machine in the same state that goes its own way: a snapshot to come back to."""

@@ -71,6 +71,8 @@ class Case:
     final_machine: Point | None
     final_work: Point | None
     time: float | None
+    vars_after_reset: Mapping[int, float | None] | None
+    work_after_reset: Point | None
 
     def number_on(self, control: str) -> str | None:
         return self.number[control] if isinstance(self.number, Mapping) else self.number
@@ -133,6 +135,8 @@ def case(
     final_machine: str | None = None,
     final_work: str | None = None,
     time: float | None = None,
+    vars_after_reset: Mapping[int, float | None] | None = None,
+    work_after_reset: str | None = None,
 ) -> None:
     """Write one row.
 
@@ -140,7 +144,8 @@ def case(
     programs, `N10*5` and `(N60 N70)*5` for repeats; blocks without an N are left out. `at` is the
     program and the N of the block that alarms, `word` the word under the caret. `moves` is the
     language of `moves.py`; `centre` the end points of the tool centre, separated by `|`; `moves_x`
-    the X end points alone. Without `evidence` the source has to be one of the source documents.
+    the X end points alone. The expectations `after_reset` are of what M02, M30 and the reset key
+    leave. Without `evidence` the source has to be one of the source documents.
     """
     caller = sys._getframe(1)
     controls = (control,) if isinstance(control, str) else tuple(control)
@@ -189,6 +194,8 @@ def case(
         final_machine=None if final_machine is None else read_point(final_machine),
         final_work=None if final_work is None else read_point(final_work),
         time=time,
+        vars_after_reset=vars_after_reset,
+        work_after_reset=None if work_after_reset is None else read_point(work_after_reset),
     )
     fault = _fault(row)
     if fault:

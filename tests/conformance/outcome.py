@@ -39,6 +39,8 @@ def differences(case: Case, control: cncsub.Control) -> Iterator[str]:
         yield from _argument_differences(case, library, run)
     if case.wants_moves or case.final_work is not None:
         yield from _motion_differences(case, run)
+    if case.vars_after_reset is not None or case.work_after_reset is not None:
+        yield from _reset_differences(case, library)
 
 
 def load(case: Case, control: cncsub.Control) -> cncsub.Library:
@@ -212,6 +214,19 @@ def _argument_differences(case: Case, library: cncsub.Library, run: cncsub.Run) 
     for number, expected in (case.arguments or {}).items():
         got = machine.variables.get(number)
         yield from _variable_difference("arguments", number, expected, got)
+
+
+def _reset_differences(case: Case, library: cncsub.Library) -> Iterator[str]:
+    machine = library.machine(**_options(case))
+    for _ in machine:
+        pass
+    machine.reset()
+    for number, expected in (case.vars_after_reset or {}).items():
+        got = machine.variables.get(number)
+        yield from _variable_difference("vars after reset", number, expected, got)
+    if case.work_after_reset is not None:
+        got = dict(machine.position)
+        yield from _place_difference("work after reset", case.work_after_reset, got)
 
 
 def _motion_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
