@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::int64_t kPollBlocks = 1
                                      << 14;  // blocks between two looks at the clock and at Ctrl-C
+constexpr double kAskSeconds = 0.02;  // between two questions whether to stop, which may wait
 
 }  // namespace
 
@@ -155,6 +156,7 @@ void Machine::run(const std::function<bool()>& interrupted,
   const auto started = Clock::now();
   const Block* blocks = code_->blocks.data();
   std::int64_t skipped = 0;
+  double asked = 0;
   while (stop_ == Stop::Running) {
     // Between two looks at the clock and at Ctrl-C nothing but blocks.
     const std::int64_t poll = std::min(executed_ + kPollBlocks, options_.max_blocks);
@@ -170,7 +172,9 @@ void Machine::run(const std::function<bool()>& interrupted,
     }
     if (stop_ != Stop::Running) return;
     const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
-    if (interrupted && interrupted())
+    const bool ask = interrupted && seconds - asked > kAskSeconds;
+    if (ask) asked = seconds;
+    if (ask && interrupted())
       end(Stop::Interrupted);
     else if (executed_ >= options_.max_blocks ||
              (options_.max_seconds > 0 && seconds > options_.max_seconds))

@@ -73,9 +73,15 @@ class Case:
     time: float | None
     vars_after_reset: Mapping[int, float | None] | None
     work_after_reset: Point | None
+    modal_after_reset: Mapping[str, str] | None
 
     def number_on(self, control: str) -> str | None:
         return self.number[control] if isinstance(self.number, Mapping) else self.number
+
+    @property
+    def resets(self) -> bool:
+        after = (self.vars_after_reset, self.work_after_reset, self.modal_after_reset)
+        return any(expectation is not None for expectation in after)
 
     @property
     def wants_moves(self) -> bool:
@@ -137,6 +143,7 @@ def case(
     time: float | None = None,
     vars_after_reset: Mapping[int, float | None] | None = None,
     work_after_reset: str | None = None,
+    modal_after_reset: Mapping[str, str] | None = None,
 ) -> None:
     """Write one row.
 
@@ -196,6 +203,7 @@ def case(
         time=time,
         vars_after_reset=vars_after_reset,
         work_after_reset=None if work_after_reset is None else read_point(work_after_reset),
+        modal_after_reset=modal_after_reset,
     )
     fault = _fault(row)
     if fault:

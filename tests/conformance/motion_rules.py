@@ -1610,10 +1610,10 @@ for machine, controls in ("mill", [MDI, HNC]), ("lathe-a", LATHES):
         setup={"machine": machine},
         program="""
             O1
-            N10 G1 F100
+            N10 G19
             N20 M30
         """,
-        modal_after_reset={"motion": "G1"},
+        modal_after_reset={"plane": "G19"},
     )
 case(
     "reset ends G52",

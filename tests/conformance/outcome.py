@@ -39,7 +39,7 @@ def differences(case: Case, control: cncsub.Control) -> Iterator[str]:
         yield from _argument_differences(case, library, run)
     if case.wants_moves or case.final_work is not None:
         yield from _motion_differences(case, run)
-    if case.vars_after_reset is not None or case.work_after_reset is not None:
+    if case.resets:
         yield from _reset_differences(case, library)
 
 
@@ -225,8 +225,11 @@ def _reset_differences(case: Case, library: cncsub.Library) -> Iterator[str]:
         got = machine.variables.get(number)
         yield from _variable_difference("vars after reset", number, expected, got)
     if case.work_after_reset is not None:
-        got = dict(machine.position)
-        yield from _place_difference("work after reset", case.work_after_reset, got)
+        place = dict(machine.position)
+        yield from _place_difference("work after reset", case.work_after_reset, place)
+    for name, expected in (case.modal_after_reset or {}).items():
+        if machine.modal.get(name) != expected:
+            yield f"{name} after reset: expected {expected}, got {machine.modal.get(name)}"
 
 
 def _motion_differences(case: Case, run: cncsub.Run) -> Iterator[str]:

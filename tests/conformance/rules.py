@@ -2657,3 +2657,40 @@ case(
     """,
     runs="N10 N15 N40 N20",
 )
+
+# Reset
+
+case(
+    "reset makes locals and commons vacant",
+    control=[*GSK_988, *FANUC], source="TA27, parameters 6001#6 and 6001#7; CW-G",
+    evidence="secondary",
+    program="""
+        O1
+        N10 #1=5
+        N20 #100=6
+        N30 M30
+    """,
+    vars={1: 5, 100: 6}, vars_after_reset={1: None, 100: None},
+)
+case(
+    "reset makes locals vacant and leaves commons",
+    control=[*GSK_980, *MITSUBISHI], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 #1=5
+        N20 #100=6
+        N30 M30
+    """,
+    vars={1: 5, 100: 6}, vars_after_reset={1: None, 100: 6},
+)
+case(
+    "reset makes locals vacant and leaves commons on the HNC",
+    control=HNC, source="policy", evidence="inferred",
+    program="""
+        %1
+        N10 #1=5
+        N20 #50=6
+        N30 M30
+    """,
+    vars={1: 5, 50: 6}, vars_after_reset={1: None, 50: 6},
+)
