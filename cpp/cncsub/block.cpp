@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <string>
 
 #include "cncsub/statement.hpp"
@@ -40,11 +41,11 @@ void for_each_code(const Codes& codes, Use&& use) {
 
 BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
   for (const char c : control_.point_addresses.value)
-    letters_[static_cast<std::size_t>(c)] |= kPoint;
+    letters_[static_cast<unsigned char>(c)] |= kPoint;
   for (const char c : control_.minus_addresses.value)
-    letters_[static_cast<std::size_t>(c)] |= kMinus;
+    letters_[static_cast<unsigned char>(c)] |= kMinus;
   if (control_.whole_numbers.value == WholeNumbers::Increments)
-    for (const char c : kLengths) letters_[static_cast<std::size_t>(c)] |= kLength;
+    for (const char c : kLengths) letters_[static_cast<unsigned char>(c)] |= kLength;
   const auto list = [](const Rule<Codes>& rule, std::bitset<10001>& codes) {
     for_each_code(rule.value, [&](int code10) { codes.set(static_cast<std::size_t>(code10)); });
   };
@@ -61,7 +62,8 @@ BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
 
 void BlockReader::register_calls() {
   const auto value_of = [&](std::int32_t parameter) {
-    return static_cast<std::int32_t>(control_.parameter(std::to_string(parameter)));
+    return static_cast<std::int32_t>(
+        std::clamp(control_.parameter(std::to_string(parameter)), -1e9, 1e9));
   };
   if (const std::int32_t m = value_of(6030); m > 0 && m < 1000) external_m_ = m;
   for (const CodeCall& list : control_.code_calls) {
@@ -111,7 +113,7 @@ void BlockReader::register_calls() {
 const RegisteredCall* BlockReader::registered(char address, double code) const {
   if (const int place = switched_[static_cast<std::size_t>(address - 'A')]; place != 0)
     return &switches_[static_cast<std::size_t>(place - 1)];
-  if (registered_.empty() || code != static_cast<std::int32_t>(code)) return nullptr;
+  if (registered_.empty() || std::fabs(code) > 1e9 || code != std::floor(code)) return nullptr;
   const auto found = registered_.find(key(address, static_cast<std::int32_t>(code)));
   return found == registered_.end() ? nullptr : &found->second;
 }
@@ -159,7 +161,7 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
         whole + (point ? 3 : 0) > control_.max_digits.value)
       return false;
     if (what == Plain::Value) {
-      const std::uint8_t allowed = letters_[static_cast<std::size_t>(letter)];
+      const std::uint8_t allowed = letters_[static_cast<unsigned char>(letter)];
       const std::uint32_t mark = bit(letter);
       if (decimals > 3 && control_.cuts_fine_digits.value) return false;
       const bool refused = (negative && (allowed & kMinus) == 0) ||
@@ -279,7 +281,7 @@ bool BlockReader::sequence_number(Scanner& s, Block& block) {
   if (!number.any) return wrong(Cause::AddressWithoutValue, "N without a number");
   if (number.points != 0)
     return wrong(Cause::IllegalDecimalPoint, "a sequence number has no point");
-  if (number.signed_) return wrong(Cause::IllegalMinusSign, "a sequence number has no sign");
+  if (number.has_sign) return wrong(Cause::IllegalMinusSign, "a sequence number has no sign");
   if (number.value > control_.max_sequence_number.value)
     return wrong(
         Cause::IllegalSequenceNumber,
@@ -291,6 +293,7 @@ bool BlockReader::sequence_number(Scanner& s, Block& block) {
 }
 
 bool BlockReader::scan_words(Scanner& s, Block& block) {
+  std::uint16_t slashes = block.skip;
   for (;;) {
     char c = s.peek();
     if (c == '\0' && s.at == s.end) break;
@@ -312,7 +315,10 @@ bool BlockReader::scan_words(Scanner& s, Block& block) {
         }
         token.letter = '/';
         skip_slash(s, token.skip);
-        tokens_.push_back(token);
+        // A second slash of one switch says nothing new: the first has dropped the rest, or none
+        // does.
+        if ((token.skip & slashes) == 0) tokens_.push_back(token);
+        slashes = static_cast<std::uint16_t>(slashes | token.skip);
         continue;
       }
       if (c == '<' && control_.named_programs.value) {
@@ -393,8 +399,9 @@ bool BlockReader::scan_value(Scanner& s, Block& block, Token& token) {
     }
     if (c != '#' && c != '[') {
       const Number number = scan_number(s);
-      if (control_.numbered_axis_arguments.value && number.points == 0 && number.any &&
-          s.peek() == '=' && number.value >= 1 && number.value <= 2 && token.letter >= 'X') {
+      if (control_.numbered_axis_arguments.value && token.axis == 0 && number.points == 0 &&
+          number.any && s.peek() == '=' && number.value >= 1 && number.value <= 2 &&
+          token.letter >= 'X') {
         ++s.at;
         token.axis = static_cast<std::uint8_t>(number.value);
         --s.at;
@@ -483,8 +490,12 @@ bool BlockReader::bracket_name(Scanner& s, Block& block, Token& token) {
       }
     return false;
   };
-  if (!says("M98") && !says("M198") && !says("G65") && !says("G66"))
-    return false;  // G04 P[...] takes an expression
+  if (call_file_ != s.file || call_text_ != block.text) {  // asked once for all P of a block
+    call_file_ = s.file;
+    call_text_ = block.text;
+    names_call_ = says("M98") || says("M198") || says("G65") || says("G66");
+  }
+  if (!names_call_) return false;  // G04 P[...] takes an expression
   s.take('[');
   token.letter = '<';
   scan_name(s, block, token, ']');
@@ -527,7 +538,7 @@ bool BlockReader::scan_name(Scanner& s, Block& block, Token& token, char close) 
 /// What is wrong whatever the word is for; what only an argument of a macro may have is kept in the
 /// token.
 std::optional<Fault> BlockReader::check_number(Token& token, const Number& number) const {
-  const std::uint8_t allowed = letters_[static_cast<std::size_t>(token.letter)];
+  const std::uint8_t allowed = letters_[static_cast<unsigned char>(token.letter)];
   if (!number.any)
     return Fault{Cause::AddressWithoutValue, 0, 1,
                  std::string(1, token.letter) + " stands without a value"};

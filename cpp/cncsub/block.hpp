@@ -101,10 +101,14 @@ class BlockReader {
   Code& code_;
   const Control& control_;
   Tokens tokens_;
+  // Whether the block at this place has a call that takes a name.
+  const char* call_file_ = nullptr;
+  std::uint32_t call_text_ = 0;
+  bool names_call_ = false;
   enum class Plain : std::uint8_t { No, Value, G, N };
   std::array<Plain, 256> plain_{};  // what a character begins in a plain block
   std::array<bool, 4> plain_g_{};   // G00 to G03, where they are what they are everywhere
-  std::array<std::uint8_t, 128> letters_{};
+  std::array<std::uint8_t, 256> letters_{};
   std::bitset<10001> not_with_call_, not_with_return_, not_with_macro_, not_with_modal_,
       m_not_with_macro_;
   std::unordered_map<std::int64_t, RegisteredCall> registered_;  // by address and code

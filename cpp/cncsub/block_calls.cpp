@@ -72,7 +72,7 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
     const bool computed = token.operand.kind == Operand::Kind::Expression || cut(token.operand);
     expressions = computed ? expressions | mark : expressions & ~mark;
     const bool length =
-        token.operand.whole && (letters_[static_cast<std::size_t>(token.letter)] & kLength) != 0;
+        token.operand.whole && (letters_[static_cast<unsigned char>(token.letter)] & kLength) != 0;
     whole = length ? whole | mark : whole & ~mark;
   }
   block.data = static_cast<std::uint32_t>(code_.cells.size());
@@ -339,7 +339,7 @@ void BlockReader::build_h_code(Block& block, const Tokens& tokens, const Meaning
   for (const Token& token : tokens) {
     switch (token.letter) {
       case 'H':
-        h.number = token.operand.kind == Operand::Kind::Constant
+        h.number = token.operand.kind == Operand::Kind::Constant && token.operand.value < 1000
                        ? static_cast<std::int32_t>(token.operand.value)
                        : -1;
         h.variable_at = token.operand.at;

@@ -111,9 +111,9 @@ struct Entries {
 Entries entries(const Code& code, const Program& program, std::int64_t n) {
   const SequenceEntry* first = code.sequence.data() + program.first_entry;
   const SequenceEntry* last = code.sequence.data() + program.last_entry;
-  const auto low = std::lower_bound(
+  const auto* const low = std::lower_bound(
       first, last, n, [](const SequenceEntry& e, std::int64_t value) { return e.n < value; });
-  const auto high = std::upper_bound(
+  const auto* const high = std::upper_bound(
       low, last, n, [](std::int64_t value, const SequenceEntry& e) { return value < e.n; });
   return {low, high};
 }
@@ -127,7 +127,7 @@ Address Code::first_of(const Program& program, std::int64_t n) const {
 
 Address Code::next_of(const Program& program, std::int64_t n, Address behind) const {
   const Entries found = entries(*this, program, n);
-  const auto next =
+  const auto* const next =
       std::upper_bound(found.first, found.last, behind,
                        [](Address a, const SequenceEntry& e) { return a < e.address; });
   return next == found.last ? kNowhere : next->address;
@@ -135,7 +135,7 @@ Address Code::next_of(const Program& program, std::int64_t n, Address behind) co
 
 Address Code::last_of(const Program& program, std::int64_t n, Address before) const {
   const Entries found = entries(*this, program, n);
-  const auto behind =
+  const auto* const behind =
       std::lower_bound(found.first, found.last, before,
                        [](const SequenceEntry& e, Address a) { return e.address < a; });
   return behind == found.first ? kNowhere : behind[-1].address;

@@ -29,6 +29,8 @@ constexpr std::int32_t kNoProgram = -1;
 /// vacant.
 constexpr double kVacant = std::numeric_limits<double>::quiet_NaN();
 inline bool is_vacant(double value) { return std::isnan(value); }
+/// The largest value that a variable or a word takes.
+constexpr double kLargest = 1e47;
 
 /// What is wrong with a block, and where in its file.
 struct Fault {

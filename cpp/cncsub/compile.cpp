@@ -195,8 +195,8 @@ class LibraryReader {
 
   static std::string trimmed(std::string text) {
     while (!text.empty() && is_blank(text.back())) text.pop_back();
-    while (!text.empty() && is_blank(text.front())) text.erase(text.begin());
-    return text;
+    const auto first = std::find_if_not(text.begin(), text.end(), is_blank);
+    return {first, text.end()};
   }
 
   /// The first comment of the head's line.

@@ -286,7 +286,8 @@ bool ExpressionReader::open() {
     refuse(Cause::BracketNotOpened, at, "an opening bracket is missing here");
     return false;
   }
-  if (++brackets_ > code_.control->max_brackets.value || brackets_ > kDeepest) {
+  ++brackets_;
+  if (brackets_ > code_.control->max_brackets.value || brackets_ > kDeepest) {
     refuse(Cause::BracketsTooDeep, at,
            "more than " + std::to_string(code_.control->max_brackets.value) +
                " brackets inside each other");
@@ -376,8 +377,10 @@ std::optional<ExpressionReader::Value> ExpressionReader::function() {
     return Value{};
   }
   if (word == "NOT" && code_.control->conditions_without_brackets.value) {
+    if (++nots_ > kDeepest) return refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
     auto value = operand();
     if (!value) return std::nullopt;
+    --nots_;
     if (value->type != Type::Condition)
       return refuse(Cause::ExpressionFormat, at, "NOT takes a condition");
     emit(Ins::Not, at);

@@ -72,7 +72,7 @@ void Machine::finish() {
       trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
 }
 
-bool Machine::alarm(Fault fault) {
+bool Machine::alarm(const Fault& fault) {
   const Address at = pc_;
   alarm_ = alarm_of(*code_, at, fault);
   alarm_->frames = frames();
@@ -363,7 +363,12 @@ bool Machine::decode(const Block& block, NcWords& words) {
       continue;
     }
     double value = 0;
-    if (!evaluate(static_cast<std::uint32_t>(cell->expression), value)) return false;
+    const auto expression = static_cast<std::uint32_t>(cell->expression);
+    if (!evaluate(expression, value)) return false;
+    if (std::fabs(value) > kLargest) {  // a vacant value compares false
+      const Expression& e = code_->expressions[expression];
+      return alarm({Cause::Overflow, e.at, e.width, "the result is too large"});
+    }
     if (is_vacant(value)) {
       if (code_->control->vacant_address.value == VacantAddress::Ignored) {
         words.mask &= ~mark;
@@ -395,7 +400,7 @@ bool Machine::words(const Block& block) {
   Outside around = outside();
   if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), recorded_moves(),
                                    outcome, around))
-    return alarm(std::move(*fault));
+    return alarm(*fault);
   if (!auxiliary(words, block)) return false;
   words_done_ = true;
   if (block.n >= 0) last_n_ = block.n;
@@ -416,7 +421,7 @@ bool Machine::auxiliary(const NcWords& words, const Block& block) {
     const bool stops = m == 0 || (m == 1 && options_.optional_stop);
     if (stops)
       if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_), recorded_moves()))
-        return alarm(std::move(*fault));
+        return alarm(*fault);
     if (stops && !wait_for_operator(m == 0 ? "M00" : "M01")) return false;
     if (m != 0 && m == code_->control->restart_m_code.value && stack_.size() == 1) next_ = kNowhere;
     if ((m == 2 || m == 30) && block.op != Op::EndProgram)
@@ -452,7 +457,7 @@ bool Machine::after_words(const Motion::Outcome& outcome) {
 bool Machine::end_program(const Block& block) {
   if (!words(block)) return false;
   if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_), recorded_moves()))
-    return alarm(std::move(*fault));
+    return alarm(*fault);
   record_step();
   return end(Stop::End);
 }
@@ -546,6 +551,7 @@ bool Machine::return_from_main(const Block&, const CallRecord& back, double p) {
                       std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
                       program.name});
   record_step();
+  leave_loops(to);
   pc_ = to;
   return true;
 }
@@ -575,6 +581,7 @@ bool Machine::jump(const Block& block) {
                       std::to_string(static_cast<std::int64_t>(std::clamp(n, -1.0, 2e9))) + " in " +
                       program.name});
   record_step();
+  leave_loops(to);
   pc_ = to;
   return true;
 }

@@ -120,7 +120,7 @@ class Machine {
 
   // Blocks. Each returns false where the run stopped.
   bool execute(const Block& block);
-  bool alarm(Fault fault);
+  bool alarm(const Fault& fault);
   bool choose(const Block& block);
   bool words(const Block& block);
   bool linear(const Block& block);
@@ -145,12 +145,11 @@ class Machine {
   bool branch(const Block& block);
   bool loop(const Block& block);
   bool end_loop(const Block& block);
-  bool h_code(const Statement& statement);
+  bool h_code(const Statement& h);
   bool h_jump(const Statement& statement, std::int64_t n);
-  bool h_alarm(const Statement& statement);
+  bool h_alarm(const Statement& h);
   bool h_variable(const Operand& operand, std::int64_t& number);
   std::optional<Cause> h_result(int code, double q, double r, std::int64_t target, double& result);
-  std::optional<Cause> h_digits(bool to_binary, double q, double& result) const;
   bool print(const Print& print);
   bool name_variables(const Statement& statement);
   bool user_alarm(double n, const Statement& statement);
@@ -166,16 +165,22 @@ class Machine {
   bool enter(std::uint32_t index, const Target& target, std::int32_t modal);
   bool evaluate_arguments(const CallRecord& record);
   void open_level();
-  bool enter_modal(std::int32_t modal);
+  /// The place of a local variable of a level.
+  std::size_t local_at(int level, std::int32_t index) const {
+    return static_cast<std::size_t>(level) * static_cast<std::size_t>(code_->locals) +
+           static_cast<std::size_t>(index);
+  }
+  bool enter_modal(std::int32_t modal_index);
   bool leave(Address to);
 
   bool jump_to(Address to);
+  void leave_loops(Address to);
   bool waits(Address to);
   bool evaluate(std::uint32_t expression, double& value);
   bool evaluate_long(const Expression& expression, double& value);
   double load(const Expression::Load& from) const;
   bool condition(std::uint32_t expression, bool& holds);
-  bool compute(const Instruction* at, double& value, Trap& trap);
+  bool compute(const Instruction* at, double& result, Trap& trap);
   std::optional<Fault> system_read(const VariablePlace& place, std::int64_t number, double& value);
   std::optional<Fault> system_write(const VariablePlace& place, std::int64_t number, double value);
   void record_step();
@@ -235,7 +240,7 @@ class Machine {
 [[gnu::always_inline]] inline double Machine::load(const Expression::Load& from) const {
   double value = from.value;
   if (from.from == Expression::Load::From::Local)
-    value = locals_[static_cast<std::size_t>(level_ * code_->locals) + from.index];
+    value = locals_[local_at(level_, 0) + from.index];
   else if (from.from == Expression::Load::From::Common)
     value = commons_[from.index];
   return from.raw || !is_vacant(value) ? value : 0.0;

@@ -31,14 +31,13 @@ bool Machine::decode_target(const CallRecord& record, Target& target) {
       !operand(record.start, values.start) || !operand(record.device, values.device))
     return false;
   if (auto fault = decode_call(*code_, record, values, frame().program, target))
-    return alarm(std::move(*fault));
+    return alarm(*fault);
   return true;
 }
 
 bool Machine::find(const CallRecord& record, Target& target) {
   if (record.constant) return true;
-  if (auto fault = find_target(*code_, record, frame().program, target))
-    return alarm(std::move(*fault));
+  if (auto fault = find_target(*code_, record, frame().program, target)) return alarm(*fault);
   return true;
 }
 
@@ -116,7 +115,7 @@ std::optional<Fault> Machine::refused(const CallRecord& record, const Target& ta
 
 bool Machine::call(const Block& block) {
   const CallRecord& record = code_->calls[block.aux];
-  if (auto fault = refused_here(record)) return alarm(std::move(*fault));
+  if (auto fault = refused_here(record)) return alarm(*fault);
   Target target;
   if (!decode_target(record, target)) return false;
   if (record.arguments > 0 && !evaluate_arguments(record)) return false;
@@ -143,7 +142,7 @@ bool Machine::call(const Block& block) {
 
 bool Machine::macro_call(const Block& block) {
   const CallRecord& record = code_->calls[block.aux];
-  if (auto fault = refused_here(record)) return alarm(std::move(*fault));
+  if (auto fault = refused_here(record)) return alarm(*fault);
   Target target;
   if (!decode_target(record, target) || !evaluate_arguments(record)) return false;
   if (!words(block)) return false;
@@ -158,7 +157,7 @@ bool Machine::macro_call(const Block& block) {
 /// G66 only declares. What it calls is looked up at the first call.
 bool Machine::modal_call(const Block& block) {
   const CallRecord& record = code_->calls[block.aux];
-  if (auto fault = refused_here(record)) return alarm(std::move(*fault));
+  if (auto fault = refused_here(record)) return alarm(*fault);
   Modal modal;
   if (!decode_target(record, modal.target) || !evaluate_arguments(record)) return false;
   if (!words(block)) return false;
@@ -260,7 +259,7 @@ void Machine::open_level() {
 /// step of the caller.
 bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t modal) {
   const CallRecord& record = code_->calls[index];
-  if (auto fault = refused(record, target)) return alarm(std::move(*fault));
+  if (auto fault = refused(record, target)) return alarm(*fault);
   if (record.variable > 0) write(record.variable, record.code);
   const bool by_move = modal >= 0 && !modals_[static_cast<std::size_t>(modal)].every_block;
   const Address called_at = by_move ? jumped_after_ : pc_;
@@ -333,20 +332,20 @@ bool Machine::call_after_move(const Motion::Outcome& outcome) {
 }
 
 /// The macro of a modal call, behind a block that moved. The block is a step already.
-bool Machine::enter_modal(std::int32_t index) {
-  Modal& modal = modals_[static_cast<std::size_t>(index)];
+bool Machine::enter_modal(std::int32_t modal_index) {
+  Modal& modal = modals_[static_cast<std::size_t>(modal_index)];
   const CallRecord& record = code_->calls[modal.record];
   words_done_ = false;
   if (modal.target.skipped) return true;
   const Address behind = pc_;
   pc_ = jumped_after_;
   if (modal.target.start == kNowhere && !find(record, modal.target)) return false;
-  if (auto fault = refused(record, modal.target)) return alarm(std::move(*fault));
+  if (auto fault = refused(record, modal.target)) return alarm(*fault);
   pc_ = behind;
   scratch_ = modal.locals;
   if (code_->control->call_passes_words.value) scratch_programmed_.assign(scratch_.size(), 0);
   const Target target = modal.target;
-  return enter(modal.record, target, index);
+  return enter(modal.record, target, modal_index);
 }
 
 /// Closes the frame and goes on in the caller.
@@ -382,7 +381,9 @@ std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf,
                                       std::vector<NcWords>& blocks, bool& behind) {
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const Address first = code_->jump_target(program, ns, pc_);
-  const Address last = first == kNowhere ? kNowhere : code_->next_of(program, nf, first - 1);
+  const Address last = first == kNowhere ? kNowhere
+                       : first == 0      ? code_->first_of(program, nf)
+                                         : code_->next_of(program, nf, first - 1);
   const Block& here = code_->blocks[pc_];
   const auto missing = [&](std::int64_t n) {
     return Fault{Cause::PqNotFound, here.text, 1,
@@ -413,7 +414,8 @@ std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf,
     const Address at = pc_;
     if (!decode(block, words)) {
       pc_ = at;
-      return Fault{alarm_->cause, block.text, 1, alarm_->detail};
+      return alarm_ ? Fault{alarm_->cause, block.text, 1, alarm_->detail}
+                    : Fault{Cause::ProfileMacro, block.text, 1, {}};
     }
     blocks.push_back(words);
   }

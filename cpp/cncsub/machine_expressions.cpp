@@ -14,6 +14,7 @@ constexpr double kDegree = kPi / 180.0;
 
 /// The angle within one turn, 0 to 360 degrees.
 double turn(double degrees) {
+  if (!std::isfinite(degrees)) return 0;
   constexpr double kExact = 1e12;  // below, whole turns are subtracted without rounding
   if (std::fabs(degrees) < kExact) {
     const auto turns = static_cast<double>(static_cast<std::int64_t>(degrees * (1.0 / 360.0)));
@@ -148,22 +149,23 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
       case Ins::Add:
         --top;
         top[-1] += *top;
-        if (is_vacant(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Subtract:
         --top;
         top[-1] -= *top;
-        if (is_vacant(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Multiply:
         --top;
         top[-1] *= *top;
-        if (is_vacant(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Divide:
         --top;
         if (*top == 0) return fault(Cause::DivisionByZero, "the divisor is 0");
         top[-1] /= *top;
+        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::AddConstant:
         top[-1] += at->value;
@@ -173,10 +175,11 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
         break;
       case Ins::MultiplyConstant:
         top[-1] *= at->value;
-        if (is_vacant(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::DivideConstant:
         top[-1] /= at->value;
+        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Modulo:
         if (at->value == -1) break;  // marks PRM[n,b]
@@ -317,6 +320,7 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
         --top;
         const double value = std::pow(top[-1], *top);
         if (std::isnan(value)) return fault(Cause::ArgumentOutOfRange, "the power has no value");
+        if (std::isinf(value)) return fault(Cause::Overflow, "the result is too large");
         top[-1] = value;
         break;
       }
@@ -333,7 +337,7 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
       case Ins::Parameter: {
         const bool bit_form = at[-1].op == Ins::Modulo && at[-1].value == -1;
         if (bit_form) --top;
-        const double which = round_half_away(bit_form ? top[-1] : top[-1]);
+        const double which = round_half_away(top[-1]);
         if (!(std::fabs(which) < 1e9))
           return fault(Cause::ArgumentOutOfRange, "there is no such parameter");
         std::string name = std::to_string(static_cast<std::int64_t>(which));

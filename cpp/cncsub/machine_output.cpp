@@ -26,6 +26,21 @@ std::string written(double value, const PrintField& field, bool without_blanks) 
   return (negative ? "-" : " ") + blanks + digits;
 }
 
+/// H24 reads decimal digits as binary, H25 the other way.
+std::optional<Cause> h_digits(bool to_binary, double q, double& result) {
+  const double whole = std::round(q);
+  if (whole != q || whole < 0 || whole > 99999999) return Cause::ArgumentOutOfRange;
+  auto left = static_cast<std::uint64_t>(whole);
+  const std::uint64_t from = to_binary ? 16 : 10, to = to_binary ? 10 : 16;
+  std::uint64_t value = 0, power = 1;
+  for (; left != 0; left /= from, power *= to) {
+    if (left % from > 9) return Cause::ArgumentOutOfRange;
+    value += left % from * power;
+  }
+  result = static_cast<double>(value);
+  return std::nullopt;
+}
+
 double angle_of(double degrees) { return degrees * 3.14159265358979323846 / 180.0; }
 
 }  // namespace
@@ -115,7 +130,7 @@ bool Machine::h_code(const Statement& h) {
     return wrong(Cause::HCodeOperand, h.q, "an operand is missing");
   double result = 0;
   if (auto cause = h_result(code, q, r, target, result)) return wrong(*cause, h.q, "");
-  if (std::fabs(result) > 1e47) return wrong(Cause::Overflow, h.q, "the result is too large");
+  if (std::fabs(result) > kLargest) return wrong(Cause::Overflow, h.q, "the result is too large");
   Statement assign = h;
   assign.target = Statement::Target::Variable;
   assign.variable_at = h.p.at;
@@ -200,21 +215,6 @@ std::optional<Cause> Machine::h_result(int code, double q, double r, std::int64_
   return std::nullopt;
 }
 
-/// H24 reads decimal digits as binary, H25 the other way.
-std::optional<Cause> Machine::h_digits(bool to_binary, double q, double& result) const {
-  const double whole = std::round(q);
-  if (whole != q || whole < 0 || whole > 99999999) return Cause::ArgumentOutOfRange;
-  auto left = static_cast<std::uint64_t>(whole);
-  const std::uint64_t from = to_binary ? 16 : 10, to = to_binary ? 10 : 16;
-  std::uint64_t value = 0, power = 1;
-  for (; left != 0; left /= from, power *= to) {
-    if (left % from > 9) return Cause::ArgumentOutOfRange;
-    value += left % from * power;
-  }
-  result = static_cast<double>(value);
-  return std::nullopt;
-}
-
 bool Machine::h_jump(const Statement& statement, std::int64_t n) {
   if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
     return alarm({Cause::JumpInMdi, statement.at, statement.width, "a jump in MDI"});
@@ -232,7 +232,7 @@ bool Machine::h_alarm(const Statement& h) {
   if (!operand(h.p, n)) return false;
   const Control& control = *code_->control;
   const double number = is_vacant(n) ? -1 : std::round(n);
-  if (!(number >= 0 && number <= 99))
+  if (number < 0 || number > 99)
     return alarm({Cause::IllegalUserAlarm, h.p.present() ? h.p.at : h.at, h.p.width,
                   "H99 raises alarms 0 to 99"});
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
@@ -240,6 +240,7 @@ bool Machine::h_alarm(const Statement& h) {
   if (!text.empty() && text[0] == '/') text.erase(0, 1);
   words_done_ = true;
   alarm({Cause::UserAlarm, h.at, h.width, text.empty() ? "raised by the program" : text});
+  if (!alarm_) return false;
   alarm_->number = std::to_string(control.h99_offset.value + static_cast<int>(number));
   alarm_->text = text;
   return false;

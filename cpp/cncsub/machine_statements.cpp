@@ -29,7 +29,7 @@ bool Machine::assign(const Statement& statement) {
 }
 
 bool Machine::store(const Statement& statement, double value) {
-  if (std::fabs(value) > 1e47)  // a vacant value compares false
+  if (std::fabs(value) > kLargest)  // a vacant value compares false
     return alarm({Cause::Overflow, statement.at, statement.width, "the result is too large"});
   const auto put = [&](double& place) {
     if (!(place == value)) ++changes_;
@@ -37,9 +37,8 @@ bool Machine::store(const Statement& statement, double value) {
   };
   switch (statement.target) {
     case Statement::Target::Local:
-      put(locals_[static_cast<std::size_t>(level_ * code_->locals + statement.index)]);
-      if (!programmed_.empty())
-        programmed_[static_cast<std::size_t>(level_ * code_->locals + statement.index)] = 0;
+      put(locals_[local_at(level_, statement.index)]);
+      if (!programmed_.empty()) programmed_[local_at(level_, statement.index)] = 0;
       return true;
     case Statement::Target::Common:
       put(commons_[static_cast<std::size_t>(statement.index)]);
@@ -73,7 +72,7 @@ bool Machine::store_number(std::int64_t number, double value, const Statement& s
   if (auto fault = write(number, value)) {
     fault->at = statement.variable_at;
     fault->width = statement.variable_width;
-    return alarm(std::move(*fault));
+    return alarm(*fault);
   }
   ++changes_;
   return true;
@@ -96,6 +95,7 @@ bool Machine::user_alarm(double n, const Statement& statement) {
   words_done_ = true;
   alarm({Cause::UserAlarm, statement.at, statement.width,
          text.empty() ? "raised by the program" : text});
+  if (!alarm_) return false;
   alarm_->number = control.user_alarm_number.empty() ? control.user_alarm_prefix + shown
                                                      : control.user_alarm_number;
   alarm_->text = text;
@@ -114,7 +114,7 @@ bool Machine::go_to(const Statement& statement) {
     double value = 0;
     if (!evaluate(statement.variable, value)) return false;
     const double rounded = is_vacant(value) ? 0 : std::round(value);
-    if (!(rounded >= 1 && rounded <= code_->control->max_jump_number.value))
+    if (rounded < 1 || rounded > code_->control->max_jump_number.value)
       return alarm({Cause::IllegalJumpNumber, statement.variable_at, statement.variable_width,
                     "GOTO takes 1 to " + std::to_string(code_->control->max_jump_number.value)});
     n = static_cast<std::int64_t>(rounded);
@@ -127,13 +127,18 @@ bool Machine::go_to(const Statement& statement) {
   return jump_to(to);
 }
 
-/// Goes on at a block of the running program. Loops that do not hold it are left.
-bool Machine::jump_to(Address to) {
+/// Loops that do not hold the block are left.
+void Machine::leave_loops(Address to) {
   while (loops_.size() > frame().loops) {
     const Address start = loops_.back();
     if (to >= start && to <= code_->statements[code_->blocks[start].aux].end) break;
     loops_.pop_back();
   }
+}
+
+/// Goes on at a block of the running program.
+bool Machine::jump_to(Address to) {
+  leave_loops(to);
   if (to <= pc_ && waits(to)) return false;
   next_ = to;
   return true;

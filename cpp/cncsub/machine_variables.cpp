@@ -32,7 +32,7 @@ std::optional<Fault> Machine::read_at(std::int64_t number, int level, double& va
       value = kVacant;
       return std::nullopt;
     case VariableKind::Local:
-      value = locals_[static_cast<std::size_t>(level * code_->locals + place.index)];
+      value = locals_[local_at(level, place.index)];
       return std::nullopt;
     case VariableKind::Common:
     case VariableKind::Kept:
@@ -40,9 +40,7 @@ std::optional<Fault> Machine::read_at(std::int64_t number, int level, double& va
       return std::nullopt;
     case VariableKind::LevelImage: {
       const int of = place.index / code_->locals_per_level;
-      value = of > level_ ? kVacant
-                          : locals_[static_cast<std::size_t>(
-                                of * code_->locals + place.index % code_->locals_per_level)];
+      value = of > level_ ? kVacant : locals_[local_at(of, place.index % code_->locals_per_level)];
       return std::nullopt;
     }
     default:
@@ -60,9 +58,8 @@ std::optional<Fault> Machine::write_at(std::int64_t number, int level, double va
                  "#" + std::to_string(number) + " cannot be written"};
   switch (place.kind) {
     case VariableKind::Local:
-      locals_[static_cast<std::size_t>(level * code_->locals + place.index)] = value;
-      if (!programmed_.empty())
-        programmed_[static_cast<std::size_t>(level * code_->locals + place.index)] = 0;
+      locals_[local_at(level, place.index)] = value;
+      if (!programmed_.empty()) programmed_[local_at(level, place.index)] = 0;
       return std::nullopt;
     case VariableKind::Common:
     case VariableKind::Kept:
@@ -70,9 +67,7 @@ std::optional<Fault> Machine::write_at(std::int64_t number, int level, double va
       return std::nullopt;
     case VariableKind::LevelImage: {
       const int of = place.index / code_->locals_per_level;
-      if (of <= level_)
-        locals_[static_cast<std::size_t>(of * code_->locals +
-                                         place.index % code_->locals_per_level)] = value;
+      if (of <= level_) locals_[local_at(of, place.index % code_->locals_per_level)] = value;
       return std::nullopt;
     }
     default:
@@ -246,7 +241,7 @@ std::map<std::int32_t, double> Machine::variables(int level) const {
     for (std::int32_t number = range.first; number <= range.last; ++number) {
       const VariablePlace place =
           local ? VariablePlace{range.kind, number, &range} : code_->place(number);
-      const double value = local ? locals_[static_cast<std::size_t>(level * code_->locals + number)]
+      const double value = local ? locals_[local_at(level, number)]
                                  : commons_[static_cast<std::size_t>(place.index)];
       if (!is_vacant(value)) values[number] = value;
     }

@@ -78,7 +78,7 @@ int system_of(const std::string& name) {
   if (name.rfind("G54.1", 0) != 0 || p == std::string::npos) return -1;
   int number = 0;
   std::from_chars(name.data() + p + 1, name.data() + name.size(), number);
-  return number > 0 ? 100 + number : -1;
+  return number > 0 && number <= 9999 ? 100 + number : -1;
 }
 
 OffsetTables tables_of(const Setup& setup, const Control& control) {
@@ -387,7 +387,7 @@ Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
                                                   : MoveKind::Feed;
   Piece piece = make_piece(block, kind, end, named);
   if (auto wrong = corner_words(block, piece)) return wrong;
-  return move(block, std::move(piece));
+  return move(block, piece);
 }
 
 /// A chamfer written with C alone is no move of the C axis.

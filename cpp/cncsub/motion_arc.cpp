@@ -56,7 +56,7 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
     block.outcome.axis_word = true;
     if ((named & axis_bit(plane.across)) == 0) return std::nullopt;
   }
-  return move(block, std::move(piece));
+  return move(block, piece);
 }
 
 Motion::Result Motion::arc_by_radius(BlockWords& block, Piece& piece) const {

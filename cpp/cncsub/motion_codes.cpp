@@ -202,7 +202,8 @@ void GCodes::change(std::string_view text) {
     const auto equals = item.find('=');
     double code = 0;
     if (equals == std::string_view::npos) continue;
-    std::from_chars(item.data(), item.data() + equals, code);
+    const std::string_view number = item.substr(0, equals);
+    std::from_chars(number.data(), number.data() + number.size(), code);
     for (const Word& word : kWords)
       if (word.word == item.substr(equals + 1))
         set({static_cast<std::int16_t>(code * 10 + 0.5), word.group, word.meaning});

@@ -16,6 +16,15 @@ bool calls(const NcWords& words) {
   return false;
 }
 
+/// G70 to G73, which would follow the profile that they stand in.
+bool follows_profile(const NcWords& words, const GCodes& codes) {
+  for (int i = 0; i < words.g_count; ++i) {
+    const Meaning meaning = codes.find(words.g[static_cast<std::size_t>(i)]).meaning;
+    if (meaning >= Meaning::Finish && meaning <= Meaning::RoughPattern) return true;
+  }
+  return false;
+}
+
 /// G00 to G04, G40 to G42, G96 to G99 and the modes may stand inside. [TDi 23.1, TA 8]
 bool allowed(Meaning meaning) {
   switch (meaning) {
@@ -137,7 +146,7 @@ Contour::Result Contour::follow(const Axes& by, std::size_t from) {
     piece.plane = pieces[i].plane;
     for (std::size_t k = 0; k < 3; ++k)
       piece.centre[k] = pieces[i].centre[k] - pieces[i].offset[k] + by[k] + piece.offset[k];
-    if (auto wrong = motion.move(block, std::move(piece))) return wrong;
+    if (auto wrong = motion.move(block, piece)) return wrong;
   }
   return std::nullopt;
 }
@@ -214,6 +223,7 @@ Motion::Result Motion::finish_contour(BlockWords& block, const std::vector<NcWor
   for (const NcWords& words : blocks) {
     if (calls(words) && facts_->control->profile_calls_alarm.value)
       return fault(Cause::ProfileCall, block);
+    if (follows_profile(words, facts_->codes)) return fault(Cause::ProfileCode, block);
     if (auto wrong = run(words, block.step, block.moves, block.outcome, block.outside))
       return wrong;
   }
@@ -233,7 +243,7 @@ void take_first_block(const NcWords& w, Meaning meaning, MultipleData& data, dou
   if (meaning == Meaning::RoughPattern) {
     if (w.has('U')) data.shift_x = u;
     if (w.has('W')) data.shift_z = wz;
-    if (w.has('R')) data.passes = std::max(1, static_cast<int>(w['R']));
+    if (w.has('R')) data.passes = std::max(1, whole(w['R']));
     return;
   }
   const char depth = meaning == Meaning::RoughTurn ? 'U' : 'W';
@@ -256,8 +266,7 @@ Motion::Result Motion::contour(BlockWords& block, Meaning meaning) {
   if (!block.outside.profile) return fault(Cause::PqNotFound, block);
   std::vector<NcWords> blocks;
   bool right_behind = false;
-  const auto ns = static_cast<std::int64_t>(raw(block, 'P')),
-             nf = static_cast<std::int64_t>(raw(block, 'Q'));
+  const int ns = whole(raw(block, 'P')), nf = whole(raw(block, 'Q'));
   if (auto wrong = block.outside.profile(ns, nf, blocks, right_behind)) return wrong;
   if (blocks.empty()) return fault(Cause::PqNotFound, block);
   if (meaning == Meaning::Finish) return finish_contour(block, blocks);

@@ -88,7 +88,7 @@ Motion::Result Motion::set_data(BlockWords& block) {
   const NcWords& w = block.words;
   if (!w.has('L'))
     return facts_->lathe() ? set_tool_data(block) : Result(fault(Cause::G10L, block));
-  const int l = static_cast<int>(raw(block, 'L'));
+  const int l = whole(raw(block, 'L'));
   const bool offsets = l >= 10 && l <= 13;
   if (l != 2 && l != 20 && !offsets && l != 3 && l != 50 && l != 1)
     return fault(Cause::G10L, block);
@@ -131,7 +131,7 @@ Motion::Result Motion::set_offset_data(BlockWords& block, int l, double p) {
 Motion::Result Motion::set_tool_data(BlockWords& block) {
   const NcWords& w = block.words;
   if (!w.has('P')) return fault(Cause::G10P, block);
-  const int p = static_cast<int>(raw(block, 'P'));
+  const int p = whole(raw(block, 'P'));
   const int tool = p % 10000;
   if (p < 0 || p >= 20000 || tool > facts_->control->max_offset_number.value)
     return fault(Cause::G10P, block);
@@ -143,7 +143,7 @@ Motion::Result Motion::set_tool_data(BlockWords& block) {
   for (const auto& [name, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
     if (w.has(name)) values[static_cast<std::size_t>(axis)] += number(block, name);
   if (p != 0 && w.has('R')) tables.tools[tool].radius = number(block, 'R');
-  if (p != 0 && w.has('Q')) tables.tools[tool].tip = static_cast<int>(raw(block, 'Q'));
+  if (p != 0 && w.has('Q')) tables.tools[tool].tip = whole(raw(block, 'Q'));
   refresh_offset();
   return std::nullopt;
 }

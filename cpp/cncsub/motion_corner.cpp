@@ -63,7 +63,7 @@ Motion::Result Motion::corner_words(BlockWords& block, Piece& piece) const {
 Motion::Result Motion::through_corner(Piece piece, Axes from, Moves* moves) {
   Held& held = s_.held;
   if (!held.corner.empty()) {
-    Piece first = std::move(held.corner.back());
+    const Piece first = held.corner.back();
     held.corner.clear();
     if (piece.kind != MoveKind::Feed && piece.kind != MoveKind::Cw && piece.kind != MoveKind::Ccw)
       return Fault{Cause::CornerNextMove, piece.at, 1, {}};
@@ -72,18 +72,18 @@ Motion::Result Motion::through_corner(Piece piece, Axes from, Moves* moves) {
     const bool line = facts_->control->chamfer_length.value == ChamferLength::Line;
     if (!cut_corner(view, held.corner_from, first, piece, line, corner))
       return Fault{Cause::CornerTooShort, first.at, 1, {}};
-    if (auto wrong = through_radius(std::move(corner.first), held.corner_from, moves)) return wrong;
+    if (auto wrong = through_radius(corner.first, held.corner_from, moves)) return wrong;
     if (corner.has_between)
       if (auto wrong = through_radius(corner.between, corner.at_first, moves)) return wrong;
-    piece = std::move(corner.second);
+    piece = corner.second;
     from = corner.at_second;
   }
   if (piece.corner != 0) {
     held.corner_from = from;
-    held.corner.push_back(std::move(piece));
+    held.corner.push_back(piece);
     return std::nullopt;
   }
-  return through_radius(std::move(piece), from, moves);
+  return through_radius(piece, from, moves);
 }
 
 }  // namespace cncsub

@@ -54,7 +54,7 @@ Motion::Result Motion::cycle_words(BlockWords& block, int& repeats) {
     cycle.k = number(block, 'K'), cycle.has_k = true;
   repeats = 1;
   for (const char letter : c.cycle_repeats.value)
-    if (w.has(letter)) repeats = static_cast<int>(raw(block, letter));
+    if (w.has(letter)) repeats = whole(raw(block, letter));
   if (repeats < 0 || (repeats == 0 && c.zero_cycle_repeats.value == ZeroCycleRepeats::Alarm))
     return fault(Cause::CycleRepeats, block);
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;

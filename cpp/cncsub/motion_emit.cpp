@@ -65,6 +65,9 @@ Piece Motion::make_piece(const BlockWords& block, MoveKind kind, const Axes& wor
 }
 
 Motion::Result Motion::move(BlockWords& block, Piece piece) {
+  if (++block.moved > kMostMoves)
+    return fault(Cause::ValueOutOfRange, block,
+                 "the block would make more than " + std::to_string(kMostMoves) + " moves");
   const Axes before = s_.work;
   s_.work = piece.end - piece.offset;
   s_.tool_pending = false;
@@ -78,7 +81,7 @@ Motion::Result Motion::move(BlockWords& block, Piece piece) {
   }
   if (piece.turn != 0) block.outcome.moved = block.in_plane = true;
   block.submitted = true;
-  return through_corner(std::move(piece), before + piece.offset, block.moves);
+  return through_corner(piece, before + piece.offset, block.moves);
 }
 
 Motion::Result Motion::move(BlockWords& block, MoveKind kind, const Axes& work_end,
@@ -95,7 +98,7 @@ Motion::Result Motion::move_axis(BlockWords& block, MoveKind kind, int axis, dou
 Motion::Result Motion::wait(BlockWords& block, double seconds) {
   Piece piece = make_piece(block, MoveKind::Dwell, s_.work, 0);
   piece.seconds = seconds;
-  return through_radius(std::move(piece), s_.work + s_.offset, block.moves);
+  return through_radius(piece, s_.work + s_.offset, block.moves);
 }
 
 /// Writes the row of a piece whose tool path is known. `vector` leads from the programmed point to

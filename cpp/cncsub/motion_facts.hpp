@@ -20,6 +20,12 @@ inline int axis_of(char letter) {
   return found == std::string_view::npos ? -1 : static_cast<int>(found);
 }
 constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
+/// A whole number of a word, whatever the word holds.
+inline int whole(double value) {
+  return std::isnan(value) ? 0 : static_cast<int>(std::clamp(value, -2e9, 2e9));
+}
+/// No block makes more moves than this, however small its steps and however large its counts are.
+constexpr std::uint32_t kMostMoves = 1'000'000;
 inline bool is_rotary(int axis) { return axis >= 3 && axis <= 5; }
 
 /// The two axes of a plane, and the one across it. G18 is (Z, X).
@@ -90,6 +96,7 @@ struct BlockWords {
   bool in_plane = false;               // one that moves in the plane
   bool was_cycle = false;              // a canned cycle was active before this block
   bool consumed = false;               // the axis words belong to G68, G51 and the like
+  std::uint32_t moved = 0;             // moves made
 
   bool has(Group group) const { return codes[at(group)].code >= 0; }
   Meaning meaning(Group group) const { return codes[at(group)].meaning; }

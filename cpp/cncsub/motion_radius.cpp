@@ -116,7 +116,7 @@ RadiusPath::Result RadiusPath::check_direction(const Curve& curve, const Piece& 
   for (std::size_t i = 0; i < tool.size(); ++i)
     tool[i] -= piece.length[i] + (i < 3 ? piece.tip[i] : 0);
   const Point start = view.point(tool), stop = end + v;
-  const Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
+  Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
   if (curve.line()) {
     if (dot(stop - start, curve.start_direction()) < -1e-6) return wrong;
     return std::nullopt;
@@ -128,7 +128,8 @@ RadiusPath::Result RadiusPath::check_direction(const Curve& curve, const Piece& 
   const double turn = std::atan2(cross(r, s), dot(r, s));
   const double way = curve.turn + std::remainder(turn - curve.turn, 2 * kPi);
   const bool back = (way > 0) != (curve.turn > 0);
-  return back && std::fabs(way) > 1e-9 ? Result(wrong) : std::nullopt;
+  if (back && std::fabs(way) > 1e-9) return wrong;
+  return std::nullopt;
 }
 
 /// Records the waiting move up to its end, the blocks behind it, and the way around the corner.
@@ -173,7 +174,7 @@ Motion::Result Motion::through_radius(Piece piece, const Axes& from, Moves* move
       piece.kind != MoveKind::Dwell && (is_arc(piece) || size(curve.to - curve.from) > 1e-9);
   if (!in_plane) {
     if (!held.radius.empty()) {
-      held.radius.push_back(std::move(piece));
+      held.radius.push_back(piece);
       return std::nullopt;
     }
     return path.record(piece, {held.vector[0], held.vector[1]});
@@ -212,7 +213,7 @@ Motion::Result Motion::through_radius(Piece piece, const Axes& from, Moves* move
     }
     if (auto wrong = path.leave(join.leave, &join)) return wrong;
   }
-  held.radius = {std::move(piece)};
+  held.radius = {piece};
   held.radius_from = from;
   return std::nullopt;
 }

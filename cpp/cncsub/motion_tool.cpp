@@ -5,7 +5,7 @@ namespace cncsub {
 
 Motion::Result Motion::set_tool(BlockWords& block) {
   if (!block.words.has('T')) return std::nullopt;
-  const int t = static_cast<int>(raw(block, 'T'));
+  const int t = whole(raw(block, 'T'));
   if (!facts_->lathe()) {
     s_.t = t;
     return std::nullopt;

@@ -68,7 +68,8 @@ std::vector<double> steps_between(double from, double to, double step) {
   if (from == to) return list;
   const double way = to > from ? 1 : -1;
   if (step > 0)
-    for (double at = from + way * step; (to - at) * way > 1e-9; at += way * step)
+    for (double at = from + way * step; (to - at) * way > 1e-9 && list.size() <= kMostMoves;
+         at += way * step)
       list.push_back(at);
   list.push_back(to);
   return list;
@@ -150,7 +151,7 @@ Motion::Result Motion::multiple_thread(BlockWords& block) {
   MultipleData& data = s_.multiple;
   if (!has_end(w)) {
     if (w.has('P')) {
-      const int p = static_cast<int>(raw(block, 'P'));
+      const int p = whole(raw(block, 'P'));
       data.finish_passes = p / 10000, data.chamfer = p / 100 % 100, data.angle = p % 100;
     }
     if (w.has('Q')) data.least_cut = cycle_length(block, 'Q');

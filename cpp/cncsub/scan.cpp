@@ -29,9 +29,9 @@ Number scan_number(Scanner& s) {
     } else if (c == '.') {
       if (number.points < 255) ++number.points;
       ++s.at;
-    } else if ((c == '-' || c == '+') && !number.any && number.points == 0 && !number.signed_) {
+    } else if ((c == '-' || c == '+') && !number.any && number.points == 0 && !number.has_sign) {
       number.negative = c == '-';
-      number.signed_ = true;
+      number.has_sign = true;
       ++s.at;
     } else if (is_blank(c) || c == '(') {
       Scanner ahead = s;

@@ -69,7 +69,7 @@ struct Number {
   std::uint32_t written = 0;  // digits with leading zeros
   std::uint8_t points = 0;
   bool negative = false;
-  bool signed_ = false;
+  bool has_sign = false;
   bool any = false;  // at least one digit
 };
 

@@ -5,6 +5,14 @@
 
 namespace cncsub {
 
+namespace {
+
+// No control takes an IF behind THEN; what stands there is still read, to tell what is wrong with
+// it.
+constexpr int kDeepestThen = 10;
+
+}  // namespace
+
 void StatementReader::refuse(Fault fault) {
   block_.op = Op::Fault;
   block_.aux = static_cast<std::uint32_t>(code_.faults.size());
@@ -239,8 +247,9 @@ void StatementReader::if_statement() {
 void StatementReader::then_statement(Statement& statement) {
   Block then = block_;
   const std::uint32_t at = s_.offset();
-  StatementReader inner(code_, s_, then);
-  if (!inner.read()) return refuse(Cause::IfFormat, at, 1, "THEN takes one macro statement");
+  StatementReader inner(code_, s_, then, thens_ + 1);
+  if (thens_ > kDeepestThen || !inner.read())
+    return refuse(Cause::IfFormat, at, 1, "THEN takes one macro statement");
   if (then.op == Op::Fault) {
     block_.op = Op::Fault;
     block_.aux = then.aux;

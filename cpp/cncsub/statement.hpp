@@ -63,14 +63,16 @@ class ExpressionReader {
   char address_ = 0;  // of the word the expression stands in
   int brackets_ = 0;
   int depth_ = 0;  // values on the stack
+  int nots_ = 0;   // NOT before NOT
 };
 
 /// Compiles a macro statement into `block`. False where no statement stands here and the block is
 /// one of words.
 class StatementReader {
  public:
-  StatementReader(Code& code, Scanner& scanner, Block& block)
-      : code_(code), s_(scanner), block_(block) {}
+  /// `thens`: behind how many THEN of the block the statement stands.
+  StatementReader(Code& code, Scanner& scanner, Block& block, int thens = 0)
+      : code_(code), s_(scanner), block_(block), thens_(thens) {}
   bool read();
 
  private:
@@ -93,6 +95,7 @@ class StatementReader {
   Code& code_;
   Scanner& s_;
   Block& block_;
+  int thens_;
 };
 
 }  // namespace cncsub

@@ -828,7 +828,7 @@ Control gsk_980mdi() {
                           p.name == "878" || p.name == "001#0" || p.name == "3410";
     if (!of_lathe) kept.push_back(p);
   }
-  c.parameters = kept;
+  c.parameters = std::move(kept);
   c.parameters.push_back(
       {"520#7", 0, "ATAN and ASIN: 0 gives 0 to 360 and 90 to 270, 1 -180 to 180 and -90 to 90",
        kMDipar + "520#7", kManual, [](Control& k, double value) {

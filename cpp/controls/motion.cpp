@@ -4,6 +4,7 @@
 //   TDipar their parameters Talm nnn, MDib nnnn    alarms of the 988T and the 980MDi M7 p.n, MZ nnn
 //   Mitsubishi M700V manual; Mazak's alarms, paired with Mitsubishi's by order 16MC, 16TC, 15iM,
 //   30i, 30iM, 0iMB, 0iTC, 16iLB p.n   FANUC manuals; ALM a transcript of the 30i's alarms
+#include <algorithm>
 #include <initializer_list>
 
 #include "controls/controls.hpp"
@@ -41,13 +42,14 @@ void add_effect(Control& c, const char* name, double value, const char* meaning,
   effect(c, value);
 }
 
-int micrometres(double millimetres) { return static_cast<int>(millimetres * 1000 + 0.5); }
+int whole(double v) { return static_cast<int>(std::clamp(v, -2e9, 2e9)); }
+int micrometres(double millimetres) { return whole(millimetres * 1000 + 0.5); }
 
 void set_tolerance(Control& c, double v) { c.arc_tolerance.value = micrometres(v); }
 void set_power_on_line(Control& c, double v) { c.power_on_line.value = v != 0; }
 void set_power_on_incremental(Control& c, double v) { c.power_on_incremental.value = v != 0; }
 void set_power_on_per_minute(Control& c, double v) { c.power_on_per_minute.value = v != 0; }
-void set_power_on_feed(Control& c, double v) { c.power_on_feed.value = static_cast<int>(v); }
+void set_power_on_feed(Control& c, double v) { c.power_on_feed.value = whole(v); }
 void set_clear_on_reset(Control& c, double v) { c.clear_on_reset.value = v != 0; }
 void set_no_radius(Control& c, double v) {
   c.no_radius.value = v != 0 ? NoRadius::Alarm : NoRadius::Line;
@@ -75,7 +77,7 @@ void set_rough_depth(Control& c, double v) {
 void set_rough_escape(Control& c, double v) {
   if (v > 0) c.rough_escape.value = micrometres(v);
 }
-void set_max_feed(Control& c, double v) { c.max_feed.value = static_cast<int>(v); }
+void set_max_feed(Control& c, double v) { c.max_feed.value = whole(v); }
 void set_acute_corner(Control& c, double v) {
   c.acute_corner.value = v != 0 ? AcuteCorner::Arc : AcuteCorner::Lines;
 }

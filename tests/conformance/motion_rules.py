@@ -90,9 +90,9 @@ case(
 )
 for machine, controls in ("mill", [MDI, *FANUC]), ("lathe-a", GSK_LATHES):
     case(
-        f"a {machine[:5].rstrip('-')} wakes up in G00", control=controls,
-        source="TApar 3402#0; TDi 2; general knowledge",
-        evidence="inferred", setup={"machine": machine},
+        f"a control of a {machine} wakes up in G00",
+        control=controls, source="TApar 3402#0; TDi 2; general knowledge", evidence="inferred",
+        setup={"machine": machine},
         program="""
             O1
             N10 X10. F100
@@ -102,8 +102,8 @@ for machine, controls in ("mill", [MDI, *FANUC]), ("lathe-a", GSK_LATHES):
     )
 case(
     "the control wakes up in G01",
-    control=[*MITSUBISHI, HNC], source="M7 p.534 (11); general knowledge",
-    evidence="inferred", setup=MILL,
+    control=[*MITSUBISHI, HNC], source="M7 p.534 (11); general knowledge", evidence="inferred",
+    setup=MILL,
     program="""
         O1
         N10 X10. F100
@@ -111,10 +111,10 @@ case(
     """,
     moves="F X10",
 )
-for machine, controls in ("mill", MILLS), ("lathe-b", [*GSK_988, *MITSUBISHI, *FANUC]):
+for machine, controls in ("mill", MILLS), ("lathe-b", [*MITSUBISHI, *FANUC]):
     case(
-        f"a {machine} wakes up in G90", control=controls,
-        source="TApar 3402#3; general knowledge", evidence="inferred",
+        f"a control of a {machine} wakes up in G90",
+        control=controls, source="TApar 3402#3; general knowledge", evidence="inferred",
         setup={"machine": machine, "start": {"X": 5}},
         program="""
             O1
@@ -179,6 +179,26 @@ case(
         N30 M30
     """,
     runs="N10", alarm="no-feed", number="021", at="O1 N20",
+)
+case(
+    "a cut before any F stands still, and takes no time that could be told",
+    control=[TDI, TE], source="TDi 26; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G98 G1 Z-10.
+        N20 M30
+    """,
+    time=0,
+)
+case(
+    "a cut before any F takes no time that could be told on the HNC",
+    control=HNC, source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 G1 Z-10.
+        N20 M30
+    """,
+    time=0,
 )
 for machine, controls in ("mill", MILLS), ("lathe-a", GSK_LATHES):
     case(
@@ -490,7 +510,7 @@ case(
     runs="N10", alarm="arc-axis-not-in-plane", number={**dict.fromkeys(GSK_988, "033"), TDI: None},
     at="O1 N20",
 )
-for machine, controls in ("mill", [MDI, *FANUC, HNC, *MITSUBISHI]), ("lathe-a", GSK_LATHES):
+for machine, controls in ("mill", [MDI, *FANUC, HNC]), ("lathe-a", GSK_LATHES):
     case(
         f"an arc of a {machine} with R that ends where it starts does not move",
         control=controls, source="16TC p.67; TDi 4 note 4; general knowledge", evidence="inferred",
@@ -503,6 +523,19 @@ for machine, controls in ("mill", [MDI, *FANUC, HNC, *MITSUBISHI]), ("lathe-a", 
         """,
         moves="F Z-5",
     )
+
+case(
+    "an arc with R that ends where it starts alarms on a Mitsubishi",
+    control=MITSUBISHI, source="general knowledge; error 108 of the motion controller Q172",
+    evidence="inferred", setup=MILL,
+    program="""
+        O1
+        N10 G0 Z1.
+        N20 G2 R20. F100
+        N30 M30
+    """,
+    runs="N10", alarm="no-arc-travel", at="O1 N20",
+)
 
 # Units, machine coordinates, reference points
 
@@ -766,7 +799,7 @@ case(
 )
 case(
     "G10 knows no tool offset 401 on a lathe",
-    control=LATHES[:2] + LATHES[4:], source="Talm 062; ALM 031; general knowledge",
+    control=LATHES, source="Talm 062; ALM 031; general knowledge",
     evidence="inferred", setup=LATHE,
     program="""
         O1
@@ -774,7 +807,7 @@ case(
         N20 G10 P401 X1.
         N30 M30
     """,
-    runs="N10", alarm="g10-p", number=numbers(LATHES[:2] + LATHES[4:], "031", None, "062"),
+    runs="N10", alarm="g10-p", number=numbers(LATHES, "031", None, "062"),
     at="O1 N20",
 )
 case(
@@ -901,6 +934,17 @@ case(
         N30 M30
     """,
     runs="N10", alarm="rotation-plane", number="0154", at="O1 N20",
+)
+case(
+    "a plane change alarms in a rotation of a Mitsubishi",
+    control=MITSUBISHI, source="MZ 824, paired with P111", evidence="secondary", setup=MILL,
+    program="""
+        O1
+        N10 G68 X0 Y0 R90.
+        N20 G18
+        N30 M30
+    """,
+    runs="N10", alarm="rotation-plane", number="P111", at="O1 N20",
 )
 _turn = [MDI, *FANUC]
 case(
@@ -1320,7 +1364,7 @@ case(
 )
 case(
     "R of a drilling cycle is a plane that counts from the start",
-    control=[*GSK_988, *MITSUBISHI, *FANUC], source="TA 24; general knowledge", evidence="inferred", setup=LATHE,
+    control=[*GSK_988, TE, *MITSUBISHI, *FANUC], source="TA 24; general knowledge", evidence="inferred", setup=LATHE,
     program="""
         O1
         N10 G98 G83 Z-10. R-2. F100.

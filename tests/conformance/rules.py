@@ -2694,3 +2694,405 @@ case(
     """,
     vars={1: 5, 50: 6}, vars_after_reset={1: None, 50: 6},
 )
+
+# What is left of reading and calls
+
+case(
+    "a run may start at an N that stands behind other words",
+    control=[HNC, TE], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        M9 N20
+        N30 M30
+    """,
+    start=20, runs="N20 N30", m=[9],
+)
+case(
+    "digits finer than the least increment are kept",
+    control=[*GSK_988, TDI, TE], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 G0 U1.0009
+        N20 U1.0009
+        N30 U1.0009
+        N40 U1.0009
+        N50 M30
+    """,
+    moves_x=[1.0009, 2.0018, 3.0027, 4.0036],
+)
+case(
+    "digits finer than the least increment are kept on a mill",
+    control=[MDI, HNC], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 G91 G0 X1.0009
+        N20 X1.0009
+        N30 X1.0009
+        N40 X1.0009
+        N50 M30
+    """,
+    moves_x=[1.0009, 2.0018, 3.0027, 4.0036],
+)
+case(
+    "a program of the GSK 928 without its end alarms",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        N10 M8
+        N20 M9
+    """,
+    runs="N10 N20", alarm="end-of-record",
+)
+case(
+    "a semicolon ends a block on the GSK 928",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        N10 M8;N20 M9
+        N30 M30
+    """,
+    runs="N10 N20 N30", m=[8, 9],
+)
+case(
+    "P of M98 has no eleven digits on the 980",
+    control=GSK_980, source="general knowledge, count and number", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 M98 P12345678901
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="too-many-digits", number="003", at="O1 N20",
+)
+case(
+    "P of M98 has eight digits on the HNC",
+    control=HNC, source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N30 M98 P123456789
+        N40 M30
+    """,
+    runs="N10", alarm="too-many-digits",
+)
+case(
+    "a sequence number of nine digits is refused on the HNC",
+    control=HNC, source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N99999999 M8
+        N100000000 M9
+        N30 M30
+    """,
+    runs="N99999999", alarm="illegal-sequence-number",
+)
+case(
+    "the device of M98 has no start word on the GSK 928: Q is left alone",
+    control=TE, source="source 001, M98 P L", evidence="inferred",
+    program="""
+        N10 M98 P40 Q50
+        N20 M30
+        N40 M8
+        N50 M99
+    """,
+    runs="N10 N40 N50 N20", m=[8],
+)
+case(
+    "there are no calls in MDI on the GSK 928",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        N40 M8
+        N50 M99
+    """,
+    mdi="N10 M98 P40", runs="", alarm="call-in-mdi",
+)
+case(
+    "M99 takes no P on the GSK 928",
+    control=TE, source="source 001, M99", evidence="inferred",
+    program="""
+        N10 M98 P40
+        N20 M30
+        N40 M99 P20
+    """,
+    runs="N10", alarm="illegal-word-with-return",
+)
+case(
+    "M1 without its switch starts nothing over on the HNC",
+    control=HNC, source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M1
+        N20 M30
+    """,
+    runs="N10 N20",
+)
+case(
+    "G28 may share a block with M99 on the HNC",
+    control=HNC, source="policy", evidence="inferred",
+    program="""
+        %1
+        N10 M98 P2
+        N20 M30
+        %2
+        N30 G28 Z0 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "G28 may share a block with M99 on the GSK 928",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        N10 M98 P30
+        N20 M30
+        N30 G28 Z0 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "a dwell may share a block with M98 on the HNC",
+    control=HNC, source="policy", evidence="inferred",
+    program="""
+        %1
+        N10 G54 M98 P2
+        N20 M30
+        %2
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "G54 may share a block with M98 on the GSK 928",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        N10 G54 M98 P30
+        N20 M30
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "G54 may not share a block with M98 on the 980TDi",
+    control=TDI, source="MDib 0051; of the 980MDi", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 G54 M98 P2
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-word-with-call", number="051", at="O1 N20",
+)
+case(
+    "M30 may not share a block with G65 on the 980TDi",
+    control=TDI, source="MDib 0116; of the 980MDi", evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 G65 P2 M30
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10", alarm="m-code-with-macro-call", number="116", at="O1 N20",
+)
+case(
+    "in a drilling cycle of a lathe M98 may share its block with words",
+    control=[*GSK_988, TDI], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 G98 G83 Z-5. F100.
+        N20 Z-6. M98 P2
+        N30 M30
+        O2
+        N40 M99
+    """,
+    runs="N10 N20 N40 N30",
+)
+case(
+    "in a canned cycle M98 may share its block with words on the HNC",
+    control=HNC, source="policy", evidence="inferred",
+    program="""
+        %1
+        N10 G81 X1. Z-5. R1. F100
+        N20 X5. M98 P2
+        N30 M30
+        %2
+        N40 M99
+    """,
+    runs="N10 N20 N40 N30",
+)
+case(
+    "in a drilling cycle M98 may share its block with words on the GSK 928",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        N10 G98 G83 Z-5. F100.
+        N20 Z-6. M98 P40
+        N30 M30
+        N40 M99
+    """,
+    runs="N10 N20 N40 N30",
+)
+case(
+    "M97 takes the first block of its number from the head",
+    control=TE, source="policy", evidence="inferred",
+    program="""
+        N20 M8
+        N10 M97 P20
+        N20 M9
+        N30 M30
+    """,
+    max_blocks=4, runs="N20 N10 N20 N10", stop="limit",
+)
+case(
+    "a vacant value written to a system variable counts as 0",
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 #5221=5
+        N20 #5221=#0
+        N30 #100=#5221
+        N40 M30
+    """,
+    runs="N10 N20 N30 N40", vars={100: 0},
+)
+case(
+    "a vacant value cannot be written to a system variable of the 980",
+    control=GSK_980, source="MDia 121", evidence="secondary",
+    program="""
+        O1
+        N10 #1100=1
+        N20 #1100=#0
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-variable-value", number="121", at="O1 N20",
+)
+case(
+    "a name beyond ASCII cannot be called",
+    control=[M700, M800, F0F, F30], source="general knowledge, letters of names",
+    evidence="inferred",
+    program="""
+        O1
+        N10 M8
+        N20 M98 <\u5916\u5706>
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-program-name",
+    number={M700: "P232", M800: "P232", F0F: "PS0311", F30: "PS0311"}, at="O1 N20",
+)
+case(
+    "a name in angle brackets is no block of the HNC and the GSK 928",
+    control=[HNC, TE], source="general knowledge", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        <PART>
+        N30 M30
+    """,
+    runs="N10", alarm="illegal-character",
+)
+case(
+    "the head names a program of the GSK 928, whatever its file is called",
+    control=TE, source="policy", evidence="inferred",
+    files={"PART.CNC": "%1\nN10 M30\n"}, main="%1", runs="N10",
+)
+case(
+    "a code inside a program that an M code called may call again on the 988",
+    control=GSK_988, source="policy", evidence="inferred", params={"6008#6": 1, "6080": 50, "6081": 51},
+    program="""
+        O1
+        N10 M50
+        N20 M30
+        O9020
+        N30 M51
+        N40 M99
+        O9021
+        N50 M99
+    """,
+    runs="N10 N30 N50 N40 N20",
+)
+case(
+    "fifteen calls of both kinds may be open",
+    control=FANUC_PS, source="general knowledge, 10 subprograms and 5 macros", evidence="inferred",
+    program="O1\nN10 M98 P2\nN20 M30\n"
+    + "".join(f"O{i}\nM98 P{i + 1}\nM99\n" for i in range(2, 11))
+    + "".join(f"O{i}\nG65 P{i + 1}\nM99\n" for i in range(11, 16))
+    + "O16\nN30 M99\n",
+    runs="N10 N30 N20",
+)
+
+# Macro statements of the HNC
+
+case(
+    "IF GOTO and WHILE DO are no statements of the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 M8
+        N20 GOTO 30
+        N30 M30
+    """,
+    runs="N10", alarm="statement-not-available",
+)
+for text, value in {"123456789012": 123456789012, "ATAN[-1]": -0.785398, "[" * 64 + "1" + "]" * 64: 1, "ATAN2[-1,-1]": -2.356194, "-5 AND 3": 3}.items():
+    case(
+        f"{text[:12]}{'...' * (len(text) > 12)} is an expression of the HNC",
+        control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+        program=f"%1\nN10 #50={text}\nN30 M30",
+        vars={50: value},
+    )
+for claim, text, cause in (
+    ("thirteen digits are too many in a statement of the HNC", "1234567890123", "too-many-digits"),
+    ("65 brackets are too many in a statement of the HNC", "[" * 65 + "1" + "]" * 65, "brackets-too-deep"),
+    ("MOD is no operator of the HNC", "7 MOD 4", "nc-and-macro-in-block"),
+    ("two letters are no function of the HNC", "EX[1]", "expression-format"),
+):
+    case(
+        claim, control=HNC, source="general knowledge of the Century Star manuals",
+        evidence="inferred", program=f"%1\nN10 M8\nN20 #50={text}\nN30 M30",
+        runs="N10", alarm=cause, at="%1 N20",
+    )
+for claim, condition, cause in (
+    ("== is no operator of the HNC", "1 == 1", "statement-format"),
+    ("a condition of the HNC has at most 128 characters", "[1 EQ 1]" + " AND [1 EQ 1]" * 8 + " AND [1 EQ 1.000]", "if-format"),
+):
+    case(
+        claim, control=HNC, source="general knowledge of the Century Star manuals",
+        evidence="inferred", program=f"%1\nN10 M8\nN20 IF {condition}\nN25 ENDIF\nN30 M30",
+        runs="N10", alarm=cause, at="%1 N20",
+    )
+case(
+    "a vacant variable is 0 in a condition of the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 IF #60 EQ 0
+        N20 M8
+        N25 ENDIF
+        N30 M30
+    """,
+    m=[8],
+)
+case(
+    "a word with a vacant variable is 0 on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 T#60
+        N30 M30
+    """,
+    runs="N10 N30", t=[0],
+)
+case(
+    "AND binds weaker than a comparison on the HNC",
+    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
+    program="""
+        %1
+        N10 IF 1 EQ 1 AND 2 EQ 2
+        N20 M8
+        N25 ENDIF
+        N30 M30
+    """,
+    m=[8],
+)

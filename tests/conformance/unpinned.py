@@ -1,0 +1,108 @@
+"""Rules that no row can notice on a control, each with the reason why it is inert there."""
+
+TA, T, TDI, MDI, TE = "gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", "gsk-928te"
+MITSUBISHI = ("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800")
+F16, F0D, F0F, F30 = FANUC = ("fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i")
+HNC = "hnc-21m"
+GSK_LATHES = (TA, T, TDI, TE)
+MILLS = (MDI, HNC)
+EVERY = (*GSK_LATHES, MDI, *MITSUBISHI, *FANUC, HNC)
+
+NO_MACROS = "the control has no macro statements"
+NO_MACRO_CALLS = "the control has no macro calls"
+NO_NAMES = "the control calls no programs by name"
+NO_COUNT = "P of M98 holds no count on this control"
+NO_IF_BLOCKS = "the control has no IF blocks"
+NO_JUMP = "the control has no GOTO, and M99 takes no P"
+NO_CODE_CALLS = "no parameter of the control makes a code call a program"
+NO_H_CODES = "the control has no G65 H"
+A_MILL = "a rule of lathes, and the control is a mill"
+A_LATHE = "a rule of mills, and the control is a lathe"
+NO_POLAR = "the control has no polar coordinates"
+NO_ROTATION = "the control has no rotation, scaling or mirror"
+NO_REPEATS = "no repeat count is known of its drilling cycles"
+
+Unpinned = dict[str, tuple[tuple[str, ...], str]]
+
+
+def _all(rules: str, controls: tuple[str, ...], reason: str) -> Unpinned:
+    return {rule: (controls, reason) for rule in rules.split()}
+
+
+def _joined(*parts: Unpinned) -> dict[str, dict[str, str]]:
+    reasons: dict[str, dict[str, str]] = {}
+    for part in parts:
+        for rule, (controls, reason) in part.items():
+            reasons.setdefault(rule, {}).update(dict.fromkeys(controls, reason))
+    return reasons
+
+
+# The reason by rule and control.
+UNPINNED = _joined(
+    # Reading
+    _all("late_sequence_numbers", (TDI, MDI), "an N that is not the first word is refused"),
+    _all("max_words", (TDI, MDI), "no block of 255 characters has a hundred words that may differ"),
+    _all("named_programs", (TA, T, TDI), "<NAME> ends the program before it either way"),
+    _all("max_program_number", (TE, HNC), "the control's heads and calls are not held to it"),
+    # Calls
+    _all("max_program_digits start_word caller_call", (TE,), "P of M98 is a sequence number"),
+    _all("count_and_l zero_count_alarms", (TE, *MITSUBISHI, HNC), NO_COUNT),
+    _all("bracket_names", (TE,), NO_NAMES),
+    _all("name_marks max_name_length", (MDI, TE, MITSUBISHI[0], F16, F0D, HNC), NO_NAMES),
+    _all("wide_names", (MDI, TE, MITSUBISHI[0], F16, F0D, HNC), NO_NAMES),
+    _all("call_values", (TE,), NO_MACROS),
+    _all("return_search jump_search max_jump_number jumps_in_mdi", (TE, HNC), NO_JUMP),
+    _all("jumps_in_compensation", (TE, HNC), NO_JUMP),
+    _all("code_cascade", (TDI, MDI, TE, HNC), NO_CODE_CALLS),
+    # Macro statements
+    _all("if_form loop_form jumps max_loops max_constant_digits max_brackets", (TE,), NO_MACROS),
+    _all("angle_unit atan_range asin_range joined_conditions", (TE,), NO_MACROS),
+    _all("comparison_symbols conditions_without_brackets short_functions", (TE,), NO_MACROS),
+    _all("functions modulo vacant_address vacant_comparison negative_logic", (TE,), NO_MACROS),
+    _all("reset_clears_locals reset_clears_commons logic_binds_last", (TE,), NO_MACROS),
+    _all("max_condition_length indirect_9nnn variable_names", (TE,), NO_MACROS),
+    _all("max_loop_number loops_count_across_calls", (TE,), NO_MACROS),
+    _all("max_loop_number loops_count_across_calls", (HNC,), "loops of the HNC have no numbers"),
+    _all("vacant_system_writes", (TE, HNC), "no system variable of it can be written"),
+    _all("modal_groups", (TE, HNC), "the control has no variables of modal codes"),
+    _all("indirect_9nnn variable_names", (HNC,), "the control has no such variables"),
+    _all("atan_range asin_range", (HNC,), "it has no ASIN, and ATAN of one argument is signed"),
+    _all("max_ifs", (TA, T, TDI, MDI, TE, *MITSUBISHI[:2], *FANUC), NO_IF_BLOCKS),
+    # Macro calls
+    _all("nesting_counts_macros max_macro_nesting calls_in_modal", (TE, HNC), NO_MACRO_CALLS),
+    _all("return_alone_in_modal codes_not_with_macro_call", (TE, HNC), NO_MACRO_CALLS),
+    _all("m_codes_not_with_macro_call codes_not_with_modal_call", (TE, HNC), NO_MACRO_CALLS),
+    _all("modal_every_block max_macro_digits argument_sets", (TE, HNC), NO_MACRO_CALLS),
+    _all("numbered_axis_arguments words_before_macro_call", (TE, HNC), NO_MACRO_CALLS),
+    _all("repeated_argument modal_locals modal_trigger", (TE, HNC), NO_MACRO_CALLS),
+    _all("modal_calls_stack cancel_alone", (TE, HNC), NO_MACRO_CALLS),
+    _all("macro_calls call_passes_words", (TE,), NO_MACRO_CALLS),
+    _all("modal_calls_stack", (TA, T), "a second G66 is refused while one is active"),
+    _all("codes_not_with_macro_call", (TDI,), "the control has no tool length offset"),
+    _all("h_codes", (TE, HNC), NO_MACRO_CALLS),
+    _all("h99_offset", (TA, T, TE, *MITSUBISHI, *FANUC, HNC), NO_H_CODES),
+    _all("user_alarm_offset user_alarm_last", (TE, HNC), "the control has no #3000"),
+    _all("user_alarm_offset", MITSUBISHI, "the alarm of #3000 has one number, whatever the value"),
+    # Motion
+    _all("g_meanings", (MDI,), "it has none of the codes that mean something else elsewhere"),
+    _all("power_on_incremental", (TA, T, TE), "the control has no G91"),
+    _all("power_on_per_minute", MILLS, "a mill wakes up with feed per minute"),
+    _all("thread_needs_spindle", (MDI,), "the control cuts no threads"),
+    _all("negative_radius_on_lathes set_coordinate_alarms", MILLS, A_MILL),
+    _all("tool_offset tool_offset_digits set_coordinate_without_tool", MILLS, A_MILL),
+    _all("escape rough_depth rough_escape single_pass_pattern", MILLS, A_MILL),
+    _all("cycle_increments groove_p_diameter profile_monotone contour_behind", MILLS, A_MILL),
+    _all("drill_full_retract drill_retract", MILLS, A_MILL),
+    _all("helix", (TE,), "a lathe without a third axis makes no helix"),
+    _all("reference_with_end", (TA, T, TDI, MDI), "the control has no G27"),
+    _all("max_extra_systems", (*GSK_LATHES, *MILLS), "the control has no G54.1"),
+    _all("length_with_motion_codes length_type missing_radius_offset", GSK_LATHES, A_LATHE),
+    _all("peck_needed", GSK_LATHES, "a drilling cycle of a lathe without Q is a plain hole"),
+    _all("peck_clearance", GSK_LATHES, "a drilling cycle draws back a little, not to R"),
+    _all("plane_change_in_polar work_change_in_polar centre_in_polar", (*GSK_LATHES, HNC), NO_POLAR),
+    _all("reference_in_rotation plane_change_in_rotation max_rotation", (TDI, TE), NO_ROTATION),
+    _all("mirror_in_compensation", (TDI, TE), NO_ROTATION),
+    _all("cycle_repeats zero_cycle_repeats", (TDI, TE), NO_REPEATS),
+    _all("x_wins_over_u", EVERY, "nothing reads the rule: X counts everywhere"),
+    _all("profile_calls_alarm", EVERY, "a call in a profile is refused when the profile is read"),
+)
