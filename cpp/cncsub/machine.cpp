@@ -44,6 +44,7 @@ Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options op
   if (code_->control->call_passes_words.value) programmed_.assign(locals_.size(), 0);
   commons_.assign(static_cast<std::size_t>(code_->commons), kVacant);
   clock_ms_ = options_.inputs.clock_ms;
+  jumps_refused_ = options_.mdi && !code_->control->jumps_in_mdi.value;
   const Program& program = code_->programs[static_cast<std::size_t>(main)];
   Open open;
   open.program = main;
@@ -443,6 +444,7 @@ bool Machine::wait_for_operator(const std::string& what) {
 
 bool Machine::after_words(const Motion::Outcome& outcome) {
   record_step();
+  jumped_after_ = pc_;
   if (next_ == kNowhere) return restart_main();
   if (next_ == kNowhere - 1) return end(Stop::End);
   if (outcome.continue_behind && outcome.behind_n >= 0) {
@@ -499,6 +501,7 @@ bool Machine::return_from_call(const Block& block) {
   if (!leaves && open.repeat < open.repeats) {
     record_step();
     ++open.repeat;
+    ++changes_;
     loops_.resize(open.loops);
     pc_ = open.restart;
     if (rewritten) {

@@ -224,6 +224,7 @@ class Machine {
   // Waiting is a loop that changes nothing.
   std::uint64_t changes_ = 0, changes_at_jump_ = ~0ULL;
   Address jumped_from_ = kNowhere;
+  bool jumps_refused_ = false;  // GOTO, WHILE and DO alarm in the main program: MDI
   Address jumped_after_ = 0;  // the block whose move a modal call follows
   std::uint32_t last_condition_ = kNowhere;
   std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
@@ -234,7 +235,6 @@ class Machine {
 [[gnu::always_inline]] inline void Machine::record_step() {
   if (trace_.depth >= Trace::Depth::Blocks) trace_.steps.push({pc_, frame().call, frame().repeat});
   ++executed_;
-  jumped_after_ = pc_;
 }
 
 [[gnu::always_inline]] inline double Machine::load(const Expression::Load& from) const {

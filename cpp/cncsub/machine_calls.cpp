@@ -263,7 +263,11 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
   if (record.variable > 0) write(record.variable, record.code);
   const bool by_move = modal >= 0 && !modals_[static_cast<std::size_t>(modal)].every_block;
   const Address called_at = by_move ? jumped_after_ : pc_;
-  if (!by_move) record_step();
+  if (!by_move) {
+    record_step();
+    jumped_after_ = pc_;
+  }
+  ++changes_;
   Open open;
   open.program = target.program;
   open.repeats = target.repeats;

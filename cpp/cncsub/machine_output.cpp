@@ -216,7 +216,7 @@ std::optional<Cause> Machine::h_result(int code, double q, double r, std::int64_
 }
 
 bool Machine::h_jump(const Statement& statement, std::int64_t n) {
-  if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
+  if (jumps_refused_ && stack_.size() == 1)
     return alarm({Cause::JumpInMdi, statement.at, statement.width, "a jump in MDI"});
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const Address to = n < 0 ? kNowhere : code_->jump_target(program, n, pc_);

@@ -25,7 +25,14 @@ bool Machine::condition(std::uint32_t expression, bool& holds) {
 bool Machine::assign(const Statement& statement) {
   double value = 0;
   if (!evaluate(statement.expression, value)) return false;
-  return store(statement, value);
+  const bool local = statement.target == Statement::Target::Local;
+  const bool plain = (local || statement.target == Statement::Target::Common) && programmed_.empty();
+  if (!plain || std::fabs(value) > kLargest) return store(statement, value);
+  double& place = local ? locals_[local_at(level_, statement.index)]
+                        : commons_[static_cast<std::size_t>(statement.index)];
+  changes_ += place == value ? 0 : 1;
+  place = value;
+  return true;
 }
 
 bool Machine::store(const Statement& statement, double value) {
@@ -103,7 +110,7 @@ bool Machine::user_alarm(double n, const Statement& statement) {
 }
 
 bool Machine::go_to(const Statement& statement) {
-  if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
+  if (jumps_refused_ && stack_.size() == 1)
     return alarm({Cause::JumpInMdi, statement.at, statement.width, "a jump in MDI"});
   if (motion_.compensating() && !code_->control->jumps_in_compensation.value)
     return alarm({Cause::JumpInCompensation, statement.at, statement.width,
@@ -149,10 +156,12 @@ bool Machine::jump_to(Address to) {
 bool Machine::waits(Address) {
   const bool idle =
       jumped_from_ == pc_ && changes_at_jump_ == changes_ && last_condition_ != kNowhere;
+  const std::uint32_t condition = last_condition_;
   jumped_from_ = pc_;
   changes_at_jump_ = changes_;
+  last_condition_ = kNowhere;  // the next pass must ask again
   if (!idle) return false;
-  const Instruction* at = code_->instructions.data() + code_->expressions[last_condition_].first;
+  const Instruction* at = code_->instructions.data() + code_->expressions[condition].first;
   while (at->op != Ins::End && at->op != Ins::Common && at->op != Ins::CommonRaw &&
          at->op != Ins::Variable && at->op != Ins::VariableRaw)
     ++at;
@@ -177,7 +186,7 @@ bool Machine::waits(Address) {
 
 bool Machine::loop(const Block& block) {
   const Statement& statement = code_->statements[block.aux];
-  if (options_.mdi && stack_.size() == 1 && !code_->control->jumps_in_mdi.value)
+  if (jumps_refused_ && stack_.size() == 1)
     return alarm({Cause::JumpInMdi, statement.at, statement.width, "a loop in MDI"});
   const bool inside = loops_.size() > frame().loops && loops_.back() == pc_;
   bool holds = true;

@@ -196,7 +196,10 @@ Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* move
   }
   if (auto wrong = move_by_length(block, length_before)) return wrong;
   if (corner_waits && !block.submitted) return fault(Cause::CornerNoMove, block);
-  if (block.submitted) s_.moved_before = true;
+  // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
+  if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
+      once == Meaning::Local)
+    s_.moved_before = true;
   return count_idle(block);
 }
 
@@ -229,8 +232,7 @@ Motion::Result Motion::check(const BlockWords& block) const {
   if (block.has(Group::OneShot) && block.meaning(Group::OneShot) != Meaning::ExactStop &&
       block.has(Group::Motion) && c.motion_with_one_shot_alarms.value)
     return fault(Cause::OneShotWithMotion, block);
-  if (block.has(Group::Units) && block.meaning(Group::Units) != Meaning::Pulses &&
-      c.unit_change.value == UnitChange::Alone &&
+  if (block.has(Group::Units) && c.unit_change.value == UnitChange::Alone &&
       (s_.moved_before || block.words.g_count > 1 || (block.words.mask & ~bit('N')) != 0))
     return fault(Cause::UnitChangeLate, block);
   const bool polar = s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn;

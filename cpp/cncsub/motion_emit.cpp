@@ -177,8 +177,10 @@ double Motion::seconds_of(const Piece& piece, const Axes& machine, double length
   }
   const double zero = piece.offset[0] + piece.length[0];
   const double mean = (std::fabs(s_.tool_at[0] - zero) + std::fabs(machine[0] - zero)) / 2;
-  return cutting_time(piece.state, path_of(s_.tool_at, machine, length),
-                      spindle_at(piece.state, mean));
+  const double path = piece.kind == MoveKind::Feed
+                          ? path_of(s_.tool_at, machine, length)
+                          : path_in_plane(piece.state, s_.tool_at, machine, length);
+  return cutting_time(piece.state, path, spindle_at(piece.state, mean));
 }
 
 Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) const {

@@ -125,7 +125,7 @@ struct MotionState {
   int tool = 0, tool_offset = 0;
   double polar_angle = 0;
   bool polar_known = false;
-  bool moved_before = false;  // a block has moved: the head of the program is over
+  bool moved_before = false;  // or set coordinates: the head of the program is over
   CycleData cycle;
   TurnData turn;
   MultipleData multiple;

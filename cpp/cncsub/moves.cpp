@@ -64,6 +64,13 @@ double path_of(const Axes& from, const Axes& to, double length) {
   return std::sqrt(sum);
 }
 
+double path_in_plane(const MoveState& state, const Axes& from, const Axes& to, double length) {
+  const int across = state.plane == 17 ? 2 : state.plane == 18 ? 1 : 0;
+  double sum = length * length;
+  for (const int i : {across, 6, 7, 8}) sum -= (to[i] - from[i]) * (to[i] - from[i]);
+  return std::sqrt(std::max(0.0, sum));
+}
+
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters) {
   double longest = 0;
   for (int i = 0; i < kAxes; ++i) {
@@ -254,8 +261,10 @@ struct Moves::Walk {
         break;
     }
     const double mean = (std::fabs(from[0] - x_offset) + std::fabs(row.point[0])) / 2;
-    return cutting_time(*row.state, path_of(from, row.machine, row.length),
-                        spindle_at(*row.state, mean));
+    const double path = row.kind == MoveKind::Feed
+                            ? path_of(from, row.machine, row.length)
+                            : path_in_plane(*row.state, from, row.machine, row.length);
+    return cutting_time(*row.state, path, spindle_at(*row.state, mean));
   }
 };
 

@@ -170,6 +170,8 @@ double spindle_at(const MoveState& state, double diameter);
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
 /// What a feed is counted along: the length, and the degrees of rotary axes.
 double path_of(const Axes& from, const Axes& to, double length);
+/// The share of an arc's length that lies in its plane: F is the speed there, a helix goes along.
+double path_in_plane(const MoveState& state, const Axes& from, const Axes& to, double length);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
 double thread_time(const MoveState& state, const Axes& from, const Axes& to,
                    std::uint32_t diameters);

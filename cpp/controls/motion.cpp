@@ -314,6 +314,7 @@ void hnc_rules(Control& c) {
   c.cycle_repeats = {"L", kKnown, Inferred};
   c.peck_words = {PeckWords::K, kKnown, Inferred};
   c.machine_move = {MachineMove::Rapid, "source 003, G53", SourceDocument};
+  c.unit_change = {UnitChange::Alone, "source 003, G20 G21 G22", SourceDocument};
   c.feed_needed = {false, "no alarm is known", Inferred};
   add_effect(c, "3402#0", 1, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred,
              set_power_on_line);

@@ -1,8 +1,8 @@
 """Changes one rule of a control at a time, and finds a row that notices.
 
 `pins.json` names that row for every rule of every control. The test of it runs these rows alone;
-`python tests/conformance/mutation.py` searches all rows and writes the file anew, which takes some
-minutes. A rule that no row can notice on a control stands in `unpinned.py`, with the reason.
+`python tests/conformance/mutation.py` searches all rows and writes the file anew, which takes a
+minute or two. A rule that no row can notice on a control stands in `unpinned.py`, with the reason.
 """
 
 from __future__ import annotations

@@ -97,18 +97,6 @@ case(
     runs="N10", alarm="jump-target-not-found", number="P231", at="O1 N12",
 )
 case(
-    "an N behind other words names its block",
-    control=[T, *FANUC], source="policy", evidence="inferred",
-    program="""
-        O1
-        N10 GOTO 20
-        N15 M8
-        M9 N20
-        N30 M30
-    """,
-    runs="N10 N20 N30", m=[9],
-)
-case(
     "a spindle speed of 8 digits is read",
     control=[*GSK_988, F16, F0D], source="general knowledge, 8 digits", evidence="inferred",
     program="""
@@ -516,16 +504,6 @@ case(
     runs="N10 N20",
 )
 case(
-    "M20 is sent to the machine and starts nothing over",
-    control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, M20", evidence="inferred",
-    program="""
-        O1
-        N10 M20
-        N20 M30
-    """,
-    runs="N10 N20", m=[20],
-)
-case(
     "M97 is no jump but a code for the machine",
     control=[*GSK, *MITSUBISHI, *FANUC], source="TApar 6003#4; general knowledge",
     evidence="inferred",
@@ -594,19 +572,6 @@ case(
     program="""
         O1
         N10 M98 P2 L3
-        N20 T1
-        N30 M30
-        O2
-        N40 M99 P30
-    """,
-    runs="N10 N40 N30",
-)
-case(
-    "M99 P leaves a counted call at once on the 980",
-    control=GSK_980, source="policy", evidence="inferred",
-    program="""
-        O1
-        N10 M98 P30002
         N20 T1
         N30 M30
         O2
@@ -1176,22 +1141,6 @@ case(
     """,
     runs="N10", alarm="illegal-repeat-count", at="O1 N20",
 )
-case(
-    "in a turning cycle M98 may share its block with words",
-    control=[*GSK_988, TDI], source="policy", evidence="inferred",
-    program="""
-        O1
-        N10 G0 X50 Z0
-        N15 G90 X40 Z-5 F100
-        N20 X30 M98 P2
-        N30 G0 X60
-        N40 M30
-        O2
-        N50 M99
-    """,
-    runs="N10 N15 N20 N50 N30 N40",
-)
-
 # Macro statements
 
 case(
@@ -2788,7 +2737,7 @@ case(
     runs="N99999999", alarm="illegal-sequence-number",
 )
 case(
-    "the device of M98 has no start word on the GSK 928: Q is left alone",
+    "M98 has no start word on the GSK 928: Q is left alone",
     control=TE, source="source 001, M98 P L", evidence="inferred",
     program="""
         N10 M98 P40 Q50
@@ -2850,7 +2799,7 @@ case(
     runs="N10 N30 N20",
 )
 case(
-    "a dwell may share a block with M98 on the HNC",
+    "G54 may share a block with M98 on the HNC",
     control=HNC, source="policy", evidence="inferred",
     program="""
         %1
@@ -3025,7 +2974,7 @@ case(
 # Macro statements of the HNC
 
 case(
-    "IF GOTO and WHILE DO are no statements of the HNC",
+    "GOTO is no statement of the HNC",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %1

@@ -26,7 +26,7 @@ Unpinned = dict[str, tuple[tuple[str, ...], str]]
 
 
 def _all(rules: str, controls: tuple[str, ...], reason: str) -> Unpinned:
-    return {rule: (controls, reason) for rule in rules.split()}
+    return dict.fromkeys(rules.split(), (controls, reason))
 
 
 def _joined(*parts: Unpinned) -> dict[str, dict[str, str]]:
@@ -47,7 +47,6 @@ UNPINNED = _joined(
     # Calls
     _all("max_program_digits start_word caller_call", (TE,), "P of M98 is a sequence number"),
     _all("count_and_l zero_count_alarms", (TE, *MITSUBISHI, HNC), NO_COUNT),
-    _all("bracket_names", (TE,), NO_NAMES),
     _all("name_marks max_name_length", (MDI, TE, MITSUBISHI[0], F16, F0D, HNC), NO_NAMES),
     _all("wide_names", (MDI, TE, MITSUBISHI[0], F16, F0D, HNC), NO_NAMES),
     _all("call_values", (TE,), NO_MACROS),
@@ -99,7 +98,8 @@ UNPINNED = _joined(
     _all("length_with_motion_codes length_type missing_radius_offset", GSK_LATHES, A_LATHE),
     _all("peck_needed", GSK_LATHES, "a drilling cycle of a lathe without Q is a plain hole"),
     _all("peck_clearance", GSK_LATHES, "a drilling cycle draws back a little, not to R"),
-    _all("plane_change_in_polar work_change_in_polar centre_in_polar", (*GSK_LATHES, HNC), NO_POLAR),
+    _all("plane_change_in_polar work_change_in_polar", (*GSK_LATHES, HNC), NO_POLAR),
+    _all("centre_in_polar", (*GSK_LATHES, HNC), NO_POLAR),
     _all("reference_in_rotation plane_change_in_rotation max_rotation", (TDI, TE), NO_ROTATION),
     _all("mirror_in_compensation", (TDI, TE), NO_ROTATION),
     _all("cycle_repeats zero_cycle_repeats", (TDI, TE), NO_REPEATS),
