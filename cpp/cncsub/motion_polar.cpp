@@ -77,11 +77,12 @@ Motion::Result Motion::set_scaling(BlockWords& block) {
   return std::nullopt;
 }
 
-/// Scales without a point count thousandths. [K]
+/// P counts thousandths, and so do I J K without a point where lengths count increments. [K]
 double Motion::scale_of(const BlockWords& block, char address) const {
-  const bool thousandths = (block.words.whole & bit(address)) != 0 &&
-                           (facts_->control->whole_numbers.value == WholeNumbers::Increments ||
-                            std::fabs(block.words[address]) >= 100);
+  const bool thousandths =
+      address == 'P' ? facts_->control->scale_thousandths.value
+                     : (block.words.whole & bit(address)) != 0 &&
+                           facts_->control->whole_numbers.value == WholeNumbers::Increments;
   return raw(block, address) * (thousandths ? 0.001 : 1);
 }
 

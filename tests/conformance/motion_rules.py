@@ -541,7 +541,7 @@ case(
 
 case(
     "G20 behind a move changes the unit from there on",
-    control=[*MITSUBISHI, *FANUC, HNC], source="30i p.226; general knowledge", evidence="inferred",
+    control=[*MITSUBISHI, *FANUC], source="30i p.226; general knowledge", evidence="inferred",
     setup=MILL,
     program="""
         O1
@@ -563,6 +563,17 @@ case(
         N40 M30
     """,
     moves_x=[10, 25.4],
+)
+case(
+    "G20 behind a move alarms on the HNC",
+    control=HNC, source="source 003, G20 G21 G22", evidence="source document",
+    program="""
+        O1
+        N10 G0 X10.
+        N20 G20
+        N30 M30
+    """,
+    runs="N10", alarm="unit-change-misplaced", at="O1 N20",
 )
 _late = [*GSK_988, MDI]
 case(
