@@ -202,7 +202,7 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
 void BlockReader::allow_plain() {
   for (const char c : std::string_view("ABCFIJKRUVWXYZ"))
     if (switched_[static_cast<std::size_t>(c - 'A')] == 0)
-      plain_[static_cast<std::size_t>(c)] = Plain::Value;
+      plain_[static_cast<unsigned char>(c)] = Plain::Value;
   plain_['G'] = Plain::G;
   plain_['N'] = Plain::N;
   for (std::size_t g = 0; g < plain_g_.size(); ++g)

@@ -225,7 +225,7 @@ class Machine {
   std::uint64_t changes_ = 0, changes_at_jump_ = ~0ULL;
   Address jumped_from_ = kNowhere;
   bool jumps_refused_ = false;  // GOTO, WHILE and DO alarm in the main program: MDI
-  Address jumped_after_ = 0;  // the block whose move a modal call follows
+  Address jumped_after_ = 0;    // the block whose move a modal call follows
   std::uint32_t last_condition_ = kNowhere;
   std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
   double clock_ms_ = 0;

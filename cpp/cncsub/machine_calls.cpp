@@ -118,7 +118,8 @@ bool Machine::call(const Block& block) {
   if (auto fault = refused_here(record)) return alarm(*fault);
   Target target;
   if (!decode_target(record, target)) return false;
-  if (record.arguments > 0 && !evaluate_arguments(record)) return false;
+  const bool passes = record.arguments > 0 || code_->control->call_passes_words.value;
+  if (passes && !evaluate_arguments(record)) return false;
   const bool other_words = block.mask != 0 || block.g_count != 0 || block.m_count != 0;
   if (other_words && motion_.in_cycle() && !code_->control->words_with_call_in_cycle.value)
     return alarm({Cause::CallWithWordsInCycle, record.at, record.width,

@@ -37,16 +37,26 @@ const std::array<double, 361> kSines = [] {
   return sines;
 }();
 
+/// Whether the angle is a whole number of degrees, and which of one turn.
+bool whole_degrees(double degrees, std::size_t& of_turn) {
+  if (!(std::fabs(degrees) < 1e9)) return false;
+  const auto whole = static_cast<std::int32_t>(degrees);
+  if (static_cast<double>(whole) != degrees) return false;
+  const std::int32_t rest = whole % 360;
+  of_turn = static_cast<std::size_t>(rest < 0 ? rest + 360 : rest);
+  return true;
+}
+
 double sine(double degrees) {
+  if (std::size_t whole = 0; whole_degrees(degrees, whole)) return kSines[whole];
   const double a = turn(degrees);
-  const auto whole = static_cast<std::size_t>(a);
-  return static_cast<double>(whole) == a ? kSines[whole] : std::sin(a * kDegree);
+  return std::sin(a * kDegree);
 }
 double cosine(double degrees) {
+  if (std::size_t whole = 0; whole_degrees(degrees, whole))
+    return kSines[whole < 270 ? whole + 90 : whole - 270];
   const double a = turn(degrees);
-  const auto whole = static_cast<std::size_t>(a);
-  return static_cast<double>(whole) == a ? kSines[whole < 270 ? whole + 90 : whole - 270]
-                                         : std::cos(a * kDegree);
+  return std::cos(a * kDegree);
 }
 
 double round_half_away(double value) { return std::round(value); }

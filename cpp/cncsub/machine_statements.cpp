@@ -26,7 +26,8 @@ bool Machine::assign(const Statement& statement) {
   double value = 0;
   if (!evaluate(statement.expression, value)) return false;
   const bool local = statement.target == Statement::Target::Local;
-  const bool plain = (local || statement.target == Statement::Target::Common) && programmed_.empty();
+  const bool plain =
+      (local || statement.target == Statement::Target::Common) && programmed_.empty();
   if (!plain || std::fabs(value) > kLargest) return store(statement, value);
   double& place = local ? locals_[local_at(level_, statement.index)]
                         : commons_[static_cast<std::size_t>(statement.index)];

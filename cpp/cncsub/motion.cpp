@@ -259,6 +259,8 @@ Motion::Result Motion::set_modes(BlockWords& block) {
   const Meaning units = s_.modal[at(Group::Units)].meaning;
   s_.unit = units == Meaning::Inch ? kInch : units == Meaning::Pulses ? facts_->increment : 1;
   s_.incremental = s_.modal[at(Group::Distance)].meaning == Meaning::Incremental;
+  // G22 X Y Z I J K names a zone of the stroke check, no point to go to.
+  if (block.meaning(Group::Stroke) == Meaning::StrokeOn) block.consumed = true;
   if (auto wrong = set_feed(block)) return wrong;
   if (auto wrong = set_spindle(block)) return wrong;
   if (auto wrong = set_tool(block)) return wrong;
@@ -389,7 +391,22 @@ Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
                                                   : MoveKind::Feed;
   Piece piece = make_piece(block, kind, end, named);
   if (auto wrong = corner_words(block, piece)) return wrong;
+  if (meaning == Meaning::VariableThread)
+    if (auto wrong = mean_lead(block, piece)) return wrong;
   return move(block, piece);
+}
+
+/// G34: the lead grows by K with every revolution; the row has the mean one.
+Motion::Result Motion::mean_lead(const BlockWords& block, Piece& piece) const {
+  const double growth = block.words.has('K') ? number(block, 'K') : 0;
+  double along = 0;
+  for (int i = 0; i < 3; ++i)
+    along =
+        std::max(along, std::fabs(piece.end[i] - piece.offset[i] - s_.work[i]) * facts_->share(i));
+  const double square = s_.feed * s_.feed + 2 * growth * along;
+  if (square <= 0) return fault(Cause::ThreadLead, block, "the lead would come to 0");
+  piece.state.feed = (s_.feed + std::sqrt(square)) / 2;
+  return std::nullopt;
 }
 
 /// A chamfer written with C alone is no move of the C axis.

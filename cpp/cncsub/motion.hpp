@@ -124,6 +124,7 @@ class Motion {
   Result one_shot(BlockWords& block);
   Result motion(BlockWords& block);
   Result straight(BlockWords& block, Meaning meaning);
+  Result mean_lead(const BlockWords& block, Piece& piece) const;
   Result dwell(BlockWords& block);
   Result need_feed(const BlockWords& block, Meaning meaning) const;
   Fault fault(Cause cause, const BlockWords& block, std::string detail = {}) const;

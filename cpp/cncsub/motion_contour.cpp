@@ -201,8 +201,7 @@ Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outs
   trial.end_cycles();
   for (const NcWords& words : blocks) {
     const bool calling = calls(words);
-    if (calling && facts_->control->profile_calls_alarm.value)
-      return Fault{Cause::ProfileCall, words.at, 1, {}};
+    if (calling) return Fault{Cause::ProfileCall, words.at, 1, {}};
     for (int i = 0; i < words.g_count; ++i)
       if (!allowed(facts_->codes.find(words.g[static_cast<std::size_t>(i)]).meaning))
         return Fault{Cause::ProfileCode, words.at, 1, {}};
@@ -221,8 +220,7 @@ Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outs
 Motion::Result Motion::finish_contour(BlockWords& block, const std::vector<NcWords>& blocks) {
   const Axes start = s_.work;
   for (const NcWords& words : blocks) {
-    if (calls(words) && facts_->control->profile_calls_alarm.value)
-      return fault(Cause::ProfileCall, block);
+    if (calls(words)) return fault(Cause::ProfileCall, block);
     if (follows_profile(words, facts_->codes)) return fault(Cause::ProfileCode, block);
     if (auto wrong = run(words, block.step, block.moves, block.outcome, block.outside))
       return wrong;

@@ -233,9 +233,13 @@ void mitsubishi_rules(Control& c) {
                     Inferred};
   c.machine_move = {MachineMove::Modal, "M7 p.520 (4)-(8)", Manual};
   c.no_radius = {NoRadius::Alarm, kKnown, Inferred};
+  c.radius_needs_travel = {true, "error 108 of the motion controller Q172", Inferred};
+  c.plane_change_in_rotation = {false, "MZ 824, paired with P111", Secondary};
   c.idle_blocks = {3, "M7 p.191, 202, 203", Manual};
   c.missing_radius_offset = {MissingOffset::Alarm, "MZ 839, paired with P170", Secondary};
   c.cycle_in_compensation = {false, "MZ 901, paired with P155", Secondary};
+  c.plane_change_in_rotation = {false, "MZ 824, paired with P111", Secondary};
+  c.radius_needs_travel = {true, "general knowledge; motion controller Q172, error 108", Inferred};
   c.reference_with_end = {false, "MZ 920, paired with P435", Secondary};
   c.cycle_repeats = {"L", kKnown, Inferred};
   c.feed_needed = {true, "M7 p.52: P62", Manual};
@@ -313,6 +317,7 @@ void hnc_rules(Control& c) {
   c.no_radius = {NoRadius::Alarm, kKnown, Inferred};
   c.cycle_repeats = {"L", kKnown, Inferred};
   c.peck_words = {PeckWords::K, kKnown, Inferred};
+  c.scale_thousandths = {false, kKnown, Inferred};
   c.machine_move = {MachineMove::Rapid, "source 003, G53", SourceDocument};
   c.unit_change = {UnitChange::Alone, "source 003, G20 G21 G22", SourceDocument};
   c.feed_needed = {false, "no alarm is known", Inferred};
@@ -329,7 +334,6 @@ void hnc_rules(Control& c) {
 
 void lathe_rules(Control& c) {
   c.machine = {MachineType::LatheA, "TDi 2: X Z absolute, U W increments", Manual};
-  c.x_wins_over_u = {true, "TDi 2", Manual};
   c.escape = {ReturnedEscape::Feed, "TDi 23.1 step 4; TA 8", Manual};
 }
 
@@ -466,7 +470,6 @@ void gsk_928(Control& c) {
 void gsk_980mdi(Control& c) {
   c.machine = {MachineType::Mill, "MDib", Manual};
   c.g_meanings = {"", kKnown, Inferred};
-  c.x_wins_over_u = {true, kKnown, Inferred};
   c.motion_with_one_shot_alarms = {true, "MDib 0014", Manual};
   c.unit_change = {UnitChange::Alone, "MDib 0038", Manual};
   c.home_needed = {true, "MDib 0166, 0069", Manual};

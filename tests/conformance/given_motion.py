@@ -2764,7 +2764,7 @@ case(
     """,
     params=MM,
     setup=LATHE_A | {"start": {"X": 50, "Z": 0}},
-    alarm="taper",
+    alarm="face-taper",
     number="124",
     at="O1",
 )

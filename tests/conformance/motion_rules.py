@@ -1004,6 +1004,29 @@ case(
     runs="N10", alarm="scale-zero", number={MDI: "0158", F30: "PS0300"}, at="O1 N20",
 )
 
+case(
+    "P of G51 counts thousandths",
+    control=[MDI, *MITSUBISHI, *FANUC], **KNOWN, setup=MILL,
+    program="""
+        O1
+        N10 G51 X0 Y0 Z0 P2000
+        N20 G0 X10.
+        N30 M30
+    """,
+    moves="R X20",
+)
+case(
+    "P of G51 is the factor itself on the HNC-21",
+    control=HNC, **KNOWN, setup=MILL,
+    program="""
+        O1
+        N10 G51 X0 Y0 Z0 P2
+        N20 G0 X10.
+        N30 M30
+    """,
+    moves="R X20",
+)
+
 # Radius compensation. r = 2; lathes draw the same picture in Z and X/2.
 
 case(

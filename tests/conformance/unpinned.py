@@ -102,7 +102,6 @@ UNPINNED = _joined(
     _all("centre_in_polar", (*GSK_LATHES, HNC), NO_POLAR),
     _all("reference_in_rotation plane_change_in_rotation max_rotation", (TDI, TE), NO_ROTATION),
     _all("mirror_in_compensation", (TDI, TE), NO_ROTATION),
+    _all("scale_thousandths", GSK_LATHES, "a lathe has no scaling"),
     _all("cycle_repeats zero_cycle_repeats", (TDI, TE), NO_REPEATS),
-    _all("x_wins_over_u", EVERY, "nothing reads the rule: X counts everywhere"),
-    _all("profile_calls_alarm", EVERY, "a call in a profile is refused when the profile is read"),
 )

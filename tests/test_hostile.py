@@ -1,0 +1,181 @@
+"""Programs written to break the reader or the machine: each ends, at once, with an alarm or without one."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+import cncsub
+
+NAMES = sorted(cncsub.controls)
+MANY = 100_000
+INFINITE = "*".join(["EXP[110]"] * 7)  # above the largest double
+
+
+def ends(text: str, control: str) -> cncsub.Run:
+    """The run of a program that must come to an end, whatever that is."""
+    run = cncsub.loads(text, control=control).run(max_blocks=10_000, max_seconds=20)
+    assert run.stop in {"end", "alarm", "cycles", "limit", "waiting"}
+    assert (run.alarm is not None) == (run.stop == "alarm")
+    return run
+
+
+def cause(text: str, control: str) -> str | None:
+    alarm = ends(text, control).alarm
+    return alarm and alarm.cause
+
+
+NESTED = {
+    "brackets": "O1\nN1 #1=" + "[" * MANY + "1" + "]" * MANY + "\nM30\n",
+    "brackets in a word": "O1\nN1 X" + "-[" * MANY + "1" + "]" * MANY + "\nM30\n",
+    "functions": "O1\nN1 #1=" + "SIN[" * MANY + "1" + "]" * MANY + "\nM30\n",
+    "variables of variables": "O1\nN1 " + "#[" * MANY + "1" + "]" * MANY + "=1\nM30\n",
+    "comments": "O1\nN1 " + "(" * MANY + ")" * MANY + "\nM30\n",
+    "comments in a number": "O1\nN1 X" + "(a)" * MANY + "1\nM30\n",
+    "NOT": "%1\nN1 IF " + "NOT " * MANY + "TRUE\nENDIF\nM30\n",
+    "THEN": "O1\nN1 " + "IF[1EQ1]THEN " * MANY + "#1=1\nM30\n",
+    "slashes": "O1\nN1 X1" + "/X1" * MANY + "\nM30\n",
+    "equals signs": "O1\nN1 G65 P2 X1" + "=1" * MANY + "\nM30\n",
+    "loops": "O1\n" + "WHILE[1EQ1]DO1\n" * 20_000 + "END1\n" * 20_000 + "M30\n",
+    "IF blocks": "O1\n" + "IF[1EQ1]\n" * 20_000 + "ENDIF\n" * 20_000 + "M30\n",
+    "names": "%1\n" + "P[A]" * MANY + "M98\nM30\n",
+    "words": "O1\nN1 G65 P2 " + "A1I1J1K1" * MANY + "\nM30\n",
+    "digits": "O" + "1" * MANY + "\nN1 X" + "1" * MANY + "\nM30\n",
+}
+
+
+@pytest.mark.parametrize("name", NESTED)
+def test_what_is_nested_or_repeated_without_end_is_read_to_its_end(name):
+    for control in NAMES:
+        ends(NESTED[name], control)
+
+
+def test_blanks_in_a_program_name_are_cut_in_one_go():
+    ends("<" + " " * 1_000_000 + "A>\nM30\n", "fanuc-30i")
+    ends("<" + " " * 1_000_000 + "A>\nM30\n", "gsk-988ta")
+
+
+@pytest.mark.parametrize("function", ["SIN", "COS", "TAN", "FIX", "ROUND", "BIN", "ABS"])
+def test_a_value_above_all_numbers_is_an_overflow_wherever_it_stands(function):
+    assert cause(f"O1\nN1 #1={function}[{INFINITE}]\nN2 M30\n", "fanuc-30i") == "overflow"
+    assert cause(f"O1\nN1 #1=1/{function}[{INFINITE}]\nN2 M30\n", "gsk-988ta") == "overflow"
+
+
+def test_a_word_takes_no_value_that_a_variable_does_not_take():
+    program = "O1\nN1 G0 X[EXP[110]*EXP[110]*EXP[110]]\nN2 M30\n"
+    assert cause(program, "fanuc-30i") == "overflow"
+    assert cause(program, "gsk-988ta") == "overflow"
+
+
+@pytest.mark.parametrize("value", ["EXP[108]", "-EXP[108]", "9999999999", "EXP[-108]"])
+@pytest.mark.parametrize(
+    "control", ["fanuc-30i", "gsk-988ta", "gsk-980mdi", "mitsubishi-m700", "hnc-21m"]
+)
+def test_every_word_takes_values_beyond_every_range(control, value):
+    for letter in "ABCDEFHIJKLMNOPQRSTUVWXYZ":
+        ends(
+            f"O1\n#100={value}\nG1 F100 X1 S1 M3\n{letter}#100\nG0 {letter}#100 X1\nM30\n", control
+        )
+    for code in (
+        2,
+        4,
+        10,
+        28,
+        30,
+        31,
+        41,
+        43,
+        50,
+        51,
+        52,
+        53,
+        54,
+        68,
+        70,
+        71,
+        72,
+        73,
+        74,
+        75,
+        76,
+        81,
+        83,
+        90,
+        92,
+        96,
+    ):
+        words = " ".join(f"{letter}#100" for letter in "XYZUWRIJKPQLFDH")
+        ends(
+            f"O1\n#100={value}\nG1 F100 X1 S1 M3\nG{code} {words}\nG{code} X1 Z-5 {words}\nM30\n",
+            control,
+        )
+        ends(
+            f"O1\n#100={value}\nG1 F100 X1 S1 M3\nG{code} P#100 R#100\nG{code} L#100 P1\nM30\n",
+            control,
+        )
+
+
+@pytest.mark.parametrize("statement", [
+    "GOTO#100", "M98 P#100", "M98 P2 L#100", "G65 P#100", "G65 H#100", "G65 H99999999999999", "M99 P#100",
+    "M97 P#100", "#[#100]=1", "#1=#[#100]", "#3000=#100", "DPRNT[#100[99]]", "BPRNT[#100[9]]", "#1=RAND[#100]",
+    "#1=BCD[#100]", "#1=#100 AND 1", "#3001=#100", "#5221=#100", "#1=PRM[#100]", "G65 H31 P#101 Q#100 R#100",
+])  # fmt: skip
+def test_statements_take_values_beyond_every_range(statement):
+    for control in NAMES:
+        for value in ("EXP[108]", "-EXP[108]", "9999999999"):
+            ends(f"O1\n#100={value}\n{statement}\nM30\n", control)
+
+
+STUCK = {
+    "a cut too fine to see": "G0 X99999. Z1.\nG71 U.0000001 R.1\nG71 P10 Q20 U0 W0 F1\n",
+    "passes": "G0 X100. Z1.\nG73 U1. W1. R9999999\nG73 P10 Q20 U0 W0 F1\n",
+    "grooves": "G0 X100. Z0\nG75 X0 Z-99999. P1 Q1 R0 F1\n",
+}
+
+
+@pytest.mark.parametrize("name", STUCK)
+def test_no_block_of_a_lathe_makes_moves_without_end(name):
+    program = f"O1\n{STUCK[name]}N10 G0 X1.\nN20 G1 Z-10.\nM30\n"
+    assert cause(program, "gsk-988ta") in ("value-out-of-range", "cycle-depth", "too-many-digits")
+
+
+def test_no_canned_cycle_makes_moves_without_end():
+    stuck = "O1\n#1=EXP[60]\nG90 G98 G83 X1. Z-#1 R1. Q.001 F100\nM30\n"
+    assert cause(stuck, "fanuc-0i-f") == "value-out-of-range"
+    holes = "O1\nG90 G98 G81 X1. Z-10. R1. F100 K9999999\nM30\n"
+    assert cause(holes, "fanuc-0i-f") == "value-out-of-range"
+
+
+def test_a_profile_that_holds_its_own_cycle_does_not_follow_itself():
+    for code in (70, 71, 72, 73):
+        program = f"O1\nG1 F100\nN10 G0 X1.\nN15 G{code} P10 Q20\nN20 G1 X2.\nM30\n"
+        assert cause(program, "gsk-988ta") is not None
+        for control in NAMES:
+            ends(program, control)
+
+
+def test_a_profile_may_begin_with_the_first_block_of_the_memory():
+    program = "O1\nN10 G0 X1.\nN20 G1 X2. F1\nN30 G70 P10 Q20\nN40 M30\n"
+    assert cause(program, "gsk-988ta") is None
+
+
+def test_loops_that_m97_leaves_are_closed():
+    program = "O1\nN1 #1=#1+1\nIF[#1GT50]GOTO9\nDO1\nDO2\nDO3\nM97 P1\nEND3\nEND2\nEND1\nN9 M30\n"
+    for control in NAMES:
+        assert cause(program, control) not in ("loops-too-deep", "missing-do")
+
+
+@pytest.mark.parametrize("calls", [
+    "M98P1", "M98P1Q1", "M98H1", "G65P1", "G65P2A#1", "G66P2\nX1", "G66.1P2\nX1Y1", "M98P2",
+])  # fmt: skip
+def test_programs_that_call_themselves_come_to_an_end(calls):
+    for control in NAMES:
+        ends(f"O1\nN1 {calls}\nM30\nO2\nN1 {calls}\nX1\nG67\nM99\n", control)
+
+
+def test_bytes_that_are_no_program_are_read():
+    chance = random.Random(1)
+    letters = "OGNMPXYZIJKRFL#[]()=/;,.-+*0123456789 \n%<>IFWHILEDOENDGOTOTHEN\0\x7f\u00e9"
+    for _ in range(100):
+        ends("O1\n" + "".join(chance.choices(letters, k=500)), chance.choice(NAMES))
