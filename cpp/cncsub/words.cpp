@@ -67,7 +67,9 @@ std::vector<WrittenWord> written_words(const Control&, std::string_view block) {
       words.push_back(std::move(word));
       continue;
     } else {
-      word.address = std::string(1, c);
+      // A character of several bytes, which is no address, stays whole.
+      while (s.at != s.end && (static_cast<unsigned char>(*s.at) & 0xC0U) == 0x80U) ++s.at;
+      word.address = is_letter(c) ? std::string(1, c) : std::string(start, s.at);
     }
     const char value = s.peek();
     if (is_digit(value) || value == '.' || value == '-' || value == '+') {
