@@ -406,7 +406,7 @@ class Moves(Table[Move]):
         return self._core.moves
 
     def _row(self, index: int) -> Move:
-        values = {axis: float(self.column(axis)[index]) for axis in self._unnamed()}
+        values: dict[str, Any] = {axis: float(self.column(axis)[index]) for axis in self._unnamed()}
         values.update(self._core.move_row(index))
         values["feed_mode"] = self.feed_modes[values["feed_mode"]]
         return Move(**{name: _number(value) for name, value in values.items()})
