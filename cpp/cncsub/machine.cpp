@@ -491,7 +491,7 @@ bool Machine::return_from_call(const Block& block) {
     return alarm({Cause::IllegalWordWithReturn, back.at, back.width,
                   "M99 with other words while a modal macro call is active"});
   if (!words(block)) return false;
-  if (stack_.size() == 1) return return_from_main(block, back, p);
+  if (stack_.size() == 1) return return_from_main(back, p);
   Open& open = frame();
   if (!is_vacant(l) && control.return_with_l.value == ReturnWithL::ReplacesCount)
     open.repeats = open.repeat + static_cast<std::int32_t>(std::clamp(std::round(l), 0.0, 1e6));
@@ -529,7 +529,7 @@ bool Machine::return_from_call(const Block& block) {
   return leave(to);
 }
 
-bool Machine::return_from_main(const Block&, const CallRecord& back, double p) {
+bool Machine::return_from_main(const CallRecord& back, double p) {
   switch (code_->control->main_return.value) {
     case MainReturn::Alarm:
       return alarm(

@@ -337,7 +337,7 @@ void lathe_rules(Control& c) {
   c.escape = {ReturnedEscape::Feed, "TDi 23.1 step 4; TA 8", Manual};
 }
 
-void gsk_988(Control& c) {
+void gsk_988(Control& c, double power_on_feed) {
   lathe_rules(c);
   c.home_needed = {true, "Talm 047", Secondary};
   c.unit_change = {UnitChange::Alone, "Talm 042", Secondary};
@@ -349,7 +349,7 @@ void gsk_988(Control& c) {
   c.power_on_per_minute = {false, "TApar 3402#4", Manual};
   // The examples of the 988TA feed without F; the 988T has an alarm for that. [source 000, Talm
   // 021]
-  fanuc_numbers(c, "TApar", Manual, c.name == "gsk-988ta" ? 100 : 0);
+  fanuc_numbers(c, "TApar", Manual, power_on_feed);
   add_effect(c, "3401#1", 0, "CPQ: P and Q of cycles are 0 millimetres, 1 least increments",
              "TApar 3401#1", Manual, set_cycle_increments);
   add_effect(c, "3401#6", 0, "G code system: 0 A, 1 B", "TApar 3401#6", Manual, set_machine_system);
@@ -561,45 +561,52 @@ void gsk_980mdi(Control& c) {
         Manual}});
 }
 
+void gsk_988ta(Control& c) { gsk_988(c, 100); }
+void gsk_988t(Control& c) { gsk_988(c, 0); }
+
+void fanuc_16i(Control& c) {
+  fanuc_rules(c);
+  fanuc_alarms(c, "");
+  c.negative_radius_on_lathes = {false, "16TC p.67", Manual};
+}
+
+void fanuc_0i(Control& c) {
+  fanuc_rules(c);
+  fanuc_alarms(c, "PS0");
+  fanuc_alarms_30i(c);
+}
+
+void fanuc_30i(Control& c) {
+  fanuc_0i(c);
+  c.idle_blocks = {3, "30iM p.166, 15iM p.419", Manual};
+  add_effect(c, "19607#2", 0, "around an acute corner 0 lines, 1 an arc", kKnown, Inferred,
+             set_acute_corner);
+}
+
+void mitsubishi(Control& c) {
+  mitsubishi_rules(c);
+  mitsubishi_alarms(c);
+}
+
+/// Gives each control of a maker its facts, both in listing order.
+void give(std::vector<Control>& controls, const std::vector<void (*)(Control&)>& facts) {
+  for (std::size_t i = 0; i < controls.size(); ++i) facts.at(i)(controls[i]);
+}
+
 }  // namespace
 
-void add_fanuc_motion(std::vector<Control>& controls) {
-  for (Control& c : controls) {
-    const bool old_series = c.name == "fanuc-16i";
-    fanuc_rules(c);
-    fanuc_alarms(c, old_series ? "" : "PS0");
-    if (!old_series) fanuc_alarms_30i(c);
-    if (old_series) c.negative_radius_on_lathes = {false, "16TC p.67", Manual};
-    if (c.name == "fanuc-30i") {
-      c.idle_blocks = {3, "30iM p.166, 15iM p.419", Manual};
-      add_effect(c, "19607#2", 0, "around an acute corner 0 lines, 1 an arc", kKnown, Inferred,
-                 set_acute_corner);
-    }
-  }
+void add_gsk_motion(std::vector<Control>& controls) {
+  give(controls, {gsk_988ta, gsk_988t, gsk_980tdi, gsk_980mdi, gsk_928});
 }
 
 void add_mitsubishi_motion(std::vector<Control>& controls) {
-  for (Control& c : controls) {
-    mitsubishi_rules(c);
-    mitsubishi_alarms(c);
-  }
+  give(controls, {mitsubishi, mitsubishi, mitsubishi});
 }
 
-void add_hnc_motion(std::vector<Control>& controls) {
-  for (Control& c : controls) hnc_rules(c);
+void add_fanuc_motion(std::vector<Control>& controls) {
+  give(controls, {fanuc_16i, fanuc_0i, fanuc_0i, fanuc_30i});
 }
 
-void add_gsk_motion(std::vector<Control>& controls) {
-  for (Control& c : controls) {
-    if (c.name == "gsk-980tdi")
-      gsk_980tdi(c);
-    else if (c.name == "gsk-980mdi")
-      gsk_980mdi(c);
-    else if (c.name == "gsk-928te")
-      gsk_928(c);
-    else
-      gsk_988(c);
-  }
-}
+void add_hnc_motion(std::vector<Control>& controls) { give(controls, {hnc_rules}); }
 
 }  // namespace cncsub
