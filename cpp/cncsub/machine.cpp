@@ -4,13 +4,17 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace cncsub {
 
 namespace {
 
-constexpr std::int64_t kPollBlocks = 1
-                                     << 14;  // blocks between two looks at the clock and at Ctrl-C
+constexpr std::int64_t kLookBlocks = 1 << 14;  // blocks between two looks at clock and memory
+constexpr std::int64_t kLookMoves = 1 << 16;   // or moves
+constexpr std::size_t kPartMoves = 1 << 20;    // a part of a run that has more ends early
+constexpr std::size_t kManySkipped = 1'000'000;
+constexpr std::int32_t kManyRepeats = std::numeric_limits<std::int32_t>::max();
 constexpr double kAskSeconds = 0.02;  // between two questions whether to stop, which may wait
 
 }  // namespace
@@ -69,8 +73,7 @@ bool Machine::end(Stop stop) {
 
 void Machine::finish() {
   for (const Open& open : stack_)
-    if (open.call >= 0)
-      trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
+    if (open.call >= 0) trace_.calls.at(trace_.call_row(open.call)).last_step = executed_ - 1;
 }
 
 bool Machine::alarm(const Fault& fault) {
@@ -135,37 +138,56 @@ inline bool Machine::execute(const Block& block) {
   return true;
 }
 
+/// Whether a block-skip switch passes over the block at pc_. A program of nothing but such blocks
+/// that starts over and over is stopped: no limit counts it.
+bool Machine::passes(const Block& block) {
+  if ((block.skip & options_.skips) == 0) return false;
+  if (skipped_behind_ != executed_) skipped_ = 0;
+  skipped_behind_ = executed_;
+  if (static_cast<std::size_t>(++skipped_) > code_->blocks.size() + kManySkipped) end(Stop::Limit);
+  ++pc_;
+  return true;
+}
+
 bool Machine::step() {
   if (stop_ != Stop::Running) return false;
   const std::int64_t before = executed_;
   while (stop_ == Stop::Running && executed_ == before) {
     const Block& block = code_->blocks[pc_];
-    if ((block.skip & options_.skips) != 0) {
-      ++pc_;
-      continue;
-    }
+    if (passes(block)) continue;
     if (executed_ >= options_.max_blocks) return end(Stop::Limit);
     execute(block);
   }
+  if (stop_ == Stop::Running && memory() > options_.max_memory) end(Stop::Limit);
   return executed_ != before;
 }
 
+std::string Machine::axes() const {
+  std::uint32_t mask = 0;
+  for (const auto* blocks : {&code_->blocks, &code_->variants})
+    for (const Block& block : *blocks) mask |= block.mask;
+  return motion_.axes_of(mask);
+}
+
+std::uint64_t Machine::memory() const { return trace_.bytes() + motion_.held_bytes(); }
+
 void Machine::run(const std::function<bool()>& interrupted,
-                  const std::function<bool(const Machine&)>& pause) {
+                  const std::function<bool(const Machine&)>& pause, std::int64_t until) {
   if (stop_ == Stop::Interrupted) stop_ = Stop::Running;
   using Clock = std::chrono::steady_clock;
   const auto started = Clock::now();
   const Block* blocks = code_->blocks.data();
-  std::int64_t skipped = 0;
   double asked = 0;
+  const std::int64_t last = std::min(until, options_.max_blocks);
+  const bool in_parts = until != std::numeric_limits<std::int64_t>::max();
   while (stop_ == Stop::Running) {
-    // Between two looks at the clock and at Ctrl-C nothing but blocks.
-    const std::int64_t poll = std::min(executed_ + kPollBlocks, options_.max_blocks);
-    while (executed_ < poll && stop_ == Stop::Running) {
+    // Between two looks at the clock, the memory and Ctrl-C nothing but blocks.
+    look_at_ = std::min(executed_ + kLookBlocks, last);
+    moves_ = 0;
+    while (executed_ < look_at_ && stop_ == Stop::Running) {
       const Block& block = blocks[pc_];
       if ((block.skip & options_.skips) != 0) [[unlikely]] {
-        ++pc_;
-        if (++skipped % kPollBlocks == 0) break;
+        passes(block);
         continue;
       }
       if (pause && pause(*this)) return;
@@ -177,13 +199,24 @@ void Machine::run(const std::function<bool()>& interrupted,
     if (ask) asked = seconds;
     if (ask && interrupted())
       end(Stop::Interrupted);
-    else if (executed_ >= options_.max_blocks ||
+    else if (executed_ >= options_.max_blocks || memory() > options_.max_memory ||
              (options_.max_seconds > 0 && seconds > options_.max_seconds))
       end(Stop::Limit);
+    else if (executed_ >= until || (in_parts && trace_.moves.size() > kPartMoves))
+      return;
   }
 }
 
+Trace Machine::take() {
+  std::vector<std::int32_t> open;
+  for (const Open& frame : stack_)
+    if (frame.call >= 0) open.push_back(frame.call);
+  motion_.forget_table();
+  return trace_.take(open, stop_ != Stop::Running, executed_);
+}
+
 bool Machine::branch(const Block& block) {
+  if (block.length > kLongText) look_soon();
   if (!modals_.empty() && modals_.back().every_block && frame().modal < 0 &&
       block.op != Op::CancelModal && block.op != Op::Fault && block.op != Op::EndOfRecord)
     return every_block(block);
@@ -402,6 +435,8 @@ bool Machine::words(const Block& block) {
   if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), recorded_moves(),
                                    outcome, around))
     return alarm(*fault);
+  moves_ += outcome.moves;
+  if (moves_ > kLookMoves) look_soon();
   if (!auxiliary(words, block)) return false;
   words_done_ = true;
   if (block.n >= 0) last_n_ = block.n;
@@ -413,11 +448,11 @@ bool Machine::words(const Block& block) {
 /// M and T codes go to the machine; M00 and M01 wait for the operator.
 bool Machine::auxiliary(const NcWords& words, const Block& block) {
   if (words.has('T') && trace_.depth != Trace::Depth::None)
-    trace_.t_codes.push_back(
+    trace_.t_codes.push(
         static_cast<std::int64_t>(std::llround(std::clamp(words['T'], -1e15, 1e15))));
   for (int i = 0; i < words.m_count; ++i) {
     const int m = words.m[static_cast<std::size_t>(i)];
-    if (trace_.depth != Trace::Depth::None) trace_.m_codes.push_back(m);
+    if (trace_.depth != Trace::Depth::None) trace_.m_codes.push(m);
     last_m_ = m;
     const bool stops = m == 0 || (m == 1 && options_.optional_stop);
     if (stops)
@@ -564,7 +599,7 @@ bool Machine::restart_main() {
   if (++cycles_ >= options_.max_cycles) return end(Stop::Cycles);
   ++changes_;
   loops_.resize(frame().loops);
-  ++frame().repeat;
+  frame().repeat += frame().repeat < kManyRepeats ? 1 : 0;
   pc_ = frame().restart;
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -42,7 +43,8 @@ struct Options {
   bool optional_stop = false;
   std::int64_t max_cycles = 1;
   std::int64_t max_blocks = 10'000'000;
-  double max_seconds = 0;  // 0 = any
+  double max_seconds = 0;                             // 0 = any
+  std::uint64_t max_memory = std::uint64_t{4} << 30;  // bytes of what is recorded
   Trace::Depth trace = Trace::Depth::Moves;
   Inputs inputs;
   Setup setup;
@@ -56,7 +58,24 @@ class Machine {
   bool step();
   /// Runs until the run stops, or until `pause` says so (asked before each block when it is given).
   void run(const std::function<bool()>& interrupted,
-           const std::function<bool(const Machine&)>& pause = {});
+           const std::function<bool(const Machine&)>& pause = {}) {
+    run(interrupted, pause, std::numeric_limits<std::int64_t>::max());
+  }
+  /// Runs on for about this many blocks: fewer where they made very many moves.
+  void run(const std::function<bool()>& interrupted, std::int64_t blocks) {
+    run(interrupted, {}, executed_ + blocks);
+  }
+  /// Stops the run as Ctrl-C does.
+  void interrupt() {
+    if (stop_ == Stop::Running) end(Stop::Interrupted);
+  }
+  /// Gives away what was recorded so far; the run goes on with empty tables. Calls that are still
+  /// open come with a later part.
+  Trace take();
+  /// The axes that the programs in memory name, X Y Z first, before any of them moves.
+  std::string axes() const;
+  /// Bytes of what was recorded.
+  std::uint64_t memory() const;
 
   const Code& code() const { return *code_; }
   std::shared_ptr<const Code> shared_code() const { return code_; }
@@ -70,9 +89,6 @@ class Machine {
   int level() const { return level_; }
   Address address() const { return pc_; }
   std::int64_t blocks() const { return executed_; }
-  /// The call's arguments, as given.
-  std::map<std::int32_t, double> arguments(std::size_t call) const;
-
   /// What the reset key, M02 and M30 do: calls, modal calls and loops are gone, the variables that
   /// the control clears are vacant, and the main program is at its head again. What was recorded
   /// stays.
@@ -184,6 +200,12 @@ class Machine {
   std::optional<Fault> system_read(const VariablePlace& place, std::int64_t number, double& value);
   std::optional<Fault> system_write(const VariablePlace& place, std::int64_t number, double value);
   void record_step();
+  /// A block that did the work of many: time, memory and Ctrl-C are asked about soon.
+  void look_soon() { look_at_ = 0; }
+  static constexpr std::uint32_t kLongText = 1000;  // of a block or an expression that takes long
+  void run(const std::function<bool()>& interrupted,
+           const std::function<bool(const Machine&)>& pause, std::int64_t until);
+  bool passes(const Block& block);
   void finish();
   bool end(Stop stop);
   const Open& frame() const { return stack_.back(); }
@@ -211,6 +233,9 @@ class Machine {
   std::vector<Modal> modals_;
   int subprograms_ = 0, macros_ = 0;
   std::int64_t executed_ = 0;
+  std::int64_t look_at_ = 0;  // when that many blocks are executed the run looks around
+  std::int64_t skipped_ = 0, skipped_behind_ = -1;  // by block skip, since that many were executed
+  std::int64_t moves_ = 0;                          // since the run looked around
   std::int64_t cycles_ = 0;
   std::int64_t last_m_ = -1, last_n_ = -1;
   bool words_done_ = false;

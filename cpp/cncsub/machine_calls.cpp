@@ -1,6 +1,7 @@
 // The machine's calls: M98 and its family, macro calls, modal calls, and what refuses them.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cncsub/machine.hpp"
 
@@ -318,8 +319,9 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
         if (!is_vacant(scratch_[i]))
           trace_.arguments.push({static_cast<std::int32_t>(i), scratch_[i]});
     row.arguments = static_cast<std::uint32_t>(trace_.arguments.size()) - row.first_argument;
-    open.call = static_cast<std::int32_t>(trace_.calls.size());
+    open.call = trace_.call_number(trace_.calls.size());
     trace_.calls.push(row);
+    if (open.call == std::numeric_limits<std::int32_t>::max() - 1) end(Stop::Limit);
   }
   stack_.push_back(open);
   pc_ = target.start;
@@ -361,24 +363,13 @@ bool Machine::leave(Address to) {
     const auto first = locals_.begin() + static_cast<std::ptrdiff_t>(level_) * code_->locals;
     modals_[static_cast<std::size_t>(open.modal)].locals.assign(first, first + code_->locals);
   }
-  if (open.call >= 0)
-    trace_.calls.at(static_cast<std::size_t>(open.call)).last_step = executed_ - 1;
+  if (open.call >= 0) trace_.calls.at(trace_.call_row(open.call)).last_step = executed_ - 1;
   if (open.own_locals) --level_;
   (open.macro ? macros_ : subprograms_) -= 1;
   loops_.resize(open.loops);
   stack_.pop_back();
   pc_ = to;
   return true;
-}
-
-std::map<std::int32_t, double> Machine::arguments(std::size_t call) const {
-  std::map<std::int32_t, double> values;
-  const CallRow row = trace_.calls[call];
-  for (std::uint32_t i = 0; i < row.arguments; ++i) {
-    const Trace::Argument argument = trace_.arguments[row.first_argument + i];
-    values[argument.variable] = argument.value;
-  }
-  return values;
 }
 
 /// The words of the blocks N(ns) to N(nf) of the running program, for a cycle that follows them.

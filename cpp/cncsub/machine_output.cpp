@@ -62,7 +62,7 @@ bool Machine::print(const Print& print) {
     else
       line += written(value, field, without_blanks);
   }
-  trace_.messages.push_back(std::move(line));
+  trace_.say(std::move(line));
   ++changes_;
   return true;
 }

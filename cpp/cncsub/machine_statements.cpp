@@ -7,6 +7,7 @@
 namespace cncsub {
 
 bool Machine::evaluate_long(const Expression& e, double& value) {
+  if (e.width > kLongText) look_soon();
   Trap trap;  // NOLINT: set where it is read
   if (compute(code_->instructions.data() + e.first, value, trap)) [[likely]]
     return true;
@@ -72,8 +73,7 @@ bool Machine::store_number(std::int64_t number, double value, const Statement& s
     return user_alarm(is_vacant(value) ? 0 : value, statement);
   if (place.range != nullptr && place.kind == VariableKind::Message) {
     const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-    trace_.messages.push_back(
-        code_->files[program.file].text.substr(statement.text, statement.text_length));
+    trace_.say(code_->files[program.file].text.substr(statement.text, statement.text_length));
     ++changes_;
     return wait_for_operator("#" + std::to_string(number));
   }

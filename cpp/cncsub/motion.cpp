@@ -416,9 +416,23 @@ bool Motion::corner_address(char name) const {
 }
 
 /// The end point that the words name; the axes without a word stay.
+namespace {
+
+/// What a lathe with G code system A writes for increments.
+constexpr std::pair<char, char> kIncrements[] = {{'U', 'X'}, {'W', 'Z'}, {'V', 'Y'}, {'H', 'C'}};
+
+}  // namespace
+
+std::string Motion::axes_of(std::uint32_t mask) const {
+  const bool lathe_a = facts_->machine == MachineType::LatheA;
+  std::string names = "XYZ";
+  for (const char name : kAxisNames.substr(3, lathe_a ? 3 : 6))
+    if ((mask & bit(name)) != 0) names += name;
+  if (lathe_a && (mask & bit('H')) != 0 && (mask & bit('C')) == 0) names += 'C';
+  return names;
+}
+
 Axes Motion::target(BlockWords& block, std::uint32_t& named) {
-  static constexpr std::pair<char, char> kIncrements[] = {
-      {'U', 'X'}, {'W', 'Z'}, {'V', 'Y'}, {'H', 'C'}};
   Axes end = turned() ? turned_back(s_.work) : s_.work;
   const bool lathe_a = facts_->machine == MachineType::LatheA;
   for (int i = 0; i < (lathe_a ? 6 : kAxes); ++i) {

@@ -63,6 +63,7 @@ class Motion {
     bool axis_word = false;        // a motion block with an axis word
     bool continue_behind = false;  // G71 to G73: go on behind block N(nf)
     std::int64_t behind_n = -1;
+    std::int64_t moves = 0;
   };
   /// Executes the motion words of a block. When it returns a fault nothing has changed.
   std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves,
@@ -79,6 +80,14 @@ class Motion {
   std::optional<Fault> finish(std::uint32_t step, Moves* moves);
   /// What M02, M30 and the reset key do.
   void reset();
+
+  /// The axes that addresses (a block's mask) can move, as the columns of the moves are called.
+  std::string axes_of(std::uint32_t mask) const;
+  /// The rows go to another table from now on.
+  void forget_table() { s_.row_moves = nullptr; }
+  std::size_t held_bytes() const {
+    return (s_.held.corner.capacity() + s_.held.radius.capacity()) * sizeof(Piece);
+  }
 
   double time() const { return s_.time; }
   bool in_cycle() const;

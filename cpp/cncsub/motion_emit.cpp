@@ -65,7 +65,7 @@ Piece Motion::make_piece(const BlockWords& block, MoveKind kind, const Axes& wor
 }
 
 Motion::Result Motion::move(BlockWords& block, Piece piece) {
-  if (++block.moved > kMostMoves)
+  if (++block.outcome.moves > kMostMoves)
     return fault(Cause::ValueOutOfRange, block,
                  "the block would make more than " + std::to_string(kMostMoves) + " moves");
   const Axes before = s_.work;

@@ -96,7 +96,6 @@ struct BlockWords {
   bool in_plane = false;               // one that moves in the plane
   bool was_cycle = false;              // a canned cycle was active before this block
   bool consumed = false;               // the axis words belong to G68, G51 and the like
-  std::uint32_t moved = 0;             // moves made
 
   bool has(Group group) const { return codes[at(group)].code >= 0; }
   Meaning meaning(Group group) const { return codes[at(group)].meaning; }

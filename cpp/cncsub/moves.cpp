@@ -90,30 +90,20 @@ double thread_time(const MoveState& state, const Axes& from, const Axes& to,
   return rate > 0 ? along / rate * 60 : 0;
 }
 
-Moves& Moves::operator=(const Moves& other) {
-  if (this == &other) return *this;
-  chunks_.clear();
-  for (const auto& chunk : other.chunks_) chunks_.push_back(std::make_unique<Chunk>(*chunk));
-  last_ = chunks_.empty() ? nullptr : chunks_.back().get();
-  rows_ = other.rows_;
-  extras_ = other.extras_;
-  states_ = other.states_;
-  offsets_ = other.offsets_;
-  arcs_ = other.arcs_;
-  vectors_ = other.vectors_;
-  seconds_ = other.seconds_;
-  used_ = other.used_;
-  begun_ = other.begun_;
-  start_ = other.start_;
-  start_point_ = other.start_point_;
-  rapid_ = other.rapid_;
-  diameters_ = other.diameters_;
-  return *this;
+void Moves::grow() {
+  const std::size_t chunk = rows_ / Chunk::kRows;
+  room_.chunk = chunk < chunks_.size() ? &chunks_.own(chunk) : &chunks_.add();
+  room_.end = (chunk + 1) * Chunk::kRows;
 }
 
-void Moves::add_chunk() {
-  chunks_.push_back(std::unique_ptr<Chunk>(new Chunk));
-  last_ = chunks_.back().get();
+Moves Moves::next_part() const {
+  Moves next;
+  next.used_ = used_;
+  const Axes last = rows_ > 0 ? point(rows_ - 1) : Axes{};
+  for (const Extra& extra : extras_)
+    next.extras_.push_back(
+        {extra.axis, 0, rows_ > 0 ? last[static_cast<std::size_t>(extra.axis)] : extra.before, {}});
+  return next;
 }
 
 void Moves::begin(const Axes& machine, const Axes& point, const Axes& rapid,
@@ -126,9 +116,9 @@ void Moves::begin(const Axes& machine, const Axes& point, const Axes& rapid,
 }
 
 std::uint32_t Moves::intern(MoveState state, const Axes& offset) {
-  if (offsets_.empty() || offsets_.back() != offset) offsets_.push_back(offset);
+  if (offsets_.empty() || offsets_.back() != offset) offsets_.push(offset);
   state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
-  if (states_.empty() || !(states_.back() == state)) states_.push_back(state);
+  if (states_.empty() || !(states_.back() == state)) states_.push(state);
   return static_cast<std::uint32_t>(states_.size() - 1);
 }
 
@@ -156,11 +146,6 @@ void Moves::seconds(double time) { seconds_.push({static_cast<std::uint32_t>(row
 
 namespace {
 
-template <class List>
-void drop(List& list, std::size_t rows) {
-  while (list.size() > 0 && list[list.size() - 1].row >= rows) list.pop();
-}
-
 /// The first entry of a list by row that belongs to this row or one behind it.
 template <class List>
 std::size_t find_row(const List& list, std::size_t row) {
@@ -176,18 +161,20 @@ std::size_t find_row(const List& list, std::size_t row) {
 
 void Moves::truncate(std::size_t rows) {
   if (rows >= rows_) return;
-  drop(arcs_, rows);
-  drop(vectors_, rows);
-  drop(seconds_, rows);
-  for (Extra& extra : extras_)
-    while (extra.values.size() > 0 && extra.first + extra.values.size() > rows) extra.values.pop();
+  arcs_.keep(find_row(arcs_, rows));
+  vectors_.keep(find_row(vectors_, rows));
+  seconds_.keep(find_row(seconds_, rows));
+  for (Extra& extra : extras_) {
+    extra.first = std::min(rows, extra.first);
+    extra.values.keep(rows - extra.first);
+  }
   rows_ = rows;
-  chunks_.resize((rows + Chunk::kRows - 1) / Chunk::kRows);
-  last_ = chunks_.empty() ? nullptr : chunks_.back().get();
+  chunks_.keep((rows + Chunk::kRows - 1) / Chunk::kRows);
+  room_ = {};
 }
 
 Axes Moves::point(std::size_t row) const {
-  const Chunk& chunk = *chunks_[row / Chunk::kRows];
+  const Chunk& chunk = chunks_[row / Chunk::kRows];
   const std::size_t place = row % Chunk::kRows;
   Axes point = start_point_;
   point[0] = chunk.x[place];
@@ -219,7 +206,7 @@ struct Moves::Walk {
   }
 
   MoveRow next(std::size_t index) {
-    const Chunk& chunk = *moves.chunks_[index / Chunk::kRows];
+    const Chunk& chunk = moves.chunks_[index / Chunk::kRows];
     const std::size_t place = index % Chunk::kRows;
     MoveRow row;
     row.step = chunk.step[place];
@@ -354,7 +341,7 @@ bool Moves::column(std::string_view name, double* out) const {
   const int axis = name.size() == 1 ? axis_of(name[0]) : -1;
   if (axis >= 0 && axis < 3) {
     for (std::size_t done = 0; done < rows_; done += Chunk::kRows) {
-      const Chunk& chunk = *chunks_[done / Chunk::kRows];
+      const Chunk& chunk = chunks_[done / Chunk::kRows];
       const double* from = axis == 0 ? chunk.x : axis == 1 ? chunk.y : chunk.z;
       std::copy_n(from, std::min(Chunk::kRows, rows_ - done), out + done);
     }
@@ -386,7 +373,7 @@ bool Moves::column(std::string_view name, double* out) const {
 bool Moves::column(std::string_view name, std::int64_t* out) const {
   const auto fill = [&](auto value) {
     for (std::size_t i = 0; i < rows_; ++i) {
-      const Chunk& chunk = *chunks_[i / Chunk::kRows];
+      const Chunk& chunk = chunks_[i / Chunk::kRows];
       const std::size_t place = i % Chunk::kRows;
       out[i] = static_cast<std::int64_t>(value(chunk, place, i));
     }
@@ -410,10 +397,10 @@ bool Moves::column(std::string_view name, std::int64_t* out) const {
 }
 
 std::size_t Moves::bytes() const {
-  return chunks_.size() * sizeof(Chunk) + states_.size() * sizeof(MoveState) +
-         offsets_.size() * sizeof(Axes) + arcs_.size() * sizeof(Arc) +
-         vectors_.size() * sizeof(Vector) + seconds_.size() * sizeof(Seconds) +
-         extras_.size() * rows_ * sizeof(double);
+  std::size_t sum = chunks_.size() * sizeof(Chunk) + states_.bytes() + offsets_.bytes() +
+                    arcs_.bytes() + vectors_.bytes() + seconds_.bytes();
+  for (const Extra& extra : extras_) sum += extra.values.bytes();
+  return sum;
 }
 
 }  // namespace cncsub

@@ -54,11 +54,8 @@ struct MoveRow {
 
 class Moves {
  public:
-  Moves() = default;
-  Moves(Moves&&) noexcept = default;
-  Moves& operator=(Moves&&) noexcept = default;
-  Moves(const Moves& other) { *this = other; }
-  Moves& operator=(const Moves& other);
+  /// An empty table for the moves that follow the last one of this.
+  Moves next_part() const;
 
   std::size_t size() const { return rows_; }
   MoveRow row(std::size_t index) const;
@@ -84,7 +81,6 @@ class Moves {
   void begin(const Axes& machine, const Axes& point, const Axes& rapid, std::uint32_t diameters);
   bool begun() const { return begun_; }
   std::uint32_t intern(MoveState state, const Axes& offset);
-  std::size_t states() const { return states_.size(); }
   /// The axes that moves named; bit 0 is X.
   void mark(std::uint32_t axes) { used_ |= axes; }
   /// The same for axes beyond X, Y and Z, which get a column: where they stood before.
@@ -93,9 +89,9 @@ class Moves {
 
   /// A row with nothing but X, Y and Z, which must be fast.
   void push(std::uint32_t step, MoveKind kind, const Axes& point, std::uint32_t state) {
+    if (rows_ >= room_.end) grow();
     const std::size_t place = rows_ % Chunk::kRows;
-    if (place == 0) add_chunk();
-    Chunk& chunk = *last_;
+    Chunk& chunk = *room_.chunk;
     chunk.step[place] = step;
     chunk.kind[place] = kind;
     chunk.state[place] = state;
@@ -114,7 +110,7 @@ class Moves {
 
  private:
   struct Chunk {
-    static constexpr std::size_t kRows = 1 << 15;
+    static constexpr std::size_t kRows = 1 << 12;
     double x[kRows], y[kRows], z[kRows];
     std::uint32_t step[kRows], state[kRows];
     MoveKind kind[kRows];
@@ -139,19 +135,35 @@ class Moves {
     double time;
   };
   struct Walk;
+  /// Where rows may be written: the last chunk, and the first row that is not in it. A copy of the
+  /// table has no room, because the chunk is not its own.
+  struct Room {
+    Chunk* chunk = nullptr;
+    std::size_t end = 0;
 
-  void add_chunk();
+    Room() = default;
+    Room(const Room&) {}
+    Room& operator=(const Room&) {
+      *this = Room();
+      return *this;
+    }
+    Room(Room&&) noexcept = default;
+    Room& operator=(Room&&) noexcept = default;
+    ~Room() = default;
+  };
+
+  void grow();
   void push_extras(const Axes& point);
   Axes point(std::size_t row) const;
   template <class Use>
   void walk(Use&& use) const;
 
-  std::vector<std::unique_ptr<Chunk>> chunks_;
-  Chunk* last_ = nullptr;
+  Chunks<Chunk> chunks_;
+  Room room_;
   std::size_t rows_ = 0;
   std::vector<Extra> extras_;
-  std::vector<MoveState> states_;
-  std::vector<Axes> offsets_;
+  Column<MoveState> states_;
+  Column<Axes> offsets_;
   Column<Arc> arcs_;
   Column<Vector> vectors_;
   Column<Seconds> seconds_;

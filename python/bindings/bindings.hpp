@@ -3,16 +3,24 @@
 
 #include <pybind11/pybind11.h>
 
+#include "cncsub/code.hpp"
+
 namespace cncsub::bindings {
 
 void add_controls(pybind11::module_& m);
 void add_alarms(pybind11::module_& m);
 void add_code(pybind11::module_& m);
 void add_machine(pybind11::module_& m);
+void add_trace(pybind11::module_& m);
 
 /// None for -1 where a block has no sequence number.
 inline pybind11::object sequence_number(std::int64_t n) {
   return n < 0 ? pybind11::object(pybind11::none()) : pybind11::object(pybind11::int_(n));
+}
+/// None for the vacant value.
+inline pybind11::object value_or_none(double value) {
+  return is_vacant(value) ? pybind11::object(pybind11::none())
+                          : pybind11::object(pybind11::float_(value));
 }
 /// None for an empty text.
 inline pybind11::object text_or_none(const std::string& text) {

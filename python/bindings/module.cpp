@@ -6,5 +6,6 @@ PYBIND11_MODULE(_core, m, pybind11::mod_gil_not_used()) {
   cncsub::bindings::add_controls(m);
   cncsub::bindings::add_alarms(m);
   cncsub::bindings::add_code(m);
+  cncsub::bindings::add_trace(m);
   cncsub::bindings::add_machine(m);
 }

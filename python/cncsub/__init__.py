@@ -18,6 +18,7 @@ from cncsub.program import Block, Program, Word
 from cncsub.rows import Call, Move, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
+from cncsub.stream import Part, Stream
 
 __all__ = [
     "Alarm",
@@ -31,11 +32,13 @@ __all__ = [
     "Library",
     "Machine",
     "Move",
+    "Part",
     "Program",
     "Run",
     "Setup",
     "Step",
     "Stop",
+    "Stream",
     "Word",
     "__version__",
     "causes",

@@ -154,44 +154,8 @@ def compile(
     """Files as (name shown, stem that names a program without a head, text, external)."""
 
 @final
-class Machine:
-    """One run of one program, whole or step by step."""
-    def __init__(
-        self,
-        code: Code,
-        main: int,
-        *,
-        mdi: bool = False,
-        start: int | None = None,
-        variables: Mapping[int, float | None] | None = None,
-        block_skip: Sequence[int] = (),
-        optional_stop: bool = False,
-        max_cycles: int = 1,
-        max_blocks: int = 10_000_000,
-        max_seconds: float | None = None,
-        trace: str = "moves",
-        inputs: Mapping[str, Any] | None = None,
-        setup: Mapping[str, Any] | None = None,
-    ) -> None: ...
-    def run(self, until: tuple[int, int] | None = None) -> None:
-        """Runs on, to `until`: (program, line) or (-1, depth). Ctrl-C stops it as interrupted."""
-    def step(self) -> bool:
-        """Executes one block. False where nothing was executed because the run has stopped."""
-    def copy(self) -> Machine: ...
-    @property
-    def code(self) -> Code: ...
-    @property
-    def stop(self) -> str | None: ...  # end alarm cycles limit waiting interrupted
-    @property
-    def waiting_for(self) -> str: ...
-    @property
-    def alarm(self) -> Alarm | None: ...
-    @property
-    def stack(self) -> tuple[Frame, ...]: ...  # innermost first
-    @property
-    def position_in_program(self) -> tuple[str, int | None, int]: ...  # of the next block
-    @property
-    def blocks(self) -> int: ...  # executed so far
+class Trace:
+    """What was recorded: by a machine, which may go on, or in one part of a stream."""
     @property
     def steps(self) -> int: ...  # rows of the table of steps
     def step_row(self, index: int) -> tuple[int, str, int | None, int, int, int, int]: ...
@@ -227,6 +191,61 @@ class Machine:
     def t_codes(self) -> list[int]: ...
     @property
     def messages(self) -> list[str]: ...
+
+@final
+class Machine:
+    """One run of one program, whole or step by step. It is used by one thread at a time: whoever
+    asks it anything while another thread runs it gets a RuntimeError.
+    """
+    def __init__(
+        self,
+        code: Code,
+        main: int,
+        *,
+        mdi: bool = False,
+        start: int | None = None,
+        variables: Mapping[int, float | None] | None = None,
+        block_skip: Sequence[int] = (),
+        optional_stop: bool = False,
+        max_cycles: int = 1,
+        max_blocks: int = 10_000_000,
+        max_seconds: float | None = None,
+        max_memory: int | None = None,
+        trace: str = "moves",
+        inputs: Mapping[str, Any] | None = None,
+        setup: Mapping[str, Any] | None = None,
+    ) -> None: ...
+    def run(self, until: tuple[int, int] | None = None) -> None:
+        """Runs on, to `until`: (program, line) or (-1, depth). Ctrl-C stops it as interrupted."""
+    def run_blocks(self, blocks: int) -> None:
+        """Runs on for about that many blocks."""
+    def step(self) -> bool:
+        """Executes one block. False where nothing was executed because the run has stopped."""
+    def interrupt(self) -> None:
+        """Stops the run as Ctrl-C does."""
+    def copy(self) -> Machine: ...
+    def take(self) -> Trace:
+        """What was recorded so far; the machine goes on with empty tables."""
+    @property
+    def trace(self) -> Trace: ...
+    @property
+    def code(self) -> Code: ...
+    @property
+    def stop(self) -> str | None: ...  # end alarm cycles limit waiting interrupted
+    @property
+    def waiting_for(self) -> str: ...
+    @property
+    def alarm(self) -> Alarm | None: ...
+    @property
+    def stack(self) -> tuple[Frame, ...]: ...  # innermost first
+    @property
+    def position_in_program(self) -> tuple[str, int | None, int]: ...  # of the next block
+    @property
+    def blocks(self) -> int: ...  # executed so far
+    @property
+    def axes(self) -> list[str]: ...  # that the programs in memory name
+    @property
+    def memory(self) -> int: ...  # bytes of what was recorded
     def variables(self, level: int = -1) -> dict[int, float | None]: ...
     def get_variable(self, number: int, level: int = -1) -> float | None: ...
     def set_variable(self, number: int, value: float | None, level: int = -1) -> None: ...

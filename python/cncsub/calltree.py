@@ -35,20 +35,25 @@ class CallTree:
 
 
 def trees(calls: Sequence[Call]) -> list[CallTree]:
-    """The calls as trees, built from the last to the first: a call stands behind its caller."""
+    """The calls as trees, built from the last to the first: a call stands behind its caller. One
+    whose caller is not among them is a root.
+    """
+    known = {row.call for row in calls}
     made_in: dict[int | None, list[tuple[int, CallTree]]] = {}
     # Equal trees have equal numbers, so that comparing two of them needs no descent.
     numbers: dict[tuple[object, ...], int] = {}
     for index in range(len(calls) - 1, -1, -1):
         row = calls[index]
-        inner = made_in.pop(index, [])[::-1]
+        inner = made_in.pop(row.call, [])[::-1]
         blocks = None if row.last_step is None else row.last_step - row.first_step + 1
         tree = CallTree(
             row.kind, row.program, row.start_n, row.repeats, blocks, 1, [t for _, t in inner]
         )
         shape = (*_shape(tree), tuple((number, t.count) for number, t in inner))
         _add_in_front(
-            made_in.setdefault(row.parent, []), numbers.setdefault(shape, len(numbers)), tree
+            made_in.setdefault(row.parent if row.parent in known else None, []),
+            numbers.setdefault(shape, len(numbers)),
+            tree,
         )
     return [tree for _, tree in made_in.get(None, [])[::-1]]
 

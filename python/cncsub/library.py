@@ -14,6 +14,7 @@ from cncsub.inputs import Inputs, checked_variables, inputs_of
 from cncsub.program import Program
 from cncsub.run import Machine, Run
 from cncsub.setup import Setup, setup_of
+from cncsub.stream import Stream
 
 MODES = ("auto", "mdi")
 TRACES = ("none", "calls", "blocks", "moves")
@@ -31,6 +32,7 @@ class Options(TypedDict, total=False):
     max_cycles: int
     max_blocks: int
     max_seconds: float | None
+    max_memory: int | None
     trace: str
     inputs: Inputs | Mapping[str, Any] | None
     setup: Setup | Mapping[str, Any] | None
@@ -143,6 +145,7 @@ class Library(Mapping[str, Program]):
         max_cycles: int = 1,
         max_blocks: int = 10_000_000,
         max_seconds: float | None = None,
+        max_memory: int | None = None,
         trace: str = "moves",
         inputs: Inputs | Mapping[str, Any] | None = None,
         setup: Setup | Mapping[str, Any] | None = None,
@@ -153,14 +156,15 @@ class Library(Mapping[str, Program]):
         `"mdi"`. `start`: the sequence number to begin at. `variables`: number to value before the
         run, `None` is vacant. `block_skip`: the switches 1 to 9 that are on. `optional_stop`:
         whether M01 stops. `max_cycles`: how often a main program that ends in M99 runs;
-        `max_blocks`: how many blocks are executed; `max_seconds`: how long the computer may take.
+        `max_blocks`: how many blocks are executed; `max_seconds`: how long the computer may take;
+        `max_memory`: how many bytes the tables and messages may take, 4 GiB unless it is given.
         Reaching one of these is a `Stop`, no error. `trace`: what is kept, `"none"`, `"calls"`,
         `"blocks"` or `"moves"`. `inputs`, `setup`: see `Inputs` and `Setup`.
 
         Raises `KeyError` for an unknown `main`, `ValueError` and `TypeError` for other wrong
         arguments. Whatever is wrong with a program is never raised: it is the `alarm` of the `Run`.
         """
-        machine = self._begin(
+        core = self._begin(
             main,
             mode=mode,
             start=start,
@@ -170,11 +174,12 @@ class Library(Mapping[str, Program]):
             max_cycles=max_cycles,
             max_blocks=max_blocks,
             max_seconds=max_seconds,
+            max_memory=max_memory,
             trace=trace,
             inputs=inputs,
             setup=setup,
         )
-        return _finished(machine)
+        return _finished(core)
 
     def mdi(self, text: str, **options: Unpack[Options]) -> Run:
         """Execute a text typed in MDI, with the memory as it is; `options` are those of `run` but
@@ -200,9 +205,24 @@ class Library(Mapping[str, Program]):
         """
         if options.get("trace") in ("none", "calls"):
             options["trace"] = "blocks"  # a step is a row of the table of steps
-        return self._begin(main, **options)
+        return Machine(self._begin(main, **options))
 
-    def _begin(self, main: str | int | None, **options: Unpack[ModeOptions]) -> Machine:
+    def stream(
+        self, main: str | int | None = None, *, rows: int = 65536, **options: Unpack[ModeOptions]
+    ) -> Stream:
+        """Execute a program and hand over what it does while it runs, in parts of `rows` blocks:
+        an iterator of `Part`, each with the `steps`, `calls` and `moves` of its stretch. Memory
+        stays what one part needs, however long the run is: give `max_blocks` what it may take.
+        `options` are those of `run`.
+
+        >>> import cncsub
+        >>> library = cncsub.loads("O1\\nN10 G91 G1 X1. F100\\nN20 M99\\n", control="fanuc-0i-f")
+        >>> sum(part.moves.total_length for part in library.stream(max_cycles=100_000))
+        100000.0
+        """
+        return Stream(self._begin(main, **options), _whole("rows", rows, 1))
+
+    def _begin(self, main: str | int | None, **options: Unpack[ModeOptions]) -> _core.Machine:
         if main is not None:
             return _machine(self._code, self._find(main), **options)
         program = self.main
@@ -302,12 +322,13 @@ def _machine(
     max_cycles: int = 1,
     max_blocks: int = 10_000_000,
     max_seconds: float | None = None,
+    max_memory: int | None = None,
     trace: str = "moves",
     inputs: Inputs | Mapping[str, Any] | None = None,
     setup: Setup | Mapping[str, Any] | None = None,
-) -> Machine:
+) -> _core.Machine:
     """The engine with checked options; `main` is the number of the program, -1 the last."""
-    core = _core.Machine(
+    return _core.Machine(
         code,
         main if main >= 0 else len(code.programs) - 1,
         mdi=_one_of("mode", mode, MODES) == "mdi",
@@ -318,17 +339,16 @@ def _machine(
         max_cycles=_whole("max_cycles", max_cycles, 1),
         max_blocks=_whole("max_blocks", max_blocks, 0),
         max_seconds=None if max_seconds is None else _seconds(max_seconds),
+        max_memory=None if max_memory is None else _whole("max_memory", max_memory, 0),
         trace=_one_of("trace", trace, TRACES),
         inputs=inputs_of(inputs),
         setup=setup_of(setup),
     )
-    return Machine(core)
 
 
-def _finished(machine: Machine) -> Run:
-    run = machine.run()
-    assert run is not None
-    return run
+def _finished(core: _core.Machine) -> Run:
+    core.run()
+    return Run(core)
 
 
 def _one_of(what: str, value: object, known: Sequence[str]) -> str:

@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One executed block. `frame` is the row of its call in `run.calls`, -1 in the main program."""
+    """One executed block. `frame` is the number of its call, its row in `run.calls`; -1 in
+    the main program.
+    """
 
     step: int
     program: str

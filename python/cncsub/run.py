@@ -96,8 +96,46 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         return MachineVariables(self._core, level)
 
 
-class _Outcome:
-    """What a run and a machine both show."""
+class Recorded:
+    """What was recorded, in a run, by a machine so far, or in one part of a stream."""
+
+    def __init__(self, core: _core.Trace, axes: list[str] | None = None) -> None:
+        self._trace = core
+        self._axes = axes
+
+    @functools.cached_property
+    def steps(self) -> Steps:
+        """One row per executed block (with `trace="blocks"` or `"moves"`)."""
+        return Steps(self._trace)
+
+    @functools.cached_property
+    def calls(self) -> Calls:
+        """One row per entered call (with any `trace` but `"none"`)."""
+        return Calls(self._trace)
+
+    @functools.cached_property
+    def moves(self) -> Moves:
+        """One row per motion (with `trace="moves"`)."""
+        return Moves(self._trace, self._axes)
+
+    @property
+    def messages(self) -> list[str]:
+        """What `#3006` and `DPRNT` wrote, in order."""
+        return self._trace.messages
+
+    @property
+    def m_codes(self) -> list[int]:
+        """The M codes sent to the machine, in order (with any `trace` but `"none"`)."""
+        return self._trace.m_codes
+
+    @property
+    def t_codes(self) -> list[int]:
+        """The T codes sent to the machine, in order (with any `trace` but `"none"`)."""
+        return self._trace.t_codes
+
+
+class State:
+    """Where a machine stands."""
 
     def __init__(self, core: _core.Machine) -> None:
         self._core = core
@@ -112,21 +150,6 @@ class _Outcome:
         """What the run waits for, where it stopped with `Stop.WAITING`; else empty."""
         return self._core.waiting_for
 
-    @functools.cached_property
-    def steps(self) -> Steps:
-        """One row per executed block (with `trace="blocks"` or `"moves"`)."""
-        return Steps(self._core)
-
-    @functools.cached_property
-    def calls(self) -> Calls:
-        """One row per entered call (with any `trace` but `"none"`)."""
-        return Calls(self._core)
-
-    @functools.cached_property
-    def moves(self) -> Moves:
-        """One row per motion (with `trace="moves"`)."""
-        return Moves(self._core)
-
     @property
     def position(self) -> dict[str, float]:
         """Where the tool stands: axis to work coordinate, mm."""
@@ -136,21 +159,6 @@ class _Outcome:
     def modal(self) -> dict[str, str]:
         """The modal codes in force, by group."""
         return self._core.modal
-
-    @property
-    def messages(self) -> list[str]:
-        """What `#3006` and `DPRNT` wrote, in order."""
-        return self._core.messages
-
-    @property
-    def m_codes(self) -> list[int]:
-        """The M codes sent to the machine, in order."""
-        return self._core.m_codes
-
-    @property
-    def t_codes(self) -> list[int]:
-        """The T codes sent to the machine, in order."""
-        return self._core.t_codes
 
     def raise_for_alarm(self) -> None:
         """Raise `AlarmError` where an alarm stopped the program."""
@@ -164,6 +172,14 @@ class _Outcome:
             number = f"{alarm.number} " if alarm.number else ""
             return f"alarm {number}{alarm.cause} at {where}"
         return str(self._core.stop or "running")
+
+
+class _Outcome(State, Recorded):
+    """What a run and a machine both show."""
+
+    def __init__(self, core: _core.Machine) -> None:
+        State.__init__(self, core)
+        Recorded.__init__(self, core.trace)
 
 
 class Run(_Outcome):
@@ -297,6 +313,9 @@ class Machine(_Outcome):
         return MachineVariables(self._core, -1)
 
     def __repr__(self) -> str:
-        program, n, line = self._core.position_in_program
+        try:
+            program, n, line = self._core.position_in_program
+        except RuntimeError:
+            return "<Machine: at work in another thread>"
         where = program if n is None else f"{program} N{n}"
         return f"<Machine: {self._summary()}, next block {where}, line {line}>"

@@ -41,7 +41,7 @@ class Table(Generic[Row]):
 
     _title: ClassVar[str]
 
-    def __init__(self, core: _core.Machine) -> None:
+    def __init__(self, core: _core.Trace) -> None:
         self._core = core
         self._columns: dict[str, Column] = {}
 
@@ -118,11 +118,14 @@ class Table(Generic[Row]):
     # Other libraries.
 
     def to_pandas(self) -> pd.DataFrame:
-        """A `pandas.DataFrame` with all columns, texts written out. Needs pandas
+        """A `pandas.DataFrame` on the columns as they are, texts written out. Needs pandas
         (`cncsub[pandas]`).
         """
-        pandas = _optional("pandas")
-        return pandas.DataFrame({name: self._written_out(name) for name in self.columns})
+        pandas = optional_module("pandas")
+        frame: pd.DataFrame = pandas.DataFrame(
+            {name: self._written_out(name) for name in self.columns}, copy=False
+        )
+        return frame
 
     def _written_out(self, name: str) -> Column:
         import numpy as np
@@ -132,17 +135,17 @@ class Table(Generic[Row]):
         return column if texts is None else np.array(texts or [""], dtype=object)[column]
 
     def to_arrow(self) -> pa.Table:
-        """A `pyarrow.Table` with all columns, texts written out. Needs `cncsub[arrow]`."""
-        arrow = _optional("pyarrow")
+        """A `pyarrow.Table` on the columns as they are; a column of texts is a dictionary of its
+        codes. Needs `cncsub[arrow]`.
+        """
+        arrow = optional_module("pyarrow")
 
         def array(name: str) -> Any:
+            values = arrow.array(self.column(name))
             texts = self._texts(name)
             if texts is None:
-                return arrow.array(self.column(name))
-            codes = arrow.array(self.column(name))
-            return arrow.DictionaryArray.from_arrays(
-                codes, arrow.array(texts, arrow.string())
-            ).dictionary_decode()
+                return values
+            return arrow.DictionaryArray.from_arrays(values, arrow.array(texts, arrow.string()))
 
         return arrow.table({name: array(name) for name in self.columns})
 
@@ -195,15 +198,17 @@ class Table(Generic[Row]):
         return f"{table}<p>{escape(self._size())}</p>"
 
 
-def _optional(module: str) -> Any:
+def optional_module(module: str) -> Any:
+    """A library that only some users need; `ImportError` says how to install it."""
     import importlib
 
     try:
         return importlib.import_module(module)
     except ImportError as error:
-        extra = {"pyarrow": "arrow"}.get(module, module)
+        package = module.partition(".")[0]
+        extra = {"pyarrow": "arrow"}.get(package, package)
         raise ImportError(
-            f"this needs {module}; install it with: pip install 'cncsub[{extra}]'"
+            f"this needs {package}; install it with: pip install 'cncsub[{extra}]'"
         ) from error
 
 
@@ -366,10 +371,16 @@ class Moves(Table[Move]):
 
     _title = "moves"
 
+    def __init__(self, core: _core.Trace, axes: list[str] | None = None) -> None:
+        super().__init__(core)
+        self._axes = axes
+
     @property
     def axes(self) -> list[str]:
-        """The axes that moves named, as their columns are called."""
-        return self._core.move_axes
+        """The axes that moves named, as their columns are called; in a part of a stream, those that
+        the programs in memory name.
+        """
+        return self._core.move_axes if self._axes is None else self._axes
 
     @property
     def columns(self) -> list[str]:
@@ -406,15 +417,9 @@ class Moves(Table[Move]):
         return self._core.moves
 
     def _row(self, index: int) -> Move:
-        values: dict[str, Any] = {axis: float(self.column(axis)[index]) for axis in self._unnamed()}
-        values.update(self._core.move_row(index))
-        values["feed_mode"] = self.feed_modes[values["feed_mode"]]
-        return Move(**{name: _number(value) for name, value in values.items()})
-
-    def _unnamed(self) -> list[str]:
-        """The columns of X, Y and Z where no move names the axis."""
-        unnamed = {"x", "y", "z"}.difference(self._core.move_axes)
-        return [name for axis in unnamed for name in (axis, f"m{axis}")]
+        row = self._core.move_row(index)
+        values = {name: _number(row[name]) for name in self.columns}
+        return Move(**{**values, "feed_mode": self.feed_modes[row["feed_mode"]]})
 
     def _fetch(self, name: str) -> Column:
         return self._core.move_column(name)

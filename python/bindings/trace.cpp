@@ -1,0 +1,288 @@
+// The tables of a run, of a machine that is still at work, or of a part of a stream.
+#include "cncsub/trace.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "bindings.hpp"
+#include "live.hpp"
+
+namespace py = pybind11;
+
+namespace cncsub::bindings {
+
+namespace {
+
+template <class T, class Value>
+py::array_t<T> step_array(const Record& record, Value&& value) {
+  const auto& steps = record.trace().steps;
+  py::array_t<T> array(static_cast<py::ssize_t>(steps.size()));
+  T* out = array.mutable_data();
+  py::gil_scoped_release release;
+  steps.for_each_run([&](const Trace::Step* rows, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) *out++ = static_cast<T>(value(rows[i]));
+  });
+  return array;
+}
+
+std::int32_t depth_of_call(const Record& record, std::int32_t call) {
+  return call < 0 ? 0 : record.trace().calls[record.trace().call_row(call)].depth;
+}
+
+py::array step_column(const Record& record, const std::string& name) {
+  const Record::Reading reading(record);
+  const Code& code = record.code();
+  if (name == "step") {
+    py::array_t<std::int64_t> array(static_cast<py::ssize_t>(record.trace().steps.size()));
+    std::iota(array.mutable_data(), array.mutable_data() + array.size(), record.trace().first_step);
+    return array;
+  }
+  if (name == "program") {
+    std::int32_t last = 0;  // most steps lie in the program of the step before
+    return step_array<std::int32_t>(record, [&, last](const Trace::Step& s) mutable {
+      const Program& guess = code.programs[static_cast<std::size_t>(last)];
+      if (s.address < guess.first || s.address > guess.last) last = code.program_at(s.address);
+      return last;
+    });
+  }
+  if (name == "n")
+    return step_array<std::int32_t>(record,
+                                    [&](const Trace::Step& s) { return code.blocks[s.address].n; });
+  if (name == "line")
+    return step_array<std::int32_t>(
+        record, [&](const Trace::Step& s) { return code.blocks[s.address].line; });
+  if (name == "depth")
+    return step_array<std::int32_t>(
+        record, [&](const Trace::Step& s) { return depth_of_call(record, s.call); });
+  if (name == "frame")
+    return step_array<std::int32_t>(record, [](const Trace::Step& s) { return s.call; });
+  if (name == "repeat")
+    return step_array<std::int32_t>(record, [](const Trace::Step& s) { return s.repeat; });
+  throw py::key_error(name);
+}
+
+py::tuple step_row(const Record& record, std::size_t index) {
+  const Record::Reading reading(record);
+  if (index >= record.trace().steps.size()) throw py::index_error("no such step");
+  const Trace::Step step = record.trace().steps[index];
+  const Code& code = record.code();
+  const Block& block = code.blocks[step.address];
+  return py::make_tuple(record.trace().first_step + static_cast<std::int64_t>(index),
+                        code.programs[static_cast<std::size_t>(code.program_at(step.address))].name,
+                        sequence_number(block.n), block.line, depth_of_call(record, step.call),
+                        step.call, step.repeat);
+}
+
+template <class T, class Value>
+py::array call_array(const Record& record, Value&& value) {
+  const Trace& trace = record.trace();
+  py::array_t<T> array(static_cast<py::ssize_t>(trace.ended_calls()));
+  T* out = array.mutable_data();
+  py::gil_scoped_release release;
+  auto later = trace.unfinished.begin();
+  for (std::size_t row = 0; row < trace.calls.size(); ++row) {
+    if (later != trace.unfinished.end() && *later == row)
+      ++later;
+    else
+      *out++ = static_cast<T>(value(trace.calls[row], row));
+  }
+  return array;
+}
+
+py::array call_column(const Record& record, const std::string& name) {
+  const Record::Reading reading(record);
+  const auto column = [&](auto value) {
+    return call_array<std::int64_t>(record,
+                                    [=](const CallRow& call, std::size_t) { return value(call); });
+  };
+  const auto codes = [&](auto value) {
+    return call_array<std::int32_t>(record,
+                                    [=](const CallRow& call, std::size_t) { return value(call); });
+  };
+  if (name == "call")
+    return call_array<std::int64_t>(
+        record, [&](const CallRow&, std::size_t row) { return record.trace().call_number(row); });
+  if (name == "parent") return column([](const CallRow& c) { return c.parent; });
+  if (name == "kind") return codes([](const CallRow& c) { return static_cast<int>(c.kind); });
+  if (name == "program") return codes([](const CallRow& c) { return c.program; });
+  if (name == "start_n") return column([](const CallRow& c) { return c.start_n; });
+  if (name == "repeats") return column([](const CallRow& c) { return c.repeats; });
+  if (name == "level") return column([](const CallRow& c) { return c.level; });
+  if (name == "first_step") return column([](const CallRow& c) { return c.first_step; });
+  if (name == "last_step") return column([](const CallRow& c) { return c.last_step; });
+  if (name == "caller_step") return column([](const CallRow& c) { return c.caller_step; });
+  throw py::key_error(name);
+}
+
+std::size_t row_of_call(const Record& record, std::size_t index) {
+  if (index >= record.trace().ended_calls()) throw py::index_error("no such call");
+  return record.trace().ended_call(index);
+}
+
+py::tuple call_row(const Record& record, std::size_t index) {
+  const Record::Reading reading(record);
+  const std::size_t row = row_of_call(record, index);
+  const CallRow& call = record.trace().calls[row];
+  return py::make_tuple(record.trace().call_number(row), call.parent,
+                        std::string(to_string(call.kind)),
+                        record.code().programs[static_cast<std::size_t>(call.program)].name,
+                        sequence_number(call.start_n), call.repeats, call.level, call.first_step,
+                        call.last_step, call.caller_step);
+}
+
+/// The arguments of a call, as given.
+py::dict call_arguments(const Record& record, std::size_t index) {
+  const Record::Reading reading(record);
+  const CallRow& call = record.trace().calls[row_of_call(record, index)];
+  py::dict values;
+  for (std::uint32_t i = 0; i < call.arguments; ++i) {
+    const Trace::Argument& argument = record.trace().arguments[call.first_argument + i];
+    values[py::int_(argument.variable)] = value_or_none(argument.value);
+  }
+  return values;
+}
+
+py::array move_column(const Record& record, const std::string& name) {
+  const Record::Reading reading(record);
+  const Moves& moves = record.trace().moves;
+  const auto rows = static_cast<py::ssize_t>(moves.size());
+  const bool whole = name == "move" || name == "step" || name == "kind" || name == "plane" ||
+                     name == "tool" || name == "h" || name == "d" || name == "feed_mode";
+  if (whole) {
+    py::array_t<std::int64_t> array(rows);
+    std::int64_t* out = array.mutable_data();
+    py::gil_scoped_release release;
+    moves.column(name, out);
+    if (name == "step")
+      for (py::ssize_t i = 0; i < rows; ++i)
+        out[i] = record.trace().step_of_move(static_cast<std::uint32_t>(out[i]));
+    if (name == "move")
+      for (py::ssize_t i = 0; i < rows; ++i) out[i] += record.trace().first_move;
+    return array;
+  }
+  py::array_t<double> array(rows);
+  double* out = array.mutable_data();
+  bool known = false;
+  {
+    py::gil_scoped_release release;
+    known = moves.column(name, out);
+  }
+  if (!known) throw py::key_error(name);
+  return array;
+}
+
+std::string axis_name(char axis, const char* before = "") {
+  return before + std::string(1, static_cast<char>(axis - 'A' + 'a'));
+}
+
+py::dict move_row(const Record& record, std::size_t index) {
+  const Record::Reading reading(record);
+  if (index >= record.trace().moves.size()) throw py::index_error("no such move");
+  const MoveRow row = record.trace().moves.row(index);
+  const MoveState& state = *row.state;
+  py::dict fields;
+  fields["move"] = record.trace().first_move + static_cast<std::int64_t>(index);
+  fields["step"] = record.trace().step_of_move(row.step);
+  fields["kind"] = std::string(to_string(row.kind));
+  for (std::size_t place = 0; place < kAxisNames.size(); ++place) {
+    fields[py::str(axis_name(kAxisNames[place]))] = row.point[place];
+    fields[py::str(axis_name(kAxisNames[place], "m"))] = row.machine[place];
+  }
+  fields["cx"] = row.centre[0];
+  fields["cy"] = row.centre[1];
+  fields["cz"] = row.centre[2];
+  fields["plane"] = state.plane;
+  fields["feed"] = state.feed;
+  fields["spindle"] = row.spindle;
+  fields["tool"] = state.tool;
+  fields["feed_mode"] = static_cast<int>(state.feed_mode);
+  fields["h"] = state.h;
+  fields["d"] = state.d;
+  fields["length"] = row.length;
+  fields["time"] = row.time;
+  return fields;
+}
+
+py::dict bounds_of(const Record& record) {
+  const Record::Reading reading(record);
+  py::dict bounds;
+  const Moves& moves = record.trace().moves;
+  const Moves::Bounds box = moves.bounds();
+  for (const char axis : moves.axes()) {
+    const auto place = kAxisNames.find(axis);
+    if (!std::isnan(box.low[place]))
+      bounds[py::str(axis_name(axis))] = py::make_tuple(box.low[place], box.high[place]);
+  }
+  return bounds;
+}
+
+template <class T>
+std::vector<T> listed(const Record& record, const Column<T>& column) {
+  const Record::Reading reading(record);
+  std::vector<T> list;
+  list.reserve(column.size());
+  for (std::size_t i = 0; i < column.size(); ++i) list.push_back(column[i]);
+  return list;
+}
+
+template <class Kind>
+std::vector<std::string> names_to(Kind last) {
+  std::vector<std::string> names;
+  for (int i = 0; i <= static_cast<int>(last); ++i)
+    names.emplace_back(to_string(static_cast<Kind>(i)));
+  return names;
+}
+
+std::vector<std::string> program_names(const Record& record) {
+  std::vector<std::string> names;
+  for (const Program& program : record.code().programs) names.push_back(program.name);
+  return names;
+}
+
+std::vector<std::string> move_axes(const Record& record) {
+  const Record::Reading reading(record);
+  std::vector<std::string> names;
+  for (const char axis : record.trace().moves.axes()) names.push_back(axis_name(axis));
+  return names;
+}
+
+}  // namespace
+
+void add_trace(py::module_& m) {
+  const auto size = [](auto rows) {
+    return [rows](const Record& record) {
+      const Record::Reading reading(record);
+      return rows(record.trace());
+    };
+  };
+  py::class_<Record>(m, "Trace", py::is_final())
+      .def_property_readonly("steps", size([](const Trace& trace) { return trace.steps.size(); }))
+      .def("step_row", &step_row, py::arg("index"))
+      .def("step_column", &step_column, py::arg("name"))
+      .def_property_readonly("program_names", &program_names)
+      .def_property_readonly("calls", size([](const Trace& trace) { return trace.ended_calls(); }))
+      .def("call_row", &call_row, py::arg("index"))
+      .def("call_column", &call_column, py::arg("name"))
+      .def("call_arguments", &call_arguments, py::arg("index"))
+      .def_property_readonly("kind_names", [](const Record&) { return names_to(CallKind::Ascii); })
+      .def_property_readonly("moves", size([](const Trace& trace) { return trace.moves.size(); }))
+      .def("move_row", &move_row, py::arg("index"))
+      .def("move_column", &move_column, py::arg("name"))
+      .def_property_readonly("move_kinds", [](const Record&) { return names_to(MoveKind::Dwell); })
+      .def_property_readonly("move_axes", &move_axes)
+      .def_property_readonly("path_length",
+                             size([](const Trace& trace) { return trace.moves.length(); }))
+      .def_property_readonly("time", &Record::time)
+      .def_property_readonly("bounds", &bounds_of)
+      .def_property_readonly(
+          "m_codes", [](const Record& record) { return listed(record, record.trace().m_codes); })
+      .def_property_readonly(
+          "t_codes", [](const Record& record) { return listed(record, record.trace().t_codes); })
+      .def_property_readonly(
+          "messages", [](const Record& record) { return listed(record, record.trace().messages); });
+}
+
+}  // namespace cncsub::bindings

@@ -1,0 +1,148 @@
+"""A run in parts: what a long program does, in constant memory."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from cncsub import _core
+from cncsub.files import StrPath
+from cncsub.run import Recorded, State, Stop, Variables
+from cncsub.tables import Table, optional_module
+
+if TYPE_CHECKING:
+    from pyarrow.parquet import ParquetWriter
+
+TABLES = ("steps", "calls", "moves")
+
+
+class Part(Recorded):
+    """What one stretch of a stream recorded.
+
+    The tables are those of a run, and so are the numbers in them: all parts one behind the other
+    are the tables of the run. A call is a row of the part in which it ended. The columns are the
+    same in every part: `moves` has those of all axes that the programs in memory name.
+    """
+
+    def __repr__(self) -> str:
+        tables = (f"{len(getattr(self, name)):,} {name}" for name in TABLES)
+        return f"<Part: {', '.join(tables)}>"
+
+
+class Stream(State):
+    """A run that hands over what it did while it runs, part by part; it keeps none of them.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P2 L9999\\nN20 M30\\nO2\\nN30 G91 G0 X1.\\nN40 M99\\n"
+    >>> stream = cncsub.loads(text, control="fanuc-0i-f").stream(rows=8000)
+    >>> [(len(part.steps), len(part.calls), len(part.moves)) for part in stream]
+    [(8000, 0, 4000), (8000, 0, 4000), (4000, 1, 1999)]
+    >>> stream.stop, stream.blocks, stream.position["X"]
+    (<Stop.END: 'end'>, 20000, 9999.0)
+    """
+
+    def __init__(self, core: _core.Machine, rows: int) -> None:
+        super().__init__(core)
+        self._rows = rows
+        self._axes = core.axes
+
+    def __iter__(self) -> Iterator[Part]:
+        return self
+
+    def __next__(self) -> Part:
+        """Run on for `rows` blocks and hand over what they did. A part is shorter at the end, and
+        where its blocks made more than a million moves.
+        """
+        if self._core.stop is not None:
+            raise StopIteration
+        self._core.run_blocks(self._rows)
+        return Part(self._core.take(), self._axes)
+
+    @property
+    def stop(self) -> Stop | None:
+        """Why the run stopped, `None` as long as there are parts to come."""
+        return None if self._core.stop is None else Stop(self._core.stop)
+
+    @property
+    def blocks(self) -> int:
+        """How many blocks were executed so far."""
+        return self._core.blocks
+
+    @functools.cached_property
+    def variables(self) -> Variables:
+        """The variables now; `#1` and so on are those of the main program."""
+        return Variables(self._core, 0)
+
+    def to_parquet(self, folder: StrPath) -> None:
+        """Run to the end and write what comes into Parquet files in a folder, which is made: the
+        files `steps-000000.parquet`, `steps-000001.parquet` ... and so `calls` and `moves`, a
+        million rows and more in each. Needs `cncsub[arrow]`.
+
+        Ctrl-C ends the run as `Stop.INTERRUPTED`. A file has its name when it is whole: whatever
+        stops the run, a power cut too, every file in the folder can be read, and
+        `pandas.read_parquet(sorted(folder.glob("moves-*.parquet")))` or
+        `duckdb.sql("from 'folder/moves-*.parquet'")` is what was written so far. `FileExistsError`
+        where the folder holds such files already.
+        """
+        folder = Path(folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        for name in TABLES:
+            if next(folder.glob(f"{name}-*.parquet*"), None) is not None:
+                raise FileExistsError(f"{folder} holds {name} of another run; name another folder")
+        with contextlib.ExitStack() as open_files:
+            files = {name: open_files.enter_context(_Files(folder, name)) for name in TABLES}
+            try:
+                for part in self:
+                    for name, table in files.items():
+                        table.write(getattr(part, name))
+            except KeyboardInterrupt:  # it came while the part was written
+                self._core.interrupt()
+
+    def __repr__(self) -> str:
+        return f"<Stream: {self._summary()}, {self.blocks:,} blocks>"
+
+
+class _Files:
+    """One table of a stream as Parquet files, one behind the other."""
+
+    _FULL = 1 << 20  # rows of a file
+
+    def __init__(self, folder: Path, name: str) -> None:
+        self._folder = folder
+        self._name = name
+        self._number = 0
+        self._rows = 0
+        self._writer: ParquetWriter | None = None
+
+    def write(self, table: Table[Any]) -> None:
+        if len(table) == 0:
+            return
+        rows = table.to_arrow()
+        if self._writer is None:
+            parquet = optional_module("pyarrow.parquet")
+            self._writer = parquet.ParquetWriter(self._path(whole=False), rows.schema)
+        self._writer.write_table(rows)
+        self._rows += len(table)
+        if self._rows >= self._FULL:
+            self._finish()
+
+    def _path(self, *, whole: bool) -> Path:
+        return self._folder / f"{self._name}-{self._number:06}.parquet{'' if whole else '.part'}"
+
+    def _finish(self) -> None:
+        if self._writer is None:
+            return
+        self._writer.close()
+        self._path(whole=False).rename(self._path(whole=True))
+        self._writer = None
+        self._number += 1
+        self._rows = 0
+
+    def __enter__(self) -> _Files:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._finish()
