@@ -86,7 +86,7 @@ def test_an_alarm_is_printed_whole_and_is_status_1(job: Path) -> None:
     [
         ([], 0, "the cycles are used up (--max-cycles), after 2 blocks"),
         (["--max-cycles", "3"], 0, "after 6 blocks"),
-        (["--max-cycles", "9", "--max-blocks", "5"], 1, "the limit of blocks is reached"),
+        (["--max-cycles", "9", "--max-blocks", "5"], 1, "the limit of blocks or memory is reached"),
     ],
 )
 def test_the_exit_status_says_whether_it_ran_to_its_end(
@@ -341,3 +341,27 @@ def test_a_long_tree_is_cut_and_says_how_much_is_left(tmp_path: Path) -> None:
     lines = Done("tree", file, "-c", CONTROL).out.splitlines()
     assert len(lines) == 202
     assert lines[-1] == "... 50 more lines"
+
+
+def test_moves_are_written_while_the_program_runs(job: Path) -> None:
+    (job / "long.nc").write_text("O1\nN1 G91 G1 X1. F100\nN2 GOTO 1\n", encoding="ascii")
+    file = job / "long.parquet"
+    done = Done(
+        "run", job / "long.nc", "-c", CONTROL, "--format", "parquet", "--output", file,
+        "--max-blocks", "200001",
+    )  # fmt: skip
+    assert done.status == 1
+    assert "200,001 blocks" in done.error
+
+    from pyarrow import parquet
+
+    moves = parquet.ParquetFile(file)
+    assert moves.metadata.num_rows == 100_001
+    assert moves.num_row_groups > 1, "it was not written in parts"
+    assert moves.read()["x"].to_pylist()[-1] == 100_001.0
+
+
+def test_typed_text_has_no_table_of_moves(job: Path) -> None:
+    done = Done("run", "--mdi", "G0 X1.", "-c", CONTROL, "--format", "csv")
+    assert done.status == 2
+    assert "--mdi takes text or json" in done.error

@@ -6,11 +6,12 @@ other stop, 2 for wrong use, which is told in one line.
 
 from __future__ import annotations
 
+import contextlib
 import enum
 import json
 import os
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import IO, Annotated, Any
 
@@ -158,14 +159,16 @@ def run(
     output: Output = None,
 ) -> None:
     """Run a program and print its calls and how it stopped."""
+    if format in (RunFormat.CSV, RunFormat.PARQUET):
+        stream = _stream(locals())
+        _write_moves(stream, format, output)
+        print_stop(console_on(sys.stderr), stream)
+        raise typer.Exit(_status(stream))
     made, title = _run(locals(), trace="moves")
     if format is RunFormat.TEXT:
         _write_text(output, lambda console: print_run(console, made, title))
-    elif format is RunFormat.JSON:
-        _write_json(output, run_facts(made, title))
     else:
-        _write_moves(made, format, output)
-        print_stop(console_on(sys.stderr), made)
+        _write_json(output, run_facts(made, title))
     raise typer.Exit(_status(made))
 
 
@@ -242,9 +245,31 @@ def explain(
 
 
 def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str]:
-    """Run what the options say, and name what ran; every wrong option is a usage error."""
+    """Run what the options say, and name what ran."""
+    with _wrong_use():
+        library = _library(options)
+        asked = _asked(options, trace)
+        where = f"on {library.control.title}"
+        if options["mdi"] is not None:
+            return library.mdi(options["mdi"], **asked), f"MDI {where}"
+        program = library.main if options["main"] is None else library[options["main"]]
+        name = "nothing" if program is None else program.name
+        return library.run(options["main"], **asked), f"{name} {where}"
+
+
+def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
+    """What the options say, to be run while its moves are written."""
+    with _wrong_use():
+        if options["mdi"] is not None:
+            raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
+        return _library(options).stream(options["main"], **_asked(options, "moves"))
+
+
+@contextlib.contextmanager
+def _wrong_use() -> Iterator[None]:
+    """Every wrong option is a usage error."""
     try:
-        return _made_run(options, trace)
+        yield
     except KeyError as error:
         raise WrongUseError(str(error.args[0])) from None
     except OSError as error:
@@ -254,9 +279,9 @@ def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str]:
         raise WrongUseError(str(error)) from None
 
 
-def _made_run(options: Mapping[str, Any], trace: str) -> tuple[cncsub.Run, str]:
-    library = _library(options)
-    mdi = options["mdi"]
+def _asked(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
+    if options["mdi"] is not None and options["main"] is not None:
+        raise ValueError("--mdi runs what was typed and --main a program; give one of them")
     asked: dict[str, Any] = {
         "start": options["start"],
         "variables": dict(_assignment("--set", text, _vacant) for text in options["set"] or ()),
@@ -268,14 +293,7 @@ def _made_run(options: Mapping[str, Any], trace: str) -> tuple[cncsub.Run, str]:
     }
     if options["setup"] is not None:
         asked["setup"] = cncsub.Setup.from_toml(options["setup"])
-    where = f"on {library.control.title}"
-    if mdi is None:
-        program = library.main if options["main"] is None else library[options["main"]]
-        name = "nothing" if program is None else program.name
-        return library.run(options["main"], **asked), f"{name} {where}"
-    if options["main"] is not None:
-        raise ValueError("--mdi runs what was typed and --main a program; give one of them")
-    return library.mdi(mdi, **asked), f"MDI {where}"
+    return asked
 
 
 def _library(options: Mapping[str, Any]) -> cncsub.Library:
@@ -326,7 +344,7 @@ def _assignment(
         ) from None
 
 
-def _status(run: cncsub.Run) -> int:
+def _status(run: cncsub.Run | cncsub.Stream) -> int:
     return 0 if run.stop in (cncsub.Stop.END, cncsub.Stop.CYCLES) else 1
 
 
@@ -357,13 +375,13 @@ def _write_json(output: Path | None, facts: object) -> None:
             file.write(text + "\n")
 
 
-def _write_moves(run: cncsub.Run, format: RunFormat, output: Path | None) -> None:
+def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> None:
     if format is RunFormat.CSV:
         if output is None:
-            _write_csv(run, sys.stdout)
+            _write_csv(stream, sys.stdout)
         else:
             with _opened(output, "w") as file:
-                _write_csv(run, file)
+                _write_csv(stream, file)
         return
     if output is None:
         raise WrongUseError("parquet needs a file: --output moves.parquet")
@@ -371,13 +389,21 @@ def _write_moves(run: cncsub.Run, format: RunFormat, output: Path | None) -> Non
         from pyarrow import parquet
     except ImportError:
         raise WrongUseError("parquet needs pyarrow: pip install 'cncsub[arrow]'") from None
-    with _opened(output, "wb") as file:
-        parquet.write_table(run.moves.to_arrow(), file)
+    with contextlib.ExitStack() as files:
+        file = files.enter_context(_opened(output, "wb"))
+        writer = None
+        for part in stream:
+            rows = part.moves.to_arrow()
+            if writer is None:
+                writer = files.enter_context(parquet.ParquetWriter(file, rows.schema))
+            writer.write_table(rows)
 
 
-def _write_csv(run: cncsub.Run, file: IO[str]) -> None:
+def _write_csv(stream: cncsub.Stream, file: IO[str]) -> None:
     import csv
 
     writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(run.moves.columns)
-    writer.writerows(record.values() for record in records(run.moves))
+    for number, part in enumerate(stream):
+        if number == 0:
+            writer.writerow(part.moves.columns)
+        writer.writerows(record.values() for record in records(part.moves))

@@ -59,22 +59,24 @@ def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
         waiting += [(inner, below, inner is call.calls[-1]) for inner in reversed(call.calls)]
 
 
-def print_stop(console: Console, run: cncsub.Run) -> None:
-    stop = Text(f"stopped: {_stop_text(run)}", style=_COLOURS.get(run.stop.value, "yellow"))
+def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
+    stop = Text(f"stopped: {_stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
     console.print(stop)
     if run.alarm is not None:
         console.print(Text(str(run.alarm)))
 
 
-def _stop_text(run: cncsub.Run) -> str:
-    blocks = f"{len(run.steps):,} block{'s' if len(run.steps) != 1 else ''}"
+def _stop_text(run: cncsub.Run | cncsub.Stream) -> str:
+    blocks = f"{run.blocks:,} block{'s' if run.blocks != 1 else ''}"
     if run.stop is cncsub.Stop.WAITING:
         return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
+    if run.stop is None:
+        return f"not, after {blocks}"
     reasons = {
         cncsub.Stop.END: "the program ended",
         cncsub.Stop.ALARM: "alarm",
         cncsub.Stop.CYCLES: "the cycles are used up (--max-cycles)",
-        cncsub.Stop.LIMIT: "the limit of blocks is reached (--max-blocks)",
+        cncsub.Stop.LIMIT: "the limit of blocks or memory is reached (--max-blocks)",
         cncsub.Stop.INTERRUPTED: "interrupted",
     }
     return f"{reasons[run.stop]}, after {blocks}"

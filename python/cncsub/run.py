@@ -151,6 +151,11 @@ class State:
         return self._core.waiting_for
 
     @property
+    def blocks(self) -> int:
+        """How many blocks were executed."""
+        return self._core.blocks
+
+    @property
     def position(self) -> dict[str, float]:
         """Where the tool stands: axis to work coordinate, mm."""
         return self._core.position

@@ -66,11 +66,6 @@ class Stream(State):
         """Why the run stopped, `None` as long as there are parts to come."""
         return None if self._core.stop is None else Stop(self._core.stop)
 
-    @property
-    def blocks(self) -> int:
-        """How many blocks were executed so far."""
-        return self._core.blocks
-
     @functools.cached_property
     def variables(self) -> Variables:
         """The variables now; `#1` and so on are those of the main program."""
