@@ -129,34 +129,22 @@ void BlockReader::refuse(Block& block, Fault fault) {
 /// which gives the same code.
 bool BlockReader::plain(const Scanner& s, Block& block) {
   const char* p = s.at;
-  const char* const end = s.end;
+  const char* const end = s.end;  // a character that is in no word stands there
   std::array<double, 26> values;  // NOLINT: written where the mask says so
   std::uint32_t mask = 0;
   int g = -1;
   std::int32_t n = -1;
   int words = 0;
   for (;;) {
-    while (p != end && *p == ' ') ++p;
-    if (p == end) break;
+    while (*p == ' ') ++p;
+    if (p >= end) break;
     const char letter = *p++;
     const Plain what = plain_[static_cast<unsigned char>(letter)];
     if (what == Plain::No) return false;
     ++words;
-    const bool negative = p != end && *p == '-';
-    if (negative) ++p;
-    std::uint64_t mantissa = 0;
-    const char* first = p;
-    while (p != end && is_digit(*p))
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
-    const auto whole = p - first;
-    std::ptrdiff_t decimals = 0;
-    const bool point = p != end && *p == '.';
-    if (point) {
-      first = ++p;
-      while (p != end && is_digit(*p))
-        mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
-      decimals = p - first;
-    }
+    const bool negative = *p == '-';  // signs come as they like: nothing branches on them
+    p += negative ? 1 : 0;
+    const auto [mantissa, whole, decimals, point] = scan_mantissa(p);
     if (whole + decimals == 0 || whole + decimals > 15 ||
         whole + (point ? 3 : 0) > control_.max_digits.value)
       return false;
@@ -164,11 +152,13 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
       const std::uint8_t allowed = letters_[static_cast<unsigned char>(letter)];
       const std::uint32_t mark = bit(letter);
       if (decimals > 3 && control_.cuts_fine_digits.value) return false;
-      const bool refused = (negative && (allowed & kMinus) == 0) ||
+      const bool refused = (negative & ((allowed & kMinus) == 0)) |
                            (point ? (allowed & kPoint) == 0 : (allowed & kLength) != 0);
       if (refused || (mask & mark) != 0) return false;
-      const double value = static_cast<double>(mantissa) / kPowersOfTen[decimals];
-      values[static_cast<std::size_t>(letter - 'A')] = negative ? -value : value;
+      const double value =
+          static_cast<double>(static_cast<std::int64_t>(mantissa)) / kPowersOfTen[decimals];
+      values[static_cast<std::size_t>(letter - 'A')] = std::bit_cast<double>(
+          std::bit_cast<std::uint64_t>(value) ^ static_cast<std::uint64_t>(negative) << 63);
       mask |= mark;
     } else if (point || negative) {
       return false;
@@ -186,15 +176,17 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
   block.n = n;
   block.mask = mask;
   block.data = static_cast<std::uint32_t>(code_.cells.size());
-  const std::size_t count = static_cast<std::size_t>(std::popcount(mask)) + (g >= 0 ? 1 : 0);
-  code_.cells.resize(code_.cells.size() + count);
-  Cell* cell = code_.cells.data() + block.data;
+  const auto write = [this](double value) {
+    Cell cell;  // NOLINT: written below
+    cell.value = value;
+    code_.cells.push_back(cell);
+  };
   if (g >= 0) {
     block.g_count = 1;
-    (cell++)->value = g * 10.0;
+    write(g * 10.0);
   }
   for (std::uint32_t left = mask; left != 0; left &= left - 1)
-    (cell++)->value = values[static_cast<std::size_t>(std::countr_zero(left))];
+    write(values[static_cast<std::size_t>(std::countr_zero(left))]);
   mark_linear(block, g);
   return true;
 }

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "cncsub/control.hpp"
+#include "cncsub/large_pages.hpp"
 
 namespace cncsub {
 
@@ -385,9 +386,9 @@ struct Code {
   std::int32_t commons = 0;
   std::vector<SourceFile> files;
   std::vector<Program> programs;
-  std::vector<Block> blocks;
-  std::vector<Block> variants;
-  std::vector<Cell> cells;
+  LargeVector<Block> blocks;
+  LargeVector<Block> variants;
+  LargeVector<Cell> cells;
   std::vector<Instruction> instructions;
   std::vector<Expression> expressions;
   std::vector<CallRecord> calls;

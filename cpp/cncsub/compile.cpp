@@ -12,6 +12,28 @@ namespace cncsub {
 
 namespace {
 
+/// Where a character stands in a text that is gone through from front to back: looked for once.
+class Marks {
+ public:
+  Marks() = default;
+  Marks(char mark, const char* at, const char* end) : end_(end), mark_(mark) { seek(at); }
+
+  bool in(const char* at, const char* end) {
+    if (next_ < at) seek(at);
+    return next_ < end;
+  }
+
+ private:
+  void seek(const char* at) {
+    const void* found = std::memchr(at, mark_, static_cast<std::size_t>(end_ - at));
+    next_ = found == nullptr ? end_ : static_cast<const char*>(found);
+  }
+
+  const char* next_ = nullptr;
+  const char* end_ = nullptr;
+  char mark_ = 0;
+};
+
 class LibraryReader {
  public:
   explicit LibraryReader(Code& code) : code_(code), reader_(code) {}
@@ -23,6 +45,8 @@ class LibraryReader {
     begin_ = text.data();
     const char* at = begin_;
     const char* end = begin_ + text.size();
+    semicolons_ = Marks(';', at, end);
+    comments_ = Marks('(', at, end);
     line_ = 0;
     open_ = false;
     first_in_file_ = true;
@@ -32,9 +56,7 @@ class LibraryReader {
           static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
       const char* line_end = newline == nullptr ? end : newline;
       ++line_;
-      const char* semicolon =
-          static_cast<const char*>(std::memchr(at, ';', static_cast<std::size_t>(line_end - at)));
-      if (semicolon == nullptr) {
+      if (!semicolons_.in(at, line_end)) {
         block(at, line_end);
       } else if (semicolons) {
         split(at, line_end);
@@ -113,7 +135,8 @@ class LibraryReader {
     code_.blocks.push_back(block);
   }
 
-  bool comment_not_closed(const Scanner& s) const {
+  bool comment_not_closed(const Scanner& s) {
+    if (!comments_.in(s.at, s.end)) return false;
     if (code_.control->open_comment.value != OpenComment::Alarm) return false;
     bool open = false;
     for (const char* c = s.at; c < s.end; ++c) {
@@ -256,13 +279,18 @@ class LibraryReader {
 
   void finish_program(Program& program) {
     program.first_entry = static_cast<std::uint32_t>(code_.sequence.size());
-    for (Address a = program.first; a < program.last; ++a)
-      if (code_.blocks[a].n >= 0) code_.sequence.push_back({code_.blocks[a].n, a});
+    bool statements = false;
+    for (Address a = program.first; a < program.last; ++a) {
+      const Block& block = code_.blocks[a];
+      if (block.n >= 0) code_.sequence.push_back({block.n, a});
+      statements = statements || (block.op != Op::Linear && block.op != Op::Words);
+    }
     program.last_entry = static_cast<std::uint32_t>(code_.sequence.size());
     const auto first = code_.sequence.begin() + program.first_entry;
     const auto by_number = [](const SequenceEntry& a, const SequenceEntry& b) { return a.n < b.n; };
     if (!std::is_sorted(first, code_.sequence.end(), by_number))
       std::stable_sort(first, code_.sequence.end(), by_number);
+    if (!statements) return;
     match_loops(program);
     for (Address a = program.first; a < program.last; ++a)
       resolve_jump(program, a, code_.blocks[a]);
@@ -381,6 +409,7 @@ class LibraryReader {
   Code& code_;
   BlockReader reader_;
   const char* begin_ = nullptr;
+  Marks semicolons_, comments_;
   std::uint32_t file_ = 0;
   std::uint32_t line_ = 0;
   bool open_ = false;

@@ -1,6 +1,7 @@
 // Characters of a block: what is skipped, what is a digit, where it ends.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -72,6 +73,29 @@ struct Number {
   bool has_sign = false;
   bool any = false;  // at least one digit
 };
+
+/// The digits of a number without its sign, as they are read: all of them as one whole number.
+struct Mantissa {
+  std::uint64_t value = 0;
+  std::ptrdiff_t whole = 0, decimals = 0;  // how many digits
+  bool point = false;
+};
+
+/// Reads digits, perhaps a point, and digits. The first character behind them must be readable, and
+/// more than 15 digits are more than the value holds. (Eight characters at a time take longer: most
+/// numbers are alike in length, and the loops are foreseen.)
+inline Mantissa scan_mantissa(const char*& at) {
+  Mantissa m;
+  const char* first = at;
+  for (; is_digit(*at); ++at) m.value = m.value * 10 + static_cast<std::uint64_t>(*at - '0');
+  m.whole = at - first;
+  m.point = *at == '.';
+  if (!m.point) return m;
+  first = ++at;
+  for (; is_digit(*at); ++at) m.value = m.value * 10 + static_cast<std::uint64_t>(*at - '0');
+  m.decimals = at - first;
+  return m;
+}
 
 /// Powers of ten that are exact.
 inline constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
