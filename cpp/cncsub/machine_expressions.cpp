@@ -99,7 +99,9 @@ bool as_bits(double value, std::int64_t& bits) {
 bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
   // The reader allows no more than 200 values on the stack.
   std::array<double, 210> stack;  // NOLINT: written before it is read
-  double* top = stack.data();     // one behind the last value
+  double* below = stack.data();   // where the value goes that lies below the last one
+  double a = 0;                   // the last value: it lies in a register, not on the stack
+  double b = 0;                   // the second one of two
   const double* locals = locals_.data() + static_cast<std::ptrdiff_t>(level_) * code_->locals;
   const double* commons = commons_.data();
   const Control& control = *code_->control;
@@ -117,266 +119,291 @@ bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
   for (;; ++at) {
     switch (at->op) {
       case Ins::Constant:
-        *top++ = at->value;
+        *below++ = a;
+        a = at->value;
         break;
       case Ins::Local:
-        *top++ = number(locals[at->at]);
+        *below++ = a;
+        a = number(locals[at->at]);
         break;
       case Ins::LocalRaw:
-        *top++ = locals[at->at];
+        *below++ = a;
+        a = locals[at->at];
         break;
       case Ins::Common:
-        *top++ = number(commons[at->at]);
+        *below++ = a;
+        a = number(commons[at->at]);
         break;
       case Ins::CommonRaw:
-        *top++ = commons[at->at];
+        *below++ = a;
+        a = commons[at->at];
         break;
       case Ins::Variable:
       case Ins::VariableRaw: {
         double value = 0;
         if (const auto wrong = read(static_cast<std::int64_t>(at->value), value))
           return missing(wrong);
-        *top++ = at->op == Ins::Variable ? number(value) : value;
+        *below++ = a;
+        a = at->op == Ins::Variable ? number(value) : value;
         break;
       }
       case Ins::Indirect:
       case Ins::IndirectRaw: {
-        const double index = round_half_away(top[-1]);
+        const double index = round_half_away(a);
         if (!(std::fabs(index) < 2e9))
           return fault(Cause::IllegalVariable, "the variable number is out of range");
         double value = 0;
         if (const auto wrong = read(static_cast<std::int64_t>(index), value)) return missing(wrong);
-        top[-1] = at->op == Ins::Indirect ? number(value) : value;
+        a = at->op == Ins::Indirect ? number(value) : value;
         break;
       }
       case Ins::Named: {
         const auto found = names_.find(code_->names[static_cast<std::size_t>(at->value)]);
         if (found == names_.end())
           return fault(Cause::VariableNameUnknown, "the name is not registered");
-        *top++ = static_cast<double>(found->second);
+        *below++ = a;
+        a = static_cast<double>(found->second);
         break;
       }
       case Ins::Add:
-        --top;
-        top[-1] += *top;
-        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        b = a;
+        a = *--below;
+        a += b;
+        if (!std::isfinite(a)) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Subtract:
-        --top;
-        top[-1] -= *top;
-        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        b = a;
+        a = *--below;
+        a -= b;
+        if (!std::isfinite(a)) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Multiply:
-        --top;
-        top[-1] *= *top;
-        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        b = a;
+        a = *--below;
+        a *= b;
+        if (!std::isfinite(a)) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Divide:
-        --top;
-        if (*top == 0) return fault(Cause::DivisionByZero, "the divisor is 0");
-        top[-1] /= *top;
-        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        b = a;
+        a = *--below;
+        if (b == 0) return fault(Cause::DivisionByZero, "the divisor is 0");
+        a /= b;
+        if (!std::isfinite(a)) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::AddConstant:
-        top[-1] += at->value;
+        a += at->value;
         break;
       case Ins::SubtractConstant:
-        top[-1] -= at->value;
+        a -= at->value;
         break;
       case Ins::MultiplyConstant:
-        top[-1] *= at->value;
-        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        a *= at->value;
+        if (!std::isfinite(a)) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::DivideConstant:
-        top[-1] /= at->value;
-        if (!std::isfinite(top[-1])) return fault(Cause::Overflow, "the result is too large");
+        a /= at->value;
+        if (!std::isfinite(a)) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Modulo:
         if (at->value == -1) break;  // marks PRM[n,b]
-        --top;
-        if (*top == 0) return fault(Cause::DivisionByZero, "the divisor is 0");
-        top[-1] = std::fmod(top[-1], *top);
+        b = a;
+        a = *--below;
+        if (b == 0) return fault(Cause::DivisionByZero, "the divisor is 0");
+        a = std::fmod(a, b);
         break;
       case Ins::And:
       case Ins::Or:
       case Ins::Xor: {
-        --top;
-        std::int64_t a = 0, b = 0;
-        if (!as_bits(top[-1], a) || !as_bits(*top, b))
+        b = a;
+        a = *--below;
+        std::int64_t left = 0, right = 0;
+        if (!as_bits(a, left) || !as_bits(b, right))
           return fault(Cause::Overflow, "AND, OR and XOR take 32 bits");
-        if (!control.negative_logic.value && (a < 0 || b < 0))
+        if (!control.negative_logic.value && (left < 0 || right < 0))
           return fault(Cause::LogicOfNegative, "the value is negative");
-        top[-1] = static_cast<double>(at->op == Ins::And  ? a & b
-                                      : at->op == Ins::Or ? a | b
-                                                          : a ^ b);
+        a = static_cast<double>(at->op == Ins::And  ? left & right
+                                : at->op == Ins::Or ? left | right
+                                                    : left ^ right);
         break;
       }
       case Ins::Negate:
-        top[-1] = -top[-1];
+        a = -a;
         break;
       case Ins::Equal:
-        --top;
-        top[-1] = top[-1] == *top || (is_vacant(top[-1]) && is_vacant(*top)) ? 1 : 0;
+        b = a;
+        a = *--below;
+        a = a == b || (is_vacant(a) && is_vacant(b)) ? 1 : 0;
         break;
       case Ins::NotEqual:
-        --top;
-        top[-1] = top[-1] == *top || (is_vacant(top[-1]) && is_vacant(*top)) ? 0 : 1;
+        b = a;
+        a = *--below;
+        a = a == b || (is_vacant(a) && is_vacant(b)) ? 0 : 1;
         break;
       case Ins::Greater:
-        --top;
-        top[-1] = top[-1] > *top ? 1 : 0;
+        b = a;
+        a = *--below;
+        a = a > b ? 1 : 0;
         break;
       case Ins::Less:
-        --top;
-        top[-1] = top[-1] < *top ? 1 : 0;
+        b = a;
+        a = *--below;
+        a = a < b ? 1 : 0;
         break;
       case Ins::GreaterEqual:
-        --top;
-        top[-1] = top[-1] >= *top ? 1 : 0;
+        b = a;
+        a = *--below;
+        a = a >= b ? 1 : 0;
         break;
       case Ins::LessEqual:
-        --top;
-        top[-1] = top[-1] <= *top ? 1 : 0;
+        b = a;
+        a = *--below;
+        a = a <= b ? 1 : 0;
         break;
       case Ins::BothTrue:
-        --top;
-        top[-1] = top[-1] != 0 && *top != 0 ? 1 : 0;
+        b = a;
+        a = *--below;
+        a = a != 0 && b != 0 ? 1 : 0;
         break;
       case Ins::EitherTrue:
-        --top;
-        top[-1] = top[-1] != 0 || *top != 0 ? 1 : 0;
+        b = a;
+        a = *--below;
+        a = a != 0 || b != 0 ? 1 : 0;
         break;
       case Ins::OneTrue:
-        --top;
-        top[-1] = (top[-1] != 0) != (*top != 0) ? 1 : 0;
+        b = a;
+        a = *--below;
+        a = (a != 0) != (b != 0) ? 1 : 0;
         break;
       case Ins::Not:
-        top[-1] = top[-1] == 0 ? 1 : 0;
+        a = a == 0 ? 1 : 0;
         break;
       case Ins::Sin:
-        top[-1] = degrees ? sine(top[-1]) : std::sin(top[-1]);
+        a = degrees ? sine(a) : std::sin(a);
         break;
       case Ins::Cos:
-        top[-1] = degrees ? cosine(top[-1]) : std::cos(top[-1]);
+        a = degrees ? cosine(a) : std::cos(a);
         break;
       case Ins::Tan: {
-        const double c = degrees ? cosine(top[-1]) : std::cos(top[-1]);
+        const double c = degrees ? cosine(a) : std::cos(a);
         if (c == 0) return fault(Cause::TangentInfinite, "the tangent has no value there");
-        top[-1] = (degrees ? sine(top[-1]) : std::sin(top[-1])) / c;
+        a = (degrees ? sine(a) : std::sin(a)) / c;
         break;
       }
       case Ins::Asin:
       case Ins::Acos: {
-        if (!(std::fabs(top[-1]) <= 1))
+        if (!(std::fabs(a) <= 1))
           return fault(Cause::ArcSineOutOfRange, "the value is outside -1 to 1");
-        double angle = at->op == Ins::Asin ? std::asin(top[-1]) : std::acos(top[-1]);
+        double angle = at->op == Ins::Asin ? std::asin(a) : std::acos(a);
         if (degrees) angle /= kDegree;
         const bool turn =
             at->op == Ins::Asin && degrees && control.asin_range.value == AngleRange::FullTurn;
-        top[-1] = turn && angle < 0 ? angle + 360 : angle;
+        a = turn && angle < 0 ? angle + 360 : angle;
         break;
       }
       case Ins::Atan:
-        top[-1] = degrees ? std::atan(top[-1]) / kDegree : std::atan(top[-1]);
+        a = degrees ? std::atan(a) / kDegree : std::atan(a);
         break;
       case Ins::Atan2: {
-        --top;
-        double angle = std::atan2(top[-1], *top);
+        b = a;
+        a = *--below;
+        double angle = std::atan2(a, b);
         if (degrees) {
           angle /= kDegree;
           if (control.atan_range.value == AngleRange::FullTurn && angle < 0) angle += 360;
         }
-        top[-1] = angle;
+        a = angle;
         break;
       }
       case Ins::Sqrt:
-        if (top[-1] < 0) return fault(Cause::SquareRootOfNegative, "the value is negative");
-        top[-1] = std::sqrt(top[-1]);
+        if (a < 0) return fault(Cause::SquareRootOfNegative, "the value is negative");
+        a = std::sqrt(a);
         break;
       case Ins::Abs:
-        top[-1] = std::fabs(top[-1]);
+        a = std::fabs(a);
         break;
       case Ins::Round:
-        top[-1] = round_half_away(top[-1]);
+        a = round_half_away(a);
         break;
       case Ins::RoundWord: {
         const double step = motion_.increment(static_cast<char>(at->address));
-        top[-1] = step > 0 ? round_half_away(top[-1] / step) * step : round_half_away(top[-1]);
+        a = step > 0 ? round_half_away(a / step) * step : round_half_away(a);
         break;
       }
       case Ins::CutWord: {
         const double step = motion_.increment(static_cast<char>(at->address));
         constexpr double kHair = 1e-6;  // 1.235 is 1234.9999... thousandths
-        if (step > 0)
-          top[-1] = std::copysign(std::floor(std::fabs(top[-1]) / step + kHair) * step, top[-1]);
+        if (step > 0) a = std::copysign(std::floor(std::fabs(a) / step + kHair) * step, a);
         break;
       }
       case Ins::Fix:
-        top[-1] = std::trunc(top[-1]);
+        a = std::trunc(a);
         break;
       case Ins::Fup:
-        top[-1] = top[-1] < 0 ? std::floor(top[-1]) : std::ceil(top[-1]);
+        a = a < 0 ? std::floor(a) : std::ceil(a);
         break;
       case Ins::Ln:
-        if (!(top[-1] > 0))
-          return fault(Cause::LogarithmOfNonPositive, "the value is not positive");
-        top[-1] = std::log(top[-1]);
+        if (!(a > 0)) return fault(Cause::LogarithmOfNonPositive, "the value is not positive");
+        a = std::log(a);
         break;
       case Ins::Exp:
-        if (top[-1] > 110) return fault(Cause::Overflow, "the result is too large");
-        top[-1] = std::exp(top[-1]);
+        if (a > 110) return fault(Cause::Overflow, "the result is too large");
+        a = std::exp(a);
         break;
       case Ins::Pow: {
-        --top;
-        const double value = std::pow(top[-1], *top);
+        b = a;
+        a = *--below;
+        const double value = std::pow(a, b);
         if (std::isnan(value)) return fault(Cause::ArgumentOutOfRange, "the power has no value");
         if (std::isinf(value)) return fault(Cause::Overflow, "the result is too large");
-        top[-1] = value;
+        a = value;
         break;
       }
       case Ins::Bin:
-        if (!from_bcd(top[-1], top[-1]))
-          return fault(Cause::ArgumentOutOfRange, "the value is no BCD number");
+        if (!from_bcd(a, a)) return fault(Cause::ArgumentOutOfRange, "the value is no BCD number");
         break;
       case Ins::Bcd:
-        if (!to_bcd(top[-1], top[-1]))
-          return fault(Cause::ArgumentOutOfRange, "the value has no BCD number");
+        if (!to_bcd(a, a)) return fault(Cause::ArgumentOutOfRange, "the value has no BCD number");
         break;
       case Ins::Adp:
         break;
       case Ins::Parameter: {
         const bool bit_form = at[-1].op == Ins::Modulo && at[-1].value == -1;
-        if (bit_form) --top;
-        const double which = round_half_away(top[-1]);
+        if (bit_form) {
+          b = a;
+          a = *--below;
+        }
+        const double which = round_half_away(a);
         if (!(std::fabs(which) < 1e9))
           return fault(Cause::ArgumentOutOfRange, "there is no such parameter");
         std::string name = std::to_string(static_cast<std::int64_t>(which));
         if (bit_form)
-          name += "#" + std::to_string(static_cast<std::int64_t>(
-                            std::clamp(round_half_away(*top), 0.0, 31.0)));
-        top[-1] = control.parameter(name);
+          name += "#" + std::to_string(
+                            static_cast<std::int64_t>(std::clamp(round_half_away(b), 0.0, 31.0)));
+        a = control.parameter(name);
         break;
       }
       case Ins::Sign:
-        top[-1] = top[-1] > 0 ? 1 : top[-1] < 0 ? -1 : 0;
+        a = a > 0 ? 1 : a < 0 ? -1 : 0;
         break;
       case Ins::Random:  // above 0, not above the argument
-        top[-1] *= static_cast<double>(random_()) / 2147483646.0;
+        a *= static_cast<double>(random_()) / 2147483646.0;
         break;
       case Ins::RandomBetween:
-        --top;
-        top[-1] += (*top - top[-1]) * static_cast<double>(random_()) / 2147483646.0;
+        b = a;
+        a = *--below;
+        a += (b - a) * static_cast<double>(random_()) / 2147483646.0;
         break;
       case Ins::Programmed: {
         const auto place =
             static_cast<std::size_t>(level_ * code_->locals) + static_cast<std::size_t>(at->value);
         if (at->value >= code_->locals || programmed_.empty())
           return fault(Cause::IllegalVariable, "AR takes a local variable");
-        *top++ = programmed_[place];
+        *below++ = a;
+        a = programmed_[place];
         break;
       }
       case Ins::End:
-        result = top[-1];
+        result = a;
         if (std::isinf(result)) return fault(Cause::Overflow, "the result is too large");
         return true;
     }
