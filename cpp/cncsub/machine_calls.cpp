@@ -415,6 +415,7 @@ std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf,
     }
     blocks.push_back(words);
   }
+  if (blocks.size() > kLongText) look_soon();
   return std::nullopt;
 }
 

@@ -181,6 +181,9 @@ Contour::Result Contour::rough() {
   const double back = cut_of(last) <= cut_of(start) ? 1 : -1;
   if (auto wrong = go(MoveKind::Rapid, begin)) return wrong;
   const double step = depth * scale(level_axis);
+  const double levels = std::fabs(level_of(begin) - level_of(first)) / step;
+  if (levels * static_cast<double>(pieces.size()) > kMostCrossings)
+    return motion.fault(Cause::ValueOutOfRange, block, "the block would cut too many levels");
   for (double level = level_of(begin) - away * step; (level - level_of(first)) * away > 1e-9;
        level -= away * step)
     if (auto wrong = rough_level(level, back, away)) return wrong;

@@ -26,6 +26,8 @@ inline int whole(double value) {
 }
 /// No block makes more moves than this, however small its steps and however large its counts are.
 constexpr std::uint32_t kMostMoves = 1'000'000;
+/// Nor does it look for more crossings of its levels with the pieces of a profile.
+constexpr double kMostCrossings = 1e8;
 inline bool is_rotary(int axis) { return axis >= 3 && axis <= 5; }
 
 /// The two axes of a plane, and the one across it. G18 is (Z, X).
