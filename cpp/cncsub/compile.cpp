@@ -1,6 +1,8 @@
 // Files into a library: where programs begin, their blocks, and what jumps and calls lead to.
 #include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <functional>
 #include <string>
 
 #include "cncsub/block.hpp"
@@ -34,10 +36,42 @@ class Marks {
   char mark_ = 0;
 };
 
+/// Asks now and then, while work is done, whether to give up.
+class Patience {
+ public:
+  explicit Patience(std::function<bool()> interrupted = {})
+      : interrupted_(std::move(interrupted)) {}
+
+  /// Whether the reading is to stop; `bytes` of text were worked on since the last question.
+  bool over(std::size_t bytes) {
+    worked_ += bytes;
+    if (worked_ < kBetweenLooks || !interrupted_ || over_) return over_;
+    worked_ = 0;
+    const auto now = Clock::now();
+    if (now - asked_ < kBetweenQuestions) return false;
+    over_ = interrupted_();
+    asked_ = Clock::now();
+    return over_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kBetweenLooks = 1 << 16;
+  static constexpr std::chrono::milliseconds kBetweenQuestions{20};
+
+  std::function<bool()> interrupted_;
+  std::size_t worked_ = 0;
+  Clock::time_point asked_ = Clock::now();
+  bool over_ = false;
+};
+
+constexpr std::size_t kBlock = 8;  // what going over a block once more is worth, in bytes of text
+
 class LibraryReader {
  public:
-  explicit LibraryReader(Code& code) : code_(code), reader_(code) {}
+  LibraryReader(Code& code, Patience& patience) : code_(code), reader_(code), patience_(patience) {}
 
+  /// Stops early where patience is over.
   void read(std::uint32_t file_index) {
     file_ = file_index;
     std::string& text = code_.files[file_].text;
@@ -63,6 +97,7 @@ class LibraryReader {
       } else {
         block(at, outside_comment(at, line_end));
       }
+      if (patience_.over(static_cast<std::size_t>(line_end + 1 - at))) return;
       at = line_end + 1;
     }
     // A file without a block is still a program of the memory, an empty one.
@@ -72,9 +107,9 @@ class LibraryReader {
 
  private:
   /// CR, LF and CRLF all end a line; a CR before a LF counts as a blank.
-  static void unify_line_ends(std::string& text) {
+  void unify_line_ends(std::string& text) {
     std::size_t at = 0;
-    while ((at = text.find('\r', at)) != std::string::npos) {
+    while ((at = text.find('\r', at)) != std::string::npos && !patience_.over(kBlock)) {
       text[at] = at + 1 < text.size() && text[at + 1] == '\n' ? ' ' : '\n';
       ++at;
     }
@@ -280,20 +315,34 @@ class LibraryReader {
   void finish_program(Program& program) {
     program.first_entry = static_cast<std::uint32_t>(code_.sequence.size());
     bool statements = false;
-    for (Address a = program.first; a < program.last; ++a) {
+    for (Address a = program.first; a < program.last && !patience_.over(kBlock); ++a) {
       const Block& block = code_.blocks[a];
       if (block.n >= 0) code_.sequence.push_back({block.n, a});
       statements = statements || (block.op != Op::Linear && block.op != Op::Words);
     }
     program.last_entry = static_cast<std::uint32_t>(code_.sequence.size());
-    const auto first = code_.sequence.begin() + program.first_entry;
-    const auto by_number = [](const SequenceEntry& a, const SequenceEntry& b) { return a.n < b.n; };
-    if (!std::is_sorted(first, code_.sequence.end(), by_number))
-      std::stable_sort(first, code_.sequence.end(), by_number);
+    sort_sequence(program.first_entry);
     if (!statements) return;
     match_loops(program);
-    for (Address a = program.first; a < program.last; ++a)
+    for (Address a = program.first; a < program.last && !patience_.over(kBlock); ++a)
       resolve_jump(program, a, code_.blocks[a]);
+  }
+
+  /// By number, then by address. Pieces are sorted, then merged, so that patience is asked between.
+  void sort_sequence(std::size_t from) {
+    const auto by_number = [](const SequenceEntry& a, const SequenceEntry& b) { return a.n < b.n; };
+    const auto end = code_.sequence.end();
+    const std::size_t size = code_.sequence.size() - from;
+    const auto at = [&](std::size_t i) {
+      return end - static_cast<std::ptrdiff_t>(size - std::min(i, size));
+    };
+    if (std::is_sorted(at(0), end, by_number)) return;
+    std::size_t piece = 1 << 16;
+    for (std::size_t i = 0; i < size && !patience_.over(piece * kBlock); i += piece)
+      std::stable_sort(at(i), at(i + piece), by_number);
+    for (; piece < size; piece *= 2)
+      for (std::size_t i = 0; i + piece < size && !patience_.over(piece * kBlock); i += 2 * piece)
+        std::inplace_merge(at(i), at(i + piece), at(i + 2 * piece), by_number);
   }
 
   void resolve_jump(const Program& program, Address address, const Block& block) {
@@ -324,7 +373,7 @@ class LibraryReader {
   /// it stands.
   void match_loops(const Program& program) {
     std::vector<Open> loops, ifs;
-    for (Address a = program.first; a < program.last; ++a) {
+    for (Address a = program.first; a < program.last && !patience_.over(kBlock); ++a) {
       switch (code_.blocks[a].op) {
         case Op::While:
         case Op::Do:
@@ -408,6 +457,7 @@ class LibraryReader {
 
   Code& code_;
   BlockReader reader_;
+  Patience& patience_;
   const char* begin_ = nullptr;
   Marks semicolons_, comments_;
   std::uint32_t file_ = 0;
@@ -428,9 +478,11 @@ void number_variables(Code& code) {
   }
 }
 
+constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
+
 /// Names and numbers of programs; of several under one name the first counts.
-void register_programs(Code& code, std::size_t from) {
-  for (std::size_t i = from; i < code.programs.size(); ++i) {
+void register_programs(Code& code, Patience& patience) {
+  for (std::size_t i = 0; i < code.programs.size() && !patience.over(kProgram); ++i) {
     Program& program = code.programs[i];
     const SourceFile& file = code.files[program.file];
     const auto index = static_cast<std::int32_t>(i);
@@ -450,7 +502,7 @@ void register_programs(Code& code, std::size_t from) {
 }
 
 /// Calls whose operands are written as numbers are decided once.
-void resolve_calls(Code& code, std::size_t from) {
+void resolve_calls(Code& code, std::size_t from, Patience& patience) {
   const auto resolve = [&](Block& block, std::int32_t own) {
     if (block.op != Op::Call && block.op != Op::MacroCall && block.op != Op::ModalCall) return;
     CallRecord& call = code.calls[block.aux];
@@ -483,7 +535,8 @@ void resolve_calls(Code& code, std::size_t from) {
     }
   };
   for (std::size_t p = from; p < code.programs.size(); ++p)
-    for (Address a = code.programs[p].first; a < code.programs[p].last; ++a) {
+    for (Address a = code.programs[p].first; a < code.programs[p].last && !patience.over(kBlock);
+         ++a) {
       variants_of(variants_of, code.blocks[a], static_cast<std::int32_t>(p));
       resolve(code.blocks[a], static_cast<std::int32_t>(p));
     }
@@ -492,12 +545,14 @@ void resolve_calls(Code& code, std::size_t from) {
 }  // namespace
 
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
-                                    std::vector<SourceFile> files, bool external_device) {
+                                    std::vector<SourceFile> files, bool external_device,
+                                    const std::function<bool()>& interrupted) {
   auto code = std::make_shared<Code>();
   code->external_device = external_device;
   code->control = std::move(control);
   number_variables(*code);
-  LibraryReader reader(*code);
+  Patience patience(interrupted);
+  LibraryReader reader(*code, patience);
   std::size_t bytes = 0;
   for (const SourceFile& file : files) bytes += file.text.size();
   // Room that is never written costs nothing, and a table that never moves is never copied.
@@ -507,20 +562,22 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   for (SourceFile& file : files) {
     code->files.push_back(std::move(file));
     reader.read(static_cast<std::uint32_t>(code->files.size() - 1));
+    if (patience.over(kProgram)) return nullptr;
   }
-  register_programs(*code, 0);
-  resolve_calls(*code, 0);
-  return code;
+  register_programs(*code, patience);
+  resolve_calls(*code, 0, patience);
+  return patience.over(0) ? nullptr : code;
 }
 
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text) {
   auto with = std::make_shared<Code>(code);
   const std::size_t programs = with->programs.size();
   with->files.push_back({"MDI", "MDI", text, false});
-  LibraryReader reader(*with);
+  Patience patience;
+  LibraryReader reader(*with, patience);
   reader.read(static_cast<std::uint32_t>(with->files.size() - 1));
   // What is typed in MDI is no program of the memory: it is not registered, nothing finds it.
-  resolve_calls(*with, programs);
+  resolve_calls(*with, programs, patience);
   return with;
 }
 

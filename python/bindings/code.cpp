@@ -24,17 +24,38 @@ struct ProgramData {
   }
 };
 
-using FileRow = std::tuple<std::string, std::string, std::string, bool>;
+using FileRow = std::tuple<std::string, std::string, std::vector<py::str>, bool>;
 
+/// The pieces as one text. Ctrl-C is let in between.
+std::string joined(const std::vector<py::str>& pieces) {
+  std::size_t bytes = 0;
+  for (const py::str& piece : pieces) bytes += piece.cast<std::string_view>().size();
+  std::string text;
+  text.reserve(bytes);
+  for (const py::str& piece : pieces) {
+    text += piece.cast<std::string_view>();
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return text;
+}
+
+/// Ctrl-C is an exception here: half a library is no library.
 std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
-                                    std::vector<FileRow> rows, bool external_device) {
+                                    const std::vector<FileRow>& rows, bool external_device) {
   std::vector<SourceFile> files;
   files.reserve(rows.size());
-  for (FileRow& row : rows)
-    files.push_back({std::move(std::get<0>(row)), std::move(std::get<1>(row)),
-                     std::move(std::get<2>(row)), std::get<3>(row)});
-  py::gil_scoped_release release;
-  return std::const_pointer_cast<Code>(compile(control, std::move(files), external_device));
+  for (const auto& [name, stem, pieces, external] : rows)
+    files.push_back({name, stem, joined(pieces), external});
+  std::shared_ptr<const Code> code;
+  {
+    py::gil_scoped_release release;
+    code = compile(control, std::move(files), external_device, [] {
+      py::gil_scoped_acquire acquire;
+      return PyErr_CheckSignals() != 0;
+    });
+  }
+  if (!code) throw py::error_already_set();
+  return std::const_pointer_cast<Code>(code);
 }
 
 }  // namespace

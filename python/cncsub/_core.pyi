@@ -149,9 +149,11 @@ class Code:
     def with_mdi(self, text: str) -> Code: ...  # one more program, the last
 
 def compile(
-    control: Control, files: Sequence[tuple[str, str, str, bool]], external_device: bool = False
+    control: Control,
+    files: Sequence[tuple[str, str, list[str], bool]],
+    external_device: bool = False,
 ) -> Code:
-    """Files as (name shown, stem that names a program without a head, text, external)."""
+    """Files as (name shown, stem that names a program without a head, text in pieces, external)."""
 
 @final
 class Trace:

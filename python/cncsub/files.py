@@ -23,8 +23,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 StrPath = str | os.PathLike[str]
+Data = bytes | bytearray
 
 LARGEST_FILE = 1 << 30  # bytes
+_PIECE = 1 << 22  # what is read, decoded or copied in one go
 
 # Endings and first bytes of files that people keep beside their programs.
 _OTHER_ENDINGS = frozenset(
@@ -69,12 +71,12 @@ _BOMS = (
 @dataclass(frozen=True, slots=True)
 class TextFile:
     """A file as text: the name to show, the name of a program in it that has none of its own, and
-    the text.
+    the text, in pieces.
     """
 
     name: str
     stem: str
-    text: str
+    pieces: list[str]
 
 
 @dataclass(slots=True)
@@ -165,7 +167,12 @@ def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None
     data, fault = _read_bytes(path)
     if data is None:
         raise ValueError(f"{path} cannot be read as a program: {fault}")
-    reading.files.append(TextFile(str(path), path.stem, decode(data, encoding)))
+    reading.files.append(_text_file(path, data, encoding))
+
+
+def _text_file(path: Path, data: Data, encoding: str | None) -> TextFile:
+    # A name that is no text, as Linux allows, is shown with question marks.
+    return TextFile(clean(str(path)), clean(path.stem), decoded(data, encoding))
 
 
 def _first_time(path: Path, reading: Reading) -> bool:
@@ -242,26 +249,29 @@ def _read_found_file(path: Path, encoding: str | None, reading: Reading) -> bool
     if data is None or fault:
         reading.skipped.append((str(path), fault))
         return False
-    reading.files.append(TextFile(str(path), path.stem, decode(data, encoding)))
+    reading.files.append(_text_file(path, data, encoding))
     return True
 
 
-def _read_bytes(path: Path) -> tuple[bytes | None, str]:
+def _read_bytes(path: Path) -> tuple[Data | None, str]:
     """The bytes of a regular file, or None and why not. A pipe or a device is never waited for."""
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | os.O_NOCTTY)
     except OSError as error:
         return None, error.strerror or "it cannot be opened"
-    with os.fdopen(descriptor, "rb") as file:
+    with os.fdopen(descriptor, "rb", buffering=0) as file:
         status = os.fstat(descriptor)
         if not stat.S_ISREG(status.st_mode):
             return None, "not a regular file"
         if status.st_size > LARGEST_FILE:
             return None, f"larger than {LARGEST_FILE >> 20} MiB"
-        return file.read(LARGEST_FILE), ""
+        data = bytearray()
+        while len(data) < LARGEST_FILE and (piece := file.read(_PIECE)):
+            data += piece  # Python looks for Ctrl-C between two reads
+        return data, ""
 
 
-def _looks_like_text(data: bytes) -> bool:
+def _looks_like_text(data: Data) -> bool:
     if data.startswith(_OTHER_STARTS):
         return False
     if data.startswith(tuple(bom for bom, _ in _BOMS)):
@@ -291,8 +301,13 @@ def check_encoding(encoding: str | None) -> None:
         )
 
 
-def decode(data: bytes, encoding: str | None = None) -> str:
-    """The text of a program file; never fails.
+def decode(data: Data, encoding: str | None = None) -> str:
+    """The text of a program file; never fails. See `decoded`."""
+    return "".join(decoded(data, encoding))
+
+
+def decoded(data: Data, encoding: str | None = None) -> list[str]:
+    """The text of a program file, in pieces so that Ctrl-C comes in between; never fails.
 
     A byte-order mark decides first, then `encoding`, then UTF-8 where the bytes are UTF-8, and else
     the most plausible of GB18030 (with GBK), Shift-JIS and Windows-1252. What no encoding explains
@@ -301,15 +316,27 @@ def decode(data: bytes, encoding: str | None = None) -> str:
     """
     for bom, name in _BOMS:
         if data.startswith(bom):
-            return data.decode(name, "replace")
+            return _decoded_as(name, data, "replace")
     if encoding is not None:
-        return data.decode(encoding, "replace")
-    if data.isascii():
-        return data.decode("ascii")
+        return _decoded_as(encoding, data, "replace")
     try:
-        return data.decode("utf-8")
+        return _decoded_as("utf-8", data)
     except UnicodeDecodeError:
-        return _decode_legacy(data)
+        return _decoded_as(_legacy_encoding(data), data)
+
+
+def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[str]:
+    if len(data) <= _PIECE:
+        return [clean(data.decode(encoding, errors))]
+    decoder = codecs.getincrementaldecoder(encoding)(errors)
+    starts = range(0, len(data), _PIECE)
+    pieces = [decoder.decode(data[at : at + _PIECE], at == starts[-1]) for at in starts]
+    return [clean(piece) for piece in pieces]
+
+
+def cut(text: str) -> list[str]:
+    """The text in pieces, without lone surrogates."""
+    return [clean(text[at : at + _PIECE]) for at in range(0, len(text), _PIECE)]
 
 
 def clean(text: str) -> str:
@@ -317,24 +344,24 @@ def clean(text: str) -> str:
     return text if text.isascii() else text.encode("utf-8", "replace").decode("utf-8")
 
 
-def _decode_legacy(data: bytes) -> str:
+def _legacy_encoding(data: Data) -> str:
     best, best_score = "latin-1", 0.0
     for encoding, score in (("gb18030", _gbk), ("cp932", _shift_jis), ("cp1252", _western)):
         try:
-            data.decode(encoding)
+            _decoded_as(encoding, data)
         except UnicodeDecodeError:
             continue
         found = _plausibility(data, score)
         if found > best_score:
             best, best_score = encoding, found
-    return data.decode(best)
+    return best
 
 
 _MOST_UNITS = 4000
 _PAIRS = re.compile(rb"[\x81-\xfe][\x30-\xff]|[\x80-\xff]", re.DOTALL)
 
 
-def _plausibility(data: bytes, score: object) -> float:
+def _plausibility(data: Data, score: object) -> float:
     """The mean score of the bytes beyond ASCII, -1 to 1."""
     assert callable(score)
     total, count = 0.0, 0
@@ -357,7 +384,7 @@ _COMMON_CHINESE = frozenset(
 )
 
 
-def _gbk(data: bytes) -> Iterator[tuple[float, int]]:
+def _gbk(data: Data) -> Iterator[tuple[float, int]]:
     for match in _PAIRS.finditer(data):
         unit = match.group()
         if len(unit) == 1:
@@ -375,7 +402,7 @@ def _gbk(data: bytes) -> Iterator[tuple[float, int]]:
 _SHIFT_JIS = re.compile(rb"[\x81-\x9f\xe0-\xfc][\x40-\xfc]|[\x80-\xff]", re.DOTALL)
 
 
-def _shift_jis(data: bytes) -> Iterator[tuple[float, int]]:
+def _shift_jis(data: Data) -> Iterator[tuple[float, int]]:
     for match in _SHIFT_JIS.finditer(data):
         unit = match.group()
         if len(unit) == 1:
@@ -391,7 +418,7 @@ def _shift_jis(data: bytes) -> Iterator[tuple[float, int]]:
 _RUNS = re.compile(rb"[\x80-\xff]+")
 
 
-def _western(data: bytes) -> Iterator[tuple[float, int]]:
+def _western(data: Data) -> Iterator[tuple[float, int]]:
     """Letters with accents stand alone between plain letters; signs such as the degree stand behind
     figures.
     """

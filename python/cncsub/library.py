@@ -9,7 +9,7 @@ from typing import Any, TypedDict, Unpack
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.controls import Named, control_of, did_you_mean
-from cncsub.files import StrPath, check_encoding, clean, decode, read_paths
+from cncsub.files import StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.inputs import Inputs, checked_variables, inputs_of
 from cncsub.program import Program
 from cncsub.run import Machine, Run
@@ -19,7 +19,7 @@ from cncsub.stream import Stream
 MODES = ("auto", "mdi")
 TRACES = ("none", "calls", "blocks", "moves")
 
-CoreFile = tuple[str, str, str, bool]
+CoreFile = tuple[str, str, list[str], bool]
 
 
 class Options(TypedDict, total=False):
@@ -246,13 +246,14 @@ def load(
 
     Raises `FileNotFoundError` for a missing path and `ValueError` for an unknown control, a folder
     without programs or an unknown encoding; each names what is near. A program a control would
-    refuse raises nothing: it alarms when it runs.
+    refuse raises nothing: it alarms when it runs. Ctrl-C raises `KeyboardInterrupt`, as anywhere
+    else, and leaves nothing behind.
     """
     known = control_of(control)
     if not paths:
         raise ValueError("load needs a file or a folder; loads takes the text of a program")
     reading = read_paths(paths, encoding=encoding, without=external)
-    files: list[CoreFile] = [(file.name, file.stem, file.text, False) for file in reading.files]
+    files: list[CoreFile] = [(file.name, file.stem, file.pieces, False) for file in reading.files]
     outside, skipped = _external_files(external, encoding)
     code = _core.compile(known, files + outside, external is not None)
     return Library(code, [file.name for file in reading.files], [*reading.skipped, *skipped])
@@ -277,15 +278,17 @@ def loads(
     known = control_of(control)
     check_encoding(encoding)
     if isinstance(text, bytes | bytearray | memoryview):
-        text = decode(bytes(text), encoding)
-    elif not isinstance(text, str):
+        pieces = decoded(bytes(text), encoding)
+    elif isinstance(text, str):
+        pieces = cut(text)
+    else:
         raise TypeError(
             f"loads takes the text of a program, not {type(text).__name__}; load takes paths"
         )
     outside, skipped = _external_files(external, encoding)
     stem = "" if name is None else os.path.splitext(os.path.basename(name))[0]  # noqa: PTH119, PTH122
     shown = "<text>" if name is None else name
-    files = [(shown, stem, clean(text), False), *outside]
+    files = [(shown, stem, pieces, False), *outside]
     code = _core.compile(known, files, external is not None)
     return Library(code, [shown], skipped)
 
@@ -296,7 +299,7 @@ def _external_files(
     if external is None:
         return [], []
     reading = read_paths([external], encoding=encoding)
-    return [(f.name, f.stem, f.text, True) for f in reading.files], reading.skipped
+    return [(f.name, f.stem, f.pieces, True) for f in reading.files], reading.skipped
 
 
 def _fits(name: str | int) -> bool:
