@@ -196,7 +196,7 @@ std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int6
       motion_.set_offset(place.kind, index + (place.range->first % 100 == 0 ? 0 : 1), value);
       break;
     default:
-      system_[number] = value;
+      if (place.range->access != Access::WriteOnly) system_[number] = value;
       break;
   }
   return std::nullopt;
