@@ -126,7 +126,16 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
   options.trace = depth_of(trace);
   if (inputs) options.inputs = inputs_of(*inputs);
   if (setup) options.setup = setup_of(*setup);
-  return std::make_shared<Live>(code, main, std::move(options));
+  const Program& program = code->programs[static_cast<std::size_t>(main)];
+  if (start && code->first_of(program, *start) == kNowhere)
+    throw py::value_error("start: there is no block N" + std::to_string(*start) + " in " +
+                          program.name);
+  const auto given = options.variables;
+  auto live = std::make_shared<Live>(code, main, std::move(options));
+  for (const auto& [number, value] : given)
+    if (auto fault = live->machine.write(number, value))
+      throw py::value_error("variables: " + fault->detail);
+  return live;
 }
 
 /// Runs without the GIL; takes it now and then to let Ctrl-C in, which stops the run. What another
