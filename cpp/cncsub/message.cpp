@@ -1,5 +1,7 @@
 // The alarm as people read it.
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "cncsub/alarm.hpp"
 
@@ -7,18 +9,36 @@ namespace cncsub {
 
 namespace {
 
-std::string place(const std::string& program, std::int64_t n) {
-  return n < 0 ? program : program + " N" + std::to_string(n);
+/// How many bytes of UTF-8 here are a character that a terminal obeys instead of showing it: a
+/// control character (U+0000 to U+001F, U+007F to U+009F) or one that turns the line's direction.
+std::size_t obeyed(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  if (byte(0) < 0x20 || byte(0) == 0x7f) return 1;
+  if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) <= 0x9f) return 2;
+  const unsigned pair = byte(1) << 8 | byte(2);
+  const bool turns = (pair >= 0x808e && pair <= 0x808f) || (pair >= 0x80a8 && pair <= 0x80ae) ||
+                     (pair >= 0x81a6 && pair <= 0x81a9);
+  return byte(0) == 0xe2 && turns ? 3 : 0;
 }
 
 std::string without_controls(const std::string& text) {
   std::string clean;
-  for (const char c : text)
-    if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)
-      clean += c;
-    else if (c == '\t' || c == '\0')
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t bytes = obeyed(std::string_view(text).substr(i));
+    if (bytes == 0)
+      clean += text[i];
+    else if (text[i] == '\t' || text[i] == '\0')
       clean += ' ';
+    i += std::max<std::size_t>(bytes, 1);
+  }
   return clean;
+}
+
+std::string place(const std::string& program, std::int64_t n) {
+  const std::string name = without_controls(program);
+  return n < 0 ? name : name + " N" + std::to_string(n);
 }
 
 constexpr std::size_t kLongestLine = 160;  // of the source, as shown
@@ -30,7 +50,7 @@ std::string message(const Alarm& alarm) {
   std::string text = alarm.number.empty() ? slug : alarm.number + " " + slug;
   text += ": " + (alarm.detail.empty() ? std::string(info(alarm.cause).meaning)
                                        : without_controls(alarm.detail));
-  text += "\n  --> " + place(alarm.program, alarm.n) + ", " + alarm.file + ":" +
+  text += "\n  --> " + place(alarm.program, alarm.n) + ", " + without_controls(alarm.file) + ":" +
           std::to_string(alarm.line) + ":" + std::to_string(alarm.column);
   std::string line = without_controls(alarm.source_line);
   if (!line.empty() && line.size() <= kLongestLine) {
@@ -41,7 +61,7 @@ std::string message(const Alarm& alarm) {
     text += "\ncalled from " + place(frame.program, frame.n) + " (" + frame.kind;
     if (frame.repeats > 1)
       text += ", pass " + std::to_string(frame.repeat) + " of " + std::to_string(frame.repeats);
-    text += "), " + frame.file + ":" + std::to_string(frame.line);
+    text += "), " + without_controls(frame.file) + ":" + std::to_string(frame.line);
   }
   return text;
 }

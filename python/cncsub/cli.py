@@ -10,6 +10,7 @@ import contextlib
 import enum
 import json
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
@@ -30,6 +31,7 @@ from cncsub.printing import (
     print_run,
     print_stop,
     print_tree,
+    shown,
 )
 from cncsub.tables import records
 
@@ -53,7 +55,7 @@ class OneLineGroup(typer.core.TyperGroup):
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             sys.exit(1)
         except Exception as error:
-            typer.echo(f"cncsub: {_one_line(error)}", err=True)
+            typer.echo(f"cncsub: {shown(_one_line(error))}", err=True)
             sys.exit(2)
         sys.exit(status if isinstance(status, int) else 0)
 
@@ -351,6 +353,11 @@ def _status(run: cncsub.Run | cncsub.Stream) -> int:
 # ---- writing ----
 
 
+def _escaped(character: str) -> str:
+    """A character as JSON writes it in plain ASCII."""
+    return json.dumps(character).strip('"')
+
+
 def _write_text(output: Path | None, write: Callable[[Console], None]) -> None:
     if output is None:
         write(console_on(sys.stdout))
@@ -368,6 +375,8 @@ def _opened(output: Path, mode: str) -> IO[Any]:
 
 def _write_json(output: Path | None, facts: object) -> None:
     text = json.dumps(facts, ensure_ascii=False, indent=2, allow_nan=False)
+    # What a terminal would obey is written as an escape; everything outside ASCII is in a string.
+    text = re.sub(r"[^\x20-\x7e\n]", lambda c: c[0] if c[0].isprintable() else _escaped(c[0]), text)
     if output is None:
         typer.echo(text)
     else:

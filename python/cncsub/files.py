@@ -58,6 +58,7 @@ _OTHER_STARTS = (
 # rubout.
 _TEXT_CONTROLS = frozenset(b"\0\t\n\v\f\r\x0e\x0f\x11\x12\x13\x14\x1a\x1b\x7f")
 _SAMPLE = 4096
+_CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f]")
 
 _BOMS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
@@ -225,6 +226,8 @@ def _refused_entry(path: Path, root: Path) -> str | None:
     """Why an entry of a folder is left alone, or None. Opens nothing."""
     if path.name.startswith("."):
         return "hidden"
+    if _CONTROLS.search(path.name):
+        return "a name with control characters"
     try:
         real = Path(os.path.realpath(path, strict=True))
         mode = real.stat().st_mode

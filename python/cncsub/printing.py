@@ -33,11 +33,11 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
         for axis, (low, high) in run.moves.bounds.items():
             console.print(f"  {axis} {low:.10g} to {high:.10g}")
     for message in run.messages:
-        console.print(f"message: {_shown(message)}")
+        console.print(f"message: {shown(message)}")
 
 
 def print_tree(console: Console, run: cncsub.Run, title: str) -> None:
-    console.print(Text(_shown(title), style="bold"))
+    console.print(Text(shown(title), style="bold"))
     lines = _tree_lines(run.calls.tree(most=MOST_CALLS))
     for line in itertools.islice(lines, MOST_LINES):
         console.print(line)
@@ -52,9 +52,9 @@ def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
     waiting = [(call, "", call is trees[-1]) for call in reversed(trees)]
     while waiting:
         call, stem, last = waiting.pop()
-        head = f"{call.kind} {call.program}"
+        head = shown(f"{call.kind} {call.program}")
         branch = stem + ("`-- " if last else "|-- ")
-        yield Text.assemble((branch, "dim"), (head, "cyan"), str(call).removeprefix(head))
+        yield Text.assemble((branch, "dim"), (head, "cyan"), shown(str(call)).removeprefix(head))
         below = stem + ("    " if last else "|   ")
         waiting += [(inner, below, inner is call.calls[-1]) for inner in reversed(call.calls)]
 
@@ -63,7 +63,7 @@ def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
     stop = Text(f"stopped: {_stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
     console.print(stop)
     if run.alarm is not None:
-        console.print(Text(str(run.alarm)))
+        console.print(Text("\n".join(map(shown, str(run.alarm).split("\n")))))
 
 
 def _stop_text(run: cncsub.Run | cncsub.Stream) -> str:
@@ -82,8 +82,8 @@ def _stop_text(run: cncsub.Run | cncsub.Stream) -> str:
     return f"{reasons[run.stop]}, after {blocks}"
 
 
-def _shown(text: str) -> str:
-    """A text of a program without what a terminal would obey."""
+def shown(text: str) -> str:
+    """A text of a program, or the name of a file, without what a terminal would obey."""
     return "".join(c if c.isprintable() else " " for c in text)
 
 
