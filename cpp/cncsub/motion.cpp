@@ -19,9 +19,11 @@ void fill(Axes& axes, const std::map<char, double>& values) {
     if (const int axis = axis_of(name); axis >= 0) axes[static_cast<std::size_t>(axis)] = value;
 }
 
+constexpr int kLargestOffset = 9999;  // no table of offsets is longer, whatever a rule says
+
 void fill(std::vector<double>& table, const std::map<int, double>& values) {
   for (const auto& [number, value] : values) {
-    if (number < 0 || number > 9999) continue;
+    if (number < 0 || number > kLargestOffset) continue;
     if (table.size() <= static_cast<std::size_t>(number))
       table.resize(static_cast<std::size_t>(number) + 1);
     table[static_cast<std::size_t>(number)] = value;
@@ -83,18 +85,23 @@ int system_of(const std::string& name) {
 
 OffsetTables tables_of(const Setup& setup, const Control& control) {
   OffsetTables tables;
-  tables.extra.resize(static_cast<std::size_t>(control.max_extra_systems.value));
+  const auto rows = [](std::int32_t most) {
+    return static_cast<std::size_t>(std::min(most, kLargestOffset));
+  };
+  tables.extra.resize(rows(control.max_extra_systems.value));
   for (const auto& [name, values] : setup.work_offsets) {
     const int system = system_of(name);
     if (system >= 0 && system < 7) fill(tables.work[static_cast<std::size_t>(system)], values);
     if (system > 100 && system - 101 < static_cast<int>(tables.extra.size()))
       fill(tables.extra[static_cast<std::size_t>(system - 101)], values);
   }
-  const auto numbers = static_cast<std::size_t>(control.max_offset_number.value) + 1;
+  const auto numbers = rows(control.max_offset_number.value) + 1;
   for (auto* table : {&tables.length, &tables.length_wear, &tables.radius, &tables.radius_wear})
     table->resize(numbers);
   fill(tables.length, setup.length_offsets);
   fill(tables.radius, setup.radius_offsets);
+  tables.length_wear.resize(tables.length.size());
+  tables.radius_wear.resize(tables.radius.size());
   for (const auto& [number, tool] : setup.tools) {
     ToolOffsets& entry = tables.tools[number];
     fill(entry.value, tool.values);

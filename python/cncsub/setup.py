@@ -180,7 +180,7 @@ def _numbered(what: str, values: object, read: Any) -> dict[int, Any]:
     checked = {}
     for key, value in _mapping(what, values).items():
         text = str(key)
-        if not re.fullmatch(r"[0-9]{1,6}", text):
+        if not re.fullmatch(r"[0-9]{1,4}", text):
             raise ValueError(f"{what}: {key!r} is no number of an offset, tool or point")
         checked[int(text)] = read(f"{what}[{text}]", value)
     return checked
