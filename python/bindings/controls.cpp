@@ -52,18 +52,21 @@ std::shared_ptr<Control> with_parameters(const Control& control,
   return changed;
 }
 
+RuleValue rule_value(const py::handle& value) {
+  try {
+    if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
+    if (py::isinstance<py::int_>(value)) return value.cast<std::int64_t>();
+    if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  } catch (const py::cast_error&) {  // beyond 64 bits, or no characters
+    throw py::value_error("a rule does not take " + py::repr(value).cast<std::string>());
+  }
+  throw py::type_error("a rule is True or False, a whole number or a text");
+}
+
 std::shared_ptr<Control> replace(const Control& control, const py::kwargs& changes) {
   auto changed = std::make_shared<Control>(control);
   for (const auto& [key, value] : changes) {
-    RuleValue to;
-    if (py::isinstance<py::bool_>(value))
-      to = value.cast<bool>();
-    else if (py::isinstance<py::int_>(value))
-      to = value.cast<std::int64_t>();
-    else if (py::isinstance<py::str>(value))
-      to = value.cast<std::string>();
-    else
-      throw py::type_error("a rule is True or False, a whole number or a text");
+    const RuleValue to = rule_value(value);
     if (auto wrong = set_rule(*changed, key.cast<std::string>(), to)) throw py::value_error(*wrong);
   }
   return changed;

@@ -376,8 +376,8 @@ def _whole(what: str, value: object, least: int) -> int:
 def _seconds(value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise TypeError(f"max_seconds is a number of seconds, not {value!r}")
-    if not 0 < value < float("inf"):
-        raise ValueError(f"max_seconds must be more than 0, not {value!r}")
+    if not 0 < value < 1e300:
+        raise ValueError(f"max_seconds must be more than 0 and finite, not {value!r}")
     return float(value)
 
 
