@@ -14,6 +14,7 @@ from cncsub.controls import did_you_mean
 
 Values = Mapping[int, float | None]
 
+LARGEST_VALUE = 1e47  # that a variable takes from a program
 ANSWERS = ("start", "stop")
 
 
@@ -118,8 +119,8 @@ def _value(what: str, value: object) -> float | None:
         number = float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{what} takes a number or None (vacant), not {value!r}") from None
-    if number in (float("inf"), float("-inf")):
-        raise ValueError(f"{what} takes a finite number")
+    if abs(number) > LARGEST_VALUE:  # NaN is not
+        raise ValueError(f"{what} takes a number up to {LARGEST_VALUE:g}, not {value!r}")
     return None if number != number else number
 
 

@@ -74,11 +74,16 @@ class Setup:
         """
         import tomllib
 
+        name = os.fspath(path)
+        if Path(path).exists() and not Path(path).is_file():
+            raise ValueError(f"{name}: not a regular file")
         with Path(path).open("rb") as file:
             try:
                 return setup_from(tomllib.load(file))
             except (ValueError, TypeError) as error:
-                raise ValueError(f"{os.fspath(path)}: {error}") from None
+                raise ValueError(f"{name}: {error}") from None
+            except RecursionError:
+                raise ValueError(f"{name}: nested too deep") from None
 
     def to_core(self) -> dict[str, Any]:
         """The setup as the engine takes it: only what was given, every name and number checked."""

@@ -1,0 +1,197 @@
+"""Ctrl-C stops reading, running and stepping soon, and leaves Python and what ran whole."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+import cncsub
+
+SOON = 2.0  # seconds; on an idle machine it is a twentieth of one
+ENDLESS = "O1\\nN10 #100=#100+1\\nN20 GOTO10\\n"
+HEAVY = "O1\\nZ5.\\nN10 G91 G81 X1. Z-1. R1. F100 K20000\\nN20 GOTO10\\n"
+START = f"""
+import sys, cncsub
+def endless(text="{ENDLESS}"):
+    return cncsub.loads(text, control="fanuc-0i-f")
+def go():
+    print("go", flush=True)
+"""
+LIMITS = "max_blocks=2**62, trace='none'"
+
+RUNS = {
+    "run": f"lib = endless(); go(); run = lib.run({LIMITS}); assert run.variables[100] > 0",
+    "mdi": f"lib = endless(); go(); run = lib.mdi('M98 P1', {LIMITS})",
+    "machine.run": "m = endless().machine(max_blocks=2**62); go(); run = m.run()",
+    "moves": f"lib = endless('{HEAVY}'); go(); run = lib.run(max_blocks=2**62, trace='none')",
+}
+
+
+def interrupted(code: str, *, after: float) -> tuple[str, float]:
+    """What a program prints when Ctrl-C is pressed while it runs, and how long that took."""
+    child = subprocess.Popen(
+        [sys.executable, "-c", START + code], stdout=subprocess.PIPE, text=True
+    )
+    assert child.stdout is not None
+    try:
+        assert child.stdout.readline() == "go\n"
+        time.sleep(after)
+        pressed = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        said = child.stdout.readline().strip()
+        took = time.monotonic() - pressed
+        assert child.wait(timeout=30) == 0
+    finally:
+        child.kill()
+        child.stdout.close()
+    return said, took
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_a_run_stops_and_shows_the_part_that_ran(name: str) -> None:
+    code = f"""
+{RUNS[name]}
+print(run.stop, flush=True)
+assert run.stop is cncsub.Stop.INTERRUPTED and run.alarm is None
+repr(run), run.position, run.modal, dict(run.variables)
+"""
+    said, took = interrupted(code, after=0.3)
+    assert said == "interrupted"
+    assert took < SOON
+
+
+def test_a_machine_that_is_iterated_keeps_its_steps_and_goes_on() -> None:
+    code = """
+m = endless().machine(max_blocks=2**62)
+count = 0
+try:
+    go()
+    for step in m:
+        count += 1
+except KeyboardInterrupt:
+    print("raised", flush=True)
+assert m.stop is None
+assert count <= len(m.steps) <= count + 1
+assert m.step().n in (10, 20)
+"""
+    said, took = interrupted(code, after=0.3)
+    assert said == "raised"
+    assert took < SOON
+
+
+def test_an_interrupted_machine_can_be_run_on() -> None:
+    code = """
+m = endless().machine(max_blocks=2**62, trace="blocks")
+go()
+assert m.run().stop is cncsub.Stop.INTERRUPTED
+print("stopped", flush=True)
+before = len(m.steps)
+n = m.steps[-1].n
+copy = m.copy()
+assert m.run(until=("O1", 10 if n == 10 else 20)) is None
+assert len(m.steps) > before and len(copy.steps) == before
+"""
+    assert interrupted(code, after=0.2)[0] == "stopped"
+
+
+@pytest.mark.parametrize("after", [0.05, 0.4, 1.0])
+def test_reading_a_large_file_is_given_up(tmp_path: Path, after: float) -> None:
+    file = tmp_path / "large.nc"
+    block = "".join(f"N{n} G1 X{n}.5 Y{n % 7}.25 (\u5de5) F100\n" for n in range(1, 9999))
+    with file.open("w", encoding="utf-8") as out:
+        out.write("O1\n")
+        for _ in range(400):  # 120 MB
+            out.write(block)
+    code = f"""
+try:
+    go()
+    while True:
+        cncsub.load({str(file)!r}, control="fanuc-0i-f")
+except KeyboardInterrupt:
+    print("raised", flush=True)
+assert len(cncsub.loads("N1 M30", control="fanuc-0i-f")) == 1
+"""
+    said, took = interrupted(code, after=after)
+    assert said == "raised"
+    assert took < SOON
+
+
+def test_reading_a_long_text_or_many_files_is_given_up(tmp_path: Path) -> None:
+    for number in range(3000):
+        (tmp_path / f"O{number + 1}.nc").write_text("N10 X1.\nN20 M99\n" * 50)
+    reads = [
+        f"cncsub.load({str(tmp_path)!r}, control='gsk-988ta')",
+        "cncsub.loads('O1\\n' + 'N10 #1=#1+1\\n' * 3_000_000, control='fanuc-0i-f')",
+        "cncsub.loads(b'O1\\n' + b'(\\xb9\\xa4)X1\\n' * 3_000_000, control='fanuc-0i-f')",
+    ]
+    for read in reads:
+        code = f"""
+try:
+    go()
+    while True:
+        {read}
+except KeyboardInterrupt:
+    print("raised", flush=True)
+"""
+        said, took = interrupted(code, after=0.5)
+        assert said == "raised"
+        assert took < SOON
+
+
+def test_the_command_line_ends_without_a_traceback(tmp_path: Path) -> None:
+    file = tmp_path / "O1.nc"
+    file.write_text("N10 #100=#100+1\nN20 GOTO10\n")
+    command = [sys.executable, "-c", "from cncsub.cli import main; main()", "run", str(file)]
+    child = subprocess.Popen(
+        [*command, "-c", "fanuc-0i-f", "--max-blocks", str(2**62)],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    time.sleep(1.5)
+    child.send_signal(signal.SIGINT)
+    out, err = child.communicate(timeout=30)
+    assert child.returncode == 1
+    assert "Traceback" not in out + err
+
+
+class Rang(Exception):  # noqa: N818
+    pass
+
+
+def test_what_another_signal_raises_goes_on_to_the_caller() -> None:
+    def ring(*_: object) -> None:
+        raise Rang
+
+    old = signal.signal(signal.SIGALRM, ring)
+    try:
+        machine = cncsub.loads("O1\nN10 GOTO10\n", control="fanuc-0i-f").machine(
+            max_blocks=2**62, trace="none"
+        )
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        with pytest.raises(Rang):
+            machine.run()
+        assert machine.stop is cncsub.Stop.INTERRUPTED
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, old)
+
+
+def test_other_threads_go_on_while_a_program_runs() -> None:
+    library = cncsub.loads("O1\nN10 GOTO10\n", control="fanuc-0i-f")
+    runs: list[cncsub.Run] = []
+    thread = threading.Thread(
+        target=lambda: runs.append(library.run(max_seconds=0.5, max_blocks=2**62, trace="none"))
+    )
+    thread.start()
+    looks = 0
+    while thread.is_alive():
+        time.sleep(0.01)
+        looks += 1
+    thread.join()
+    assert runs[0].stop is cncsub.Stop.LIMIT
+    assert looks > 5
