@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import encodings
+from pkgutil import iter_modules
+
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -9,6 +12,17 @@ from hypothesis import strategies as st
 import cncsub
 
 controls = st.sampled_from(list(cncsub.controls))
+
+
+
+def _is_taken(encoding: str) -> bool:
+    try:
+        return cncsub.loads(b"", control="fanuc-0i-f", encoding=encoding) is not None
+    except ValueError:
+        return False
+
+
+ENCODINGS = sorted(filter(_is_taken, {module.name for module in iter_modules(encodings.__path__)}))
 
 # Pieces that programs are made of, so that random texts get past the first letter.
 PIECES = [
@@ -46,6 +60,12 @@ def check(library: cncsub.Library, max_blocks: int = 300) -> None:
 @example(b"O1\n" * 50, "hnc-21m")
 def test_any_bytes_load_and_run(data: bytes, control: str) -> None:
     check(cncsub.loads(data, control=control))
+
+
+@given(st.binary(max_size=200), st.sampled_from(ENCODINGS), controls)
+@example(b"O1\nG\xff\\x", "utf-7", "fanuc-0i-f")
+def test_any_bytes_load_in_any_encoding(data: bytes, encoding: str, control: str) -> None:
+    check(cncsub.loads(data, control=control, encoding=encoding))
 
 
 @given(texts, controls)

@@ -286,9 +286,13 @@ def _looks_like_text(data: Data) -> bool:
 
 # ---- bytes to text ----
 
+# Python counts these among its encodings, but no file is written in them, and they read some bytes
+# with an error whatever they are asked for.
+_NO_FILES = ("idna", "punycode", "undefined", "unicode-escape", "raw-unicode-escape")
+
 
 def check_encoding(encoding: str | None) -> None:
-    """Raise `ValueError` for an encoding Python does not know."""
+    """Raise `ValueError` for an encoding that Python does not know, or that is none of files."""
     if encoding is None:
         return
     if not isinstance(encoding, str):
@@ -297,7 +301,8 @@ def check_encoding(encoding: str | None) -> None:
         known = codecs.lookup(encoding)
     except (LookupError, ValueError):
         known = None
-    if known is None or not getattr(known, "_is_text_encoding", True):
+    text = known is not None and getattr(known, "_is_text_encoding", True)
+    if known is None or not text or known.name in _NO_FILES:
         raise ValueError(
             f"unknown encoding {encoding!r};"
             " common ones are utf-8, gbk, shift-jis, cp1252 and latin-1"
