@@ -110,6 +110,21 @@ def test_a_wrong_rule_is_told() -> None:
         cncsub.controls[CONTROL].replace(max_nesting="many")
 
 
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), 1e300, -1e10])
+def test_a_parameter_takes_numbers_that_a_control_could_hold(value: float) -> None:
+    for name in ("6050", "99999"):
+        with pytest.raises(ValueError, match=f"parameter {name} is a number up to"):
+            cncsub.controls[CONTROL].with_parameters({name: value})
+
+
+def test_no_rule_makes_a_table_that_fills_the_memory() -> None:
+    many = 999_999_999
+    control = cncsub.controls[CONTROL].replace(max_extra_systems=many, max_offset_number=many)
+    run = cncsub.loads("O1\nN1 G10 L20 P9999 X1\nN2 G54.1 P10000\n", control=control).run()
+    assert run.alarm is not None
+    assert run.alarm.n == 2
+
+
 def test_causes_have_a_meaning_and_a_cure() -> None:
     cause = cncsub.causes["program-not-found"]
     assert cause.slug == "program-not-found"

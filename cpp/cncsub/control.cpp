@@ -48,6 +48,8 @@ std::string_view to_string(Evidence evidence) {
 
 namespace {
 
+constexpr std::int64_t kLargestSetting = 999'999'999;  // of a rule, and of a parameter
+
 template <class T>
 RuleView view(const char* name, const char* meaning, const Rule<T>& rule) {
   RuleView row{name, meaning, {}, rule.source, rule.evidence, {}};
@@ -88,8 +90,8 @@ std::optional<std::string> assign(const char* name, Rule<T>& rule, const RuleVal
     rule.value = *yes;
   } else if constexpr (std::is_integral_v<T>) {
     const auto* number = std::get_if<std::int64_t>(&value);
-    if (number == nullptr || *number < 0 || *number > 999999999)
-      return std::string(name) + " is a whole number from 0 to 999999999";
+    if (number == nullptr || *number < 0 || *number > kLargestSetting)
+      return std::string(name) + " is a whole number from 0 to " + std::to_string(kLargestSetting);
     rule.value = static_cast<T>(*number);
   } else {
     const auto* text = std::get_if<std::string>(&value);
@@ -136,16 +138,19 @@ double Control::parameter(std::string_view parameter_name) const {
   return 0;
 }
 
-void Control::set_parameter(const std::string& parameter_name, double value) {
+std::optional<std::string> Control::set_parameter(const std::string& parameter_name, double value) {
+  if (!(std::fabs(value) <= kLargestSetting))
+    return "parameter " + parameter_name + " is a number up to " + std::to_string(kLargestSetting);
   for (Parameter& p : parameters)
     if (p.name == parameter_name) {
       const auto effect = p.effect;
       p.value = value;
       if (effect != nullptr) effect(*this, value);
-      return;
+      return std::nullopt;
     }
   parameters.push_back({parameter_name, value, "no rule depends on it", "set by the caller",
                         Evidence::Inferred, nullptr});
+  return std::nullopt;
 }
 
 const VariableRange* Control::variable(std::int64_t number) const {

@@ -164,7 +164,8 @@ struct Control {
   /// The value of a parameter, 0 where it was never set.
   double parameter(std::string_view parameter_name) const;
   /// Sets a parameter (also one no rule depends on) and lets it have its effect on the rules.
-  void set_parameter(const std::string& parameter_name, double value);
+  /// Returns what is wrong with the value, or nothing.
+  std::optional<std::string> set_parameter(const std::string& parameter_name, double value);
   const VariableRange* variable(std::int64_t number) const;
 };
 

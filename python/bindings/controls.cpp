@@ -47,7 +47,7 @@ std::shared_ptr<Control> with_parameters(const Control& control,
       throw py::value_error(
           "'" + name +
           "' is no parameter: write its number, as '6050', or number and bit, as '6001#5'");
-    changed->set_parameter(name, value);
+    if (auto wrong = changed->set_parameter(name, value)) throw py::value_error(*wrong);
   }
   return changed;
 }
