@@ -13,7 +13,7 @@ MANY = 100_000
 INFINITE = "*".join(["EXP[110]"] * 7)  # above the largest double
 
 
-def ends(text: str, control: str) -> cncsub.Run:
+def ends(text: str, control: str | cncsub.Control) -> cncsub.Run:
     """The run of a program that must come to an end, whatever that is."""
     run = cncsub.loads(text, control=control).run(max_blocks=10_000, max_seconds=20)
     assert run.stop in {"end", "alarm", "cycles", "limit", "waiting"}
@@ -21,7 +21,7 @@ def ends(text: str, control: str) -> cncsub.Run:
     return run
 
 
-def cause(text: str, control: str) -> str | None:
+def cause(text: str, control: str | cncsub.Control) -> str | None:
     alarm = ends(text, control).alarm
     return alarm and alarm.cause
 
@@ -66,6 +66,14 @@ def test_a_word_takes_no_value_that_a_variable_does_not_take():
     program = "O1\nN1 G0 X[EXP[110]*EXP[110]*EXP[110]]\nN2 M30\n"
     assert cause(program, "fanuc-30i") == "overflow"
     assert cause(program, "gsk-988ta") == "overflow"
+
+
+@pytest.mark.parametrize("code", ["M1111111111111", "M" + "9" * 30, "G" + "9" * 30, "M-5", "G-4"])
+def test_no_code_is_too_large_or_too_small_to_be_refused(code):
+    for control in NAMES:
+        changed = cncsub.controls[control].replace(max_digits=0, minus_addresses="GM")
+        for known in (control, changed):
+            assert cause(f"O1\nN1 {code}\nN2 M30\n", known) is not None
 
 
 @pytest.mark.parametrize("value", ["EXP[108]", "-EXP[108]", "9999999999", "EXP[-108]"])

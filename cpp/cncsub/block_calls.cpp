@@ -1,6 +1,7 @@
 // The code of a block: its words in cells, its call with operands and arguments.
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <string>
 
 #include "cncsub/block.hpp"
@@ -90,8 +91,9 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
       block.flags |= Block::kCodeExpression;
       cell.value = -1.0 - token.operand.expression;
     } else {
-      cell.value =
-          static_cast<double>(static_cast<std::int64_t>(token.operand.value * factor + 0.5));
+      // A code below 0 would read as an expression, and one too large is refused when it runs.
+      const double code = std::floor(token.operand.value * factor + 0.5);
+      cell.value = code >= 0 && code <= kLargestCode ? code : kLargestCode + 1;
     }
     code_.cells.push_back(cell);
   };

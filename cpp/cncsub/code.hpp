@@ -34,6 +34,9 @@ inline bool is_vacant(double value) { return std::isnan(value); }
 /// The largest value that a variable or a word takes.
 constexpr double kLargest = 1e47;
 
+/// The largest G (ten times) or M code that a block can hold.
+constexpr double kLargestCode = 1e9;
+
 /// What is wrong with a block, and where in its file.
 struct Fault {
   Cause cause{};

@@ -360,20 +360,20 @@ bool Machine::decode(const Block& block, NcWords& words) {
   words.at = block.text;
   const auto code = [&](double factor, int& result) {
     double value = (cell++)->value;
-    std::uint32_t where = block.text, width = block.length;
+    std::uint32_t at = block.text, width = block.length;
     if (value < 0) {
       const auto expression = static_cast<std::uint32_t>(-1.0 - value);
-      where = code_->expressions[expression].at;
-      width = code_->expressions[expression].width;
       if (!evaluate(expression, value)) return false;
       if (is_vacant(value)) {
         result = -1;
         return true;
       }
       value = factor == 1 ? std::round(value) : std::round(value * factor);
+      at = code_->expressions[expression].at;
+      width = code_->expressions[expression].width;
     }
-    if (value < 0 || value > 1e9)
-      return alarm({Cause::ValueOutOfRange, where, width, "the code is out of range"});
+    if (value < 0 || value > kLargestCode)
+      return alarm({Cause::ValueOutOfRange, at, width, "the code is out of range"});
     result = static_cast<int>(value);
     return true;
   };
