@@ -234,17 +234,19 @@ void Machine::reset() {
 
 std::map<std::int32_t, double> Machine::variables(int level) const {
   std::map<std::int32_t, double> values;
+  std::size_t commons = 0;  // those of the ranges before
   for (const VariableRange& range : code_->control->variables) {
-    const bool local = range.kind == VariableKind::Local;
-    const bool common = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
-    if (!local && !common) continue;
-    for (std::int32_t number = range.first; number <= range.last; ++number) {
-      const VariablePlace place =
-          local ? VariablePlace{range.kind, number, &range} : code_->place(number);
-      const double value = local ? locals_[local_at(level, number)]
-                                 : commons_[static_cast<std::size_t>(place.index)];
-      if (!is_vacant(value)) values[number] = value;
+    const double* value = nullptr;
+    if (range.kind == VariableKind::Local) {
+      value = locals_.data() + local_at(level, range.first);
+    } else if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept) {
+      value = commons_.data() + commons;
+      commons += static_cast<std::size_t>(range.last - range.first + 1);
+    } else {
+      continue;
     }
+    for (std::int32_t number = range.first; number <= range.last; ++number, ++value)
+      if (!is_vacant(*value)) values[number] = *value;
   }
   for (const auto& [number, value] : system_) values[static_cast<std::int32_t>(number)] = value;
   return values;
