@@ -1,4 +1,5 @@
 // What system variables and reports read of the motion state, and write to the offset tables.
+#include <atomic>
 #include <cstdio>
 
 #include "cncsub/motion_facts.hpp"
@@ -85,6 +86,8 @@ double Motion::work_offset(int system, int axis) const {
 
 OffsetTables& Motion::own_tables() {
   if (tables_.use_count() > 1) tables_ = std::make_shared<OffsetTables>(*tables_);
+  // A copy that another thread has given up has read its last before this one writes.
+  std::atomic_thread_fence(std::memory_order_acquire);
   return *tables_;
 }
 
