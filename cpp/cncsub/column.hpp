@@ -58,7 +58,11 @@ class Chunks {
 template <class T>
 class Column {
  public:
+#ifdef CNCSUB_FUZZ  // small, so that short runs reach the ends of chunks
+  static constexpr std::size_t kChunk = 64;
+#else
   static constexpr std::size_t kChunk = sizeof(T) <= 16 ? 1 << 13 : 1 << 8;
+#endif
 
   Column() = default;
   Column(Column&& other) noexcept { swap(other); }

@@ -110,7 +110,11 @@ class Moves {
 
  private:
   struct Chunk {
+#ifdef CNCSUB_FUZZ  // as in column.hpp
+    static constexpr std::size_t kRows = 64;
+#else
     static constexpr std::size_t kRows = 1 << 12;
+#endif
     double x[kRows], y[kRows], z[kRows];
     std::uint32_t step[kRows], state[kRows];
     MoveKind kind[kRows];

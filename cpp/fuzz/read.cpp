@@ -1,0 +1,51 @@
+// Fuzzes reading: any bytes, as files of the memory and of the external device or as a text typed
+// in MDI, become a library on any control, and everything that can be asked of a library is asked.
+#include "cncsub/words.hpp"
+#include "input.hpp"
+
+namespace cncsub::fuzz {
+
+namespace {
+
+void check_program(const Code& code, const Program& program) {
+  const SourceFile& file = code.files[program.file];
+  claim(program.text <= program.text_end && program.text_end <= file.text.size(),
+        "a program's text lies in its file");
+  claim(program.first <= program.last && program.last < code.blocks.size(),
+        "a program's blocks lie in the table");
+  claim(code.blocks[program.last].op == Op::EndOfRecord, "every program ends");
+  std::uint32_t line = program.line;
+  for (Address a = program.first; a < program.last; ++a) {
+    const Block& block = code.blocks[a];
+    claim(block.line >= line, "blocks stand in the order of their lines");
+    line = block.line;
+    const std::string_view text = code.text_of(block, program);
+    for (const WrittenWord& word : written_words(*code.control, text))
+      claim(text.size() >= word.text.size(), "a word is a part of its block");
+    if (block.op == Op::Fault) {
+      const Alarm alarm = alarm_of(code, a, code.faults[block.aux]);
+      claim(alarm.line >= 1 && alarm.column >= 1, "an alarm has a place");
+      claim(!message(alarm).empty(), "an alarm has a message");
+    }
+    if (block.n >= 0)
+      claim(code.first_of(program, block.n) != kNowhere, "a block is found by its number");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const Job job = read_job(data, size);
+  std::int32_t main = 0;
+  const auto code = library_of(job, main);
+  for (const Program& program : code->programs) {
+    check_program(*code, program);
+    const bool external = code->files[program.file].external;
+    const std::int32_t by_name = code->find(program.name, external);
+    claim(by_name != kNoProgram || job.texts.mdi.has_value(), "a program is found by its name");
+    if (program.number >= 0) code->find(program.number, external);
+  }
+  return 0;
+}
+
+}  // namespace cncsub::fuzz

@@ -1,0 +1,158 @@
+// Fuzzes running: any program on any control, with parameters, rules, options, inputs and setup
+// from the input too. The run is made three ways, which have to come out alike: in one go, block by
+// block, and block by block with a copy that goes on by itself from some block on. Then both are
+// reset and run again.
+#include <cstring>
+
+#include "input.hpp"
+
+namespace cncsub::fuzz {
+
+namespace {
+
+constexpr std::size_t kLongest = 1 << 14;      // bytes of a program
+constexpr std::size_t kMostCompared = 20'000;  // rows of moves
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+bool same_values(const std::map<std::int32_t, double>& a, const std::map<std::int32_t, double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.first == y.first && same(x.second, y.second);
+  });
+}
+
+void same_stop(const Machine& a, const Machine& b) {
+  claim(a.stop() == b.stop(), "both stop for the same reason");
+  claim(a.blocks() == b.blocks(), "both execute the same number of blocks");
+  claim(a.waiting_for() == b.waiting_for(), "both wait for the same thing");
+  claim(a.alarm().has_value() == b.alarm().has_value(), "both alarm");
+  if (a.alarm()) claim(message(*a.alarm()) == message(*b.alarm()), "both give the same alarm");
+  claim(a.frames().size() == b.frames().size(), "both have the same calls open");
+  claim(a.level() == b.level() && a.address() == b.address(), "both stand at the same block");
+}
+
+void same_state(const Machine& a, const Machine& b) {
+  for (int level = 0; level <= a.level(); level += std::max(1, a.level()))
+    claim(same_values(a.variables(level), b.variables(level)), "both have the same variables");
+  const auto at = a.motion().position(), other = b.motion().position();
+  claim(at.size() == other.size(), "both have the same axes");
+  for (std::size_t i = 0; i < at.size(); ++i)
+    claim(at[i].first == other[i].first && same(at[i].second, other[i].second),
+          "both stand at the same point");
+  claim(a.motion().modal() == b.motion().modal(), "both have the same modal state");
+  claim(same(a.motion().time(), b.motion().time()), "both took the same time");
+}
+
+void same_rows(const Trace& a, const Trace& b) {
+  claim(a.steps.size() == b.steps.size(), "both have as many steps");
+  for (std::size_t i = 0; i < a.steps.size(); ++i) {
+    const Trace::Step x = a.steps[i], y = b.steps[i];
+    claim(x.address == y.address && x.call == y.call && x.repeat == y.repeat, "step by step");
+  }
+  claim(a.calls.size() == b.calls.size(), "both have as many calls");
+  for (std::size_t i = 0; i < a.calls.size(); ++i) {
+    const CallRow x = a.calls[i], y = b.calls[i];
+    claim(x.program == y.program && x.parent == y.parent && x.first_step == y.first_step &&
+              x.last_step == y.last_step && x.arguments == y.arguments,
+          "call by call");
+  }
+  claim(a.m_codes == b.m_codes && a.t_codes == b.t_codes, "both send the same codes");
+  claim(a.messages == b.messages, "both print the same");
+}
+
+void same_moves(const Moves& a, const Moves& b) {
+  claim(a.size() == b.size() && a.axes() == b.axes(), "both move as often");
+  if (a.size() == 0 || a.size() > kMostCompared) return;
+  std::vector<double> x(a.size()), y(a.size());
+  for (const char* name : {"x", "w", "mz", "cx", "feed", "spindle", "length", "time"}) {
+    a.column(name, x.data());
+    b.column(name, y.data());
+    claim(std::equal(x.begin(), x.end(), y.begin(), same), "move by move");
+  }
+}
+
+void same_run(const Machine& a, const Machine& b) {
+  same_stop(a, b);
+  same_state(a, b);
+  same_rows(a.trace(), b.trace());
+  same_moves(a.trace().moves, b.trace().moves);
+}
+
+/// What every run that has stopped keeps to.
+void check(const Machine& machine, const Options& options) {
+  claim(machine.stop() != Stop::Running, "a run stops");
+  claim(machine.alarm().has_value() == (machine.stop() == Stop::Alarm), "an alarm stops");
+  claim(machine.blocks() <= options.max_blocks + 1, "no more blocks than were asked for");
+  if (options.trace >= Trace::Depth::Blocks)
+    claim(static_cast<std::int64_t>(machine.trace().steps.size()) == machine.blocks(),
+          "one row for each step");
+  for (std::size_t i = 0; i < machine.trace().calls.size(); ++i) {
+    const CallRow call = machine.trace().calls[i];
+    claim(call.parent < static_cast<std::int64_t>(i), "a caller comes first");
+    claim(call.first_step <= call.last_step + 1 && call.last_step < machine.blocks(),
+          "a call spans steps");
+    machine.arguments(i);
+  }
+  for (const auto& [axis, value] : machine.motion().position())
+    claim(std::isfinite(value), "a position is a number");
+  claim(machine.motion().time() >= 0, "time goes on");
+  machine.trace().moves.bounds();
+  if (machine.alarm()) claim(!message(*machine.alarm()).empty(), "an alarm has a message");
+}
+
+void step_to_the_end(Machine& machine) {
+  while (machine.step()) {
+  }
+}
+
+/// Runs on, held before every other block.
+void run_with_pauses(Machine& machine) {
+  while (machine.stop() == Stop::Running) {
+    const std::int64_t from = machine.blocks();
+    machine.run({}, [from](const Machine& m) { return m.blocks() >= from + 2; });
+  }
+}
+
+void write_by_hand(Machine& machine, const Job& job) {
+  for (const auto& [number, value] : job.by_hand) {
+    machine.write(number, value);
+    double read = 0;
+    machine.read(number, read);
+    machine.read_at(number, 0, read);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size > kLongest) return -1;
+  const Job job = run_job(data, size);
+  std::int32_t main = 0;
+  const auto code = library_of(job, main);
+
+  Machine whole(code, main, job.options);
+  whole.run({});
+  check(whole, job.options);
+
+  Machine stepped(code, main, job.options);
+  for (std::size_t i = 0; i < job.copied_after && stepped.step(); ++i) {
+  }
+  Machine copy = stepped;
+  write_by_hand(stepped, job);
+  step_to_the_end(stepped);
+  if (job.by_hand.empty()) same_run(whole, stepped);
+  write_by_hand(copy, job);
+  run_with_pauses(copy);
+  check(copy, job.options);
+  same_run(stepped, copy);
+
+  whole = copy;
+  whole.reset();
+  copy.reset();
+  whole.run({});
+  step_to_the_end(copy);
+  same_run(whole, copy);
+  return 0;
+}
+
+}  // namespace cncsub::fuzz
