@@ -1,7 +1,9 @@
-"""One measurement in a process of its own: `python measure.py JOB` prints what it took, as JSON.
+"""One measurement in a process of its own: `python measure.py <JOB` prints what it took, as JSON.
 
-A job names a file, a control and the options of `Library.run`; or a peer and a file. Seconds are
-those of the processor, as the peers count them, so that other work on the machine does not count.
+A job names who does the work, the files, and how much work it is. Seconds are those of the
+processor, so that other work on the machine does not count; where threads work side by side they
+are those of the clock, less what a thread stood ready without a core. Importing a module is not counted. What somebody cannot run prints as
+`{"refused": why}`.
 """
 
 from __future__ import annotations
@@ -9,11 +11,20 @@ from __future__ import annotations
 import contextlib
 import importlib
 import json
+import os
+import subprocess
 import sys
 import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
+
+Figures = dict[str, Any]
+
+
+class RefusedError(Exception):
+    """A peer cannot run a workload; the text says why."""
 
 
 def memory(field: str) -> int:
@@ -30,25 +41,38 @@ def forget_peak() -> None:
         Path("/proc/self/clear_refs").write_text("5")
 
 
-def run_cncsub(file: str, control: str, **options: Any) -> dict[str, Any]:
+def expect(what: str, found: int, expected: int) -> None:
+    """A little more than expected is what some write for the start and the end."""
+    if not expected <= found <= expected + 4:
+        raise RefusedError(f"makes {found:,} {what}, not {expected:,}")
+
+
+# ---- cncsub ----
+
+
+def run_cncsub(files: list[str], control: str, trace: str, blocks: int) -> Figures:
+    """Load and run one file."""
     import cncsub
 
     began = time.process_time()
-    library = cncsub.load(file, control=control)
+    library = cncsub.load(files[0], control=control)
     read = time.process_time()
     before = memory("VmRSS")
     forget_peak()
     started = time.process_time()
-    run = library.run(max_blocks=10**12, **options)
+    run = library.run(max_blocks=10**12, trace=trace)
     done = time.process_time()
-    kept, peak = memory("VmRSS") - before, memory("VmHWM") - before  # before the tables are opened
+    kept, peak = memory("VmRSS") - before, memory("VmHWM")  # before the tables are opened
+    assert str(run.stop) == "end", run.stop
+    assert trace == "none" or len(run.steps) == blocks, (len(run.steps), blocks)
     return {
-        "stop": str(run.stop),
+        "seconds": read - began + done - started,
         "read": read - began,
+        "bytes": Path(files[0]).stat().st_size,
         "run": done - started,
         "kept": kept,
         "peak": peak,
-        "steps": len(run.steps),
+        "above": peak - before,
         "result": run.variables[2],
         "columns": open_columns(run.moves),
     }
@@ -63,51 +87,190 @@ def open_columns(moves: Any) -> float:
     return time.process_time() - began
 
 
-def parse_gcodeparser(text: str) -> None:
-    module = importlib.import_module("gcodeparser")
-    assert module.GcodeParser(text).lines
+def waited() -> float:
+    """Seconds this thread stood ready and was given no core, where the system tells."""
+    with contextlib.suppress(OSError):
+        return int(Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
+    return 0
 
 
-def parse_pygcode(text: str) -> None:
-    module = importlib.import_module("pygcode")
-    assert [module.Line(line) for line in text.splitlines() if line != "O1"]
+def read_and_run(path: str, control: str, moves: int) -> float:
+    """Every program of a file or folder; the seconds of the clock, less those without a core."""
+    import cncsub
+
+    began = time.perf_counter() - waited()
+    library = cncsub.load(path, control=control)
+    made = sum(len(library.run(name, max_blocks=10**12).moves) for name in library)
+    done = time.perf_counter() - waited()
+    assert made == moves, (made, moves)
+    return done - began
 
 
-def run_nc_gcode_interpreter(text: str) -> None:
-    module = importlib.import_module("nc_gcode_interpreter")
-    assert module.nc_to_dataframe(text.removeprefix("O1\n"))
+def run_threads(files: list[str], control: str, moves: int) -> Figures:
+    """Files or folders one after the other, then each in a thread of its own.
 
+    Waiting for another thread counts, waiting for a core that another process has does not.
+    """
+    importlib.import_module("cncsub")
 
-PEERS: dict[str, Callable[[str], None]] = {
-    "gcodeparser": parse_gcodeparser,
-    "pygcode": parse_pygcode,
-    "nc-gcode-interpreter": run_nc_gcode_interpreter,
-}
+    def work(path: str) -> float:
+        return read_and_run(path, control, moves // len(files))
 
-
-def run_peer(peer: str, file: str) -> dict[str, Any]:
-    """Seconds for a text that is in memory; the import of the peer is not counted."""
-    text = Path(file).read_text(encoding="ascii")
-    importlib.import_module(peer.replace("-", "_"))
+    work(files[0])  # the first time is for what is made once
     began = time.process_time()
-    PEERS[peer](text)
-    return {"run": time.process_time() - began}
+    one = sum(map(work, files))
+    processor = time.process_time() - began
+    peak = memory("VmHWM")
+    with ThreadPoolExecutor(len(files)) as threads:
+        two = max(threads.map(work, files))
+    return {"seconds": processor, "peak": peak, "one": one, "two": two}
 
 
-def import_cncsub() -> dict[str, Any]:
+def import_cncsub() -> Figures:
     """Seconds of `import cncsub`, and which heavy modules it brought along."""
     began = time.process_time()
     cncsub = importlib.import_module("cncsub")
     seconds = time.process_time() - began
     heavy = ("numpy", "pandas", "polars", "pyarrow", "duckdb", "rich", "typer")
     brought = [name for name in heavy if name in sys.modules]
-    return {"run": seconds, "heavy": brought, "version": cncsub.__version__}
+    return {"seconds": seconds, "heavy": brought, "version": cncsub.__version__}
+
+
+# ---- peers that are Python modules ----
+
+
+class Canon:
+    """What the interpreter of LinuxCNC calls for everything a program does: it counts the moves."""
+
+    def __init__(self) -> None:
+        self.parameter_file = ""
+        self.moves = 0
+
+    def straight_feed(self, *_: float) -> None:
+        self.moves += 1
+
+    straight_traverse = arc_feed = straight_feed
+
+    def get_external_length_units(self) -> float:
+        return 1.0
+
+    get_external_angular_units = get_external_length_units
+
+    def get_axis_mask(self) -> int:
+        return 7
+
+    def check_abort(self) -> bool:
+        return False
+
+    get_block_delete = check_abort
+
+    def get_tool(self, _: int) -> tuple[float, ...]:
+        return (-1, *[0.0] * 12, 0)
+
+    def __getattr__(self, name: str) -> Callable[..., None]:
+        return lambda *_: None
+
+
+def run_gcode(gcode: Any, file: str, moves: int, blocks: int) -> None:
+    canon = Canon()
+    canon.parameter_file = str(Path(file).with_suffix(".var"))
+    Path(canon.parameter_file).touch()
+    status, line = gcode.parse(file, canon, "G21", "")
+    if status > gcode.MIN_ERROR:
+        raise RefusedError(f"{gcode.strerror(status)}, line {line}")
+    expect("moves", canon.moves, moves)
+
+
+def run_nc_gcode_interpreter(module: Any, file: str, moves: int, blocks: int) -> None:
+    table, _ = module.nc_to_dataframe(Path(file).read_text(encoding="ascii"))
+    expect("rows", len(table), blocks)
+    if blocks > moves + 4 and "M98" in table["M"].explode().to_list():
+        raise RefusedError("reads on over M98")
+
+
+def parse_pygcode(module: Any, file: str, moves: int, blocks: int) -> None:
+    """Line by line, and each is forgotten at once: all of them take some kilobytes a block."""
+    text = Path(file).read_text(encoding="ascii")
+    lines = [line for line in text.splitlines() if not line.startswith("O")]
+    expect("lines", sum(len(module.Line(line).block.gcodes) > 0 for line in lines), moves)
+
+
+def parse_gcodeparser(module: Any, file: str, moves: int, blocks: int) -> None:
+    expect("lines", len(module.GcodeParser(Path(file).read_text(encoding="ascii")).lines), moves)
+
+
+MODULES: dict[str, Callable[[Any, str, int, int], None]] = {
+    "gcode": run_gcode,
+    "nc-gcode-interpreter": run_nc_gcode_interpreter,
+    "pygcode": parse_pygcode,
+    "gcodeparser": parse_gcodeparser,
+}
+
+
+def run_module(peer: str, files: list[str], moves: int, blocks: int) -> Figures:
+    """The module reads the files itself, or gets their texts."""
+    module = importlib.import_module(peer.replace("-", "_"))
+    began = time.process_time()
+    for file in files:
+        try:
+            MODULES[peer](module, file, moves // len(files), blocks // len(files))
+        except ValueError as error:  # what those in Python raise at words they do not know
+            raise RefusedError(str(error).partition("{")[0].strip()) from error
+    return {"seconds": time.process_time() - began, "peak": memory("VmHWM")}
+
+
+# ---- peers that are programs ----
+
+
+def run_rs274(files: list[str], program: str) -> Figures:
+    """One process for each file, its start counted; the moves it prints are thrown away."""
+    folder = Path(files[0]).parent
+    tools, variables = folder / "tool.tbl", folder / "rs274.var"
+    for file in (tools, variables):
+        file.touch()
+    home = os.environ | {"HOME": str(folder)}  # where it keeps a file that two at once would spoil
+    seconds, peak = 0.0, 0
+    for path in files:
+        command = [program, "-t", str(tools), "-v", str(variables), "-g", path]
+        with subprocess.Popen(
+            command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=home
+        ) as process:
+            assert process.stderr is not None
+            printed = process.stderr.read().split("\n")
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode != 0:
+            raise RefusedError(
+                next((line for line in printed if line and line != "executing"), "?")
+            )
+        seconds += usage.ru_utime + usage.ru_stime
+        peak = max(peak, usage.ru_maxrss * 1024)
+    return {"seconds": seconds, "peak": peak}
+
+
+def run_lua(files: list[str], program: str) -> Figures:
+    done = subprocess.run([program, files[0]], capture_output=True, text=True, check=True)
+    seconds, result, peak = done.stdout.split()
+    return {"seconds": float(seconds), "result": float(result), "peak": int(peak) * 1024}
+
+
+JOBS: dict[str, Callable[..., Figures]] = {
+    "cncsub": run_cncsub,
+    "threads": run_threads,
+    "import": import_cncsub,
+    "module": run_module,
+    "rs274": run_rs274,
+    "lua": run_lua,
+}
 
 
 def main() -> None:
-    job = json.loads(sys.argv[1])
-    kinds = {"cncsub": run_cncsub, "peer": run_peer, "import": import_cncsub}
-    print(json.dumps(kinds[job.pop("kind")](**job)))
+    job = json.load(sys.stdin)
+    try:
+        figures = JOBS[job.pop("job")](**job)
+    except RefusedError as why:
+        figures = {"refused": str(why)}
+    print(json.dumps(figures))
 
 
 if __name__ == "__main__":

@@ -1,82 +1,238 @@
-"""The programs that are measured, as texts of the control's memory."""
+"""What is measured: `python workloads.py SIZE FOLDER` writes the files of all workloads.
+
+A workload is a list of files, how much work they are, and how a peer says the same in words of its
+own where those of a control are none it knows.
+"""
 
 from __future__ import annotations
 
-import random
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
 
-SINE_LOOP = """\
-O1
-N10 #1=0
-N20 #2=0
-N30 WHILE[#1 LT {passes}]DO1
-N40 #1=#1+1
-N50 #2=#2+SIN[#1]*2
-N60 END1
-N70 M30
-"""
+import programs
 
-# The loop of SINE_LOOP: each prints its seconds and the two variables.
-LUA_LOCALS = """\
-local sin, degree = math.sin, math.pi / 180
-local began = os.clock()
-local a, b = 0.0, 0.0
-while a < {passes} do
-  a = a + 1
-  b = b + sin(a * degree) * 2
-end
-print(os.clock() - began, a, b)
-"""
-LUA_FIELDS = """\
-local sin, degree = math.sin, math.pi / 180
-local began = os.clock()
-local v = {{0.0, 0.0}}
-while v[1] < {passes} do
-  v[1] = v[1] + 1
-  v[2] = v[2] + sin(v[1] * degree) * 2
-end
-print(os.clock() - began, v[1], v[2])
-"""
+Text = Callable[[], str]
+DEPTH = 12  # of the nested calls
+REPEATS = 9999  # of an M98 L
+MACRO_BLOCKS = 1000  # G65 blocks, run again and again
+HALVES = ("a", "b")  # the two folders of the folder, each for a thread
 
 
-def flat(blocks: int) -> str:
-    """G1 blocks with three coordinates, as a CAM system writes them."""
-    chance = random.Random(1)
-    lines = (
-        f"X{chance.uniform(-200, 200):.3f} Y{chance.uniform(-200, 200):.3f}"
-        f" Z{chance.uniform(-20, 0):.3f}\n"
-        for _ in range(blocks)
+@dataclass(frozen=True)
+class Size:
+    """How large the workloads are, and how often each is measured."""
+
+    rounds: int
+    blocks: int  # of the flat files
+    calls: int  # M98 L9999 blocks
+    subprograms: int
+    macro_repeats: int  # of 1,000 G65 blocks
+    holes: int
+    passes: int  # of the loops
+    around: int  # blocks before the jump loop, and behind it
+    programs: int  # of the folder
+    patience: float = 20  # seconds of one program on one workload, after which it is not repeated
+
+
+SIZES = {
+    "tiny": Size(1, 2_000, 1, 20, 1, 200, 2_000, 100, 20),
+    "small": Size(3, 100_000, 2, 2000, 100, 20_000, 300_000, 50_000, 1000, patience=5),
+    "full": Size(5, 1_000_000, 10, 2000, 1000, 200_000, 3_000_000, 50_000, 10_000),
+}
+
+
+@dataclass(frozen=True)
+class Workload:
+    """Programs that every peer gets, and what a right execution of them is."""
+
+    name: str
+    title: str
+    files: Mapping[str, Text]
+    count: int  # of the units a figure is given for
+    unit: str
+    blocks: int  # that are executed
+    moves: int = 0  # that are made; a run keeps them where there are any
+    control: str = "fanuc-0i-f"
+    plain: bool = False  # nothing but moves, so that a mere parser has its part
+    own_words: Mapping[str, Mapping[str, Text]] = field(default_factory=dict)  # by peer
+
+    @property
+    def trace(self) -> str:
+        return "moves" if self.moves else "none"
+
+    def paths(self, folder: Path, peer: str = "") -> list[Path]:
+        """The files for a peer."""
+        return [folder / name for name in self.own_words.get(peer, self.files)]
+
+
+def workloads(size: Size) -> list[Workload]:
+    """All of them, in the order of the table."""
+    return [*flat_workloads(size), *call_workloads(size), *loop_workloads(size), folder_of(size)]
+
+
+def flat_workloads(size: Size) -> list[Workload]:
+    count = size.blocks
+    return [
+        Workload(
+            "flat",
+            f"flat G1, {count:,} blocks",
+            {"flat.nc": partial(programs.flat, count)},
+            count=count,
+            unit="block",
+            blocks=count + 2,
+            moves=count,
+            plain=True,
+        ),
+        Workload(
+            "arcs",
+            f"flat G2 and G3, {count:,} blocks",
+            {"arcs.nc": partial(programs.arcs, count)},
+            count=count,
+            unit="block",
+            blocks=count + 3,
+            moves=count + 1,
+            plain=True,
+        ),
+    ]
+
+
+def call_workloads(size: Size) -> list[Workload]:
+    passes, macros = size.calls * REPEATS, MACRO_BLOCKS * size.macro_repeats
+    return [
+        Workload(
+            "calls",
+            f"M98 L{REPEATS}, eight G1 blocks, from {size.calls} blocks",
+            {"calls.nc": partial(programs.call_loop, size.calls, REPEATS)},
+            count=passes * 9,
+            unit="block",
+            blocks=passes * 9 + size.calls + 2,
+            moves=passes * 8,
+        ),
+        Workload(
+            "nested",
+            f"{DEPTH} nested calls, {DEPTH * REPEATS:,} calls in all",
+            {"nested.nc": partial(programs.nested, DEPTH, REPEATS)},
+            count=DEPTH * REPEATS,
+            unit="call",
+            blocks=(2 * DEPTH - 1) * REPEATS + 2,
+            control="gsk-988ta",  # allows twelve
+        ),
+        Workload(
+            "subprograms",
+            f"{size.subprograms:,} small subprograms, each called once",
+            {"subprograms.nc": partial(programs.subprograms, size.subprograms)},
+            count=size.subprograms,
+            unit="call",
+            blocks=3 * size.subprograms + 2,
+            moves=size.subprograms,
+        ),
+        Workload(
+            "macros",
+            f"G65 with six arguments, {macros:,} calls",
+            {"macros.nc": partial(programs.macro_calls, MACRO_BLOCKS, size.macro_repeats)},
+            count=macros,
+            unit="call",
+            blocks=2 * macros + size.macro_repeats + 2,
+            own_words=linuxcnc(
+                "macros", programs.macro_calls_linuxcnc, MACRO_BLOCKS, size.macro_repeats
+            ),
+        ),
+        Workload(
+            "holes",
+            f"G66 over {size.holes:,} holes",
+            {"holes.nc": partial(programs.hole_pattern, size.holes)},
+            count=size.holes,
+            unit="hole",
+            blocks=5 * size.holes + 4,
+            moves=4 * size.holes + 1,
+        ),
+    ]
+
+
+def loop_workloads(size: Size) -> list[Workload]:
+    lua = {
+        f"Lua {form}": {f"sine-{form}.lua": partial(programs.sine_loop_lua, size.passes, form)}
+        for form in programs.LUA_FORMS
+    }
+    return [
+        Workload(
+            "sine",
+            f"WHILE with two assignments and a sine, {size.passes:,} passes",
+            {"sine.nc": partial(programs.sine_loop, size.passes)},
+            count=size.passes,
+            unit="pass",
+            blocks=4 * size.passes + 4,
+            own_words=lua | linuxcnc("sine", programs.sine_loop_linuxcnc, size.passes),
+        ),
+        jump_workload("jump", size.around, size.passes),
+    ]
+
+
+def jump_workload(name: str, around: int, passes: int) -> Workload:
+    return Workload(
+        name,
+        f"IF/GOTO in a program of {2 * around + 4:,} blocks, {passes:,} passes",
+        {f"{name}.nc": partial(programs.jump_loop, passes, around)},
+        count=passes,
+        unit="pass",
+        blocks=2 * passes + 2 * around + 2,
     )
-    return "O1\nG90 G1 F500\n" + "".join(f"G1 {line}" for line in lines) + "M30\n"
 
 
-def call_loop(calls: int, repeats: int) -> str:
-    """M98 L with a body of eight G1 blocks."""
-    body = "".join(f"N{n} G1 X{n}. Y{n % 3}.5\n" for n in range(1, 9))
-    return "O1\nG90 G1 F500.\n" + f"M98 P2 L{repeats}\n" * calls + "M30\n" + "O2\n" + body + "M99\n"
+def short_jump(size: Size) -> Workload:
+    """What the jump in a long program is compared with."""
+    return jump_workload("short jump", 5, size.passes)
 
 
-def subprograms(count: int) -> str:
-    """Many small subprograms, each called once."""
-    calls = "".join(f"M98 P{n}\n" for n in range(2, count + 2))
-    bodies = "".join(f"O{n}\nG1 X{n % 100}.\nM99\n" for n in range(2, count + 2))
-    return "O1\nG90 G1 F500.\n" + calls + "M30\n" + bodies
+def folder_of(size: Size) -> Workload:
+    half = size.programs // 2
+    files = {
+        f"folder/{folder}/O{number:04}.nc": partial(programs.small_program, number)
+        for folder in HALVES
+        for number in range(1, half + 1)
+    }
+    return Workload(
+        "folder",
+        f"a folder of {2 * half:,} programs of 20 blocks, read and run",
+        files,
+        count=2 * half,
+        unit="program",
+        blocks=2 * half * 20,
+        moves=2 * half * 18,
+        plain=True,
+    )
 
 
-def nested(depth: int, repeats: int) -> str:
-    """A call inside a call, `depth` deep, the whole again `repeats` times."""
-    inner = "".join(f"O{n}\nM98 P{n + 1}\nM99\n" for n in range(2, depth + 1))
-    return f"O1\nM98 P2 L{repeats}\nM30\n{inner}O{depth + 1}\nM99\n"
+def linuxcnc(name: str, text: Callable[..., str], *arguments: int) -> dict[str, dict[str, Text]]:
+    """The same work in the words of LinuxCNC, for its two faces."""
+    files = {f"{name}.ngc": partial(text, *arguments)}
+    return {"rs274": files, "gcode": files}
 
 
-def macro_calls(blocks: int, repeats: int) -> str:
-    """G65 with six arguments in `blocks` blocks, run `repeats` times; the macro returns at once."""
-    call = "G65 P3 A1. B2. C3. I4. J5. K6.\n"
-    return f"O1\nM98 P2 L{repeats}\nM30\nO2\n{call * blocks}M99\nO3\nM99\n"
+def other_files(size: Size) -> dict[str, Text]:
+    """What cncsub is measured with beside the workloads: a short jump loop, and one library for each
+    of two threads.
+    """
+    threads = {
+        f"threads/{folder}.nc": partial(programs.flat, size.blocks // 2, seed)
+        for seed, folder in enumerate(HALVES)
+    }
+    return {**threads, **short_jump(size).files}
 
 
-def jump_loop(passes: int, around: int) -> str:
-    """An IF..GOTO loop of two blocks, with `around` other blocks before it and behind it."""
-    before = "".join(f"N{n} G0 X1.\n" for n in range(1, around + 1))
-    loop = f"N{around + 1} #1=#1+1\nIF[#1 LT {passes}]GOTO{around + 1}\n"
-    behind = "".join(f"N{n} G0 X1.\n" for n in range(around + 2, 2 * around + 2))
-    return "O1\n" + before + "#1=0\n" + loop + behind + "M30\n"
+def write_files(size: Size, folder: Path) -> None:
+    texts = other_files(size)
+    for workload in workloads(size):
+        for files in (workload.files, *workload.own_words.values()):
+            texts.update(files)
+    for name, text in texts.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text(), encoding="ascii")
+
+
+if __name__ == "__main__":
+    write_files(SIZES[sys.argv[1]], Path(sys.argv[2]))

@@ -1,0 +1,244 @@
+"""Counts instructions, which no other work on the machine changes: `python tests/benchmarks/instructions.py`.
+
+Every workload runs in three sizes under valgrind's callgrind, each four times the one before. What
+one more block costs is the slope between two sizes. Two things fail: a slope that grows with the
+size, because the cost is to stay in proportion; and a slope above that of `instructions.json` by
+more than the margin. `--write` stores the slopes of now.
+
+Counts depend on the compiler. Where `instructions.json` has none of the compiler that built the
+module, those of another are compared with a margin so wide that only a blunder exceeds it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from importlib import util
+from pathlib import Path
+
+import programs
+
+STORED = Path(__file__).resolve().with_name("instructions.json")
+STEPS = (1, 4, 16)
+PROPORTION = 1.10  # the slope may grow by so much: tables that double, columns that begin small
+MARGIN = 1.10  # above the stored count of the same compiler: its patch level, the C library
+OTHER_MARGIN = 1.75  # above the count of another compiler
+
+
+@dataclass(frozen=True)
+class Counted:
+    """A workload: its text by its size, and how many units of work a size has."""
+
+    text: Callable[[int], str]
+    units: int  # in size 1
+    unit: str
+    control: str = "fanuc-0i-f"
+    trace: str = "moves"
+    reads: bool = False  # reading it is counted too
+
+
+COUNTED = {
+    "flat": Counted(lambda size: programs.flat(1000 * size), 1000, "block", reads=True),
+    "flat, trace none": Counted(
+        lambda size: programs.flat(1000 * size), 1000, "block", trace="none"
+    ),
+    "arcs": Counted(lambda size: programs.arcs(1000 * size), 1000, "block", reads=True),
+    "calls": Counted(lambda size: programs.call_loop(1, 125 * size), 125 * 9, "block"),
+    "nested": Counted(
+        lambda size: programs.nested(12, 100 * size),
+        1200,
+        "call",
+        control="gsk-988ta",
+        trace="none",
+    ),
+    "subprograms": Counted(lambda size: programs.subprograms(100 * size), 100, "call", reads=True),
+    "macros": Counted(
+        lambda size: programs.macro_calls(10, 100 * size), 1000, "call", trace="none"
+    ),
+    "holes": Counted(lambda size: programs.hole_pattern(200 * size), 200, "hole"),
+    "sine": Counted(lambda size: programs.sine_loop(1000 * size), 1000, "pass", trace="none"),
+    "jump": Counted(lambda size: programs.jump_loop(1000 * size, 50), 1000, "pass", trace="none"),
+}
+
+
+@dataclass(frozen=True)
+class Slope:
+    """Instructions for one more unit, between the smaller two sizes and between the larger two."""
+
+    unit: str
+    small: float
+    large: float
+
+    @property
+    def in_proportion(self) -> bool:
+        return self.large <= self.small * PROPORTION
+
+
+# ---- counting ----
+
+
+def mark() -> None:
+    """callgrind writes down its count, and begins a new one, whenever this is called."""
+    os.getpriority(os.PRIO_PROCESS, 0)
+
+
+def work(folder: Path) -> None:
+    """What is counted: reading and running every file, in the order of `names`."""
+    import cncsub
+
+    for size in (STEPS[0], *STEPS):  # the first time is for what is made once
+        for name, counted in COUNTED.items():
+            file = folder / f"{name} {size}.nc"
+            mark()
+            library = cncsub.load(file, control=counted.control)
+            mark()
+            run = library.run(max_blocks=10**9, trace=counted.trace)
+            mark()
+            assert str(run.stop) == "end", (name, run.alarm)
+            del run, library
+
+
+def names() -> Iterator[str]:
+    """What lies between two marks; nothing where it is of no interest."""
+    for _ in (STEPS[0], *STEPS):
+        for name, counted in COUNTED.items():
+            yield ""
+            yield f"read {name}" if counted.reads else ""
+            yield name
+
+
+def count(folder: Path) -> list[int]:
+    """The counts between the marks of `work`, in a Python under callgrind."""
+    for name, counted in COUNTED.items():
+        for size in STEPS:
+            (folder / f"{name} {size}.nc").write_text(counted.text(size), encoding="ascii")
+    out = folder / "callgrind.out"
+    valgrind = ["valgrind", "--tool=callgrind", "--dump-before=getpriority"]
+    command = [*valgrind, f"--callgrind-out-file={out}", sys.executable, __file__]
+    environment = os.environ | {"PYTHONHASHSEED": "0"}
+    done = subprocess.run(
+        [*command, "--work", str(folder)],
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if done.returncode != 0:
+        raise SystemExit(done.stderr[-2000:])
+    parts = len(list(names()))
+    return [total(out.with_name(f"{out.name}.{part}")) for part in range(1, parts + 1)]
+
+
+def total(file: Path) -> int:
+    """Where one file is written at each mark, the n-th has what was before the n-th mark."""
+    found = re.search(r"^(?:totals|summary): (\d+)", file.read_text(), re.MULTILINE)
+    if found is None:
+        raise SystemExit(f"{file.name} of callgrind has no total")
+    return int(found[1])
+
+
+def slopes(counts: list[int]) -> dict[str, Slope]:
+    """By the name of what was counted."""
+    by_name: dict[str, list[int]] = {}
+    for name, instructions in zip(names(), counts):
+        if name:
+            by_name.setdefault(name, []).append(instructions)
+    found = {}
+    for name, (_, *of_sizes) in by_name.items():
+        counted = COUNTED[name.removeprefix("read ")]
+        small, large = (
+            (of_sizes[k + 1] - of_sizes[k]) / (STEPS[k + 1] - STEPS[k]) / counted.units
+            for k in (0, 1)
+        )
+        found[name] = Slope(counted.unit, small, large)
+    return found
+
+
+# ---- comparing ----
+
+
+def compiler() -> str:
+    """Who built the module, by what compilers leave in it, and for which processors."""
+    module = util.find_spec("cncsub._core")
+    assert module is not None
+    assert module.origin is not None
+    data = Path(module.origin).read_bytes()
+    for name, pattern in (("clang", rb"clang version (\d+)"), ("GCC", rb"GCC: \([^)]*\) (\d+)")):
+        if found := re.search(pattern, data):
+            return f"{name} {int(found[1])} {platform.machine()}"
+    return f"unknown {platform.machine()}"
+
+
+def allowed(stored: Mapping[str, Mapping[str, float]], built: str) -> dict[str, float]:
+    """The most instructions of each workload: the stored ones with the margin that fits."""
+    if built in stored:
+        return {name: count * MARGIN for name, count in stored[built].items()}
+    most: dict[str, float] = {}
+    for counts in stored.values():
+        for name, count in counts.items():
+            most[name] = max(most.get(name, 0), count * OTHER_MARGIN)
+    return most
+
+
+def faults(found: Mapping[str, Slope], most: Mapping[str, float]) -> list[str]:
+    """What is wrong: costs out of proportion, and costs that rose."""
+    wrong = [
+        f"{name}: one more {slope.unit} costs {slope.small:.0f} instructions, and {slope.large:.0f}"
+        " in a larger size: out of proportion"
+        for name, slope in found.items()
+        if not slope.in_proportion
+    ]
+    return wrong + [
+        f"{name}: one more {slope.unit} costs {slope.large:.0f} instructions; at most"
+        f" {most[name]:.0f} are allowed"
+        for name, slope in found.items()
+        if slope.large > most.get(name, float("inf"))
+    ]
+
+
+def table(found: Mapping[str, Slope], most: Mapping[str, float]) -> str:
+    lines = [f"{'instructions for one more':32}{'small':>9}{'large':>9}{'allowed':>9}"]
+    for name, slope in found.items():
+        limit = f"{most[name]:9.0f}" if name in most else f"{'-':>9}"
+        lines.append(f"{f'{slope.unit}: {name}':32}{slope.small:9.0f}{slope.large:9.0f}{limit}")
+    return "\n".join(lines)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--write", action="store_true", help="store what was counted")
+    parser.add_argument("--work", type=Path, help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    if arguments.work:
+        work(arguments.work)
+        return 0
+    if shutil.which("valgrind") is None:
+        print("There is no valgrind here. On Debian: apt-get install valgrind", file=sys.stderr)
+        return 2
+    stored = json.loads(STORED.read_text()) if STORED.exists() else {}
+    built = compiler()
+    with tempfile.TemporaryDirectory() as folder:
+        found = slopes(count(Path(folder)))
+    most = allowed(stored, built)
+    print(f"built by {built}; stored are the counts of {', '.join(stored) or 'nobody'}")
+    print(table(found, most))
+    if arguments.write:
+        stored[built] = {name: round(slope.large, 1) for name, slope in found.items()}
+        STORED.write_text(json.dumps(stored, indent=2) + "\n")
+        return 0
+    wrong = faults(found, most)
+    print("\n".join(wrong) or "in proportion, and no dearer than stored")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

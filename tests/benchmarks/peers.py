@@ -1,0 +1,67 @@
+"""The other programs that are measured: which of them are here, and what they can be given."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from importlib import metadata, util
+from typing import Any
+
+import programs
+from workloads import Workload
+
+
+@dataclass(frozen=True)
+class Peer:
+    """A program or module; `program` is its path, and empty for a module."""
+
+    name: str
+    source: str
+    found: Callable[[], str | None]  # its version, path or name; None where it is not installed
+    job: str  # of measure.py
+    only_reads: bool = False
+
+    def refuses(self, workload: Workload) -> str | None:
+        """Why it is not even tried."""
+        if self.job == "lua":
+            return None if self.name in workload.own_words else "another language"
+        if self.only_reads and not workload.plain:
+            return "a parser, runs nothing"
+        return None
+
+    def measurement(self, workload: Workload, files: list[str]) -> dict[str, Any]:
+        """The job that measures it."""
+        if self.job == "module":
+            given = {"peer": self.name, "moves": workload.moves, "blocks": workload.blocks}
+        else:
+            given = {"program": self.found()}
+        return {"job": self.job, "files": files, **given}
+
+
+def module_version(name: str) -> str | None:
+    if util.find_spec(name.replace("-", "_")) is None:
+        return None
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return "installed"  # by no package manager of Python
+
+
+def module(name: str, source: str = "package index", **more: Any) -> Peer:
+    return Peer(name, source, partial(module_version, name), "module", **more)
+
+
+LINUXCNC = "Debian package linuxcnc-uspace"
+PEERS = [
+    Peer("rs274", LINUXCNC, partial(shutil.which, "rs274"), "rs274"),
+    module("gcode", f"{LINUXCNC}, for the Python of that Debian"),
+    module("nc-gcode-interpreter"),
+    module("pygcode", only_reads=True),
+    module("gcodeparser", only_reads=True),
+    *(
+        Peer(f"Lua {form}", "Debian package lua5.4", partial(shutil.which, "lua5.4"), "lua")
+        for form in programs.LUA_FORMS
+    ),
+]
