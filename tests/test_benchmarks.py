@@ -88,7 +88,7 @@ def instructions(monkeypatch: pytest.MonkeyPatch):
 
 
 def test_a_cost_that_grows_with_the_size_is_a_fault(instructions) -> None:
-    even, steep = (instructions.Slope("block", 100, large) for large in (104, 150))
+    even, steep = (instructions.Slope(100, large) for large in (104, 150))
     assert instructions.faults({"flat": even}, {}) == []
     (fault,) = instructions.faults({"flat": steep}, {})
     assert fault.endswith("out of proportion")
@@ -97,7 +97,7 @@ def test_a_cost_that_grows_with_the_size_is_a_fault(instructions) -> None:
 def test_a_cost_above_the_stored_one_is_a_fault(instructions) -> None:
     stored = {"GCC 12": {"flat": 100.0}, "GCC 13": {"flat": 90.0}}
     same, other = (instructions.allowed(stored, built) for built in ("GCC 12", "clang 19"))
-    dear, dearer = (instructions.Slope("block", count, count) for count in (120, 190))
+    dear, dearer = (instructions.Slope(count, count) for count in (120, 190))
     assert instructions.faults({"flat": dear}, same)
     assert not instructions.faults({"flat": dear}, other)  # another compiler's counts say less
     assert instructions.faults({"flat": dearer}, other)

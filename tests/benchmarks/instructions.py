@@ -3,7 +3,7 @@
 Every workload runs in three sizes under valgrind's callgrind, each four times the one before. What
 one more block costs is the slope between two sizes. Two things fail: a slope that grows with the
 size, because the cost is to stay in proportion; and a slope above that of `instructions.json` by
-more than the margin. `--write` stores the slopes of now.
+more than the margin. `--store` makes those of now the measure.
 
 Counts depend on the compiler. Where `instructions.json` has none of the compiler that built the
 module, those of another are compared with a margin so wide that only a blunder exceeds it.
@@ -26,6 +26,7 @@ from importlib import util
 from pathlib import Path
 
 import programs
+import report
 
 STORED = Path(__file__).resolve().with_name("instructions.json")
 STEPS = (1, 4, 16)
@@ -38,35 +39,62 @@ OTHER_MARGIN = 1.75  # above the count of another compiler
 class Counted:
     """A workload: its text by its size, and how many units of work a size has."""
 
+    title: str  # of one unit
     text: Callable[[int], str]
     units: int  # in size 1
-    unit: str
     control: str = "fanuc-0i-f"
-    trace: str = "moves"
+    trace: str = "none"
     reads: bool = False  # reading it is counted too
 
 
 COUNTED = {
-    "flat": Counted(lambda size: programs.flat(1000 * size), 1000, "block", reads=True),
-    "flat, trace none": Counted(
-        lambda size: programs.flat(1000 * size), 1000, "block", trace="none"
+    "flat": Counted("G1 block", lambda size: programs.flat(1000 * size), 1000, reads=True),
+    "flat, kept": Counted(
+        "G1 block, step and move kept", lambda size: programs.flat(1000 * size), 1000, trace="moves"
     ),
-    "arcs": Counted(lambda size: programs.arcs(1000 * size), 1000, "block", reads=True),
-    "calls": Counted(lambda size: programs.call_loop(1, 125 * size), 125 * 9, "block"),
+    "arcs": Counted(
+        "G2 block, step and move kept",
+        lambda size: programs.arcs(1000 * size),
+        1000,
+        trace="moves",
+        reads=True,
+    ),
+    "calls": Counted(
+        "pass of an M98 L: eight G1 blocks, kept, and M99",
+        lambda size: programs.call_loop(1, 125 * size),
+        125,
+        trace="moves",
+    ),
     "nested": Counted(
-        lambda size: programs.nested(12, 100 * size),
-        1200,
-        "call",
-        control="gsk-988ta",
-        trace="none",
+        "M98 with its M99", lambda size: programs.nested(12, 100 * size), 1200, control="gsk-988ta"
     ),
-    "subprograms": Counted(lambda size: programs.subprograms(100 * size), 100, "call", reads=True),
+    "subprograms": Counted(
+        "small subprogram of two blocks, called once",
+        lambda size: programs.subprograms(100 * size),
+        100,
+        reads=True,
+    ),
     "macros": Counted(
-        lambda size: programs.macro_calls(10, 100 * size), 1000, "call", trace="none"
+        "G65 with six arguments, with its M99",
+        lambda size: programs.macro_calls(10, 100 * size),
+        1000,
     ),
-    "holes": Counted(lambda size: programs.hole_pattern(200 * size), 200, "hole"),
-    "sine": Counted(lambda size: programs.sine_loop(1000 * size), 1000, "pass", trace="none"),
-    "jump": Counted(lambda size: programs.jump_loop(1000 * size, 50), 1000, "pass", trace="none"),
+    "holes": Counted(
+        "hole of a G66: five blocks, four moves, kept",
+        lambda size: programs.hole_pattern(200 * size),
+        200,
+        trace="moves",
+    ),
+    "sine": Counted(
+        "pass of a WHILE: two assignments, a sine, END",
+        lambda size: programs.sine_loop(1000 * size),
+        1000,
+    ),
+    "jump": Counted(
+        "pass of IF/GOTO: an assignment, a jump",
+        lambda size: programs.jump_loop(1000 * size, 50),
+        1000,
+    ),
 }
 
 
@@ -74,7 +102,6 @@ COUNTED = {
 class Slope:
     """Instructions for one more unit, between the smaller two sizes and between the larger two."""
 
-    unit: str
     small: float
     large: float
 
@@ -159,7 +186,7 @@ def slopes(counts: list[int]) -> dict[str, Slope]:
             (of_sizes[k + 1] - of_sizes[k]) / (STEPS[k + 1] - STEPS[k]) / counted.units
             for k in (0, 1)
         )
-        found[name] = Slope(counted.unit, small, large)
+        found[name] = Slope(small, large)
     return found
 
 
@@ -191,31 +218,35 @@ def allowed(stored: Mapping[str, Mapping[str, float]], built: str) -> dict[str, 
 
 def faults(found: Mapping[str, Slope], most: Mapping[str, float]) -> list[str]:
     """What is wrong: costs out of proportion, and costs that rose."""
-    wrong = [
-        f"{name}: one more {slope.unit} costs {slope.small:.0f} instructions, and {slope.large:.0f}"
-        " in a larger size: out of proportion"
-        for name, slope in found.items()
-        if not slope.in_proportion
-    ]
-    return wrong + [
-        f"{name}: one more {slope.unit} costs {slope.large:.0f} instructions; at most"
-        f" {most[name]:.0f} are allowed"
-        for name, slope in found.items()
-        if slope.large > most.get(name, float("inf"))
-    ]
-
-
-def table(found: Mapping[str, Slope], most: Mapping[str, float]) -> str:
-    lines = [f"{'instructions for one more':32}{'small':>9}{'large':>9}{'allowed':>9}"]
+    wrong = []
     for name, slope in found.items():
-        limit = f"{most[name]:9.0f}" if name in most else f"{'-':>9}"
-        lines.append(f"{f'{slope.unit}: {name}':32}{slope.small:9.0f}{slope.large:9.0f}{limit}")
-    return "\n".join(lines)
+        if not slope.in_proportion:
+            wrong.append(
+                f"{name}: one more costs {slope.small:.0f} instructions, in a larger size"
+                f" {slope.large:.0f}: out of proportion"
+            )
+        if slope.large > most.get(name, float("inf")):
+            wrong.append(
+                f"{name}: one more costs {slope.large:.0f} instructions, more than the"
+                f" {most[name]:.0f} that are allowed"
+            )
+    return wrong
+
+
+def table(found: Mapping[str, Slope]) -> str:
+    """What one more of everything costs."""
+
+    def cell(name: str) -> str:
+        return f"{found[name].large:,.0f}" if name in found else ""
+
+    rows = [(c.title, cell(f"read {name}"), cell(name)) for name, c in COUNTED.items()]
+    return "\n".join(report.markdown(["one more", "instructions to read it", "to run it"], rows))
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--write", action="store_true", help="store what was counted")
+    parser.add_argument("--store", action="store_true", help="what was counted is the new measure")
+    parser.add_argument("--write", type=Path, help="a file whose marked table is replaced")
     parser.add_argument("--work", type=Path, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.work:
@@ -230,8 +261,10 @@ def main() -> int:
         found = slopes(count(Path(folder)))
     most = allowed(stored, built)
     print(f"built by {built}; stored are the counts of {', '.join(stored) or 'nobody'}")
-    print(table(found, most))
+    print(table(found))
     if arguments.write:
+        report.write(arguments.write, "instructions", table(found))
+    if arguments.store:
         stored[built] = {name: round(slope.large, 1) for name, slope in found.items()}
         STORED.write_text(json.dumps(stored, indent=2) + "\n")
         return 0

@@ -147,9 +147,11 @@ def draw(measured: dict[str, list[Point]], file: Path) -> None:
     for number, line in enumerate(LINES):
         found = measured[line.label]
         blocks = [point[0] for point in found]
-        style = {"color": f"C{number}", "marker": "o", "label": line.label}
+        power = exponent([(blocks, seconds) for blocks, seconds, _ in found[-4:]])
+        style = {"color": f"C{number}", "marker": "o", "label": f"{line.label} ({power:.2f})"}
         times.plot(blocks, [point[1] for point in found], **style)
         if line.memory:
+            style["label"] = line.label
             room.plot(blocks, [max(point[2], PAGE) for point in found], **style)
     for axes, title, start in (
         (times, "seconds of the processor", 1e-5),

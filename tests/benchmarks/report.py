@@ -36,6 +36,17 @@ def report(results: Results) -> str:
     )
 
 
+def write(file: Path, mark: str, text: str) -> None:
+    """Replace what stands between two marks of a file, such as those of this function's callers in
+    the README: `<!-- benchmark -->` and `<!-- end of benchmark -->`.
+    """
+    head, begin, rest = file.read_text(encoding="utf-8").partition(f"<!-- {mark} -->")
+    _, end, tail = rest.partition(f"<!-- end of {mark} -->")
+    if not (begin and end):
+        raise SystemExit(f"there is no <!-- {mark} --> ... <!-- end of {mark} --> in {file}")
+    file.write_text(f"{head}{begin}\n{text}\n{end}{tail}", encoding="utf-8")
+
+
 def markdown(heads: list[str], rows: Iterable[Row]) -> list[str]:
     """A table whose columns but the first stand to the right."""
     lines = [heads, ["---", *["---:"] * (len(heads) - 1)], *rows]
@@ -88,7 +99,7 @@ def notes(results: Results) -> Iterator[str]:
     """Machine, versions, and what is behind each dash."""
     version = results.last("import", "cncsub", "version")
     known = [f"{peer} {known}" for peer, known in results.versions.items() if known[0].isdigit()]
-    yield f"{', '.join([f'cncsub {version}', *known])}; {machine()}; medians of up to {results.size.rounds} rounds."
+    yield f"{', '.join([f'cncsub {version}', *known])}; {machine()}; rounds: {results.size.rounds}."
     for peer in COLUMNS:
         if peer in results.missing:
             yield f"Not installed: `{peer}` ({results.missing[peer]})."

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import report
@@ -22,7 +23,6 @@ from results import Figures, Key, Results
 from workloads import SIZES, Size, Workload
 
 HERE = Path(__file__).resolve().parent
-BEGIN, END = "<!-- benchmark -->", "<!-- end of benchmark -->"
 TRACED = ("flat", "calls")  # the workloads that show what each trace costs
 Jobs = Iterator[tuple[Key, Figures]]  # a job of measure.py for a workload and who runs it
 
@@ -128,30 +128,25 @@ def check(results: Results) -> None:
         raise RuntimeError(f"the sine loops differ: {sums}")
 
 
-def written(readme: str, text: str) -> str:
-    head, begin, rest = readme.partition(BEGIN)
-    _, end, tail = rest.partition(END)
-    if not (begin and end):
-        raise SystemExit(f"there is no {BEGIN} ... {END} in the file")
-    return f"{head}{begin}\n{text}\n{end}{tail}"
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--size", choices=SIZES, default="small")
+    parser.add_argument("--rounds", type=int, help="how often, if not as the size says")
     parser.add_argument("--write", type=Path, help="a file whose marked tables are replaced")
     arguments = parser.parse_args()
+    size = SIZES[arguments.size]
+    if arguments.rounds:
+        size = replace(size, rounds=arguments.rounds)
     with tempfile.TemporaryDirectory() as folder:
         # In a process of its own: what this one holds would show in the memory of the others.
         writer = [sys.executable, str(HERE / "workloads.py"), arguments.size, folder]
         subprocess.run(writer, check=True)
-        results = measure_all(SIZES[arguments.size], Path(folder))
+        results = measure_all(size, Path(folder))
         check(results)
         text = report.report(results)
     print(text)
     if arguments.write:
-        readme = arguments.write.read_text(encoding="utf-8")
-        arguments.write.write_text(written(readme, text), encoding="utf-8")
+        report.write(arguments.write, "benchmark", text)
 
 
 if __name__ == "__main__":
