@@ -223,29 +223,24 @@ def run_module(peer: str, files: list[str], moves: int, blocks: int) -> Figures:
 
 
 def run_rs274(files: list[str], program: str) -> Figures:
-    """One process for each file, its start counted; the moves it prints are thrown away."""
+    """Its start is counted; the moves it prints are thrown away."""
     folder = Path(files[0]).parent
     tools, variables = folder / "tool.tbl", folder / "rs274.var"
     for file in (tools, variables):
         file.touch()
     home = os.environ | {"HOME": str(folder)}  # where it keeps a file that two at once would spoil
-    seconds, peak = 0.0, 0
-    for path in files:
-        command = [program, "-t", str(tools), "-v", str(variables), "-g", path]
-        with subprocess.Popen(
-            command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=home
-        ) as process:
-            assert process.stderr is not None
-            printed = process.stderr.read().split("\n")
-            _, status, usage = os.wait4(process.pid, 0)
-            process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode != 0:
-            raise RefusedError(
-                next((line for line in printed if line and line != "executing"), "?")
-            )
-        seconds += usage.ru_utime + usage.ru_stime
-        peak = max(peak, usage.ru_maxrss * 1024)
-    return {"seconds": seconds, "peak": peak}
+    command = [program, "-t", str(tools), "-v", str(variables), "-g", files[0]]
+    with subprocess.Popen(
+        command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=home
+    ) as process:
+        assert process.stderr is not None
+        printed = process.stderr.read().split("\n")
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        said = (line for line in printed if line and line != "executing")
+        raise RefusedError(next(said, f"exit status {process.returncode}"))
+    return {"seconds": usage.ru_utime + usage.ru_stime, "peak": usage.ru_maxrss * 1024}
 
 
 def run_lua(files: list[str], program: str) -> Figures:

@@ -27,6 +27,8 @@ class Peer:
         """Why it is not even tried."""
         if self.job == "lua":
             return None if self.name in workload.own_words else "another language"
+        if self.job == "rs274" and len(workload.files) > 1:
+            return "takes one program; gcode is the same interpreter"
         if self.only_reads and not workload.plain:
             return "a parser, runs nothing"
         return None
