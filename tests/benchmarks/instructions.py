@@ -12,6 +12,7 @@ module, those of another are compared with a margin so wide that only a blunder 
 from __future__ import annotations
 
 import argparse
+import gc
 import json
 import os
 import platform
@@ -122,6 +123,7 @@ def work(folder: Path) -> None:
     """What is counted: reading and running every file, in the order of `names`."""
     import cncsub
 
+    gc.disable()  # when Python looks for garbage depends on much that is of no interest here
     for size in (STEPS[0], *STEPS):  # the first time is for what is made once
         for name, counted in COUNTED.items():
             file = folder / f"{name} {size}.nc"
