@@ -1,0 +1,180 @@
+"""Runs written programs: on the controls of cncsub, and on LinuxCNC's interpreter `rs274`.
+
+Both give their moves as an array with a row for each: kind, end X Y Z, centre X Y Z (0 where there
+is none). Straight moves of no length are left out: LinuxCNC makes one for a bare G0.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import numpy as np
+
+import cncsub
+from programs import CCW, CW, FEED, RAPID, Move, Program
+from spelling import Speller, Style
+
+KINDS = (RAPID, FEED, CW, CCW)
+SLOT = {"X": 1, "Y": 2, "Z": 3}
+Moves = Any  # of shape (moves, 7)
+
+
+def table(moves: Sequence[Move]) -> Moves:
+    """The moves that a program means."""
+    rows = np.zeros((len(moves), 7))
+    for row, move in zip(rows, moves, strict=True):
+        row[0] = KINDS.index(move.kind)
+        for axis, value in move.end.items():
+            row[SLOT[axis]] = value / 1000
+        for axis, value in move.centre.items():
+            row[SLOT[axis] + 3] = value / 1000
+    return rows
+
+
+def as_lengths(rows: Moves) -> Moves:
+    """The same moves with diameters halved."""
+    return rows * np.array([1, 0.5, 1, 1, 0.5, 1, 1])
+
+
+# ---- the controls ----
+
+
+@dataclass(frozen=True)
+class Station:
+    """A control, as the machine it is set up for."""
+
+    name: str
+    control: str
+    machine: str
+    style: Style
+
+    def mills(self) -> bool:
+        return self.machine == "mill"
+
+    def text(self, program: Program, random: Random) -> str:
+        return Speller(self.style, random).write(program)
+
+    def moves(self, text: str) -> Moves | str:
+        """What the run made, or how it stopped if not at its end."""
+        run = cncsub.loads(text, control=self.control).run(setup={"machine": self.machine})
+        if run.stop is not cncsub.Stop.END:
+            return f"{run.stop}\n{run.alarm or ''}"
+        made = run.moves
+        codes = np.array([KINDS.index(kind) if kind in KINDS else -1 for kind in made.kinds] or [0])
+        columns = [made.x, made.y, made.z, made.cx, made.cy, made.cz]
+        rows = np.column_stack([codes[made.kind], *(np.nan_to_num(c) for c in columns)])
+        return _with_length(as_lengths(rows) if self.style.diameter else rows)
+
+
+def stations() -> list[Station]:
+    """Every control as its own kind of machine, and mills that can be lathes as these too."""
+    return [station for name in cncsub.controls for station in _stations_of(name)]
+
+
+def _stations_of(name: str) -> Iterator[Station]:
+    rules = {rule.name: rule.value for rule in cncsub.controls[name].rules}
+    own = str(rules["machine"])
+    machines = [own]
+    if own == "mill" and name.startswith(("fanuc", "mitsubishi")):
+        machines += ["lathe-a", "lathe-b"]
+    for machine in machines:
+        is_lathe = machine != "mill"
+        parts = rules["program_word"] == "sequence-number"
+        style = Style(
+            head="" if parts else "%" if rules["percent_programs"] else "O",
+            diameter=is_lathe,
+            increments_by_letter=machine == "lathe-a",
+            count_in_p=rules["program_word"] == "count-and-number",
+            count_in_l=rules["count_and_l"] != "no-l",
+            reflex_radius=not is_lathe or bool(rules["negative_radius_on_lathes"]),
+        )
+        yield Station(name if machine == own else f"{name} {machine}", name, machine, style)
+
+
+def _with_length(rows: Moves) -> Moves:
+    """Without the straight moves that end where they start."""
+    before = np.vstack([np.zeros((1, 7)), rows[:-1]])
+    stays = np.abs(rows[:, 1:4] - before[:, 1:4]).max(axis=1, initial=0) < 1e-6
+    return rows[~(stays & (rows[:, 0] < KINDS.index(CW)))]
+
+
+# ---- LinuxCNC ----
+
+LINUXCNC = "LinuxCNC"
+HEAD = "G21 G90 G94 G40 G49 G80"
+BETWEEN = "G90 G17 G0 X0 Y0 Z0"
+_LINE = re.compile(r"(COMMENT|SELECT_PLANE|STRAIGHT_TRAVERSE|STRAIGHT_FEED|ARC_FEED)\((.*)\)")
+_PLANE_AXES = {"XY": "XYZ", "XZ": "ZXY", "YZ": "YZX"}
+
+
+def rs274() -> str | None:
+    """The interpreter, if it is installed."""
+    return shutil.which("rs274")
+
+
+class LinuxCnc:
+    """Runs many programs in one file, for a process is slow to start."""
+
+    def __init__(self, command: str, folder: Path) -> None:
+        self.command = command
+        self.file = folder / "programs.ngc"
+        self.tables = [folder / "tool.tbl", folder / "variables"]
+        for file in self.tables:
+            file.touch()
+
+    def text(self, programs: Sequence[Program], random: Random) -> str:
+        """One main program with the blocks of all, their subprograms behind it."""
+        main, behind = [HEAD], []
+        for place, program in enumerate(programs):
+            style = replace(Style(), plus_number=10_000 * (place + 1))
+            speller = Speller(style, random)
+            main += [BETWEEN, "(program)", *speller.body(program), "(end)"]
+            behind += [line for below in program.called() for line in speller.below(below)]
+        return "\n".join([*main, "M30", *behind]) + "\n"
+
+    def moves(self, text: str, count: int) -> list[Moves] | str:
+        """The moves of each program of the text, or what the interpreter complains of."""
+        self.file.write_text(text)
+        tools, variables = map(str, self.tables)
+        command = [self.command, "-t", tools, "-v", variables, "-g", str(self.file)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        rows = list(_read(done.stdout))
+        if len(rows) != count:
+            return done.stderr
+        return [_with_length(np.array(part).reshape(-1, 7)) for part in rows]
+
+
+def _read(output: str) -> Iterator[list[list[float]]]:
+    """The rows of each program that came to its end."""
+    rows: list[list[float]] | None = None
+    axes = "XYZ"
+    for word, inner in _LINE.findall(output):
+        if word == "COMMENT":
+            if inner == '"program"':
+                rows = []
+            elif inner == '"end"' and rows is not None:
+                yield rows
+                rows = None
+        elif word == "SELECT_PLANE":
+            axes = _PLANE_AXES[inner[-2:]]
+        elif rows is not None:
+            rows.append(_row(word, [float(value) for value in inner.split(",")], axes))
+
+
+def _row(word: str, values: list[float], axes: str) -> list[float]:
+    """ARC_FEED tells the end in the plane, the centre in it, the turn and the end across it."""
+    if word != "ARC_FEED":
+        kind = RAPID if word == "STRAIGHT_TRAVERSE" else FEED
+        return [KINDS.index(kind), *values[:3], 0, 0, 0]
+    row = [0.0] * 7
+    row[0] = KINDS.index(CCW if values[4] > 0 else CW)
+    for axis, end, centre in zip(axes, [*values[:2], values[5]], [*values[2:4], 0.0], strict=True):
+        row[SLOT[axis]], row[SLOT[axis] + 3] = end, centre
+    return row
