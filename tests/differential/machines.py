@@ -147,7 +147,7 @@ class LinuxCnc:
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         rows = list(_read(done.stdout))
         if len(rows) != count:
-            return done.stderr
+            return f"{done.stderr}\nexit status {done.returncode}"
         return [_with_length(np.array(part).reshape(-1, 7)) for part in rows]
 
 
