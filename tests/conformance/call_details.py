@@ -1,0 +1,56 @@
+"""Small print of calls: names, corners beside calls."""
+
+from conformance import case
+
+case(
+    "a program is found by its name in small letters",
+    control=["fanuc-0i-f", "fanuc-30i"], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 M98 <sub>
+        N20 M30
+        <SUB>
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "a chamfer beside a call is no device",
+    control=["mitsubishi-m700", "mitsubishi-m800"], source="policy", evidence="inferred",
+    program="""
+        O1
+        N10 G1 X10. F100. ,C1. M98 P2
+        N20 M30
+        O2
+        N30 Y10.
+        N40 M99
+    """,
+    runs="N10 N30 N40 N20", calls="M98:O2",
+    moves="""
+        F X9
+        F X10 Y1
+        F Y10
+    """,
+)
+case(
+    "zeros in front do not make a program's number longer",
+    control=["fanuc-0i-f", "gsk-988ta"], source="general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2
+        N20 M30
+        O0000000000000000000002
+        N30 M99
+    """,
+    runs="N10 N30 N20",
+)
+case(
+    "P[...] of a dwell is an expression, no name",
+    control=["gsk-988ta", "gsk-988t", "gsk-980tdi"], source="TDi29; policy", evidence="inferred",
+    program="""
+        O1
+        N10 G04 P[500+1000]
+        N20 M30
+    """,
+    runs="N10 N20", moves="W 1.5",
+)

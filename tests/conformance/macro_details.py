@@ -1,0 +1,180 @@
+"""Small print of macro statements: short names, words under the caret."""
+
+from conformance import case
+
+MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
+FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
+
+case(
+    "GO stands for GOTO where two letters of a name suffice",
+    control=FANUC, source="ALI (text on macro functions)", evidence="secondary",
+    program="""
+        O1
+        N10 GO 30
+        N20 #100=1
+        N30 #101=1
+        N40 M30
+    """,
+    runs="N10 N30 N40", vars={100: None, 101: 1},
+)
+case(
+    "SQR and RND stand for SQRT and ROUND",
+    control=MITSUBISHI, source="general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 #100=SQR[9]
+        N20 #101=RND[2.5]
+        N30 M30
+    """,
+    runs="N10 N20 N30", vars={100: 3, 101: 3},
+)
+case(
+    "an H code that does not exist is told with its whole word",
+    control=["gsk-980tdi", "gsk-980mdi"], source="MDib 0124; policy", evidence="inferred",
+    program="""
+        O1
+        N10 G65 H77 P#200
+        N20 M30
+    """,
+    runs="", alarm="illegal-h-code", number="124", at="O1 N10", word="H77",
+)
+for code in (6, 10, 14, 20, 28, 30, 35, 79, 87):
+    case(
+        f"H{code} is no H code",
+        control=["gsk-980tdi", "gsk-980mdi"], source="TDi29, table of H codes; MDib 0124", evidence="secondary",
+        program=f"O1\nN10 G65 H{code} P#200 Q1 R1\nN20 M30\n",
+        runs="", alarm="illegal-h-code", number="124", at="O1 N10", word=f"H{code}",
+    )
+case(
+    "of the names that SETVN gives each is its own variable",
+    control=["fanuc-0i-f", "fanuc-30i"], source="ALM PS1139, PS1141; K-M syntax", evidence="inferred",
+    program="""
+        O1
+        N10 SETVN 510[TOOLNO,WORKNO]
+        N20 [#TOOLNO]=4
+        N30 [#WORKNO]=5
+        N40 #100=[#TOOLNO]-[#WORKNO]
+        N50 M30
+    """,
+    runs="N10 N20 N30 N40 N50", vars={510: 4, 511: 5, 100: -1},
+)
+case(
+    "SETVN is refused at the character that no name has",
+    control=["fanuc-0i-f", "fanuc-30i"], source="ALM PS1141; policy", evidence="inferred",
+    program="""
+        O1
+        N10 SETVN 510[TOOL*A]
+        N20 M30
+    """,
+    runs="", alarm="illegal-variable-name", number="PS1141", at="O1 N10", word="*",
+)
+case(
+    "#3002 counts the hours of motion on from what was written",
+    control=FANUC, source="general knowledge, #3002", evidence="inferred",
+    params={"3401#0": 1},
+    program="""
+        O1
+        N10 #3002=2
+        N20 G94 G1 X6000 F100
+        N30 #100=#3002
+        N40 M30
+    """,
+    runs="N10 N20 N30 N40", vars={100: 3},
+)
+case(
+    "zero is not negative to AND, OR and XOR",
+    control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi"], source="Talm 206; policy", evidence="inferred",
+    program="""
+        O1
+        N10 #100=0 OR 5
+        N20 #101=6 AND 0
+        N30 M30
+    """,
+    runs="N10 N20 N30", vars={100: 5, 101: 0},
+)
+case(
+    "while a modal macro call is active IF and GOTO jump",
+    control=[*FANUC, *MITSUBISHI, "gsk-988ta"], source="general knowledge, G66", evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 IF[1 EQ 2]GOTO 50
+        N30 IF[1 EQ 1]GOTO 50
+        N40 #200=1
+        N50 GOTO 70
+        N60 #201=1
+        N70 G67
+        N80 M30
+        O2
+        N90 M99
+    """,
+    runs="N10 N20 N30 N50 N70 N80", vars={200: None, 201: None},
+)
+case(
+    "while a modal macro call is active loops run",
+    control=[*FANUC, *MITSUBISHI, "gsk-988ta"], source="general knowledge, G66", evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 WHILE[#100 LT 2]DO1
+        N30 #100=#100+1
+        N40 END1
+        N50 G67
+        N60 M30
+        O2
+        N90 M99
+    """,
+    runs="N10 (N20 N30 N40)*2 N20 N50 N60", vars={100: 2},
+)
+case(
+    "while a modal macro call is active THEN assigns",
+    control=[*FANUC, *MITSUBISHI[1:], "gsk-988ta"], source="general knowledge, G66", evidence="inferred",
+    program="""
+        O1
+        N10 G66 P2
+        N20 IF[1 EQ 1]THEN #100=1
+        N30 IF[1 EQ 2]THEN #101=1
+        N40 G67
+        N50 M30
+        O2
+        N60 M99
+    """,
+    runs="N10 N20 N30 N40 N50", vars={100: 1, 101: None},
+)
+EVERY_BLOCK = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
+case(
+    "under G66.1 macro statements, calls and the end of the program are what they are",
+    control=EVERY_BLOCK, source="general knowledge, G66.1", evidence="inferred",
+    program="""
+        O1
+        N10 G66.1 P2
+        N20 #100=5
+        N30 IF[#100 EQ 5]GOTO 50
+        N40 #100=6
+        N50 M98 P3
+        N60 M30
+        O2
+        N70 #101=1
+        N80 M99
+        O3
+        N90 #102=1
+        N100 M99
+    """,
+    runs="N10 N20 N30 N50 N90 N100 N60", vars={100: 5, 101: None, 102: 1}, calls="M98:O3",
+)
+case(
+    "under G66.1 every letter has its variable",
+    control=EVERY_BLOCK, source="general knowledge, G66.1", evidence="inferred",
+    params={"3401#0": 1},
+    program="""
+        O1
+        N10 G66.1 P2
+        N20 A1 B2 C3 D7 E8 F9 H11 I4 J5 K6 M13 Q17 R18 S19 T20 U21 V22 W23 X24 Y25 Z26
+        N30 G67
+        N40 M30
+        O2
+        N50 M99
+    """,
+    runs="N10 N20 N50 N30 N40",
+    arguments={n: n for n in (*range(1, 10), 11, 13, *range(17, 27))},
+)
