@@ -178,3 +178,24 @@ case(
     runs="N10 N20 N50 N30 N40",
     arguments={n: n for n in (*range(1, 10), 11, 13, *range(17, 27))},
 )
+for word, holds in (("EQ", True), ("NE", False), ("GT", False), ("LT", False), ("GE", True), ("LE", True)):
+    case(
+        f"a sum behind {word} belongs to the comparison",
+        control=[*FANUC, *MITSUBISHI, "gsk-988ta", "gsk-980tdi"], source="general knowledge, order of operators", evidence="inferred",
+        program=f"""
+            O1
+            N10 IF[3 {word} 1+2]GOTO 30
+            N20 #100=1
+            N30 M30
+        """,
+        runs="N10 N30" if holds else "N10 N20 N30",
+    )
+for what, text in ("read", "#100=#[1 EQ 2]"), ("written", "#[1 EQ 2]=1"):
+    case(
+        f"no variable is {what} by a comparison as its number",
+        control=[*FANUC, "gsk-988ta", "mitsubishi-m700"], source="general knowledge, form of expressions", evidence="inferred",
+        program=f"O1\nN10 T1\nN20 {text}\nN30 M30\n",
+        runs="N10", alarm="expression-format",
+        number=dict.fromkeys(FANUC, "PS1125") | {"fanuc-16i": "125", "gsk-988ta": "202", "mitsubishi-m700": "P282"},
+        at="O1 N20",
+    )

@@ -29,8 +29,7 @@ def show(comparison: Comparison, place: int) -> None:
     """Print one program as every control gets it, and its moves."""
     program = comparison.program(place)
     for station in comparison.on(place):
-        text = station.text(program, comparison.random(place, station.name))
-        print(f"---- {station.name}\n{text}")
+        print(f"---- {station.name}\n{comparison.text(place, program, station)}")
     print("\n".join(map(str, moves_of(program))))
 
 

@@ -7,6 +7,7 @@ from random import Random
 
 from machines import LINUXCNC, LinuxCnc, Moves, Station, stations, table
 from programs import MILLING, TURNING, Program, generate, moves_of
+from spelling import Speller, Style
 
 TOLERANCE = 0.0002  # mm; rs274 prints four decimals
 SHOWN = 10  # differences that are printed
@@ -29,6 +30,10 @@ class Comparison:
     def random(self, place: int, what: str) -> Random:
         return Random(f"{self.seed} {place} {what}")
 
+    def text(self, place: int, program: Program, station: Station) -> str:
+        """Controls that want the same words get the same text."""
+        return Speller(station.style, self.random(place, str(station.style))).write(program)
+
     def on(self, place: int) -> list[Station]:
         return [station for station in self.stations if place % 2 or station.mills()]
 
@@ -38,8 +43,11 @@ class Comparison:
         for place, program, meant in zip(places, programs, expected, strict=True):
             self.moves += len(meant)
             self.calls[program.depth] += 1
+            texts: dict[Style, str] = {}
             for station in self.on(place):
-                text = station.text(program, self.random(place, station.name))
+                if station.style not in texts:
+                    texts[station.style] = self.text(place, program, station)
+                text = texts[station.style]
                 self.judge(place, station.name, text, meant, station.moves(text))
         if linuxcnc is not None:
             self.compare_linuxcnc(linuxcnc, places, programs, expected)

@@ -52,18 +52,15 @@ class Station:
 
     name: str
     control: str
-    machine: str
+    setup: cncsub.Setup
     style: Style
 
     def mills(self) -> bool:
-        return self.machine == "mill"
-
-    def text(self, program: Program, random: Random) -> str:
-        return Speller(self.style, random).write(program)
+        return self.setup.machine == "mill"
 
     def moves(self, text: str) -> Moves | str:
         """What the run made, or how it stopped if not at its end."""
-        run = cncsub.loads(text, control=self.control).run(setup={"machine": self.machine})
+        run = cncsub.loads(text, control=self.control).run(setup=self.setup)
         if run.stop is not cncsub.Stop.END:
             return f"{run.stop}\n{run.alarm or ''}"
         made = run.moves
@@ -95,7 +92,8 @@ def _stations_of(name: str) -> Iterator[Station]:
             count_in_l=rules["count_and_l"] != "no-l",
             reflex_radius=not is_lathe or bool(rules["negative_radius_on_lathes"]),
         )
-        yield Station(name if machine == own else f"{name} {machine}", name, machine, style)
+        called = name if machine == own else f"{name} {machine}"
+        yield Station(called, name, cncsub.Setup(machine=machine), style)
 
 
 def _with_length(rows: Moves) -> Moves:
