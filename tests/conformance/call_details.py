@@ -54,3 +54,27 @@ case(
     """,
     runs="N10 N20", moves="W 1.5",
 )
+case(
+    "zeros in front of P count as a repeat count beside L",
+    control=["gsk-988ta", "gsk-988t"], source="source 000, words L and Q (3); policy", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P00001006 L2
+        N20 M30
+        O1006
+        N30 M99
+    """,
+    runs="", alarm="repeat-given-twice", number={"gsk-988ta": "293", "gsk-988t": None}, at="O1 N10", word="L2",
+)
+case(
+    "beside L all of P is the number, its zeros too",
+    control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"], source="general knowledge, P beside L", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P00001006 L2
+        N20 M30
+        O1006
+        N30 M99
+    """,
+    runs="N10 N30*2 N20",
+)

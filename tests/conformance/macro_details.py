@@ -199,3 +199,25 @@ for what, text in ("read", "#100=#[1 EQ 2]"), ("written", "#[1 EQ 2]=1"):
         number=dict.fromkeys(FANUC, "PS1125") | {"fanuc-16i": "125", "gsk-988ta": "202", "mitsubishi-m700": "P282"},
         at="O1 N20",
     )
+for text, what in ("]", "alone"), ("1+]", "behind an operator"):
+    case(
+        f"a bracket that closes {what} was never opened: #100={text}",
+        control=[*FANUC, "gsk-988ta", "gsk-980tdi", "mitsubishi-m700"], source="form of expressions; policy", evidence="inferred",
+        program=f"O1\nN10 T1\nN20 #100={text}\nN30 M30\n",
+        runs="N10", alarm="bracket-not-opened", at="O1 N20", word="]",
+        number=dict.fromkeys(FANUC, "PS1131")
+        | {"fanuc-16i": "114", "gsk-988ta": "202", "gsk-980tdi": "104", "mitsubishi-m700": "P281"},
+    )
+case(
+    "a bracket that closes before its value is a fault of form",
+    control=FANUC, source="form of expressions; policy", evidence="inferred",
+    program="O1\nN10 T1\nN20 #100=[1+]\nN30 M30\n",
+    runs="N10", alarm="expression-format", at="O1 N20", word="]",
+    number=dict.fromkeys(FANUC, "PS1125") | {"fanuc-16i": "125"},
+)
+case(
+    "ADP of a number is the number",
+    control=["fanuc-0i-f", "fanuc-30i"], source="general knowledge, ADP", evidence="inferred",
+    program="O1\nN10 #100=ADP[5]\nN20 M30\n",
+    runs="N10 N20", vars={100: 5},
+)

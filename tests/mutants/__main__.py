@@ -34,6 +34,7 @@ MEMORY = 4 << 30  # of a process that runs rows
 PASSED = "passed"
 STOPPED = "no end"
 CRASHED = "crashed"
+NOT_COMPILED = "not compiled"
 
 
 class Rows:
@@ -114,9 +115,10 @@ def try_mutants(workshop: Workshop, rows: Rows, options: argparse.Namespace) -> 
     for file, mutant in chosen(options.sources, options.count, options.seed):
         if options.at and f"{mutant.file}:{mutant.line}:{mutant.column}" not in options.at:
             continue
-        if sum(outcomes.values()) >= options.count:
+        if outcomes.total() - outcomes[NOT_COMPILED] >= options.count:
             break
         if not workshop.build(file, mutant.applied(file.read_text())):
+            outcomes[NOT_COMPILED] += 1
             continue
         found = rows.first_failing()
         outcome = {PASSED: "survived", STOPPED: STOPPED}.get(found, "killed")

@@ -55,16 +55,15 @@ class Workshop:
         self.install()
 
     def _precompile_headers(self) -> None:
-        """All headers in one, read once: they are most of the work for every mutant."""
+        """All headers of the standard library in one, read once: most of the work for a mutant."""
         sources = [file for file in map(Path, self.commands) if file.parent == ENGINE]
         includes = {
             line
-            for file in sources
+            for file in [*sources, *ENGINE.glob("*.hpp")]
             for line in file.read_text().splitlines()
-            if line.startswith("#include") and ".def" not in line
+            if line.startswith("#include <")
         }
-        # The standard ones, in angle brackets, come first when the order is turned round.
-        self.headers.write_text("\n".join(sorted(includes, reverse=True)) + "\n")
+        self.headers.write_text("\n".join(sorted(includes)) + "\n")
         command = self.commands[str(sources[0])][0]
         command = command[: command.index("-o")]
         _run([*command, "-x", "c++-header", "-o", f"{self.headers}.gch", str(self.headers)])
