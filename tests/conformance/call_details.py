@@ -78,3 +78,45 @@ case(
     """,
     runs="N10 N30*2 N20",
 )
+case(
+    "a sequence number has no point",
+    control=["fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"], source="ALM PS0007; policy", evidence="inferred",
+    program="O1\nN10 T1\nN20.5 G0 X1.\nN30 M30\n",
+    runs="N10", alarm="illegal-decimal-point", number="PS0007", at="O1", word="N20.5",
+)
+case(
+    "M97 without P says not where to jump",
+    control="gsk-928te", source="source 001; policy", evidence="inferred",
+    program="""
+        %1
+        N10 T1
+        N20 M97
+        N30 M30
+    """,
+    runs="N10", alarm="program-number-missing", at="%1 N20", word="M97",
+)
+case(
+    "P is no argument where a code calls the macro",
+    control=["fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"], source="ALM PS0129; policy", evidence="inferred",
+    params={"6050": 70},
+    program="""
+        O1
+        N10 T1
+        N20 G70 P5
+        N30 M30
+        O9010
+        N40 M99
+    """,
+    runs="N10", alarm="illegal-argument", number="PS0129", at="O1 N20", word="P5",
+)
+case(
+    "of O and % lines that stand together only the % line heads a program",
+    control="hnc-21m", source="general knowledge, names of files", evidence="inferred",
+    program="""
+        O7
+        %1
+        N10 M98 P7
+        N20 M30
+    """,
+    runs="", alarm="program-not-found", at="%1 N10",
+)

@@ -221,3 +221,183 @@ case(
     program="O1\nN10 #100=ADP[5]\nN20 M30\n",
     runs="N10 N20", vars={100: 5},
 )
+
+# Faults of form, each at its place
+
+LATER = ["fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
+for text, cause, number, word in [
+    ("#100=--1", "expression-format", "PS1125", "-"),
+    ("#100=1.5.2", "illegal-decimal-point", "PS0007", "1"),
+    ("#1.5=1", "illegal-variable", "PS0115", "1"),
+    ("#100=#1.5", "illegal-variable", "PS0115", "1"),
+    ("#100=1]", "bracket-not-opened", "PS1131", "]"),
+    ("IF[1]GOTO 30", "if-format", "PS1137", "["),
+    ("IF[1 EQ 2 EQ 3]GOTO 30", "if-format", "PS1137", "E"),
+    ("IF[[1 EQ 2] EQ 3]GOTO 30", "if-format", "PS1137", "E"),
+    ("IF[1 EQ 1]THEN G0 X1.", "if-format", "PS1137", "G"),
+    ("G0 X1. ]", "bracket-not-opened", "PS1131", "]"),
+    ("G0 O#1", "address-not-usable", "PS0009", "O"),
+    ("G0 X1. O5", "address-not-usable", "PS0009", "O5"),
+    ("M98 P2 M99", "call-given-twice", "PS1091", "M99"),
+]:
+    case(
+        f"a block is refused at the place of its fault: {text}",
+        control=LATER, source="ALM, texts of the numbers; policy", evidence="inferred",
+        program=f"O1\nN10 T1\nN20 {text}\nN30 M30\n",
+        runs="N10", alarm=cause, number=number, at="O1 N20", word=word,
+    )
+case(
+    "a loop may not open its own number again",
+    control=LATER, source="ALM PS0124; policy", evidence="inferred",
+    program="""
+        O1
+        N10 WHILE[1 EQ 1]DO1
+        N20 WHILE[1 EQ 1]DO1
+        N30 END1
+        N40 END1
+        N50 M30
+    """,
+    runs="N10", alarm="missing-end", number="PS0124", at="O1 N20",
+)
+case(
+    "behind THEN stands a jump too",
+    control=[*LATER, "fanuc-16i", "mitsubishi-m800"], source="general knowledge, IF", evidence="inferred",
+    program="""
+        O1
+        N10 IF[1 EQ 1]THEN GOTO 30
+        N20 #100=1
+        N30 IF[1 EQ 2]THEN GOTO 50
+        N40 #101=1
+        N50 M30
+    """,
+    runs="N10 N30 N40 N50", vars={100: None, 101: 1},
+)
+case(
+    "a G code below zero is out of range",
+    control=LATER, source="ALM PS1305; policy", evidence="inferred",
+    program="""
+        O1
+        N10 #1=-1
+        N20 G#1 X1.
+        N30 M30
+    """,
+    runs="N10", alarm="value-out-of-range", number="PS1305", at="O1 N20", word="#1",
+)
+case(
+    "#[0] is vacant like #0",
+    control=FANUC, source="general knowledge, #0", evidence="inferred",
+    program="""
+        O1
+        N10 #100=1
+        N20 #100=#[0]
+        N30 M30
+    """,
+    runs="N10 N20 N30", vars={100: None},
+)
+case(
+    "#4114 is the sequence number of the block before",
+    control=["fanuc-30i", "fanuc-0i-f"], source="REG #4114", evidence="secondary",
+    program="""
+        O1
+        N15 G0 X1.
+        #100=#4114
+        N25 G0 X2.
+        #101=#4114
+        M30
+    """,
+    vars={100: 15, 101: 25},
+)
+case(
+    "#5041 is the work position, with #5101 the servo stands where it should",
+    control=FANUC, source="general knowledge, #5041 and #5101", evidence="inferred",
+    params={"3401#0": 1}, setup={"machine": "mill", "work_offsets": {"G54": {"X": 100}}},
+    program="""
+        O1
+        N10 G90 G54 G0 X5 Y7
+        N20 #100=#5041
+        N30 #101=#5042
+        N40 #102=#5101
+        N50 M30
+    """,
+    runs="N10 N20 N30 N40 N50", vars={100: 5, 101: 7, 102: 0},
+)
+case(
+    "#7001 and those behind it are read as they were written",
+    control=["fanuc-16i", "fanuc-30i"], source="general knowledge, #7001", evidence="inferred",
+    params={"3401#0": 1}, setup={"machine": "mill"},
+    program="""
+        O1
+        N10 #7002=3
+        N20 #7021=7
+        N30 #100=#7002
+        N40 #101=#7021
+        N50 #102=#7001
+        N60 M30
+    """,
+    runs="N10 N20 N30 N40 N50 N60", vars={100: 3, 101: 7, 102: 0},
+)
+case(
+    "the cosine of an angle beyond one turn, and of one below zero",
+    control=[*FANUC, *MITSUBISHI, "gsk-988ta"], source="general knowledge, COS", evidence="inferred",
+    program="""
+        O1
+        N10 #100=COS[400.5]
+        N20 #101=COS[-30.5]
+        N30 #102=SIN[1000.5]
+        N40 M30
+    """,
+    runs="N10 N20 N30 N40", vars={100: 0.760406, 101: 0.861629, 102: -0.983255},
+)
+case(
+    "NOT turns a condition round",
+    control="hnc-21m", source="general knowledge, NOT", evidence="inferred",
+    program="""
+        %1
+        N10 #50=1
+        N20 IF NOT [#50 EQ 2]
+        N30 #51=1
+        N40 ENDIF
+        N50 IF NOT [#50 EQ 1]
+        N60 #52=1
+        N70 ENDIF
+        N80 M30
+    """,
+    runs="N10 N20 N30 N40 N50 N70 N80", vars={51: 1, 52: None},
+)
+case(
+    "AR asks for a local variable: a common one is refused",
+    control="hnc-21m", source="general knowledge, AR", evidence="inferred",
+    program="%1\nN10 T1\nN20 #50=AR[#500]\nN30 M30\n",
+    runs="N10", alarm="illegal-variable", at="%1 N20",
+)
+case(
+    "AR asks for a variable: a number is refused",
+    control="hnc-21m", source="general knowledge, AR", evidence="inferred",
+    program="%1\nN10 T1\nN20 #50=AR[5]\nN30 M30\n",
+    runs="N10", alarm="expression-format", at="%1 N20",
+)
+case(
+    "PRM of no parameter's number is out of range",
+    control=["fanuc-0i-f", "fanuc-30i"], source="ALM PS0119; policy", evidence="inferred",
+    program="O1\nN10 T1\nN20 #100=PRM[99999999999]\nN30 M30\n",
+    runs="N10", alarm="argument-out-of-range", number="PS0119", at="O1 N20",
+)
+case(
+    "BPRNT sends whole numbers of the digits asked for",
+    control=FANUC, source="general knowledge, BPRNT", evidence="inferred",
+    program="""
+        O1
+        N10 #100=12.345
+        N20 POPEN
+        N30 BPRNT[A#100[2]]
+        N40 PCLOS
+        N50 M30
+    """,
+    runs="N10 N20 N30 N40 N50", messages=["A1235"],
+)
+case(
+    "H80 jumps in no program of MDI",
+    control=["gsk-980tdi", "gsk-980mdi"], source="policy, jumps in MDI", evidence="inferred",
+    program="O1\nN10 M30\n", mdi="G65 H80 P10",
+    runs="", alarm="jump-in-mdi",
+)
