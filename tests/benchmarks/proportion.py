@@ -2,7 +2,8 @@
 
 Prints a table; `--write FILE.svg` draws it too, which needs matplotlib. Every point is a process of
 its own, the median of several runs in it, in seconds of the processor. The exponent is that of the
-size over the last three decades: 1 where the cost is in proportion, 0 where it stays the same.
+size from ten thousand blocks on, where the start of a run, some microseconds, no longer shows: 1
+where the cost is in proportion, 0 where it stays the same.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from pathlib import Path
 
 import measure
 import programs
+import report
 
 DECADES = range(6)
 SPEND = 0.2  # seconds after which a point is not repeated
@@ -115,23 +117,29 @@ def points(line: Line) -> list[Point]:
 def exponent(values: list[tuple[int, float]]) -> float:
     """By which power of the size the values grow, from the least squares of the logarithms.
 
-    >>> round(exponent([(10, 5.0), (100, 50.0), (1000, 500.0)]), 3)
+    >>> round(exponent([(10_000, 5.0), (100_000, 50.0), (1_000_000, 500.0)]), 3)
     1.0
     """
-    logs = [(math.log(x), math.log(max(y, 1e-9))) for x, y in values]
+    logs = [(math.log(x), math.log(max(y, 1e-9))) for x, y in values if x >= 10_000]
     return statistics.linear_regression(*zip(*logs)).slope
 
 
+def time_exponent(found: list[Point]) -> float:
+    return exponent([(blocks, seconds) for blocks, seconds, _ in found])
+
+
 def table(measured: dict[str, list[Point]]) -> str:
-    lines = ["| | " + " | ".join(["ns a block by size", "exponent", "memory", "exponent"]) + " |"]
-    lines.append("|---|---:|---:|---:|---:|")
-    for label, found in measured.items():
+    rows = []
+    for line in LINES:
+        found = measured[line.label]
         each = ", ".join(f"{seconds / blocks * 1e9:.3g}" for blocks, seconds, _ in found)
-        times = exponent([(blocks, seconds) for blocks, seconds, _ in found[-4:]])
-        room = exponent([(blocks, max(peak, PAGE)) for blocks, _, peak in found[-4:]])
-        most = f"{found[-1][2] / 1e6:.1f} MB"
-        lines.append(f"| {label} | {each} | {times:.2f} | {most} | {room:.2f} |")
-    return "\n".join(lines)
+        room = ["", ""]
+        if line.memory:
+            power = exponent([(blocks, max(peak, PAGE)) for blocks, _, peak in found])
+            room = [f"{found[-1][2] / 1e6:.1f} MB", f"{power:.2f}"]
+        rows.append((line.label, each, f"{time_exponent(found):.2f}", *room))
+    heads = ["", "ns a block by size", "exponent", "memory of the largest", "exponent"]
+    return "\n".join(report.markdown(heads, rows))
 
 
 def draw(measured: dict[str, list[Point]], file: Path) -> None:
@@ -147,8 +155,8 @@ def draw(measured: dict[str, list[Point]], file: Path) -> None:
     for number, line in enumerate(LINES):
         found = measured[line.label]
         blocks = [point[0] for point in found]
-        power = exponent([(blocks, seconds) for blocks, seconds, _ in found[-4:]])
-        style = {"color": f"C{number}", "marker": "o", "label": f"{line.label} ({power:.2f})"}
+        label = f"{line.label} ({time_exponent(found):.2f})"
+        style = {"color": f"C{number}", "marker": "o", "label": label}
         times.plot(blocks, [point[1] for point in found], **style)
         if line.memory:
             style["label"] = line.label

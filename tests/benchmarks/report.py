@@ -194,15 +194,14 @@ def trace_rows(results: Results, workload: Workload) -> Iterator[Row]:
         seconds_text(read := results.median(name, "cncsub", "read")),
         per_unit(read, workload) if workload.plain else "",
     )
-    for trace in ("none", "blocks", "moves"):
-        run = results.median(name, f"trace {trace}", "run")
-        kept = results.median(name, f"trace {trace}", "kept")
+    for who in ("trace none", "trace blocks", "cncsub"):
+        run, kept = (results.median(name, who, key) for key in ("run", "kept"))
         yield (
-            f"`run`, trace {trace}",
+            f"`run`, {who.replace('cncsub', 'trace moves')}",
             seconds_text(run),
             f"{per_unit(run, workload)}, keeps {kept / workload.blocks:.1f} bytes a block",
         )
-    columns = results.median(name, "trace moves", "columns")
+    columns = results.median(name, "cncsub", "columns")
     yield (
         "all columns of the moves as NumPy arrays, when somebody looks",
         seconds_text(columns),

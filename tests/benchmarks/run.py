@@ -23,7 +23,7 @@ from results import Figures, Key, Results
 from workloads import SIZES, Size, Workload
 
 HERE = Path(__file__).resolve().parent
-TRACED = ("flat", "calls")  # the workloads that show what each trace costs
+TRACED = ("flat", "calls")  # the workloads that show what keeping less costs
 Jobs = Iterator[tuple[Key, Figures]]  # a job of measure.py for a workload and who runs it
 
 
@@ -49,7 +49,7 @@ def own_jobs(size: Size, loads: list[Workload], folder: Path) -> Jobs:
         if len(workload.files) == 1:
             yield (workload.name, "cncsub"), job(workload, workload.trace)
         if workload.name in TRACED:
-            for trace in ("none", "blocks", "moves"):
+            for trace in ("none", "blocks"):
                 yield (workload.name, f"trace {trace}"), job(workload, trace)
     yield ("short jump", "cncsub"), job(workloads.short_jump(size), "none")
     halves = [folder / "folder" / half for half in workloads.HALVES]

@@ -104,7 +104,7 @@ def call_workloads(size: Size) -> list[Workload]:
     return [
         Workload(
             "calls",
-            f"M98 L{REPEATS}, eight G1 blocks, from {size.calls} blocks",
+            f"M98 L{REPEATS} in {size.calls} blocks, eight G1 blocks a pass",
             {"calls.nc": partial(programs.call_loop, size.calls, REPEATS)},
             count=passes * 9,
             unit="block",
