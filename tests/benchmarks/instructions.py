@@ -26,8 +26,8 @@ from dataclasses import dataclass
 from importlib import util
 from pathlib import Path
 
-import programs
 import report
+import texts
 
 STORED = Path(__file__).resolve().with_name("instructions.json")
 STEPS = (1, 4, 16)
@@ -49,51 +49,51 @@ class Counted:
 
 
 COUNTED = {
-    "flat": Counted("G1 block", lambda size: programs.flat(1000 * size), 1000, reads=True),
+    "flat": Counted("G1 block", lambda size: texts.flat(1000 * size), 1000, reads=True),
     "flat, kept": Counted(
-        "G1 block, step and move kept", lambda size: programs.flat(1000 * size), 1000, trace="moves"
+        "G1 block, step and move kept", lambda size: texts.flat(1000 * size), 1000, trace="moves"
     ),
     "arcs": Counted(
         "G2 block, step and move kept",
-        lambda size: programs.arcs(1000 * size),
+        lambda size: texts.arcs(1000 * size),
         1000,
         trace="moves",
         reads=True,
     ),
     "calls": Counted(
         "pass of an M98 L: eight G1 blocks, kept, and M99",
-        lambda size: programs.call_loop(1, 125 * size),
+        lambda size: texts.call_loop(1, 125 * size),
         125,
         trace="moves",
     ),
     "nested": Counted(
-        "M98 with its M99", lambda size: programs.nested(12, 100 * size), 1200, control="gsk-988ta"
+        "M98 with its M99", lambda size: texts.nested(12, 100 * size), 1200, control="gsk-988ta"
     ),
     "subprograms": Counted(
         "small subprogram of two blocks, called once",
-        lambda size: programs.subprograms(100 * size),
+        lambda size: texts.subprograms(100 * size),
         100,
         reads=True,
     ),
     "macros": Counted(
         "G65 with six arguments, with its M99",
-        lambda size: programs.macro_calls(10, 100 * size),
+        lambda size: texts.macro_calls(10, 100 * size),
         1000,
     ),
     "holes": Counted(
         "hole of a G66: five blocks, four moves, kept",
-        lambda size: programs.hole_pattern(200 * size),
+        lambda size: texts.hole_pattern(200 * size),
         200,
         trace="moves",
     ),
     "sine": Counted(
         "pass of a WHILE: two assignments, a sine, END",
-        lambda size: programs.sine_loop(1000 * size),
+        lambda size: texts.sine_loop(1000 * size),
         1000,
     ),
     "jump": Counted(
         "pass of IF/GOTO: an assignment, a jump",
-        lambda size: programs.jump_loop(1000 * size, 50),
+        lambda size: texts.jump_loop(1000 * size, 50),
         1000,
     ),
 }

@@ -9,7 +9,7 @@ from functools import partial
 from importlib import metadata, util
 from typing import Any
 
-import programs
+import texts
 from workloads import Workload
 
 
@@ -64,6 +64,6 @@ PEERS = [
     module("gcodeparser", only_reads=True),
     *(
         Peer(f"Lua {form}", "Debian package lua5.4", partial(shutil.which, "lua5.4"), "lua")
-        for form in programs.LUA_FORMS
+        for form in texts.LUA_FORMS
     ),
 ]

@@ -23,8 +23,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import measure
-import programs
 import report
+import texts
 
 DECADES = range(6)
 SPEND = 0.2  # seconds after which a point is not repeated
@@ -45,22 +45,22 @@ class Line:
 def call_loop(blocks: int) -> str:
     """Passes of nine blocks."""
     passes = max(1, blocks // 9)
-    return programs.call_loop(max(1, passes // 9999), min(passes, 9999))
+    return texts.call_loop(max(1, passes // 9999), min(passes, 9999))
 
 
 def macro_calls(blocks: int) -> str:
     calls = blocks // 2
     each = min(1000, calls // 10)
-    return programs.macro_calls(each, calls // each)
+    return texts.macro_calls(each, calls // each)
 
 
 def sine_loop(blocks: int) -> str:
-    return programs.sine_loop(max(1, blocks // 4))
+    return texts.sine_loop(max(1, blocks // 4))
 
 
 LINES = [
-    Line("reading flat G1", programs.flat, 10, "read"),
-    Line("flat G1, trace moves", programs.flat, 10, "moves"),
+    Line("reading flat G1", texts.flat, 10, "read"),
+    Line("flat G1, trace moves", texts.flat, 10, "moves"),
     Line("M98 loop, trace moves", call_loop, 100, "moves", memory=True),
     Line("M98 loop, trace blocks", call_loop, 100, "blocks", memory=True),
     Line("M98 loop, trace none", call_loop, 100, "none", memory=True),

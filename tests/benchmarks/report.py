@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-import programs
+import texts
 from peers import PEERS
 from results import Results
 from workloads import Workload
@@ -142,7 +142,7 @@ def target_rows(results: Results) -> Iterator[Row]:
         claim = f"{what}: {least} times as fast as `rs274`, or more"
         yield compared(results, claim, workload, "rs274", least)
     for peer in LUA:
-        form = programs.LUA_FORMS[peer.removeprefix("Lua ")]["title"]
+        form = texts.LUA_FORMS[peer.removeprefix("Lua ")]["title"]
         claim = f"WHILE with a sine: no slower than PUC Lua 5.4 with {form}"
         yield compared(results, claim, "sine", peer, 1)
     size = results.last("flat", "cncsub", "bytes")

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
-import programs
+import texts
 
 Text = Callable[[], str]
 DEPTH = 12  # of the nested calls
@@ -79,7 +79,7 @@ def flat_workloads(size: Size) -> list[Workload]:
         Workload(
             "flat",
             f"flat G1, {count:,} blocks",
-            {"flat.nc": partial(programs.flat, count)},
+            {"flat.nc": partial(texts.flat, count)},
             count=count,
             unit="block",
             blocks=count + 2,
@@ -89,7 +89,7 @@ def flat_workloads(size: Size) -> list[Workload]:
         Workload(
             "arcs",
             f"flat G2 and G3, {count:,} blocks",
-            {"arcs.nc": partial(programs.arcs, count)},
+            {"arcs.nc": partial(texts.arcs, count)},
             count=count,
             unit="block",
             blocks=count + 3,
@@ -105,7 +105,7 @@ def call_workloads(size: Size) -> list[Workload]:
         Workload(
             "calls",
             f"M98 L{REPEATS} in {size.calls} blocks, eight G1 blocks a pass",
-            {"calls.nc": partial(programs.call_loop, size.calls, REPEATS)},
+            {"calls.nc": partial(texts.call_loop, size.calls, REPEATS)},
             count=passes * 9,
             unit="block",
             blocks=passes * 9 + size.calls + 2,
@@ -114,7 +114,7 @@ def call_workloads(size: Size) -> list[Workload]:
         Workload(
             "nested",
             f"{DEPTH} nested calls, {DEPTH * REPEATS:,} calls in all",
-            {"nested.nc": partial(programs.nested, DEPTH, REPEATS)},
+            {"nested.nc": partial(texts.nested, DEPTH, REPEATS)},
             count=DEPTH * REPEATS,
             unit="call",
             blocks=(2 * DEPTH - 1) * REPEATS + 2,
@@ -123,7 +123,7 @@ def call_workloads(size: Size) -> list[Workload]:
         Workload(
             "subprograms",
             f"{size.subprograms:,} small subprograms, each called once",
-            {"subprograms.nc": partial(programs.subprograms, size.subprograms)},
+            {"subprograms.nc": partial(texts.subprograms, size.subprograms)},
             count=size.subprograms,
             unit="call",
             blocks=3 * size.subprograms + 2,
@@ -132,18 +132,18 @@ def call_workloads(size: Size) -> list[Workload]:
         Workload(
             "macros",
             f"G65 with six arguments, {macros:,} calls",
-            {"macros.nc": partial(programs.macro_calls, MACRO_BLOCKS, size.macro_repeats)},
+            {"macros.nc": partial(texts.macro_calls, MACRO_BLOCKS, size.macro_repeats)},
             count=macros,
             unit="call",
             blocks=2 * macros + size.macro_repeats + 2,
             own_words=linuxcnc(
-                "macros", programs.macro_calls_linuxcnc, MACRO_BLOCKS, size.macro_repeats
+                "macros", texts.macro_calls_linuxcnc, MACRO_BLOCKS, size.macro_repeats
             ),
         ),
         Workload(
             "holes",
             f"G66 over {size.holes:,} holes",
-            {"holes.nc": partial(programs.hole_pattern, size.holes)},
+            {"holes.nc": partial(texts.hole_pattern, size.holes)},
             count=size.holes,
             unit="hole",
             blocks=5 * size.holes + 4,
@@ -154,18 +154,18 @@ def call_workloads(size: Size) -> list[Workload]:
 
 def loop_workloads(size: Size) -> list[Workload]:
     lua = {
-        f"Lua {form}": {f"sine-{form}.lua": partial(programs.sine_loop_lua, size.passes, form)}
-        for form in programs.LUA_FORMS
+        f"Lua {form}": {f"sine-{form}.lua": partial(texts.sine_loop_lua, size.passes, form)}
+        for form in texts.LUA_FORMS
     }
     return [
         Workload(
             "sine",
             f"WHILE with two assignments and a sine, {size.passes:,} passes",
-            {"sine.nc": partial(programs.sine_loop, size.passes)},
+            {"sine.nc": partial(texts.sine_loop, size.passes)},
             count=size.passes,
             unit="pass",
             blocks=4 * size.passes + 4,
-            own_words=lua | linuxcnc("sine", programs.sine_loop_linuxcnc, size.passes),
+            own_words=lua | linuxcnc("sine", texts.sine_loop_linuxcnc, size.passes),
         ),
         jump_workload("jump", size.around, size.passes),
     ]
@@ -175,7 +175,7 @@ def jump_workload(name: str, around: int, passes: int) -> Workload:
     return Workload(
         name,
         f"IF/GOTO in a program of {2 * around + 4:,} blocks, {passes:,} passes",
-        {f"{name}.nc": partial(programs.jump_loop, passes, around)},
+        {f"{name}.nc": partial(texts.jump_loop, passes, around)},
         count=passes,
         unit="pass",
         blocks=2 * passes + 2 * around + 2,
@@ -190,7 +190,7 @@ def short_jump(size: Size) -> Workload:
 def folder_of(size: Size) -> Workload:
     half = size.programs // 2
     files = {
-        f"folder/{folder}/O{number:04}.nc": partial(programs.small_program, number)
+        f"folder/{folder}/O{number:04}.nc": partial(texts.small_program, number)
         for folder in HALVES
         for number in range(1, half + 1)
     }
@@ -217,18 +217,18 @@ def other_files(size: Size) -> dict[str, Text]:
     of two threads.
     """
     threads = {
-        f"threads/{folder}.nc": partial(programs.flat, size.blocks // 2, seed)
+        f"threads/{folder}.nc": partial(texts.flat, size.blocks // 2, seed)
         for seed, folder in enumerate(HALVES)
     }
     return {**threads, **short_jump(size).files}
 
 
 def write_files(size: Size, folder: Path) -> None:
-    texts = other_files(size)
+    wanted = other_files(size)
     for workload in workloads(size):
         for files in (workload.files, *workload.own_words.values()):
-            texts.update(files)
-    for name, text in texts.items():
+            wanted.update(files)
+    for name, text in wanted.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text(), encoding="ascii")
