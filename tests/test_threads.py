@@ -79,12 +79,22 @@ def options(number: int) -> dict[str, object]:
     }
 
 
+def has_commons(library: cncsub.Library) -> bool:
+    try:
+        return library.machine().variables[100] is None
+    except KeyError:
+        return False
+
+
 @pytest.mark.parametrize("control", list(cncsub.controls))
 def test_threads_run_one_library_as_one_thread_does(control: str) -> None:
     library = cncsub.loads(PROGRAM, control=control)
 
+    own = {} if has_commons(library) else {"variables": {}}
+
     def work(number: int) -> object:
-        return outcome(library.run(**options(number))), outcome(library.mdi("M98 P2 L2"))
+        run = library.run(**(options(number) | own))
+        return outcome(run), outcome(library.mdi("M98 P2 L2"))
 
     assert in_threads(work) == [work(number) for number in range(THREADS)]
 

@@ -329,22 +329,26 @@ bool Machine::choose(const Block& block) {
 // ---- words ----
 
 bool Machine::linear(const Block& block) {
+  bool moved = false;
+  const int g = (block.flags & Block::kNoG) != 0       ? -1
+                : (block.flags & Block::kSecondG) != 0 ? 1
+                                                       : 0;
+  const Cell* values = code_->cells.data() + block.data + block.g_count;
+  if (!motion_.linear(block.mask, values, g, static_cast<std::uint32_t>(executed_),
+                      recorded_moves(), moved))
+    return words(block);
+  changes_ += moved ? 1 : 0;
+  last_n_ = block.n >= 0 ? block.n : last_n_;
   if (modals_.empty()) {
-    bool moved = false;
-    const int g = (block.flags & Block::kNoG) != 0       ? -1
-                  : (block.flags & Block::kSecondG) != 0 ? 1
-                                                         : 0;
-    const Cell* values = code_->cells.data() + block.data + block.g_count;
-    if (motion_.linear(block.mask, values, g, static_cast<std::uint32_t>(executed_),
-                       recorded_moves(), moved)) {
-      changes_ += moved ? 1 : 0;
-      last_n_ = block.n >= 0 ? block.n : last_n_;
-      record_step();
-      pc_ = next_;
-      return true;
-    }
+    record_step();
+    pc_ = next_;
+    return true;
   }
-  return words(block);
+  constexpr std::uint32_t kAxes = bit('X') | bit('Y') | bit('Z');
+  outcome_ = {};
+  outcome_.moved = moved;
+  outcome_.axis_word = (block.mask & kAxes) != 0;
+  return after_words(outcome_);
 }
 
 /// The words of a block with their values. A vacant variable's word is left out, or counts as 0, as

@@ -57,6 +57,7 @@ _OTHER_STARTS = (
 # Bytes of a text or of a punched tape: NUL, tab, line ends, DC1 to DC4, the DOS end of file,
 # rubout.
 _TEXT_CONTROLS = frozenset(b"\0\t\n\v\f\r\x0e\x0f\x11\x12\x13\x14\x1a\x1b\x7f")
+_STRANGE = bytes(set(range(0x20)) - _TEXT_CONTROLS)
 _SAMPLE = 4096
 _CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f]")
 
@@ -163,7 +164,7 @@ def _near_files(path: Path) -> list[str]:
 
 
 def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None:
-    if not _first_time(path, reading):
+    if not _first_time(os.path.realpath(path.parent), path.name, reading):
         return
     data, fault = _read_bytes(path)
     if data is None:
@@ -176,9 +177,9 @@ def _text_file(path: Path, data: Data, encoding: str | None) -> TextFile:
     return TextFile(clean(str(path)), clean(path.stem), decoded(data, encoding))
 
 
-def _first_time(path: Path, reading: Reading) -> bool:
+def _first_time(folder: str, name: str, reading: Reading) -> bool:
     """Whether this name of a file is met for the first time. A link to a file is another name."""
-    key = os.path.join(os.path.realpath(path.parent), path.name)  # noqa: PTH118
+    key = f"{folder}{os.sep}{name}"
     new = key not in reading._read
     reading._read.add(key)
     return new
@@ -191,21 +192,23 @@ def _read_folder(folder: Path, root: Path, encoding: str | None, reading: Readin
         return 0
     reading._read.add(real)
     files, folders = [], []
-    for path in _entries(folder, reading):
-        fault = _refused_entry(path, root)
+    for entry in _entries(folder, reading):
+        path = folder / entry.name
+        fault = _refused_entry(entry, path, root)
         if fault is not None:
             reading.skipped.append((str(path), fault))
-        elif path.is_dir():
+        elif entry.is_dir():
             folders.append(path)
         else:
             files.append(path)
-    found = sum(_read_found_file(path, encoding, reading) for path in files)
+    found = sum(_read_found_file(path, real, encoding, reading) for path in files)
     return found + sum(_read_folder(path, root, encoding, reading) for path in folders)
 
 
-def _entries(folder: Path, reading: Reading) -> list[Path]:
+def _entries(folder: Path, reading: Reading) -> list[os.DirEntry[str]]:
     try:
-        return sorted(folder.iterdir(), key=lambda path: name_order(path.name))
+        with os.scandir(folder) as entries:
+            return sorted(entries, key=lambda entry: name_order(entry.name))
     except OSError as error:
         reading.skipped.append((str(folder), error.strerror or "cannot be opened"))
         return []
@@ -222,19 +225,21 @@ def name_order(name: str) -> tuple[tuple[tuple[int, str], ...], str]:
     return values, name
 
 
-def _refused_entry(path: Path, root: Path) -> str | None:
+def _refused_entry(entry: os.DirEntry[str], path: Path, root: Path) -> str | None:
     """Why an entry of a folder is left alone, or None. Opens nothing."""
-    if path.name.startswith("."):
+    if entry.name.startswith("."):
         return "hidden"
-    if _CONTROLS.search(path.name):
+    if _CONTROLS.search(entry.name):
         return "a name with control characters"
     try:
-        real = Path(os.path.realpath(path, strict=True))
-        mode = real.stat().st_mode
+        mode = entry.stat().st_mode
+        # The folder lies below the root, and so does what is no link.
+        if entry.is_symlink() and not Path(os.path.realpath(path, strict=True)).is_relative_to(
+            root
+        ):
+            return "a link that leads out of the folder"
     except OSError:
-        return "a link that leads nowhere" if path.is_symlink() else "cannot be opened"
-    if not real.is_relative_to(root):
-        return "a link that leads out of the folder"
+        return "a link that leads nowhere" if entry.is_symlink() else "cannot be opened"
     if not stat.S_ISDIR(mode) and not stat.S_ISREG(mode):
         return "not a regular file"
     if stat.S_ISREG(mode) and path.suffix.lower() in _OTHER_ENDINGS:
@@ -242,9 +247,11 @@ def _refused_entry(path: Path, root: Path) -> str | None:
     return None
 
 
-def _read_found_file(path: Path, encoding: str | None, reading: Reading) -> bool:
-    """Whether this is a program; one that was read before is not read again."""
-    if not _first_time(path, reading):
+def _read_found_file(path: Path, folder: str, encoding: str | None, reading: Reading) -> bool:
+    """Whether this is a program; one that was read before is not read again. `folder`: the real
+    path of the file's folder.
+    """
+    if not _first_time(folder, path.name, reading):
         return True
     data, fault = _read_bytes(path)
     if data is not None and not _looks_like_text(data):
@@ -269,7 +276,8 @@ def _read_bytes(path: Path) -> tuple[Data | None, str]:
         if status.st_size > LARGEST_FILE:
             return None, f"larger than {LARGEST_FILE >> 20} MiB"
         data = bytearray()
-        while len(data) < LARGEST_FILE and (piece := file.read(_PIECE)):
+        size = min(status.st_size + 1, _PIECE)
+        while len(data) < LARGEST_FILE and (piece := file.read(size)):
             data += piece  # Python looks for Ctrl-C between two reads
         return data, ""
 
@@ -280,7 +288,7 @@ def _looks_like_text(data: Data) -> bool:
     if data.startswith(tuple(bom for bom, _ in _BOMS)):
         return True
     sample = data[:_SAMPLE]
-    strange = sum(byte < 0x20 and byte not in _TEXT_CONTROLS for byte in sample)
+    strange = len(sample) - len(sample.translate(None, _STRANGE))
     return strange * 20 <= len(sample)
 
 
