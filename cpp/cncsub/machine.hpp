@@ -99,7 +99,7 @@ class Machine {
   std::map<std::int32_t, double> variables(int level) const;
   std::optional<Fault> read(std::int64_t number, double& value);
   std::optional<Fault> write(std::int64_t number, double value);
-  std::optional<Fault> read_at(std::int64_t number, int level, double& value);
+  std::optional<Fault> read_at(std::int64_t number, int level, double& value) const;
   std::optional<Fault> write_at(std::int64_t number, int level, double value);
 
  private:
@@ -197,7 +197,10 @@ class Machine {
   double load(const Expression::Load& from) const;
   bool condition(std::uint32_t expression, bool& holds);
   bool compute(const Instruction* at, double& result, Trap& trap);
-  std::optional<Fault> system_read(const VariablePlace& place, std::int64_t number, double& value);
+  std::optional<Fault> read_at(const VariablePlace& place, std::int64_t number, int level,
+                               double& value) const;
+  std::optional<Fault> system_read(const VariablePlace& place, std::int64_t number,
+                                   double& value) const;
   std::optional<Fault> system_write(const VariablePlace& place, std::int64_t number, double value);
   void record_step();
   /// A block that did the work of many: time, memory and Ctrl-C are asked about soon.

@@ -14,15 +14,25 @@ Fault no_variable(std::int64_t number) {
 
 }  // namespace
 
+/// A program's look at a variable. With every look at the clock it goes on a little, besides going
+/// on with the motion: a program that waits for it comes on.
 std::optional<Fault> Machine::read(std::int64_t number, double& value) {
-  return read_at(number, level_, value);
+  const VariablePlace place = code_->place(number);
+  if (place.range != nullptr && place.kind == VariableKind::Milliseconds) {
+    clock_ms_ += 1;
+    ++changes_;
+  }
+  return read_at(place, number, level_, value);
+}
+std::optional<Fault> Machine::read_at(std::int64_t number, int level, double& value) const {
+  return read_at(code_->place(number), number, level, value);
 }
 std::optional<Fault> Machine::write(std::int64_t number, double value) {
   return write_at(number, level_, value);
 }
 
-std::optional<Fault> Machine::read_at(std::int64_t number, int level, double& value) {
-  const VariablePlace place = code_->place(number);
+std::optional<Fault> Machine::read_at(const VariablePlace& place, std::int64_t number, int level,
+                                      double& value) const {
   if (place.range == nullptr) return no_variable(number);
   if (place.range->access == Access::WriteOnly)
     return Fault{Cause::VariableReadProtected, 0, 1,
@@ -76,7 +86,7 @@ std::optional<Fault> Machine::write_at(std::int64_t number, int level, double va
 }
 
 std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64_t number,
-                                          double& value) {
+                                          double& value) const {
   const int index = place.index;
   const auto written = [&](double otherwise) {
     const auto found = system_.find(number);
@@ -95,10 +105,6 @@ std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64
       value = signal(static_cast<std::int32_t>(number));
       break;
     case VariableKind::Milliseconds:
-      // The clock goes on with the motion, and a little with every look at it: a program that waits
-      // for it comes on.
-      clock_ms_ += 1;
-      ++changes_;
       value = clock_ms_ + motion_.time() * 1000.0;
       break;
     case VariableKind::Hours:

@@ -1,9 +1,10 @@
-// A machine as Python holds it, and what it recorded. A machine is used by one thread at a time: it
-// works without the GIL, and whoever looks at it meanwhile gets an error instead of half a row.
+// A machine as Python holds it, and what it recorded. It works without the GIL, and whoever looks
+// at it meanwhile gets an error instead of half a row; many may look at one that rests.
 #pragma once
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -16,22 +17,46 @@ struct Live {
   explicit Live(Values&&... values) : machine(std::forward<Values>(values)...) {}
 
   Machine machine;
-  std::atomic<bool> busy = false;
+  std::atomic<int> lookers = 0;  // how many look at the machine; kAtWork: it changes
+  static constexpr int kAtWork = -1;
 };
 
-/// The machine for as long as this lives.
-class Use {
+/// The machine to be changed, by nobody else for as long as this lives.
+class Work {
  public:
-  explicit Use(Live& live) : live_(live) {
-    if (live.busy.exchange(true))
-      throw std::runtime_error("the machine is at work in another thread; use a copy of it there");
+  explicit Work(Live& live) : live_(live) {
+    int none = 0;
+    if (!live.lookers.compare_exchange_strong(none, Live::kAtWork))
+      throw std::runtime_error("the machine is in use in another thread; use a copy of it there");
   }
-  Use(const Use&) = delete;
-  Use& operator=(const Use&) = delete;
-  ~Use() { live_.busy = false; }
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+  ~Work() { live_.lookers = 0; }
 
   Machine& operator*() const { return live_.machine; }
   Machine* operator->() const { return &live_.machine; }
+
+ private:
+  Live& live_;
+};
+
+/// The machine as it rests: nobody changes it while this lives.
+class Look {
+ public:
+  explicit Look(Live& live) : live_(live) {
+    int lookers = live.lookers;
+    do {
+      if (lookers == Live::kAtWork)
+        throw std::runtime_error(
+            "the machine is at work in another thread; use a copy of it there");
+    } while (!live.lookers.compare_exchange_weak(lookers, lookers + 1));
+  }
+  Look(const Look&) = delete;
+  Look& operator=(const Look&) = delete;
+  ~Look() { --live_.lookers; }
+
+  const Machine& operator*() const { return live_.machine; }
+  const Machine* operator->() const { return &live_.machine; }
 
  private:
   Live& live_;
@@ -59,11 +84,11 @@ class Record {
   class Reading {
    public:
     explicit Reading(const Record& record) {
-      if (record.live_) use_.emplace(*record.live_);
+      if (record.live_) look_.emplace(*record.live_);
     }
 
    private:
-    std::optional<Use> use_;
+    std::optional<Look> look_;
   };
 
  private:

@@ -161,7 +161,7 @@ void run_released(Machine& machine, const Extent&... extent) {
 }
 
 void run(Live& live, const std::optional<std::pair<std::int64_t, std::int64_t>>& until) {
-  const Use machine(live);
+  const Work machine(live);
   const std::int64_t first = machine->blocks();
   std::function<bool(const Machine&)> pause;
   if (until)
@@ -176,30 +176,30 @@ void run(Live& live, const std::optional<std::pair<std::int64_t, std::int64_t>>&
 }
 
 void run_blocks(Live& live, std::int64_t blocks) {
-  const Use machine(live);
+  const Work machine(live);
   run_released(*machine, blocks);
 }
 
 py::object stop_of(Live& live) {
-  const Stop stop = Use(live)->stop();
+  const Stop stop = Look(live)->stop();
   return stop == Stop::Running ? py::object(py::none())
                                : py::object(py::str(std::string(to_string(stop))));
 }
 
 py::object alarm_of(Live& live) {
-  const Use machine(live);
+  const Look machine(live);
   return machine->alarm() ? py::cast(*machine->alarm()) : py::object(py::none());
 }
 
 py::tuple stack_of(Live& live) {
-  const auto frames = Use(live)->frames();
+  const auto frames = Look(live)->frames();
   py::tuple rows(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) rows[i] = py::cast(frames[i]);
   return rows;
 }
 
 py::tuple position_in_program(Live& live) {
-  const Use machine(live);
+  const Look machine(live);
   const Code& code = machine->code();
   const Block& block = code.blocks[machine->address()];
   return py::make_tuple(
@@ -216,22 +216,23 @@ py::dict dict_of(const Pairs& pairs) {
 
 void raise(const Fault& fault) { throw py::key_error(fault.detail); }
 
-int level_or_present(const Use& machine, int level) {
-  if (level > machine->level()) throw py::index_error("no such level");
-  return level < 0 ? machine->level() : level;
+int level_or_present(const Machine& machine, int level) {
+  if (level > machine.level()) throw py::index_error("no such level");
+  return level < 0 ? machine.level() : level;
 }
 
 py::object get_variable(Live& live, std::int64_t number, int level) {
-  const Use machine(live);
+  const Look machine(live);
   double value = 0;
-  if (auto fault = machine->read_at(number, level_or_present(machine, level), value)) raise(*fault);
+  if (auto fault = machine->read_at(number, level_or_present(*machine, level), value))
+    raise(*fault);
   return value_or_none(value);
 }
 
 void set_variable(Live& live, std::int64_t number, std::optional<double> value, int level) {
-  const Use machine(live);
+  const Work machine(live);
   if (auto fault =
-          machine->write_at(number, level_or_present(machine, level), value.value_or(kVacant)))
+          machine->write_at(number, level_or_present(*machine, level), value.value_or(kVacant)))
     raise(*fault);
 }
 
@@ -248,12 +249,12 @@ void add_machine(py::module_& m) {
            py::arg("setup") = py::none())
       .def("run", &run, py::arg("until") = py::none())
       .def("run_blocks", &run_blocks, py::arg("blocks"))
-      .def("step", [](Live& live) { return Use(live)->step(); })
-      .def("copy", [](Live& live) { return std::make_shared<Live>(*Use(live)); })
-      .def("interrupt", [](Live& live) { Use(live)->interrupt(); })
+      .def("step", [](Live& live) { return Work(live)->step(); })
+      .def("copy", [](Live& live) { return std::make_shared<Live>(*Look(live)); })
+      .def("interrupt", [](Live& live) { Work(live)->interrupt(); })
       .def("take",
            [](Live& live) {
-             const Use machine(live);
+             const Work machine(live);
              return Record(machine->shared_code(), machine->take());
            })
       .def_property_readonly("trace",
@@ -263,39 +264,39 @@ void add_machine(py::module_& m) {
                                return std::const_pointer_cast<Code>(live.machine.shared_code());
                              })
       .def_property_readonly("stop", &stop_of)
-      .def_property_readonly("waiting_for", [](Live& live) { return Use(live)->waiting_for(); })
+      .def_property_readonly("waiting_for", [](Live& live) { return Look(live)->waiting_for(); })
       .def_property_readonly("alarm", &alarm_of)
       .def_property_readonly("stack", &stack_of)
       .def_property_readonly("position_in_program", &position_in_program)
-      .def_property_readonly("blocks", [](Live& live) { return Use(live)->blocks(); })
+      .def_property_readonly("blocks", [](Live& live) { return Look(live)->blocks(); })
       .def_property_readonly("axes",
                              [](Live& live) {
                                py::list names;
-                               for (const char axis : Use(live)->axes())
+                               for (const char axis : Look(live)->axes())
                                  names.append(std::string(1, static_cast<char>(axis | 0x20)));
                                return names;
                              })
-      .def_property_readonly("memory", [](Live& live) { return Use(live)->memory(); })
+      .def_property_readonly("memory", [](Live& live) { return Look(live)->memory(); })
       .def(
           "variables",
           [](Live& live, int level) {
-            const Use machine(live);
-            return dict_of(machine->variables(level_or_present(machine, level)));
+            const Look machine(live);
+            return dict_of(machine->variables(level_or_present(*machine, level)));
           },
           py::arg("level") = -1)
       .def("get_variable", &get_variable, py::arg("number"), py::arg("level") = -1)
       .def("set_variable", &set_variable, py::arg("number"), py::arg("value"),
            py::arg("level") = -1)
-      .def("reset", [](Live& live) { Use(live)->reset(); })
+      .def("reset", [](Live& live) { Work(live)->reset(); })
       .def(
           "cleared_by_reset",
-          [](Live& live, std::int64_t number) { return Use(live)->cleared_by_reset(number); },
+          [](Live& live, std::int64_t number) { return Look(live)->cleared_by_reset(number); },
           py::arg("number"))
-      .def_property_readonly("level", [](Live& live) { return Use(live)->level(); })
+      .def_property_readonly("level", [](Live& live) { return Look(live)->level(); })
       .def_property_readonly("position",
-                             [](Live& live) { return dict_of(Use(live)->motion().position()); })
+                             [](Live& live) { return dict_of(Look(live)->motion().position()); })
       .def_property_readonly("modal",
-                             [](Live& live) { return dict_of(Use(live)->motion().modal()); });
+                             [](Live& live) { return dict_of(Look(live)->motion().modal()); });
 }
 
 }  // namespace cncsub::bindings
