@@ -125,6 +125,7 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
   rapid.fill(control->rapid_rate.value);
   fill(rapid, setup.rapid);
   for (const auto& [number, values] : setup.reference) fill(reference[number], values);
+  refused = refused_causes(*control);
   homed = !setup.reference.empty() || !control->home_needed.value;
   for (const auto& [name, range] : setup.limits)
     if (axis_of(name) >= 0) limits.push_back({axis_of(name), range.first, range.second});
@@ -236,24 +237,14 @@ Motion::Result Motion::read(BlockWords& block) const {
 /// What may not stand together, before anything changes.
 Motion::Result Motion::check(const BlockWords& block) const {
   const Control& c = *facts_->control;
-  if (block.has(Group::OneShot) && block.meaning(Group::OneShot) != Meaning::ExactStop &&
-      block.has(Group::Motion) && c.motion_with_one_shot_alarms.value)
-    return fault(Cause::OneShotWithMotion, block);
   if (block.has(Group::Units) && c.unit_change.value == UnitChange::Alone &&
       (s_.moved_before || block.words.g_count > 1 || (block.words.mask & ~bit('N')) != 0))
     return fault(Cause::UnitChangeLate, block);
-  const bool polar = s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn;
-  if (polar && block.has(Group::Plane) && !c.plane_change_in_polar.value)
-    return fault(Cause::PolarPlane, block);
-  if (polar && block.has(Group::Work) && !c.work_change_in_polar.value)
-    return fault(Cause::PolarWorkSystem, block);
-  if (s_.turned.rotation && block.has(Group::Plane) && !c.plane_change_in_rotation.value)
-    return fault(Cause::RotationPlane, block);
   if (!s_.held.corner.empty() && block.has(Group::Plane)) return fault(Cause::CornerPlane, block);
   if (compensating() && block.has(Group::Plane) &&
       block.codes[at(Group::Plane)].code != s_.plane * 10)
     return fault(Cause::CompensationPlane, block);
-  return std::nullopt;
+  return check_conflicts(block);
 }
 
 Motion::Result Motion::set_modes(BlockWords& block) {
@@ -416,10 +407,12 @@ Motion::Result Motion::mean_lead(const BlockWords& block, Piece& piece) const {
   return std::nullopt;
 }
 
-/// A chamfer written with C alone is no move of the C axis.
+/// A corner written with C or U alone is no move of that axis.
 bool Motion::corner_address(char name) const {
-  const std::string& words = facts_->control->chamfer_words.value;
-  return name == 'C' && facts_->lathe() && (" " + words + " ").find(" C ") != std::string::npos;
+  if (name != 'U' && (name != 'C' || !facts_->lathe())) return false;
+  const Control& c = *facts_->control;
+  const std::string words = " " + c.chamfer_words.value + " " + c.round_words.value + " ";
+  return words.find({' ', name, ' '}) != std::string::npos;
 }
 
 /// The end point that the words name; the axes without a word stay.
@@ -462,16 +455,14 @@ Axes Motion::target(BlockWords& block, std::uint32_t& named) {
 Motion::Result Motion::dwell(BlockWords& block) {
   const NcWords& w = block.words;
   double seconds = 0;
-  if (w.has('P')) {
-    seconds = raw(block, 'P') * (facts_->control->dwell_p_seconds.value ? 1 : 0.001);
-  } else {
-    for (const char letter : {'X', 'U'})
-      if (w.has(letter)) {
-        const bool milliseconds = (w.whole & bit(letter)) != 0 &&
-                                  facts_->control->whole_numbers.value == WholeNumbers::Increments;
-        seconds = raw(block, letter) * (milliseconds ? 0.001 : 1);
-        break;
-      }
+  const Control& c = *facts_->control;
+  for (const char letter : c.dwell_words.value) {
+    if (!w.has(letter)) continue;
+    const bool milliseconds = letter == 'P' ? !c.dwell_p_seconds.value
+                                            : (w.whole & bit(letter)) != 0 &&
+                                                  c.whole_numbers.value == WholeNumbers::Increments;
+    seconds = raw(block, letter) * (milliseconds ? 0.001 : 1);
+    break;
   }
   if (seconds <= 0) return std::nullopt;
   return wait(block, seconds);

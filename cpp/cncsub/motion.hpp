@@ -126,6 +126,9 @@ class Motion {
              Outside& outside);
   Result read(BlockWords& block) const;
   Result check(const BlockWords& block) const;
+  // motion_conflicts.cpp
+  Result check_conflicts(const BlockWords& block) const;
+  // motion.cpp again
   Result set_modes(BlockWords& block);
   Result set_feed(const BlockWords& block);
   double feed_increment() const;
@@ -216,6 +219,7 @@ class Motion {
   Result enter_cycle(BlockWords& block);
   void end_cycles();
   Result cycle_words(BlockWords& block, int& repeats);
+  Result check_tap(const BlockWords& block) const;
   Result canned_cycle(BlockWords& block);
   Result drill(BlockWords& block);
   int drill_axis(int code) const;

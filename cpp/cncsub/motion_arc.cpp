@@ -42,7 +42,8 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
   if (radius) {
     if (auto wrong = arc_by_radius(block, piece)) return wrong;
   } else if (centre) {
-    if (s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn && !c.centre_in_polar.value)
+    if (s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn &&
+        facts_->refuses(Cause::PolarCentre))
       return fault(Cause::PolarCentre, block);
     if (auto wrong = arc_by_centre(block, piece)) return wrong;
   } else if (c.no_radius.value == NoRadius::Alarm) {
@@ -51,10 +52,14 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
     piece.kind = MoveKind::Feed;
   }
   // R with the end at the start is no arc: nothing is left but what goes along. [16TC p.67]
+  const bool goes_across = (named & axis_bit(plane.across)) != 0;
+  if (piece.corner != 0 && goes_across && facts_->refuses(Cause::CornerHelix))
+    return fault(Cause::CornerHelix, block);
   if (piece.turn == 0 && piece.kind != MoveKind::Feed) {
+    if (goes_across && facts_->refuses(Cause::HelixTravel)) return fault(Cause::HelixTravel, block);
     piece.kind = MoveKind::Feed;
     block.outcome.axis_word = true;
-    if ((named & axis_bit(plane.across)) == 0) return std::nullopt;
+    if (!goes_across) return std::nullopt;
   }
   return move(block, piece);
 }

@@ -87,18 +87,22 @@ void put(double& place, double value, bool add) { place = add ? place + value : 
 Motion::Result Motion::set_data(BlockWords& block) {
   const NcWords& w = block.words;
   if (!w.has('L'))
-    return facts_->lathe() ? set_tool_data(block) : Result(fault(Cause::G10L, block));
+    return facts_->lathe() ? set_tool_data(block) : Result(fault(Cause::G10Word, block));
   const int l = whole(raw(block, 'L'));
   const bool offsets = l >= 10 && l <= 13;
   if (l != 2 && l != 20 && !offsets && l != 3 && l != 50 && l != 1)
     return fault(Cause::G10L, block);
   if (l == 3 || l == 50)
     return std::nullopt;  // tool life and parameters: no motion depends on them
-  if (!w.has('P') && l != 2) return fault(Cause::G10P, block);
+  if (!w.has('P') && l != 2) return fault(Cause::G10Word, block);
   const double p = w.has('P') ? raw(block, 'P') : s_.work_system;
   if (offsets || l == 1) return set_offset_data(block, l, p);
   const double last = l == 2 ? 6 : static_cast<double>(tables_->extra.size());
-  if (p < (l == 2 ? 0 : 1) || p > last || p != std::floor(p)) return fault(Cause::G10P, block);
+  if (p < (l == 2 ? 0 : 1) || p > last || p != std::floor(p))
+    return fault(l == 2 ? Cause::G10P : Cause::G10System, block);
+  bool named = false;
+  for (const char axis : kAxisNames) named = named || w.has(axis);
+  if (!named && facts_->refuses(Cause::G10Axis)) return fault(Cause::G10Axis, block);
   OffsetTables& tables = own_tables();
   Axes& values = l == 2 ? tables.work[static_cast<std::size_t>(p)]
                         : tables.extra[static_cast<std::size_t>(p) - 1];
@@ -116,8 +120,9 @@ Motion::Result Motion::set_data(BlockWords& block) {
 
 /// G10 L10 to L13: H and D, geometry and wear.
 Motion::Result Motion::set_offset_data(BlockWords& block, int l, double p) {
-  if (p < 0 || p >= static_cast<double>(tables_->length.size())) return fault(Cause::G10P, block);
-  if (!block.words.has('R')) return fault(Cause::G10P, block, "R is missing");
+  if (p < 0 || p >= static_cast<double>(tables_->length.size()))
+    return fault(Cause::G10Offset, block);
+  if (!block.words.has('R')) return fault(Cause::G10Value, block);
   OffsetTables& tables = own_tables();
   auto& table = l == 10   ? tables.length
                 : l == 12 ? tables.radius
@@ -130,11 +135,11 @@ Motion::Result Motion::set_offset_data(BlockWords& block, int l, double p) {
 /// G10 P X Z R Q of a lathe; P over 10000 names the geometry, P0 the work shift.
 Motion::Result Motion::set_tool_data(BlockWords& block) {
   const NcWords& w = block.words;
-  if (!w.has('P')) return fault(Cause::G10P, block);
+  if (!w.has('P')) return fault(Cause::G10Word, block);
   const int p = whole(raw(block, 'P'));
   const int tool = p % 10000;
   if (p < 0 || p >= 20000 || tool > facts_->control->max_offset_number.value)
-    return fault(Cause::G10P, block);
+    return fault(Cause::G10Offset, block);
   OffsetTables& tables = own_tables();
   Axes& values = p == 0 ? tables.work[0] : tables.tools[tool].value;
   for (const auto& [name, axis] : {std::pair{'X', 0}, {'Y', 1}, {'Z', 2}})
@@ -152,8 +157,6 @@ Motion::Result Motion::set_tool_data(BlockWords& block) {
 /// p.228]
 Motion::Result Motion::machine_move(BlockWords& block) {
   const Control& c = *facts_->control;
-  if (block.was_cycle && !c.machine_move_in_cycle.value)
-    return fault(Cause::MachineMoveInCycle, block);
   const bool modal = c.machine_move.value == MachineMove::Modal;
   if (!facts_->homed) return fault(Cause::NotHomed, block);
   if (block.has(Group::Motion)) s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
@@ -180,10 +183,6 @@ Motion::Result Motion::machine_move(BlockWords& block) {
 
 /// G28 and G30: rapid to the intermediate point, rapid to the reference point, the named axes only.
 Motion::Result Motion::reference(BlockWords& block, int number_of_point) {
-  const Control& c = *facts_->control;
-  if (block.was_cycle && !c.reference_in_cycle.value) return fault(Cause::ReferenceInCycle, block);
-  if ((s_.turned.rotation || s_.turned.mirror) && !c.reference_in_rotation.value)
-    return fault(Cause::ReferenceInRotation, block);
   if (number_of_point == 2) {
     const double p = block.words.has('P') ? raw(block, 'P') : 2;
     if (p < 2 || p > 4) return fault(Cause::ReferenceNumber, block);
@@ -222,8 +221,6 @@ Axes Motion::linear_target(BlockWords& block, std::uint32_t& named) {
 /// G29: over the intermediate point of the last G28 to the point; under G91 the values count from
 /// there.
 Motion::Result Motion::from_reference(BlockWords& block) {
-  const Control& c = *facts_->control;
-  if (block.was_cycle && !c.reference_in_cycle.value) return fault(Cause::ReferenceInCycle, block);
   std::uint32_t named = 0;
   linear_target(block, named);
   if (s_.middle_known == 0) return fault(Cause::NoIntermediate, block);
@@ -238,15 +235,6 @@ Motion::Result Motion::from_reference(BlockWords& block) {
 }
 
 Motion::Result Motion::check_reference(BlockWords& block) {
-  const NcWords& w = block.words;
-  if (w.ends && !facts_->control->reference_with_end.value)
-    return fault(Cause::ReferenceWithEnd, block);
-  for (int i = 0; i < w.m_count; ++i)
-    if (const int m = w.m[static_cast<std::size_t>(i)];
-        (m <= 2 || m == 30) && !facts_->control->reference_with_end.value)
-      return fault(Cause::ReferenceWithEnd, block);
-  if (block.was_cycle && !facts_->control->reference_in_cycle.value)
-    return fault(Cause::ReferenceInCycle, block);
   std::uint32_t named = 0;
   const Axes end = linear_target(block, named);
   if (named == 0) return std::nullopt;

@@ -21,13 +21,14 @@ bool corner_word(const NcWords& words, const std::string& name, double& value,
   return true;
 }
 
-/// Without a comma they are words of lathes only.
+/// C and R without a comma are words of lathes only.
 bool any_corner_word(const NcWords& words, const Codes& names, bool lathe, double& value,
                      std::uint32_t& mask) {
   for (std::size_t first = 0; first < names.size();) {
     const std::size_t blank = std::min(names.find(' ', first), names.size());
     const std::string name = names.substr(first, blank - first);
-    if ((lathe || name[0] == ',') && corner_word(words, name, value, mask)) return true;
+    if ((lathe || (name != "C" && name != "R")) && corner_word(words, name, value, mask))
+      return true;
     first = blank + 1;
   }
   return false;
@@ -49,6 +50,10 @@ Motion::Result Motion::corner_words(BlockWords& block, Piece& piece) const {
   const bool comma = ((chamfer_mask | round_mask) >> kCommaC) != 0;
   if (piece.kind == MoveKind::Rapid || piece.kind == MoveKind::Thread)
     return comma ? Result(fault(Cause::CornerInRapid, block)) : std::nullopt;
+  if (s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn && facts_->refuses(Cause::PolarCorner))
+    return fault(Cause::PolarCorner, block);
+  if (block.has(Group::Radius) && facts_->refuses(Cause::CornerOffset))
+    return fault(Cause::CornerOffset, block);
   if (has_chamfer && has_round) return fault(Cause::CornerFormat, block);
   piece.corner = has_chamfer ? 'C' : 'R';
   double size = has_chamfer ? chamfer : round;

@@ -10,8 +10,6 @@ Motion::Result Motion::enter_cycle(BlockWords& block) {
     end_cycles();
     return std::nullopt;
   }
-  if (compensating() && !facts_->control->cycle_in_compensation.value)
-    return fault(Cause::CompensationCycle, block);
   const int code = block.codes[at(Group::Cycle)].code;
   if (!in_cycle()) {
     s_.cycle = {};
@@ -55,11 +53,20 @@ Motion::Result Motion::cycle_words(BlockWords& block, int& repeats) {
   repeats = 1;
   for (const char letter : c.cycle_repeats.value)
     if (w.has(letter)) repeats = whole(raw(block, letter));
+  if (w.has('K') && w.has('L') && facts_->refuses(Cause::CycleRepeatsTwice))
+    return fault(Cause::CycleRepeatsTwice, block);
   if (repeats < 0 || (repeats == 0 && c.zero_cycle_repeats.value == ZeroCycleRepeats::Alarm))
     return fault(Cause::CycleRepeats, block);
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
   if (pecks && !facts_->lathe() && cycle.q == 0 && c.peck_needed.value)
     return fault(Cause::NoPeck, block);
+  return std::nullopt;
+}
+
+Motion::Result Motion::check_tap(const BlockWords& block) const {
+  if (s_.cycle.cycle != Meaning::Tap && s_.cycle.cycle != Meaning::LeftTap) return std::nullopt;
+  if (s_.speed <= 0 && facts_->refuses(Cause::TapSpeed)) return fault(Cause::TapSpeed, block);
+  if (s_.feed <= 0 && facts_->refuses(Cause::TapLead)) return fault(Cause::TapLead, block);
   return std::nullopt;
 }
 
@@ -71,6 +78,7 @@ Motion::Result Motion::canned_cycle(BlockWords& block) {
   if (position || block.has(Group::Cycle))
     if (auto wrong = cycle_words(block, repeats)) return wrong;
   if (!position || repeats == 0) return std::nullopt;
+  if (auto wrong = check_tap(block)) return wrong;
   if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
   for (int i = 0; i < repeats; ++i)
     if (auto wrong = drill(block)) return wrong;

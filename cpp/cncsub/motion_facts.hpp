@@ -49,6 +49,9 @@ inline Axes operator-(Axes a, const Axes& b) {
   return a;
 }
 
+/// The causes that the rule `refuses` names.
+std::vector<Cause> refused_causes(const Control& control);
+
 struct MotionFacts {
   MotionFacts(std::shared_ptr<const Control> c, const Setup& setup);
 
@@ -68,7 +71,10 @@ struct MotionFacts {
     double low, high;
   };
   std::vector<Limit> limits;
+  std::vector<Cause> refused;
 
+  /// Whether the control refuses what this cause names.
+  bool refuses(Cause cause) const;
   bool lathe() const { return machine != MachineType::Mill; }
   /// What a length of this axis counts in a path: half on a diameter axis.
   double share(int axis) const { return (diameters >> axis & 1) != 0 ? 0.5 : 1; }

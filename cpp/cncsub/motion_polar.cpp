@@ -26,11 +26,6 @@ void Motion::polar_target(BlockWords& block, Axes& end, std::uint32_t& named) {
 }
 
 Motion::Result Motion::set_turned(BlockWords& block) {
-  const bool begins = block.meaning(Group::Rotation) == Meaning::RotationOn ||
-                      block.meaning(Group::Scaling) == Meaning::ScalingOn ||
-                      block.meaning(Group::Mirror) == Meaning::MirrorOn;
-  if (begins && compensating() && !facts_->control->mirror_in_compensation.value)
-    return fault(Cause::TurnedInCompensation, block);
   if (block.has(Group::Mirror)) set_mirror(block);
   if (block.has(Group::Scaling))
     if (auto wrong = set_scaling(block)) return wrong;
@@ -72,6 +67,8 @@ Motion::Result Motion::set_scaling(BlockWords& block) {
         w.has(name) ? number(block, name) + (s_.incremental ? s_.work[i] : 0) : s_.work[i];
     double scale = w.has('P') ? scale_of(block, 'P') : w.has(own) ? scale_of(block, own) : 1;
     if (scale == 0) return fault(Cause::ScaleZero, block);
+    if (scale < 0 && facts_->refuses(Cause::ScaleNegative))
+      return fault(Cause::ScaleNegative, block);
     s_.turned.scale[i] = scale;
   }
   return std::nullopt;

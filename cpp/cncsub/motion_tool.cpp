@@ -43,17 +43,7 @@ Motion::Result Motion::set_length(BlockWords& block) {
       return fault(Cause::OffsetNumber, block);
     s_.h = static_cast<int>(number);
   }
-  if (block.has(Group::Length)) {
-    s_.modal[at(Group::Length)] = block.codes[at(Group::Length)];
-    const Meaning motion =
-        (block.has(Group::Motion) ? block.codes : s_.modal)[at(Group::Motion)].meaning;
-    const Meaning once = block.meaning(Group::OneShot);
-    if (!facts_->control->length_with_motion_codes.value &&
-        block.meaning(Group::Length) != Meaning::LengthOff &&
-        (motion == Meaning::Cw || motion == Meaning::Ccw || once == Meaning::Dwell ||
-         once == Meaning::Skip || once == Meaning::SetCoordinate))
-      return fault(Cause::LengthWithMotion, block);
-  }
+  if (block.has(Group::Length)) s_.modal[at(Group::Length)] = block.codes[at(Group::Length)];
   const Meaning meaning = s_.modal[at(Group::Length)].meaning;
   if (meaning == Meaning::LengthOff) {
     s_.length = {};

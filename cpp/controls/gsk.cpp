@@ -75,7 +75,7 @@ CodeCall code_call(CodeCall::Form form, char address, CodeCallKind kind, std::in
 // The codes that the papers on the 988TA and its alarms name, of G code system A and B; the rest is
 // general knowledge.
 const std::string kLatheCodes =
-    "0 1 2 3 4 7 7.1 7.9 9 10 11 12.1 13.1 17 18 19 20 21 22 23 25 26 28 29 30 31 "
+    "0 1 2 3 4 7 7.1 7.9 9 10 11 12.1 13.1 17 18 19 20 21 22 23 25 26 27 28 29 30 31 "
     "32 32.1 32.2 32.3 33 34 36 37 40 41 42 50 50.2 50.3 51.2 51.3 52 53 54 55 56 57 58 59 "
     "61 64 65 66 67 68 68.1 69 69.1 70 71 72 73 74 75 76 77 78 79 "
     "80 83 84 85 87 88 89 90 91 92 92.1 92.2 94 95 96 97 98 99";
@@ -501,8 +501,9 @@ void read_980(Control& c) {
   c.point_addresses = {"ABCDEFHIJKLQRUVWXYZ",
                        kTDi + "11: L and D are lengths; the others from general knowledge",
                        kInferred};
-  c.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ",
-                       kGeneral + "; a negative L is a count out of range, MDib 0092", kInferred};
+  c.minus_addresses = {
+      "ABCDEFHIJKLPQRSUVWXYZ",
+      kTDi + "14: a negative time is none; MDib 0140: a negative scale; MDib 0092: L", kManual};
   c.whole_numbers = {WholeNumbers::Millimetres, "inferred from the examples of the manual",
                      kInferred};
   c.missing_end = {MissingEnd::Alarm, kPolicy, kInferred};

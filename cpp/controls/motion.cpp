@@ -101,6 +101,20 @@ void set_chamfer_length(Control& c, double v) {
   c.chamfer_length.value = v != 0 ? ChamferLength::Corner : ChamferLength::Line;
 }
 
+/// Adds a conflict to those that the control refuses, or takes it away.
+void set_refused(Control& c, const std::string& cause, bool refused) {
+  std::string list = " " + c.refuses.value + " ";
+  const auto found = list.find(" " + cause + " ");
+  if ((found != std::string::npos) == refused) return;
+  if (refused)
+    list += cause;
+  else
+    list.erase(found, cause.size() + 1);
+  const auto first = list.find_first_not_of(' '), last = list.find_last_not_of(' ');
+  c.refuses.value = first == std::string::npos ? "" : list.substr(first, last - first + 1);
+}
+void set_tool_with_setting(Control& c, double v) { set_refused(c, "tool-with-setting", v != 0); }
+
 /// The parameters that FANUC and the GSK 988 number alike.
 void fanuc_numbers(Control& c, const char* source, Evidence evidence, double power_on_feed) {
   add_effect(c, "3402#0", 0, "at power-on 0 = G00, 1 = G01", source, evidence, set_power_on_line);
@@ -134,7 +148,7 @@ void fanuc_rules(Control& c) {
   c.machine = {MachineType::Mill, "the setup tells a lathe", Inferred};
   c.negative_radius = {true, "source 003, example 5", SourceDocument};
   c.machine_move = {MachineMove::Rapid, "source 003, G53; 0iMB p.228", SourceDocument};
-  c.reference_in_cycle = {false, "ALM 044", Secondary};
+  c.refuses = {"reference-in-cycle corner-at-offset-start", "ALM 039, 044", Secondary};
   c.idle_blocks = {1, "source 003, note a", SourceDocument};
   c.acute_corner = {AcuteCorner::Lines, kKnown, Inferred};
   c.feed_needed = {true, "ALM 011, 0iTC p.66", Manual};
@@ -147,6 +161,8 @@ void fanuc_rules(Control& c) {
     if (p.name == "3405#4") p.value = 1;
   add_effect(c, "3405#4", 1, "lathes: 1 = C and R make corners without a comma", kKnown, Inferred,
              set_plain_corners);
+  add_effect(c, "5006#1", 0, "1 = T in a block with G04, G10 or G50 is an alarm", kKnown, Inferred,
+             set_tool_with_setting);
   add_effect(c, "1202#3", 0, "reset ends the local coordinate system", kKnown, Inferred,
              set_reset_local);
   add_effect(c, "5001#0", 0, "1 = length offset on the axis that the block names (type C)", kKnown,
@@ -175,6 +191,12 @@ void fanuc_alarms(Control& c, const std::string& prefix) {
       {Cause::RadiusOffsetNumber, "030", "ILLEGAL OFFSET NUMBER", Secondary},
       {Cause::G10L, "031", "ILLEGAL P COMMAND IN G10", Secondary},
       {Cause::G10P, "031", "ILLEGAL P COMMAND IN G10", Secondary},
+      {Cause::G10System, "031", "ILLEGAL P COMMAND IN G10", Secondary},
+      {Cause::G10Offset, "031", "ILLEGAL P COMMAND IN G10", Secondary},
+      {Cause::G10Word, "031", "ILLEGAL P COMMAND IN G10", Secondary},
+      {Cause::G10Value, "031", "ILLEGAL P COMMAND IN G10", Inferred},
+      {Cause::CornerOffset, "039", "CHF/CNR NOT ALLOWED IN CRC", Secondary},
+      {Cause::ToolWithSetting, "245", "T-CODE NOT ALLOWED IN THIS BLOCK", Secondary},
       {Cause::CompensationNoIntersection, "033", "NO SOLUTION AT CRC", Secondary},
       {Cause::CompensationArc, "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK", Secondary},
       {Cause::CompensationEndArc, "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK", Secondary},
@@ -234,13 +256,15 @@ void mitsubishi_rules(Control& c) {
   c.machine_move = {MachineMove::Modal, "M7 p.520 (4)-(8)", Manual};
   c.no_radius = {NoRadius::Alarm, kKnown, Inferred};
   c.radius_needs_travel = {true, "error 108 of the motion controller Q172", Inferred};
-  c.plane_change_in_rotation = {false, "MZ 824, paired with P111", Secondary};
   c.idle_blocks = {3, "M7 p.191, 202, 203", Manual};
   c.missing_radius_offset = {MissingOffset::Alarm, "MZ 839, paired with P170", Secondary};
-  c.cycle_in_compensation = {false, "MZ 901, paired with P155", Secondary};
-  c.plane_change_in_rotation = {false, "MZ 824, paired with P111", Secondary};
+  c.refuses = {
+      "rotation-plane cycle-in-offset reference-with-end reference-with-m local-in-extra-system "
+      "tap-without-lead tap-without-speed",
+      "MZ 824, 901, 920, 921, 949, paired with P111, P155, P435, P436, P438; "
+      "MZ 906, 908 with P181, P183",
+      Secondary};
   c.radius_needs_travel = {true, "general knowledge; motion controller Q172, error 108", Inferred};
-  c.reference_with_end = {false, "MZ 920, paired with P435", Secondary};
   c.cycle_repeats = {"L", kKnown, Inferred};
   c.feed_needed = {true, "M7 p.52: P62", Manual};
   c.power_on_line = {true, "M7 p.534 (11): G54 X Y right after power-on alarms P62", Manual};
@@ -299,6 +323,11 @@ void mitsubishi_alarms(Control& c) {
        {Cause::CornerTooShort, "P383", "Corner movement short", "MZ 913, paired", Secondary},
        {Cause::CornerInRapid, "P385", "G0 G33 in corner", "MZ 951, paired", Secondary},
        {Cause::CornerPlane, "P396", "Plane command in corner", "MZ 919, paired", Secondary},
+       {Cause::TapSpeed, "P181", "No spindle command (Tap)", "MZ 906, paired", Secondary},
+       {Cause::TapLead, "P183", "No pitch/thread number", "MZ 908, paired", Secondary},
+       {Cause::ReferenceWithM, "P436", "G29 and M commands in one block", "MZ 921, paired",
+        Secondary},
+       {Cause::LocalInExtraSystem, "P438", "G52 invalid during G54.1", "MZ 949, paired", Secondary},
        {Cause::NotHomed, "P430", "R-pnt return incomplete", "MZ 880, paired", Secondary},
        {Cause::ReferenceNotHomed, "P430", "R-pnt return incomplete", "MZ 880, paired", Secondary},
        {Cause::NotAtReference, "P434", "Compare error", "MZ 884, paired", Secondary},
@@ -341,6 +370,8 @@ void gsk_988(Control& c, double power_on_feed) {
   lathe_rules(c);
   c.home_needed = {true, "Talm 047", Secondary};
   c.unit_change = {UnitChange::Alone, "Talm 042", Secondary};
+  c.refuses = {"codes-with-rotation code-in-rotation corner-at-offset-start",
+               "TA 5 notes 2 and 3; Talm 271", Manual};
   c.thread_needs_spindle = {true, "Talm 102", Secondary};
   c.helix = {false, "Talm 033", Secondary};
   c.contour_behind = {false, "TA 8", Manual};
@@ -358,6 +389,8 @@ void gsk_988(Control& c, double power_on_feed) {
   add_effect(c, "1202#2", 0, "1 = G50 is an alarm", "TApar 1202#2", Manual, set_coordinate_refused);
   add_effect(c, "1202#3", 0, "RLC: reset ends the local coordinate system", "TApar 1202#3", Manual,
              set_reset_local);
+  add_effect(c, "5006#1", 0, "1 = T in a block with G04, G10 or G50 is an alarm", "Talm 028",
+             Secondary, set_tool_with_setting);
   add_effect(c, "5002#0", 1, "digits of T that name the offset: 0 one, 1 two", "TApar 5002#0",
              Manual, set_offset_digits);
   add_effect(c, "5002#4", 0,
@@ -384,6 +417,11 @@ void gsk_988(Control& c, double power_on_feed) {
        {Cause::CompensationSkip, "059", "G31 in G41, G42", "Talm 059", Secondary},
        {Cause::G10L, "061", "L of G10", "Talm 061", Secondary},
        {Cause::G10P, "062", "P of G10", "Talm 062", Secondary},
+       {Cause::G10System, "062", "P of G10", "Talm 062", Secondary},
+       {Cause::G10Offset, "062", "P of G10", "Talm 062", Secondary},
+       {Cause::G10Word, "062", "P of G10", "Talm 062", Secondary},
+       {Cause::CornerOffset, "271", "chamfer in a block that takes none", "Talm 271", Secondary},
+       {Cause::ToolWithSetting, "028", "T in a block that takes none", "Talm 028", Secondary},
        {Cause::SpindleStands, "102", "thread at spindle speed 0", "Talm 102", Secondary},
        {Cause::Taper, "123", "taper of G90, G92", "Talm 123", Secondary},
        {Cause::FaceTaper, "124", "taper of G94", "Talm 124", Secondary},
@@ -460,6 +498,7 @@ void gsk_928(Control& c) {
                SourceDocument};
   c.power_on_per_minute = {true, "source 001: F80, F500", SourceDocument};
   c.feed_needed = {false, "no alarm is known", Inferred};
+  c.dwell_words = {"PXUD", "928Ti: G4 D1 is a second", Secondary};
   add_effect(c, "3402#0", 0,
              "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
              Inferred, set_power_on_line);
@@ -470,19 +509,24 @@ void gsk_928(Control& c) {
 void gsk_980mdi(Control& c) {
   c.machine = {MachineType::Mill, "MDib", Manual};
   c.g_meanings = {"", kKnown, Inferred};
-  c.motion_with_one_shot_alarms = {true, "MDib 0014", Manual};
   c.unit_change = {UnitChange::Alone, "MDib 0038", Manual};
   c.home_needed = {true, "MDib 0166, 0069", Manual};
-  c.machine_move_in_cycle = {false, "MDib 0165", Manual};
+  c.refuses = {
+      "one-shot-with-motion length-with-motion local-with-length machine-move-in-cycle "
+      "plane-change-in-polar work-system-change-in-polar polar-centre tool-in-polar "
+      "corner-in-polar cycle-plane-in-polar units-in-rotation mirror-in-offset "
+      "codes-with-rotation mirror-in-rotation reference-return-in-mirror rotation-plane "
+      "plane-change-in-mirror coordinate-setting-in-rotation work-system-in-rotation "
+      "length-in-rotation data-in-rotation cycle-in-rotation rotation-plane-in-cycle "
+      "pattern-without-cycle corner-at-offset-start corner-in-helix cycle-repeats-twice "
+      "tap-without-lead g10-axis-missing scale-negative "
+      "helix-without-travel",
+      "MDib 0014, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, 0204, 0216, 0218, "
+      "0243, 0247, "
+      "0278",
+      Manual};
   c.set_coordinate_without_tool = {false, kKnown, Inferred};
   c.max_offset_number = {32, "MDib 0016", Manual};
-  c.length_with_motion_codes = {false, "MDib 0042", Manual};
-  c.plane_change_in_polar = {false, "MDib 0186", Manual};
-  c.work_change_in_polar = {false, "MDib 0187", Manual};
-  c.centre_in_polar = {false, "MDib 0176", Manual};
-  c.reference_in_rotation = {false, "MDib 0152", Manual};
-  c.plane_change_in_rotation = {false, "MDib 0154", Manual};
-  c.mirror_in_compensation = {false, "MDib 0155", Manual};
   c.jumps_in_compensation = {false, "MDib 0099, 0100", Manual};
   c.max_rotation = {360, "MDib 0156", Manual};
   c.idle_blocks_alarm = {true, "MDib 0263", Manual};
@@ -548,6 +592,39 @@ void gsk_980mdi(Control& c) {
        {Cause::PolarWorkSystem, "0187", "G54 to G59 in polar coordinates", "MDib 0187", Manual},
        {Cause::CycleRepeats, "0203", "repeat count 0", "MDib 0203", Manual},
        {Cause::G10P, "0238", "P of G10", "MDib 0238", Manual},
+       {Cause::G10System, "0239", "P of G10 L20 outside 1 to 48", "MDib 0239", Manual},
+       {Cause::WorkSystem, "0240", "P of G54.1 outside 1 to 48", "MDib 0240", Manual},
+       {Cause::G10Offset, "0242", "P of an offset outside 1 to 32", "MDib 0242", Manual},
+       {Cause::TurnedData, "0243", "G10 of a work system in rotation", "MDib 0243", Manual},
+       {Cause::G10Word, "0246", "P or L of G10 missing", "MDib 0246", Manual},
+       {Cause::G10Axis, "0247", "axis of G10 missing", "MDib 0247", Manual},
+       {Cause::G10Value, "0248", "R of G10 missing", "MDib 0248", Manual},
+       {Cause::HelixTravel, "0032", "a helix without travel in its plane", "MDib 0032", Manual},
+       {Cause::CornerOffset, "0039", "a chamfer at the start of compensation", "MDib 0039", Manual},
+       {Cause::LocalWithLength, "0046", "G52 with a length offset", "MDib 0046", Manual},
+       {Cause::ScaleNegative, "0140", "P of scaling negative", "MDib 0140", Manual},
+       {Cause::TurnedLength, "0149", "H in mirror, scaling, rotation", "MDib 0149", Manual},
+       {Cause::TurnedWithCodes, "0150", "other codes in the block of mirror, scaling, rotation",
+        "MDib 0150", Manual},
+       {Cause::TurnedCoordinate, "0151", "G92 in mirror, scaling, rotation", "MDib 0151", Manual},
+       {Cause::TurnedWorkSystem, "0153", "G52 to G59 in mirror, scaling, rotation", "MDib 0153",
+        Manual},
+       {Cause::TurnedPlane, "0154", "plane change in mirror, scaling", "MDib 0154", Manual},
+       {Cause::TurnedMirror, "0159", "mirror in scaling or rotation", "MDib 0159", Manual},
+       {Cause::RotatedCycle, "0160", "rotation in a cycle outside G17", "MDib 0160", Manual},
+       {Cause::TurnedUnits, "0161", "G20, G21 in polar, mirror, rotation, scaling", "MDib 0161",
+        Manual},
+       {Cause::TurnedCycle, "0162", "G110 to G144 in mirror, scaling, rotation", "MDib 0162",
+        Manual},
+       {Cause::PolarCycle, "0163", "G16 with a cycle outside G17", "MDib 0163", Manual},
+       {Cause::PolarCorner, "0185", "a chamfer in polar coordinates", "MDib 0185", Manual},
+       {Cause::PolarTool, "0188", "a tool change in polar coordinates", "MDib 0188", Manual},
+       {Cause::CycleRepeatsTwice, "0204", "L and K in a cycle", "MDib 0204", Manual},
+       {Cause::PatternWithoutCycle, "0216", "G140 to G144 without a drilling code", "MDib 0216",
+        Manual},
+       {Cause::TapLead, "0218", "no pitch in G74, G84", "MDib 0218", Manual},
+       {Cause::TapSpeed, "0230", "S is 0", "MDib 0230", Manual},
+       {Cause::CornerHelix, "0278", "a chamfer in a helix", "MDib 0278", Manual},
        {Cause::G10L, "0244", "L of G10", "MDib 0244", Manual},
        {Cause::CompensationArcTooSmall, "0256", "inner arc smaller than the radius", "MDib 0256",
         Manual},

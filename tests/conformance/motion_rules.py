@@ -34,7 +34,7 @@ def numbers(controls, fanuc=None, mitsubishi=None, gsk_988=None, mdi=None):
 
 case(
     "U is an axis of its own on a control that is a mill by itself",
-    control=MILLS, **KNOWN,
+    control=[*MITSUBISHI, *FANUC, HNC], **KNOWN,
     program="""
         O1
         N10 G0 X10.
@@ -818,7 +818,7 @@ case(
         N20 G10 P401 X1.
         N30 M30
     """,
-    runs="N10", alarm="g10-p", number=numbers(LATHES, "031", None, "062"),
+    runs="N10", alarm="g10-offset-number", number=numbers(LATHES, "031", None, "062"),
     at="O1 N20",
 )
 case(
@@ -919,17 +919,6 @@ for name, code in {"G28": "G28 X0", "a plane change": "G17 G18"}.items():
         program=f"""
             O1
             N10 G68 X0 Y0 R90.
-            N20 {code}
-            N30 M30
-        """,
-        runs="N10 N20 N30",
-    )
-    case(
-        f"{name} may stand in a rotation of the 988",
-        control=GSK_988, **POLICY, setup=LATHE,
-        program=f"""
-            O1
-            N10 G68.1 X0 Z0 R90.
             N20 {code}
             N30 M30
         """,

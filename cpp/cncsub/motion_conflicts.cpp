@@ -1,0 +1,187 @@
+// What does not go together: a block's codes and words with each other, or with the state that they
+// meet. Each conflict is a cause; a control refuses those that its rule `refuses` names.
+#include "cncsub/motion_facts.hpp"
+
+namespace cncsub {
+namespace {
+
+using State = MotionState;
+using Block = BlockWords;
+
+bool polar(const State& s) { return s.modal[at(Group::Polar)].meaning == Meaning::PolarOn; }
+bool turned(const State& s) { return s.turned.rotation || s.turned.scaling || s.turned.mirror; }
+bool compensated(const State& s) {
+  const Meaning radius = s.modal[at(Group::Radius)].meaning;
+  return radius == Meaning::RadiusLeft || radius == Meaning::RadiusRight;
+}
+bool does(const Block& b, Meaning meaning) { return b.meaning(Group::OneShot) == meaning; }
+bool turns(const Block& b) {
+  return b.has(Group::Rotation) || b.has(Group::Scaling) || b.has(Group::Mirror);
+}
+bool begins_turn(const Block& b) {
+  return b.meaning(Group::Rotation) == Meaning::RotationOn ||
+         b.meaning(Group::Scaling) == Meaning::ScalingOn ||
+         b.meaning(Group::Mirror) == Meaning::MirrorOn;
+}
+bool cycles(const Block& b) {
+  return b.has(Group::Cycle) && b.meaning(Group::Cycle) != Meaning::CycleOff;
+}
+bool returns(const Block& b) {
+  return does(b, Meaning::Reference) || does(b, Meaning::SecondReference) ||
+         does(b, Meaning::FromReference);
+}
+bool length(const Block& b) { return b.has(Group::Length) || b.words.has('H'); }
+/// The motion code that holds for the block.
+Meaning motion(const State& s, const Block& b) {
+  return (b.has(Group::Motion) ? b.codes : s.modal)[at(Group::Motion)].meaning;
+}
+/// A G code of the block between two numbers.
+bool code_between(const Block& b, int first, int last) {
+  for (int i = 0; i < b.words.g_count; ++i)
+    if (const int g = b.words.g[static_cast<std::size_t>(i)] / 10; g >= first && g <= last)
+      return true;
+  return false;
+}
+bool stops(const Block& b) {
+  for (int i = 0; i < b.words.m_count; ++i)
+    if (const int m = b.words.m[static_cast<std::size_t>(i)]; m <= 2 || m == 30) return true;
+  return b.words.ends;
+}
+/// Codes that share no block with rotation, scaling and mirror. [MDib 0150; TA 5 note 2]
+bool besides_turn(const Block& b) {
+  int turns = 0;
+  for (const Group group : {Group::Rotation, Group::Scaling, Group::Mirror})
+    turns += b.has(group) ? 1 : 0;
+  if (turns > 1) return true;
+  for (const Group group :
+       {Group::OneShot, Group::Motion, Group::Radius, Group::Length, Group::Macro, Group::Work})
+    if (b.has(group)) return true;
+  return false;
+}
+/// Codes that a rotated lathe does not take. [TA 5 note 3]
+bool strange_in_rotation(const Block& b) {
+  for (const Group group :
+       {Group::OneShot, Group::Radius, Group::Work, Group::Units, Group::Macro, Group::Stroke})
+    if (b.has(group)) return true;
+  return b.meaning(Group::Motion) > Meaning::Ccw;
+}
+
+struct Conflict {
+  Cause cause;
+  bool (*applies)(const State&, const Block&);
+};
+
+constexpr Conflict kConflicts[] = {
+    {Cause::OneShotWithMotion,
+     [](const State&, const Block& b) {
+       return b.has(Group::OneShot) && !does(b, Meaning::ExactStop) && b.has(Group::Motion);
+     }},
+    {Cause::LengthWithMotion,
+     [](const State& s, const Block& b) {
+       const Meaning m = motion(s, b);
+       return b.has(Group::Length) && b.meaning(Group::Length) != Meaning::LengthOff &&
+              (m == Meaning::Cw || m == Meaning::Ccw || does(b, Meaning::Dwell) ||
+               does(b, Meaning::Skip) || does(b, Meaning::SetCoordinate));
+     }},
+    {Cause::LocalWithLength,
+     [](const State&, const Block& b) { return does(b, Meaning::Local) && length(b); }},
+    {Cause::LocalInExtraSystem,
+     [](const State& s, const Block& b) { return does(b, Meaning::Local) && s.work_system == 0; }},
+    {Cause::ToolWithSetting,
+     [](const State&, const Block& b) {
+       return b.words.has('T') && (does(b, Meaning::SetCoordinate) || does(b, Meaning::SetData) ||
+                                   does(b, Meaning::Dwell));
+     }},
+    {Cause::ReferenceWithEnd,
+     [](const State&, const Block& b) { return does(b, Meaning::CheckReference) && stops(b); }},
+    {Cause::ReferenceWithM,
+     [](const State&, const Block& b) {
+       return does(b, Meaning::FromReference) && (b.words.m_count > 0 || b.words.ends);
+     }},
+    {Cause::ReferenceInCycle,
+     [](const State&, const Block& b) {
+       return b.was_cycle && (returns(b) || does(b, Meaning::CheckReference));
+     }},
+    {Cause::MachineMoveInCycle,
+     [](const State&, const Block& b) { return b.was_cycle && does(b, Meaning::Machine); }},
+    {Cause::PolarPlane,
+     [](const State& s, const Block& b) { return polar(s) && b.has(Group::Plane); }},
+    {Cause::PolarWorkSystem,
+     [](const State& s, const Block& b) { return polar(s) && b.has(Group::Work); }},
+    {Cause::PolarTool, [](const State& s, const Block& b) { return polar(s) && b.words.has('T'); }},
+    {Cause::PolarCycle,
+     [](const State& s, const Block& b) { return polar(s) && cycles(b) && s.plane != 17; }},
+    {Cause::TurnedUnits,
+     [](const State& s, const Block& b) { return (polar(s) || turned(s)) && b.has(Group::Units); }},
+    {Cause::TurnedInCompensation,
+     [](const State& s, const Block& b) { return compensated(s) && begins_turn(b); }},
+    {Cause::CompensationCycle,
+     [](const State& s, const Block& b) { return compensated(s) && cycles(b); }},
+    {Cause::TurnedWithCodes,
+     [](const State&, const Block& b) { return turns(b) && besides_turn(b); }},
+    {Cause::TurnedMirror,
+     [](const State& s, const Block& b) {
+       return (s.turned.rotation || s.turned.scaling) && b.has(Group::Mirror);
+     }},
+    {Cause::ReferenceInRotation,
+     [](const State& s, const Block& b) { return turned(s) && returns(b); }},
+    {Cause::RotationPlane,
+     [](const State& s, const Block& b) { return s.turned.rotation && b.has(Group::Plane); }},
+    {Cause::TurnedPlane,
+     [](const State& s, const Block& b) { return turned(s) && b.has(Group::Plane); }},
+    {Cause::TurnedCoordinate,
+     [](const State& s, const Block& b) { return turned(s) && does(b, Meaning::SetCoordinate); }},
+    {Cause::TurnedWorkSystem,
+     [](const State& s, const Block& b) {
+       return turned(s) &&
+              (b.has(Group::Work) || does(b, Meaning::Local) || does(b, Meaning::Machine));
+     }},
+    {Cause::TurnedLength, [](const State& s, const Block& b) { return turned(s) && length(b); }},
+    {Cause::TurnedData,
+     [](const State& s, const Block& b) {
+       return s.turned.rotation && does(b, Meaning::SetData) &&
+              (b.words['L'] == 2 || b.words['L'] == 20);
+     }},
+    {Cause::TurnedCycle,
+     [](const State& s, const Block& b) {
+       return turned(s) &&
+              (code_between(b, 110, 117) || code_between(b, 126, 127) || code_between(b, 132, 144));
+     }},
+    {Cause::RotatedCycle,
+     [](const State& s, const Block& b) {
+       return b.was_cycle && s.plane != 17 && b.meaning(Group::Rotation) == Meaning::RotationOn;
+     }},
+    {Cause::RotationCode,
+     [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); }},
+    {Cause::PatternWithoutCycle,
+     [](const State&, const Block& b) {
+       return code_between(b, 140, 144) && !b.was_cycle && !cycles(b);
+     }},
+};
+
+}  // namespace
+
+std::vector<Cause> refused_causes(const Control& control) {
+  std::vector<Cause> list;
+  const std::string named = " " + control.refuses.value + " ";
+  const auto& causes = all_causes();
+  for (std::size_t i = 0; i < causes.size(); ++i)
+    if (named.find(" " + std::string(causes[i].slug) + " ") != std::string::npos)
+      list.push_back(static_cast<Cause>(i));
+  return list;
+}
+
+bool MotionFacts::refuses(Cause cause) const {
+  return std::find(refused.begin(), refused.end(), cause) != refused.end();
+}
+
+/// What may not stand together, before anything changes.
+std::optional<Fault> Motion::check_conflicts(const BlockWords& block) const {
+  if (facts_->refused.empty()) return std::nullopt;
+  for (const Conflict& conflict : kConflicts)
+    if (facts_->refuses(conflict.cause) && conflict.applies(s_, block))
+      return fault(conflict.cause, block);
+  return std::nullopt;
+}
+
+}  // namespace cncsub
