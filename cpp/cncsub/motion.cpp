@@ -167,6 +167,13 @@ void Motion::power_on() {
     wake(meaning);
   s_.plane = lathe ? 18 : 17;
   s_.feed = c.power_on_feed.value;
+  MultipleData& data = s_.multiple;
+  data.finish_passes = c.thread_passes.value;
+  data.chamfer = c.thread_chamfer.value;
+  data.angle = c.thread_angle.value;
+  data.least_cut = c.thread_least_cut.value * 1e-3;
+  data.allowance = c.thread_allowance.value * 1e-3;
+  data.retract = c.groove_retract.value * 1e-3;
 }
 
 std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, Moves* moves,
@@ -260,6 +267,7 @@ Motion::Result Motion::set_modes(BlockWords& block) {
   // G22 X Y Z I J K names a zone of the stroke check, no point to go to.
   if (block.meaning(Group::Stroke) == Meaning::StrokeOn) block.consumed = true;
   if (auto wrong = set_feed(block)) return wrong;
+  set_lead(block);
   if (auto wrong = set_spindle(block)) return wrong;
   if (auto wrong = set_tool(block)) return wrong;
   if (auto wrong = select_work(block)) return wrong;
@@ -272,6 +280,7 @@ Motion::Result Motion::set_modes(BlockWords& block) {
 
 Motion::Result Motion::set_feed(const BlockWords& block) {
   if (!block.words.has('F')) return std::nullopt;
+  if (facts_->control->lead_apart.value && cuts_thread(block)) return std::nullopt;
   const double value = raw(block, 'F');
   double unit = s_.unit;
   if ((block.words.whole & bit('F')) != 0 &&
@@ -365,6 +374,9 @@ Motion::Result Motion::motion(BlockWords& block) {
     case Meaning::FaceCycle:
     case Meaning::TapCycle:
       return turning_cycle(block, meaning);
+    case Meaning::Thread:
+    case Meaning::VariableThread:
+      return thread(block, meaning);
     default:
       return straight(block, meaning);
   }
@@ -373,7 +385,7 @@ Motion::Result Motion::motion(BlockWords& block) {
 Motion::Result Motion::need_feed(const BlockWords& block, Meaning meaning) const {
   if (meaning == Meaning::Rapid || s_.feed > 0 || !facts_->control->feed_needed.value)
     return std::nullopt;
-  return fault(meaning == Meaning::Thread ? Cause::ThreadLead : Cause::NoFeed, block);
+  return fault(Cause::NoFeed, block);
 }
 
 Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
@@ -381,30 +393,10 @@ Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
   const Axes end = target(block, named);
   if (named == 0) return std::nullopt;
   if (auto wrong = need_feed(block, meaning)) return wrong;
-  const bool thread = meaning == Meaning::Thread || meaning == Meaning::VariableThread;
-  if (thread && facts_->control->thread_needs_spindle.value && (s_.spindle == 5 || s_.speed <= 0))
-    return fault(Cause::SpindleStands, block);
-  const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid
-                        : thread                  ? MoveKind::Thread
-                                                  : MoveKind::Feed;
+  const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
   Piece piece = make_piece(block, kind, end, named);
   if (auto wrong = corner_words(block, piece)) return wrong;
-  if (meaning == Meaning::VariableThread)
-    if (auto wrong = mean_lead(block, piece)) return wrong;
   return move(block, piece);
-}
-
-/// G34: the lead grows by K with every revolution; the row has the mean one.
-Motion::Result Motion::mean_lead(const BlockWords& block, Piece& piece) const {
-  const double growth = block.words.has('K') ? number(block, 'K') : 0;
-  double along = 0;
-  for (int i = 0; i < 3; ++i)
-    along =
-        std::max(along, std::fabs(piece.end[i] - piece.offset[i] - s_.work[i]) * facts_->share(i));
-  const double square = s_.feed * s_.feed + 2 * growth * along;
-  if (square <= 0) return fault(Cause::ThreadLead, block, "the lead would come to 0");
-  piece.state.feed = (s_.feed + std::sqrt(square)) / 2;
-  return std::nullopt;
 }
 
 /// A corner written with C or U alone is no move of that axis.

@@ -136,7 +136,6 @@ class Motion {
   Result one_shot(BlockWords& block);
   Result motion(BlockWords& block);
   Result straight(BlockWords& block, Meaning meaning);
-  Result mean_lead(const BlockWords& block, Piece& piece) const;
   Result dwell(BlockWords& block);
   Result need_feed(const BlockWords& block, Meaning meaning) const;
   Fault fault(Cause cause, const BlockWords& block, std::string detail = {}) const;
@@ -234,8 +233,26 @@ class Motion {
   Result turning_cycle(BlockWords& block, Meaning meaning);
   Result tap_cycle(BlockWords& block);
   Result grooving(BlockWords& block, Meaning meaning);
-  Result multiple_thread(BlockWords& block);
   double cycle_length(const BlockWords& block, char address) const;
+  // motion_thread.cpp
+  struct RunOut {  // radius values
+    double along = 0, across = 0;
+  };
+  struct ThreadForm {  // of G76, radius values
+    double height = 0, first = 0, taper = 0;
+  };
+  bool cuts_thread(const BlockWords& block) const;
+  void set_lead(const BlockWords& block);
+  Result need_lead(const BlockWords& block) const;
+  RunOut run_out(double tenths) const;
+  Result cut_thread(BlockWords& block, const Axes& end, std::uint32_t named, RunOut out, double way,
+                    double growth);
+  Result thread(BlockWords& block, Meaning meaning);
+  void take_run_out(const BlockWords& block);
+  Result cut_cycle_thread(BlockWords& block, const Axes& end, double tenths, double level);
+  Result set_thread_data(BlockWords& block);
+  Result read_thread(const BlockWords& block, const Axes& end, ThreadForm& form);
+  Result multiple_thread(BlockWords& block);
   // motion_contour.cpp: G70 to G73.
   Result contour(BlockWords& block, Meaning meaning);
   Result finish_contour(BlockWords& block, const std::vector<NcWords>& blocks);

@@ -61,10 +61,12 @@ struct CycleData {
   double initial = 0;  // the level from which the cycle mode was entered
 };
 
-/// X Z R of the lathe's simple cycles, kept until the cycle ends.
+/// X Z R J K of the lathe's simple cycles and threads, kept until another motion code.
 struct TurnData {
   double x = 0, z = 0, r = 0;
   bool has_x = false, has_z = false;
+  double j = 0, k = 0;  // the run-out of a thread
+  bool has_j = false, has_k = false;
 };
 
 /// The first blocks of the two-block cycles G71 to G76.
@@ -123,6 +125,7 @@ struct MotionState {
   int spindle = 5;  // 3 4 5
   int b = 0, h = 0, d = 0, t = 0;
   int tool = 0, tool_offset = 0;
+  double lead = 0;  // of threads, where it is kept apart from the feed
   double polar_angle = 0;
   bool polar_known = false;
   bool moved_before = false;  // or set coordinates: the head of the program is over

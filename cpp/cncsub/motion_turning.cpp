@@ -1,4 +1,4 @@
-// The lathe's cycles of straight cuts: G90 G92 G94, grooving G74 G75, the multiple thread G76.
+// The lathe's cycles of straight cuts: G90 G92 G94, grooving G74 G75.
 #include <algorithm>
 
 #include "cncsub/motion_facts.hpp"
@@ -26,10 +26,10 @@ Motion::Result Motion::turning_cycle(BlockWords& block, Meaning meaning) {
   if (block.words.has('R')) turn.r = number(block, 'R');
   if (named == 0 && !block.words.has('R')) return std::nullopt;
   const bool thread = meaning == Meaning::ThreadCycle;
-  if (auto wrong = need_feed(block, thread ? Meaning::Thread : Meaning::Line)) return wrong;
+  if (thread) take_run_out(block);
+  if (auto wrong = thread ? need_lead(block) : need_feed(block, Meaning::Line)) return wrong;
   const Axes start = s_.work;
   const double x = turn.has_x ? turn.x : start[0], z = turn.has_z ? turn.z : start[2];
-  const MoveKind cut = thread ? MoveKind::Thread : MoveKind::Feed;
   const bool face = meaning == Meaning::FaceCycle;
   // A taper against the cut must not be larger than the cut. [TA 6, 7]
   const double depth = face ? z - start[2] : (x - start[0]) / 2;
@@ -41,7 +41,10 @@ Motion::Result Motion::turning_cycle(BlockWords& block, Meaning meaning) {
   const int first = face ? 2 : 0, second = face ? 0 : 2;
   const double in = face ? z + turn.r : x + 2 * turn.r;
   if (auto wrong = move_axis(block, MoveKind::Rapid, first, in)) return wrong;
-  if (auto wrong = move(block, cut, corner, axis_bit(0) | axis_bit(2))) return wrong;
+  const double tenths = facts_->control->thread_chamfer.value;
+  if (auto wrong = thread ? cut_cycle_thread(block, corner, tenths, start[0])
+                          : move(block, MoveKind::Feed, corner, axis_bit(0) | axis_bit(2)))
+    return wrong;
   if (auto wrong = move_axis(block, thread ? MoveKind::Rapid : MoveKind::Feed, first,
                              start[static_cast<std::size_t>(first)]))
     return wrong;
@@ -53,9 +56,9 @@ Motion::Result Motion::tap_cycle(BlockWords& block) {
   std::uint32_t named = 0;
   const Axes start = s_.work, end = target(block, named);
   if (named == 0) return std::nullopt;
-  if (auto wrong = need_feed(block, Meaning::Thread)) return wrong;
-  if (auto wrong = move(block, MoveKind::Thread, end, named)) return wrong;
-  return move(block, MoveKind::Thread, start, named);
+  if (auto wrong = need_lead(block)) return wrong;
+  if (auto wrong = cut_thread(block, end, named, {}, 1, 0)) return wrong;
+  return cut_thread(block, start, named, {}, 1, 0);
 }
 
 namespace {
@@ -123,68 +126,6 @@ Motion::Result Motion::grooving(BlockWords& block, Meaning meaning) {
   }
   return first == last && escape == 0 ? std::nullopt
                                       : move_axis(block, MoveKind::Rapid, wide, first);
-}
-
-namespace {
-
-/// The depths of the passes: sqrt(n) of the first cut, at least the least cut each, then the
-/// finishing passes.
-std::vector<double> thread_depths(double height, double first, const MultipleData& data) {
-  std::vector<double> list;
-  const double rough = height - data.allowance;
-  for (int n = 1; n < 10000; ++n) {
-    const double depth =
-        std::max(std::sqrt(n) * first, std::sqrt(n - 1.0) * first + data.least_cut);
-    if (depth >= rough - 1e-9) break;
-    list.push_back(depth);
-  }
-  if (rough > 0) list.push_back(rough);
-  const int finish = std::max(1, data.finish_passes);
-  for (int i = 0; i < finish; ++i) list.push_back(height);
-  return list;
-}
-
-}  // namespace
-
-Motion::Result Motion::multiple_thread(BlockWords& block) {
-  const NcWords& w = block.words;
-  MultipleData& data = s_.multiple;
-  if (!has_end(w)) {
-    if (w.has('P')) {
-      const int p = whole(raw(block, 'P'));
-      data.finish_passes = p / 10000, data.chamfer = p / 100 % 100, data.angle = p % 100;
-    }
-    if (w.has('Q')) data.least_cut = cycle_length(block, 'Q');
-    if (w.has('R')) data.allowance = number(block, 'R');
-    return std::nullopt;
-  }
-  if (!w.has('P') || raw(block, 'P') == 0) return fault(Cause::ThreadHeight, block);
-  const double height = cycle_length(block, 'P');
-  const double first = w.has('Q') ? std::fabs(cycle_length(block, 'Q')) : 0;
-  if (height < 0 || first <= 0 || first > height || data.allowance >= height)
-    return fault(Cause::ThreadData, block);
-  if (auto wrong = need_feed(block, Meaning::Thread)) return wrong;
-  if (facts_->control->thread_needs_spindle.value && (s_.spindle == 5 || s_.speed <= 0))
-    return fault(Cause::SpindleStands, block);
-  std::uint32_t named = 0;
-  const Axes start = s_.work, end = target(block, named);
-  const double taper = w.has('R') ? number(block, 'R') : 0;
-  const double outside = start[0] >= end[0] + 2 * taper ? 1 : -1;
-  const double along = end[2] < start[2] ? -1 : 1;
-  const double slope = std::tan(data.angle / 2.0 * kPi / 180);
-  for (const double depth : thread_depths(height, first, data)) {
-    const double above = outside * 2 * (height - depth);
-    Axes in = start, out = end;
-    in[0] = end[0] + 2 * taper + above;
-    in[2] = start[2] + along * depth * slope;
-    out[0] = end[0] + above;
-    const std::uint32_t both = axis_bit(0) | axis_bit(2);
-    if (auto wrong = move(block, MoveKind::Rapid, in, both)) return wrong;
-    if (auto wrong = move(block, MoveKind::Thread, out, both)) return wrong;
-    if (auto wrong = move_axis(block, MoveKind::Rapid, 0, start[0])) return wrong;
-    if (auto wrong = move_axis(block, MoveKind::Rapid, 2, start[2])) return wrong;
-  }
-  return std::nullopt;
 }
 
 }  // namespace cncsub

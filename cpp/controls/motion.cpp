@@ -77,6 +77,13 @@ void set_rough_depth(Control& c, double v) {
 void set_rough_escape(Control& c, double v) {
   if (v > 0) c.rough_escape.value = micrometres(v);
 }
+void set_thread_chamfer(Control& c, double v) { c.thread_chamfer.value = whole(v); }
+void set_thread_passes(Control& c, double v) { c.thread_passes.value = whole(v); }
+void set_thread_angle(Control& c, double v) { c.thread_angle.value = whole(v); }
+void set_thread_least_cut(Control& c, double v) { c.thread_least_cut.value = micrometres(v); }
+void set_thread_allowance(Control& c, double v) { c.thread_allowance.value = micrometres(v); }
+void set_groove_retract(Control& c, double v) { c.groove_retract.value = micrometres(v); }
+void set_one_block_cycles(Control& c, double v) { c.one_block_cycles.value = v != 0; }
 void set_max_feed(Control& c, double v) { c.max_feed.value = whole(v); }
 void set_acute_corner(Control& c, double v) {
   c.acute_corner.value = v != 0 ? AcuteCorner::Arc : AcuteCorner::Lines;
@@ -140,6 +147,14 @@ void fanuc_numbers(Control& c, const char* source, Evidence evidence, double pow
   add_effect(c, "5132", 0, "the depth of cut of G71 and G72, mm", source, evidence,
              set_rough_depth);
   add_effect(c, "5133", 0, "the escape of G71 and G72, mm", source, evidence, set_rough_escape);
+  add_effect(c, "5130", 0, "the run-out of G92 and G76, tenths of the lead", source, evidence,
+             set_thread_chamfer);
+  add_effect(c, "5139", 0, "the retract of G74 and G75, mm", source, evidence, set_groove_retract);
+  add_effect(c, "5140", 0, "the least cut of G76, mm", source, evidence, set_thread_least_cut);
+  add_effect(c, "5141", 0, "the finishing allowance of G76, mm", source, evidence,
+             set_thread_allowance);
+  add_effect(c, "5142", 1, "the finishing passes of G76", source, evidence, set_thread_passes);
+  add_effect(c, "5143", 0, "the angle of G76, degrees", source, evidence, set_thread_angle);
 }
 
 // ---- FANUC ----
@@ -163,6 +178,8 @@ void fanuc_rules(Control& c) {
              set_plain_corners);
   add_effect(c, "5006#1", 0, "1 = T in a block with G04, G10 or G50 is an alarm", kKnown, Inferred,
              set_tool_with_setting);
+  add_effect(c, "0001#1", 0, "FCV: 1 = programs of the series 10 and 11, cycles in one block",
+             kKnown, Inferred, set_one_block_cycles);
   add_effect(c, "1202#3", 0, "reset ends the local coordinate system", kKnown, Inferred,
              set_reset_local);
   add_effect(c, "5001#0", 0, "1 = length offset on the axis that the block names (type C)", kKnown,
@@ -216,8 +233,14 @@ void fanuc_alarms(Control& c, const std::string& prefix) {
        Secondary},
       {Cause::CycleDepth, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
        Secondary},
-      {Cause::ThreadData, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+      {Cause::ThreadHeightValue, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
        Secondary},
+      {Cause::ThreadCut, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Secondary},
+      {Cause::ThreadLeastCut, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Secondary},
+      {Cause::ThreadAllowance, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Inferred},
       {Cause::ThreadHeight, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
        Inferred},
       {Cause::PqNotFound, "063", "THE BLOCK OF A SPECIFIED SEQUENCE NUMBER IS NOT FOUND",
@@ -364,14 +387,17 @@ void hnc_rules(Control& c) {
 void lathe_rules(Control& c) {
   c.machine = {MachineType::LatheA, "TDi 2: X Z absolute, U W increments", Manual};
   c.escape = {ReturnedEscape::Feed, "TDi 23.1 step 4; TA 8", Manual};
+  c.lead_apart = {true, "TDi 24.1: F of a thread stays until the next one", Manual};
+  c.lead_growth = {"R", "TDi 24.4; TA 17", Manual};
 }
 
 void gsk_988(Control& c, double power_on_feed) {
   lathe_rules(c);
   c.home_needed = {true, "Talm 047", Secondary};
   c.unit_change = {UnitChange::Alone, "Talm 042", Secondary};
-  c.refuses = {"codes-with-rotation code-in-rotation corner-at-offset-start",
-               "TA 5 notes 2 and 3; Talm 271", Manual};
+  c.refuses = {"codes-with-rotation code-in-rotation corner-at-offset-start thread-passes",
+               "TA 5 notes 2 and 3; Talm 161, 271", Manual};
+  c.run_out_words = {RunOutWords::Across, "TA 14, TA 18", Manual};
   c.thread_needs_spindle = {true, "Talm 102", Secondary};
   c.helix = {false, "Talm 033", Secondary};
   c.contour_behind = {false, "TA 8", Manual};
@@ -432,7 +458,16 @@ void gsk_988(Control& c, double power_on_feed) {
        {Cause::ProfileFirstBlock, "144", "ns is not G00 or G01", "Talm 144", Secondary},
        {Cause::CycleDepth, "148", "depth of cut", "Talm 148", Secondary},
        {Cause::GrooveAxis, "154", "G75 without X", "Talm 154", Secondary},
-       {Cause::ThreadData, "165", "data of G76", "Talm 165", Secondary},
+       {Cause::ThreadRunOut, "039", "run-out of a thread along the long axis", "Talm 039",
+        Secondary},
+       {Cause::ThreadTravel, "160", "no travel in X or Z of G76", "Talm 160", Secondary},
+       {Cause::ThreadPasses, "161", "passes of G76 outside 1 to 99", "Talm 161", Secondary},
+       {Cause::ThreadLeastCut, "164", "Q(dmin) of G76", "Talm 164", Secondary},
+       {Cause::ThreadAllowance, "165", "R(d) of G76", "Talm 165", Secondary},
+       {Cause::ThreadTaper, "166", "R and U of a taper thread of G76", "Talm 166", Secondary},
+       {Cause::ThreadHeightValue, "168", "height of the thread of G76", "Talm 168", Secondary},
+       {Cause::ThreadCut, "169", "Q of G76", "Talm 169", Secondary},
+       {Cause::ThreadSteep, "170", "taper of G76 over 45 degrees", "Talm 170", Secondary},
        {Cause::ThreadHeight, "167", "no height of the thread", "Talm 167", Secondary},
        {Cause::CycleRepeats, "181", "K outside 1 to 99", "Talm 181", Secondary},
        {Cause::CompensationNoIntersection, "251", "no intersection", "Talm 251", Secondary},
@@ -467,6 +502,20 @@ void gsk_980tdi(Control& c) {
   c.single_pass_pattern = {false, "TDi 23.3", Manual};
   c.groove_p_diameter = {true, "TDi 23.5", Manual};
   c.drill_retract = {true, "TDi 23.9", Manual};
+  c.run_out_words = {RunOutWords::Equal, "TDi 24.1, 24.9", Manual};
+  c.thread_digits_apart = {true, "TDi 24.12 note 4", Manual};
+  add_effect(c, "019", 0, "the run-out of G92 and G76, tenths of the lead", "TDipar 019", Manual,
+             set_thread_chamfer);
+  add_effect(c, "056", 0, "the retract of G74 and G75, mm", "TDi 23.5: parameter 056", Manual,
+             set_groove_retract);
+  add_effect(c, "057", 1, "the finishing passes of G76", "TDi 24.12: parameter 057", Manual,
+             set_thread_passes);
+  add_effect(c, "058", 0, "the angle of G76, degrees", "TDi 24.12: parameter 058", Manual,
+             set_thread_angle);
+  add_effect(c, "059", 0, "the least cut of G76, mm", "TDi 24.12: parameter 059", Manual,
+             set_thread_least_cut);
+  add_effect(c, "060", 0, "the finishing allowance of G76, mm", "TDi 24.12: parameter 060", Manual,
+             set_thread_allowance);
   c.helix = {false, kKnown, Inferred};
   add_effect(c, "3402#0", 0,
              "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,

@@ -1664,7 +1664,7 @@ for height, controls in ("P1 Q1", GSK_988), ("P1000 Q200", [*MITSUBISHI, *FANUC]
             N30 G76 X18. Z-10. {height} F1.
             N40 M30
         """,
-        runs="N10 N20", alarm="thread-data", number=numbers(controls, "062", None, "165"),
+        runs="N10 N20", alarm="thread-allowance", number=numbers(controls, "062", None, "165"),
         at="O1 N30",
     )
 

@@ -246,33 +246,6 @@ case(
     """,
     runs="N10", alarm="over-travel", at="O1 N20",
 )
-case(
-    "G34 takes the time of its mean lead",
-    control=["fanuc-0i-f", "gsk-980tdi"], source="general knowledge", evidence="inferred",
-    params=MM, setup={"machine": "lathe-a"},
-    program="""
-        O1
-        N10 G97 S60 M03
-        N20 G34 W-40 F2 K1
-        N30 M30
-    """,
-    moves="T Z-40",
-    time=7.165,
-)
-case(
-    "G34 alarms where its lead would come to nothing",
-    control=["fanuc-30i", "gsk-988t"], source="general knowledge; the number as for a lead",
-    evidence="inferred", params=MM, setup={"machine": "lathe-a"},
-    program="""
-        O1
-        N10 G97 S60 M03
-        N20 G34 W-40 F2 K-1
-        N30 M30
-    """,
-    runs="N10", alarm="thread-lead", number={"fanuc-30i": "PS0313", "gsk-988t": "038"},
-    at="O1 N20",
-)
-
 # The contours of source 001 stand in the given rows with every X and Z.
 
 case(
