@@ -80,11 +80,23 @@ void BlockReader::build_slash(Block& block, const Tokens& tokens, std::size_t sl
   code_.choices.push_back(variant);
 }
 
+/// P of G74 to G76 is a length on some lathes and takes a point there. [TA 12, 13, 21]
+bool BlockReader::is_cycle_step(const Token& token, const Meaning& meaning) const {
+  if (token.letter != 'P' || token.wrong != Cause::IllegalDecimalPoint ||
+      !control_.cycle_point.value)
+    return false;
+  for (int i = 0; i < meaning.g_count; ++i)
+    if (const double code = meaning.g[static_cast<std::size_t>(i)]->operand.value;
+        code >= 74 && code <= 76)
+      return true;
+  return false;
+}
+
 std::optional<Fault> BlockReader::sort(const Tokens& tokens, bool calls, Meaning& meaning) const {
   for (const Token& token : tokens) {
     std::optional<Fault> fault;
     const bool argument = meaning.calls_macro() && token.letter != 'P' && token.letter != 'L';
-    if (token.odd && !argument) return odd_word(token);
+    if (token.odd && !argument && !is_cycle_step(token, meaning)) return odd_word(token);
     if (token.late) continue;
     if (token.letter == 'G') {
       fault = sort_g(token, calls, meaning);

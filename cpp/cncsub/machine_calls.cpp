@@ -387,6 +387,7 @@ std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf,
   };
   if (first == kNowhere) return missing(ns);
   if (last == kNowhere || last < first) return missing(nf);
+  if (options_.mdi) return Fault{Cause::ProfileInMdi, here.text, 1, {}};
   behind = first == pc_ + 1;
   for (Address a = first; a <= last; ++a) {
     const Block& block = code_->blocks[a];

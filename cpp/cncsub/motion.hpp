@@ -232,6 +232,7 @@ class Motion {
   // motion_turning.cpp: G90 G92 G94, G74 to G76.
   Result turning_cycle(BlockWords& block, Meaning meaning);
   Result tap_cycle(BlockWords& block);
+  Result check_groove(const BlockWords& block, bool face, double p, double q) const;
   Result grooving(BlockWords& block, Meaning meaning);
   double cycle_length(const BlockWords& block, char address) const;
   // motion_thread.cpp
@@ -258,6 +259,7 @@ class Motion {
   Result finish_contour(BlockWords& block, const std::vector<NcWords>& blocks);
   Result rough_contour(BlockWords& block, Meaning meaning, const std::vector<NcWords>& blocks,
                        bool go_behind, std::int64_t nf);
+  void take_one_block(const BlockWords& block, Meaning meaning);
   Result rough_pattern(BlockWords& block, struct Contour& contour);
   Result capture(const std::vector<NcWords>& blocks, Outside& outside,
                  std::vector<Piece>& pieces) const;

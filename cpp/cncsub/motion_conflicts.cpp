@@ -35,6 +35,24 @@ bool length(const Block& b) { return b.has(Group::Length) || b.words.has('H'); }
 Meaning motion(const State& s, const Block& b) {
   return (b.has(Group::Motion) ? b.codes : s.modal)[at(Group::Motion)].meaning;
 }
+int plane(const State& s, const Block& b) {
+  return b.has(Group::Plane) ? b.codes[at(Group::Plane)].code / 10 : s.plane;
+}
+/// G70 to G76 of lathes.
+bool repeats_cuts(const Block& b) {
+  const Meaning once = b.meaning(Group::OneShot);
+  return once >= Meaning::Finish && once <= Meaning::MultipleThread;
+}
+/// G90, G92, G94 of lathes, whatever they are called.
+bool turning(const State& s, const Block& b) {
+  const Meaning m = motion(s, b);
+  return !b.has(Group::OneShot) &&
+         (m == Meaning::TurnCycle || m == Meaning::ThreadCycle || m == Meaning::FaceCycle);
+}
+bool names_xz(const Block& b) {
+  return b.words.has('X') || b.words.has('Z') || b.words.has('U') || b.words.has('W');
+}
+bool other_axis(const Block& b) { return b.words.has('Y') || b.words.has('V'); }
 /// A G code of the block between two numbers.
 bool code_between(const Block& b, int first, int last) {
   for (int i = 0; i < b.words.g_count; ++i)
@@ -153,6 +171,16 @@ constexpr Conflict kConflicts[] = {
      }},
     {Cause::RotationCode,
      [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); }},
+    {Cause::CyclePlane,
+     [](const State& s, const Block& b) { return repeats_cuts(b) && plane(s, b) != 18; }},
+    {Cause::CycleAxis,
+     [](const State&, const Block& b) { return repeats_cuts(b) && other_axis(b); }},
+    {Cause::TurningPlane,
+     [](const State& s, const Block& b) {
+       return turning(s, b) && (names_xz(b) || b.has(Group::Motion)) && plane(s, b) != 18;
+     }},
+    {Cause::TurningAxis,
+     [](const State& s, const Block& b) { return turning(s, b) && other_axis(b); }},
     {Cause::PatternWithoutCycle,
      [](const State&, const Block& b) {
        return code_between(b, 140, 144) && !b.was_cycle && !cycles(b);

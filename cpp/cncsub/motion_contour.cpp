@@ -78,6 +78,7 @@ struct Contour {
   }
 
   Result check() const;
+  bool starts_inside() const;
   bool monotone(int axis) const;
   Result rough();
   Result rough_level(double level, double back, double away);
@@ -130,11 +131,24 @@ bool Contour::monotone(int axis) const {
   return true;
 }
 
+/// Whether the profile reaches further out than the point where the cycle starts.
+bool Contour::starts_inside() const {
+  const auto level = static_cast<std::size_t>(level_axis);
+  const double away = end_of(pieces.front())[level] <= start[level] ? 1 : -1;
+  for (const Piece& piece : pieces)
+    if ((end_of(piece)[level] - start[level]) * away > 1e-9) return true;
+  return false;
+}
+
 Contour::Result Contour::check() const {
   const Control& c = *motion.facts_->control;
-  if (!c.profile_monotone.value) return std::nullopt;
-  if (!monotone(cut_axis()) || (!pockets && !monotone(level_axis)))
+  const MonotoneCheck check = c.profile_monotone.value;
+  const bool checked = check == MonotoneCheck::Always ||
+                       (check == MonotoneCheck::WithK && block.words.has('K') && block.words['K'] == 1);
+  if (checked && (!monotone(cut_axis()) || (!pockets && !monotone(level_axis))))
     return Fault{Cause::ProfileNotMonotone, pieces.back().at, 1, {}};
+  if (motion.facts_->refuses(Cause::ProfileStart) && starts_inside())
+    return motion.fault(Cause::ProfileStart, block);
   return std::nullopt;
 }
 
@@ -244,7 +258,7 @@ void take_first_block(const NcWords& w, Meaning meaning, MultipleData& data, dou
   if (meaning == Meaning::RoughPattern) {
     if (w.has('U')) data.shift_x = u;
     if (w.has('W')) data.shift_z = wz;
-    if (w.has('R')) data.passes = std::max(1, whole(w['R']));
+    if (w.has('R')) data.passes = whole(w['R']);
     return;
   }
   const char depth = meaning == Meaning::RoughTurn ? 'U' : 'W';
@@ -261,14 +275,19 @@ Motion::Result Motion::contour(BlockWords& block, Meaning meaning) {
   if (!w.has('P') && !w.has('Q')) {
     if (meaning == Meaning::Finish) return fault(Cause::PqMissing, block);
     take_first_block(w, meaning, s_.multiple, u, w.has('R') ? number(block, 'R') : 0, wz);
-    return std::nullopt;
+    if (s_.multiple.passes < 1) return fault(Cause::PatternPasses, block);
+    return s_.multiple.escape < 0 ? Result(fault(Cause::CycleEscape, block)) : std::nullopt;
   }
   if (!w.has('P') || !w.has('Q')) return fault(Cause::PqMissing, block);
   if (!block.outside.profile) return fault(Cause::PqNotFound, block);
   std::vector<NcWords> blocks;
   bool right_behind = false;
   const int ns = whole(raw(block, 'P')), nf = whole(raw(block, 'Q'));
+  if (ns == nf && facts_->refuses(Cause::PqSame)) return fault(Cause::PqSame, block);
   if (auto wrong = block.outside.profile(ns, nf, blocks, right_behind)) return wrong;
+  const int most = c.max_profile_blocks.value;
+  if (most > 0 && blocks.size() > static_cast<std::size_t>(most))
+    return fault(Cause::ProfileTooLong, block);
   if (blocks.empty()) return fault(Cause::PqNotFound, block);
   if (meaning == Meaning::Finish) return finish_contour(block, blocks);
   return rough_contour(block, meaning, blocks, right_behind || c.contour_behind.value, nf);
@@ -279,6 +298,7 @@ Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning,
                                      std::int64_t nf) {
   const NcWords& w = block.words;
   const Control& c = *facts_->control;
+  take_one_block(block, meaning);
   const MultipleData data = s_.multiple;
   if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
   Contour contour{*this,
@@ -293,11 +313,13 @@ Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning,
   if (auto wrong = capture(blocks, block.outside, contour.pieces)) return wrong;
   const NcWords& first = blocks.front();
   const bool x = first.has('X') || first.has('U'), z = first.has('Z') || first.has('W');
-  const bool needed = meaning == Meaning::RoughTurn   ? x
-                      : meaning == Meaning::RoughFace ? z
-                                                      : x || z;
-  if (contour.pieces.empty() || !needed || contour.pieces.front().turn != 0)
+  const bool pattern = meaning == Meaning::RoughPattern;
+  if (pattern && (contour.pieces.empty() || (!x && !z)))
+    return Fault{Cause::PatternFirstBlock, first.at, 1, {}};
+  if (!pattern && (contour.pieces.empty() || contour.pieces.front().turn != 0))
     return Fault{Cause::ProfileFirstBlock, first.at, 1, {}};
+  if (meaning == Meaning::RoughTurn && !x) return Fault{Cause::ProfileFirstX, first.at, 1, {}};
+  if (meaning == Meaning::RoughFace && !z) return Fault{Cause::ProfileFirstZ, first.at, 1, {}};
   contour.pockets = x && z;
   contour.shift[0] = w.has('U') ? number(block, 'U') : 0;
   contour.shift[2] = w.has('W') ? number(block, 'W') : 0;
@@ -309,9 +331,28 @@ Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning,
   return contour.rough();
 }
 
+/// The older form: what the first of two blocks holds stands in the one block. [K]
+void Motion::take_one_block(const BlockWords& block, Meaning meaning) {
+  const NcWords& w = block.words;
+  MultipleData& data = s_.multiple;
+  if (!facts_->control->one_block_cycles.value || !w.has('D')) return;
+  if (meaning == Meaning::RoughPattern) {
+    data.shift_x = w.has('I') ? number(block, 'I') : 0;
+    data.shift_z = w.has('K') ? number(block, 'K') : 0;
+    data.passes = std::max(1, whole(raw(block, 'D')));
+  } else {
+    data.depth = std::fabs(cycle_length(block, 'D'));
+    data.has_depth = true;
+  }
+}
+
 /// G73: parallel passes, the last one along the profile with its allowance.
 Motion::Result Motion::rough_pattern(BlockWords& block, Contour& contour) {
   const MultipleData data = s_.multiple;
+  if (data.shift_x * contour.shift[0] < 0 && facts_->refuses(Cause::PatternX))
+    return fault(Cause::PatternX, block);
+  if (data.shift_z * contour.shift[2] < 0 && facts_->refuses(Cause::PatternZ))
+    return fault(Cause::PatternZ, block);
   int passes = data.passes;
   if (passes == 1 && !facts_->control->single_pass_pattern.value) passes = 2;
   for (int j = 0; j < passes; ++j) {

@@ -48,6 +48,8 @@ Motion::Result Motion::cycle_words(BlockWords& block, int& repeats) {
     cycle.shift_y = w.has('J') ? number(block, 'J') : 0;
     cycle.has_shift = true;
   }
+  if (facts_->lathe() && w.has('D')) cycle.clearance = number(block, 'D');
+  if (c.drill_retract.value && w.has('J')) cycle.full = raw(block, 'J') == 1;
   if (w.has('K') && c.peck_words.value == PeckWords::K)
     cycle.k = number(block, 'K'), cycle.has_k = true;
   repeats = 1;
@@ -109,7 +111,8 @@ Motion::Result Motion::drill(BlockWords& block) {
 Motion::Result Motion::drill_down(BlockWords& block, int axis, double r, double z) {
   const CycleData& cycle = s_.cycle;
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
-  if (pecks && cycle.q != 0) return peck(block, axis, r, z);
+  const bool plain = facts_->control->drill_retract.value && cycle.r == 0;
+  if (pecks && cycle.q != 0 && !plain) return peck(block, axis, r, z);
   if (auto wrong = move_axis(block, MoveKind::Feed, axis, z)) return wrong;
   switch (cycle.cycle) {
     case Meaning::LeftTap:
@@ -131,9 +134,12 @@ Motion::Result Motion::peck(BlockWords& block, int axis, double r, double z) {
   const CycleData cycle = s_.cycle;
   const double down = z < r ? -1 : 1, q = std::fabs(cycle.q);
   const bool fast =
-      cycle.cycle == Meaning::PeckFast || (facts_->lathe() && !c.drill_full_retract.value);
+      cycle.cycle == Meaning::PeckFast ||
+      (facts_->lathe() && !c.drill_full_retract.value && !cycle.full);
   double gap = (fast ? c.peck_retract.value : c.peck_clearance.value) * 1e-3;
   if (c.peck_words.value == PeckWords::K && cycle.has_k) gap = std::fabs(cycle.k);
+  if (cycle.clearance >= 0) gap = cycle.clearance;
+  if (c.drill_retract.value) gap = std::fabs(cycle.r);
   for (double depth = r + down * q; (z - depth) * down > 1e-9; depth += down * q) {
     if (auto wrong = move_axis(block, MoveKind::Feed, axis, depth)) return wrong;
     if (!fast)
@@ -236,10 +242,14 @@ Motion::Result Motion::drill_lathe(BlockWords& block) {
   if (auto wrong = drill_down(block, axis, r, z)) return wrong;
   if (s_.cycle.cycle == Meaning::Peck && s_.cycle.p > 0)
     if (auto wrong = wait(block, s_.cycle.p)) return wrong;
-  if (s_.cycle.cycle != Meaning::Peck && plane)
-    if (auto wrong = move_axis(block, MoveKind::Feed, axis, r)) return wrong;
-  const bool feed = s_.cycle.cycle != Meaning::Peck && !plane;
-  return move_axis(block, feed ? MoveKind::Feed : MoveKind::Rapid, axis, level);
+  if (s_.cycle.cycle == Meaning::Peck) return move_axis(block, MoveKind::Rapid, axis, level);
+  Axes out = s_.work;
+  out[place_axis] = plane ? r : level;
+  Piece back = make_piece(block, MoveKind::Feed, out, axis_bit(axis));
+  if (s_.cycle.cycle == Meaning::Bore)
+    back.state.feed *= facts_->control->bore_return.value * 0.01;  // [TA 26]
+  if (auto wrong = move(block, back)) return wrong;
+  return plane ? move_axis(block, MoveKind::Rapid, axis, level) : std::nullopt;
 }
 
 }  // namespace cncsub

@@ -58,6 +58,8 @@ struct CycleData {
   double q = 0, k = 0, p = 0;
   double shift_x = 0, shift_y = 0;  // I J of G76 and G87
   bool has_q = false, has_k = false, has_shift = false;
+  double clearance = -1;  // D of a lathe
+  bool full = false;      // draws back all the way after a peck, J1 of a lathe
   double initial = 0;  // the level from which the cycle mode was entered
 };
 

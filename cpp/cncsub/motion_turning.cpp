@@ -80,31 +80,55 @@ std::vector<double> steps_between(double from, double to, double step) {
 
 }  // namespace
 
+/// A step of a groove is not below zero; where the control has alarms for them, a peck that is
+/// written is above zero.
+Motion::Result Motion::check_groove(const BlockWords& block, bool face, double p, double q) const {
+  const bool zero_alarms = facts_->refuses(Cause::GrooveStep);
+  const auto wrong = [&](char name, double value) {
+    return value < 0 || (zero_alarms && value == 0 && block.words.has(name));
+  };
+  if (wrong('P', p)) return fault(face ? Cause::GrooveStep : Cause::GrooveP, block);
+  if (wrong('Q', q)) return fault(face ? Cause::GrooveQ : Cause::GrooveStep, block);
+  return std::nullopt;
+}
+
 /// G74 pecks along Z and steps along X, G75 the other way around.
 Motion::Result Motion::grooving(BlockWords& block, Meaning meaning) {
   const NcWords& w = block.words;
   const bool face = meaning == Meaning::PeckFace;
   const Control& c = *facts_->control;
-  if (!has_end(w) && !w.has('P') && !w.has('Q')) {
+  const bool one_block = c.one_block_cycles.value && (w.has('I') || w.has('K'));
+  if (!has_end(w) && !w.has('P') && !w.has('Q') && !one_block) {
     if (w.has('R')) s_.multiple.retract = number(block, 'R');
-    return std::nullopt;
+    return s_.multiple.retract < 0 ? Result(fault(Cause::GrooveRetract, block)) : std::nullopt;
   }
   std::uint32_t named = 0;
   const Axes start = s_.work, end = target(block, named);
   const int deep = face ? 2 : 0, wide = face ? 0 : 2;
-  if ((named & axis_bit(deep)) == 0) return fault(Cause::GrooveAxis, block);
+  // Without the axis it pecks along, the cycle is not done. [TDi 23.5; TA 12, 13]
+  if ((named & axis_bit(deep)) == 0)
+    return !face && facts_->refuses(Cause::GrooveAxis) ? Result(fault(Cause::GrooveAxis, block))
+                                                       : std::nullopt;
   if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
-  const double p =
-      w.has('P') ? std::fabs(cycle_length(block, 'P')) * (c.groove_p_diameter.value ? 1 : 2) : 0;
-  const double q = w.has('Q') ? std::fabs(cycle_length(block, 'Q')) : 0;
-  const double deep_share = deep == 0 ? 2 : 1, wide_share = wide == 0 ? 2 : 1;
+  // The older form writes I along X and K along Z, and D for the escape. [K]
+  const auto word = [&](char now, char older) {
+    if (one_block) return w.has(older) ? number(block, older) : 0.0;
+    return w.has(now) ? cycle_length(block, now) : 0.0;
+  };
+  const double x_share = c.groove_p_diameter.value && !one_block ? 1 : 2;
+  const double p = word('P', 'I') * x_share, q = word('Q', 'K');
+  const double slip = one_block && w.has('D') ? cycle_length(block, 'D') : w.has('R') ? number(block, 'R') : 0;
+  if (auto wrong = check_groove(block, face, p, q)) return wrong;
+  const double deep_share = deep == 0 ? 2 : 1, wide_share = wide == 0 ? x_share : 1;
   const double retract = s_.multiple.retract * deep_share;
-  const double escape = w.has('R') ? number(block, 'R') * wide_share : 0;
   const double from = start[static_cast<std::size_t>(deep)],
                to = end[static_cast<std::size_t>(deep)];
   const double way = to < from ? -1 : 1;
   const double first = start[static_cast<std::size_t>(wide)],
                last = end[static_cast<std::size_t>(wide)];
+  if (slip < 0 && first != last && facts_->refuses(Cause::GrooveEscape))
+    return fault(Cause::GrooveEscape, block);
+  const double escape = (first == last ? slip : std::fabs(slip)) * wide_share;
   const std::vector<double> levels = steps_between(from, to, face ? q : p);
   bool begun = false;
   for (const double column : steps_between(first, last, face ? p : q)) {

@@ -84,6 +84,11 @@ void set_thread_least_cut(Control& c, double v) { c.thread_least_cut.value = mic
 void set_thread_allowance(Control& c, double v) { c.thread_allowance.value = micrometres(v); }
 void set_groove_retract(Control& c, double v) { c.groove_retract.value = micrometres(v); }
 void set_one_block_cycles(Control& c, double v) { c.one_block_cycles.value = v != 0; }
+void set_monotone(Control& c, double v) {
+  c.profile_monotone.value = v != 0 ? MonotoneCheck::Always : MonotoneCheck::Never;
+}
+void set_full_retract(Control& c, double v) { c.drill_full_retract.value = v != 0; }
+void set_bore_return(Control& c, double v) { c.bore_return.value = v > 0 ? whole(v) : 200; }
 void set_max_feed(Control& c, double v) { c.max_feed.value = whole(v); }
 void set_acute_corner(Control& c, double v) {
   c.acute_corner.value = v != 0 ? AcuteCorner::Arc : AcuteCorner::Lines;
@@ -163,7 +168,7 @@ void fanuc_rules(Control& c) {
   c.machine = {MachineType::Mill, "the setup tells a lathe", Inferred};
   c.negative_radius = {true, "source 003, example 5", SourceDocument};
   c.machine_move = {MachineMove::Rapid, "source 003, G53; 0iMB p.228", SourceDocument};
-  c.refuses = {"reference-in-cycle corner-at-offset-start", "ALM 039, 044", Secondary};
+  c.refuses = {"reference-in-cycle corner-at-offset-start groove-escape", "ALM 039, 044, 062", Secondary};
   c.idle_blocks = {1, "source 003, note a", SourceDocument};
   c.acute_corner = {AcuteCorner::Lines, kKnown, Inferred};
   c.feed_needed = {true, "ALM 011, 0iTC p.66", Manual};
@@ -235,6 +240,24 @@ void fanuc_alarms(Control& c, const std::string& prefix) {
        Secondary},
       {Cause::ThreadHeightValue, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
        Secondary},
+      {Cause::PatternPasses, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Secondary},
+      {Cause::GrooveQ, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Secondary},
+      {Cause::GrooveP, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Secondary},
+      {Cause::GrooveStep, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Secondary},
+      {Cause::GrooveEscape, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
+       Secondary},
+      {Cause::ProfileFirstX, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM",
+       Secondary},
+      {Cause::ProfileFirstZ, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM",
+       Secondary},
+      {Cause::PatternFirstBlock, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM",
+       Secondary},
+      {Cause::ProfileInMdi, "067", "THE MULTIPLE REPETITIVE CYCLES IS NOT IN THE PART PROGRAM STORAGE",
+       Secondary},
       {Cause::ThreadCut, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
        Secondary},
       {Cause::ThreadLeastCut, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
@@ -291,6 +314,7 @@ void mitsubishi_rules(Control& c) {
   c.cycle_repeats = {"L", kKnown, Inferred};
   c.feed_needed = {true, "M7 p.52: P62", Manual};
   c.power_on_line = {true, "M7 p.534 (11): G54 X Y right after power-on alarms P62", Manual};
+  c.max_profile_blocks = {100, "MZ 898, paired with P202", Secondary};
   c.small_radius = {SmallRadius::Alarm, "MZ 818, paired with P71", Secondary};
   add_effect(c, "3402#0", 1,
              "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own",
@@ -341,6 +365,7 @@ void mitsubishi_alarms(Control& c) {
        {Cause::Taper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
        {Cause::FaceTaper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
        {Cause::PqNotFound, "P201", "Program error (MRC)", "MZ 897, paired", Secondary},
+       {Cause::ProfileTooLong, "P202", "Block over (MRC)", "MZ 898, paired", Secondary},
        {Cause::ProfileNotMonotone, "P203", "Program error (MRC)", "MZ 897, paired", Secondary},
        {Cause::CornerNoMove, "P382", "No corner movement", "MZ 912, paired", Secondary},
        {Cause::CornerTooShort, "P383", "Corner movement short", "MZ 913, paired", Secondary},
@@ -395,8 +420,19 @@ void gsk_988(Control& c, double power_on_feed) {
   lathe_rules(c);
   c.home_needed = {true, "Talm 047", Secondary};
   c.unit_change = {UnitChange::Alone, "Talm 042", Secondary};
-  c.refuses = {"codes-with-rotation code-in-rotation corner-at-offset-start thread-passes",
-               "TA 5 notes 2 and 3; Talm 161, 271", Manual};
+  c.refuses = {"codes-with-rotation code-in-rotation corner-at-offset-start thread-passes cycle-plane "
+               "cycle-axis turning-plane turning-axis pq-same profile-start pattern-x pattern-z "
+               "groove-step",
+               "TA 5 notes 2 and 3; Talm 121 to 161, 271", Manual};
+  c.max_profile_blocks = {100, "Talm 137", Secondary};
+  c.max_pockets = {30, "TA 8", Manual};
+  add_effect(c, "5102#1", 1, "G71 to G73: 1 = a profile that turns back is an alarm", "TA 8",
+             Manual, set_monotone);
+  add_effect(c, "5101#2", 0, "RTR: a pecking cycle draws back 0 a little, 1 to R", "TA 24", Manual,
+             set_full_retract);
+  add_effect(c, "5149", 0, "the way out of a boring cycle, percent of the feed, 0 = 200", "TA 26",
+             Manual, set_bore_return);
+  c.cycle_point = {true, "TA 12, 13, 21: P3.000", Manual};
   c.run_out_words = {RunOutWords::Across, "TA 14, TA 18", Manual};
   c.thread_needs_spindle = {true, "Talm 102", Secondary};
   c.helix = {false, "Talm 033", Secondary};
@@ -457,6 +493,30 @@ void gsk_988(Control& c, double power_on_feed) {
        {Cause::ProfileNotMonotone, "138", "the profile is not monotone", "Talm 138", Secondary},
        {Cause::ProfileFirstBlock, "144", "ns is not G00 or G01", "Talm 144", Secondary},
        {Cause::CycleDepth, "148", "depth of cut", "Talm 148", Secondary},
+       {Cause::CyclePlane, "126", "plane of a multiple cycle", "Talm 126", Secondary},
+       {Cause::CycleAxis, "127", "axis outside ZX in G70 to G76", "Talm 127", Secondary},
+       {Cause::TurningPlane, "121", "a turning cycle outside ZX", "Talm 121", Secondary},
+       {Cause::TurningAxis, "122", "axis outside ZX in a turning cycle", "Talm 122", Secondary},
+       {Cause::ProfileCode, "128", "a G code in G70 to G73", "Talm 128", Secondary},
+       {Cause::ProfileInMdi, "129", "G70 to G73 in MDI", "Talm 129", Secondary},
+       {Cause::ProfileMacro, "130", "a macro statement in G70 to G73", "Talm 130", Secondary},
+       {Cause::PqSame, "135", "P and Q of G70 to G73", "Talm 135", Secondary},
+       {Cause::ProfileTooLong, "137", "more than 100 blocks", "Talm 137", Secondary},
+       {Cause::ProfileStart, "139", "the start of G71 to G73 lies in the range of the cut",
+        "Talm 139", Secondary},
+       {Cause::ProfilePockets, "140", "too many pockets in G71", "Talm 140", Secondary},
+       {Cause::PatternX, "141", "X escape against the allowance of G73", "Talm 141", Secondary},
+       {Cause::PatternZ, "142", "Z escape against the allowance of G73", "Talm 142", Secondary},
+       {Cause::PatternFirstBlock, "145", "the first block of G73", "Talm 145", Secondary},
+       {Cause::ProfileFirstX, "146", "no X in the first block of G71", "Talm 146", Secondary},
+       {Cause::ProfileFirstZ, "147", "no Z in the first block of G72", "Talm 147", Secondary},
+       {Cause::CycleEscape, "149", "escape of G71, G72 below 0", "Talm 149", Secondary},
+       {Cause::PatternPasses, "151", "passes of G73", "Talm 151", Secondary},
+       {Cause::GrooveQ, "153", "Q of G74", "Talm 153", Secondary},
+       {Cause::GrooveP, "155", "P of G75", "Talm 155", Secondary},
+       {Cause::GrooveRetract, "156", "R(e) of G74, G75 below 0", "Talm 156", Secondary},
+       {Cause::GrooveEscape, "157", "R(d) of G74, G75 below 0", "Talm 157", Secondary},
+       {Cause::GrooveStep, "158", "a step of G74, G75", "Talm 158", Secondary},
        {Cause::GrooveAxis, "154", "G75 without X", "Talm 154", Secondary},
        {Cause::ThreadRunOut, "039", "run-out of a thread along the long axis", "Talm 039",
         Secondary},
@@ -502,6 +562,10 @@ void gsk_980tdi(Control& c) {
   c.single_pass_pattern = {false, "TDi 23.3", Manual};
   c.groove_p_diameter = {true, "TDi 23.5", Manual};
   c.drill_retract = {true, "TDi 23.9", Manual};
+  c.refuses = {"cycle-plane turning-plane", "TDi 8 note 3", Manual};
+  c.profile_monotone = {MonotoneCheck::WithK, "TDi 23.1: K", Manual};
+  c.max_profile_blocks = {200, "TDi 23.1 note 9", Manual};
+  c.max_pockets = {20, "TDi 23.1, type II", Manual};
   c.run_out_words = {RunOutWords::Equal, "TDi 24.1, 24.9", Manual};
   c.thread_digits_apart = {true, "TDi 24.12 note 4", Manual};
   add_effect(c, "019", 0, "the run-out of G92 and G76, tenths of the lead", "TDipar 019", Manual,
@@ -688,7 +752,13 @@ void gsk_980mdi(Control& c) {
 }
 
 void gsk_988ta(Control& c) { gsk_988(c, 100); }
-void gsk_988t(Control& c) { gsk_988(c, 0); }
+void gsk_988t(Control& c) {
+  gsk_988(c, 0);
+  c.max_pockets = {10, "Talm 140", Secondary};
+  // The papers of the 988TA say that such a block is not done, or takes the sign. [TA 12, 13]
+  set_refused(c, "groove-axis", true);
+  set_refused(c, "groove-escape", true);
+}
 
 void fanuc_16i(Control& c) {
   fanuc_rules(c);

@@ -1361,7 +1361,7 @@ for code, seconds in ("G73", 66.066), ("G83", 66.198):
         """,
         time=seconds,
     )
-for q, controls in ("Q4", GSK_988), ("Q4000", [TDI, TE, *MITSUBISHI, *FANUC]):
+for q, controls in ("Q4", GSK_988), ("Q4000", [TE, *MITSUBISHI, *FANUC]):
     case(
         f"a pecking cycle of a lathe with {q} draws back by half a millimetre, whatever K is",
         control=controls, source="TA 24, 5101#2; TDi 23.9; the half millimetre: policy",
@@ -1607,12 +1607,13 @@ for claim, head, body, cause, fanuc, mitsubishi, gsk_988 in (
     ("a profile that turns back alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 G1 Z-10.\nN40 X12. Z-5.", "profile-not-monotone", "064", "P203", "138"),
     ("a profile that begins with an arc alarms", "G71 P20 Q40", "N20 G2 X10. Z0 R20.\nN30 G1 Z-10.\nN40 X20.", "profile-first-block", "065", None, "144"),
     ("G71 with P and no Q alarms", "G71 P20", "N20 G0 X10.\nN30 G1 Z-10.\nN40 X20.", "pq-missing", "061", None, "133"),
-    ("G28 inside a profile alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 G1 Z-10.\nN40 G28 X20.", "profile-code", "066", None, None),
-    ("a macro statement inside a profile alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 #100=1\nN40 G1 Z-10.", "profile-macro", None, None, None),
+    ("G28 inside a profile alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 G1 Z-10.\nN40 G28 X20.", "profile-code", "066", None, "128"),
+    ("a macro statement inside a profile alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 #100=1\nN40 G1 Z-10.", "profile-macro", None, None, "130"),
     ("a depth of cut of 0 alarms", "G71 U0 R1.\nN15 G71 P20 Q40", "N20 G0 X10.\nN30 G1 Z-10.\nN40 X20.", "cycle-depth", "062", None, "148"),
 ):
     case(
         claim, control=_lathe, source="ALM; MZ 897, paired; Talm", evidence="secondary", setup=PROFILE,
+        params={"5102#1": 1} if cause == "profile-not-monotone" else None,
         program=f"O1\nN5 G0 X20.\nN10 {head} U0 W0 F10.\n{body}\nN50 M30\nO2\nN60 M99"
         if "U0 R1" not in head
         else f"O1\nN5 G0 X20.\nN10 {head} U0 W0 F10.\n{body}\nN50 M30",
@@ -1625,10 +1626,10 @@ case(
     alarm="call-in-profile",
 )
 case(
-    "a profile that turns back alarms on the 980TDi and the 928", control=[TDI, TE],
+    "a profile that turns back alarms on the 928, on the 980TDi with K1", control=[TDI, TE],
     source="TDi 23.1; general knowledge",
     evidence="inferred", setup=PROFILE,
-    program="O1\nN10 G71 P20 Q40 U0 W0 F10.\nN20 G0 X10.\nN30 G1 Z-10.\nN40 X12. Z-5.\nN50 M30",
+    program="O1\nN10 G71 P20 Q40 U0 W0 K1 F10.\nN20 G0 X10.\nN30 G1 Z-10.\nN40 X12. Z-5.\nN50 M30",
     alarm="profile-not-monotone",
 )
 for claim, end, behind in (
@@ -1646,11 +1647,11 @@ for claim, block, cause, number in (
     ("G76 without P alarms", "G76 X18. Z-10. Q100 F1.", "thread-height", ("062", None, "167")),
 ):
     case(
-        claim, control=_lathe if cause != "groove-axis" else GSK_988, source="ALM; Talm",
+        claim, control=_lathe if cause != "groove-axis" else T, source="ALM; Talm",
         evidence="secondary", setup=PROFILE,
         program=f"O1\nN10 G97 S100 M3\nN20 {block}\nN30 M30",
         runs="N10", alarm=cause,
-        number=numbers(_lathe if cause != "groove-axis" else GSK_988, *number), at="O1 N20",
+        number=numbers(_lathe if cause != "groove-axis" else [T], *number), at="O1 N20",
     )
 
 for height, controls in ("P1 Q1", GSK_988), ("P1000 Q200", [*MITSUBISHI, *FANUC]):

@@ -1,0 +1,290 @@
+"""The lathe's cycles G70 to G75 and its drilling: data, one-block form, alarms."""
+
+from conformance import case
+
+TA, T = GSK_988 = ["gsk-988ta", "gsk-988t"]
+TDI, TE = "gsk-980tdi", "gsk-928te"
+MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
+F16, *FANUC_PS = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
+KNOWN = {"source": "general knowledge", "evidence": "inferred"}
+
+
+def at(x, z):
+    return {"machine": "lathe-a", "start": {"X": x, "Z": z}}
+
+
+def on_fanuc(number):
+    return {F16: number, **dict.fromkeys(FANUC_PS, f"PS0{number}")}
+
+
+def alarms(claim, control, blocks, cause, number, where, source, **more):
+    case(
+        claim, control=control, source=source,
+        evidence="maker's manual" if source.startswith("T") and "alm" not in source else "secondary",
+        setup=more.pop("setup", at(50, 2)), program="O1\n" + blocks + "\nN90 M30",
+        alarm=cause, number=number, at=f"O1 {where}", **more,
+    )
+
+
+# G74 and G75
+
+case(
+    "G74 of the 980TDi: P and R are diameters, the last column and the last peck take the rest",
+    control=TDI, source="TDi 23.5", evidence="maker's manual", setup=at(36, 5),
+    program="O1\nN10 G74 R0.5\nN20 G74 X32 Z-2 P3000 Q5000 R1 F50\nN30 M30",
+    moves="""
+        F Z0
+        R Z0.5
+        F Z-2
+        R X37
+        R Z5
+        R X33
+        F Z0
+        R Z0.5
+        F Z-2
+        R X34
+        R Z5
+        R X32
+        F Z0
+        R Z0.5
+        F Z-2
+        R X33
+        R Z5
+        R X36
+    """,
+)
+case(
+    "G74 of the 988: P and R are radii",
+    control=GSK_988, source="TA 12", evidence="maker's manual", setup=at(36, 5),
+    program="O1\nN10 G74 R0.5\nN20 G74 X33 Z-2 P1.5 Q7 R0.5 F50\nN30 M30",
+    moves="F Z-2\nR X37\nR Z5\nR X33\nF Z-2\nR X34\nR Z5\nR X36",
+)
+for _code, _block in (("G74", "G74 X30 P3000 Q5000 F50"), ("G75", "G75 Z-20 P3000 Q5000 F50")):
+    case(
+        f"{_code} without the axis it pecks along is not done",
+        control=[TDI, TA, *FANUC] if _code == "G75" else [TDI, TA, T, *FANUC],
+        source="TDi 23.5, 23.6; TA 12, 13", evidence="maker's manual", setup=at(36, 5),
+        program=f"O1\nN10 {_block}\nN20 M30", runs="N10 N20", moves="none",
+    )
+for _controls, _params, _q in (
+    ([TDI], {"056": 1}, "Q6000"), (GSK_988, {"5139": 1}, "Q6"), (FANUC, {"5139": 1}, "Q6000"),
+):
+    case(
+        f"the retract of G74 with {_q} comes from parameter {next(iter(_params))}"
+        f" on {_controls[0]}",
+        control=_controls, source="TDi 23.5; TA 12; general knowledge", evidence="inferred",
+        setup=at(36, 5), params=_params,
+        program=f"O1\nN10 G74 Z-7. {_q} F50.\nN20 M30",
+        moves="F Z-1\nR Z0\nF Z-7\nR Z5",
+    )
+for _claim, _block, _cause, _talm in (
+    ("G74 with Q0", "G74 X40 Z-5 P1 Q0 F50", "groove-q", "153"),
+    ("G74 with a negative Q", "G74 X40 Z-5 P1 Q-1 F50", "groove-q", "153"),
+    ("G75 with P0", "G75 X40 Z-5 P0 Q1 F50", "groove-p", "155"),
+    ("G74 with P0", "G74 X40 Z-5 P0 Q1 F50", "groove-step", "158"),
+    ("G75 with Q0", "G75 X40 Z-5 P1 Q0 F50", "groove-step", "158"),
+    ("G74 with a retract below zero", "G74 R-1", "groove-retract", "156"),
+):
+    alarms(f"{_claim} alarms on the 988", GSK_988, f"N10 {_block}", _cause, _talm, "N10",
+           f"Talm {_talm}")
+alarms(
+    "G74 with an escape below zero alarms on the 988T", T, "N10 G74 X40 Z-5 P1 Q1 R-1 F50",
+    "groove-escape", "157", "N10", "Talm 157",
+)
+case(
+    "the sign of an escape does not count on the 988TA while X moves",
+    control=TA, source="TA 12", evidence="maker's manual", setup=at(50, 2),
+    program="O1\nN10 G74 X40 Z-5 P5 Q9 R-1 F50\nN20 M30",
+    moves="F Z-5\nR X52\nR Z2\nR X40\nF Z-5\nR X42\nR Z2\nR X50",
+)
+alarms(
+    "G74 with a negative Q alarms on a FANUC", FANUC, "N10 G74 X40. Z-5. P1000 Q-1000 F50.",
+    "groove-q", on_fanuc("062"), "N10", "ALM 062",
+)
+alarms(
+    "G74 with an escape below zero alarms on a FANUC", FANUC,
+    "N10 G74 X40. Z-5. P1000 Q1000 R-1. F50.", "groove-escape", on_fanuc("062"), "N10", "ALM 062",
+)
+
+# Profiles
+
+_BODY = "\nN20 G0 X20\nN30 G1 Z-20\nN40 X50"
+for _claim, _blocks, _cause, _number, _where in (
+    ("an escape below zero", "N10 G71 U2 R-1", "cycle-escape", "149", "N10"),
+    ("no passes of G73", "N10 G73 U2 W1 R0", "pattern-passes", "151", "N10"),
+    ("P and Q alike", "N10 G71 P20 Q20 U0 W0 F1" + _BODY, "pq-same", "135", "N10"),
+    ("no X in the first block of G71",
+     "N10 G71 P20 Q40 U0 W0 F1\nN20 G0 Z0\nN30 G1 X20\nN40 Z-10", "profile-first-x", "146", "N10"),
+    ("no Z in the first block of G72",
+     "N10 G72 P20 Q40 U0 W0 F1\nN20 G0 X20\nN30 G1 Z-10\nN40 X50", "profile-first-z", "147", "N10"),
+    ("a first block of G73 that moves nothing",
+     "N10 G73 P20 Q40 U0 W0 F1\nN20 G0\nN30 G1 Z-10\nN40 X50", "pattern-first-block", "145", "N10"),
+    ("a start inside the profile",
+     "N10 G71 P20 Q40 U0 W0 F1\nN20 G0 X20\nN30 G1 Z-20\nN40 X60", "profile-start", "139", "N10"),
+    ("an escape in X against the allowance of G73",
+     "N5 G73 U2 W1 R2\nN10 G73 P20 Q40 U-1 W1 F1" + _BODY, "pattern-x", "141", "N10"),
+    ("an escape in Z against the allowance of G73",
+     "N5 G73 U2 W1 R2\nN10 G73 P20 Q40 U1 W-1 F1" + _BODY, "pattern-z", "142", "N10"),
+    ("another plane than G18", "N5 G17\nN10 G71 P20 Q40 U0 W0 F1" + _BODY, "cycle-plane", "126",
+     "N10"),
+    ("a Y in its line", "N10 G74 X40 Z-5 Y1 P1 Q1 F50", "cycle-axis", "127", "N10"),
+    ("G90 outside G18", "N5 G17\nN10 G90 X40 Z-5 F50", "turning-plane", "121", "N10"),
+    ("a Y in G90", "N10 G90 X40 Z-5 Y1 F50", "turning-axis", "122", "N10"),
+):
+    alarms(f"a cycle with {_claim} alarms on the 988", GSK_988, _blocks, _cause, _number, _where, f"Talm {_number}")
+for _code in "G71 P20 Q40 U0 W0 F1" + _BODY, "G90 X40 Z-5 F50":
+    alarms(
+        f"{_code[:3]} outside G18 alarms on the 980TDi", TDI, f"N5 G17\nN10 {_code}",
+        "cycle-plane" if _code.startswith("G71") else "turning-plane", None, "N10", "TDi 8 note 3",
+    )
+for _controls, _number, _most in (
+    (GSK_988, "137", 100), (MITSUBISHI, "P202", 100), ([TDI], None, 200),
+):
+    for _more, _ends in ((0, None), (1, "profile-too-long")):
+        _lines = "\n".join(f"N{i} G1 Z{-i}" for i in range(21, 20 + _most + _more - 1))
+        _program = (
+            f"O1\nN10 G71 P20 Q999 U0 W0 F1.\nN20 G0 X20.\n{_lines}\nN999 X50.\nN1000 M30"
+        )
+        case(
+            f"a profile of {_most + _more} blocks "
+            f"{'alarms' if _ends else 'is cut'} on {_controls[0]}",
+            control=_controls, source="Talm 137; MZ 898, paired with P202; TDi 23.1 note 9",
+            evidence="secondary", setup=at(50, 2), program=_program, alarm=_ends,
+            number=_number if _ends else None,
+        )
+for _controls, _number in ((GSK_988, "129"), (FANUC, on_fanuc("067"))):
+    case(
+        f"G71 alarms in MDI on {_controls[0]}",
+        control=_controls, source="Talm 129; TA 8 note 4; ALM 067", evidence="secondary",
+        setup=at(50, 2), mdi="G71 P20 Q40 U0 W0 F1.\nN20 G0 X20.\nN30 G1 Z-20.\nN40 X50.\nM30",
+        alarm="profile-in-mdi", number=_number,
+    )
+case(
+    "a profile that turns back is cut where nothing checks it",
+    control=[TDI, *GSK_988], source="TDi 23.1: K; TA 8: 5102#1", evidence="maker's manual",
+    setup=at(50, 2),
+    program="O1\nN10 G71 U15 R1\nN15 G71 P20 Q50 U0 W0 F1\nN20 G0 X20\nN30 G1 Z-20\n"
+            "N40 X30 Z-15\nN50 X50 Z-40\nN60 M30",
+    moves="R X50 Z2\nR X20\nF Z-20\nF X30 Z-15\nF X50 Z-40\nR X50 Z2",
+)
+for _first, _block, _cause, _number in (
+    ("no X in the first block of G71",
+     "N10 G71 P20 Q40 U0 W0 F1.\nN20 G0 Z0\nN30 G1 X20.\nN40 Z-10.", "profile-first-x", "065"),
+    ("no passes", "N10 G73 U2. W1. R0", "pattern-passes", "062"),
+):
+    case(
+        f"a cycle with {_first} alarms on a FANUC",
+        control=FANUC, source=f"ALM {_number}", evidence="secondary", setup=at(50, 2),
+        program=f"O1\n{_block}\nN90 M30", alarm=_cause, number=on_fanuc(_number),
+    )
+
+# The one-block form of the series 10 and 11
+
+_OLD = {"params": {"0001#1": 1}, "control": FANUC, **KNOWN}
+_CUT = "\nN20 G0 X20.\nN30 G1 Z-20.\nN40 X50.\nN50 M30"
+case(
+    "G71 in one block: D is the depth of cut in least increments", **_OLD, setup=at(50, 2),
+    program="O1\nN5 G71 U9. R1.\nN10 G71 P20 Q40 U0 W0 D10000 F1." + _CUT,
+    moves="R X50 Z2\nR X30\nF Z-20\nR X32 Z-19\nR Z2\nR X20\nF Z-20\nF X50\nR Z2",
+)
+case(
+    "G73 in one block: I and K are the escape, D the passes", **_OLD, setup=at(50, 2),
+    program="O1\nN10 G73 P20 Q40 U0 W0 I4. K2. D2 F1." + _CUT,
+    moves="""
+        R X58 Z4
+        R X28
+        F Z-18
+        F X58
+        R X50 Z2
+        R X20
+        F Z-20
+        F X50
+        R Z2
+    """,
+)
+case(
+    "G74 in one block: I steps along X, K pecks along Z, D escapes", **_OLD, setup=at(36, 5),
+    program="O1\nN5 G74 R0.5\nN10 G74 X34. Z-2. I1. K5. D500 F50.\nN20 M30",
+    moves="""
+        F Z0
+        R Z0.5
+        F Z-2
+        R X37
+        R Z5
+        R X34
+        F Z0
+        R Z0.5
+        F Z-2
+        R X35
+        R Z5
+        R X36
+    """,
+)
+case(
+    "G75 in one block: I pecks along X", **_OLD, setup=at(20, 0),
+    program="O1\nN5 G75 R1.\nN10 G75 X10. I3. F10.\nN20 M30",
+    moves="F X14\nR X16\nF X10\nR X20",
+)
+case(
+    "G76 in one block: K is the height, D the first cut, I the taper, A the angle", **_OLD,
+    setup=at(30, 5),
+    program="O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. I-1. K1. D1000 F2. A60\nN30 M30",
+    moves="R X16 Z4.4226\nT X18 Z-20\nR X30\nR Z5\n" * 2,
+)
+case(
+    "G76 with K and no P has no height of the thread while 0001#1 is 0",
+    control=FANUC, source="ALM 062", evidence="secondary", setup=at(30, 5),
+    program="O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. K1. D1000 F2. A60\nN30 M30",
+    runs="N10", alarm="thread-height", number=on_fanuc("062"), at="O1 N20",
+)
+
+# Drilling
+
+_DEEP = at(50, 0)
+case(
+    "G83 of the 980TDi: R is the retract of a peck", control=TDI, source="TDi 23.9",
+    evidence="maker's manual", setup=_DEEP,
+    program="O1\nN10 G98 G83 X50 Z-12 Q5000 R2 F100\nN20 M30",
+    moves="R X50\nF Z-5\nR Z-3\nF Z-10\nR Z-8\nF Z-12\nR Z0",
+)
+case(
+    "J1 of G83 of the 980TDi draws back to the start of the hole", control=TDI, source="TDi 23.9",
+    evidence="maker's manual", setup=_DEEP,
+    program="O1\nN10 G98 G83 X50 Z-12 Q5000 R2 J1 F100\nN20 M30",
+    moves="R X50\nF Z-5\nR Z0\nR Z-3\nF Z-10\nR Z0\nR Z-8\nF Z-12\nR Z0",
+)
+for _words in "Q0 R2", "Q5000 R0":
+    case(
+        f"G83 {_words} of the 980TDi drills in one go", control=TDI, source="TDi 23.9 notes 6, 7",
+        evidence="maker's manual", setup=_DEEP,
+        program=f"O1\nN10 G98 G83 X50 Z-12 {_words} F100\nN20 M30", moves="R X50\nF Z-12\nR Z0",
+    )
+for _full, _moves in (
+    (0, "R X50\nR Z-2\nF Z-7\nR Z-6\nF Z-12\nR Z0"),
+    (1, "R X50\nR Z-2\nF Z-7\nR Z-2\nR Z-6\nF Z-12\nR Z0"),
+):
+    case(
+        f"5101#2 = {_full} says how far G83 of the 988 draws back, D the clearance",
+        control=GSK_988, source="TA 24", evidence="maker's manual", setup=_DEEP,
+        params={"5101#2": _full},
+        program="O1\nN10 G98 G83 X50 Z-12 R-2 Q5 D1 F100\nN20 M30", moves=_moves,
+    )
+for _percent, _time in ((0, 9), (300, 8)):
+    case(
+        f"G85 of the 988 draws back at twice the feed, or as 5149 = {_percent} says",
+        control=GSK_988, source="TA 26", evidence="maker's manual", setup=_DEEP | {
+            "rapid": {"X": 900000, "Z": 900000}}, params={"5149": _percent},
+        program="O1\nN10 G98 G85 Z-10 F100\nN20 M30", moves="F Z-10\nF Z0", time=_time,
+    )
+case(
+    "P of G76 takes a point on the 988", control=GSK_988, source="TA 21, O0013",
+    evidence="maker's manual", setup=at(80, 10),
+    program="O1\nN10 G97 S300 M3\nN20 G76 P010000 Q0.150 R0\nN30 G76 X60.64 Z-62 P3.680 Q3.68 F6\nN40 M30",
+    moves="R X60.64 Z10\nT Z-62\nR X80\nR Z10\n" * 2,
+)
+case(
+    "P of G74 takes no point on a FANUC", control=FANUC, source="general knowledge",
+    evidence="inferred", setup=at(36, 5),
+    program="O1\nN10 G74 X33. Z-2. P1.5 Q7000 F50.\nN20 M30",
+    runs="", alarm="illegal-decimal-point", number=on_fanuc("007"), at="O1 N10",
+)
