@@ -209,6 +209,7 @@ class Motion {
   std::array<double, 3> tip_vector() const;
   // motion_corner.cpp: chamfers and corner rounds.
   Result corner_words(BlockWords& block, Piece& piece) const;
+  Result right_angle_chamfer(const BlockWords& block, Piece& piece) const;
   Result through_corner(Piece piece, Axes from, Moves* moves);
   // motion_radius.cpp: radius compensation.
   Result through_radius(Piece piece, const Axes& from, Moves* moves);

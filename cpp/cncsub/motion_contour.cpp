@@ -143,8 +143,9 @@ bool Contour::starts_inside() const {
 Contour::Result Contour::check() const {
   const Control& c = *motion.facts_->control;
   const MonotoneCheck check = c.profile_monotone.value;
-  const bool checked = check == MonotoneCheck::Always ||
-                       (check == MonotoneCheck::WithK && block.words.has('K') && block.words['K'] == 1);
+  const bool checked =
+      check == MonotoneCheck::Always ||
+      (check == MonotoneCheck::WithK && block.words.has('K') && block.words['K'] == 1);
   if (checked && (!monotone(cut_axis()) || (!pockets && !monotone(level_axis))))
     return Fault{Cause::ProfileNotMonotone, pieces.back().at, 1, {}};
   if (motion.facts_->refuses(Cause::ProfileStart) && starts_inside())

@@ -46,7 +46,7 @@ Motion::Result Motion::corner_words(BlockWords& block, Piece& piece) const {
       any_corner_word(block.words, c.round_words.value, facts_->lathe(), round, round_mask);
   const bool arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
   if (arc && round_mask == bit('R')) has_round = false;
-  if (!has_chamfer && !has_round) return std::nullopt;
+  if (!has_chamfer && !has_round) return right_angle_chamfer(block, piece);
   const bool comma = ((chamfer_mask | round_mask) >> kCommaC) != 0;
   if (piece.kind == MoveKind::Rapid || piece.kind == MoveKind::Thread)
     return comma ? Result(fault(Cause::CornerInRapid, block)) : std::nullopt;
@@ -62,6 +62,21 @@ Motion::Result Motion::corner_words(BlockWords& block, Piece& piece) const {
     size *= facts_->increment * (g20() ? 0.1 : 1);
   piece.corner_size = size * s_.unit;
   if (piece.corner_size == 0) piece.corner = 0;
+  return std::nullopt;
+}
+
+/// `G01 Z_ I_` and `G01 X_ K_`: the older form between moves at right angles. [motion 7.2]
+Motion::Result Motion::right_angle_chamfer(const BlockWords& block, Piece& piece) const {
+  const NcWords& w = block.words;
+  const bool written = w.has('I') || w.has('K');
+  if (!facts_->control->chamfer_ik.value || !facts_->lathe() || !written ||
+      piece.kind != MoveKind::Feed || piece.turn != 0)
+    return std::nullopt;
+  const Axes end = piece.end - piece.offset;
+  if (end[0] != s_.work[0] && end[2] != s_.work[2]) return fault(Cause::CornerTaper, block);
+  if (w.has('I') && w.has('K')) return fault(Cause::CornerFormat, block);
+  piece.corner_size = std::fabs(number(block, w.has('I') ? 'I' : 'K'));
+  if (piece.corner_size > 0) piece.corner = 'C';
   return std::nullopt;
 }
 

@@ -133,9 +133,8 @@ Motion::Result Motion::peck(BlockWords& block, int axis, double r, double z) {
   const Control& c = *facts_->control;
   const CycleData cycle = s_.cycle;
   const double down = z < r ? -1 : 1, q = std::fabs(cycle.q);
-  const bool fast =
-      cycle.cycle == Meaning::PeckFast ||
-      (facts_->lathe() && !c.drill_full_retract.value && !cycle.full);
+  const bool fast = cycle.cycle == Meaning::PeckFast ||
+                    (facts_->lathe() && !c.drill_full_retract.value && !cycle.full);
   double gap = (fast ? c.peck_retract.value : c.peck_clearance.value) * 1e-3;
   if (c.peck_words.value == PeckWords::K && cycle.has_k) gap = std::fabs(cycle.k);
   if (cycle.clearance >= 0) gap = cycle.clearance;

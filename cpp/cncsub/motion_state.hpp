@@ -60,7 +60,7 @@ struct CycleData {
   bool has_q = false, has_k = false, has_shift = false;
   double clearance = -1;  // D of a lathe
   bool full = false;      // draws back all the way after a peck, J1 of a lathe
-  double initial = 0;  // the level from which the cycle mode was entered
+  double initial = 0;     // the level from which the cycle mode was entered
 };
 
 /// X Z R J K of the lathe's simple cycles and threads, kept until another motion code.

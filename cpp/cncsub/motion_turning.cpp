@@ -117,7 +117,9 @@ Motion::Result Motion::grooving(BlockWords& block, Meaning meaning) {
   };
   const double x_share = c.groove_p_diameter.value && !one_block ? 1 : 2;
   const double p = word('P', 'I') * x_share, q = word('Q', 'K');
-  const double slip = one_block && w.has('D') ? cycle_length(block, 'D') : w.has('R') ? number(block, 'R') : 0;
+  const double slip = one_block && w.has('D') ? cycle_length(block, 'D')
+                      : w.has('R')            ? number(block, 'R')
+                                              : 0;
   if (auto wrong = check_groove(block, face, p, q)) return wrong;
   const double deep_share = deep == 0 ? 2 : 1, wide_share = wide == 0 ? x_share : 1;
   const double retract = s_.multiple.retract * deep_share;

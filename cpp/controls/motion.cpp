@@ -168,10 +168,12 @@ void fanuc_rules(Control& c) {
   c.machine = {MachineType::Mill, "the setup tells a lathe", Inferred};
   c.negative_radius = {true, "source 003, example 5", SourceDocument};
   c.machine_move = {MachineMove::Rapid, "source 003, G53; 0iMB p.228", SourceDocument};
-  c.refuses = {"reference-in-cycle corner-at-offset-start groove-escape", "ALM 039, 044, 062", Secondary};
+  c.refuses = {"reference-in-cycle corner-at-offset-start groove-escape", "ALM 039, 044, 062",
+               Secondary};
   c.idle_blocks = {1, "source 003, note a", SourceDocument};
   c.acute_corner = {AcuteCorner::Lines, kKnown, Inferred};
   c.feed_needed = {true, "ALM 011, 0iTC p.66", Manual};
+  c.chamfer_ik = {true, kKnown, Inferred};
   c.cycle_repeats = {"K", kKnown, Inferred};
   c.power_on_per_minute = {false, "3402#4", Inferred};
   c.max_rotation = {360, kKnown, Inferred};
@@ -233,6 +235,7 @@ void fanuc_alarms(Control& c, const std::string& prefix) {
       {Cause::CornerNoMove, "051", "MISSING MOVE AFTER CHF/CNR", Secondary},
       {Cause::CornerNextMove, "052", "CODE IS NOT G01 AFTER CHF/CNR", Secondary},
       {Cause::CornerFormat, "053", "TOO MANY ADDRESS COMMANDS", Secondary},
+      {Cause::CornerTaper, "054", "NO TAPER ALLOWED AFTER CHF/CNR", Secondary},
       {Cause::CornerTooShort, "055", "MISSING MOVE VALUE IN CHF/CNR", Secondary},
       {Cause::PqMissing, "061", "P OR Q COMMAND IS NOT IN THE MULTIPLE REPETIVE CYCLES BLOCK",
        Secondary},
@@ -256,8 +259,8 @@ void fanuc_alarms(Control& c, const std::string& prefix) {
        Secondary},
       {Cause::PatternFirstBlock, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM",
        Secondary},
-      {Cause::ProfileInMdi, "067", "THE MULTIPLE REPETITIVE CYCLES IS NOT IN THE PART PROGRAM STORAGE",
-       Secondary},
+      {Cause::ProfileInMdi, "067",
+       "THE MULTIPLE REPETITIVE CYCLES IS NOT IN THE PART PROGRAM STORAGE", Secondary},
       {Cause::ThreadCut, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
        Secondary},
       {Cause::ThreadLeastCut, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
@@ -420,10 +423,11 @@ void gsk_988(Control& c, double power_on_feed) {
   lathe_rules(c);
   c.home_needed = {true, "Talm 047", Secondary};
   c.unit_change = {UnitChange::Alone, "Talm 042", Secondary};
-  c.refuses = {"codes-with-rotation code-in-rotation corner-at-offset-start thread-passes cycle-plane "
-               "cycle-axis turning-plane turning-axis pq-same profile-start pattern-x pattern-z "
-               "groove-step",
-               "TA 5 notes 2 and 3; Talm 121 to 161, 271", Manual};
+  c.refuses = {
+      "codes-with-rotation code-in-rotation corner-at-offset-start thread-passes cycle-plane "
+      "cycle-axis turning-plane turning-axis pq-same profile-start pattern-x pattern-z "
+      "groove-step",
+      "TA 5 notes 2 and 3; Talm 121 to 161, 271", Manual};
   c.max_profile_blocks = {100, "Talm 137", Secondary};
   c.max_pockets = {30, "TA 8", Manual};
   add_effect(c, "5102#1", 1, "G71 to G73: 1 = a profile that turns back is an alarm", "TA 8",

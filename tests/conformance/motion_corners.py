@@ -1,0 +1,35 @@
+"""Corners of lathes in the older form: I and K between moves at right angles."""
+
+from conformance import case
+
+F16, *FANUC_PS = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
+OTHERS = ["gsk-988ta", "gsk-988t", "mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
+AT = {"machine": "lathe-a", "start": {"X": 20, "Z": 0}}
+KNOWN = {"source": "general knowledge", "evidence": "inferred"}
+
+
+def on_fanuc(number):
+    return {F16: number, **dict.fromkeys(FANUC_PS, f"PS0{number}")}
+
+
+case(
+    "I behind a move along Z is a chamfer towards X, K behind one along X a chamfer towards Z",
+    control=FANUC, **KNOWN, setup=AT,
+    program="O1\nN10 G1 Z-20. I3. F0.2\nN20 X50. K-2.\nN30 Z-40.\nN40 M30",
+    moves="F Z-17\nF X26 Z-20\nF X46 Z-20\nF X50 Z-22\nF Z-40",
+)
+case(
+    "I and K are no chamfer", control=OTHERS, **KNOWN, setup=AT,
+    program="O1\nN10 G97 S100 G1 Z-20. I3. F0.2\nN20 X50. K-2.\nN30 Z-40.\nN40 M30",
+    moves="F Z-20\nF X50\nF Z-40",
+)
+for _claim, _first, _second, _cause, _number in (
+    ("a chamfer by K in a taper alarms", "G1 X30. Z-20. K3. F0.2", "Z-40.", "corner-taper", "054"),
+    ("a chamfer by both I and K alarms", "G1 Z-20. I3. K3. F0.2", "X40.", "corner-format", "053"),
+    ("a chamfer by I longer than its move alarms", "G1 Z-2. I3. F0.2", "X40.",
+     "corner-too-short", "055"),
+):
+    case(
+        _claim, control=FANUC, source=f"ALM {_number}", evidence="secondary", setup=AT,
+        program=f"O1\nN10 {_first}\nN20 {_second}\nN30 M30", alarm=_cause, number=on_fanuc(_number),
+    )
