@@ -79,6 +79,7 @@ struct Contour {
 
   Result check() const;
   bool starts_inside() const;
+  int pocket_count() const;
   bool monotone(int axis) const;
   Result rough();
   Result rough_level(double level, double back, double away);
@@ -140,6 +141,20 @@ bool Contour::starts_inside() const {
   return false;
 }
 
+/// How often the profile goes back in behind a shoulder.
+int Contour::pocket_count() const {
+  const auto level = static_cast<std::size_t>(level_axis);
+  const double away = end_of(pieces.front())[level] <= start[level] ? 1 : -1;
+  int count = 0;
+  bool outward = false;
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const double step = (pieces[i].end[level] - pieces[i - 1].end[level]) * away;
+    if (step < -1e-9 && outward) ++count;
+    if (std::fabs(step) > 1e-9) outward = step > 0;
+  }
+  return count;
+}
+
 Contour::Result Contour::check() const {
   const Control& c = *motion.facts_->control;
   const MonotoneCheck check = c.profile_monotone.value;
@@ -148,6 +163,8 @@ Contour::Result Contour::check() const {
       (check == MonotoneCheck::WithK && block.words.has('K') && block.words['K'] == 1);
   if (checked && (!monotone(cut_axis()) || (!pockets && !monotone(level_axis))))
     return Fault{Cause::ProfileNotMonotone, pieces.back().at, 1, {}};
+  if (const int most = c.max_pockets.value; most > 0 && pocket_count() > most)
+    return motion.fault(Cause::ProfilePockets, block);
   if (motion.facts_->refuses(Cause::ProfileStart) && starts_inside())
     return motion.fault(Cause::ProfileStart, block);
   return std::nullopt;

@@ -3,7 +3,8 @@
 from conformance import case
 
 F16, *FANUC_PS = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
-OTHERS = ["gsk-988ta", "gsk-988t", "mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
+OTHERS = ["gsk-988ta", "gsk-988t", "mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800",
+          "gsk-980tdi", "gsk-928te"]
 AT = {"machine": "lathe-a", "start": {"X": 20, "Z": 0}}
 KNOWN = {"source": "general knowledge", "evidence": "inferred"}
 

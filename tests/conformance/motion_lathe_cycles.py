@@ -178,6 +178,21 @@ for _first, _block, _cause, _number in (
         program=f"O1\n{_block}\nN90 M30", alarm=_cause, number=on_fanuc(_number),
     )
 
+for _control, _most, _number in ((TA, 30, "140"), (T, 10, "140"), (TDI, 20, None)):
+    for _pockets in (_most, _most + 1):
+        _walls = "\n".join(
+            f"N{21 + 2 * i} G1 X30 Z{-2 * i - 1}\nN{22 + 2 * i} X20 Z{-2 * i - 2}"
+            for i in range(_pockets)
+        )
+        case(
+            f"{_pockets} pockets are {'cut' if _pockets == _most else 'too many'} on {_control}",
+            control=_control, source="Talm 140; TA 8; TDi 23.1", evidence="secondary",
+            setup=at(50, 2),
+            program=f"O1\nN10 G71 P20 Q999 U0 W0 F1\nN20 G0 X20 Z0\n{_walls}\nN999 X50\nN1000 M30",
+            alarm=None if _pockets == _most else "profile-pockets",
+            number=None if _pockets == _most else _number,
+        )
+
 # The one-block form of the series 10 and 11
 
 _OLD = {"params": {"0001#1": 1}, "control": FANUC, **KNOWN}
@@ -287,4 +302,59 @@ case(
     evidence="inferred", setup=at(36, 5),
     program="O1\nN10 G74 X33. Z-2. P1.5 Q7000 F50.\nN20 M30",
     runs="", alarm="illegal-decimal-point", number=on_fanuc("007"), at="O1 N10",
+)
+
+# What holds where neither a block nor a parameter says it
+
+LATHES = [*GSK_988, TDI, TE, *MITSUBISHI, *FANUC]
+SLOW = at(36, 5) | {"rapid": {"X": 1, "Z": 1}}
+for _controls, _thread, _groove in (
+    (GSK_988, "P0.4 Q0.02", "Q6"), ([TDI, TE, *MITSUBISHI, *FANUC], "P400 Q20", "Q6000"),
+):
+    case(
+        f"G76 alone has one finishing pass, no angle, no least cut, no allowance: {_thread}",
+        control=_controls, **KNOWN, setup=at(30, 5),
+        program=f"O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. {_thread} F2.\nN30 M30",
+        moves="".join(
+            f"R X{18 + 2 * (0.4 - 0.02 * n**0.5):.5f} Z5\n"
+            f"T X{18 + 2 * (0.4 - 0.02 * n**0.5):.5f} Z-20\nR X30\nR Z5\n"
+            for n in (*range(1, 401), 400)
+        ),
+    )
+    case(
+        f"G74 {_groove} alone retracts by nothing", control=_controls, **KNOWN, setup=SLOW,
+        program=f"O1\nN10 G98 G74 Z-7. {_groove} F60.\nN20 M30",
+        moves="F Z-1\nR Z-1\nF Z-7\nR Z5", time=732,
+    )
+for _controls, _time in ((GSK_988, 9), ([TE, *MITSUBISHI, *FANUC], 12)):
+    case(
+        f"a boring cycle takes {_time} s of feed", control=_controls,
+        source="TA 26; general knowledge", evidence="inferred",
+        setup=at(50, 0) | {"rapid": {"X": 900000, "Z": 900000}},
+        program="O1\nN10 G98 G85 Z-10. F100.\nN20 M30", moves="F Z-10\nF Z0", time=_time,
+    )
+case(
+    "two pockets are cut", control=[TE, *MITSUBISHI, *FANUC], **KNOWN, setup=at(50, 2),
+    program="O1\nN10 G71 U15. R1.\nN15 G71 P20 Q70 U0 W0 F1.\nN20 G0 X20. Z0\nN30 G1 X30. Z-1.\n"
+            "N40 X20. Z-2.\nN50 X30. Z-3.\nN60 X20. Z-4.\nN70 X50.\nN80 M30",
+    runs="N10 N15 N80",
+)
+case(
+    "P of two digits in G76 names no passes and no run-out: there is one pass, and none",
+    control=[TE, *MITSUBISHI, *FANUC], **KNOWN, setup=at(30, 5),
+    program="O1\nN10 G97 S60 M3\nN15 G76 P020500 Q0 R0\nN20 G76 P00\n"
+            "N30 G76 X18. Z-20. P1000 Q1000 F2.\nN40 M30",
+    moves="R X18 Z5\nT X18 Z-20\nR X30\nR Z5\n" * 2,
+)
+case(
+    "G76 in one block is no thread of other controls", control=[TDI, TE, *MITSUBISHI], **KNOWN,
+    setup=at(30, 5),
+    program="O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. K1. D1000 F2. A60\nN30 M30",
+    runs="N10", alarm="thread-height", number=None, at="O1 N20",
+)
+case(
+    "P of G74 takes no point on other controls", control=[TDI, TE, *MITSUBISHI], **KNOWN,
+    setup=at(36, 5), program="O1\nN10 G74 X33. Z-2. P1.5 Q7000 F50.\nN20 M30",
+    runs="", alarm="illegal-decimal-point",
+    number={TDI: "012", TE: None, **dict.fromkeys(MITSUBISHI, "P33")}, at="O1 N10",
 )

@@ -307,3 +307,20 @@ for _what, _second, _cause in (
         program=f"O1\nN10 G97 S60 M3\nN20 G76 {_second} F2.\nN30 M30",
         runs="N10", alarm=_cause, number=FANUC_062, at="O1 N20",
     )
+case(
+    "a thread of a mill takes the feed in force as its lead",
+    control=["hnc-21m", *FANUC], source="general knowledge", evidence="inferred",
+    setup={"machine": "mill"},
+    program="O1\nN10 S60 M3\nN20 G95 G1 Z-1. F0.5\nN30 G33 Z-3.\nN40 M30",
+    moves="F Z-1\nT Z-3", time=6,
+)
+case(
+    "J and K are no run-out of a mill's thread",
+    control=["hnc-21m", *FANUC], source="general knowledge", evidence="inferred",
+    setup={"machine": "mill"},
+    program="O1\nN10 S60 M3\nN20 G33 Z-20. F2. J3. K1.\nN30 M30", moves="T Z-20",
+)
+thread(
+    "no run-out of threads is known of the 928", TE, "G32 Z-20 F2 J3 K1", "T X20 Z-20",
+    start=(20, 3), source="policy", evidence="inferred",
+)

@@ -18,7 +18,6 @@ NO_CODE_CALLS = "no parameter of the control makes a code call a program"
 NO_H_CODES = "the control has no G65 H"
 A_MILL = "a rule of lathes, and the control is a mill"
 A_LATHE = "a rule of mills, and the control is a lathe"
-NO_POLAR = "the control has no polar coordinates"
 NO_ROTATION = "the control has no rotation, scaling or mirror"
 NO_REPEATS = "no repeat count is known of its drilling cycles"
 
@@ -91,17 +90,19 @@ UNPINNED = _joined(
     _all("tool_offset tool_offset_digits set_coordinate_without_tool", MILLS, A_MILL),
     _all("escape rough_depth rough_escape single_pass_pattern", MILLS, A_MILL),
     _all("cycle_increments groove_p_diameter profile_monotone contour_behind", MILLS, A_MILL),
-    _all("drill_full_retract drill_retract", MILLS, A_MILL),
+    _all("drill_full_retract bore_return chamfer_ik one_block_cycles cycle_point", MILLS, A_MILL),
+    _all("thread_passes thread_angle thread_least_cut thread_allowance", MILLS, A_MILL),
+    _all("thread_chamfer thread_digits_apart lead_growth groove_retract", MILLS, A_MILL),
+    _all("max_pockets max_profile_blocks", MILLS, A_MILL),
+    _all("lead_apart run_out_words", (MDI,), "the control cuts no threads"),
+    _all("peck_words peck_retract", (TDI,), "R is the retract of a peck, K no word of it"),
+    _all("bore_return", (TDI,), "the control has no boring cycle"),
     _all("helix", (TE,), "a lathe without a third axis makes no helix"),
-    _all("reference_with_end", (TA, T, TDI, MDI), "the control has no G27"),
-    _all("max_extra_systems", (*GSK_LATHES, *MILLS), "the control has no G54.1"),
-    _all("length_with_motion_codes length_type missing_radius_offset", GSK_LATHES, A_LATHE),
+    _all("max_extra_systems", (*GSK_LATHES, HNC), "the control has no G54.1"),
+    _all("length_type missing_radius_offset", GSK_LATHES, A_LATHE),
     _all("peck_needed", GSK_LATHES, "a drilling cycle of a lathe without Q is a plain hole"),
     _all("peck_clearance", GSK_LATHES, "a drilling cycle draws back a little, not to R"),
-    _all("plane_change_in_polar work_change_in_polar", (*GSK_LATHES, HNC), NO_POLAR),
-    _all("centre_in_polar", (*GSK_LATHES, HNC), NO_POLAR),
-    _all("reference_in_rotation plane_change_in_rotation max_rotation", (TDI, TE), NO_ROTATION),
-    _all("mirror_in_compensation", (TDI, TE), NO_ROTATION),
+    _all("max_rotation", (TDI, TE), NO_ROTATION),
     _all("scale_thousandths", GSK_LATHES, "a lathe has no scaling"),
     _all("cycle_repeats zero_cycle_repeats", (TDI, TE), NO_REPEATS),
 )
