@@ -309,15 +309,15 @@ case(
 LATHES = [*GSK_988, TDI, TE, *MITSUBISHI, *FANUC]
 SLOW = at(36, 5) | {"rapid": {"X": 1, "Z": 1}}
 for _controls, _thread, _groove in (
-    (GSK_988, "P0.4 Q0.02", "Q6"), ([TDI, TE, *MITSUBISHI, *FANUC], "P400 Q20", "Q6000"),
+    (GSK_988, "P0.04 Q0.002", "Q6"), ([TDI, TE, *MITSUBISHI, *FANUC], "P40 Q2", "Q6000"),
 ):
     case(
         f"G76 alone has one finishing pass, no angle, no least cut, no allowance: {_thread}",
         control=_controls, **KNOWN, setup=at(30, 5),
         program=f"O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. {_thread} F2.\nN30 M30",
         moves="".join(
-            f"R X{18 + 2 * (0.4 - 0.02 * n**0.5):.5f} Z5\n"
-            f"T X{18 + 2 * (0.4 - 0.02 * n**0.5):.5f} Z-20\nR X30\nR Z5\n"
+            f"R X{18 + 2 * (0.04 - 0.002 * n**0.5):.5f} Z5\n"
+            f"T X{18 + 2 * (0.04 - 0.002 * n**0.5):.5f} Z-20\nR X30\nR Z5\n"
             for n in (*range(1, 401), 400)
         ),
     )
