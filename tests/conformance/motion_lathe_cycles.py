@@ -358,3 +358,12 @@ case(
     runs="", alarm="illegal-decimal-point",
     number={TDI: "012", TE: None, **dict.fromkeys(MITSUBISHI, "P33")}, at="O1 N10",
 )
+for _controls, _thread in ((GSK_988, "P1 Q1"), ([TDI, TE, *MITSUBISHI, *FANUC], "P1000 Q1000")):
+    case(
+        f"G76 alone goes straight in: {_thread}",
+        control=_controls,
+        **KNOWN,
+        setup=at(30, 5),
+        program=f"O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. {_thread} F2.\nN30 M30",
+        moves="R X18 Z5\nT X18 Z-20\nR X30\nR Z5\n" * 2,
+    )
