@@ -120,3 +120,34 @@ case(
     """,
     runs="", alarm="program-not-found", at="%1 N10",
 )
+case(
+    "a program that is not there is told with its name",
+    control=["fanuc-0i-f", "fanuc-30i"], source="policy", evidence="inferred",
+    program="O1\nN10 T1\nN20 M98 <SUB>\nN30 M30\n",
+    runs="N10", alarm="named-program-not-found", number="PS0310", at="O1 N20", word="<SUB>",
+)
+for word, cause, fanuc, mitsubishi in [
+    ("G0.1", "g-code-not-available", "PS0010", "P34"), ("G-1", "illegal-minus-sign", "PS0006", "P35"),
+]:
+    case(
+        f"{word} is not G01",
+        control=["fanuc-30i", "mitsubishi-m700"], source="ALM; SK; general knowledge", evidence="inferred",
+        setup={"machine": "mill"},
+        program=f"O1\nN10 T1\nN20 {word} X5. F100.\nN30 M30\n",
+        runs="N10", alarm=cause, at="O1 N20", word=word if "-" in word else None,
+        number={"fanuc-30i": fanuc, "mitsubishi-m700": mitsubishi},
+    )
+case(
+    "a call may start at N0",
+    control="gsk-988ta", source="source 000, words L and Q; policy", evidence="inferred",
+    program="""
+        O1
+        N10 M98 P2 Q0
+        N20 M30
+        O2
+        N30 T1
+        N0 T2
+        N40 M99
+    """,
+    runs="N10 N0 N40 N20", t=[2],
+)

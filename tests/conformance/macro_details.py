@@ -401,3 +401,40 @@ case(
     program="O1\nN10 M30\n", mdi="G65 H80 P10",
     runs="", alarm="jump-in-mdi",
 )
+case(
+    "ATAN of a direction along the first axis is 0, not a full turn",
+    control=[*FANUC, *MITSUBISHI], source="general knowledge, ATAN", evidence="inferred",
+    program="O1\nN10 #100=ATAN[0]/[5]\nN20 M30\n",
+    runs="N10 N20", vars={100: 0},
+)
+case(
+    "the first two of three joined conditions belong together",
+    control=MITSUBISHI, source="general knowledge, order of operators", evidence="inferred",
+    program="""
+        O1
+        N10 IF[[1 EQ 2] AND [1 EQ 2] OR [1 EQ 1]]GOTO 30
+        N20 #100=1
+        N30 IF[[1 EQ 1] XOR [2 EQ 2]]GOTO 70
+        N60 #102=1
+        N70 M30
+    """,
+    runs="N10 N30 N60 N70",
+)
+case(
+    "a computed GOTO takes the largest sequence number",
+    control=["fanuc-16i", "gsk-988ta", "mitsubishi-m700"], source="general knowledge, GOTO", evidence="inferred",
+    program="""
+        O1
+        N10 #1=99999
+        N20 GOTO #1
+        N30 #100=1
+        N99999 M30
+    """,
+    runs="N10 N20 N99999",
+)
+case(
+    "no local variable of the main program was passed: AR is 0",
+    control="hnc-21m", source="general knowledge, AR", evidence="inferred",
+    program="%1\nN10 #50=AR[#1]\nN20 M30\n",
+    runs="N10 N20", vars={50: 0},
+)

@@ -70,3 +70,118 @@ case(
     """,
     centre="X0 Y3 | X7 Y0",
 )
+case(
+    "G10 L10 to L13 set the four tables of tool offsets",
+    control="fanuc-30i", source="general knowledge, G10", evidence="inferred",
+    params=MM, setup=MILL,
+    program="""
+        O1
+        N10 G90 G10 L10 P1 R5
+        N20 G10 L11 P1 R0.5
+        N30 G10 L12 P1 R3
+        N40 G10 L13 P1 R0.25
+        N50 #100=#2001
+        N60 #101=#2201
+        N70 #102=#13001
+        N80 #103=#12001
+        N90 G43 H1 G0 Z0
+        N100 #104=#5083
+        N110 M30
+    """,
+    vars={100: 0.5, 101: 5, 102: 3, 103: 0.25, 104: 5.5},
+)
+case(
+    "in G91 G10 adds to the offset",
+    control="fanuc-30i", source="general knowledge, G10", evidence="inferred",
+    params=MM, setup=MILL,
+    program="""
+        O1
+        N10 G90 G10 L10 P1 R5
+        N20 G91 G10 L10 P1 R2
+        N30 #100=#2201
+        N40 M30
+    """,
+    vars={100: 7},
+)
+case(
+    "G10 of a tool offset without R lacks its value",
+    control="fanuc-30i", source="general knowledge, G10", evidence="inferred",
+    params=MM, setup=MILL,
+    program="O1\nN10 T1\nN20 G10 L10 P1\nN30 M30\n",
+    runs="N10", alarm="g10-p", at="O1 N20", number="PS0031",
+)
+case(
+    "G10 L20 sets the systems of G54.1",
+    control="fanuc-30i", source="general knowledge, G10", evidence="inferred",
+    params=MM, setup=MILL,
+    program="""
+        O1
+        N10 G90 G10 L20 P2 X4
+        N20 G54.1 P1 G0 X0
+        N30 G54.1 P2 X0
+        N40 M30
+    """,
+    centre="X0 | X4",
+)
+case(
+    "G92.1 takes the shift of G92 back, of the axes it names",
+    control="fanuc-30i", source="general knowledge, G92.1", evidence="inferred",
+    params=MM, setup=MILL,
+    program="""
+        O1
+        N10 G90 G92 X5 Y7
+        N20 G0 X5 Y7
+        N30 G92.1 X0
+        N40 G0 X1 Y8
+        N50 M30
+    """,
+    centre="X0 Y0 | X1 Y1",
+)
+case(
+    "a bored hole is left beside its wall: G76 shifts by Q and shifts back",
+    control=["fanuc-30i", "fanuc-0i-f"], source="15iM p.315; general knowledge", evidence="inferred",
+    params=MM, setup=MILL,
+    program="""
+        O1
+        N10 G90 G0 Z50
+        N20 G76 X10 Y20 Z-10 R5 Q2 F100
+        N30 G80
+        N40 M30
+    """,
+    moves="""
+        R Z50
+        R X10 Y20
+        R Z5
+        F Z-10
+        R X12
+        R Z50
+        R X10
+    """,
+)
+case(
+    "on the 980TDi G33 taps: in and out again",
+    control="gsk-980tdi", source="TDi 24.5", evidence="maker's manual",
+    program="""
+        O1
+        N10 M3 S100
+        N20 G0 X0 Z5
+        N30 G33 Z-10 F1
+        N40 M30
+    """,
+    moves="""
+        R Z5
+        T Z-10
+        T Z5
+    """,
+)
+case(
+    "a reset to the codes of power-on keeps unit and work system",
+    control=["fanuc-30i", "fanuc-16i"], source="general knowledge, 3402#6", evidence="inferred",
+    params=MM | {"3402#6": 1}, setup=MILL,
+    program="""
+        O1
+        N10 G55 G20 G91 G18
+        N20 M30
+    """,
+    modal_after_reset={"units": "G20", "work": "G55", "distance": "G90", "plane": "G17"},
+)
