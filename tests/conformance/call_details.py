@@ -17,6 +17,7 @@ case(
 case(
     "a chamfer beside a call is no device",
     control=["mitsubishi-m700", "mitsubishi-m800"], source="policy", evidence="inferred",
+    external={"O9.NC": "O9\nN90 M99\n"},
     program="""
         O1
         N10 G1 X10. F100. ,C1. M98 P2
@@ -150,4 +151,11 @@ case(
         N40 M99
     """,
     runs="N10 N0 N40 N20", t=[2],
+)
+case(
+    "an end that is missing is missed behind the last block",
+    control=["fanuc-30i", "gsk-988ta"], source="policy", evidence="inferred",
+    program="O1\nN10 T1\nN20 T2\n",
+    runs="N10 N20", alarm="end-of-record", at="O1", word="",
+    number={"fanuc-30i": "PS5010", "gsk-988ta": "019"},
 )

@@ -185,3 +185,22 @@ case(
     """,
     modal_after_reset={"units": "G20", "work": "G55", "distance": "G90", "plane": "G17"},
 )
+case(
+    "a block without a position drills no hole",
+    control=["gsk-988ta", "gsk-988t"], source="TA 24; policy", evidence="inferred",
+    program="""
+        O1
+        N10 G98 G0 X20 Z5
+        N20 G83 X0 Z-10 R-2 F100
+        N30 F50
+        N40 G80
+        N50 M30
+    """,
+    moves="""
+        R X20 Z5
+        R X0
+        R Z3
+        F Z-10
+        R Z5
+    """,
+)

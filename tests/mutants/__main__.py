@@ -78,13 +78,19 @@ class Rows:
         return os.read(reader, 100) if ready else None
 
     def _run(self, writer: int) -> None:
-        """In the child: the engine is imported here, and the process ends here."""
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        """In the child: whatever happens there, it ends here and cleans up nothing."""
+        try:
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            os.write(writer, str(self._search()).encode())
+        finally:
+            os._exit(0)
+
+    def _search(self) -> int:
+        """The place of the first row that fails, -1 if none does."""
         import cncsub
         from outcome import differences
 
-        failed = -1
         for place in self.order:
             row = self.rows[place]
             try:
@@ -92,32 +98,31 @@ class Rows:
             except BaseException:  # whatever a mutant breaks
                 passed = False
             if not passed:
-                failed = place
-                break
-        os.write(writer, str(failed).encode())
-        os._exit(0)
+                return place
+        return -1
 
 
-def chosen(sources: list[Path], count: int, seed: int) -> Iterator[tuple[Path, Mutant]]:
-    """A sample over all sources, in an order that the seed gives."""
+def chosen(sources: list[Path], count: int, seed: int) -> Iterator[tuple[Path, Mutant, str]]:
+    """A sample over all sources, in an order that the seed gives: file, mutant and changed text."""
+    texts = {file: file.read_text() for file in sources}
     everything = [
         (file, mutant)
-        for file in sources
-        for mutant in mutants_of(str(file.relative_to(ROOT)), file.read_text())
+        for file, text in texts.items()
+        for mutant in mutants_of(str(file.relative_to(ROOT)), text)
     ]
     random.Random(seed).shuffle(everything)
     print(f"{len(everything)} places in {len(sources)} files; {count} are tried", flush=True)
-    yield from everything
+    yield from ((file, mutant, mutant.applied(texts[file])) for file, mutant in everything)
 
 
 def try_mutants(workshop: Workshop, rows: Rows, options: argparse.Namespace) -> Counter[str]:
     outcomes: Counter[str] = Counter()
-    for file, mutant in chosen(options.sources, options.count, options.seed):
+    for file, mutant, changed in chosen(options.sources, options.count, options.seed):
         if options.at and f"{mutant.file}:{mutant.line}:{mutant.column}" not in options.at:
             continue
         if outcomes.total() - outcomes[NOT_COMPILED] >= options.count:
             break
-        if not workshop.build(file, mutant.applied(file.read_text())):
+        if not workshop.build(file, changed):
             outcomes[NOT_COMPILED] += 1
             continue
         found = rows.first_failing()
