@@ -438,3 +438,16 @@ case(
     program="%1\nN10 #50=AR[#1]\nN20 M30\n",
     runs="N10 N20", vars={50: 0},
 )
+case(
+    "a joined condition in brackets is one of two that are joined",
+    control=MITSUBISHI, source="general knowledge, order of operators", evidence="inferred",
+    program="""
+        O1
+        N10 IF[[1 EQ 1] XOR [[2 EQ 2] AND [3 EQ 3]]]GOTO 30
+        N20 #100=1
+        N30 IF[[1 EQ 1] XOR [[2 EQ 3] OR [3 EQ 4]]]GOTO 50
+        N40 #101=1
+        N50 M30
+    """,
+    runs="N10 N20 N30 N50",
+)
