@@ -6,6 +6,7 @@ is none). Straight moves of no length are left out: LinuxCNC makes one for a bar
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -142,7 +143,9 @@ class LinuxCnc:
         self.file.write_text(text)
         tools, variables = map(str, self.tables)
         command = [self.command, "-t", tools, "-v", variables, "-g", str(self.file)]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        # Its tool table lies in the home folder: two that share it kill each other (SIGBUS).
+        environment = {**os.environ, "HOME": str(self.file.parent)}
+        done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
         rows = list(_read(done.stdout))
         if len(rows) != count:
             return f"{done.stderr}\nexit status {done.returncode}"
