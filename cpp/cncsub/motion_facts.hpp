@@ -25,7 +25,11 @@ inline int whole(double value) {
   return std::isnan(value) ? 0 : static_cast<int>(std::clamp(value, -2e9, 2e9));
 }
 /// No block makes more moves than this, however small its steps and however large its counts are.
+#ifdef CNCSUB_FUZZ  // a fuzzer has better things to do
+constexpr std::uint32_t kMostMoves = 2'000;
+#else
 constexpr std::uint32_t kMostMoves = 1'000'000;
+#endif
 /// Nor does it look for more crossings of its levels with the pieces of a profile.
 constexpr double kMostCrossings = 1e8;
 inline bool is_rotary(int axis) { return axis >= 3 && axis <= 5; }

@@ -224,6 +224,7 @@ Options options_of(Reader& in) {
   options.trace = static_cast<Trace::Depth>((flags & 4) == 0 ? 3 : in.byte() % 4);
   options.max_cycles = 1 + (sizes & 3);
   options.max_blocks = kBlocks[sizes >> 2 & 3];
+  if ((sizes & 16) != 0) options.max_memory = std::uint64_t{in.byte()} << 10;
   if ((flags & 8) != 0) options.start = in.whole<std::uint32_t>();
   if ((flags & 16) != 0) options.skips = in.whole<std::uint16_t>() & 0x3fe;
   if ((flags & 32) != 0)

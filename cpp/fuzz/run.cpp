@@ -1,7 +1,7 @@
 // Fuzzes running: any program on any control, with parameters, rules, options, inputs and setup
-// from the input too. The run is made three ways, which have to come out alike: in one go, block by
-// block, and block by block with a copy that goes on by itself from some block on. Then both are
-// reset and run again.
+// from the input too. The run is made in every way there is, and all have to come out alike: in one
+// go, block by block, by a copy that goes on by itself from some block on, with pauses and
+// interrupts, and in parts that are taken away. Then two of the machines are reset and run again.
 #include <cstring>
 
 #include "input.hpp"
@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kLongest = 1 << 14;      // bytes of a program
 constexpr std::size_t kMostCompared = 20'000;  // rows of moves
+constexpr std::uint64_t kPlenty = 1 << 30;     // bytes that no run of a fuzzer needs
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
@@ -43,6 +44,14 @@ void same_state(const Machine& a, const Machine& b) {
   claim(same(a.motion().time(), b.motion().time()), "both took the same time");
 }
 
+template <class T>
+bool same_column(const Column<T>& a, const Column<T>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!(a[i] == b[i])) return false;
+  return true;
+}
+
 void same_rows(const Trace& a, const Trace& b) {
   claim(a.steps.size() == b.steps.size(), "both have as many steps");
   for (std::size_t i = 0; i < a.steps.size(); ++i) {
@@ -56,8 +65,12 @@ void same_rows(const Trace& a, const Trace& b) {
               x.last_step == y.last_step && x.arguments == y.arguments,
           "call by call");
   }
-  claim(a.m_codes == b.m_codes && a.t_codes == b.t_codes, "both send the same codes");
-  claim(a.messages == b.messages, "both print the same");
+  claim(a.arguments.size() == b.arguments.size(), "both pass as many arguments");
+  for (std::size_t i = 0; i < a.arguments.size(); ++i)
+    claim(same(a.arguments[i].value, b.arguments[i].value), "argument by argument");
+  claim(same_column(a.m_codes, b.m_codes) && same_column(a.t_codes, b.t_codes),
+        "both send the same codes");
+  claim(same_column(a.messages, b.messages), "both print the same");
 }
 
 void same_moves(const Moves& a, const Moves& b) {
@@ -91,7 +104,8 @@ void check(const Machine& machine, const Options& options) {
     claim(call.parent < static_cast<std::int64_t>(i), "a caller comes first");
     claim(call.first_step <= call.last_step + 1 && call.last_step < machine.blocks(),
           "a call spans steps");
-    machine.arguments(i);
+    claim(call.first_argument + std::size_t{call.arguments} <= machine.trace().arguments.size(),
+          "a call has its arguments");
   }
   for (const auto& [axis, value] : machine.motion().position())
     claim(std::isfinite(value), "a position is a number");
@@ -105,12 +119,47 @@ void step_to_the_end(Machine& machine) {
   }
 }
 
-/// Runs on, held before every other block.
+/// Runs on, held before every other block and interrupted now and then.
 void run_with_pauses(Machine& machine) {
   while (machine.stop() == Stop::Running) {
     const std::int64_t from = machine.blocks();
     machine.run({}, [from](const Machine& m) { return m.blocks() >= from + 2; });
+    if (machine.blocks() % 3 == 0) {
+      machine.interrupt();
+      machine.run({}, [from](const Machine& m) { return m.blocks() > from + 2; });
+    }
   }
+}
+
+/// Runs in parts of so many blocks; the parts together are what one run recorded.
+void run_in_parts(Machine machine, std::int64_t blocks, const Machine& whole) {
+  std::int64_t steps = 0, moves = 0;
+  std::size_t calls = 0, messages = 0;
+  bool stopped = false;
+  while (!stopped) {
+    const std::int64_t from = machine.blocks();
+    machine.run({}, blocks);
+    stopped = machine.stop() != Stop::Running;
+    const Trace part = machine.take();
+    claim(part.first_step == from && part.first_move == moves, "a part begins where one ended");
+    for (std::size_t i = 0; i < part.steps.size(); ++i)
+      claim(
+          part.steps[i].address == whole.trace().steps[static_cast<std::size_t>(steps) + i].address,
+          "the steps of a part");
+    for (std::size_t i = 0; i < part.ended_calls(); ++i)
+      claim(part.ended_call(i) < part.calls.size(), "a call that ended is in the part");
+    part.moves.bounds();
+    steps += static_cast<std::int64_t>(part.steps.size());
+    moves += static_cast<std::int64_t>(part.moves.size());
+    calls += part.ended_calls();
+    messages += part.messages.size();
+  }
+  same_stop(machine, whole);
+  same_state(machine, whole);
+  claim(steps == static_cast<std::int64_t>(whole.trace().steps.size()), "all steps in parts");
+  claim(moves == static_cast<std::int64_t>(whole.trace().moves.size()), "all moves in parts");
+  claim(calls == whole.trace().calls.size(), "all calls in parts");
+  claim(messages == whole.trace().messages.size(), "all messages in parts");
 }
 
 void write_by_hand(Machine& machine, const Job& job) {
@@ -130,11 +179,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::int32_t main = 0;
   const auto code = library_of(job, main);
 
-  Machine whole(code, main, job.options);
+  const Machine fresh(code, main, job.options);
+  Machine whole = fresh;
   whole.run({});
   check(whole, job.options);
+  // Where the memory ends a run depends on when it is looked at.
+  if (job.options.max_memory < kPlenty) return 0;
 
-  Machine stepped(code, main, job.options);
+  Machine stepped = fresh;
   for (std::size_t i = 0; i < job.copied_after && stepped.step(); ++i) {
   }
   Machine copy = stepped;
@@ -145,6 +197,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   run_with_pauses(copy);
   check(copy, job.options);
   same_run(stepped, copy);
+  run_in_parts(fresh, 1 + static_cast<std::int64_t>(job.copied_after), whole);
 
   whole = copy;
   whole.reset();

@@ -106,9 +106,9 @@ std::string read(const Machine& finished) {
   finished.trace().moves.column("mx", x.data());
   std::string text = outcome(finished);
   for (const double value : x) text += ' ' + std::to_string(value);
-  for (std::size_t call = 0; call < finished.trace().calls.size(); ++call)
-    for (const auto& [number, value] : finished.arguments(call))
-      text += " #" + std::to_string(number) + '=' + std::to_string(value);
+  const auto& arguments = finished.trace().arguments;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    text += " #" + std::to_string(arguments[i].variable) + '=' + std::to_string(arguments[i].value);
   const Code& code = finished.code();
   for (const Program& program : code.programs)
     for (Address a = program.first; a < program.last; ++a)
