@@ -27,6 +27,7 @@ def nested(levels: int, body: str = "") -> str:
 
 
 CUTS = "N10 G0 X1.\n" + "G1 X1. W-1.\n" * 90 + "N20 G1 X2. F1\n"
+LONG_PROFILES = cncsub.controls["gsk-988ta"].replace(max_profile_blocks=0)
 ENDLESS = {
     "a jump": ("fanuc-0i-f", "O1\nN10 GOTO10\n"),
     "a loop": ("fanuc-0i-f", "O1\nWHILE[1EQ1]DO1\n#1=#1+1\nEND1\n"),
@@ -52,7 +53,7 @@ ENDLESS = {
         "gsk-988ta", f"O1\nG0 X9. Z1.\nG73 U1. W1. R9999\nN5 G73 P10 Q20 U0 W0 F1\n{CUTS}GOTO5\n",
     ),
     "a long profile": (
-        "gsk-988ta", "O1\nN5 G70 P10 Q20 F1\nGOTO5\nN10 G0 X1.\n" + "X1.\n" * 50_000 + "N20 G1 X2.\n",
+        LONG_PROFILES, "O1\nN5 G70 P10 Q20 F1\nGOTO5\nN10 G0 X1.\n" + "X1.\n" * 50_000 + "N20 G1 X2.\n",
     ),
 }  # fmt: skip
 
@@ -104,7 +105,7 @@ def test_all_moves_of_a_profile_count_together() -> None:
 def test_a_contour_of_many_pieces_in_many_levels_is_refused() -> None:
     cuts = "N10 G0 X1.\n" + "G1 X1. W-.001\n" * 50_000 + "N20 G1 X900. F1\n"
     text = f"O1\nG0 X900. Z1.\nG71 U.001 R.1\nG71 P10 Q20 U0 W0 F1\n{cuts}M30\n"
-    alarm = cncsub.loads(text, control="gsk-988ta").run().alarm
+    alarm = cncsub.loads(text, control=LONG_PROFILES).run().alarm
     assert alarm is not None
     assert alarm.cause == "value-out-of-range"
 

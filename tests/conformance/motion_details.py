@@ -108,7 +108,7 @@ case(
     control="fanuc-30i", source="general knowledge, G10", evidence="inferred",
     params=MM, setup=MILL,
     program="O1\nN10 T1\nN20 G10 L10 P1\nN30 M30\n",
-    runs="N10", alarm="g10-p", at="O1 N20", number="PS0031",
+    runs="N10", alarm="g10-value-missing", at="O1 N20", number="PS0031",
 )
 case(
     "G10 L20 sets the systems of G54.1",
