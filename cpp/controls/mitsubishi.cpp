@@ -147,8 +147,8 @@ void statements(Control& c) {
   c.comparison_symbols = {false, kGeneral, kInferred};
   c.conditions_without_brackets = {false, kMZ + "864: the form of IF", kSecondary};
   c.short_functions = {false, kGeneral + ": names of their own (RND) instead", kInferred};
-  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT SQR ABS ROUND RND FIX FUP LN EXP BIN BCD", kGeneral,
-                 kInferred};
+  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT SQR ABS ROUND RND FIX FUP LN EXP BIN BCD",
+                 kGeneral, kInferred};
   c.modulo = {true, kGeneral, kInferred};
   c.vacant_address = {VacantAddress::Ignored, kGeneral, kInferred};
   c.vacant_comparison = {VacantComparison::Distinguished, kGeneral, kInferred};

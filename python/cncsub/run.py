@@ -41,8 +41,9 @@ class Variables(Mapping[int, float | None]):
     """Variables by number: what was ever set, and every other number the control has, which is
     vacant (`None`).
 
-    Iteration and `len` go over those that hold a value. Reading a number the control does not have,
-    or that cannot be read, is a `KeyError`.
+    Iteration and `len` go over those that hold a value, each under one number (the HNC shows the
+    locals of the open levels under `#200` and so on besides). Reading a number the control does not
+    have, or that cannot be read, is a `KeyError`.
     """
 
     def __init__(self, core: _core.Machine, level: int) -> None:
@@ -63,7 +64,10 @@ class Variables(Mapping[int, float | None]):
         return sum(1 for _ in self)
 
     def __contains__(self, number: object) -> bool:
-        return self._set().get(number) is not None  # type: ignore[call-overload]
+        try:
+            return self[number] is not None  # type: ignore[index]
+        except KeyError:
+            return False
 
     def _set(self) -> dict[int, float | None]:
         return self._core.variables(self._level)
