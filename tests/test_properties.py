@@ -14,7 +14,6 @@ import cncsub
 controls = st.sampled_from(list(cncsub.controls))
 
 
-
 def _is_taken(encoding: str) -> bool:
     try:
         return cncsub.loads(b"", control="fanuc-0i-f", encoding=encoding) is not None
