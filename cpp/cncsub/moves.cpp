@@ -337,45 +337,69 @@ Moves::Bounds Moves::bounds() const {
   return bounds;
 }
 
-bool Moves::column(std::string_view name, double* out) const {
+/// A column that stands in the chunks: the programmed point.
+bool Moves::plain_column(std::string_view name, double* out) const {
   const int axis = name.size() == 1 ? axis_of(name[0]) : -1;
-  if (axis >= 0 && axis < 3) {
-    for (std::size_t done = 0; done < rows_; done += Chunk::kRows) {
-      const Chunk& chunk = chunks_[done / Chunk::kRows];
-      const double* from = axis == 0 ? chunk.x : axis == 1 ? chunk.y : chunk.z;
-      std::copy_n(from, std::min(Chunk::kRows, rows_ - done), out + done);
-    }
-    return true;
-  }
-  if (axis >= 0) {
+  if (axis < 0) return false;
+  if (axis >= 3) {
     for (std::size_t i = 0; i < rows_; ++i) out[i] = point(i)[static_cast<std::size_t>(axis)];
     return true;
   }
-  const int second = name.size() == 2 ? axis_of(name[1]) : -1;
-  if (second >= 0 && name[0] == 'm') {
-    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.machine[second]; });
-  } else if (second >= 0 && second < 3 && name[0] == 'c') {
-    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.centre[second]; });
-  } else if (name == "feed") {
-    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.state->feed; });
-  } else if (name == "spindle") {
-    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.spindle; });
-  } else if (name == "length") {
-    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.length; });
-  } else if (name == "time") {
-    walk([&](std::size_t i, const MoveRow& row) { out[i] = row.time; });
-  } else {
-    return false;
+  for (std::size_t done = 0; done < rows_; done += Chunk::kRows) {
+    const Chunk& chunk = chunks_[done / Chunk::kRows];
+    const double* from = axis == 0 ? chunk.x : axis == 1 ? chunk.y : chunk.z;
+    std::copy_n(from, std::min(Chunk::kRows, rows_ - done), out + done);
   }
   return true;
 }
 
-bool Moves::column(std::string_view name, std::int64_t* out) const {
+namespace {
+
+/// A column that follows from the rows.
+struct Derived {
+  double (*value)(const MoveRow& row, std::size_t axis) = nullptr;
+  std::size_t axis = 0;
+  double* out = nullptr;
+};
+
+Derived derived(std::string_view name) {
+  const int axis = name.size() == 2 ? axis_of(name[1]) : -1;
+  const auto place = static_cast<std::size_t>(std::max(axis, 0));
+  if (axis >= 0 && name[0] == 'm')
+    return {[](const MoveRow& row, std::size_t i) { return row.machine[i]; }, place};
+  if (axis >= 0 && axis < 3 && name[0] == 'c')
+    return {[](const MoveRow& row, std::size_t i) { return row.centre[i]; }, place};
+  if (name == "feed") return {[](const MoveRow& row, std::size_t) { return row.state->feed; }};
+  if (name == "spindle") return {[](const MoveRow& row, std::size_t) { return row.spindle; }};
+  if (name == "length") return {[](const MoveRow& row, std::size_t) { return row.length; }};
+  if (name == "time") return {[](const MoveRow& row, std::size_t) { return row.time; }};
+  return {};
+}
+
+}  // namespace
+
+bool Moves::columns(const std::vector<std::string>& names, const std::vector<double*>& out) const {
+  std::vector<Derived> follow;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (plain_column(names[i], out[i])) continue;
+    follow.push_back(derived(names[i]));
+    if (follow.back().value == nullptr) return false;
+    follow.back().out = out[i];
+  }
+  if (follow.empty()) return true;
+  walk([&](std::size_t i, const MoveRow& row) {
+    for (const Derived& column : follow) column.out[i] = column.value(row, column.axis);
+  });
+  return true;
+}
+
+template <class Whole>
+bool Moves::column(std::string_view name, Whole* out) const {
   const auto fill = [&](auto value) {
     for (std::size_t i = 0; i < rows_; ++i) {
       const Chunk& chunk = chunks_[i / Chunk::kRows];
       const std::size_t place = i % Chunk::kRows;
-      out[i] = static_cast<std::int64_t>(value(chunk, place, i));
+      out[i] = static_cast<Whole>(value(chunk, place, i));
     }
     return true;
   };
@@ -395,6 +419,9 @@ bool Moves::column(std::string_view name, std::int64_t* out) const {
   if (name == "feed_mode") return state([](const MoveState& s) { return s.feed_mode; });
   return false;
 }
+
+template bool Moves::column(std::string_view name, std::int32_t* out) const;
+template bool Moves::column(std::string_view name, std::int64_t* out) const;
 
 std::size_t Moves::bytes() const {
   std::size_t sum = chunks_.size() * sizeof(Chunk) + states_.bytes() + offsets_.bytes() +

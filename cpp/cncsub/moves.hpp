@@ -67,11 +67,12 @@ class Moves {
     Axes low, high;  // work coordinates; NaN on an axis no move named
   };
   Bounds bounds() const;
-  /// Writes a whole column: x y z a b c u v w, mx my mz ma ..., cx cy cz, feed, spindle, length,
-  /// time; false for another name.
-  bool column(std::string_view name, double* out) const;
+  /// Writes whole columns, each to its place, in one pass over the moves: x y z a b c u v w, mx my
+  /// mz ma ..., cx cy cz, feed, spindle, length, time. False where a name is another one.
+  bool columns(const std::vector<std::string>& names, const std::vector<double*>& out) const;
   /// move, step, kind, plane, tool, h, d, feed_mode.
-  bool column(std::string_view name, std::int64_t* out) const;
+  template <class Whole>
+  bool column(std::string_view name, Whole* out) const;
   std::size_t bytes() const;
 
   // What the motion engine writes.
@@ -157,6 +158,7 @@ class Moves {
   };
 
   void grow();
+  bool plain_column(std::string_view name, double* out) const;
   void push_extras(const Axes& point);
   Axes point(std::size_t row) const;
   template <class Use>

@@ -78,8 +78,8 @@ void same_moves(const Moves& a, const Moves& b) {
   if (a.size() == 0 || a.size() > kMostCompared) return;
   std::vector<double> x(a.size()), y(a.size());
   for (const char* name : {"x", "w", "mz", "cx", "feed", "spindle", "length", "time"}) {
-    a.column(name, x.data());
-    b.column(name, y.data());
+    a.columns({name}, {x.data()});
+    b.columns({name}, {y.data()});
     claim(std::equal(x.begin(), x.end(), y.begin(), same), "move by move");
   }
 }

@@ -103,7 +103,7 @@ std::string go_on(const Machine& half_way) {
 
 std::string read(const Machine& finished) {
   std::vector<double> x(finished.trace().moves.size());
-  finished.trace().moves.column("mx", x.data());
+  finished.trace().moves.columns({"mx"}, {x.data()});
   std::string text = outcome(finished);
   for (const double value : x) text += ' ' + std::to_string(value);
   const auto& arguments = finished.trace().arguments;

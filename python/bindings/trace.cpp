@@ -145,33 +145,54 @@ py::dict call_arguments(const Record& record, std::size_t index) {
   return values;
 }
 
-py::array move_column(const Record& record, const std::string& name) {
-  const Record::Reading reading(record);
+bool is_whole(const std::string& name) {
+  return name == "move" || name == "step" || name == "kind" || name == "plane" || name == "tool" ||
+         name == "h" || name == "d" || name == "feed_mode";
+}
+
+template <class Whole>
+py::array whole_move_column(const Record& record, const std::string& name) {
   const Moves& moves = record.trace().moves;
-  const auto rows = static_cast<py::ssize_t>(moves.size());
-  const bool whole = name == "move" || name == "step" || name == "kind" || name == "plane" ||
-                     name == "tool" || name == "h" || name == "d" || name == "feed_mode";
-  if (whole) {
-    py::array_t<std::int64_t> array(rows);
-    std::int64_t* out = array.mutable_data();
-    py::gil_scoped_release release;
-    moves.column(name, out);
+  py::array_t<Whole> array(static_cast<py::ssize_t>(moves.size()));
+  Whole* const out = array.mutable_data();
+  py::gil_scoped_release release;
+  moves.column(name, out);
+  if constexpr (sizeof(Whole) == 8) {
     if (name == "step")
-      for (py::ssize_t i = 0; i < rows; ++i)
+      for (std::size_t i = 0; i < moves.size(); ++i)
         out[i] = record.trace().step_of_move(static_cast<std::uint32_t>(out[i]));
     if (name == "move")
-      for (py::ssize_t i = 0; i < rows; ++i) out[i] += record.trace().first_move;
-    return array;
+      for (std::size_t i = 0; i < moves.size(); ++i) out[i] += record.trace().first_move;
   }
-  py::array_t<double> array(rows);
-  double* out = array.mutable_data();
+  return array;
+}
+
+/// Columns of the moves; those that follow from the rows are worked out together.
+py::dict move_columns(const Record& record, const std::vector<std::string>& names) {
+  const Record::Reading reading(record);
+  const Moves& moves = record.trace().moves;
+  py::dict columns;
+  std::vector<std::string> lengths;
+  std::vector<double*> places;
+  for (const std::string& name : names) {
+    if (is_whole(name)) {
+      const bool texts = name == "kind" || name == "feed_mode";
+      columns[py::str(name)] = texts ? whole_move_column<std::int32_t>(record, name)
+                                     : whole_move_column<std::int64_t>(record, name);
+      continue;
+    }
+    py::array_t<double> array(static_cast<py::ssize_t>(moves.size()));
+    lengths.push_back(name);
+    places.push_back(array.mutable_data());
+    columns[py::str(name)] = std::move(array);
+  }
   bool known = false;
   {
     py::gil_scoped_release release;
-    known = moves.column(name, out);
+    known = moves.columns(lengths, places);
   }
-  if (!known) throw py::key_error(name);
-  return array;
+  if (!known) throw py::key_error("no such column");
+  return columns;
 }
 
 std::string axis_name(char axis, const char* before = "") {
@@ -270,7 +291,7 @@ void add_trace(py::module_& m) {
       .def_property_readonly("kind_names", [](const Record&) { return names_to(CallKind::Ascii); })
       .def_property_readonly("moves", size([](const Trace& trace) { return trace.moves.size(); }))
       .def("move_row", &move_row, py::arg("index"))
-      .def("move_column", &move_column, py::arg("name"))
+      .def("move_columns", &move_columns, py::arg("names"))
       .def_property_readonly("move_kinds", [](const Record&) { return names_to(MoveKind::Dwell); })
       .def_property_readonly("move_axes", &move_axes)
       .def_property_readonly("path_length",

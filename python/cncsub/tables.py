@@ -58,7 +58,7 @@ class Table(Generic[Row]):
     def _row(self, index: int) -> Row:
         raise NotImplementedError
 
-    def _fetch(self, name: str) -> Column:
+    def _fetch(self, names: list[str]) -> dict[str, Column]:
         raise NotImplementedError
 
     def _texts(self, name: str) -> list[str] | None:
@@ -73,13 +73,16 @@ class Table(Generic[Row]):
             raise KeyError(
                 f"{self._title} have no column {name!r}; there are {', '.join(self.columns)}"
             )
-        known = self._columns.get(name)
-        if known is None or len(known) != len(self):
-            known = self._fetch(name)
-            if self._texts(name) is not None:
-                known = known.astype("int32", copy=False)
-            self._columns[name] = known
-        return known
+        return self._fetched([name])[name]
+
+    def _fetched(self, names: list[str]) -> dict[str, Column]:
+        """These columns; those that were not asked for before, or have grown, are made together."""
+        rows = len(self)
+        known = {name: self._columns.get(name) for name in names}
+        missing = [n for n, column in known.items() if column is None or len(column) != rows]
+        if missing:
+            self._columns.update(self._fetch(missing))
+        return {name: self._columns[name] for name in names}
 
     def __getattr__(self, name: str) -> Column:
         # Names with an underscore are never columns; asking for one must not call back into this
@@ -122,6 +125,7 @@ class Table(Generic[Row]):
         (`cncsub[pandas]`).
         """
         pandas = optional_module("pandas")
+        self._fetched(self.columns)
         frame: pd.DataFrame = pandas.DataFrame(
             {name: self._written_out(name) for name in self.columns}, copy=False
         )
@@ -139,6 +143,7 @@ class Table(Generic[Row]):
         codes. Needs `cncsub[arrow]`.
         """
         arrow = optional_module("pyarrow")
+        self._fetched(self.columns)
 
         def array(name: str) -> Any:
             values = arrow.array(self.column(name))
@@ -256,8 +261,8 @@ class Steps(Table[Step]):
         step, program, n, line, depth, frame, repeat = self._core.step_row(index)
         return Step(step, program, _known(n), line, depth, frame, repeat)
 
-    def _fetch(self, name: str) -> Column:
-        return self._core.step_column(name)
+    def _fetch(self, names: list[str]) -> dict[str, Column]:
+        return {name: self._core.step_column(name) for name in names}
 
     def _texts(self, name: str) -> list[str] | None:
         return self.programs if name == "program" else None
@@ -317,8 +322,8 @@ class Calls(Table[Call]):
             arguments,
         )
 
-    def _fetch(self, name: str) -> Column:
-        return self._core.call_column(name)
+    def _fetch(self, names: list[str]) -> dict[str, Column]:
+        return {name: self._core.call_column(name) for name in names}
 
     def _texts(self, name: str) -> list[str] | None:
         return {"program": self.programs, "kind": self.kinds}.get(name)
@@ -421,8 +426,8 @@ class Moves(Table[Move]):
         values = {name: _number(row[name]) for name in self.columns}
         return Move(**{**values, "feed_mode": self.feed_modes[row["feed_mode"]]})
 
-    def _fetch(self, name: str) -> Column:
-        return self._core.move_column(name)
+    def _fetch(self, names: list[str]) -> dict[str, Column]:
+        return self._core.move_columns(names)
 
     def _texts(self, name: str) -> list[str] | None:
         return {"kind": self.kinds, "feed_mode": self.feed_modes}.get(name)
@@ -437,6 +442,7 @@ def records(table: Table[Any]) -> Iterator[Mapping[str, Any]]:
     `None`.
     """
     names = table.columns
+    table._fetched(names)
     columns = [_plain_values(table, name) for name in names]
     for values in zip(*columns, strict=True):
         yield dict(zip(names, values, strict=True))
