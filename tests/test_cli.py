@@ -361,6 +361,15 @@ def test_moves_are_written_while_the_program_runs(job: Path) -> None:
     assert moves.read()["x"].to_pylist()[-1] == 100_001.0
 
 
+def test_a_program_is_not_written_over(job: Path) -> None:
+    text = (job / "good.nc").read_bytes()
+    for command in ("run", "tree"):
+        done = Done(command, job / "good.nc", "-c", CONTROL, "-o", job / "." / "good.nc")
+        assert done.status == 2
+        assert "name another file" in done.error
+    assert (job / "good.nc").read_bytes() == text
+
+
 def test_typed_text_has_no_table_of_moves(job: Path) -> None:
     done = Done("run", "--mdi", "G0 X1.", "-c", CONTROL, "--format", "csv")
     assert done.status == 2

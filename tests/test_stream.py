@@ -216,6 +216,8 @@ def test_a_stream_goes_to_parquet(tmp_path: Path) -> None:
     pattern = tmp_path / "run" / "steps-*.parquet"
     counted = duckdb.sql(f"select program, count(*) from '{pattern}' group by 1").fetchall()
     assert dict(counted) == pd.Series(run.steps.to_pandas()["program"]).value_counts().to_dict()
+    library.stream(main="O4").to_parquet(tmp_path / "dwell")
+    assert pd.read_parquet(tmp_path / "dwell" / "calls-000000.parquet").empty
     with pytest.raises(FileExistsError, match="another folder"):
         library.stream().to_parquet(tmp_path / "run")
 
@@ -270,7 +272,8 @@ def test_tables_reach_other_libraries_with_one_copy() -> None:
             codes = chunk.indices if pa.types.is_dictionary(chunk.type) else chunk
             assert codes.buffers()[1].address == column.ctypes.data, f"Arrow copies {name}"
             if rows._texts(name) is None:
-                assert np.shares_memory(frame[name].to_numpy(), column), f"pandas copies {name}"
+                assert frame[name].to_numpy().base is not None, f"pandas copies {name}"
+                assert not np.shares_memory(frame[name].to_numpy(), column), "a frame is its own"
                 series = pl.DataFrame(rows)[name]
                 assert np.shares_memory(series.to_numpy(allow_copy=False), column), name
 

@@ -35,6 +35,8 @@ struct Frame {
   std::string called;  // the called program
   std::int64_t repeat = 1;
   std::int64_t repeats = 1;
+
+  bool operator==(const Frame&) const = default;
 };
 
 struct Alarm {
@@ -51,6 +53,8 @@ struct Alarm {
   std::string detail;
   std::string source_line;    // the text of the line
   std::vector<Frame> frames;  // innermost first
+
+  bool operator==(const Alarm&) const = default;
 };
 
 /// The message for people: what, where, the line with a caret, and the callers.

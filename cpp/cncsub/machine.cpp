@@ -150,6 +150,7 @@ bool Machine::passes(const Block& block) {
 }
 
 bool Machine::step() {
+  if (stop_ == Stop::Interrupted) stop_ = Stop::Running;
   if (stop_ != Stop::Running) return false;
   const std::int64_t before = executed_;
   while (stop_ == Stop::Running && executed_ == before) {

@@ -312,7 +312,7 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
     row.kind = record.kind;
     row.caller_step = executed_ - 1;
     row.first_step = executed_;
-    row.last_step = executed_ - 1;
+    row.last_step = -1;  // until it ends
     row.first_argument = static_cast<std::uint32_t>(trace_.arguments.size());
     if (open.own_locals)
       for (std::size_t i = 0; i < scratch_.size(); ++i)

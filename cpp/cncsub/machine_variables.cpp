@@ -217,6 +217,7 @@ bool Machine::cleared_by_reset(std::int64_t number) const {
 }
 
 void Machine::reset() {
+  finish();
   motion_.reset();
   modals_.clear();
   loops_.clear();

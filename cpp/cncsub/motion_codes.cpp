@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace cncsub {
 namespace {
@@ -204,7 +205,7 @@ void GCodes::change(std::string_view text) {
     if (equals == std::string_view::npos) continue;
     const std::string_view number = item.substr(0, equals);
     std::from_chars(number.data(), number.data() + number.size(), code);
-    if (!(code >= 0 && code <= 1000)) continue;
+    if (std::isnan(code) || code < 0 || code > 1000) continue;
     for (const Word& word : kWords)
       if (word.word == item.substr(equals + 1))
         set({static_cast<std::int16_t>(code * 10 + 0.5), word.group, word.meaning});

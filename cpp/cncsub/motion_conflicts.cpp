@@ -189,23 +189,18 @@ constexpr Conflict kConflicts[] = {
 
 }  // namespace
 
-std::vector<Cause> refused_causes(const Control& control) {
-  std::vector<Cause> list;
+Causes refused_causes(const Control& control) {
+  Causes list;
   const std::string named = " " + control.refuses.value + " ";
   const auto& causes = all_causes();
   for (std::size_t i = 0; i < causes.size(); ++i)
-    if (named.find(" " + std::string(causes[i].slug) + " ") != std::string::npos)
-      list.push_back(static_cast<Cause>(i));
+    if (named.find(" " + std::string(causes[i].slug) + " ") != std::string::npos) list.set(i);
   return list;
-}
-
-bool MotionFacts::refuses(Cause cause) const {
-  return std::find(refused.begin(), refused.end(), cause) != refused.end();
 }
 
 /// What may not stand together, before anything changes.
 std::optional<Fault> Motion::check_conflicts(const BlockWords& block) const {
-  if (facts_->refused.empty()) return std::nullopt;
+  if (facts_->refused.none()) return std::nullopt;
   for (const Conflict& conflict : kConflicts)
     if (facts_->refuses(conflict.cause) && conflict.applies(s_, block))
       return fault(conflict.cause, block);

@@ -6,8 +6,7 @@ namespace cncsub {
 namespace {
 
 /// The value of a word written ",C" or "L"; false where the block has none.
-bool corner_word(const NcWords& words, const std::string& name, double& value,
-                 std::uint32_t& mask) {
+bool corner_word(const NcWords& words, std::string_view name, double& value, std::uint32_t& mask) {
   int place = -1;
   if (name == ",C")
     place = kCommaC;
@@ -22,11 +21,11 @@ bool corner_word(const NcWords& words, const std::string& name, double& value,
 }
 
 /// C and R without a comma are words of lathes only.
-bool any_corner_word(const NcWords& words, const Codes& names, bool lathe, double& value,
+bool any_corner_word(const NcWords& words, std::string_view names, bool lathe, double& value,
                      std::uint32_t& mask) {
   for (std::size_t first = 0; first < names.size();) {
     const std::size_t blank = std::min(names.find(' ', first), names.size());
-    const std::string name = names.substr(first, blank - first);
+    const std::string_view name = names.substr(first, blank - first);
     if ((lathe || (name != "C" && name != "R")) && corner_word(words, name, value, mask))
       return true;
     first = blank + 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -53,8 +54,9 @@ inline Axes operator-(Axes a, const Axes& b) {
   return a;
 }
 
-/// The causes that the rule `refuses` names.
-std::vector<Cause> refused_causes(const Control& control);
+/// The causes that the rule `refuses` names, one bit each.
+using Causes = std::bitset<512>;
+Causes refused_causes(const Control& control);
 
 struct MotionFacts {
   MotionFacts(std::shared_ptr<const Control> c, const Setup& setup);
@@ -75,10 +77,10 @@ struct MotionFacts {
     double low, high;
   };
   std::vector<Limit> limits;
-  std::vector<Cause> refused;
+  Causes refused;
 
   /// Whether the control refuses what this cause names.
-  bool refuses(Cause cause) const;
+  bool refuses(Cause cause) const { return refused[static_cast<std::size_t>(cause)]; }
   bool lathe() const { return machine != MachineType::Mill; }
   /// What a length of this axis counts in a path: half on a diameter axis.
   double share(int axis) const { return (diameters >> axis & 1) != 0 ? 0.5 : 1; }

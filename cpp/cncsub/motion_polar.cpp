@@ -44,9 +44,8 @@ Motion::Result Motion::set_rotation(BlockWords& block) {
     turned.frame = facts_->lathe();
     for (int i = 0; i < 3; ++i) {
       const char name = kAxisNames[static_cast<std::size_t>(i)];
-      turned.centre[i] = s_.work[i];
-      if (block.words.has(name))
-        turned.centre[i] = number(block, name) + (s_.incremental ? s_.work[i] : 0);
+      // The centre is absolute under G91 as well. [B-64113EN p.789]
+      turned.centre[i] = block.words.has(name) ? number(block, name) : s_.work[i];
     }
     block.consumed = true;
   }
@@ -63,8 +62,8 @@ Motion::Result Motion::set_scaling(BlockWords& block) {
   block.consumed = true;
   for (int i = 0; i < 3; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)], own = "IJK"[i];
-    s_.turned.scale_centre[i] =
-        w.has(name) ? number(block, name) + (s_.incremental ? s_.work[i] : 0) : s_.work[i];
+    // As the centre of rotation. [B-63682EN p.117]
+    s_.turned.scale_centre[i] = w.has(name) ? number(block, name) : s_.work[i];
     double scale = w.has('P') ? scale_of(block, 'P') : w.has(own) ? scale_of(block, own) : 1;
     if (scale == 0) return fault(Cause::ScaleZero, block);
     if (scale < 0 && facts_->refuses(Cause::ScaleNegative))

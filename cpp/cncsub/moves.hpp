@@ -148,8 +148,8 @@ class Moves {
 
     Room() = default;
     Room(const Room&) {}
-    Room& operator=(const Room&) {
-      *this = Room();
+    Room& operator=(const Room& other) {
+      if (this != &other) *this = Room();
       return *this;
     }
     Room(Room&&) noexcept = default;

@@ -299,6 +299,9 @@ def _asked(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
 
 
 def _library(options: Mapping[str, Any]) -> cncsub.Library:
+    output = options["output"]
+    if output is not None and any(output.resolve() == p.resolve() for p in options["paths"] or ()):
+        raise ValueError(f"{output} is the program; name another file to write to")
     control = _control(options["control"])
     if options["param"]:
         pairs = (_named_value("--param", text) for text in options["param"])

@@ -118,6 +118,8 @@ def _checked_path(path: StrPath) -> Path:
             " loads() takes the text of a program"
         )
     name = os.fspath(path)
+    if not name:
+        raise FileNotFoundError(errno.ENOENT, "an empty path", name)
     if "\0" in name or "\n" in name:
         raise ValueError("this is no path; cncsub.loads() takes the text of a program")
     return Path(name)

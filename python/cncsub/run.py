@@ -36,6 +36,9 @@ class AlarmError(Exception):
         super().__init__(str(alarm))
         self.alarm = alarm
 
+    def __reduce__(self) -> tuple[type[AlarmError], tuple[Alarm]]:
+        return AlarmError, (self.alarm,)
+
 
 class Variables(Mapping[int, float | None]):
     """Variables by number: what was ever set, and every other number the control has, which is
@@ -260,10 +263,11 @@ class Machine(_Outcome):
         `until` stops before a block: a `Block`, or program and sequence number such as `("O2",
         30)`. A whole number stops where no more than that many calls are open:
         `machine.run(until=len(machine.stack) - 1)` steps out. Returns `None` where it stopped
-        there. An unknown program or block is a `KeyError`.
+        there. An unknown program or block is a `KeyError`. A machine that Ctrl-C stopped goes on.
         """
         self._core.run(None if until is None else self._place(until))
-        return None if self._core.stop is None else Run(self._core)
+        # The machine may go on; the run stays what it is.
+        return None if self._core.stop is None else Run(self._core.copy())
 
     def _place(self, until: Until) -> tuple[int, int]:
         if isinstance(until, Block):

@@ -111,11 +111,14 @@ class _Files:
         self._number = 0
         self._rows = 0
         self._writer: ParquetWriter | None = None
+        self._schema: Any = None
 
     def write(self, table: Table[Any]) -> None:
+        rows = table.to_arrow()
+        if self._schema is None:
+            self._schema = rows.schema
         if len(table) == 0:
             return
-        rows = table.to_arrow()
         if self._writer is None:
             parquet = optional_module("pyarrow.parquet")
             self._writer = parquet.ParquetWriter(self._path(whole=False), rows.schema)
@@ -140,4 +143,8 @@ class _Files:
         return self
 
     def __exit__(self, *_: object) -> None:
+        if self._number == 0 and self._writer is None and self._schema is not None:
+            # A table without rows is a file without rows.
+            parquet = optional_module("pyarrow.parquet")
+            self._writer = parquet.ParquetWriter(self._path(whole=False), self._schema)
         self._finish()

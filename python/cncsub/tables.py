@@ -34,9 +34,9 @@ _SHOWN = 5  # rows at the head and at the end of a printed table
 class Table(Generic[Row]):
     """Rows and columns of one kind. `table[5]` is a row, `table["n"]` and `table.n` are columns.
 
-    A column is a NumPy array as long as the table. A column of texts holds `int32` codes; the texts
-    stand beside it (`table.programs[code]`) and are written out in rows, pandas and Arrow. Where a
-    row has `None`, an integer column has -1 and a column of lengths NaN.
+    A column is a NumPy array as long as the table, to be read. A column of texts holds `int32`
+    codes; the texts stand beside it (`table.programs[code]`) and are written out in rows, pandas
+    and Arrow. Where a row has `None`, an integer column has -1 and a column of lengths NaN.
     """
 
     _title: ClassVar[str]
@@ -81,7 +81,9 @@ class Table(Generic[Row]):
         known = {name: self._columns.get(name) for name in names}
         missing = [n for n, column in known.items() if column is None or len(column) != rows]
         if missing:
-            self._columns.update(self._fetch(missing))
+            for name, column in self._fetch(missing).items():
+                column.flags.writeable = False  # what ran cannot be changed
+                self._columns[name] = column
         return {name: self._columns[name] for name in names}
 
     def __getattr__(self, name: str) -> Column:
@@ -121,21 +123,20 @@ class Table(Generic[Row]):
     # Other libraries.
 
     def to_pandas(self) -> pd.DataFrame:
-        """A `pandas.DataFrame` on the columns as they are, texts written out. Needs pandas
+        """A `pandas.DataFrame` of its own columns, texts written out. Needs pandas
         (`cncsub[pandas]`).
         """
         pandas = optional_module("pandas")
-        self._fetched(self.columns)
+        columns = self._fetch(self.columns)  # of its own: a frame may be changed
         frame: pd.DataFrame = pandas.DataFrame(
-            {name: self._written_out(name) for name in self.columns}, copy=False
+            {name: self._written_out(name, column) for name, column in columns.items()}, copy=False
         )
         return frame
 
-    def _written_out(self, name: str) -> Column:
+    def _written_out(self, name: str, column: Column) -> Column:
         import numpy as np
 
         texts = self._texts(name)
-        column = self.column(name)
         return column if texts is None else np.array(texts or [""], dtype=object)[column]
 
     def to_arrow(self) -> pa.Table:

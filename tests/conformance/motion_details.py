@@ -204,3 +204,43 @@ case(
         R Z5
     """,
 )
+case(
+    "the centre of G68 is absolute under G91 as well",
+    control=["fanuc-16i", "fanuc-0i-f", "fanuc-30i"],
+    source="B-64113EN p.789: absolute command", evidence="maker's manual",
+    params=MM, setup=MILL,
+    program="""
+        O1
+        N10 G90 G0 X10 Y10
+        N20 G91 G68 X0 Y0 R90
+        N30 G90 G0 X20 Y0
+        N40 M30
+    """,
+    centre="X10 Y10 | X0 Y20",
+)
+case(
+    "the centre of G51 is absolute under G91 as well",
+    control=["fanuc-16i", "fanuc-0i-f", "fanuc-30i"],
+    source="B-63682EN p.117: absolute command of the centre", evidence="maker's manual",
+    params=MM, setup=MILL,
+    program="""
+        O1
+        N10 G90 G0 X10 Y10
+        N20 G91 G51 X0 Y0 P2000
+        N30 G90 G0 X20 Y0
+        N40 M30
+    """,
+    centre="X10 Y10 | X40 Y0",
+)
+case(
+    "a thread under G96 turns with the surface speed",
+    control="gsk-988ta", source="Talm 102 is for a spindle that stands", evidence="inferred",
+    program="""
+        O1
+        N10 G96 S100 M3
+        N20 G0 X20
+        N30 G32 Z-10 F1
+        N40 M30
+    """,
+    runs="N10 N20 N30 N40",
+)
