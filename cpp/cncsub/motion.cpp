@@ -383,9 +383,18 @@ Motion::Result Motion::motion(BlockWords& block) {
 }
 
 Motion::Result Motion::need_feed(const BlockWords& block, Meaning meaning) const {
-  if (meaning == Meaning::Rapid || s_.feed > 0 || !facts_->control->feed_needed.value)
-    return std::nullopt;
-  return fault(Cause::NoFeed, block);
+  if (meaning == Meaning::Rapid) return std::nullopt;
+  if (s_.feed <= 0 && facts_->control->feed_needed.value) return fault(Cause::NoFeed, block);
+  if (lacks_speed()) return fault(Cause::NoSpeed, block);
+  return std::nullopt;
+}
+
+/// Whether a cut would wait for a spindle that was never told how fast to turn.
+bool Motion::lacks_speed() const {
+  const bool revolutions =
+      s_.surface || s_.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
+  return revolutions && (s_.surface ? s_.surface_speed : s_.speed) <= 0 &&
+         facts_->refuses(Cause::NoSpeed);
 }
 
 Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
@@ -495,7 +504,7 @@ void Motion::settle() {
              !compensating() && s_.held.corner.empty() && s_.held.radius.empty() &&
              !s_.held.engaged && feed != Meaning::InverseTime &&
              s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() &&
-             facts_->limits.empty() && !s_.surface && !s_.tool_pending &&
+             facts_->limits.empty() && !s_.surface && !lacks_speed() && !s_.tool_pending &&
              facts_->control->max_feed.value == 0;
 }
 

@@ -138,6 +138,7 @@ class Motion {
   Result straight(BlockWords& block, Meaning meaning);
   Result dwell(BlockWords& block);
   Result need_feed(const BlockWords& block, Meaning meaning) const;
+  bool lacks_speed() const;
   Fault fault(Cause cause, const BlockWords& block, std::string detail = {}) const;
   void settle();
   double raw(const BlockWords& block, char address) const;

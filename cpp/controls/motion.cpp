@@ -309,7 +309,7 @@ void mitsubishi_rules(Control& c) {
   c.missing_radius_offset = {MissingOffset::Alarm, "MZ 839, paired with P170", Secondary};
   c.refuses = {
       "rotation-plane cycle-in-offset reference-with-end reference-with-m local-in-extra-system "
-      "tap-without-lead tap-without-speed",
+      "tap-without-lead tap-without-speed no-spindle-speed",
       "MZ 824, 901, 920, 921, 949, paired with P111, P155, P435, P436, P438; "
       "MZ 906, 908 with P181, P183",
       Secondary};
@@ -368,6 +368,7 @@ void mitsubishi_alarms(Control& c) {
        {Cause::Taper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
        {Cause::FaceTaper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
        {Cause::PqNotFound, "P201", "Program error (MRC)", "MZ 897, paired", Secondary},
+       {Cause::NoSpeed, "P132", "", "general knowledge", Inferred},
        {Cause::ProfileTooLong, "P202", "Block over (MRC)", "MZ 898, paired", Secondary},
        {Cause::ProfileNotMonotone, "P203", "Program error (MRC)", "MZ 897, paired", Secondary},
        {Cause::CornerNoMove, "P382", "No corner movement", "MZ 912, paired", Secondary},
@@ -636,9 +637,10 @@ void gsk_980mdi(Control& c) {
       "plane-change-in-mirror coordinate-setting-in-rotation work-system-in-rotation "
       "length-in-rotation data-in-rotation cycle-in-rotation rotation-plane-in-cycle "
       "pattern-without-cycle corner-at-offset-start corner-in-helix cycle-repeats-twice "
-      "tap-without-lead g10-axis-missing scale-negative "
+      "tap-without-lead g10-axis-missing scale-negative no-spindle-speed "
       "helix-without-travel",
-      "MDib 0014, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, 0204, 0216, 0218, "
+      "MDib 0013, 0014, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, 0204, 0216, "
+      "0218, "
       "0243, 0247, "
       "0278",
       Manual};
@@ -740,6 +742,7 @@ void gsk_980mdi(Control& c) {
        {Cause::PatternWithoutCycle, "0216", "G140 to G144 without a drilling code", "MDib 0216",
         Manual},
        {Cause::TapLead, "0218", "no pitch in G74, G84", "MDib 0218", Manual},
+       {Cause::NoSpeed, "0013", "no S with G95", "MDib 0013", Manual},
        {Cause::TapSpeed, "0230", "S is 0", "MDib 0230", Manual},
        {Cause::CornerHelix, "0278", "a chamfer in a helix", "MDib 0278", Manual},
        {Cause::G10L, "0244", "L of G10", "MDib 0244", Manual},

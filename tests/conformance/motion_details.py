@@ -244,3 +244,31 @@ case(
     """,
     runs="N10 N20 N30 N40",
 )
+case(
+    "a feed per revolution without a speed alarms",
+    control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800", "gsk-980mdi"],
+    source="general knowledge, P132; MDib 0013", evidence="inferred",
+    program="""
+        O1
+        N10 G90 G95
+        N20 G1 X10. F0.1
+        N30 M30
+    """,
+    runs="N10", alarm="no-spindle-speed", at="O1 N20",
+    number={
+        "mitsubishi-meldas": "P132", "mitsubishi-m700": "P132", "mitsubishi-m800": "P132",
+        "gsk-980mdi": "0013",
+    },
+)
+case(
+    "a feed per revolution with a speed cuts",
+    control=["mitsubishi-m700", "gsk-980mdi"],
+    source="general knowledge, P132; MDib 0013", evidence="inferred",
+    program="""
+        O1
+        N10 G90 G95 S500 M3
+        N20 G1 X10. F0.1
+        N30 M30
+    """,
+    runs="N10 N20 N30",
+)
