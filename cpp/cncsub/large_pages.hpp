@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <vector>
@@ -12,6 +13,18 @@
 #endif
 
 namespace cncsub {
+
+constexpr std::size_t kLargePage = std::size_t{2} << 20;
+
+/// Asks for large pages where memory was not touched yet. It is advice: without them all goes on.
+inline void advise_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+  const auto first = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t from = (first + kLargePage - 1) / kLargePage * kLargePage;
+  const std::uintptr_t to = (first + bytes) / kLargePage * kLargePage;
+  if (from < to) madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);
+#endif
+}
 
 template <class T>
 struct LargePages {
@@ -25,12 +38,10 @@ struct LargePages {
     if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
     const std::size_t bytes = count * sizeof(T);
     if (bytes < kLarge) return static_cast<T*>(::operator new(bytes));
-    const std::size_t whole = (bytes + kPage - 1) / kPage * kPage;
-    void* const memory = std::aligned_alloc(kPage, whole);
+    const std::size_t whole = (bytes + kLargePage - 1) / kLargePage * kLargePage;
+    void* const memory = std::aligned_alloc(kLargePage, whole);
     if (memory == nullptr) throw std::bad_alloc();
-#ifdef MADV_HUGEPAGE
-    madvise(memory, whole, MADV_HUGEPAGE);  // advice: without them all goes on
-#endif
+    advise_large_pages(memory, whole);
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t count) {
@@ -42,7 +53,7 @@ struct LargePages {
   bool operator==(const LargePages&) const { return true; }
 
  private:
-  static constexpr std::size_t kPage = std::size_t{2} << 20, kLarge = 4 * kPage;
+  static constexpr std::size_t kLarge = 4 * kLargePage;
 };
 
 /// A vector that may grow to many megabytes.

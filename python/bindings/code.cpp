@@ -3,6 +3,8 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "bindings.hpp"
 #include "cncsub/words.hpp"
 
@@ -24,17 +26,30 @@ struct ProgramData {
   }
 };
 
-using FileRow = std::tuple<std::string, std::string, std::vector<py::str>, bool>;
+using FileRow = std::tuple<std::string, std::string, std::vector<py::object>, bool>;
+
+/// What stands in a piece: a text, or bytes that are UTF-8.
+std::string_view view_of(const py::object& piece) {
+  if (PyByteArray_Check(piece.ptr()) != 0)
+    return {PyByteArray_AsString(piece.ptr()),
+            static_cast<std::size_t>(PyByteArray_Size(piece.ptr()))};
+  return piece.cast<std::string_view>();
+}
 
 /// The pieces as one text. Ctrl-C is let in between.
-std::string joined(const std::vector<py::str>& pieces) {
+std::string joined(const std::vector<py::object>& pieces) {
+  constexpr std::size_t kOnce = std::size_t{1} << 22;
   std::size_t bytes = 0;
-  for (const py::str& piece : pieces) bytes += piece.cast<std::string_view>().size();
+  for (const py::object& piece : pieces) bytes += view_of(piece).size();
   std::string text;
   text.reserve(bytes);
-  for (const py::str& piece : pieces) {
-    text += piece.cast<std::string_view>();
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  advise_large_pages(text.data(), bytes);
+  for (const py::object& piece : pieces) {
+    for (std::string_view left = view_of(piece); !left.empty();) {
+      text += left.substr(0, kOnce);
+      left.remove_prefix(std::min(kOnce, left.size()));
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
   }
   return text;
 }

@@ -150,7 +150,7 @@ class Code:
 
 def compile(
     control: Control,
-    files: Sequence[tuple[str, str, list[str], bool]],
+    files: Sequence[tuple[str, str, list[str | bytes | bytearray], bool]],
     external_device: bool = False,
 ) -> Code:
     """Files as (name shown, stem that names a program without a head, text in pieces, external)."""

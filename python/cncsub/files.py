@@ -78,7 +78,7 @@ class TextFile:
 
     name: str
     stem: str
-    pieces: list[str]
+    pieces: list[str | Data]
 
 
 @dataclass(slots=True)
@@ -277,10 +277,15 @@ def _read_bytes(path: Path) -> tuple[Data | None, str]:
             return None, "not a regular file"
         if status.st_size > LARGEST_FILE:
             return None, f"larger than {LARGEST_FILE >> 20} MiB"
-        data = bytearray()
-        size = min(status.st_size + 1, _PIECE)
-        while len(data) < LARGEST_FILE and (piece := file.read(size)):
-            data += piece  # Python looks for Ctrl-C between two reads
+        data = bytearray(status.st_size)
+        filled = 0
+        with memoryview(data) as places:
+            # Python looks for Ctrl-C between two reads.
+            while count := file.readinto(places[filled : filled + _PIECE]):
+                filled += count
+        del data[filled:]
+        while len(data) < LARGEST_FILE and (piece := file.read(1 << 16)):
+            data += piece  # the file has grown
         return data, ""
 
 
@@ -321,11 +326,12 @@ def check_encoding(encoding: str | None) -> None:
 
 def decode(data: Data, encoding: str | None = None) -> str:
     """The text of a program file; never fails. See `decoded`."""
-    return "".join(decoded(data, encoding))
+    return "".join(p if isinstance(p, str) else p.decode("ascii") for p in decoded(data, encoding))
 
 
-def decoded(data: Data, encoding: str | None = None) -> list[str]:
-    """The text of a program file, in pieces so that Ctrl-C comes in between; never fails.
+def decoded(data: Data, encoding: str | None = None) -> list[str | Data]:
+    """The text of a program file, in pieces so that Ctrl-C comes in between; never fails. A piece
+    is a text, or ASCII bytes.
 
     A byte-order mark decides first, then `encoding`, then UTF-8 where the bytes are UTF-8, and else
     the most plausible of GB18030 (with GBK), Shift-JIS and Windows-1252. What no encoding explains
@@ -337,13 +343,15 @@ def decoded(data: Data, encoding: str | None = None) -> list[str]:
             return _decoded_as(name, data, "replace")
     if encoding is not None:
         return _decoded_as(encoding, data, "replace")
+    if data.isascii():
+        return [data]  # as it is: the engine takes UTF-8
     try:
         return _decoded_as("utf-8", data)
     except UnicodeDecodeError:
         return _decoded_as(_legacy_encoding(data), data)
 
 
-def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[str]:
+def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[str | Data]:
     if len(data) <= _PIECE:
         return [clean(data.decode(encoding, errors))]
     decoder = codecs.getincrementaldecoder(encoding)(errors)
@@ -352,7 +360,7 @@ def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[str]:
     return [clean(piece) for piece in pieces]
 
 
-def cut(text: str) -> list[str]:
+def cut(text: str) -> list[str | Data]:
     """The text in pieces, without lone surrogates."""
     return [clean(text[at : at + _PIECE]) for at in range(0, len(text), _PIECE)]
 
