@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <new>
 #include <vector>
 
@@ -19,10 +19,10 @@ constexpr std::size_t kLargePage = std::size_t{2} << 20;
 /// Asks for large pages where memory was not touched yet. It is advice: without them all goes on.
 inline void advise_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
-  const auto first = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t from = (first + kLargePage - 1) / kLargePage * kLargePage;
-  const std::uintptr_t to = (first + bytes) / kLargePage * kLargePage;
-  if (from < to) madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);
+  void* from = memory;
+  std::size_t left = bytes;
+  if (std::align(kLargePage, kLargePage, from, left) != nullptr)
+    madvise(from, left / kLargePage * kLargePage, MADV_HUGEPAGE);
 #endif
 }
 
