@@ -25,6 +25,8 @@ from pyarrow import parquet
 import cncsub
 
 CONTROL = "fanuc-0i-f"
+# The address sanitizer keeps memory that was given back.
+KEPT = 600 if "asan" in os.environ.get("LD_PRELOAD", "") else 0  # MiB
 TABLES = ("steps", "calls", "moves")
 
 # What a part may cut through: calls within calls, arguments, cycles, compensation, an arc, an axis
@@ -199,7 +201,7 @@ def test_memory_stays_that_of_one_part() -> None:
     )
     rows, first, second = map(int, done.stdout.split())
     assert rows == 7_000_000
-    assert second - first < 16, "MiB: 25 times the blocks took that much more"
+    assert second - first < 16 + KEPT, "MiB: 25 times the blocks took that much more"
 
 
 # ---- Parquet ----
@@ -327,7 +329,7 @@ def test_a_copy_of_a_long_run_shares_its_rows() -> None:
     machine.run()
     started = resident()
     copies = [machine.copy() for _ in range(200)]
-    assert resident() - started < 64, "MiB for 200 copies of a million rows of 45 bytes"
+    assert resident() - started < 64 + KEPT, "MiB for 200 copies of a million rows of 45 bytes"
     assert copies[-1].steps[-1] == machine.steps[-1]
 
 
