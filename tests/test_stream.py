@@ -174,6 +174,15 @@ def test_rows_is_a_count(rows: object) -> None:
         library.stream(rows=rows)  # type: ignore[arg-type]
 
 
+def test_parts_without_end_are_cut_where_they_hold_a_million_moves() -> None:
+    library = cncsub.loads(
+        "O1\nG0 X0 Y0 Z1.\nN1 G91 G83 Z-99. R0 Q.01 F99.\nGOTO 1\n", control=CONTROL
+    )
+    stream = library.stream(rows=2**63 - 1, max_blocks=300)
+    assert len(list(stream)) > 1
+    assert stream.blocks == 300
+
+
 def test_a_trace_of_calls_streams_calls_alone() -> None:
     library = cncsub.loads(PROGRAM, control=CONTROL)
     parts = list(library.stream(rows=4, trace="calls", setup=SETUP))

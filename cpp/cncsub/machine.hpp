@@ -1,6 +1,7 @@
 // The interpreter: one run of one program, whole or block by block.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -63,7 +64,8 @@ class Machine {
   }
   /// Runs on for about this many blocks: fewer where they made very many moves.
   void run(const std::function<bool()>& interrupted, std::int64_t blocks) {
-    run(interrupted, {}, executed_ + blocks);
+    constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() - 1;
+    run(interrupted, {}, executed_ + std::min(blocks, kMost - executed_));
   }
   /// Stops the run as Ctrl-C does.
   void interrupt() {

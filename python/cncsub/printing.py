@@ -70,8 +70,7 @@ def _stop_text(run: cncsub.Run | cncsub.Stream) -> str:
     blocks = f"{run.blocks:,} block{'s' if run.blocks != 1 else ''}"
     if run.stop is cncsub.Stop.WAITING:
         return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
-    if run.stop is None:
-        return f"not, after {blocks}"
+    assert run.stop is not None, "a stream is written to its end"
     reasons = {
         cncsub.Stop.END: "the program ended",
         cncsub.Stop.ALARM: "alarm",
