@@ -15,6 +15,7 @@ constexpr std::int64_t kLookMoves = 1 << 16;   // or moves
 constexpr std::size_t kPartMoves = 1 << 20;    // a part of a run that has more ends early
 constexpr std::size_t kManySkipped = 1'000'000;
 constexpr std::int32_t kManyRepeats = std::numeric_limits<std::int32_t>::max();
+constexpr Op kFirstStatement = Op::Assign, kLastStatement = Op::EndDo;
 constexpr double kAskSeconds = 0.02;  // between two questions whether to stop, which may wait
 
 }  // namespace
@@ -105,37 +106,18 @@ std::vector<Frame> Machine::frames() const {
 }
 
 /// Executes the block at pc_ and records it. What it decides is where the run goes on (`next_`).
-/// Moves, assignments and loops, which fill most runs, are told apart here.
-inline bool Machine::execute(const Block& block) {
-  next_ = pc_ + 1;
+/// Of macro statements those behind it are executed too, but where `one` block is asked for.
+inline bool Machine::execute(const Block& block, bool one) {
   words_done_ = false;
-  if (!modals_.empty()) return branch(block);
-  switch (block.op) {
-    case Op::Linear:
+  if (modals_.empty()) {
+    if (block.op == Op::Linear) {
+      next_ = pc_ + 1;
       return linear(block);
-    case Op::Assign:
-      if (!assign(code_->statements[block.aux])) return false;
-      break;
-    case Op::IfGoto: {
-      const Statement& statement = code_->statements[block.aux];
-      bool holds = false;
-      if (!condition(statement.expression, holds)) return false;
-      if (holds && !go_to(statement)) return false;
-      break;
     }
-    case Op::While:
-    case Op::Do:
-      if (!loop(block)) return false;
-      break;
-    case Op::EndDo:
-      if (!end_loop(block)) return false;
-      break;
-    default:
-      return branch(block);
+    if (block.op >= kFirstStatement && block.op <= kLastStatement) return statements(one);
   }
-  record_step();
-  pc_ = next_;
-  return true;
+  next_ = pc_ + 1;
+  return branch(block);
 }
 
 /// Whether a block-skip switch passes over the block at pc_. A program of nothing but such blocks
@@ -157,7 +139,7 @@ bool Machine::step() {
     const Block& block = code_->blocks[pc_];
     if (passes(block)) continue;
     if (executed_ >= options_.max_blocks) return end(Stop::Limit);
-    execute(block);
+    execute(block, true);
   }
   if (stop_ == Stop::Running && memory() > options_.max_memory) end(Stop::Limit);
   return executed_ != before;
@@ -192,7 +174,7 @@ void Machine::run(const std::function<bool()>& interrupted,
         continue;
       }
       if (pause && pause(*this)) return;
-      execute(block);
+      execute(block, static_cast<bool>(pause));
     }
     if (stop_ != Stop::Running) return;
     const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
@@ -288,7 +270,7 @@ bool Machine::branch(const Block& block) {
       if (!loop(block)) return false;
       break;
     case Op::EndDo:
-      if (!end_loop(block)) return false;
+      if (!end_loop(code_->statements[block.aux])) return false;
       break;
     case Op::HCode:
       if (!h_code(code_->statements[block.aux])) return false;

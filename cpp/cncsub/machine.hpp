@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -130,6 +131,15 @@ class Machine {
     bool every_block = false;
   };
 
+  struct Places {  // where the locals of the level and the commons lie, as a Load and a target tell
+    std::array<double*, 3> of;
+    double load(const Expression::Load& from) const {
+      const double value = from.from == Expression::Load::From::Constant
+                               ? from.value
+                               : of[static_cast<std::size_t>(from.from)][from.index];
+      return from.raw || !is_vacant(value) ? value : 0.0;
+    }
+  };
   struct Trap {  // why an expression has no value
     Cause cause;
     std::uint32_t at;
@@ -137,7 +147,8 @@ class Machine {
   };
 
   // Blocks. Each returns false where the run stopped.
-  bool execute(const Block& block);
+  bool execute(const Block& block, bool one);
+  bool statements(bool one);
   bool alarm(const Fault& fault);
   bool choose(const Block& block);
   bool words(const Block& block);
@@ -159,10 +170,13 @@ class Machine {
   bool end_of_record();
   bool restart_main();
   bool assign(const Statement& statement);
+  bool assign(const Statement& statement, const Places& places, double value);
   bool go_to(const Statement& statement);
   bool branch(const Block& block);
   bool loop(const Block& block);
-  bool end_loop(const Block& block);
+  bool loop(const Statement& statement, bool holds);
+  bool open_loop(const Statement& statement);
+  bool end_loop(const Statement& statement);
   bool h_code(const Statement& h);
   bool h_jump(const Statement& statement, std::int64_t n);
   bool h_alarm(const Statement& h);
@@ -193,12 +207,16 @@ class Machine {
 
   bool jump_to(Address to);
   void leave_loops(Address to);
-  bool waits(Address to);
-  bool evaluate(std::uint32_t expression, double& value);
-  bool evaluate_long(const Expression& expression, double& value);
-  double load(const Expression::Load& from) const;
+  bool waits();
+  bool waits_for(std::uint32_t condition);
+  Places places() { return {{nullptr, locals_.data() + local_at(level_, 0), commons_.data()}}; }
+  bool evaluate(std::uint32_t expression, double& value) {
+    return evaluate(code_->expressions[expression], places(), value);
+  }
+  bool evaluate(const Expression& expression, const Places& places, double& value);
+  bool evaluate_long(const Expression& expression, const Places& places, double& value);
   bool condition(std::uint32_t expression, bool& holds);
-  bool compute(const Instruction* at, double& result, Trap& trap);
+  bool compute(const Instruction* at, const Places& places, double& result, Trap& trap);
   std::optional<Fault> read_at(const VariablePlace& place, std::int64_t number, int level,
                                double& value) const;
   std::optional<Fault> system_read(const VariablePlace& place, std::int64_t number,
@@ -267,37 +285,28 @@ class Machine {
   ++executed_;
 }
 
-[[gnu::always_inline]] inline double Machine::load(const Expression::Load& from) const {
-  double value = from.value;
-  if (from.from == Expression::Load::From::Local)
-    value = locals_[local_at(level_, 0) + from.index];
-  else if (from.from == Expression::Load::From::Common)
-    value = commons_[from.index];
-  return from.raw || !is_vacant(value) ? value : 0.0;
-}
-
 /// One value, or one operation on two, at once; what is longer or has no finite result goes the
 /// long way.
-inline bool Machine::evaluate(std::uint32_t expression, double& value) {
-  const Expression& e = code_->expressions[expression];
-  if (e.form == Expression::Form::Long) return evaluate_long(e, value);
-  const double a = load(e.loads[0]);
+[[gnu::always_inline]] inline bool Machine::evaluate(const Expression& e, const Places& places,
+                                                     double& value) {
+  if (e.form == Expression::Form::Long) return evaluate_long(e, places, value);
+  const double a = places.load(e.loads[0]);
   if (e.form == Expression::Form::One) {
     value = a;
     return true;
   }
-  const double b = load(e.loads[1]);
+  const double b = places.load(e.loads[1]);
   const auto same = [&] { return a == b || (is_vacant(a) && is_vacant(b)); };
   switch (e.op) {
     case Ins::Add:
       value = a + b;
-      return std::isfinite(value) || evaluate_long(e, value);
+      return std::isfinite(value) || evaluate_long(e, places, value);
     case Ins::Subtract:
       value = a - b;
-      return std::isfinite(value) || evaluate_long(e, value);
+      return std::isfinite(value) || evaluate_long(e, places, value);
     case Ins::Multiply:
       value = a * b;
-      return std::isfinite(value) || evaluate_long(e, value);
+      return std::isfinite(value) || evaluate_long(e, places, value);
     case Ins::Equal:
       value = same() ? 1 : 0;
       return true;

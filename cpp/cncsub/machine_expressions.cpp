@@ -96,14 +96,14 @@ bool as_bits(double value, std::int64_t& bits) {
 }  // namespace
 
 /// False where the expression has no value; `trap` says why.
-bool Machine::compute(const Instruction* at, double& result, Trap& trap) {
+bool Machine::compute(const Instruction* at, const Places& places, double& result, Trap& trap) {
   // The reader allows no more than 200 values on the stack.
   std::array<double, 210> stack;  // NOLINT: written before it is read
   double* below = stack.data();   // where the value goes that lies below the last one
   double a = 0;                   // the last value: it lies in a register, not on the stack
   double b = 0;                   // the second one of two
-  const double* locals = locals_.data() + static_cast<std::ptrdiff_t>(level_) * code_->locals;
-  const double* commons = commons_.data();
+  const double* locals = places.of[1];
+  const double* commons = places.of[2];
   const Control& control = *code_->control;
   const auto fault = [&](Cause cause, const char* detail = "") {
     trap = {cause, at->at, detail};

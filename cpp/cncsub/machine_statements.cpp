@@ -6,10 +6,56 @@
 
 namespace cncsub {
 
-bool Machine::evaluate_long(const Expression& e, double& value) {
+/// Macro statements one after the other, which fill most loops, from the one at pc_ on: until
+/// another kind of block comes, or one that a switch skips, or the run is to look around; or `one`.
+bool Machine::statements(bool one) {
+  const Code& code = *code_;
+  const Block* const blocks = code.blocks.data();
+  const Statement* const list = code.statements.data();
+  const Expression* const expressions = code.expressions.data();
+  const Places places = this->places();  // no statement opens or closes a level
+  for (;;) {
+    const Block& block = blocks[pc_];
+    const Statement& statement = list[block.aux];
+    next_ = pc_ + 1;
+    switch (block.op) {
+      case Op::Assign: {
+        double value = 0;
+        if (!evaluate(expressions[statement.expression], places, value)) return false;
+        if (!assign(statement, places, value)) return false;
+        break;
+      }
+      case Op::IfGoto: {
+        double value = 0;
+        last_condition_ = statement.expression;
+        if (!evaluate(expressions[statement.expression], places, value)) return false;
+        if (value != 0 && !go_to(statement)) return false;
+        break;
+      }
+      case Op::While: {
+        if (jumps_refused_ && stack_.size() == 1) return branch(block);
+        double value = 0;
+        last_condition_ = statement.expression;
+        if (!evaluate(expressions[statement.expression], places, value)) return false;
+        if (!loop(statement, value != 0)) return false;
+        break;
+      }
+      case Op::EndDo:
+        if (!end_loop(statement)) return false;
+        break;
+      default:
+        return branch(block);
+    }
+    record_step();
+    pc_ = next_;
+    if (one || executed_ >= look_at_ || (blocks[pc_].skip & options_.skips) != 0) return true;
+  }
+}
+
+bool Machine::evaluate_long(const Expression& e, const Places& places, double& value) {
   if (e.width > kLongText) look_soon();
   Trap trap;  // NOLINT: set where it is read
-  if (compute(code_->instructions.data() + e.first, value, trap)) [[likely]]
+  if (compute(code_->instructions.data() + e.first, places, value, trap)) [[likely]]
     return true;
   const bool inside = trap.at >= e.at && trap.at <= e.at + e.width;
   return alarm({trap.cause, inside ? trap.at : e.at, 1, trap.detail});
@@ -23,18 +69,20 @@ bool Machine::condition(std::uint32_t expression, bool& holds) {
   return true;
 }
 
-bool Machine::assign(const Statement& statement) {
-  double value = 0;
-  if (!evaluate(statement.expression, value)) return false;
-  const bool local = statement.target == Statement::Target::Local;
-  const bool plain =
-      (local || statement.target == Statement::Target::Common) && programmed_.empty();
+inline bool Machine::assign(const Statement& statement, const Places& places, double value) {
+  const bool plain = (statement.target == Statement::Target::Local ||
+                      statement.target == Statement::Target::Common) &&
+                     programmed_.empty();
   if (!plain || std::fabs(value) > kLargest) return store(statement, value);
-  double& place = local ? locals_[local_at(level_, statement.index)]
-                        : commons_[static_cast<std::size_t>(statement.index)];
+  double& place = places.of[static_cast<std::size_t>(statement.target)][statement.index];
   changes_ += place == value ? 0 : 1;
   place = value;
   return true;
+}
+
+bool Machine::assign(const Statement& statement) {
+  double value = 0;
+  return evaluate(statement.expression, value) && store(statement, value);
 }
 
 bool Machine::store(const Statement& statement, double value) {
@@ -147,21 +195,24 @@ void Machine::leave_loops(Address to) {
 /// Goes on at a block of the running program.
 bool Machine::jump_to(Address to) {
   leave_loops(to);
-  if (to <= pc_ && waits(to)) return false;
+  if (to <= pc_ && waits()) return false;
   next_ = to;
   return true;
 }
 
 /// A jump back that is reached twice with nothing changed in between can only wait for the world
 /// outside.
-bool Machine::waits(Address) {
+inline bool Machine::waits() {
   const bool idle =
       jumped_from_ == pc_ && changes_at_jump_ == changes_ && last_condition_ != kNowhere;
   const std::uint32_t condition = last_condition_;
   jumped_from_ = pc_;
   changes_at_jump_ = changes_;
   last_condition_ = kNowhere;  // the next pass must ask again
-  if (!idle) return false;
+  return idle && waits_for(condition);
+}
+
+bool Machine::waits_for(std::uint32_t condition) {
   const Instruction* at = code_->instructions.data() + code_->expressions[condition].first;
   while (at->op != Ins::End && at->op != Ins::Common && at->op != Ins::CommonRaw &&
          at->op != Ins::Variable && at->op != Ins::VariableRaw)
@@ -185,19 +236,18 @@ bool Machine::waits(Address) {
   return true;
 }
 
-bool Machine::loop(const Block& block) {
-  const Statement& statement = code_->statements[block.aux];
-  if (jumps_refused_ && stack_.size() == 1)
-    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a loop in MDI"});
+/// A WHILE whose condition is known, or a DO, whose condition always holds.
+inline bool Machine::loop(const Statement& statement, bool holds) {
   const bool inside = loops_.size() > frame().loops && loops_.back() == pc_;
-  bool holds = true;
-  if (block.op == Op::While && !condition(statement.expression, holds)) return false;
   if (!holds) {
     if (inside) loops_.pop_back();
     next_ = statement.to;
     return true;
   }
-  if (inside) return true;
+  return inside || open_loop(statement);
+}
+
+bool Machine::open_loop(const Statement& statement) {
   if (code_->control->loops_count_across_calls.value &&
       loops_.size() >= static_cast<std::size_t>(code_->control->max_loops.value))
     return alarm({Cause::LoopsTooDeep, statement.at, statement.width,
@@ -206,12 +256,20 @@ bool Machine::loop(const Block& block) {
   return true;
 }
 
-bool Machine::end_loop(const Block& block) {
+bool Machine::loop(const Block& block) {
   const Statement& statement = code_->statements[block.aux];
+  if (jumps_refused_ && stack_.size() == 1)
+    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a loop in MDI"});
+  bool holds = true;
+  if (block.op == Op::While && !condition(statement.expression, holds)) return false;
+  return loop(statement, holds);
+}
+
+bool Machine::end_loop(const Statement& statement) {
   while (loops_.size() > frame().loops && loops_.back() != statement.to) loops_.pop_back();
   if (loops_.size() == frame().loops)
     return alarm({Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"});
-  if (waits(statement.to)) return false;
+  if (waits()) return false;
   next_ = statement.to;
   return true;
 }

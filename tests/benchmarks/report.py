@@ -24,7 +24,8 @@ def report(results: Results) -> str:
     return "\n".join(
         [
             *markdown(
-                ["workload", "cncsub", "", "memory", *COLUMNS, "Lua 5.4"], peer_rows(results)
+                ["workload", "cncsub", "", "first time", "memory", *COLUMNS, "Lua 5.4"],
+                peer_rows(results),
             ),
             "",
             *notes(results),
@@ -63,13 +64,14 @@ def peer_rows(results: Results) -> Iterator[Row]:
             workload.title,
             seconds_text(seconds),
             per_unit(seconds, workload),
+            seconds_text(results.median(workload.name, "cncsub", "first")),
             megabytes(results.median(workload.name, "cncsub", "peak")),
             *(peer_cell(results, workload.name, peer) for peer in COLUMNS),
             ", ".join(lua_cells(results, workload.name)) or "-",
         )
     one, two = (results.best("folder", "cncsub", key) for key in ("one", "two"))
     folder = results.workload("folder")
-    empty = ["-"] * (len(COLUMNS) + 2)
+    empty = ["-"] * (len(COLUMNS) + 3)
     yield (
         f"the same with two threads, {one / two:.2f} times one",
         seconds_text(two),
