@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "cncsub/kept_memory.hpp"
+
 namespace cncsub {
 
 /// The chunks of a column. Copies share them; whoever writes asks for a chunk of its own.
@@ -22,12 +24,12 @@ class Chunks {
   /// A chunk to write to: it is copied first where a copy of the column holds it as well.
   Chunk& own(std::size_t index) {
     std::shared_ptr<Chunk>& chunk = own_list()[index];
-    if (!alone(chunk)) chunk = std::make_shared<Chunk>(*chunk);
+    if (!alone(chunk)) chunk = std::allocate_shared<Chunk>(KeptMemory<Chunk>(), *chunk);
     return *chunk;
   }
   Chunk& add() {
     List& list = own_list();
-    list.push_back(std::make_shared_for_overwrite<Chunk>());
+    list.push_back(std::allocate_shared_for_overwrite<Chunk>(KeptMemory<Chunk>()));
     return *list.back();
   }
   void keep(std::size_t count) {

@@ -28,6 +28,25 @@ struct ProgramData {
 
 using FileRow = std::tuple<std::string, std::string, std::vector<py::object>, bool>;
 
+/// The ASCII text of a file, put together while it is read: memory that is touched once.
+struct Text {
+  std::string text;
+
+  explicit Text(std::size_t bytes) {
+    text.reserve(bytes);
+    advise_large_pages(text.data(), bytes);
+  }
+  /// Takes the first `count` bytes, or nothing where one of them is not ASCII.
+  bool add(const py::bytearray& piece, std::size_t count) {
+    const std::string_view bytes(PyByteArray_AS_STRING(piece.ptr()), std::min(count, piece.size()));
+    unsigned char any = 0;
+    for (const char c : bytes) any |= static_cast<unsigned char>(c);
+    if (any >= 0x80) return false;
+    text += bytes;
+    return true;
+  }
+};
+
 /// What stands in a piece: a text, or bytes that are UTF-8.
 std::string_view view_of(const py::object& piece) {
   if (PyByteArray_Check(piece.ptr()) != 0)
@@ -36,8 +55,10 @@ std::string_view view_of(const py::object& piece) {
   return piece.cast<std::string_view>();
 }
 
-/// The pieces as one text. Ctrl-C is let in between.
+/// The pieces as one text. Ctrl-C is let in between. A `Text` is taken over, and is empty then.
 std::string joined(const std::vector<py::object>& pieces) {
+  if (pieces.size() == 1 && py::isinstance<Text>(pieces[0]))
+    return std::move(pieces[0].cast<Text&>().text);
   constexpr std::size_t kOnce = std::size_t{1} << 22;
   std::size_t bytes = 0;
   for (const py::object& piece : pieces) bytes += view_of(piece).size();
@@ -76,6 +97,15 @@ std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
 }  // namespace
 
 void add_code(py::module_& m) {
+  py::class_<Text>(m, "Text", py::is_final())
+      .def(py::init<std::size_t>(), py::arg("bytes"))
+      .def("add", &Text::add, py::arg("piece"), py::arg("count"))
+      .def("__len__", [](const Text& t) { return t.text.size(); })
+      .def(
+          "head",
+          [](const Text& t, std::size_t count) { return py::bytes(t.text.substr(0, count)); },
+          py::arg("count"))
+      .def("__bytes__", [](const Text& t) { return py::bytes(t.text); });
   py::class_<ProgramData>(m, "ProgramData", py::is_final())
       .def_property_readonly("name", [](const ProgramData& p) { return p.program().name; })
       .def_property_readonly("file", [](const ProgramData& p) { return p.file().name; })

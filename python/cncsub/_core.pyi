@@ -148,9 +148,20 @@ class Code:
     def find(self, name: str | int, external: bool = False) -> int: ...
     def with_mdi(self, text: str) -> Code: ...  # one more program, the last
 
+@final
+class Text:
+    """The ASCII text of a file, put together while it is read; `compile` takes it over."""
+
+    def __init__(self, bytes: int) -> None: ...
+    def add(self, piece: bytearray, count: int) -> bool:
+        """Take the first `count` bytes; `False`, and nothing taken, where one is not ASCII."""
+    def head(self, count: int) -> bytes: ...
+    def __len__(self) -> int: ...
+    def __bytes__(self) -> bytes: ...
+
 def compile(
     control: Control,
-    files: Sequence[tuple[str, str, list[str | bytes | bytearray], bool]],
+    files: Sequence[tuple[str, str, list[str | bytes | bytearray | Text], bool]],
     external_device: bool = False,
 ) -> Code:
     """Files as (name shown, stem that names a program without a head, text in pieces, external)."""

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import codecs
 import errno
+import io
 import os
 import re
 import stat
@@ -22,11 +23,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from cncsub._core import Text
+
 StrPath = str | os.PathLike[str]
 Data = bytes | bytearray
+Piece = str | Data | Text  # of a text, for the engine
 
 LARGEST_FILE = 1 << 30  # bytes
 _PIECE = 1 << 22  # what is read, decoded or copied in one go
+_READ = 1 << 20  # of a file that may be ASCII: little enough to stay near the processor
 
 # Endings and first bytes of files that people keep beside their programs.
 _OTHER_ENDINGS = frozenset(
@@ -78,7 +83,7 @@ class TextFile:
 
     name: str
     stem: str
-    pieces: list[str | Data]
+    pieces: list[Piece]
 
 
 @dataclass(slots=True)
@@ -174,9 +179,13 @@ def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None
     reading.files.append(_text_file(path, data, encoding))
 
 
-def _text_file(path: Path, data: Data, encoding: str | None) -> TextFile:
+def _text_file(path: Path, data: Data | Text, encoding: str | None) -> TextFile:
+    if not isinstance(data, Text):
+        pieces = decoded(data, encoding)
+    else:
+        pieces = [data] if encoding is None else decoded(bytes(data), encoding)
     # A name that is no text, as Linux allows, is shown with question marks.
-    return TextFile(clean(str(path)), clean(path.stem), decoded(data, encoding))
+    return TextFile(clean(str(path)), clean(path.stem), pieces)
 
 
 def _first_time(folder: str, name: str, reading: Reading) -> bool:
@@ -265,8 +274,10 @@ def _read_found_file(path: Path, folder: str, encoding: str | None, reading: Rea
     return True
 
 
-def _read_bytes(path: Path) -> tuple[Data | None, str]:
-    """The bytes of a regular file, or None and why not. A pipe or a device is never waited for."""
+def _read_bytes(path: Path) -> tuple[Data | Text | None, str]:
+    """The bytes of a regular file, a `Text` where all are ASCII; or None and why not. A pipe or a
+    device is never waited for.
+    """
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | os.O_NOCTTY)
     except OSError as error:
@@ -277,24 +288,34 @@ def _read_bytes(path: Path) -> tuple[Data | None, str]:
             return None, "not a regular file"
         if status.st_size > LARGEST_FILE:
             return None, f"larger than {LARGEST_FILE >> 20} MiB"
-        data = bytearray(status.st_size)
-        filled = 0
-        with memoryview(data) as places:
-            # Python looks for Ctrl-C between two reads.
-            while count := file.readinto(places[filled : filled + _PIECE]):
-                filled += count
-        del data[filled:]
-        while len(data) < LARGEST_FILE and (piece := file.read(1 << 16)):
-            data += piece  # the file has grown
-        return data, ""
+        # Python looks for Ctrl-C between two reads. A file that grows meanwhile is read on.
+        text, piece = Text(status.st_size), bytearray(min(status.st_size + 1, _READ))
+        while len(text) < LARGEST_FILE and (count := file.readinto(piece)):
+            if not text.add(piece, count):
+                return _bytes_of(bytes(text) + piece[:count], file, status.st_size), ""
+        return text, ""
 
 
-def _looks_like_text(data: Data) -> bool:
-    if data.startswith(_OTHER_STARTS):
+def _bytes_of(start: bytes, file: io.FileIO, size: int) -> bytearray:
+    """All bytes of a file that was read as far as `start`."""
+    data = bytearray(max(size, len(start)))
+    data[: len(start)] = start
+    filled = len(start)
+    with memoryview(data) as places:
+        while count := file.readinto(places[filled : filled + _PIECE]):
+            filled += count
+    del data[filled:]
+    while len(data) < LARGEST_FILE and (piece := file.read(1 << 16)):
+        data += piece  # the file has grown
+    return data
+
+
+def _looks_like_text(data: Data | Text) -> bool:
+    sample = data.head(_SAMPLE) if isinstance(data, Text) else data[:_SAMPLE]
+    if sample.startswith(_OTHER_STARTS):
         return False
-    if data.startswith(tuple(bom for bom, _ in _BOMS)):
+    if sample.startswith(tuple(bom for bom, _ in _BOMS)):
         return True
-    sample = data[:_SAMPLE]
     strange = len(sample) - len(sample.translate(None, _STRANGE))
     return strange * 20 <= len(sample)
 
@@ -326,10 +347,11 @@ def check_encoding(encoding: str | None) -> None:
 
 def decode(data: Data, encoding: str | None = None) -> str:
     """The text of a program file; never fails. See `decoded`."""
-    return "".join(p if isinstance(p, str) else p.decode("ascii") for p in decoded(data, encoding))
+    pieces = decoded(data, encoding)
+    return "".join(p if isinstance(p, str) else bytes(p).decode("ascii") for p in pieces)
 
 
-def decoded(data: Data, encoding: str | None = None) -> list[str | Data]:
+def decoded(data: Data, encoding: str | None = None) -> list[Piece]:
     """The text of a program file, in pieces so that Ctrl-C comes in between; never fails. A piece
     is a text, or ASCII bytes.
 
@@ -351,7 +373,7 @@ def decoded(data: Data, encoding: str | None = None) -> list[str | Data]:
         return _decoded_as(_legacy_encoding(data), data)
 
 
-def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[str | Data]:
+def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[Piece]:
     if len(data) <= _PIECE:
         return [clean(data.decode(encoding, errors))]
     decoder = codecs.getincrementaldecoder(encoding)(errors)
@@ -360,7 +382,7 @@ def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[str |
     return [clean(piece) for piece in pieces]
 
 
-def cut(text: str) -> list[str | Data]:
+def cut(text: str) -> list[Piece]:
     """The text in pieces, without lone surrogates."""
     return [clean(text[at : at + _PIECE]) for at in range(0, len(text), _PIECE)]
 

@@ -9,7 +9,7 @@ from typing import Any, TypedDict, Unpack
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.controls import Named, control_of, did_you_mean
-from cncsub.files import Data, StrPath, check_encoding, clean, cut, decoded, read_paths
+from cncsub.files import Piece, StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.inputs import Inputs, checked_variables, inputs_of
 from cncsub.program import Program
 from cncsub.run import Machine, Run
@@ -19,7 +19,7 @@ from cncsub.stream import Stream
 MODES = ("auto", "mdi")
 TRACES = ("none", "calls", "blocks", "moves")
 
-CoreFile = tuple[str, str, list[str | Data], bool]
+CoreFile = tuple[str, str, list[Piece], bool]
 
 
 class Options(TypedDict, total=False):
