@@ -6,6 +6,7 @@ import math
 import operator
 from collections.abc import Callable
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -45,6 +46,53 @@ def test_a_comment_changes_nothing(control: str, blocks: list[str]) -> None:
     commented = "O1\n" + "".join(f"{b}()\n" if b.strip() else "\n" for b in blocks) + "M30\n"
     runs = [cncsub.loads(t, control=control).run(max_blocks=100) for t in (plain, commented)]
     assert outcome(runs[0]) == outcome(runs[1])
+
+
+# ---- plain lines and arcs move by a short way; limits of travel send them the long way ----
+
+place = st.integers(-40_000, 40_000).map(lambda thousandths: f"{thousandths / 1000:.3f}")
+line = st.builds(
+    lambda words: " ".join(words),
+    st.lists(st.builds(str.__add__, st.sampled_from("XYZ"), place), max_size=3),
+)
+
+
+@st.composite
+def round_block(draw: st.DrawFn) -> str:
+    """An arc about a point, most of them with an end on the circle; some full circles."""
+    names = draw(st.sampled_from(["XYIJ", "XYIJ", "ZXKI", "YZJK"]))
+    i, j, turn = (draw(st.integers(-20, 20)) for _ in range(3))
+    end = (i - i * math.cos(turn) + j * math.sin(turn), j - i * math.sin(turn) - j * math.cos(turn))
+    words = [f"{names[2]}{i}.", f"{names[3]}{j}."]
+    if draw(st.booleans()):
+        words += [f"{names[0]}{end[0]:.4f}", f"{names[1]}{end[1]:.4f}"]
+    if draw(st.booleans()):
+        words.append(f"{draw(st.sampled_from('XYZ'))}{draw(place)}")
+    return " ".join({word[0]: word for word in words}.values())
+
+
+moving = st.builds(
+    lambda codes, words, feed: f"{codes} {words} {feed}",
+    st.sampled_from(["G0", "G1", "G2", "G3", "G2", "G3", "", "G90", "G91", "G17", "G18", "G20"]),
+    st.one_of(line, round_block()),
+    st.sampled_from(["", "", "", "F200.", "F0"]),
+)
+MILLS = [n for n in NAMES if n != "gsk-928te"]
+WIDE = dict.fromkeys("XYZ", (-1e8, 1e8))
+
+
+@given(control=st.sampled_from(MILLS), blocks=st.lists(moving, max_size=8))
+def test_limits_that_nothing_reaches_change_nothing(control: str, blocks: list[str]) -> None:
+    library = cncsub.loads(
+        "O1\nG91 G17 G1 F100.\n" + "\n".join(blocks) + "\nM30\n", control=control
+    )
+    setup = {"machine": "mill"}
+    short, long = library.run(setup=setup), library.run(setup={**setup, "limits": WIDE})
+    assert outcome(short)[:2] == outcome(long)[:2]
+    assert short.moves.columns == long.moves.columns
+    for name in short.moves.columns:
+        columns = [getattr(run.moves, name) for run in (short, long)]
+        np.testing.assert_allclose(*columns, rtol=1e-9, atol=1e-9, err_msg=name)
 
 
 # ---- a run in one go, step by step, and from a copy ----

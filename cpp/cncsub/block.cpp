@@ -187,7 +187,7 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
   }
   for (std::uint32_t left = mask; left != 0; left &= left - 1)
     write(values[static_cast<std::size_t>(std::countr_zero(left))]);
-  mark_linear(block, g);
+  mark_move(block, g);
   return true;
 }
 
@@ -205,12 +205,17 @@ void BlockReader::allow_plain() {
   if ((length > 0 && length < kPlainLength) || (words > 0 && words < 20)) plain_.fill(Plain::No);
 }
 
-/// A block of nothing but G00 or G01 (or no G), X, Y, Z and F is a linear move.
-void BlockReader::mark_linear(Block& block, int g) {
+/// A block of nothing but G00 or G01 (or no G), X, Y, Z and F is a linear move; with G02 or G03 (or
+/// no G) and words of a centre a round one.
+void BlockReader::mark_move(Block& block, int g) {
   constexpr std::uint32_t kAxesAndFeed = bit('X') | bit('Y') | bit('Z') | bit('F');
-  if (block.mask == 0 || (block.mask & ~kAxesAndFeed) != 0 || g > 1) return;
-  block.op = Op::Linear;
-  block.flags = g < 0 ? Block::kNoG : g == 1 ? Block::kSecondG : std::uint8_t{0};
+  constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K');
+  const bool round = g < 0 ? (block.mask & kCentre) != 0 : g >= 2;
+  if (block.mask == 0 || (block.mask & ~(kAxesAndFeed | (round ? kCentre : 0))) != 0 || g > 3)
+    return;
+  if (round && (block.mask & kCentre) == 0) return;
+  block.op = round ? Op::Round : Op::Linear;
+  block.flags = g < 0 ? Block::kNoG : g % 2 == 1 ? Block::kSecondG : std::uint8_t{0};
 }
 
 void BlockReader::read(Scanner s, Block& block) {

@@ -44,7 +44,7 @@ class BlockReader {
 
   void allow_plain();
   bool plain(const Scanner& s, Block& block);
-  static void mark_linear(Block& block, int g);
+  static void mark_move(Block& block, int g);
   bool head(Scanner& s, Block& block);
   bool skip_slash(Scanner& s, std::uint16_t& mask);
   bool sequence_number(Scanner& s, Block& block);

@@ -124,7 +124,7 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
   block.op = Op::Words;
   if (block.flags != 0 || block.m_count != 0 || block.g_count > 1) return;
   const double g = block.g_count == 0 ? -10 : code_.cells[block.data].value;
-  if (g == -10 || g == 0 || g == 10) mark_linear(block, static_cast<int>(g / 10));
+  if (g <= 30 && std::fmod(g, 10) == 0) mark_move(block, static_cast<int>(g / 10));
 }
 
 void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& meaning) {

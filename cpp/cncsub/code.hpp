@@ -153,7 +153,8 @@ struct Operand {
 
 enum class Op : std::uint8_t {
   Words,        // NC words only
-  Linear,       // a G00 or G01 move with nothing but X, Y, Z and F, the case that must be fast
+  Linear,       // words: G00 or G01 with nothing but X, Y, Z and F, the case that must be fast
+  Round,        // words: G02 or G03 with nothing but X, Y, Z, F and a centre
   Call,         // words, then a subprogram call (aux: call)
   MacroCall,    // G65 and macro calls by code (aux: call)
   ModalCall,    // G66, G66.1 and modal calls by code (aux: call)
@@ -180,6 +181,9 @@ enum class Op : std::uint8_t {
   Fault,   // aux: fault
   EndOfRecord,  // behind the last block of every program
 };
+
+/// A block of words and nothing else.
+constexpr bool is_words(Op op) { return op <= Op::Round; }
 
 /// A word's cell: its value, or the number of its expression.
 union Cell {
@@ -217,8 +221,8 @@ struct Block {
   static constexpr std::uint8_t kHasExtra = 1;
   static constexpr std::uint8_t kCodeExpression =
       2;  // a G or M is an expression: its cell holds -1 - expression
-  static constexpr std::uint8_t kSecondG = 4;  // Linear: G01 is written, not G00
-  static constexpr std::uint8_t kNoG = 8;      // Linear: no G is written
+  static constexpr std::uint8_t kSecondG = 4;  // Linear: G01 is written; Round: G03
+  static constexpr std::uint8_t kNoG = 8;      // Linear and Round: no G is written
 };
 
 /// The words of a block, ready to be executed.

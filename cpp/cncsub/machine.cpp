@@ -114,6 +114,10 @@ inline bool Machine::execute(const Block& block, bool one) {
       next_ = pc_ + 1;
       return linear(block);
     }
+    if (block.op == Op::Round) {
+      next_ = pc_ + 1;
+      return round(block);
+    }
     if (block.op >= kFirstStatement && block.op <= kLastStatement) return statements(one);
   }
   next_ = pc_ + 1;
@@ -207,6 +211,7 @@ bool Machine::branch(const Block& block) {
     case Op::Linear:
       return linear(block);
     case Op::Words:
+    case Op::Round:
       return words(block);
     case Op::Call:
       return call(block);
@@ -334,6 +339,21 @@ bool Machine::linear(const Block& block) {
   return after_words(outcome_);
 }
 
+bool Machine::round(const Block& block) {
+  const int g = (block.flags & Block::kNoG) != 0       ? -1
+                : (block.flags & Block::kSecondG) != 0 ? 3
+                                                       : 2;
+  const Cell* values = code_->cells.data() + block.data + block.g_count;
+  if (!motion_.round(block.mask, values, g, static_cast<std::uint32_t>(executed_),
+                     recorded_moves()))
+    return words(block);
+  ++changes_;
+  last_n_ = block.n >= 0 ? block.n : last_n_;
+  record_step();
+  pc_ = next_;
+  return true;
+}
+
 /// The words of a block with their values. A vacant variable's word is left out, or counts as 0, as
 /// the control does.
 bool Machine::decode(const Block& block, NcWords& words) {
@@ -409,7 +429,7 @@ bool Machine::words(const Block& block) {
   outcome_ = {};
   if (block.mask == 0 && block.g_count == 0 && block.m_count == 0) {
     if (block.n >= 0) last_n_ = block.n;
-    if (block.op == Op::Words || block.op == Op::Linear) {
+    if (is_words(block.op)) {
       record_step();
       pc_ = next_;
     }
@@ -430,7 +450,7 @@ bool Machine::words(const Block& block) {
   words_done_ = true;
   if (block.n >= 0) last_n_ = block.n;
   if (outcome.moved || words.m_count > 0 || words.has('T') || words.g_count > 0) ++changes_;
-  if (block.op == Op::Words || block.op == Op::Linear) return after_words(outcome);
+  if (is_words(block.op)) return after_words(outcome);
   return true;
 }
 

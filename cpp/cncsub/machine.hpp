@@ -153,6 +153,7 @@ class Machine {
   bool choose(const Block& block);
   bool words(const Block& block);
   bool linear(const Block& block);
+  bool round(const Block& block);
   bool decode(const Block& block, NcWords& words);
   bool auxiliary(const NcWords& words, const Block& block);
   bool wait_for_operator(const std::string& what);

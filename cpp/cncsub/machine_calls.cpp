@@ -192,8 +192,8 @@ bool Machine::cancel_modal(const Block& block) {
 
 /// G66.1: the words of the block are the arguments.
 bool Machine::every_block(const Block& block) {
-  const bool plain = (block.op == Op::Words || block.op == Op::Linear) &&
-                     (block.mask != 0 || block.g_count != 0 || block.m_count != 0);
+  const bool plain =
+      is_words(block.op) && (block.mask != 0 || block.g_count != 0 || block.m_count != 0);
   if (!plain) {
     const bool kept = modals_.back().every_block;
     modals_.back().every_block = false;
@@ -395,6 +395,7 @@ std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf,
     switch (block.op) {
       case Op::Words:
       case Op::Linear:
+      case Op::Round:
         break;
       case Op::Call:
       case Op::MacroCall:

@@ -134,7 +134,8 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
 Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup)
     : facts_(std::make_shared<MotionFacts>(std::move(control), setup)),
       tables_(std::make_shared<OffsetTables>(tables_of(setup, *facts_->control))) {
-  line_codes_ = {facts_->codes.of(Meaning::Rapid), facts_->codes.of(Meaning::Line)};
+  line_codes_ = {facts_->codes.of(Meaning::Rapid), facts_->codes.of(Meaning::Line),
+                 facts_->codes.of(Meaning::Cw), facts_->codes.of(Meaning::Ccw)};
   for (int i = 0; i < 3; ++i) {
     s_.half[static_cast<std::size_t>(i)] = facts_->share(i) * facts_->share(i);
     s_.rapid_seconds[static_cast<std::size_t>(i)] =
@@ -496,13 +497,15 @@ void Motion::settle() {
   const Meaning motion = s_.modal[at(Group::Motion)].meaning;
   const Meaning feed = s_.modal[at(Group::Feed)].meaning;
   s_.row_moves = nullptr;
-  s_.line = motion == Meaning::Line ? 1 : 0;
+  const auto known = std::find_if(line_codes_.begin(), line_codes_.end(),
+                                  [&](const GCode& code) { return code.meaning == motion; });
+  s_.line = static_cast<std::uint8_t>(known - line_codes_.begin());
   s_.seconds_per_mm = s_.feed > 0 ? 60 / s_.feed : 0;
   if (feed == Meaning::PerRevolution)
     s_.seconds_per_mm = s_.feed > 0 && s_.speed > 0 ? 60 / (s_.feed * s_.speed) : 0;
-  s_.plain = (motion == Meaning::Line || motion == Meaning::Rapid) && !in_cycle() &&
-             !compensating() && s_.held.corner.empty() && s_.held.radius.empty() &&
-             !s_.held.engaged && feed != Meaning::InverseTime &&
+  s_.plain = s_.line < line_codes_.size() && !in_cycle() && !compensating() &&
+             s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged &&
+             feed != Meaning::InverseTime &&
              s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() &&
              facts_->limits.empty() && !s_.surface && !lacks_speed() && !s_.tool_pending &&
              facts_->control->max_feed.value == 0;

@@ -75,6 +75,9 @@ class Motion {
   bool linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves,
               bool& moved);
 
+  /// The same for G02 and G03 (g 2, 3 or -1) with words of a centre. It moves where it is true.
+  bool round(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves);
+
   /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the
   /// run.
   std::optional<Fault> finish(std::uint32_t step, Moves* moves);
@@ -275,7 +278,7 @@ class Motion {
   friend struct Contour;
   friend struct RadiusPath;
 
-  std::array<GCode, 2> line_codes_;
+  std::array<GCode, 4> line_codes_;
   MotionState s_;
   std::shared_ptr<const MotionFacts> facts_;
   std::shared_ptr<OffsetTables> tables_;    // copied before it is written when it is shared
@@ -285,9 +288,9 @@ class Motion {
 inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step,
                            Moves* moves, bool& moved) {
   MotionState& s = s_;
-  if (!s.plain) return false;
-  const bool has_feed = (mask & bit('F')) != 0;
   const int line = g >= 0 ? g : s.line;
+  if (!s.plain || line > 1) return false;
+  const bool has_feed = (mask & bit('F')) != 0;
   if (has_feed ? !(values->value > 0) : (line != 0 && !(s.feed > 0))) return false;
   if (line != s.line) switch_line(line);
   if (has_feed && !set_plain_feed((values++)->value)) return false;

@@ -1,4 +1,7 @@
 // G02 and G03: the centre from R or I J K, the checks, and the angle run through.
+#include <algorithm>
+#include <limits>
+
 #include "cncsub/motion_facts.hpp"
 
 namespace cncsub {
@@ -21,6 +24,58 @@ bool has_centre(const BlockWords& block, const PlaneAxes& plane) {
 }
 
 }  // namespace
+
+bool Motion::round(std::uint32_t mask, const Cell* values, int g, std::uint32_t step,
+                   Moves* moves) {
+  MotionState& s = s_;
+  const int line = g >= 0 ? g : s.line;
+  if (!s.plain || line < 2 || facts_->lathe()) return false;
+  const Control& c = *facts_->control;
+  const PlaneAxes plane = plane_axes(s.plane);
+  const auto word = [&](char address) {
+    return (mask & bit(address)) != 0 ? (values++)->value : 0.0;
+  };
+  const double feed = word('F');
+  if (!((mask & bit('F')) != 0 ? feed > 0 : s.feed > 0)) return false;
+  std::array<double, 3> centre{}, end{};
+  for (std::size_t i = 0; i < 3; ++i) centre[i] = word(kCentreWords[i]) * s.unit;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool named = (mask & bit(kAxisNames[i])) != 0;
+    const double value = word(kAxisNames[i]) * s.unit;
+    end[i] = named && !s.incremental ? value : s.work[i] + value;
+  }
+  const auto a = static_cast<std::size_t>(plane.a), b = static_cast<std::size_t>(plane.b),
+             across = static_cast<std::size_t>(plane.across);
+  const bool helix = (mask & bit(kAxisNames[across])) != 0;
+  if (centre[across] != 0 || (helix && !c.helix.value)) return false;
+  const double i = centre[a], j = centre[b];
+  const double ca = s.work[a] + i, cb = s.work[b] + j;
+  const double first = std::hypot(i, j), last = std::hypot(end[a] - ca, end[b] - cb);
+  const double tolerance = c.arc_tolerance.value * 1e-3;
+  if (first == 0 || (tolerance > 0 && std::fabs(first - last) > tolerance)) return false;
+  const bool clockwise = line == 2;
+  const bool full = std::hypot(end[a] - s.work[a], end[b] - s.work[b]) < 1e-9;
+  const double turn =
+      full ? 2 * kPi
+           : turn_between(std::atan2(-j, -i), std::atan2(end[b] - cb, end[a] - ca), clockwise);
+  const double along = end[across] - s.work[across];
+  const double in_plane = turn * turn * first * last;
+
+  if (line != s.line) switch_line(line);
+  if ((mask & bit('F')) != 0) set_plain_feed(feed);
+  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
+  std::copy(end.begin(), end.end(), s.work.begin());
+  s.time += std::sqrt(in_plane) * s.seconds_per_mm;
+  s.moved_before = true;
+  if (moves == nullptr) return true;
+  moves->mark(mask >> ('X' - 'A') & 7u);
+  moves->push(step, clockwise ? MoveKind::Cw : MoveKind::Ccw, s.work, s.row_state);
+  centre[a] = ca;
+  centre[b] = cb;
+  centre[across] = std::numeric_limits<double>::quiet_NaN();
+  moves->arc(centre, std::sqrt(in_plane + along * along));
+  return true;
+}
 
 Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
   const Control& c = *facts_->control;

@@ -93,9 +93,9 @@ struct Turned {  // rotation, scaling and mirror
 
 struct MotionState {
   // What the fast path reads and writes.
-  bool plain = false;  // nothing but G00 and G01 with words for X Y Z F can happen
+  bool plain = false;  // nothing but G00 to G03 with words for X Y Z F and a centre can happen
   bool incremental = false;
-  std::uint8_t line = 0;  // 1: G01
+  std::uint8_t line = 0;  // the motion code where it is plain: 1 is G01
   std::uint32_t row_state = 0;
   const Moves* row_moves = nullptr;  // the table row_state belongs to; only compared
   double unit = 1;                   // mm in one unit of the program
