@@ -291,10 +291,10 @@ def test_every_rule_may_be_set_to_its_edges(control: str) -> None:
 def test_every_parameter_takes_every_value_or_refuses_it() -> None:
     for control in NAMES:
         known = cncsub.controls[control]
-        for name, value in itertools.product([*known.parameters, "99999999"], VALUES[:-1]):
+        for name, value in itertools.product(known.parameters, VALUES[:-1]):
             try:
                 changed = known.with_parameters({name: value})
             except ValueError:
-                assert abs(value) > 999_999_999, (name, value)
+                assert value not in (0, 1) if "#" in name else abs(value) > 999_999_999
                 continue
             cncsub.loads("O1\nG0 X1.\nG65 P1\nM30\n", control=changed).run(max_blocks=20)

@@ -91,9 +91,10 @@ def test_a_control_is_taken_where_its_name_is() -> None:
 @pytest.mark.parametrize("name", list(cncsub.controls))
 def test_a_changed_parameter_is_kept_in_a_copy(name: str) -> None:
     control = cncsub.controls[name]
-    for parameter in control.parameters:
-        changed = control.with_parameters({parameter: control.parameters[parameter].value + 1})
-        assert changed.parameters[parameter].value == control.parameters[parameter].value + 1
+    for parameter, known in control.parameters.items():
+        other = 1 - known.value if "#" in parameter else known.value + 1
+        changed = control.with_parameters({parameter: other})
+        assert changed.parameters[parameter].value == other
         assert changed.name == control.name
 
 
@@ -112,9 +113,10 @@ def test_a_wrong_rule_is_told() -> None:
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), 1e300, -1e10])
 def test_a_parameter_takes_numbers_that_a_control_could_hold(value: float) -> None:
-    for name in ("6050", "99999"):
-        with pytest.raises(ValueError, match=f"parameter {name} is a number up to"):
-            cncsub.controls[CONTROL].with_parameters({name: value})
+    with pytest.raises(ValueError, match="parameter 6050 is a number up to"):
+        cncsub.controls[CONTROL].with_parameters({"6050": value})
+    with pytest.raises(ValueError, match="parameter 6001#5 is a bit, 0 or 1"):
+        cncsub.controls[CONTROL].with_parameters({"6001#5": value})
 
 
 def test_no_rule_makes_a_table_that_fills_the_memory() -> None:

@@ -132,24 +132,85 @@ const AlarmEntry* Control::alarm(Cause cause) const {
   return found == alarms.end() ? nullptr : &found->second;
 }
 
-double Control::parameter(std::string_view parameter_name) const {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// What a parameter's name says: 6001#5 is number 6001, bit 5; without a bit it is -1. Nothing
+/// where it is no such name.
+struct ParameterName {
+  std::int64_t number = 0;
+  int bit = -1;
+
+  static std::optional<ParameterName> read(std::string_view text) {
+    ParameterName name;
+    const std::size_t hash = std::min(text.find('#'), text.size());
+    if (hash == 0 || hash > 15) return std::nullopt;
+    for (const char c : text.substr(0, hash)) {
+      if (!is_digit(c)) return std::nullopt;
+      name.number = name.number * 10 + (c - '0');
+    }
+    if (hash == text.size()) return name;
+    const std::string_view bit = text.substr(hash + 1);
+    if (bit.empty() || bit.size() > 2 || !std::all_of(bit.begin(), bit.end(), is_digit))
+      return std::nullopt;
+    name.bit = 0;
+    for (const char c : bit) name.bit = name.bit * 10 + (c - '0');
+    return name;
+  }
+  bool operator==(const ParameterName&) const = default;
+};
+
+/// The parameter of this name; zeros in front of its number may be missing.
+template <class Parameters>
+auto* find_parameter(Parameters& parameters, std::string_view name) {
+  for (auto& p : parameters)
+    if (p.name == name) return &p;
+  const auto wanted = ParameterName::read(name);
+  for (auto& p : parameters)
+    if (wanted && ParameterName::read(p.name) == wanted) return &p;
+  return static_cast<decltype(&parameters.front())>(nullptr);
+}
+
+/// The parameters that somebody who wrote `name` may have meant: the bits of the same number, or
+/// the three nearest numbers.
+std::string near_parameters(const std::vector<Parameter>& parameters, const ParameterName& name) {
+  std::vector<std::pair<std::int64_t, std::string_view>> far;
   for (const Parameter& p : parameters)
-    if (p.name == parameter_name) return p.value;
-  return 0;
+    if (const auto known = ParameterName::read(p.name))
+      far.emplace_back(std::abs(known->number - name.number), p.name);
+  std::stable_sort(far.begin(), far.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::string near;
+  for (std::size_t i = 0; i < far.size() && (i < 3 || far[i].first == 0); ++i)
+    near += (i == 0 ? "; near are " : ", ") + std::string(far[i].second);
+  return near;
+}
+
+}  // namespace
+
+double Control::parameter(std::string_view parameter_name) const {
+  const Parameter* p = find_parameter(parameters, parameter_name);
+  return p == nullptr ? 0 : p->value;
 }
 
 std::optional<std::string> Control::set_parameter(const std::string& parameter_name, double value) {
+  const auto read = ParameterName::read(parameter_name);
+  if (!read)
+    return "'" + parameter_name +
+           "' is no parameter: write its number, as '6050', or number and bit, as '6001#5'";
+  const std::string what = "parameter " + parameter_name;
+  if (read->bit > 7) return what + ": the bits of a parameter are 0 to 7";
+  Parameter* p = find_parameter(parameters, parameter_name);
+  if (p == nullptr)
+    return name + " has no " + what + near_parameters(parameters, *read) + " (`cncsub controls " +
+           name + "` lists them)";
+  if (read->bit >= 0 && value != 0 && value != 1) return what + " is a bit, 0 or 1";
   if (!(std::fabs(value) <= kLargestSetting))
-    return "parameter " + parameter_name + " is a number up to " + std::to_string(kLargestSetting);
-  for (Parameter& p : parameters)
-    if (p.name == parameter_name) {
-      const auto effect = p.effect;
-      p.value = value;
-      if (effect != nullptr) effect(*this, value);
-      return std::nullopt;
-    }
-  parameters.push_back({parameter_name, value, "no rule depends on it", "set by the caller",
-                        Evidence::Inferred, nullptr});
+    return what + " is a number up to " + std::to_string(kLargestSetting);
+  const auto effect = p->effect;
+  p->value = value;
+  if (effect != nullptr) effect(*this, value);
   return std::nullopt;
 }
 

@@ -161,10 +161,10 @@ struct Control {
   std::string user_alarm_number;  // the one number of all user alarms ("P277"), or empty
 
   const AlarmEntry* alarm(Cause cause) const;
-  /// The value of a parameter, 0 where it was never set.
+  /// The value of a parameter, 0 where the control has none of this name.
   double parameter(std::string_view parameter_name) const;
-  /// Sets a parameter (also one no rule depends on) and lets it have its effect on the rules.
-  /// Returns what is wrong with the value, or nothing.
+  /// Sets a parameter of the control and lets it have its effect on the rules. Returns what is
+  /// wrong with the name or the value, or nothing.
   std::optional<std::string> set_parameter(const std::string& parameter_name, double value);
   const VariableRange* variable(std::int64_t number) const;
 };

@@ -124,16 +124,20 @@ void change_rule(Reader& in, Control& control) {
 
 void set_parameter(Reader& in, Control& control) {
   const std::uint16_t which = in.whole<std::uint16_t>();
+  const bool known = which < control.parameters.size();
   std::string name;
-  if (which < control.parameters.size()) {
+  if (known) {
     name = control.parameters[which].name;
   } else {
     name = std::to_string(which);
     if (const std::uint8_t bit = in.byte() % 9; bit > 0) name += "#" + std::to_string(bit - 1);
   }
   const double value = in.number();
-  const bool fits = std::fabs(value) <= kSetupLimit;
-  claim(!control.set_parameter(name, value) == fits, "a parameter takes numbers that fit");
+  const bool bit = name.find('#') != std::string::npos;
+  const bool fits = bit ? value == 0 || value == 1 : std::fabs(value) <= kSetupLimit;
+  const bool taken = !control.set_parameter(name, value);
+  claim(!taken || (fits && control.parameter(name) == value), "a parameter takes what fits");
+  claim(taken || !known || !fits, "a parameter of the control takes numbers that fit");
 }
 
 std::shared_ptr<const Control> changed(Reader& in, const std::shared_ptr<const Control>& control) {

@@ -1,6 +1,6 @@
 #include <pybind11/stl.h>
 
-#include <cctype>
+#include <limits>
 
 #include "bindings.hpp"
 #include "cncsub/control.hpp"
@@ -26,28 +26,39 @@ py::tuple texts(const std::vector<Option>& options, std::string_view Option::* p
   return list;
 }
 
-bool is_parameter_name(const std::string& name) {
-  std::size_t digits = 0, bits = 0, hashes = 0;
-  for (const char c : name) {
-    if (c == '#')
-      ++hashes;
-    else if (std::isdigit(static_cast<unsigned char>(c)) != 0)
-      ++(hashes == 0 ? digits : bits);
-    else
-      return false;
-  }
-  return digits > 0 && hashes <= 1 && (hashes == 0 || bits == 1 || bits == 2);
+std::string shown(const py::handle& value) { return py::repr(value).cast<std::string>(); }
+
+std::string type_of(const py::handle& value) {
+  return py::type::of(value).attr("__name__").cast<std::string>();
 }
 
-std::shared_ptr<Control> with_parameters(const Control& control,
-                                         const std::map<std::string, double>& parameters) {
+/// A number of Python or NumPy; nothing for a text and for what has no value as a number.
+std::optional<double> number_of(const py::handle& value) {
+  if (!PyNumber_Check(value.ptr())) return std::nullopt;
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (PyErr_Occurred() == nullptr) return number;
+  const bool large = PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
+  PyErr_Clear();
+  return large ? std::optional(std::numeric_limits<double>::infinity()) : std::nullopt;
+}
+
+std::shared_ptr<Control> with_parameters(const Control& control, const py::object& parameters) {
+  if (!py::isinstance<py::dict>(parameters) && !py::hasattr(parameters, "items"))
+    throw py::type_error("with_parameters takes a mapping such as {'6050': 70}, not " +
+                         type_of(parameters));
   auto changed = std::make_shared<Control>(control);
-  for (const auto& [name, value] : parameters) {
-    if (!is_parameter_name(name))
-      throw py::value_error(
-          "'" + name +
-          "' is no parameter: write its number, as '6050', or number and bit, as '6001#5'");
-    if (auto wrong = changed->set_parameter(name, value)) throw py::value_error(*wrong);
+  for (const auto& [key, value] : py::dict(parameters)) {
+    if (!py::isinstance<py::str>(key) || PyUnicode_AsUTF8(key.ptr()) == nullptr) {
+      PyErr_Clear();  // of a text that holds no characters
+      throw py::type_error("a parameter is named by a text, such as '6050' or '6001#5', not " +
+                           shown(key));
+    }
+    const auto number = number_of(value);
+    if (!number)
+      throw py::type_error("parameter " + py::str(key).cast<std::string>() +
+                           " takes a number, not " + shown(value));
+    if (auto wrong = changed->set_parameter(key.cast<std::string>(), *number))
+      throw py::value_error(*wrong);
   }
   return changed;
 }
@@ -58,9 +69,15 @@ RuleValue rule_value(const py::handle& value) {
     if (py::isinstance<py::int_>(value)) return value.cast<std::int64_t>();
     if (py::isinstance<py::str>(value)) return value.cast<std::string>();
   } catch (const py::cast_error&) {  // beyond 64 bits, or no characters
-    throw py::value_error("a rule does not take " + py::repr(value).cast<std::string>());
+    throw py::value_error("a rule does not take " + shown(value));
   }
-  throw py::type_error("a rule is True or False, a whole number or a text");
+  throw py::type_error("a rule is True or False, a whole number or a text, not " + shown(value));
+}
+
+const Control& base_of(const std::string& name) {
+  for (const Control& control : all_controls())
+    if (control.name == name) return control;
+  throw py::value_error("no control is called '" + name + "'");
 }
 
 std::shared_ptr<Control> replace(const Control& control, const py::kwargs& changes) {
@@ -71,6 +88,30 @@ std::shared_ptr<Control> replace(const Control& control, const py::kwargs& chang
   }
   return changed;
 }
+
+// A changed control is sent as its name and what was changed: the effects of parameters are code.
+py::tuple state_of(const Control& control) {
+  const Control& base = base_of(control.name);
+  Control again = base;
+  py::dict parameters, changes;
+  for (const Parameter& p : control.parameters)
+    if (p.value != base.parameter(p.name)) {
+      parameters[py::str(p.name)] = p.value;
+      again.set_parameter(p.name, p.value);
+    }
+  const auto now = rules(control), then = rules(again);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (now[i].value != then[i].value || now[i].source != then[i].source)
+      changes[py::str(now[i].name)] = value_of(now[i]);
+  return py::make_tuple(control.name, parameters, changes);
+}
+std::shared_ptr<Control> control_of(const py::tuple& state) {
+  if (state.size() != 3) throw py::value_error("this is no Control");
+  const Control& base = base_of(state[0].cast<std::string>());
+  return replace(*with_parameters(base, state[1]), py::kwargs(state[2]));
+}
+
+std::string written(double number) { return py::str("{:g}").format(number).cast<std::string>(); }
 
 }  // namespace
 
@@ -101,15 +142,25 @@ void add_controls(py::module_& m) {
       .def_readonly("meaning", &Parameter::meaning)
       .def_readonly("source", &Parameter::source)
       .def_property_readonly("evidence",
-                             [](const Parameter& p) { return std::string(to_string(p.evidence)); });
+                             [](const Parameter& p) { return std::string(to_string(p.evidence)); })
+      .def("__repr__", [](const Parameter& p) {
+        return "<Parameter " + p.name + " = " + written(p.value) + ": " + p.meaning + ">";
+      });
   py::class_<AlarmRow>(m, "AlarmEntry", py::is_final())
       .def_readonly("cause", &AlarmRow::cause)
       .def_property_readonly("number", [](const AlarmRow& a) { return a.entry.number; })
       .def_property_readonly("text", [](const AlarmRow& a) { return text_or_none(a.entry.text); })
       .def_property_readonly("source", [](const AlarmRow& a) { return a.entry.source; })
       .def_property_readonly(
-          "evidence", [](const AlarmRow& a) { return std::string(to_string(a.entry.evidence)); });
+          "evidence", [](const AlarmRow& a) { return std::string(to_string(a.entry.evidence)); })
+      .def("__repr__", [](const AlarmRow& a) {
+        return "<AlarmEntry " + (a.entry.number.empty() ? "" : a.entry.number + " ") + a.cause +
+               ">";
+      });
   py::class_<Control, std::shared_ptr<Control>>(m, "Control", py::is_final())
+      .def(py::init([](const py::args&, const py::kwargs&) -> std::shared_ptr<Control> {
+        throw py::type_error("the controls are in cncsub.controls; changed copies come from them");
+      }))
       .def_readonly("name", &Control::name)
       .def_readonly("title", &Control::title)
       .def_property_readonly("rules",
@@ -137,8 +188,18 @@ void add_controls(py::module_& m) {
                                return rows;
                              })
       .def("with_parameters", &with_parameters, py::arg("parameters"))
-      .def("replace", &replace)
+      .def("replace",
+           [](const Control& c, const py::args& args, const py::kwargs& changes) {
+             if (!args.empty())
+               throw py::type_error("replace takes rules by their names: max_nesting=10");
+             return replace(c, changes);
+           })
       .def("__copy__", [](const Control& c) { return std::make_shared<Control>(c); })
+      .def(
+          "__deepcopy__",
+          [](const Control& c, const py::object&) { return std::make_shared<Control>(c); },
+          py::arg("memo"))
+      .def(py::pickle(&state_of, &control_of))
       .def("__repr__",
            [](const Control& c) { return "<Control " + c.name + ": " + c.title + ">"; });
   m.def("controls", [] {

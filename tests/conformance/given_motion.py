@@ -2977,8 +2977,29 @@ case(
 
 case(
     "a profile that turns back in Z alarms (M443)",
-    control=["gsk-988t", "fanuc-30i"],
-    source="Talm 138; ALM PS0064",
+    control="fanuc-30i",
+    source="ALM PS0064",
+    evidence="secondary",
+    program="""
+        O1
+        G71 U5 R1 F0.2
+        G71 P10 Q20 U1 W0.5
+        N10 G0 X20
+        N12 G1 Z-20
+        N14 X30 Z-15
+        N20 X50 Z-40
+        M30
+    """,
+    params=MM,
+    setup=LATHE_A | {"start": {"X": 50, "Z": 2}},
+    alarm="profile-not-monotone",
+    number="PS0064",
+)
+
+case(
+    "a profile that turns back in Z alarms on the 988T where 5102#1 says so (M443)",
+    control="gsk-988t",
+    source="Talm 138",
     evidence="maker's manual",
     program="""
         O1
@@ -2993,7 +3014,7 @@ case(
     params=MM | {"5102#1": 1},
     setup=LATHE_A | {"start": {"X": 50, "Z": 2}},
     alarm="profile-not-monotone",
-    number={"gsk-988t": "138", "fanuc-30i": "PS0064"},
+    number="138",
 )
 
 case(

@@ -1604,7 +1604,6 @@ for letter, controls in ("P3000", [TE, *MITSUBISHI, *FANUC]), ("P3", GSK_988):
 PROFILE = LATHE | {"start": {"X": 20, "Z": 2}}
 for claim, head, body, cause, fanuc, mitsubishi, gsk_988 in (
     ("a call inside the profile of G71 alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 M98 P2\nN40 G1 Z-10.", "call-in-profile", "066", None, "131"),
-    ("a profile that turns back alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 G1 Z-10.\nN40 X12. Z-5.", "profile-not-monotone", "064", "P203", "138"),
     ("a profile that begins with an arc alarms", "G71 P20 Q40", "N20 G2 X10. Z0 R20.\nN30 G1 Z-10.\nN40 X20.", "profile-first-block", "065", None, "144"),
     ("G71 with P and no Q alarms", "G71 P20", "N20 G0 X10.\nN30 G1 Z-10.\nN40 X20.", "pq-missing", "061", None, "133"),
     ("G28 inside a profile alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 G1 Z-10.\nN40 G28 X20.", "profile-code", "066", None, "128"),
@@ -1613,11 +1612,19 @@ for claim, head, body, cause, fanuc, mitsubishi, gsk_988 in (
 ):
     case(
         claim, control=_lathe, source="ALM; MZ 897, paired; Talm", evidence="secondary", setup=PROFILE,
-        params={"5102#1": 1} if cause == "profile-not-monotone" else None,
         program=f"O1\nN5 G0 X20.\nN10 {head} U0 W0 F10.\n{body}\nN50 M30\nO2\nN60 M99"
         if "U0 R1" not in head
         else f"O1\nN5 G0 X20.\nN10 {head} U0 W0 F10.\n{body}\nN50 M30",
         alarm=cause, number=numbers(_lathe, fanuc, mitsubishi, gsk_988),
+    )
+for claim, of, params in (
+    ("a profile that turns back alarms", [c for c in _lathe if c not in GSK_988], None),
+    ("a profile that turns back alarms where 5102#1 says so", GSK_988, {"5102#1": 1}),
+):
+    case(
+        claim, control=of, source="ALM; MZ 897, paired; Talm", evidence="secondary", setup=PROFILE, params=params,
+        program="O1\nN5 G0 X20.\nN10 G71 P20 Q40 U0 W0 F10.\nN20 G0 X10.\nN30 G1 Z-10.\nN40 X12. Z-5.\nN50 M30",
+        alarm="profile-not-monotone", number=numbers(of, "064", "P203", "138"),
     )
 case(
     "a call inside the profile of G71 alarms on the 980TDi", control=TDI, source="TDi 23.1",
