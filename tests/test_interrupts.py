@@ -100,7 +100,7 @@ assert len(m.steps) > before and len(copy.steps) == before
     assert interrupted(code, after=0.2)[0] == "stopped"
 
 
-@pytest.mark.parametrize("after", [0.05, 0.4, 1.0])
+@pytest.mark.parametrize("after", [0.05, 0.4, 1.0, 2.0])
 def test_reading_a_large_file_is_given_up(tmp_path: Path, after: float) -> None:
     file = tmp_path / "large.nc"
     block = "".join(f"N{n} G1 X{n}.5 Y{n % 7}.25 (\u5de5) F100\n" for n in range(1, 9999))
@@ -157,6 +157,61 @@ def test_the_command_line_ends_without_a_traceback(tmp_path: Path) -> None:
     out, err = child.communicate(timeout=30)
     assert child.returncode == 1
     assert "Traceback" not in out + err
+
+
+HOLES = "O1\nN5 G0 Z5.\nN10 G91 G81 X1. Z-1. R-1. F100 K240000\nN20 G80\nN30 M30\n"
+
+
+CUTS = "N20 G0 X1.\n" + "G1 X1. W-.01\n" * 40_000 + "N30 G1 X900. F1\n"
+ROUGH = f"O1\nN5 G0 X900. Z1.\nG71 U.36 R.1\nN10 G71 P20 Q30 U0 W0 F1\n{CUTS}N40 M30\n"
+
+
+def test_a_contour_of_very_many_blocks_is_broken_off() -> None:
+    control = cncsub.controls["gsk-988ta"].replace(max_profile_blocks=0)
+    machine = cncsub.loads(ROUGH, control=control).machine(trace="none")
+    machine.run(until=("O1", 10))
+    old = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    try:
+        for after in (0.01, 0.1, 0.3):  # the block takes a second
+            signal.setitimer(signal.ITIMER_REAL, after)
+            begun = time.monotonic()
+            run = machine.run()
+            assert run is not None
+            assert run.stop is cncsub.Stop.INTERRUPTED
+            assert time.monotonic() - begun < after + SOON
+            assert (machine.blocks, machine.position["X"]) == (2, 900)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, old)
+
+
+@pytest.mark.parametrize("trace", ["none", "moves"])
+def test_a_block_of_very_many_moves_is_broken_off(trace: str) -> None:
+    machine = cncsub.loads(HOLES, control="fanuc-0i-f").machine(trace=trace)
+    machine.step()
+    old = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.02)  # the block takes some tenths of a second
+        run = machine.run()
+        assert run is not None
+        assert run.stop is cncsub.Stop.INTERRUPTED
+        # It did nothing, and is executed as a whole when the run goes on.
+        assert (machine.blocks, machine.position["X"], machine.alarm) == (1, 0, None)
+        signal.setitimer(signal.ITIMER_REAL, 0.02)
+        with pytest.raises(KeyboardInterrupt):
+            machine.step()
+        assert (machine.stop, machine.blocks, machine.position["X"]) == (None, 1, 0)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, old)
+    run = machine.run()
+    assert run is not None
+    assert run.stop is cncsub.Stop.END
+    assert (machine.blocks, machine.position["X"]) == (4, 240_000)
+    whole = cncsub.loads(HOLES, control="fanuc-0i-f").run()
+    assert run.moves.total_time == whole.moves.total_time
+    if trace == "moves":
+        assert len(run.moves) == len(whole.moves)
 
 
 class Rang(Exception):  # noqa: N818

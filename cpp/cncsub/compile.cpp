@@ -4,6 +4,9 @@
 #include <cstring>
 #include <functional>
 #include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
 
 #include "cncsub/block.hpp"
 #include "cncsub/call.hpp"
@@ -542,6 +545,15 @@ void resolve_calls(Code& code, std::size_t from, Patience& patience) {
     }
 }
 
+/// Gives back many megabytes without keeping whoever interrupted the reading waiting: the system
+/// takes its time over them.
+void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
+  try {
+    std::thread([code = std::move(code), files = std::move(files)] {}).detach();
+  } catch (const std::system_error&) {  // no thread to be had: it was freed here
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
@@ -562,11 +574,13 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   for (SourceFile& file : files) {
     code->files.push_back(std::move(file));
     reader.read(static_cast<std::uint32_t>(code->files.size() - 1));
-    if (patience.over(kProgram)) return nullptr;
+    if (patience.over(kProgram)) break;
   }
   register_programs(*code, patience);
   resolve_calls(*code, 0, patience);
-  return patience.over(0) ? nullptr : code;
+  if (!patience.over(0)) return code;
+  free_aside(std::move(code), std::move(files));
+  return nullptr;
 }
 
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text) {

@@ -135,11 +135,12 @@ bool Machine::passes(const Block& block) {
   return true;
 }
 
-bool Machine::step() {
+bool Machine::step(const std::function<bool()>& interrupted) {
   if (stop_ == Stop::Interrupted) stop_ = Stop::Running;
   if (stop_ != Stop::Running) return false;
+  const Asking asking(*this, interrupted);
   const std::int64_t before = executed_;
-  while (stop_ == Stop::Running && executed_ == before) {
+  while (stop_ == Stop::Running && executed_ == before && !broken_off_) {
     const Block& block = code_->blocks[pc_];
     if (passes(block)) continue;
     if (executed_ >= options_.max_blocks) return end(Stop::Limit);
@@ -167,6 +168,7 @@ void Machine::run(const std::function<bool()>& interrupted,
   double asked = 0;
   const std::int64_t last = std::min(until, options_.max_blocks);
   const bool in_parts = until != std::numeric_limits<std::int64_t>::max();
+  const Asking asking(*this, interrupted);
   while (stop_ == Stop::Running) {
     // Between two looks at the clock, the memory and Ctrl-C nothing but blocks.
     look_at_ = std::min(executed_ + kLookBlocks, last);
@@ -184,7 +186,7 @@ void Machine::run(const std::function<bool()>& interrupted,
     const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
     const bool ask = interrupted && seconds - asked > kAskSeconds;
     if (ask) asked = seconds;
-    if (ask && interrupted())
+    if (broken_off_ || (ask && interrupted()))
       end(Stop::Interrupted);
     else if (executed_ >= options_.max_blocks || memory() > options_.max_memory ||
              (options_.max_seconds > 0 && seconds > options_.max_seconds))
@@ -442,8 +444,11 @@ bool Machine::words(const Block& block) {
   words.ends = block.op == Op::EndProgram;
   Outside around = outside();
   if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), recorded_moves(),
-                                   outcome, around))
-    return alarm(*fault);
+                                   outcome, around)) {
+    if (!broken_off_) return alarm(*fault);
+    look_soon();
+    return false;
+  }
   moves_ += outcome.moves;
   if (moves_ > kLookMoves) look_soon();
   if (!auxiliary(words, block)) return false;
@@ -641,6 +646,8 @@ Outside Machine::outside() {
     if (next_skip_ >= options_.inputs.skips.size()) return std::nullopt;
     return std::array<double, 3>{options_.inputs.skips[next_skip_++], 0, 0};
   };
+  if (interrupted_ != nullptr && *interrupted_)
+    around.interrupted = [this] { return broken_off_ = (*interrupted_)(); };
   return around;
 }
 

@@ -56,8 +56,10 @@ class Machine {
  public:
   Machine(std::shared_ptr<const Code> code, std::int32_t main, Options options);
 
-  /// Executes one block. False where the run has stopped before one was executed.
-  bool step();
+  /// Executes one block. False where the run has stopped before one was executed, or where
+  /// `interrupted`, which a block of very many moves asks now and then, said so: then that block
+  /// did nothing.
+  bool step(const std::function<bool()>& interrupted = {});
   /// Runs until the run stops, or until `pause` says so (asked before each block when it is given).
   void run(const std::function<bool()>& interrupted,
            const std::function<bool(const Machine&)>& pause = {}) {
@@ -104,6 +106,12 @@ class Machine {
   std::optional<Fault> write(std::int64_t number, double value);
   std::optional<Fault> read_at(std::int64_t number, int level, double& value) const;
   std::optional<Fault> write_at(std::int64_t number, int level, double value);
+  /// Why nobody can give a value to a variable, or nothing.
+  std::optional<Fault> unwritable(std::int64_t number) const;
+  /// Whether a variable may hold no value: a local or a common.
+  bool can_be_vacant(std::int64_t number) const;
+  /// Whether a variable is set by the machine, from outside.
+  bool is_signal(std::int64_t number) const;
 
  private:
   struct Open {  // a frame
@@ -144,6 +152,18 @@ class Machine {
     Cause cause;
     std::uint32_t at;
     const char* detail;
+  };
+
+  /// For as long as this lives, a block of very many moves asks whether to stop.
+  struct Asking {
+    Asking(Machine& of, const std::function<bool()>& interrupted) : machine(of) {
+      machine.interrupted_ = &interrupted;
+      machine.broken_off_ = false;
+    }
+    Asking(const Asking&) = delete;
+    Asking& operator=(const Asking&) = delete;
+    ~Asking() { machine.interrupted_ = nullptr; }
+    Machine& machine;
   };
 
   // Blocks. Each returns false where the run stopped.
@@ -241,6 +261,8 @@ class Machine {
 
   std::shared_ptr<const Code> code_;
   Options options_;
+  const std::function<bool()>* interrupted_ = nullptr;  // while it runs: whether to stop
+  bool broken_off_ = false;                             // it said so in the middle of a block
   Trace trace_;
   Motion motion_;
 

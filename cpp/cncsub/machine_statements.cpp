@@ -220,9 +220,7 @@ bool Machine::waits_for(std::uint32_t condition) {
   if (at->op == Ins::End) return false;
   if (next_write_ < options_.inputs.writes.size()) {
     for (const auto& [number, value] : options_.inputs.writes[next_write_++]) {
-      if (const VariablePlace place = code_->place(number);
-          place.range != nullptr &&
-          (place.kind == VariableKind::Input || place.kind == VariableKind::InputWord))
+      if (is_signal(number))
         options_.inputs.signals[number] = value;
       else
         write(number, value);

@@ -12,6 +12,23 @@ Fault no_variable(std::int64_t number) {
   return {Cause::IllegalVariable, 0, 1, "there is no #" + std::to_string(number)};
 }
 
+std::optional<Fault> refused_write(const VariablePlace& place, std::int64_t number) {
+  if (place.range == nullptr) return no_variable(number);
+  if (place.kind == VariableKind::Vacant)
+    return Fault{Cause::VacantAssigned, 0, 1, "#0 is always vacant"};
+  switch (place.range->access) {
+    case Access::ReadWrite:
+      break;
+    case Access::ReadOnly:
+      return Fault{Cause::VariableWriteProtected, 0, 1,
+                   "#" + std::to_string(number) + " cannot be written"};
+    case Access::WriteOnly:  // it is a statement: the block that writes it has done it already
+      return Fault{Cause::VariableWriteProtected, 0, 1,
+                   "#" + std::to_string(number) + " takes a value from a program only"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 /// A program's look at a variable. With every look at the clock it goes on a little, besides going
@@ -58,14 +75,25 @@ std::optional<Fault> Machine::read_at(const VariablePlace& place, std::int64_t n
   }
 }
 
+std::optional<Fault> Machine::unwritable(std::int64_t number) const {
+  return refused_write(code_->place(number), number);
+}
+
+bool Machine::can_be_vacant(std::int64_t number) const {
+  const VariableKind kind = code_->place(number).kind;
+  return kind == VariableKind::Local || kind == VariableKind::Common ||
+         kind == VariableKind::Kept || kind == VariableKind::LevelImage;
+}
+
+bool Machine::is_signal(std::int64_t number) const {
+  const VariablePlace place = code_->place(number);
+  return place.range != nullptr &&
+         (place.kind == VariableKind::Input || place.kind == VariableKind::InputWord);
+}
+
 std::optional<Fault> Machine::write_at(std::int64_t number, int level, double value) {
   const VariablePlace place = code_->place(number);
-  if (place.range == nullptr) return no_variable(number);
-  if (place.kind == VariableKind::Vacant)
-    return Fault{Cause::VacantAssigned, 0, 1, "#0 is always vacant"};
-  if (place.range->access == Access::ReadOnly)
-    return Fault{Cause::VariableWriteProtected, 0, 1,
-                 "#" + std::to_string(number) + " cannot be written"};
+  if (auto fault = refused_write(place, number)) return fault;
   switch (place.kind) {
     case VariableKind::Local:
       locals_[local_at(level, place.index)] = value;
@@ -202,7 +230,7 @@ std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int6
       motion_.set_offset(place.kind, index + (place.range->first % 100 == 0 ? 0 : 1), value);
       break;
     default:
-      if (place.range->access != Access::WriteOnly) system_[number] = value;
+      system_[number] = value;
       break;
   }
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -48,6 +49,18 @@ struct Outside {
       profile;
   /// Where on the way of a G31 the skip signal comes: a fraction 0 to 1 in [0], or nothing.
   std::function<std::optional<std::array<double, 3>>()> skip;
+  /// Whether to break off a block that takes very long; or nothing.
+  std::function<bool()> interrupted;
+
+  /// Asks that now and then; `work` is what was done since the last time, a move being 1.
+  bool over(std::size_t work) {
+    worked += work;
+    if (worked < kAskWork || !interrupted) return false;
+    worked = 0;
+    return interrupted();
+  }
+  static constexpr std::size_t kAskWork = 1 << 14;
+  std::size_t worked = 0;
 };
 
 struct MotionFacts;   // what never changes during a run

@@ -217,8 +217,10 @@ Contour::Result Contour::rough() {
   if (levels * static_cast<double>(pieces.size()) > kMostCrossings)
     return motion.fault(Cause::ValueOutOfRange, block, "the block would cut too many levels");
   for (double level = level_of(begin) - away * step; (level - level_of(first)) * away > 1e-9;
-       level -= away * step)
+       level -= away * step) {
+    if (block.outside.over(pieces.size() / 64)) return broken_off(block.words.at);
     if (auto wrong = rough_level(level, back, away)) return wrong;
+  }
   if (auto wrong = follow(shift, 0)) return wrong;
   return go(MoveKind::Rapid, start);
 }
@@ -240,6 +242,7 @@ Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outs
     for (int i = 0; i < words.g_count; ++i)
       if (!allowed(facts_->codes.find(words.g[static_cast<std::size_t>(i)]).meaning))
         return Fault{Cause::ProfileCode, words.at, 1, {}};
+    if (outside.over(1)) return broken_off(words.at);
     Outcome outcome;
     NcWords plain = words;
     trial.s_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);

@@ -68,6 +68,7 @@ Motion::Result Motion::move(BlockWords& block, Piece piece) {
   if (++block.outcome.moves > kMostMoves)
     return fault(Cause::ValueOutOfRange, block,
                  "the block would make more than " + std::to_string(kMostMoves) + " moves");
+  if (block.outside.over(1)) return broken_off(block.words.at);
   const Axes before = s_.work;
   s_.work = piece.end - piece.offset;
   s_.tool_pending = false;

@@ -100,12 +100,13 @@ void add_code(py::module_& m) {
   py::class_<Text>(m, "Text", py::is_final())
       .def(py::init<std::size_t>(), py::arg("bytes"))
       .def("add", &Text::add, py::arg("piece"), py::arg("count"))
-      .def("__len__", [](const Text& t) { return t.text.size(); })
       .def(
-          "head",
-          [](const Text& t, std::size_t count) { return py::bytes(t.text.substr(0, count)); },
-          py::arg("count"))
-      .def("__bytes__", [](const Text& t) { return py::bytes(t.text); });
+          "part",
+          [](const Text& t, std::size_t at, std::size_t count) {
+            return py::bytes(t.text.substr(std::min(at, t.text.size()), count));
+          },
+          py::arg("at"), py::arg("count"))
+      .def("__len__", [](const Text& t) { return t.text.size(); });
   py::class_<ProgramData>(m, "ProgramData", py::is_final())
       .def_property_readonly("name", [](const ProgramData& p) { return p.program().name; })
       .def_property_readonly("file", [](const ProgramData& p) { return p.file().name; })

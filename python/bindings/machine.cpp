@@ -96,6 +96,28 @@ Trace::Depth depth_of(const std::string& name) {
   throw py::value_error("trace is 'none', 'calls', 'blocks' or 'moves', not '" + name + "'");
 }
 
+/// G54.1 P49 is a work coordinate system of some controls only.
+void check_systems(const Control& control, const Setup& setup) {
+  const std::int32_t most = control.max_extra_systems.value;
+  for (const auto& [name, values] : setup.work_offsets)
+    if (const auto p = name.find('P');
+        p != std::string::npos && std::stol(name.substr(p + 1)) > most)
+      throw py::value_error("work_offsets: " + control.name + " has no " + name +
+                            (most > 0 ? "; the last is G54.1 P" + std::to_string(most) : ""));
+}
+
+/// The numbers in the inputs must be those of signals, and of variables that can be written.
+void check_inputs(const Machine& machine, const Inputs& inputs) {
+  for (const auto& [number, value] : inputs.signals)
+    if (!machine.is_signal(number))
+      throw py::value_error("signals: #" + std::to_string(number) + " is no signal on " +
+                            machine.code().control->name);
+  for (const auto& write : inputs.writes)
+    for (const auto& [number, value] : write)
+      if (auto fault = machine.unwritable(number); fault && !machine.is_signal(number))
+        throw py::value_error("writes: " + fault->detail);
+}
+
 std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32_t main, bool mdi,
                                    std::optional<std::int64_t> start,
                                    const std::optional<py::dict>& variables,
@@ -126,15 +148,18 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
   options.trace = depth_of(trace);
   if (inputs) options.inputs = inputs_of(*inputs);
   if (setup) options.setup = setup_of(*setup);
+  check_systems(*code->control, options.setup);
   const Program& program = code->programs[static_cast<std::size_t>(main)];
   if (start && code->first_of(program, *start) == kNowhere)
     throw py::value_error("start: there is no block N" + std::to_string(*start) + " in " +
                           program.name);
   const auto given = options.variables;
+  const Inputs around = options.inputs;
   auto live = std::make_shared<Live>(code, main, std::move(options));
   for (const auto& [number, value] : given)
     if (auto fault = live->machine.write(number, value))
       throw py::value_error("variables: " + fault->detail);
+  check_inputs(live->machine, around);
   return live;
 }
 
@@ -173,6 +198,13 @@ void run(Live& live, const std::optional<std::pair<std::int64_t, std::int64_t>>&
              code.blocks[m.address()].line == until->second;
     };
   run_released(*machine, pause);
+}
+
+bool step(Live& live) {
+  const Work machine(live);
+  const bool done = machine->step([] { return PyErr_CheckSignals() != 0; });
+  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+  return done;
 }
 
 void run_blocks(Live& live, std::int64_t blocks) {
@@ -249,7 +281,7 @@ void add_machine(py::module_& m) {
            py::arg("setup") = py::none())
       .def("run", &run, py::arg("until") = py::none())
       .def("run_blocks", &run_blocks, py::arg("blocks"))
-      .def("step", [](Live& live) { return Work(live)->step(); })
+      .def("step", &step)
       .def("copy", [](Live& live) { return std::make_shared<Live>(*Look(live)); })
       .def("interrupt", [](Live& live) { Work(live)->interrupt(); })
       .def("take",
@@ -287,6 +319,10 @@ void add_machine(py::module_& m) {
       .def("get_variable", &get_variable, py::arg("number"), py::arg("level") = -1)
       .def("set_variable", &set_variable, py::arg("number"), py::arg("value"),
            py::arg("level") = -1)
+      .def(
+          "can_be_vacant",
+          [](Live& live, std::int64_t number) { return Look(live)->can_be_vacant(number); },
+          py::arg("number"))
       .def("reset", [](Live& live) { Work(live)->reset(); })
       .def(
           "cleared_by_reset",

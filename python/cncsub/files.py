@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import codecs
 import errno
-import io
 import os
 import re
 import stat
@@ -183,7 +182,7 @@ def _text_file(path: Path, data: Data | Text, encoding: str | None) -> TextFile:
     if not isinstance(data, Text):
         pieces = decoded(data, encoding)
     else:
-        pieces = [data] if encoding is None else decoded(bytes(data), encoding)
+        pieces = [data] if encoding is None else decoded(_bytes_of(data), encoding)
     # A name that is no text, as Linux allows, is shown with question marks.
     return TextFile(clean(str(path)), clean(path.stem), pieces)
 
@@ -288,30 +287,30 @@ def _read_bytes(path: Path) -> tuple[Data | Text | None, str]:
             return None, "not a regular file"
         if status.st_size > LARGEST_FILE:
             return None, f"larger than {LARGEST_FILE >> 20} MiB"
-        # Python looks for Ctrl-C between two reads. A file that grows meanwhile is read on.
+        # Piece by piece: Python looks for Ctrl-C in between, and nothing goes over the whole. A
+        # file that grows meanwhile is read on.
         text, piece = Text(status.st_size), bytearray(min(status.st_size + 1, _READ))
         while len(text) < LARGEST_FILE and (count := file.readinto(piece)):
             if not text.add(piece, count):
-                return _bytes_of(bytes(text) + piece[:count], file, status.st_size), ""
-        return text, ""
+                break
+        else:
+            return text, ""
+        data = _bytes_of(text)
+        while True:
+            data += piece[:count]
+            if len(data) >= LARGEST_FILE or not (count := file.readinto(piece)):
+                return data, ""
 
 
-def _bytes_of(start: bytes, file: io.FileIO, size: int) -> bytearray:
-    """All bytes of a file that was read as far as `start`."""
-    data = bytearray(max(size, len(start)))
-    data[: len(start)] = start
-    filled = len(start)
-    with memoryview(data) as places:
-        while count := file.readinto(places[filled : filled + _PIECE]):
-            filled += count
-    del data[filled:]
-    while len(data) < LARGEST_FILE and (piece := file.read(1 << 16)):
-        data += piece  # the file has grown
+def _bytes_of(text: Text) -> bytearray:
+    data = bytearray()
+    for at in range(0, len(text), _PIECE):
+        data += text.part(at, _PIECE)
     return data
 
 
 def _looks_like_text(data: Data | Text) -> bool:
-    sample = data.head(_SAMPLE) if isinstance(data, Text) else data[:_SAMPLE]
+    sample = data.part(0, _SAMPLE) if isinstance(data, Text) else data[:_SAMPLE]
     if sample.startswith(_OTHER_STARTS):
         return False
     if sample.startswith(tuple(bom for bom, _ in _BOMS)):
