@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from pathlib import Path
 
 import pytest
 
@@ -67,3 +68,140 @@ def test_a_call_that_is_open_has_no_last_step() -> None:
     assert machine.calls[0].last_step == 2
     machine.run()
     assert [call.last_step for call in machine.calls] == [2, 6]
+
+
+# ---- copies, and other processes ----
+
+
+def test_a_changed_control_comes_back_from_another_process() -> None:
+    known = cncsub.controls[CONTROL]
+    changed = known.with_parameters({"6050": 70, "6001#6": 1, "3410": 0.5}).replace(max_nesting=3)
+    for control in (known, changed, changed.with_parameters({"6001#6": 0})):
+        for other in (
+            pickle.loads(pickle.dumps(control)), copy.copy(control), copy.deepcopy(control)
+        ):  # fmt: skip
+            assert other.name == control.name
+            assert [(r.name, r.value, r.source) for r in other.rules] == [
+                (r.name, r.value, r.source) for r in control.rules
+            ]
+            for name, parameter in control.parameters.items():
+                assert other.parameters[name].value == parameter.value
+
+
+def test_setup_and_inputs_are_values() -> None:
+    setup = cncsub.Setup(start={"X": 1}, work_offsets={"G54": {"Z": 5}}, machine="lathe-a")
+    inputs = cncsub.Inputs(signals={1000: 1}, operator=["start"], writes=[(2, {500: 1})])
+    for value in (setup, inputs):
+        assert pickle.loads(pickle.dumps(value)) == value
+        assert copy.deepcopy(value) == copy.copy(value) == value
+
+
+def test_a_library_comes_back_from_another_process(tmp_path: Path) -> None:
+    (tmp_path / "O5.nc").write_bytes(b"N50 M99 (\xb9\xa4)\r\n")
+    control = cncsub.controls[CONTROL].replace(max_nesting=3)
+    library = cncsub.loads(
+        CALLS.replace("G0 X1.", "M198 P5"), control=control, external=tmp_path, name="job/A.NC"
+    )
+    other = pickle.loads(pickle.dumps(library))
+    assert repr(other) == repr(library)
+    assert [p.text for p in other.values()] == [p.text for p in library.values()]
+    assert (other.files, other.skipped) == (library.files, library.skipped)
+    assert list(other.external) == ["O5"]
+    assert {r.name: r.value for r in other.control.rules}["max_nesting"] == 3
+    assert (
+        other.run().steps.n.tolist() == library.run().steps.n.tolist() == [10, 30, 50, 40, 50, 20]
+    )
+    assert copy.copy(library) is copy.deepcopy(library) is library
+
+
+def test_what_stays_in_its_process_says_so() -> None:
+    library = cncsub.loads(CALLS, control=CONTROL)
+    run = library.run()
+    stream = library.stream(rows=1)
+    staying = [
+        run, library.machine(), stream, next(stream), run.steps, run.calls, run.moves,
+        run.variables, library.main, library["O1"].blocks, library["O1"].blocks[0],
+    ]  # fmt: skip
+    for value in staying:
+        with pytest.raises(TypeError, match="stay in their process; send"):
+            pickle.dumps(value)
+
+
+def test_a_run_is_its_own_copy_and_a_machine_goes_its_own_way() -> None:
+    library = cncsub.loads(CALLS, control=CONTROL)
+    run = library.run()
+    assert copy.copy(run) is copy.deepcopy(run) is run
+    machine = library.machine()
+    machine.step()
+    for twin in (copy.copy(machine), copy.deepcopy(machine), machine.copy()):
+        twin.run()
+        assert (machine.stop, twin.stop) == (None, "end")
+        assert (machine.blocks, twin.blocks) == (1, 5)
+    stream = library.stream(rows=2)
+    next(stream)
+    for other in (copy.copy(stream), copy.deepcopy(stream)):
+        assert [step.n for part in other for step in part.steps] == [40, 50, 20]
+        assert (stream.blocks, other.blocks) == (2, 5)
+
+
+def test_what_a_control_is_made_of_prints_itself() -> None:
+    control = cncsub.controls[CONTROL]
+    assert repr(control.parameters["3410"]).startswith("<Parameter 3410 = 0: how much the radius")
+    assert repr(control.alarms["program-not-found"]) == "<AlarmEntry PS0076 program-not-found>"
+    assert repr(control.rules[0]) == "<Rule semicolon = 'end-of-block'>"
+
+
+# ---- mappings ----
+
+
+def test_the_variables_are_a_mapping_of_those_that_hold_a_value() -> None:
+    machine = cncsub.loads("O1\n#1=1\n#5221=7\nM30\n", control=CONTROL).machine()
+    machine.run()
+    variables = machine.variables
+    assert variables.setdefault(100, 5) == variables.setdefault(100, 6) == 5
+    variables.update({101: 1, 102: None})
+    assert dict(variables) == variables == {1: 1, 100: 5, 101: 1}
+    assert (102 in variables, variables[102], variables.get(102), variables.get(102, 9)) == (
+        False, None, None, 9,
+    )  # fmt: skip
+    assert variables.pop(100) == 5
+    assert variables.pop(100, 8) == variables.pop(9_999_999, 8) == 8
+    for number in (100, 9_999_999, "100", 10**30):
+        for take in (variables.pop, variables.__delitem__):
+            with pytest.raises(KeyError):
+                take(number)  # type: ignore[operator]
+    assert variables.popitem() == (1, 1.0)
+    del variables[101]
+    assert dict(variables) == {}
+    with pytest.raises(KeyError, match="no variable holds a value"):
+        variables.popitem()
+
+
+def test_the_control_keeps_its_own_variables() -> None:
+    library = cncsub.loads("O1\nM30\n", control=CONTROL)
+    machine = library.machine()
+    variables = machine.variables
+    variables.update({3901: 4, 100: 1, 5221: 7})
+    assert dict(variables) == {3901: 4, 100: 1}
+    variables.clear()
+    assert dict(variables) == {3901: 4}
+    assert variables[5221] == 7
+    for number in (3901, 5221):
+        with pytest.raises(KeyError, match="always has a value"):
+            del variables[number]
+    with pytest.raises(KeyError, match="no variable holds a value that can be taken"):
+        variables.popitem()
+
+
+def test_bounds_are_found_by_either_letter() -> None:
+    bounds = cncsub.loads(CALLS, control=CONTROL).run().moves.bounds
+    assert list(bounds) == ["X"]
+    assert "x" in bounds
+    assert "X" in bounds
+    assert "y" not in bounds
+    assert 1 not in bounds  # type: ignore[comparison-overlap]
+    assert bounds.get("x") == bounds["x"] == bounds["X"] == (1, 2)
+    assert bounds.get("y") is None
+    assert bounds.get("y", 0) == 0
+    with pytest.raises(KeyError, match="no move named the axis 'y'; there are X"):
+        bounds["y"]

@@ -58,6 +58,9 @@ Alarm alarm_of(const py::tuple& state) {
 
 void add_alarms(py::module_& m) {
   py::class_<Frame>(m, "Frame", py::is_final())
+      .def(py::init([](const py::args&, const py::kwargs&) -> Frame {
+        throw py::type_error("frames come from runs");
+      }))
       .def_readonly("program", &Frame::program)
       .def_property_readonly("n", [](const Frame& f) { return sequence_number(f.n); })
       .def_readonly("line", &Frame::line)
@@ -76,6 +79,9 @@ void add_alarms(py::module_& m) {
                std::to_string(f.repeat) + " of " + std::to_string(f.repeats) + ")>";
       });
   py::class_<Alarm>(m, "Alarm", py::is_final())
+      .def(py::init([](const py::args&, const py::kwargs&) -> Alarm {
+        throw py::type_error("alarms come from runs");
+      }))
       .def_property_readonly("cause",
                              [](const Alarm& a) { return std::string(info(a.cause).slug); })
       .def_property_readonly("number", [](const Alarm& a) { return text_or_none(a.number); })

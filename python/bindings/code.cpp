@@ -108,6 +108,8 @@ void add_code(py::module_& m) {
           py::arg("at"), py::arg("count"))
       .def("__len__", [](const Text& t) { return t.text.size(); });
   py::class_<ProgramData>(m, "ProgramData", py::is_final())
+      .def_property_readonly(
+          "code", [](const ProgramData& p) { return std::const_pointer_cast<Code>(p.code); })
       .def_property_readonly("name", [](const ProgramData& p) { return p.program().name; })
       .def_property_readonly("file", [](const ProgramData& p) { return p.file().name; })
       .def_property_readonly("line", [](const ProgramData& p) { return p.program().line; })
@@ -147,6 +149,15 @@ void add_code(py::module_& m) {
                                  rows.append(ProgramData{c, i});
                                return rows;
                              })
+      .def_property_readonly("sources",
+                             [](const Code& c) {
+                               py::list rows;
+                               for (const SourceFile& file : c.files)
+                                 rows.append(py::make_tuple(file.name, file.stem,
+                                                            py::bytes(file.text), file.external));
+                               return rows;
+                             })
+      .def_readonly("external_device", &Code::external_device)
       .def(
           "find",
           [](const Code& c, const std::string& name, bool external) {

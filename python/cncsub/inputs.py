@@ -116,6 +116,8 @@ def _value(what: str, value: object) -> float | None:
     if value is None:
         return None
     try:
+        if isinstance(value, bool | str | bytes | bytearray):
+            raise TypeError
         number = float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{what} takes a number or None (vacant), not {value!r}") from None

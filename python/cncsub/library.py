@@ -11,7 +11,7 @@ from cncsub._core import Control
 from cncsub.controls import Named, control_of, did_you_mean
 from cncsub.files import Piece, StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.inputs import Inputs, checked_variables, inputs_of
-from cncsub.program import Program
+from cncsub.program import Program, find_program
 from cncsub.run import Machine, Run
 from cncsub.setup import Setup, setup_of
 from cncsub.stream import Stream
@@ -89,10 +89,22 @@ class Library(Mapping[str, Program]):
         count = f"{len(self)} program{'s' if len(self) != 1 else ''}"
         return f"<Library of {self.control.name}, {count}: {names}>"
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # It travels as its texts and is read again where it arrives.
+        sources, device = self._code.sources, self._code.external_device
+        return _read_again, (self.control, sources, device, self._files, self._skipped)
+
+    def __copy__(self) -> Library:
+        return self  # nothing changes it
+
+    def __deepcopy__(self, memo: object) -> Library:
+        return self
+
     def _find(self, name: object) -> int:
-        if not isinstance(name, str | int) or isinstance(name, bool):
-            raise KeyError(f"a program is called by its name or number, not by {name!r}")
-        index = self._code.find(name) if _fits(name) else -1
+        try:
+            index = find_program(self._code, name)
+        except TypeError as error:
+            raise KeyError(str(error)) from None
         if index >= 0:
             return index
         known = did_you_mean(name, self._names, _listing(self._names))
@@ -220,7 +232,8 @@ class Library(Mapping[str, Program]):
         >>> sum(part.moves.total_length for part in library.stream(max_cycles=100_000))
         100000.0
         """
-        return Stream(self._begin(main, **options), _whole("rows", rows, 1))
+        trace = options.get("trace", "moves")
+        return Stream(self._begin(main, **options), _whole("rows", rows, 1), trace)
 
     def _begin(self, main: str | int | None, **options: Unpack[ModeOptions]) -> _core.Machine:
         if main is not None:
@@ -286,11 +299,24 @@ def loads(
             f"loads takes the text of a program, not {type(text).__name__}; load takes paths"
         )
     outside, skipped = _external_files(external, encoding)
-    stem = "" if name is None else os.path.splitext(os.path.basename(name))[0]  # noqa: PTH119, PTH122
-    shown = "<text>" if name is None else name
+    if name is not None and not isinstance(name, str):
+        raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
+    stem = clean(os.path.splitext(os.path.basename(name or ""))[0])  # noqa: PTH119, PTH122
+    shown = "<text>" if name is None else clean(name)
     files = [(shown, stem, pieces, False), *outside]
     code = _core.compile(known, files, external is not None)
     return Library(code, [shown], skipped)
+
+
+def _read_again(
+    control: Control,
+    sources: Sequence[tuple[str, str, bytes, bool]],
+    external_device: bool,
+    files: Sequence[str],
+    skipped: Sequence[tuple[str, str]],
+) -> Library:
+    rows: list[CoreFile] = [(name, stem, [text], outside) for name, stem, text, outside in sources]
+    return Library(_core.compile(control, rows, external_device), files, skipped)
 
 
 def _external_files(
@@ -300,11 +326,6 @@ def _external_files(
         return [], []
     reading = read_paths([external], encoding=encoding)
     return [(f.name, f.stem, f.pieces, True) for f in reading.files], reading.skipped
-
-
-def _fits(name: str | int) -> bool:
-    """Whether the engine can be asked for it; it counts to 64 bits."""
-    return isinstance(name, str) or 0 <= name < 2**63
 
 
 def _listing(names: Sequence[str]) -> str:

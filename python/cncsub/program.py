@@ -8,6 +8,20 @@ from dataclasses import dataclass, field
 from typing import NamedTuple, overload
 
 from cncsub import _core
+from cncsub.files import clean
+from cncsub.staying import Stays
+
+
+def find_program(code: _core.Code, name: object) -> int:
+    """The place of a program among those of the code, by any way to write its name, or by its
+    number; -1 where there is none, `TypeError` for what is neither.
+    """
+    if isinstance(name, str):
+        return code.find(clean(name))
+    if isinstance(name, bool) or not hasattr(name, "__index__"):
+        raise TypeError(f"a program is called by its name or number, not by {name!r}")
+    number = operator.index(name)
+    return code.find(number) if 0 <= number < 2**63 else -1  # the engine counts to 64 bits
 
 
 class Word(NamedTuple):
@@ -41,8 +55,10 @@ class Block:
         return tuple(Word(*word) for word in self._program._data.words(self._index))
 
 
-class Blocks(Sequence[Block]):
+class Blocks(Stays, Sequence[Block]):
     """The blocks of a program, from 0."""
+
+    _instead = "send the library"
 
     def __init__(self, program: Program) -> None:
         self._program = program
@@ -69,7 +85,7 @@ class Blocks(Sequence[Block]):
         return f"<{len(self)} blocks of {self._program.name}>"
 
 
-class Program:
+class Program(Stays):
     """One program of a library.
 
     >>> import cncsub
@@ -79,6 +95,8 @@ class Program:
     >>> program.blocks[0].words[-1]
     Word(address='X', value=10.0, text='X10.')
     """
+
+    _instead = "send its library, or its text"
 
     def __init__(self, data: _core.ProgramData, index: int) -> None:
         self._data = data

@@ -6,13 +6,15 @@ import enum
 import functools
 import operator
 from collections.abc import Iterator, Mapping, MutableMapping
+from typing import Any
 
 from cncsub import _core
 from cncsub._core import Alarm, Frame
 from cncsub.controls import did_you_mean
 from cncsub.inputs import checked_variables
-from cncsub.program import Block
+from cncsub.program import Block, find_program
 from cncsub.rows import Step
+from cncsub.staying import Stays
 from cncsub.tables import Calls, Moves, Steps
 
 Until = Block | tuple[str | int, int] | int
@@ -40,25 +42,33 @@ class AlarmError(Exception):
         return AlarmError, (self.alarm,)
 
 
-class Variables(Mapping[int, float | None]):
-    """Variables by number: what was ever set, and every other number the control has, which is
-    vacant (`None`).
+class Variables(Stays, Mapping[int, float | None]):
+    """Variables by number: a mapping of those that hold a value. `variables[100]` of any other
+    number that the control has is `None`, the vacant value.
 
-    Iteration and `len` go over those that hold a value, each under one number (the HNC shows the
-    locals of the open levels under `#200` and so on besides). Reading a number the control does not
-    have, or that cannot be read, is a `KeyError`.
+    Iteration and `len` tell each under one number (the HNC shows the locals of the open levels
+    under `#200` and so on besides). Reading a number the control does not have, or that cannot be
+    read, is a `KeyError`.
+
+    >>> import cncsub
+    >>> run = cncsub.loads("O1\\n#100=5\\nM30\\n", control="fanuc-0i-f").run()
+    >>> run.variables, run.variables[101], 101 in run.variables, run.variables.get(101, 0)
+    ({100: 5}, None, False, 0)
     """
+
+    _instead = "send dict(variables)"
 
     def __init__(self, core: _core.Machine, level: int) -> None:
         self._core = core
         self._level = level
 
     def __getitem__(self, number: int) -> float | None:
+        if isinstance(number, bool) or not hasattr(number, "__index__"):
+            raise KeyError(f"a variable number is a whole number such as 100, not {number!r}")
         try:
             return self._core.get_variable(operator.index(number), self._level)
-        except (TypeError, ValueError, LookupError, OverflowError) as error:
-            detail = str(error.args[0]) if error.args else "there is no such variable"
-            raise KeyError(f"#{number}: {detail}") from None
+        except (TypeError, LookupError) as error:
+            raise _no_variable(number, error) from None
 
     def __iter__(self) -> Iterator[int]:
         return (number for number, value in self._set().items() if value is not None)
@@ -72,6 +82,14 @@ class Variables(Mapping[int, float | None]):
         except KeyError:
             return False
 
+    def get(self, number: int, default: Any = None) -> Any:
+        """The value, or `default` where the variable is vacant or there is none."""
+        try:
+            value = self[number]
+        except KeyError:
+            return default
+        return default if value is None else value
+
     def _set(self) -> dict[int, float | None]:
         return self._core.variables(self._level)
 
@@ -79,9 +97,19 @@ class Variables(Mapping[int, float | None]):
         return "{" + ", ".join(f"{number}: {self[number]:g}" for number in self) + "}"
 
 
+def _no_variable(number: object, error: Exception) -> KeyError:
+    # The engine's own words; for a number beyond its 64 bits it has none.
+    known = isinstance(error, LookupError) and error.args
+    return KeyError(error.args[0] if known else f"there is no #{number}")
+
+
 class MachineVariables(Variables, MutableMapping[int, float | None]):
     """The variables of a machine, to read and to set; `None` makes one vacant. `#1` and so on are
     those of one level.
+
+    What takes a variable out of the mapping (`del`, `pop`, `popitem`, `clear`) makes it vacant. The
+    control's own variables, such as the work offsets, always have a value: `del` and `pop` of one
+    are a `KeyError`, `popitem` and `clear` leave them.
     """
 
     def __setitem__(self, number: int, value: float | None) -> None:
@@ -89,21 +117,55 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         try:
             self._core.set_variable(checked, number_or_none, self._level)
         except LookupError as error:
-            raise KeyError(
-                f"#{number}: {error.args[0] if error.args else 'no such variable'}"
-            ) from None
+            raise _no_variable(number, error) from None
 
     def __delitem__(self, number: int) -> None:
+        if number not in self:
+            raise KeyError(f"#{number} holds no value")
+        if not self._core.can_be_vacant(operator.index(number)):
+            raise KeyError(f"#{number} is the control's own and always has a value")
         self[number] = None
+
+    def setdefault(self, number: int, default: float | None = None) -> float | None:
+        """The value; where the variable is vacant it is set to `default` first."""
+        if number not in self:
+            self[number] = default
+        return self[number]
+
+    def pop(self, number: int, *default: Any) -> Any:
+        """The value of a variable that is made vacant. Where it is vacant already, `default`, or a
+        `KeyError`.
+        """
+        if default and number not in self:
+            return default[0]
+        value = self[number]
+        del self[number]
+        return value
+
+    def popitem(self) -> tuple[int, float | None]:
+        """Make one variable vacant and return its number and value."""
+        for number in self._clearable():
+            return number, self.pop(number)
+        raise KeyError("no variable holds a value that can be taken")
+
+    def clear(self) -> None:
+        """Make all commons and the locals of this level vacant."""
+        for number in self._clearable():
+            del self[number]
+
+    def _clearable(self) -> list[int]:
+        return [number for number in self if self._core.can_be_vacant(number)]
 
     def level(self, level: int) -> MachineVariables:
         """The same variables with the locals of another level, 0 for those of the main program."""
+        if isinstance(level, bool) or not hasattr(level, "__index__"):
+            raise TypeError(f"a level is a whole number, not {level!r}")
         if not 0 <= level <= self._core.level:
             raise ValueError(f"the open levels are 0 to {self._core.level}, not {level}")
         return MachineVariables(self._core, level)
 
 
-class Recorded:
+class Recorded(Stays):
     """What was recorded, in a run, by a machine so far, or in one part of a stream."""
 
     def __init__(self, core: _core.Trace, axes: list[str] | None = None) -> None:
@@ -141,7 +203,7 @@ class Recorded:
         return self._trace.t_codes
 
 
-class State:
+class State(Stays):
     """Where a machine stands."""
 
     def __init__(self, core: _core.Machine) -> None:
@@ -205,6 +267,14 @@ class Run(_Outcome):
     ('program-not-found', 'PS0076', 10)
     """
 
+    _instead = "send what you need of it: alarm, stop, dict(variables), moves.to_arrow()"
+
+    def __copy__(self) -> Run:
+        return self  # nothing changes it
+
+    def __deepcopy__(self, memo: object) -> Run:
+        return self
+
     @property
     def stop(self) -> Stop:
         """Why the run stopped."""
@@ -263,7 +333,8 @@ class Machine(_Outcome):
         `until` stops before a block: a `Block`, or program and sequence number such as `("O2",
         30)`. A whole number stops where no more than that many calls are open:
         `machine.run(until=len(machine.stack) - 1)` steps out. Returns `None` where it stopped
-        there. An unknown program or block is a `KeyError`. A machine that Ctrl-C stopped goes on.
+        there. An unknown program or block is a `KeyError`, a block of another library a
+        `ValueError`. A machine that Ctrl-C stopped goes on.
         """
         self._core.run(None if until is None else self._place(until))
         # The machine may go on; the run stays what it is.
@@ -271,19 +342,23 @@ class Machine(_Outcome):
 
     def _place(self, until: Until) -> tuple[int, int]:
         if isinstance(until, Block):
+            if until.program._data.code is not self._core.code:
+                raise ValueError(f"until: {until!r} is a block of another library")
             return until.program._index, until.line
         if isinstance(until, tuple) and len(until) == 2:
             return self._block_place(*until)
-        try:
-            return -1, operator.index(until)
-        except TypeError:
-            raise TypeError(
-                f"until is a Block, such as ('O2', 30), or a number of open calls, not {until!r}"
-            ) from None
+        if isinstance(until, bool) or not hasattr(until, "__index__"):
+            raise _wrong_until(until)
+        return -1, max(-1, min(operator.index(until), 1 << 30))
 
     def _block_place(self, name: str | int, n: int) -> tuple[int, int]:
+        if isinstance(n, bool) or not hasattr(n, "__index__"):
+            raise _wrong_until((name, n))
         code = self._core.code
-        index = code.find(name)
+        try:
+            index = find_program(code, name)
+        except TypeError:
+            raise _wrong_until((name, n)) from None
         if index < 0:
             known = did_you_mean(name, (program.name for program in code.programs))
             raise KeyError(f"no program {name} in the memory{known}")
@@ -310,6 +385,9 @@ class Machine(_Outcome):
 
     __copy__ = copy
 
+    def __deepcopy__(self, memo: object) -> Machine:
+        return self.copy()
+
     @property
     def stop(self) -> Stop | None:
         """Why the program stopped, `None` while it runs."""
@@ -332,3 +410,10 @@ class Machine(_Outcome):
             return "<Machine: at work in another thread>"
         where = program if n is None else f"{program} N{n}"
         return f"<Machine: {self._summary()}, next block {where}, line {line}>"
+
+
+def _wrong_until(until: object) -> TypeError:
+    return TypeError(
+        "until is a Block, program and sequence number such as ('O2', 30),"
+        f" or a number of open calls, not {until!r}"
+    )

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 from cncsub import _core
 from cncsub.calltree import CallTree, trees, write_lines
 from cncsub.rows import Call, Move, Step
+from cncsub.staying import Stays
 
 if TYPE_CHECKING:
     import numpy as np
@@ -31,7 +32,7 @@ _DRAWN = 2000  # calls in a printed tree
 _SHOWN = 5  # rows at the head and at the end of a printed table
 
 
-class Table(Generic[Row]):
+class Table(Stays, Generic[Row]):
     """Rows and columns of one kind. `table[5]` is a row, `table["n"]` and `table.n` are columns.
 
     A column is a NumPy array as long as the table, to be read. A column of texts holds `int32`
@@ -40,6 +41,7 @@ class Table(Generic[Row]):
     """
 
     _title: ClassVar[str]
+    _instead = "send to_arrow(), to_pandas() or list(rows)"
 
     def __init__(self, core: _core.Trace) -> None:
         self._core = core
@@ -351,10 +353,19 @@ _FEED_MODES = ["per-minute", "per-revolution", "inverse-time"]
 class Bounds(dict[str, tuple[float, float]]):
     """By axis, found as `X` and, like the columns, as `x`."""
 
-    def __missing__(self, axis: str) -> tuple[float, float]:
-        if axis.isupper():
-            raise KeyError(axis)
-        return self[axis.upper()]
+    def __missing__(self, axis: object) -> tuple[float, float]:
+        if isinstance(axis, str) and axis.islower() and axis.upper() in self:
+            return self[axis.upper()]
+        raise KeyError(f"no move named the axis {axis!r}; there are {', '.join(self) or 'none'}")
+
+    def __contains__(self, axis: object) -> bool:
+        return super().__contains__(axis.upper() if isinstance(axis, str) else axis)
+
+    def get(self, axis: str, default: Any = None) -> Any:
+        try:
+            return self[axis]
+        except KeyError:
+            return default
 
 
 class Moves(Table[Move]):
