@@ -258,6 +258,10 @@ def test_a_number_is_found_however_it_is_written() -> None:
         (["run", "{job}/good.nc", "-c", CONTROL, "--set", "x=1"], "--set takes NUMBER=VALUE"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--set", "100"], "--set takes NUMBER=VALUE"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6050"], "--param takes NAME=VALUE"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6051#9=1"], "the bits of a parameter"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6001#5=2"], "6001#5 is a bit, 0 or 1"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6151=2"], "no parameter 6151; near"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--set", "3000=1"], "#3000 takes a value from a"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--skip", "12"], "1 to 9"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--max-blocks", "many"], "--max-blocks"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--max-cycles", "0"], "--max-cycles"),
@@ -284,6 +288,11 @@ def test_wrong_use_is_one_line_and_status_2(job: Path, arguments: list[str], wor
     assert words in done.error
     assert done.error.startswith("cncsub: ")
     assert done.error.count("\n") == 1
+
+
+def test_the_version_is_told() -> None:
+    done = Done("--version")
+    assert (done.status, done.out) == (0, f"cncsub {cncsub.__version__}\n")
 
 
 @pytest.mark.parametrize("command", [[], ["run"], ["tree"], ["controls"], ["explain"]])

@@ -72,11 +72,28 @@ def _one_line(error: Exception) -> str:
 app = typer.Typer(
     cls=OneLineGroup,
     name="cncsub",
-    help="Run NC programs exactly as a named CNC control would.",
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
+
+
+def _print_version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"cncsub {cncsub.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _every_command(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version and exit."
+        ),
+    ] = False,
+) -> None:
+    """Run NC programs exactly as a named CNC control would."""
 
 
 def main() -> None:

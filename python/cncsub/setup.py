@@ -7,7 +7,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,9 @@ from cncsub.controls import did_you_mean
 AXES = "XYZABCUVW"
 MACHINES = ("mill", "lathe-a", "lathe-b")
 
-_SYSTEM = re.compile(r"EXT|G5[4-9]|G54\.1 P[1-9][0-9]{0,2}")
+REFERENCES = 4  # G28 and G30 P2 to P4
+
+_SYSTEM = re.compile(r"EXT|G5[4-9]|G54\.1 P([1-9][0-9]?|[12][0-9]{2}|300)")
 _TOOL_KEYS = ("X", "Y", "Z", "R", "tip")
 
 Point = Mapping[str, float]
@@ -31,7 +33,8 @@ class Setup:
     control is by itself. `start`: where the tool stands, in work coordinates. `work_offsets`: zero
     points by `"G54"` to `"G59"`, `"EXT"` and `"G54.1 P1"`. `length_offsets`, `radius_offsets`: by H
     and by D. `tools`: a lathe's tool offsets by number, each with `"X"`, `"Z"`, `"R"` (nose radius)
-    and `"tip"` (0 to 9). `reference`: reference points in machine coordinates, 1 is that of G28.
+    and `"tip"` (0 to 9). `reference`: reference points 1 to 4 in machine coordinates, 1 is that of
+    G28.
     `rapid`: mm/min by axis. `limits`: lowest and highest machine coordinate by axis; without them
     nothing is limited. `increment`: the least input increment in mm.
 
@@ -89,16 +92,13 @@ class Setup:
         """The setup as the engine takes it: only what was given, every name and number checked."""
         core: dict[str, Any] = {
             "start": _point("start", self.start),
-            "work_offsets": {
-                _system(name): _point(f"work_offsets[{name!r}]", point)
-                for name, point in _mapping("work_offsets", self.work_offsets).items()
-            },
-            "length_offsets": _numbered("length_offsets", self.length_offsets, _number),
-            "radius_offsets": _numbered("radius_offsets", self.radius_offsets, _number),
-            "tools": _numbered("tools", self.tools, _tool),
-            "reference": _numbered("reference", self.reference, _point),
-            "rapid": _rapid(self.rapid),
-            "limits": _limits(self.limits),
+            "work_offsets": _checked("work_offsets", self.work_offsets, _system, _point),
+            "length_offsets": _checked("length_offsets", self.length_offsets, _offset, _number),
+            "radius_offsets": _checked("radius_offsets", self.radius_offsets, _offset, _number),
+            "tools": _checked("tools", self.tools, _offset, _tool),
+            "reference": _checked("reference", self.reference, _reference, _point),
+            "rapid": _checked("rapid", self.rapid, _axis, _positive),
+            "limits": _checked("limits", self.limits, _axis, _limit),
             "increment": _positive("increment", self.increment),
         }
         if self.machine is not None:
@@ -138,10 +138,26 @@ def _mapping(what: str, values: object) -> Mapping[Any, Any]:
     return values
 
 
+def _checked(
+    what: str,
+    values: object,
+    key: Callable[[str, object], Any],
+    value: Callable[[str, object], Any],
+) -> dict[Any, Any]:
+    """A mapping with checked keys and values; two ways to write the same key are an error."""
+    checked: dict[Any, Any] = {}
+    for written, given in _mapping(what, values).items():
+        name = key(what, written)
+        if name in checked:
+            raise ValueError(f"{what} has {name} twice, also as {written!r}")
+        checked[name] = value(f"{what}[{written!r}]", given)
+    return checked
+
+
 def _number(what: str, value: object) -> float:
-    if isinstance(value, bool | str):
-        raise TypeError(f"{what} is a number, not {value!r}")
     try:
+        if isinstance(value, bool | str | bytes | bytearray):
+            raise TypeError
         number = float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{what} is a number, not {value!r}") from None
@@ -158,37 +174,37 @@ def _positive(what: str, value: object) -> float:
 
 
 def _axis(what: str, axis: object) -> str:
-    name = str(axis).upper()
+    name = axis.upper() if isinstance(axis, str) else ""
     if len(name) != 1 or name not in AXES:
         raise ValueError(f"{what}: {axis!r} is no axis; the axes are {', '.join(AXES)}")
     return name
 
 
 def _point(what: str, point: object) -> dict[str, float]:
-    return {
-        _axis(what, axis): _number(f"{what}[{axis!r}]", value)
-        for axis, value in _mapping(what, point).items()
-    }
+    return _checked(what, point, _axis, _number)
 
 
-def _system(name: object) -> str:
+def _system(what: str, name: object) -> str:
     system = re.sub(r"\s*P\s*", " P", str(name).upper().strip())
     if not _SYSTEM.fullmatch(system):
         raise ValueError(
-            f"work_offsets: {name!r} is no work coordinate system;"
-            " there are G54 to G59, EXT and G54.1 P1"
+            f"{what}: {name!r} is no work coordinate system;"
+            " there are G54 to G59, EXT and G54.1 P1 to P300"
         )
     return system
 
 
-def _numbered(what: str, values: object, read: Any) -> dict[int, Any]:
-    checked = {}
-    for key, value in _mapping(what, values).items():
-        text = str(key)
-        if not re.fullmatch(r"[0-9]{1,4}", text):
-            raise ValueError(f"{what}: {key!r} is no number of an offset, tool or point")
-        checked[int(text)] = read(f"{what}[{text}]", value)
-    return checked
+def _offset(what: str, key: object) -> int:
+    if not re.fullmatch(r"[0-9]{1,4}", str(key)):
+        raise ValueError(f"{what}: {key!r} is no number of an offset, tool or point")
+    return int(str(key))
+
+
+def _reference(what: str, key: object) -> int:
+    number = _offset(what, key)
+    if not 1 <= number <= REFERENCES:
+        raise ValueError(f"{what}: the points are 1 to {REFERENCES}, not {key!r}")
+    return number
 
 
 def _tool(what: str, tool: object) -> dict[str, float]:
@@ -202,22 +218,14 @@ def _tool(what: str, tool: object) -> dict[str, float]:
     return numbers
 
 
-def _rapid(rapid: object) -> dict[str, float]:
-    return {
-        _axis("rapid", axis): _positive(f"rapid[{axis!r}]", value)
-        for axis, value in _mapping("rapid", rapid).items()
-    }
-
-
-def _limits(limits: object) -> dict[str, tuple[float, float]]:
-    checked = {}
-    for axis, pair in _mapping("limits", limits).items():
-        if isinstance(pair, str) or not hasattr(pair, "__len__") or len(pair) != 2:
-            raise TypeError(
-                f"limits[{axis!r}] is the lowest and the highest coordinate, not {pair!r}"
-            )
-        low, high = (_number(f"limits[{axis!r}]", value) for value in pair)
-        if low > high:
-            raise ValueError(f"limits[{axis!r}]: {low:g} is above {high:g}")
-        checked[_axis("limits", axis)] = (low, high)
-    return checked
+def _limit(what: str, pair: object) -> tuple[float, float]:
+    # A set has no order, and a mapping has names.
+    if isinstance(pair, str | bytes | bytearray | Mapping | Set) or not hasattr(pair, "__len__"):
+        raise TypeError(f"{what} is the lowest and the highest coordinate, not {pair!r}")
+    values = [_number(what, value) for value in pair]  # type: ignore[attr-defined]
+    if len(values) != 2:
+        raise TypeError(f"{what} is the lowest and the highest coordinate, not {pair!r}")
+    low, high = values
+    if low > high:
+        raise ValueError(f"{what}: {low:g} is above {high:g}")
+    return low, high

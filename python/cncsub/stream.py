@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import copy
 import functools
 from collections.abc import Iterator
 from pathlib import Path
@@ -27,6 +28,8 @@ class Part(Recorded):
     same in every part: `moves` has those of all axes that the programs in memory name.
     """
 
+    _instead = "send its tables: moves.to_arrow(), steps.to_arrow()"
+
     def __repr__(self) -> str:
         tables = (f"{len(getattr(self, name)):,} {name}" for name in TABLES)
         return f"<Part: {', '.join(tables)}>"
@@ -44,10 +47,12 @@ class Stream(State):
     (<Stop.END: 'end'>, 20000, 9999.0)
     """
 
-    def __init__(self, core: _core.Machine, rows: int) -> None:
+    def __init__(self, core: _core.Machine, rows: int, trace: str) -> None:
         super().__init__(core)
         self._rows = rows
+        self._trace = trace
         self._axes = core.axes
+        self._begun = False
 
     def __iter__(self) -> Iterator[Part]:
         return self
@@ -58,6 +63,7 @@ class Stream(State):
         """
         if self._core.stop is not None:
             raise StopIteration
+        self._begun = True
         self._core.run_blocks(self._rows)
         return Part(self._core.take(), self._axes)
 
@@ -74,14 +80,23 @@ class Stream(State):
     def to_parquet(self, folder: StrPath) -> None:
         """Run to the end and write what comes into Parquet files in a folder, which is made: the
         files `steps-000000.parquet`, `steps-000001.parquet` ... and so `calls` and `moves`, a
-        million rows and more in each. Needs `cncsub[arrow]`.
+        million rows and more in each. A table without rows, as `moves` is with `trace="blocks"`, is
+        one file without rows. Needs `cncsub[arrow]`.
 
         Ctrl-C ends the run as `Stop.INTERRUPTED`. A file has its name when it is whole: whatever
         stops the run, a power cut too, every file in the folder can be read, and
         `pandas.read_parquet(sorted(folder.glob("moves-*.parquet")))` or
         `duckdb.sql("from 'folder/moves-*.parquet'")` is what was written so far. `FileExistsError`
-        where the folder holds such files already.
+        where the folder holds such files already; `ValueError` where parts of the stream were taken
+        before, and with `trace="none"`, which leaves nothing to write.
         """
+        if self._begun:
+            raise ValueError(
+                "parts of this stream were taken already and would be missing from the files;"
+                " make a new stream"
+            )
+        if self._trace == "none":
+            raise ValueError("a stream with trace='none' keeps nothing that could be written")
         folder = Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
         for name in TABLES:
@@ -95,6 +110,15 @@ class Stream(State):
                         table.write(getattr(part, name))
             except KeyboardInterrupt:  # it came while the part was written
                 self._core.interrupt()
+
+    def __copy__(self) -> Stream:
+        """A stream in the same state that goes its own way."""
+        twin = Stream(self._core.copy(), self._rows, self._trace)
+        twin._begun = self._begun
+        return twin
+
+    def __deepcopy__(self, memo: object) -> Stream:
+        return copy.copy(self)
 
     def __repr__(self) -> str:
         return f"<Stream: {self._summary()}, {self.blocks:,} blocks>"

@@ -1,0 +1,310 @@
+"""Wrong use is told in plain words, that name what was wrong and what there is instead."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import cncsub
+
+CONTROL = "fanuc-0i-f"
+TEXT = "O1\nN10 M98 P2\nN20 M30\nO2\nN30 G1 X1. F5\nN40 M99\n"
+
+
+@pytest.fixture
+def library() -> cncsub.Library:
+    return cncsub.loads(TEXT, control=CONTROL)
+
+
+# ---- parameters ----
+
+
+@pytest.mark.parametrize(
+    ("parameters", "error", "words"),
+    [
+        ({"6151": 1}, ValueError, "fanuc-0i-f has no parameter 6151; near are 6091, 6090, 6089"),
+        ({"6151": 1}, ValueError, "`cncsub controls fanuc-0i-f` lists them"),
+        ({"6001": 1}, ValueError, "no parameter 6001; near are 6001#1, 6001#3, 6001#4, 6001#5"),
+        ({"6001#0": 1}, ValueError, "no parameter 6001#0; near are 6001#1"),
+        ({"6050#1": 1}, ValueError, "no parameter 6050#1; near are 6050"),
+        ({"6001#8": 1}, ValueError, "6001#8: the bits of a parameter are 0 to 7"),
+        ({"6001#5": 2}, ValueError, "6001#5 is a bit, 0 or 1"),
+        ({"6001#5": -1}, ValueError, "6001#5 is a bit, 0 or 1"),
+        ({"6001#5": 0.5}, ValueError, "6001#5 is a bit, 0 or 1"),
+        ({"name": 1}, ValueError, "'name' is no parameter: write its number, as '6050'"),
+        ({"": 1}, ValueError, "'' is no parameter"),
+        ({"6001#": 1}, ValueError, "'6001#' is no parameter"),
+        ({"9" * 30: 1}, ValueError, "is no parameter"),
+        ({6050: 70}, TypeError, "a parameter is named by a text, such as '6050'.* not 6050"),
+        ({None: 70}, TypeError, "a parameter is named by a text"),
+        ({"\ud800": 1}, TypeError, "a parameter is named by a text"),
+        ({"6050": "70"}, TypeError, "parameter 6050 takes a number, not '70'"),
+        ({"6050": None}, TypeError, "parameter 6050 takes a number, not None"),
+        ({"6050": 10**400}, ValueError, "parameter 6050 is a number up to"),
+        ([("6050", 70)], TypeError, "takes a mapping such as .'6050': 70., not list"),
+        (None, TypeError, "takes a mapping"),
+        ("6050=70", TypeError, "takes a mapping"),
+    ],
+)
+def test_a_parameter_that_the_control_does_not_have_is_refused(
+    parameters: Any, error: type[Exception], words: str
+) -> None:
+    with pytest.raises(error, match=words):
+        cncsub.controls[CONTROL].with_parameters(parameters)
+
+
+def test_zeros_in_front_of_a_parameter_may_be_missing() -> None:
+    control = cncsub.controls["gsk-980tdi"].with_parameters({"19": 5, "1#0": 1})
+    assert (control.parameters["019"].value, control.parameters["001#0"].value) == (5, 1)
+    assert "19" not in control.parameters
+    library = cncsub.loads("O1\n#100=PRM[1,1]\nM30\n", control=CONTROL)
+    assert library.run().variables[100] == 0
+    changed = library.control.with_parameters({"1#1": 1})
+    assert cncsub.loads("O1\n#100=PRM[1,1]\nM30\n", control=changed).run().variables[100] == 1
+
+
+# ---- until ----
+
+
+@pytest.mark.parametrize(
+    "until",
+    [("O2", "30"), ("O2", 30.0), ("O2", True), ("O2", None), (1.5, 30), (None, 30), (True, 30),
+     ("O2",), ("O2", 30, 1), ["O2", 30], "O2", 1.0, True, {}],
+)  # fmt: skip
+def test_until_names_a_block_or_a_depth(library: cncsub.Library, until: Any) -> None:
+    with pytest.raises(TypeError, match=r"until is a Block, program and sequence number such as"):
+        library.machine().run(until=until)
+
+
+@pytest.mark.parametrize("until", [("O2", 99), ("O9", 30), (9, 30), (-1, 30), (2**70, 30)])
+def test_until_names_a_block_there_is(library: cncsub.Library, until: tuple[Any, int]) -> None:
+    with pytest.raises(KeyError, match=r"no block N99 in O2|no program .* in the memory"):
+        library.machine().run(until=until)
+
+
+def test_until_takes_a_block_of_its_own_library(library: cncsub.Library) -> None:
+    block = library["O2"].blocks[0]
+    machine = library.machine()
+    assert machine.run(until=block) is None
+    assert [step.n for step in machine.steps] == [10]
+    other = cncsub.loads(TEXT, control=CONTROL)
+    with pytest.raises(ValueError, match=r"Block\(n=30, .* is a block of another library"):
+        other.machine().run(until=block)
+    for far in (2**70, -(2**70)):
+        assert (library.machine().run(until=far) is None) == (far > 0)
+
+
+# ---- variables and inputs ----
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "words"),
+    [
+        (
+            {"variables": {3000: 1}},
+            ValueError,
+            "variables: #3000 takes a value from a program only",
+        ),
+        (
+            {"variables": {3006: 1}},
+            ValueError,
+            "variables: #3006 takes a value from a program only",
+        ),
+        ({"variables": {5001: 1}}, ValueError, "variables: #5001 cannot be written"),
+        ({"variables": {1000: 1}}, ValueError, "variables: #1000 cannot be written"),
+        ({"variables": {4001: 1}}, ValueError, "variables: #4001 cannot be written"),
+        ({"variables": {9_999_999: 1}}, ValueError, "variables: there is no #9999999"),
+        ({"variables": {0: 1}}, ValueError, "variables: there is no variable #0"),
+        ({"variables": {100: "5"}}, TypeError, r"#100 takes a number or None \(vacant\), not '5'"),
+        ({"variables": {100: True}}, TypeError, "#100 takes a number"),
+        ({"variables": {"100": 5}}, TypeError, "a variable number is a whole number such as 100"),
+        ({"inputs": {"signals": {100: 1}}}, ValueError, "signals: #100 is no signal on fanuc-0i-f"),
+        ({"inputs": {"writes": [{3000: 1}]}}, ValueError, "writes: #3000 takes a value"),
+        ({"inputs": {"writes": [{9_999_999: 1}]}}, ValueError, "writes: there is no #9999999"),
+        ({"inputs": {"skips": ["0.5"]}}, TypeError, "skips takes a number"),
+    ],
+)
+def test_a_variable_that_cannot_be_given_is_told(
+    library: cncsub.Library, options: dict[str, Any], error: type[Exception], words: str
+) -> None:
+    for begin in (library.run, library.machine, library.stream):
+        with pytest.raises(error, match=words):
+            begin(**options)
+
+
+def test_signals_and_work_offsets_can_be_given(library: cncsub.Library) -> None:
+    run = library.run(
+        variables={5221: 3}, inputs={"signals": {1000: 1, 1032: 5}, "writes": [{1001: 1, 500: 2}]}
+    )
+    assert run.moves.mx[0] == 4
+
+
+# ---- setup ----
+
+
+@pytest.mark.parametrize(
+    ("setup", "error", "words"),
+    [
+        ({"limits": {"X": {-1, 5}}}, TypeError, "the lowest and the highest coordinate, not"),
+        ({"limits": {"X": {-1: 0, 5: 0}}}, TypeError, "the lowest and the highest coordinate"),
+        ({"limits": {"X": b"12"}}, TypeError, "the lowest and the highest coordinate"),
+        ({"limits": {"X": [1, 2, 3]}}, TypeError, "the lowest and the highest coordinate"),
+        ({"limits": {"X": (5, 1)}}, ValueError, "5 is above 1"),
+        ({"limits": {"X": (1, math.nan)}}, ValueError, "out of range: nan"),
+        ({"limits": {"X": (1, 2), "x": (1, 2)}}, ValueError, "limits has X twice, also as 'x'"),
+        ({"reference": {9: {"X": 1}}}, ValueError, "reference: the points are 1 to 4, not 9"),
+        ({"reference": {0: {"X": 1}}}, ValueError, "reference: the points are 1 to 4, not 0"),
+        ({"start": {"X": 1, "x": 2}}, ValueError, "start has X twice, also as 'x'"),
+        ({"start": {"X": math.nan}}, ValueError, r"start\['X'\] is out of range: nan"),
+        ({"start": {"X": -math.inf}}, ValueError, "out of range: -inf"),
+        ({"start": {"X": b"1"}}, TypeError, r"start\['X'\] is a number, not b'1'"),
+        ({"start": {1: 1}}, ValueError, "start: 1 is no axis"),
+        ({"rapid": {"X": 1, "x": 2}}, ValueError, "rapid has X twice"),
+        ({"work_offsets": {"G54.1 P999": {}}}, ValueError, "EXT and G54.1 P1 to P300"),
+        ({"work_offsets": {"G54.1 P0": {}}}, ValueError, "EXT and G54.1 P1 to P300"),
+        ({"work_offsets": {"G54": {}, "g54 ": {}}}, ValueError, "work_offsets has G54 twice"),
+        ({"length_offsets": {1: 5, "1": 6}}, ValueError, "length_offsets has 1 twice, also as '1'"),
+        ({"length_offsets": {1.5: 5}}, ValueError, "1.5 is no number of an offset"),
+    ],
+)
+def test_a_setup_that_means_nothing_is_refused(
+    library: cncsub.Library, setup: Any, error: type[Exception], words: str
+) -> None:
+    for use in (lambda: cncsub.Setup(**setup), lambda: library.run(setup=setup)):
+        with pytest.raises(error, match=words):
+            use()
+
+
+def test_a_control_has_as_many_work_coordinate_systems_as_its_rule_says() -> None:
+    setup = cncsub.Setup(work_offsets={"G54.1 P49": {"X": 1}})
+    control = cncsub.controls[CONTROL]
+    text = "O1\nG54.1 P49 G0 X1.\nM30\n"
+    with pytest.raises(ValueError, match="fanuc-0i-f has no G54.1 P49; the last is G54.1 P48"):
+        cncsub.loads(text, control=control).run(setup=setup)
+    run = cncsub.loads(text, control=control.replace(max_extra_systems=300)).run(setup=setup)
+    assert run.moves.mx.tolist() == [2]
+
+
+# ---- streams ----
+
+
+def test_a_stream_that_was_read_writes_no_files(library: cncsub.Library, tmp_path: Path) -> None:
+    stream = library.stream(rows=1)
+    next(stream)
+    with pytest.raises(ValueError, match="parts of this stream were taken already"):
+        stream.to_parquet(tmp_path / "half")
+    assert not (tmp_path / "half").exists()
+    assert len(list(stream)) == 3
+    stream = library.stream()
+    stream.to_parquet(tmp_path / "whole")
+    with pytest.raises(ValueError, match="taken already"):
+        stream.to_parquet(tmp_path / "again")
+
+
+def test_a_stream_that_keeps_nothing_writes_no_files(
+    library: cncsub.Library, tmp_path: Path
+) -> None:
+    with pytest.raises(ValueError, match="trace='none' keeps nothing that could be written"):
+        library.stream(trace="none").to_parquet(tmp_path / "none")
+    assert not (tmp_path / "none").exists()
+    library.stream(trace="calls").to_parquet(tmp_path / "calls")
+    rows = {
+        name: len(pytest.importorskip("pandas").read_parquet(tmp_path / "calls" / name))
+        for name in ("steps-000000.parquet", "calls-000000.parquet", "moves-000000.parquet")
+    }
+    assert list(rows.values()) == [0, 1, 0]
+
+
+# ---- any argument of any function ----
+
+ODD = [
+    None, True, -1, 0, 1.5, 10**400, math.nan, "", "x", "\ud800", b"1", (), [], {}, {1}, {"a": 1},
+    {1: "a"}, [1, "a"], object(), 1j, len, int, cncsub, range(3),
+]  # fmt: skip
+RAW = ("incompatible function arguments", "No constructor defined", "Unable to cast", "_core")
+
+
+def uses(odd: Any, tmp_path: Path) -> Iterator[Callable[[], object]]:
+    """Every function and operator of the public face with an odd argument at each place."""
+    known = cncsub.controls[CONTROL]
+    library = cncsub.loads(TEXT, control=CONTROL)
+    run = library.run()
+    machine = library.machine()
+    limit = {"max_blocks": 100}
+    yield lambda: cncsub.load(odd, control=CONTROL)
+    yield lambda: cncsub.load(tmp_path, control=odd)
+    for name in ("external", "encoding"):
+        yield lambda name=name: cncsub.load(tmp_path, control=CONTROL, **{name: odd})
+    yield lambda: cncsub.loads(odd, control=CONTROL)
+    yield lambda: cncsub.loads(TEXT, control=odd)
+    for name in ("external", "encoding", "name"):
+        yield lambda name=name: cncsub.loads(TEXT, control=CONTROL, **{name: odd})
+    for mapping in (cncsub.controls, cncsub.causes, library, library.external, known.parameters):
+        yield lambda mapping=mapping: mapping[odd]
+        yield lambda mapping=mapping: odd in mapping
+        yield lambda mapping=mapping: mapping.get(odd)
+    yield lambda: known.with_parameters(odd)
+    yield lambda: known.with_parameters({odd: 1})
+    yield lambda: known.with_parameters({"6050": odd})
+    yield lambda: known.replace(odd)
+    yield lambda: known.replace(max_nesting=odd)
+    yield lambda: known.replace(angle_unit=odd)
+    for kind in (cncsub.Control, cncsub.Alarm, cncsub.Frame):
+        yield kind
+        yield lambda kind=kind: kind(odd)
+    for begin in (library.run, library.machine, library.stream):
+        yield lambda begin=begin: begin(odd, **limit)
+        for name in cncsub.Library.run.__kwdefaults__:
+            yield lambda begin=begin, name=name: begin(**{**limit, name: odd})
+    yield lambda: library.stream(rows=odd)
+    yield lambda: library.stream().to_parquet(odd)
+    yield lambda: library.mdi(odd)
+    yield lambda: library.mdi("M98 P2", start=odd)
+    for name in ("start", "limits", "tools", "reference", "machine", "increment"):
+        yield lambda name=name: cncsub.Setup(**{name: odd})
+        yield lambda name=name: cncsub.Setup(**{name: {"X": odd, 1: odd}})
+    yield lambda: cncsub.Setup.from_toml(odd)
+    for name in ("signals", "clock", "operator", "writes", "skips"):
+        yield lambda name=name: cncsub.Inputs(**{name: odd})
+        yield lambda name=name: cncsub.Inputs(**{name: [odd]})
+    yield lambda: machine.run(until=odd)
+    yield lambda: machine.run(until=(odd, 10))
+    yield lambda: machine.run(until=("O1", odd))
+    variables = machine.variables
+    for table in (variables, run.variables):
+        yield lambda table=table: table[odd]
+        yield lambda table=table: odd in table
+        yield lambda table=table: table.get(odd, 1)
+        yield lambda table=table: table == odd
+    for change in (variables.pop, variables.setdefault, variables.__delitem__, variables.level):
+        yield lambda change=change: change(odd)
+    yield lambda: variables.__setitem__(odd, 1)
+    yield lambda: variables.__setitem__(100, odd)
+    yield lambda: variables.update(odd)
+    for rows in (run.steps, run.calls, run.moves, library["O1"].blocks):
+        yield lambda rows=rows: rows[odd]
+        yield lambda rows=rows: rows == odd
+    yield lambda: run.steps.column(odd)
+    yield lambda: run.calls.tree(most=odd)
+    yield lambda: run.moves.bounds[odd]
+    yield lambda: run.moves.bounds.get(odd)
+    yield lambda: run.alarm == odd
+
+
+@pytest.mark.parametrize("odd", ODD, ids=lambda odd: repr(odd)[:20])
+def test_every_function_takes_every_argument_or_refuses_it_in_words(
+    odd: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "O1.nc").write_text(TEXT)
+    for number, use in enumerate(uses(odd, tmp_path)):
+        try:
+            use()
+        except (ValueError, TypeError, KeyError, IndexError, OSError) as error:
+            said = str(error)
+            assert said, number
+            assert not any(raw in said for raw in RAW), (number, said)
