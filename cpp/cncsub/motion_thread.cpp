@@ -142,8 +142,9 @@ std::vector<double> thread_depths(double height, double first, const MultipleDat
     list.push_back(depth);
   }
   if (rough > 0) list.push_back(rough);
-  const int finish = std::max(1, data.finish_passes);
-  for (int i = 0; i < finish; ++i) list.push_back(height);
+  const auto most = static_cast<int>(kMostMoves);  // more are refused when they move
+  list.insert(list.end(), static_cast<std::size_t>(std::clamp(data.finish_passes, 1, most)),
+              height);
   return list;
 }
 
