@@ -117,10 +117,11 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
     : control(std::move(c)),
       machine(machine_of(*control, setup.machine)),
       codes(*control, machine),
-      other_codes(*control, machine == MachineType::Mill ? MachineType::LatheA : MachineType::Mill),
       axis_order(machine == MachineType::Mill ? "XYZABCUVW" : "XZYCABUVW"),
       diameters(machine == MachineType::Mill ? 0 : 1),
       increment(setup.increment > 0 ? setup.increment : 0.001) {
+  for (const MachineType other : {MachineType::Mill, MachineType::LatheA, MachineType::LatheB})
+    if (other != machine) other_codes.emplace_back(*control, other);
   number_groups(*this, control->modal_groups.value);
   rapid.fill(control->rapid_rate.value);
   fill(rapid, setup.rapid);
@@ -200,12 +201,15 @@ Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* move
   const bool corner_waits = !s_.held.corner.empty();
   if (auto wrong = read(block)) return wrong;
   if (auto wrong = check(block)) return wrong;
+  if (block.uncomputed >= 0)
+    return fault(Cause::CodeNotComputed, block, code_name(block.uncomputed));
   if (auto wrong = set_modes(block)) return wrong;
   const Axes length_before = s_.length;
   if (auto wrong = set_length(block)) return wrong;
   if (auto wrong = set_radius(block)) return wrong;
+  if (auto wrong = set_longer(block)) return wrong;
   const Meaning once = block.meaning(Group::OneShot);
-  if (once != Meaning::None && once != Meaning::Ignored && once != Meaning::ExactStop) {
+  if (!goes_with_motion(block, once) && once != Meaning::Ignored) {
     if (auto wrong = one_shot(block)) return wrong;
   } else if (once != Meaning::Ignored && !block.consumed) {
     if (auto wrong = motion(block)) return wrong;
@@ -225,13 +229,17 @@ Motion::Result Motion::read(BlockWords& block) const {
   for (int i = 0; i < block.words.g_count; ++i) {
     const int written = block.words.g[static_cast<std::size_t>(i)];
     const GCode code = facts_->codes.find(written);
+    if (code.meaning == Meaning::Neutral) continue;
     if (code.meaning == Meaning::None) {
-      // The control's list has it, and no motion depends on it.
-      const bool elsewhere = facts_->other_codes.find(written).meaning != Meaning::None;
-      if (!c.g_codes.value.empty() && !elsewhere) continue;
-      std::string name = "G" + std::to_string(written / 10);
-      if (written % 10 != 0) name += "." + std::to_string(written % 10);
-      return fault(Cause::GCodeNotAvailable, block, name);
+      const bool elsewhere =
+          std::any_of(facts_->other_codes.begin(), facts_->other_codes.end(),
+                      [&](const GCodes& codes) { return codes.has(written); });
+      if (c.g_codes.value.empty() || elsewhere)
+        return fault(Cause::GCodeNotAvailable, block, code_name(written));
+    }
+    if (code.meaning == Meaning::None || code.meaning == Meaning::Uncomputed) {
+      block.uncomputed = written;
+      continue;
     }
     GCode& place = block.codes[at(code.group)];
     if (place.code >= 0 && code.group != Group::OneShot &&
@@ -315,6 +323,23 @@ Motion::Result Motion::set_spindle(const BlockWords& block) {
   return std::nullopt;
 }
 
+/// Whether a block's motion is made in spite of its one-shot code.
+bool Motion::goes_with_motion(const BlockWords& block, Meaning once) const {
+  switch (once) {
+    case Meaning::None:
+    case Meaning::ExactStop:
+    case Meaning::Lengthen:
+    case Meaning::Shorten:
+    case Meaning::LengthenTwice:
+    case Meaning::ShortenTwice:
+      return true;
+    case Meaning::OneWay:
+      return !block.has(Group::Motion) && (in_cycle() || block.has(Group::Cycle));
+    default:
+      return false;
+  }
+}
+
 Motion::Result Motion::one_shot(BlockWords& block) {
   switch (block.meaning(Group::OneShot)) {
     case Meaning::Dwell:
@@ -331,6 +356,8 @@ Motion::Result Motion::one_shot(BlockWords& block) {
       return from_reference(block);
     case Meaning::Skip:
       return skip(block);
+    case Meaning::OneWay:
+      return one_way(block);
     case Meaning::Local:
       return set_local(block);
     case Meaning::Machine:
@@ -370,6 +397,9 @@ Motion::Result Motion::motion(BlockWords& block) {
     case Meaning::Cw:
     case Meaning::Ccw:
       return arc(block, meaning);
+    case Meaning::ThreePoints:
+    case Meaning::ThreePointsAbsolute:
+      return arc_by_points(block, meaning);
     case Meaning::TurnCycle:
     case Meaning::ThreadCycle:
     case Meaning::FaceCycle:
@@ -400,7 +430,7 @@ bool Motion::lacks_speed() const {
 
 Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
   std::uint32_t named = 0;
-  const Axes end = target(block, named);
+  const Axes end = end_point(block, named);
   if (named == 0) return std::nullopt;
   if (auto wrong = need_feed(block, meaning)) return wrong;
   const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
@@ -452,6 +482,12 @@ Axes Motion::target(BlockWords& block, std::uint32_t& named) {
   if (s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn) polar_target(block, end, named);
   if (turned()) turn_point(end, named);
   return end;
+}
+
+/// The end point of a move that G45 to G48 may make longer.
+Axes Motion::end_point(BlockWords& block, std::uint32_t& named) {
+  const Axes end = target(block, named);
+  return lengthened(block, end, named);
 }
 
 Motion::Result Motion::dwell(BlockWords& block) {

@@ -161,6 +161,8 @@ class Motion {
   double number(const BlockWords& block, char address) const;
   bool corner_address(char name) const;
   Axes target(BlockWords& block, std::uint32_t& named);
+  Axes end_point(BlockWords& block, std::uint32_t& named);
+  bool goes_with_motion(const BlockWords& block, Meaning once) const;
 
   // motion_emit.cpp: pieces on their way to the table.
   Axes machine_point() const;
@@ -188,6 +190,8 @@ class Motion {
   Result arc(BlockWords& block, Meaning meaning);
   Result arc_by_radius(BlockWords& block, Piece& piece) const;
   Result arc_by_centre(BlockWords& block, Piece& piece) const;
+  Result check_longer(const BlockWords& block, const Axes& end, bool by_radius) const;
+  Result arc_by_points(BlockWords& block, Meaning meaning);
   // motion_polar.cpp: polar coordinates, rotation, scaling and mirror.
   void polar_target(BlockWords& block, Axes& end, std::uint32_t& named);
   Result set_turned(BlockWords& block);
@@ -215,6 +219,7 @@ class Motion {
   Result from_reference(BlockWords& block);
   Result check_reference(BlockWords& block);
   Result skip(BlockWords& block);
+  Result one_way(BlockWords& block);
   Axes linear_target(BlockWords& block, std::uint32_t& named);
   // motion_tool.cpp: tool words, lengths and radii.
   Result set_tool(BlockWords& block);
@@ -223,6 +228,8 @@ class Motion {
   Result move_by_length(BlockWords& block, const Axes& before);
   Result set_radius(BlockWords& block);
   double radius_value() const;
+  Result set_longer(BlockWords& block) const;
+  Axes lengthened(const BlockWords& block, Axes end, std::uint32_t named) const;
   std::array<double, 3> tip_vector() const;
   // motion_corner.cpp: chamfers and corner rounds.
   Result corner_words(BlockWords& block, Piece& piece) const;

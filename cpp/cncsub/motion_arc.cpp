@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "cncsub/motion_facts.hpp"
+#include "cncsub/motion_geometry.hpp"
 
 namespace cncsub {
 namespace {
@@ -81,11 +82,14 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
   const Control& c = *facts_->control;
   const PlaneAxes plane = plane_axes(s_.plane);
   std::uint32_t named = 0;
-  const Axes end = target(block, named);
+  const Axes written = target(block, named);
+  const Axes end = lengthened(block, written, named);
   const bool centre = has_centre(block, plane);
   const bool radius = block.words.has('R') && block.words['R'] != 0;
   if (named == 0 && !centre && !radius) return std::nullopt;
   if (auto wrong = need_feed(block, meaning)) return wrong;
+  if (block.longer != 0)
+    if (auto wrong = check_longer(block, written, radius)) return wrong;
   const char across = kCentreWords[static_cast<std::size_t>(plane.across)];
   if ((named & axis_bit(plane.across)) != 0 && !c.helix.value) return fault(Cause::ArcAxis, block);
   if (!radius && block.words.has(across) && block.words[across] != 0)
@@ -117,6 +121,24 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
     if (!goes_across) return std::nullopt;
   }
   return move(block, piece);
+}
+
+/// G45 to G48 change the radius of quarters and three quarters of a circle, which begin and end on
+/// the axes of their centre. [K: FANUC, tool offset]
+Motion::Result Motion::check_longer(const BlockWords& block, const Axes& end, bool by_radius) const {
+  const PlaneAxes plane = plane_axes(s_.plane);
+  const Cause cause = Cause::LongerArc;
+  if (by_radius) return fault(cause, block, "write I, J, K");
+  const auto centre = [&](int axis) {
+    const char name = kCentreWords[static_cast<std::size_t>(axis)];
+    return block.words.has(name) ? number(block, name) : 0.0;
+  };
+  const double i = centre(plane.a), j = centre(plane.b), radius = std::hypot(i, j);
+  const double a = end[plane.a] - s_.work[plane.a], b = end[plane.b] - s_.work[plane.b];
+  const double miss = std::max(std::fabs(std::fabs(a) - radius), std::fabs(std::fabs(b) - radius));
+  if ((i != 0) == (j != 0) || miss > facts_->increment || radius + block.longer <= 0)
+    return fault(cause, block);
+  return std::nullopt;
 }
 
 Motion::Result Motion::arc_by_radius(BlockWords& block, Piece& piece) const {
@@ -164,6 +186,8 @@ Motion::Result Motion::arc_by_centre(BlockWords& block, Piece& piece) const {
   };
   double i = word(plane.a), j = word(plane.b);
   turn_vector(i, j, plane);
+  if (double& arm = i != 0 ? i : j; block.longer != 0)
+    arm += arm < 0 ? -block.longer : block.longer;
   const Axes start = s_.work + piece.offset;
   const double a0 = start[plane.a] * facts_->share(plane.a),
                b0 = start[plane.b] * facts_->share(plane.b);
@@ -191,6 +215,39 @@ Motion::Result Motion::arc_by_centre(BlockWords& block, Piece& piece) const {
     piece.turn =
         turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b1 - cb, a1 - ca), clockwise);
   return std::nullopt;
+}
+
+/// An arc through a third point: I and K lead to it from the start, or name it. [TDi 5]
+Motion::Result Motion::arc_by_points(BlockWords& block, Meaning meaning) {
+  const PlaneAxes plane = plane_axes(s_.plane);
+  std::uint32_t named = 0;
+  const Axes end = target(block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = need_feed(block, meaning)) return wrong;
+  if (!has_centre(block, plane)) return fault(Cause::ThreePoints, block, "neither I nor K");
+  Piece piece = make_piece(block, MoveKind::Cw, end, named);
+  const PlaneView view{plane, facts_->share(0)};
+  const Axes start = s_.work + piece.offset;
+  Axes middle = start;
+  for (const int axis : {plane.a, plane.b}) {
+    const char name = kCentreWords[static_cast<std::size_t>(axis)];
+    const double value = block.words.has(name) ? number(block, name) : 0;
+    if (meaning == Meaning::ThreePointsAbsolute)
+      middle[axis] = value + piece.offset[axis];
+    else
+      middle[axis] += value / facts_->share(axis);
+  }
+  const Point p = view.point(start), u = view.point(middle) - p, v = view.point(piece.end) - p;
+  const double area = 2 * cross(u, v);
+  if (std::fabs(area) < 1e-9) return fault(Cause::ThreePoints, block);
+  const Point centre = p + Point{(v.b * dot(u, u) - u.b * dot(v, v)) / area,
+                                 (u.a * dot(v, v) - v.a * dot(u, u)) / area};
+  const bool clockwise = area < 0;
+  view.set(piece.centre, centre);
+  piece.kind = clockwise ? MoveKind::Cw : MoveKind::Ccw;
+  const Point from = p - centre, to = p + v - centre;
+  piece.turn = turn_between(std::atan2(from.b, from.a), std::atan2(to.b, to.a), clockwise);
+  return move(block, piece);
 }
 
 }  // namespace cncsub

@@ -14,23 +14,23 @@ using M = Meaning;
 // otherwise]
 constexpr GCode kShared[] = {
     {40, G::OneShot, M::Dwell},
-    {50, G::OneShot, M::Ignored},
+    {50, G::OneShot, M::Neutral},
     {51, G::OneShot, M::Ignored},
-    {80, G::OneShot, M::Ignored},
+    {80, G::OneShot, M::Neutral},
     {90, G::OneShot, M::ExactStop},
     {100, G::OneShot, M::SetData},
-    {110, G::OneShot, M::Ignored},
+    {110, G::OneShot, M::Neutral},
     {270, G::OneShot, M::CheckReference},
     {280, G::OneShot, M::Reference},
     {290, G::OneShot, M::FromReference},
     {300, G::OneShot, M::SecondReference},
     {310, G::OneShot, M::Skip},
-    {360, G::OneShot, M::Ignored},
-    {370, G::OneShot, M::Ignored},
-    {390, G::OneShot, M::Ignored},
+    {360, G::OneShot, M::Uncomputed},
+    {370, G::OneShot, M::Uncomputed},
+    {390, G::OneShot, M::Uncomputed},
     {520, G::OneShot, M::Local},
     {530, G::OneShot, M::Machine},
-    {600, G::OneShot, M::Ignored},
+    {600, G::OneShot, M::OneWay},
     {650, G::OneShot, M::Ignored},
     {0, G::Motion, M::Rapid},
     {10, G::Motion, M::Line},
@@ -99,10 +99,10 @@ constexpr GCode kMill[] = {
     {511, G::Mirror, M::MirrorOn},
     {920, G::OneShot, M::SetCoordinate},
     {921, G::OneShot, M::ClearCoordinate},
-    {450, G::OneShot, M::Ignored},
-    {460, G::OneShot, M::Ignored},
-    {470, G::OneShot, M::Ignored},
-    {480, G::OneShot, M::Ignored},
+    {450, G::OneShot, M::Lengthen},
+    {460, G::OneShot, M::Shorten},
+    {470, G::OneShot, M::LengthenTwice},
+    {480, G::OneShot, M::ShortenTwice},
 };
 
 constexpr GCode kLathe[] = {
@@ -122,11 +122,11 @@ constexpr GCode kLathe[] = {
     {890, G::Cycle, M::Bore},
     {250, G::Fluctuation, M::Ignored},
     {260, G::Fluctuation, M::Ignored},
-    {680, G::Turret, M::Ignored},
+    {680, G::Turret, M::Uncomputed},
     {690, G::Turret, M::Ignored},
     {681, G::Rotation, M::RotationOn},
     {691, G::Rotation, M::RotationOff},
-    {121, G::PolarMilling, M::Ignored},
+    {121, G::PolarMilling, M::Uncomputed},
     {131, G::PolarMilling, M::Ignored},
 };
 
@@ -145,6 +145,12 @@ constexpr GCode kLatheB[] = {
     {940, G::Feed, M::PerMinute},        {950, G::Feed, M::PerRevolution},
     {980, G::Return, M::ReturnInitial},  {990, G::Return, M::ReturnR},
 };
+
+/// Codes of a control's list that no path depends on: servo and look-ahead modes, spindles, and the
+/// ends of modes whose beginnings the engine does not compute. General knowledge of the makers'
+/// lists. Every other code without an entry is not computed.
+constexpr int kNeutral[] = {54,  401, 502, 504, 505,  506,  512,  611,  631,  632,  691,  804,  805,
+                            961, 962, 963, 964, 1130, 1141, 1142, 1143, 1201, 1500, 1600, 2500, 2510};
 
 /// What a control may give another code: the words of the rule g_meanings.
 struct Word {
@@ -166,15 +172,29 @@ constexpr Word kWords[] = {
     {"dwell", G::OneShot, M::Dwell},
     {"per-minute", G::Feed, M::PerMinute},
     {"per-revolution", G::Feed, M::PerRevolution},
+    {"neutral", G::OneShot, M::Neutral},
+    {"not-computed", G::OneShot, M::Uncomputed},
+    {"three-points", G::Motion, M::ThreePoints},
+    {"three-points-absolute", G::Motion, M::ThreePointsAbsolute},
     {"none", G::OneShot, M::None},
 };
 
 }  // namespace
 
+std::string code_name(int code) {
+  std::string name = code < 100 ? "G0" : "G";
+  name += std::to_string(code / 10);
+  if (code % 10 != 0) name += "." + std::to_string(code % 10);
+  return name;
+}
+
 GCodes::GCodes(const Control& control, MachineType machine) {
   const auto add = [this](const auto& list) {
     for (const GCode& entry : list) set(entry);
   };
+  if (!control.g_codes.value.empty())
+    for (const int code : kNeutral)
+      set({static_cast<std::int16_t>(code), G::OneShot, M::Neutral});
   add(kShared);
   if (machine == MachineType::Mill)
     add(kMill);

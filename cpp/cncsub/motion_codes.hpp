@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,11 +41,11 @@ constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
 
 // clang-format off
 #define CNCSUB_MEANINGS(M) \
-  M(None) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
+  M(None) M(Neutral) M(Uncomputed) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
   M(FromReference) M(SecondReference) M(Skip) M(Local) M(Machine) M(SetCoordinate) \
-  M(ClearCoordinate) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
+  M(ClearCoordinate) M(Lengthen) M(Shorten) M(LengthenTwice) M(ShortenTwice) M(OneWay) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
   M(PeckTurn) M(MultipleThread) M(Rapid) M(Line) M(Cw) M(Ccw) M(Thread) M(VariableThread) \
-  M(TurnCycle) M(ThreadCycle) M(FaceCycle) M(TapCycle) M(PlaneXY) M(PlaneZX) M(PlaneYZ) \
+  M(TurnCycle) M(ThreadCycle) M(FaceCycle) M(TapCycle) M(ThreePoints) M(ThreePointsAbsolute) M(PlaneXY) M(PlaneZX) M(PlaneYZ) \
   M(Absolute) M(Incremental) M(StrokeOn) M(StrokeOff) M(PerMinute) M(PerRevolution) \
   M(InverseTime) M(Inch) M(Metric) M(Pulses) M(RadiusOff) M(RadiusLeft) M(RadiusRight) \
   M(LengthPlus) M(LengthMinus) M(LengthOff) M(PeckFast) M(LeftTap) M(FineBore) M(CycleOff) \
@@ -67,11 +68,16 @@ struct GCode {
   Meaning meaning = Meaning::None;
 };
 
+/// "G54.1" of 541.
+std::string code_name(int code);
+
 class GCodes {
  public:
   GCodes(const Control& control, MachineType machine);
-  /// The meaning of a code times ten; Meaning::None where the machine does not have it.
+  /// The meaning of a code times ten; Meaning::None where the machine does not have it, Neutral
+  /// where no path depends on it, Uncomputed where the engine does not know its moves.
   GCode find(int code) const;
+  bool has(int code) const { return find(code).meaning != Meaning::None; }
   /// The code of a meaning as this machine writes it; code -1 where it has none.
   GCode of(Meaning meaning) const;
 

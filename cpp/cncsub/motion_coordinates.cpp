@@ -265,4 +265,20 @@ Motion::Result Motion::skip(BlockWords& block) {
   return std::nullopt;
 }
 
+/// G60: rapid past the point on the same side every time, then rapid to the point.
+Motion::Result Motion::one_way(BlockWords& block) {
+  if (block.has(Group::Motion)) s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
+  end_cycles();
+  std::uint32_t named = 0;
+  const Axes end = target(block, named);
+  if (named == 0) return std::nullopt;
+  const double overrun = facts_->control->one_way_overrun.value * 1e-3;
+  Axes past = end;
+  for (int i = 0; i < kAxes; ++i)
+    if ((named >> i & 1) != 0) past[i] -= overrun;
+  if (overrun != 0)
+    if (auto wrong = move(block, MoveKind::Rapid, past, named)) return wrong;
+  return move(block, MoveKind::Rapid, end, named);
+}
+
 }  // namespace cncsub

@@ -66,7 +66,7 @@ struct MotionFacts {
   std::shared_ptr<const Control> control;
   MachineType machine;
   GCodes codes;
-  GCodes other_codes;      // of the other kind of machine
+  std::vector<GCodes> other_codes;  // of the other kinds of machine
   std::string axis_order;  // the control's axes by number
   std::array<int, kGroups> group_numbers{};
   std::uint32_t diameters = 0;
@@ -112,6 +112,9 @@ struct BlockWords {
   bool in_plane = false;               // one that moves in the plane
   bool was_cycle = false;              // a canned cycle was active before this block
   bool consumed = false;               // the axis words belong to G68, G51 and the like
+
+  int uncomputed = -1;                 // a code times ten whose moves the engine does not know
+  double longer = 0;                   // G45 to G48: how much longer the move gets on each axis
 
   bool has(Group group) const { return codes[at(group)].code >= 0; }
   Meaning meaning(Group group) const { return codes[at(group)].meaning; }

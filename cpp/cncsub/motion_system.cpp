@@ -7,15 +7,6 @@
 namespace cncsub {
 namespace {
 
-std::string code_name(int code) {
-  char text[16];
-  if (code % 10 != 0)
-    std::snprintf(text, sizeof text, "G%02d.%d", code / 10, code % 10);
-  else
-    std::snprintf(text, sizeof text, "G%02d", code / 10);
-  return text;
-}
-
 std::string number_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", value);

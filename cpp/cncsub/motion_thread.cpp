@@ -101,7 +101,7 @@ Motion::Result Motion::cut_thread(BlockWords& block, const Axes& end, std::uint3
 Motion::Result Motion::thread(BlockWords& block, Meaning meaning) {
   const Control& c = *facts_->control;
   std::uint32_t named = 0;
-  const Axes end = target(block, named);
+  const Axes end = end_point(block, named);
   take_run_out(block);
   if (named == 0) return std::nullopt;
   if (auto wrong = need_lead(block)) return wrong;

@@ -121,6 +121,53 @@ double Motion::radius_value() const {
              : tables_->radius[number] + tables_->radius_wear[number];
 }
 
+/// G45 to G48: the move of each named axis gets longer or shorter by an offset, or by twice that.
+/// A canned cycle does not take notice of them. [M7 p.242]
+Motion::Result Motion::set_longer(BlockWords& block) const {
+  double times = 0;
+  switch (block.meaning(Group::OneShot)) {
+    case Meaning::Lengthen:
+      times = 1;
+      break;
+    case Meaning::Shorten:
+      times = -1;
+      break;
+    case Meaning::LengthenTwice:
+      times = 2;
+      break;
+    case Meaning::ShortenTwice:
+      times = -2;
+      break;
+    default:
+      return std::nullopt;
+  }
+  if (compensating()) return fault(Cause::LongerInCompensation, block);
+  const std::string& letters = facts_->control->longer_words.value;
+  const bool by_h = letters == "H" || (letters.find('H') != std::string::npos &&
+                                       block.words.has('H') && !block.words.has('D'));
+  const auto h = static_cast<std::size_t>(s_.h);
+  block.longer =
+      times * (!by_h ? radius_value()
+                     : s_.h == 0 ? 0 : tables_->length[h] + tables_->length_wear[h]);
+  return std::nullopt;
+}
+
+/// The end of a move that G45 to G48 make longer along the way of each axis. An increment of zero
+/// goes the way of its sign, an absolute word that moves nothing stays so. [M7 p.242 (3)]
+Axes Motion::lengthened(const BlockWords& block, Axes end, std::uint32_t named) const {
+  if (block.longer == 0) return end;
+  for (int i = 0; i < kAxes; ++i) {
+    if ((named >> i & 1) == 0) continue;
+    const double way = end[i] - s_.work[i];
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (way != 0)
+      end[i] += way < 0 ? -block.longer : block.longer;
+    else if (s_.incremental && block.words.has(name))
+      end[i] += std::signbit(block.words[name]) ? -block.longer : block.longer;
+  }
+  return end;
+}
+
 /// From the centre of the nose to the imaginary tip, which the program moves: tip 3 points to -X
 /// and -Z, 8 to -X.
 std::array<double, 3> Motion::tip_vector() const {

@@ -65,6 +65,10 @@ void set_plain_corners(Control& c, double v) {
   c.round_words.value = v != 0 ? ",R R" : ",R";
 }
 // 0 leaves the engine's own half a millimetre: a retract of nothing would break no chip.
+void set_longer_by_h(Control& c, double v) { c.longer_words.value = v != 0 ? "H" : "D"; }
+void set_overrun(Control& c, double v) {
+  c.one_way_overrun.value = v < 0 ? -micrometres(-v) : micrometres(v);
+}
 void set_peck_retract(Control& c, double v) {
   if (v > 0) c.peck_retract.value = micrometres(v);
 }
@@ -189,6 +193,10 @@ void fanuc_rules(Control& c) {
              kKnown, Inferred, set_one_block_cycles);
   add_effect(c, "1202#3", 0, "reset ends the local coordinate system", kKnown, Inferred,
              set_reset_local);
+  add_effect(c, "5001#5", 0, "TPH: the offset of G45 to G48 is named by 0 = D, 1 = H", kKnown,
+             Inferred, set_longer_by_h);
+  add_effect(c, "5440", 0, "how far G60 goes past its point first, mm; its sign is the direction",
+             kKnown, Inferred, set_overrun);
   add_effect(c, "5001#0", 0, "1 = length offset on the axis that the block names (type C)", kKnown,
              Inferred, set_length_named);
   add_effect(c, "5001#1", 0, "1 = length offset on the axis across the plane (type B)", kKnown,
@@ -226,6 +234,7 @@ void fanuc_alarms(Control& c, const std::string& prefix) {
       {Cause::CompensationEndArc, "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK", Secondary},
       {Cause::CompensationSkip, "036", "CAN NOT COMMANDED G31", Secondary},
       {Cause::CompensationPlane, "037", "CAN NOT CHANGE PLANE IN CRC", Secondary},
+      {Cause::LongerInCompensation, "042", "G45/G48 NOT ALLOWED IN CRC", Secondary},
       {Cause::CompensationInterference, "041", "INTERFERENCE IN CRC", Inferred},
       {Cause::CompensationArcTooSmall, "041", "INTERFERENCE IN CRC", Inferred},
       {Cause::ReferenceInCycle, "044", "G27-G30 NOT ALLOWED IN FIXED CYC", Secondary},
@@ -300,6 +309,9 @@ void fanuc_alarms_30i(Control& c) {
 // ---- Mitsubishi ----
 
 void mitsubishi_rules(Control& c) {
+  c.longer_words = {"DH", "M7 p.241", Manual};
+  add_effect(c, "8209", 0, "how far G60 goes past its point first, mm; its sign is the direction",
+             kKnown, Inferred, set_overrun);
   c.modal_groups = {"work=12 path=13 macro=14 rotation=16 surface=17 polar=18 mirror=19", kKnown,
                     Inferred};
   c.machine_move = {MachineMove::Modal, "M7 p.520 (4)-(8)", Manual};
@@ -391,7 +403,7 @@ void mitsubishi_alarms(Control& c) {
 // ---- HNC ----
 
 void hnc_rules(Control& c) {
-  c.g_meanings = {"22=pulses 24=mirror 25=mirror-off",
+  c.g_meanings = {"22=pulses 24=mirror 25=mirror-off 45=none 46=none 47=none 48=none",
                   "source 003, G22; the mirror from general knowledge", SourceDocument};
   c.power_on_line = {true, kKnown, Inferred};
   c.dwell_p_seconds = {true, "source 003, G04", SourceDocument};
@@ -423,6 +435,7 @@ void lathe_rules(Control& c) {
 void gsk_988(Control& c, double power_on_feed) {
   lathe_rules(c);
   c.home_needed = {true, "Talm 047", Secondary};
+  c.g_meanings = {"92.1=not-computed", "TA 19: a thread cycle, in both G code systems", Manual};
   c.unit_change = {UnitChange::Alone, "Talm 042", Secondary};
   c.refuses = {
       "codes-with-rotation code-in-rotation corner-at-offset-start thread-passes cycle-plane "
@@ -555,7 +568,7 @@ void gsk_988(Control& c, double power_on_feed) {
 
 void gsk_980tdi(Control& c) {
   lathe_rules(c);
-  c.g_meanings = {"33=tap-cycle", "TDi 24.5", Manual};
+  c.g_meanings = {"5=three-points 5.1=three-points-absolute 33=tap-cycle", "TDi 5, TDi 24.5", Manual};
   c.negative_radius_on_lathes = {true, "TDi 4 note 7", Manual};
   c.no_radius = {NoRadius::Alarm, "TDi 4 note 1", Manual};
   c.small_radius = {SmallRadius::Alarm, "TDi 4 note 3", Manual};
