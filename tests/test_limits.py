@@ -207,7 +207,7 @@ ARGUMENTS = [
 FIELDS = {
     "setup": [
         "machine", "start", "work_offsets", "length_offsets", "radius_offsets", "tools",
-        "reference", "rapid", "limits", "increment", "nothing",
+        "reference", "rapid", "limits", "stroke_area", "increment", "nothing",
     ],
     "inputs": ["signals", "clock", "operator", "writes", "skips", "nothing"],
 }  # fmt: skip

@@ -146,6 +146,12 @@ Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup)
   s_.offset = zero_offset();
   s_.work = Axes{} - s_.offset;
   fill(s_.work, setup.start);
+  for (const auto& [name, range] : setup.area)
+    if (const int axis = axis_of(name); axis >= 0 && axis < 3) {
+      s_.area.low[static_cast<std::size_t>(axis)] = range.first;
+      s_.area.high[static_cast<std::size_t>(axis)] = range.second;
+      s_.area.known = true;
+    }
   s_.tool_at = machine_point();
   settle();
 }
@@ -165,7 +171,8 @@ void Motion::power_on() {
         Meaning::SpindleSpeed, Meaning::Metric, Meaning::RadiusOff, Meaning::LengthOff,
         Meaning::CycleOff, Meaning::ReturnInitial, Meaning::ScalingOff, Meaning::MacroOff,
         Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
-        Meaning::MirrorOff, Meaning::StrokeOff})
+        Meaning::MirrorOff,
+        c.power_on_stroke_check.value ? Meaning::StrokeOn : Meaning::StrokeOff})
     wake(meaning);
   s_.plane = lathe ? 18 : 17;
   s_.feed = c.power_on_feed.value;
@@ -273,8 +280,10 @@ Motion::Result Motion::set_modes(BlockWords& block) {
   const Meaning units = s_.modal[at(Group::Units)].meaning;
   s_.unit = units == Meaning::Inch ? kInch : units == Meaning::Pulses ? facts_->increment : 1;
   s_.incremental = s_.modal[at(Group::Distance)].meaning == Meaning::Incremental;
-  // G22 X Y Z I J K names a zone of the stroke check, no point to go to.
-  if (block.meaning(Group::Stroke) == Meaning::StrokeOn) block.consumed = true;
+  if (block.meaning(Group::Stroke) == Meaning::StrokeOn) {
+    set_area(block);
+    block.consumed = true;
+  }
   if (auto wrong = set_feed(block)) return wrong;
   set_lead(block);
   if (auto wrong = set_spindle(block)) return wrong;
@@ -543,7 +552,7 @@ void Motion::settle() {
              s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged &&
              feed != Meaning::InverseTime &&
              s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() &&
-             facts_->limits.empty() && !s_.surface && !lacks_speed() && !s_.tool_pending &&
+             facts_->limits.empty() && !checks_area() && !s_.surface && !lacks_speed() && !s_.tool_pending &&
              facts_->control->max_feed.value == 0;
 }
 

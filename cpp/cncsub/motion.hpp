@@ -37,6 +37,7 @@ struct Setup {
   std::map<int, std::map<char, double>> reference;   // machine coordinates, 1 = G28
   std::map<char, double> rapid;                      // mm/min
   std::map<char, std::pair<double, double>> limits;  // machine coordinates
+  std::map<char, std::pair<double, double>> area;    // of G22, before the program sets it
   double increment = 0.001;                          // the least input increment
 };
 
@@ -177,7 +178,11 @@ class Motion {
   std::array<double, 3> centre_of(const Piece& piece) const;
   double arc_length(const Piece& piece, const Axes& machine) const;
   double seconds_of(const Piece& piece, const Axes& machine, double length) const;
+  // motion_travel.cpp
+  void set_area(const BlockWords& block);
+  bool checks_area() const;
   Result check_travel(const Piece& piece, const Axes& machine) const;
+  Result check_area(const Piece& piece, const Axes& machine) const;
   void arc_reach(const Piece& piece, int axis, double& low, double& high) const;
   bool set_plain_feed(double value);
   void new_row_state(Moves& moves);

@@ -110,6 +110,11 @@ constexpr Conflict kConflicts[] = {
        return b.words.has('T') && (does(b, Meaning::SetCoordinate) || does(b, Meaning::SetData) ||
                                    does(b, Meaning::Dwell));
      }},
+    {Cause::StrokeWithCodes,
+     [](const State&, const Block& b) {
+       return b.has(Group::Stroke) && (b.words.g_count > 1 || b.words.m_count > 0 || b.words.ends ||
+                                       b.words.has('S') || b.words.has('T'));
+     }},
     {Cause::ReferenceWithEnd,
      [](const State&, const Block& b) { return does(b, Meaning::CheckReference) && stops(b); }},
     {Cause::ReferenceWithM,

@@ -68,11 +68,15 @@ Motion::Result Motion::clear_coordinate(BlockWords& block) {
   return std::nullopt;
 }
 
+/// G52. U and W of a lathe say the same as X and Z. [TDi 19]
 Motion::Result Motion::set_local(BlockWords& block) {
-  for (int i = 0; i < kAxes; ++i) {
-    const char name = kAxisNames[static_cast<std::size_t>(i)];
-    if (block.words.has(name)) s_.local[i] = number(block, name);
-  }
+  const bool lathe_a = facts_->machine == MachineType::LatheA;
+  for (int i = 0; i < (lathe_a ? 6 : kAxes); ++i)
+    if (const char name = kAxisNames[static_cast<std::size_t>(i)]; block.words.has(name))
+      s_.local[i] = number(block, name);
+  if (lathe_a)
+    for (const auto& [letter, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
+      if (block.words.has(letter)) s_.local[axis] = number(block, letter);
   refresh_offset();
   return std::nullopt;
 }

@@ -1,6 +1,4 @@
-// From a block's motion to the rows of the table: the pieces, their lengths and times, and the
-// travel limits.
-#include <algorithm>
+// From a block's motion to the rows of the table: the pieces, their lengths and times.
 #include <limits>
 
 #include "cncsub/motion_facts.hpp"
@@ -109,6 +107,7 @@ Motion::Result Motion::record(const Piece& piece, Moves* moves,
   Axes machine = piece.end + piece.length;
   for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
   if (auto wrong = check_travel(piece, machine)) return wrong;
+  if (auto wrong = check_area(piece, machine)) return wrong;
   const bool round = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
   const double length =
       round ? arc_length(piece, machine) : length_of(s_.tool_at, machine, facts_->diameters);
@@ -182,44 +181,6 @@ double Motion::seconds_of(const Piece& piece, const Axes& machine, double length
                           ? path_of(s_.tool_at, machine, length)
                           : path_in_plane(piece.state, s_.tool_at, machine, length);
   return cutting_time(piece.state, path, spindle_at(piece.state, mean));
-}
-
-Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) const {
-  for (const auto& limit : facts_->limits) {
-    const double value = machine[static_cast<std::size_t>(limit.axis)];
-    double low = value, high = value;
-    if (piece.turn != 0) arc_reach(piece, limit.axis, low, high);
-    if (low >= limit.low - 1e-9 && high <= limit.high + 1e-9) continue;
-    const double outside = low < limit.low - 1e-9 ? low : high;
-    std::string number = std::to_string(outside);
-    number.erase(number.find_last_not_of('0') + 1);
-    if (number.back() == '.') number.pop_back();
-    return Fault{Cause::OverTravel, piece.at, 1,
-                 std::string(1, kAxisNames[static_cast<std::size_t>(limit.axis)]) +
-                     " would go to " + number};
-  }
-  return std::nullopt;
-}
-
-/// How far an arc reaches on an axis of its plane.
-void Motion::arc_reach(const Piece& piece, int axis, double& low, double& high) const {
-  const PlaneAxes plane = plane_axes(piece.plane);
-  if (axis != plane.a && axis != plane.b) return;
-  const auto part = [&](int i) {
-    return (s_.tool_at[i] - piece.length[i] - piece.centre[i]) * facts_->share(i);
-  };
-  const double radius = std::hypot(part(plane.a), part(plane.b));
-  const double first = std::atan2(part(plane.b), part(plane.a));
-  const double from = std::min(first, first + piece.turn), to = std::max(first, first + piece.turn);
-  for (int quarter = -6; quarter <= 6; ++quarter) {
-    const double t = quarter * kPi / 2;
-    if (t < from || t > to) continue;
-    const double reach =
-        radius * (axis == plane.a ? std::cos(t) : std::sin(t)) / facts_->share(axis) +
-        piece.centre[static_cast<std::size_t>(axis)] + piece.length[static_cast<std::size_t>(axis)];
-    low = std::min(low, reach);
-    high = std::max(high, reach);
-  }
 }
 
 }  // namespace cncsub

@@ -82,6 +82,12 @@ struct MultipleData {
   double least_cut = 0, allowance = 0;            // G76 Q R
 };
 
+/// The area of G22: machine coordinates of X, Y and Z.
+struct StrokeArea {
+  std::array<double, 3> low{}, high{};
+  bool known = false;
+};
+
 struct Turned {  // rotation, scaling and mirror
   bool rotation = false, scaling = false, mirror = false;
   std::array<double, 3> centre{}, scale_centre{}, scale{1, 1, 1}, mirror_at{};
@@ -135,6 +141,7 @@ struct MotionState {
   TurnData turn;
   MultipleData multiple;
   Turned turned;
+  StrokeArea area;
   Held held;
 };
 

@@ -66,6 +66,9 @@ void set_plain_corners(Control& c, double v) {
 }
 // 0 leaves the engine's own half a millimetre: a retract of nothing would break no chip.
 void set_longer_by_h(Control& c, double v) { c.longer_words.value = v != 0 ? "H" : "D"; }
+void set_straight_rapid(Control& c, double v) { c.straight_rapid.value = v != 0; }
+void set_stroke_off(Control& c, double v) { c.power_on_stroke_check.value = v == 0; }
+void set_stroke_outside(Control& c, double v) { c.stroke_outside.value = v != 0; }
 void set_overrun(Control& c, double v) {
   c.one_way_overrun.value = v < 0 ? -micrometres(-v) : micrometres(v);
 }
@@ -193,6 +196,11 @@ void fanuc_rules(Control& c) {
              kKnown, Inferred, set_one_block_cycles);
   add_effect(c, "1202#3", 0, "reset ends the local coordinate system", kKnown, Inferred,
              set_reset_local);
+  add_effect(c, "1401#1", 0, "LRP: G00 goes 0 = each axis at its own rate, 1 = on a straight line",
+             "30i p.82", Manual, set_straight_rapid);
+  add_effect(c, "3402#7", 0, "G23: at power-on 0 = G22, 1 = G23", kKnown, Inferred, set_stroke_off);
+  add_effect(c, "1300#0", 0, "OUT: forbidden is 0 = the inside, 1 = the outside of the area of G22",
+             kKnown, Inferred, set_stroke_outside);
   add_effect(c, "5001#5", 0, "TPH: the offset of G45 to G48 is named by 0 = D, 1 = H", kKnown,
              Inferred, set_longer_by_h);
   add_effect(c, "5440", 0, "how far G60 goes past its point first, mm; its sign is the direction",
@@ -461,6 +469,8 @@ void gsk_988(Control& c, double power_on_feed) {
   // The examples of the 988TA feed without F; the 988T has an alarm for that. [source 000, Talm
   // 021]
   fanuc_numbers(c, "TApar", Manual, power_on_feed);
+  add_effect(c, "1401#1", 0, "LRP: G00 goes 0 = each axis at its own rate, 1 = on a straight line",
+             "TApar 1401#1", Manual, set_straight_rapid);
   add_effect(c, "3401#1", 0, "CPQ: P and Q of cycles are 0 millimetres, 1 least increments",
              "TApar 3401#1", Manual, set_cycle_increments);
   add_effect(c, "3401#6", 0, "G code system: 0 A, 1 B", "TApar 3401#6", Manual, set_machine_system);
@@ -580,7 +590,8 @@ void gsk_980tdi(Control& c) {
   c.single_pass_pattern = {false, "TDi 23.3", Manual};
   c.groove_p_diameter = {true, "TDi 23.5", Manual};
   c.drill_retract = {true, "TDi 23.9", Manual};
-  c.refuses = {"cycle-plane turning-plane", "TDi 8 note 3", Manual};
+  c.refuses = {"cycle-plane turning-plane stroke-check-with-codes", "TDi 8 note 3; TDi 31 note 6",
+               Manual};
   c.profile_monotone = {MonotoneCheck::WithK, "TDi 23.1: K", Manual};
   c.max_profile_blocks = {200, "TDi 23.1 note 9", Manual};
   c.max_pockets = {20, "TDi 23.1, type II", Manual};
@@ -609,6 +620,10 @@ void gsk_980tdi(Control& c) {
   add_effect(c, "3410", 0,
              "how far the radii of an arc may differ, mm; FANUC's number stands for 154", kKnown,
              Inferred, set_tolerance);
+  add_effect(c, "001#7", 0, "G00 goes 0 = each axis at its own rate, 1 = on a straight line",
+             "TDipar 001#7", Manual, set_straight_rapid);
+  add_effect(c, "172#2", 0, "forbidden is 0 = the inside, 1 = the outside of the area of G22",
+             "TDi 31", Manual, set_stroke_outside);
   add_effect(c, "154", 0, "how far the radii of an arc may differ, mm, 0 = not checked",
              "TDipar 154", Manual, set_tolerance);
   add_effect(c, "030", 0, "the feed at power-on", "TDipar 030", Manual, set_power_on_feed);

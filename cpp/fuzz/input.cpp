@@ -216,6 +216,11 @@ Setup setup_of(Reader& in) {
     const double one = in.length(), other = in.length();
     setup.limits[name] = {std::min(one, other), std::max(one, other)};
   });
+  in.list(4, [&] {
+    const char name = axis(in);
+    const double one = in.length(), other = in.length();
+    setup.area[name] = {std::min(one, other), std::max(one, other)};
+  });
   return setup;
 }
 

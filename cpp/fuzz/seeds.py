@@ -126,10 +126,11 @@ def write_setup(out: Writer, setup: Mapping[str, Any]) -> None:
     for axis, rate in out.each(setup.get("rapid", {}).items(), 4):
         out.byte(AXES.index(axis))
         out.number(rate)
-    for axis, limits in out.each(setup.get("limits", {}).items(), 4):
-        out.byte(AXES.index(axis))
-        for limit in limits:
-            out.number(limit)
+    for ranges in ("limits", "stroke_area"):
+        for axis, limits in out.each(setup.get(ranges, {}).items(), 4):
+            out.byte(AXES.index(axis))
+            for limit in limits:
+                out.number(limit)
 
 
 def write_options(out: Writer, case: Case) -> None:

@@ -71,6 +71,9 @@ Setup setup_of(const py::dict& from) {
   if (from.contains("limits"))
     for (const auto& [axis, limits] : from["limits"].cast<py::dict>())
       setup.limits[axis_of(axis.cast<std::string>())] = limits.cast<std::pair<double, double>>();
+  if (from.contains("stroke_area"))
+    for (const auto& [axis, range] : from["stroke_area"].cast<py::dict>())
+      setup.area[axis_of(axis.cast<std::string>())] = range.cast<std::pair<double, double>>();
   if (from.contains("tools"))
     for (const auto& [number, values] : from["tools"].cast<py::dict>()) {
       Setup::Tool tool;

@@ -36,7 +36,8 @@ class Setup:
     and `"tip"` (0 to 9). `reference`: reference points 1 to 4 in machine coordinates, 1 is that of
     G28.
     `rapid`: mm/min by axis. `limits`: lowest and highest machine coordinate by axis; without them
-    nothing is limited. `increment`: the least input increment in mm.
+    nothing is limited. `stroke_area`: the same for the area of G22, before a program sets it.
+    `increment`: the least input increment in mm.
 
     Raises `TypeError` and `ValueError` that name the field.
 
@@ -56,6 +57,7 @@ class Setup:
     reference: Mapping[int, Point] = field(default_factory=dict)
     rapid: Point = field(default_factory=dict)
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    stroke_area: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     increment: float = 0.001
 
     def __post_init__(self) -> None:
@@ -99,6 +101,7 @@ class Setup:
             "reference": _checked("reference", self.reference, _reference, _point),
             "rapid": _checked("rapid", self.rapid, _axis, _positive),
             "limits": _checked("limits", self.limits, _axis, _limit),
+            "stroke_area": _checked("stroke_area", self.stroke_area, _axis, _limit),
             "increment": _positive("increment", self.increment),
         }
         if self.machine is not None:
