@@ -111,7 +111,7 @@ def test_a_contour_of_many_pieces_in_many_levels_is_refused() -> None:
 
 
 def test_a_parameter_that_asks_for_endless_finishing_passes_is_refused() -> None:
-    control = cncsub.controls["fanuc-0i-f"].with_parameters({"5142": 2e9})
+    control = cncsub.controls["fanuc-0i-f"].with_parameters({"5142": 2e8})
     library = cncsub.loads("O1\nG0 X30. Z5.\nG76 X18. Z-20. P1000 Q1000 F2.\n", control=control)
     alarm = library.run(setup={"machine": "lathe-a"}).alarm
     assert alarm is not None

@@ -171,8 +171,7 @@ void Motion::power_on() {
         Meaning::SpindleSpeed, Meaning::Metric, Meaning::RadiusOff, Meaning::LengthOff,
         Meaning::CycleOff, Meaning::ReturnInitial, Meaning::ScalingOff, Meaning::MacroOff,
         Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
-        Meaning::MirrorOff,
-        c.power_on_stroke_check.value ? Meaning::StrokeOn : Meaning::StrokeOff})
+        Meaning::MirrorOff, c.power_on_stroke_check.value ? Meaning::StrokeOn : Meaning::StrokeOff})
     wake(meaning);
   s_.plane = lathe ? 18 : 17;
   s_.feed = c.power_on_feed.value;
@@ -238,9 +237,8 @@ Motion::Result Motion::read(BlockWords& block) const {
     const GCode code = facts_->codes.find(written);
     if (code.meaning == Meaning::Neutral) continue;
     if (code.meaning == Meaning::None) {
-      const bool elsewhere =
-          std::any_of(facts_->other_codes.begin(), facts_->other_codes.end(),
-                      [&](const GCodes& codes) { return codes.has(written); });
+      const bool elsewhere = std::any_of(facts_->other_codes.begin(), facts_->other_codes.end(),
+                                         [&](const GCodes& codes) { return codes.has(written); });
       if (c.g_codes.value.empty() || elsewhere)
         return fault(Cause::GCodeNotAvailable, block, code_name(written));
     }
@@ -552,8 +550,8 @@ void Motion::settle() {
              s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged &&
              feed != Meaning::InverseTime &&
              s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() &&
-             facts_->limits.empty() && !checks_area() && !s_.surface && !lacks_speed() && !s_.tool_pending &&
-             facts_->control->max_feed.value == 0;
+             facts_->limits.empty() && !checks_area() && !s_.surface && !lacks_speed() &&
+             !s_.tool_pending && facts_->control->max_feed.value == 0;
 }
 
 std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {

@@ -301,6 +301,7 @@ class Motion {
   static const std::vector<double>* table_of(const OffsetTables& tables, VariableKind kind);
 
   friend struct Contour;
+  friend struct Pockets;
   friend struct RadiusPath;
 
   std::array<GCode, 4> line_codes_;

@@ -125,7 +125,8 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
 
 /// G45 to G48 change the radius of quarters and three quarters of a circle, which begin and end on
 /// the axes of their centre. [K: FANUC, tool offset]
-Motion::Result Motion::check_longer(const BlockWords& block, const Axes& end, bool by_radius) const {
+Motion::Result Motion::check_longer(const BlockWords& block, const Axes& end,
+                                    bool by_radius) const {
   const PlaneAxes plane = plane_axes(s_.plane);
   const Cause cause = Cause::LongerArc;
   if (by_radius) return fault(cause, block, "write I, J, K");

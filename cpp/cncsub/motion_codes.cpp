@@ -149,8 +149,9 @@ constexpr GCode kLatheB[] = {
 /// Codes of a control's list that no path depends on: servo and look-ahead modes, spindles, and the
 /// ends of modes whose beginnings the engine does not compute. General knowledge of the makers'
 /// lists. Every other code without an entry is not computed.
-constexpr int kNeutral[] = {54,  401, 502, 504, 505,  506,  512,  611,  631,  632,  691,  804,  805,
-                            961, 962, 963, 964, 1130, 1141, 1142, 1143, 1201, 1500, 1600, 2500, 2510};
+constexpr int kNeutral[] = {54,   401,  502,  504,  505,  506,  512,  611, 631,
+                            632,  691,  804,  805,  961,  962,  963,  964, 1130,
+                            1141, 1142, 1143, 1201, 1500, 1600, 2500, 2510};
 
 /// What a control may give another code: the words of the rule g_meanings.
 struct Word {
@@ -193,8 +194,7 @@ GCodes::GCodes(const Control& control, MachineType machine) {
     for (const GCode& entry : list) set(entry);
   };
   if (!control.g_codes.value.empty())
-    for (const int code : kNeutral)
-      set({static_cast<std::int16_t>(code), G::OneShot, M::Neutral});
+    for (const int code : kNeutral) set({static_cast<std::int16_t>(code), G::OneShot, M::Neutral});
   add(kShared);
   if (machine == MachineType::Mill)
     add(kMill);

@@ -1,12 +1,10 @@
 // G70 to G73: a profile, read once, cut in levels, in parallel passes, or as it is written.
-#include <algorithm>
+#include "cncsub/motion_contour.hpp"
 
-#include "cncsub/motion_geometry.hpp"
+#include <algorithm>
 
 namespace cncsub {
 namespace {
-
-constexpr std::uint32_t kXz = 5;  // the bits of X and Z
 
 bool calls(const NcWords& words) {
   for (int i = 0; i < words.m_count; ++i)
@@ -50,43 +48,6 @@ bool allowed(Meaning meaning) {
 }
 
 }  // namespace
-
-/// A profile in true lengths: along the cut (u) and across the levels (v).
-struct Contour {
-  using Result = std::optional<Fault>;
-
-  Motion& motion;
-  BlockWords& block;
-  std::vector<Piece> pieces;  // the profile; the first leads to its start
-  Axes start{};               // A, work coordinates
-  int level_axis = 0;         // the axis the levels lie across: X of G71, Z of G72
-  double depth = 0, escape = 0;
-  Axes shift{};  // finishing allowance
-  bool pockets = false;
-
-  int cut_axis() const { return level_axis == 0 ? 2 : 0; }
-  double scale(int axis) const { return axis == 0 ? 2 : 1; }
-  double& level_of(Axes& p) const { return p[static_cast<std::size_t>(level_axis)]; }
-  double& cut_of(Axes& p) const { return p[static_cast<std::size_t>(cut_axis())]; }
-  Axes end_of(const Piece& piece) const { return piece.end - piece.offset; }
-
-  Result go(MoveKind kind, const Axes& end, std::uint32_t named = kXz) {
-    return motion.move(block, kind, end, named);
-  }
-  Result go_axis(MoveKind kind, int axis, double value) {
-    return motion.move_axis(block, kind, axis, value);
-  }
-
-  Result check() const;
-  bool starts_inside() const;
-  int pocket_count() const;
-  bool monotone(int axis) const;
-  Result rough();
-  Result rough_level(double level, double back, double away);
-  std::vector<double> crossings(double level) const;
-  Result follow(const Axes& by, std::size_t from);
-  Result pass(const Axes& by);
-};
 
 /// The points of a piece where it crosses a level, as values of the cut axis, shifted by the
 /// allowance.
@@ -341,7 +302,7 @@ Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning,
     return Fault{Cause::ProfileFirstBlock, first.at, 1, {}};
   if (meaning == Meaning::RoughTurn && !x) return Fault{Cause::ProfileFirstX, first.at, 1, {}};
   if (meaning == Meaning::RoughFace && !z) return Fault{Cause::ProfileFirstZ, first.at, 1, {}};
-  contour.pockets = x && z;
+  contour.pockets = c.type_by_shape.value ? !contour.monotone(contour.level_axis) : x && z;
   contour.shift[0] = w.has('U') ? number(block, 'U') : 0;
   contour.shift[2] = w.has('W') ? number(block, 'W') : 0;
   block.outcome.continue_behind = go_behind;
@@ -349,7 +310,7 @@ Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning,
   if (meaning == Meaning::RoughPattern) return rough_pattern(block, contour);
   if (contour.depth <= 0) return fault(Cause::CycleDepth, block);
   if (auto wrong = contour.check()) return wrong;
-  return contour.rough();
+  return contour.pockets ? contour.rough_pockets() : contour.rough();
 }
 
 /// The older form: what the first of two blocks holds stands in the one block. [K]

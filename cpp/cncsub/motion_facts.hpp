@@ -67,7 +67,7 @@ struct MotionFacts {
   MachineType machine;
   GCodes codes;
   std::vector<GCodes> other_codes;  // of the other kinds of machine
-  std::string axis_order;  // the control's axes by number
+  std::string axis_order;           // the control's axes by number
   std::array<int, kGroups> group_numbers{};
   std::uint32_t diameters = 0;
   double increment = 0.001;
@@ -113,8 +113,8 @@ struct BlockWords {
   bool was_cycle = false;              // a canned cycle was active before this block
   bool consumed = false;               // the axis words belong to G68, G51 and the like
 
-  int uncomputed = -1;                 // a code times ten whose moves the engine does not know
-  double longer = 0;                   // G45 to G48: how much longer the move gets on each axis
+  int uncomputed = -1;  // a code times ten whose moves the engine does not know
+  double longer = 0;    // G45 to G48: how much longer the move gets on each axis
 
   bool has(Group group) const { return codes[at(group)].code >= 0; }
   Meaning meaning(Group group) const { return codes[at(group)].meaning; }

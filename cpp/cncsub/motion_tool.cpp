@@ -146,9 +146,9 @@ Motion::Result Motion::set_longer(BlockWords& block) const {
   const bool by_h = letters == "H" || (letters.find('H') != std::string::npos &&
                                        block.words.has('H') && !block.words.has('D'));
   const auto h = static_cast<std::size_t>(s_.h);
-  block.longer =
-      times * (!by_h ? radius_value()
-                     : s_.h == 0 ? 0 : tables_->length[h] + tables_->length_wear[h]);
+  block.longer = times * (!by_h       ? radius_value()
+                          : s_.h == 0 ? 0
+                                      : tables_->length[h] + tables_->length_wear[h]);
   return std::nullopt;
 }
 

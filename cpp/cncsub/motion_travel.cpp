@@ -43,7 +43,6 @@ void Motion::arc_reach(const Piece& piece, int axis, double& low, double& high) 
   }
 }
 
-
 /// G22 X Y Z I J K: the upper and the lower corner of the area, in machine coordinates; what is not
 /// written stays. [TDi 31]
 void Motion::set_area(const BlockWords& block) {

@@ -69,6 +69,10 @@ void set_longer_by_h(Control& c, double v) { c.longer_words.value = v != 0 ? "H"
 void set_straight_rapid(Control& c, double v) { c.straight_rapid.value = v != 0; }
 void set_stroke_off(Control& c, double v) { c.power_on_stroke_check.value = v == 0; }
 void set_stroke_outside(Control& c, double v) { c.stroke_outside.value = v != 0; }
+void set_type_by_shape(Control& c, double v) { c.type_by_shape.value = v == 0; }
+void set_pocket_pass(Control& c, double v) {
+  c.pocket_pass.value = v != 0 ? PocketPass::Never : PocketPass::Always;
+}
 void set_overrun(Control& c, double v) {
   c.one_way_overrun.value = v < 0 ? -micrometres(-v) : micrometres(v);
 }
@@ -201,6 +205,8 @@ void fanuc_rules(Control& c) {
   add_effect(c, "3402#7", 0, "G23: at power-on 0 = G22, 1 = G23", kKnown, Inferred, set_stroke_off);
   add_effect(c, "1300#0", 0, "OUT: forbidden is 0 = the inside, 1 = the outside of the area of G22",
              kKnown, Inferred, set_stroke_outside);
+  add_effect(c, "5105#2", 0, "RF2: G71, G72 of type II cut the profile once more: 0 = yes, 1 = no",
+             kKnown, Inferred, set_pocket_pass);
   add_effect(c, "5001#5", 0, "TPH: the offset of G45 to G48 is named by 0 = D, 1 = H", kKnown,
              Inferred, set_longer_by_h);
   add_effect(c, "5440", 0, "how far G60 goes past its point first, mm; its sign is the direction",
@@ -454,6 +460,10 @@ void gsk_988(Control& c, double power_on_feed) {
   c.max_pockets = {30, "TA 8", Manual};
   add_effect(c, "5102#1", 1, "G71 to G73: 1 = a profile that turns back is an alarm", "TA 8",
              Manual, set_monotone);
+  add_effect(c, "5102#2", 0, "AUT: type I or II of G71 and G72 0 by the shape, 1 by block ns",
+             "TA 8", Manual, set_type_by_shape);
+  add_effect(c, "5105#2", 0, "G71, G72 of type II cut the profile once more: 0 = yes, 1 = no",
+             "TA 8", Manual, set_pocket_pass);
   add_effect(c, "5101#2", 0, "RTR: a pecking cycle draws back 0 a little, 1 to R", "TA 24", Manual,
              set_full_retract);
   add_effect(c, "5149", 0, "the way out of a boring cycle, percent of the feed, 0 = 200", "TA 26",
@@ -578,7 +588,8 @@ void gsk_988(Control& c, double power_on_feed) {
 
 void gsk_980tdi(Control& c) {
   lathe_rules(c);
-  c.g_meanings = {"5=three-points 5.1=three-points-absolute 33=tap-cycle", "TDi 5, TDi 24.5", Manual};
+  c.g_meanings = {"5=three-points 5.1=three-points-absolute 33=tap-cycle", "TDi 5, TDi 24.5",
+                  Manual};
   c.negative_radius_on_lathes = {true, "TDi 4 note 7", Manual};
   c.no_radius = {NoRadius::Alarm, "TDi 4 note 1", Manual};
   c.small_radius = {SmallRadius::Alarm, "TDi 4 note 3", Manual};
@@ -595,6 +606,7 @@ void gsk_980tdi(Control& c) {
   c.profile_monotone = {MonotoneCheck::WithK, "TDi 23.1: K", Manual};
   c.max_profile_blocks = {200, "TDi 23.1 note 9", Manual};
   c.max_pockets = {20, "TDi 23.1, type II", Manual};
+  c.pocket_pass = {PocketPass::WithJ, "TDi 23.1: J", Manual};
   c.run_out_words = {RunOutWords::Equal, "TDi 24.1, 24.9", Manual};
   c.thread_digits_apart = {true, "TDi 24.12 note 4", Manual};
   add_effect(c, "019", 0, "the run-out of G92 and G76, tenths of the lead", "TDipar 019", Manual,

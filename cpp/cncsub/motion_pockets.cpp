@@ -1,0 +1,253 @@
+// G71 and G72 of type II: a profile that goes in and out is cut pocket by pocket. [TDi 23.1 figure
+// 3-69; TA 8]
+#include <algorithm>
+
+#include "cncsub/motion_contour.hpp"
+
+namespace cncsub {
+namespace {
+
+/// A piece of the profile that does not turn back across the levels.
+struct Bit {
+  Curve curve;
+  MoveKind kind = MoveKind::Feed;
+};
+using Chain = std::vector<Bit>;
+
+}  // namespace
+
+/// The profile, and the levels in which it is cut.
+struct Pockets {
+  using Result = std::optional<Fault>;
+
+  Contour& contour;
+  PlaneView view;
+  double out, along;  // the signs of outward and of the way of the cuts
+  double top = 0;     // the level where the cycle starts
+
+  double height(Point p) const { return out * (contour.level_axis == 0 ? p.b : p.a); }
+  double place(Point p) const { return along * (contour.level_axis == 0 ? p.a : p.b); }
+  Point point(double place, double height) const {
+    const double u = along * place, h = out * height;
+    return contour.level_axis == 0 ? Point{u, h} : Point{h, u};
+  }
+  Point here() const { return view.point(contour.motion.s_.work); }
+
+  Chain profile() const;
+  void add(Chain& chain, const Bit& bit) const;
+  Point crossing(const Curve& curve, double level) const;
+  std::vector<Chain> split(const Chain& chain, double level) const;
+  Result go(MoveKind kind, Point to);
+  Result follow(const Chain& chain, std::size_t first, std::size_t last);
+  Result retract(double level);
+  Result rough(const Chain& chain, double level);
+};
+
+/// Cuts a bit at the places where an arc is highest or lowest.
+void Pockets::add(Chain& chain, const Bit& bit) const {
+  const Curve& c = bit.curve;
+  if (c.line()) {
+    if (size(c.to - c.from) > 1e-9) chain.push_back(bit);
+    return;
+  }
+  const Point r = c.from - c.centre;
+  const double first = std::atan2(r.b, r.a), quarter = contour.level_axis == 0 ? kPi / 2 : 0;
+  std::vector<double> turns{0, c.turn};
+  for (int k = -4; k <= 4; ++k)
+    if (const double turn = quarter + k * kPi - first; turn * c.turn > 0)
+      if (std::fabs(turn) < std::fabs(c.turn) - 1e-9 && std::fabs(turn) > 1e-9)
+        turns.push_back(turn);
+  std::sort(turns.begin(), turns.end(),
+            [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+  Point from = c.from;
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    const double t = first + turns[i];
+    const Point to =
+        i + 1 == turns.size() ? c.to : c.centre + c.radius() * Point{std::cos(t), std::sin(t)};
+    chain.push_back({{from, to, c.centre, turns[i] - turns[i - 1]}, bit.kind});
+    from = to;
+  }
+}
+
+Chain Pockets::profile() const {
+  Chain chain;
+  Axes from = contour.start + contour.shift;
+  for (const Piece& piece : contour.pieces) {
+    Piece moved = piece;
+    for (std::size_t i = 0; i < 3; ++i) {
+      moved.end[i] += contour.shift[i] - piece.offset[i];
+      moved.centre[i] += contour.shift[i] - piece.offset[i];
+    }
+    add(chain, {curve_of(view, from, moved), piece.kind});
+    from = moved.end;
+  }
+  return chain;
+}
+
+Point Pockets::crossing(const Curve& curve, double level) const {
+  if (curve.line()) {
+    const double a = height(curve.from), b = height(curve.to);
+    return curve.from + (level - a) / (b - a) * (curve.to - curve.from);
+  }
+  const double up = level - height(curve.centre), r = curve.radius();
+  const double across = std::sqrt(std::max(0.0, r * r - up * up));
+  const double middle = place(curve.centre);
+  const Point one = point(middle - across, level), other = point(middle + across, level);
+  const auto miss = [&](Point p) {
+    return size(p - curve.from) + size(p - curve.to);  // the shorter way round
+  };
+  return miss(one) <= miss(other) ? one : other;
+}
+
+/// The parts of a chain at or above a level and those below it, by turns; the first is above.
+std::vector<Chain> Pockets::split(const Chain& chain, double level) const {
+  std::vector<Chain> parts(1);
+  const auto below = [&](Point p) { return height(p) < level - 1e-7; };
+  const auto turn = [](const Curve& c, Point from, Point to) {
+    const Point p = from - c.centre, q = to - c.centre;
+    return c.line() ? 0 : std::atan2(cross(p, q), dot(p, q));
+  };
+  bool low = false;
+  for (const Bit& bit : chain) {
+    const bool from = below(bit.curve.from), to = below(bit.curve.to);
+    if (from == to) {
+      if (from != low) parts.emplace_back(), low = from;
+      parts.back().push_back(bit);
+      continue;
+    }
+    const Point cut = crossing(bit.curve, level);
+    Bit first = bit, second = bit;
+    first.curve.to = second.curve.from = cut;
+    first.curve.turn = turn(bit.curve, bit.curve.from, cut);
+    second.curve.turn = turn(bit.curve, cut, bit.curve.to);
+    if (from != low) parts.emplace_back(), low = from;
+    if (size(cut - bit.curve.from) > 1e-9) parts.back().push_back(first);
+    parts.emplace_back(), low = to;
+    if (size(bit.curve.to - cut) > 1e-9) parts.back().push_back(second);
+  }
+  return parts;
+}
+
+Pockets::Result Pockets::go(MoveKind kind, Point to) {
+  const Point now = here();
+  std::uint32_t named = 0;
+  if (std::fabs(to.a - now.a) > 1e-9) named |= axis_bit(2);
+  if (std::fabs(to.b - now.b) > 1e-9) named |= axis_bit(0);
+  if (named == 0) return std::nullopt;
+  Axes end = contour.motion.s_.work;
+  view.set(end, to);
+  return contour.motion.move(contour.block, kind, end, named);
+}
+
+/// Along the profile.
+Pockets::Result Pockets::follow(const Chain& chain, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    const Curve& curve = chain[i].curve;
+    if (curve.line()) {
+      if (auto wrong = go(chain[i].kind, curve.to)) return wrong;
+      continue;
+    }
+    Axes end = contour.motion.s_.work;
+    view.set(end, curve.to);
+    Piece piece = contour.motion.make_piece(
+        contour.block, curve.turn > 0 ? MoveKind::Ccw : MoveKind::Cw, end, kXz);
+    view.set(piece.centre, curve.centre);
+    for (std::size_t k = 0; k < 3; ++k) piece.centre[k] += piece.offset[k];
+    piece.turn = curve.turn;
+    if (auto wrong = contour.motion.move(contour.block, piece)) return wrong;
+  }
+  return std::nullopt;
+}
+
+/// Away from the part by the escape, but not beyond the level where the cycle starts.
+Pockets::Result Pockets::retract(double level) {
+  const bool feeds = contour.motion.facts_->control->escape.value == ReturnedEscape::Feed;
+  const double up = std::max(level, std::min(level + contour.escape, top));
+  return go(feeds ? MoveKind::Feed : MoveKind::Rapid, point(place(here()), up));
+}
+
+/// What a level leaves of a part of the profile that lies below the level before: down along the
+/// profile, across, up along the profile, and back; then deeper, pocket by pocket.
+Pockets::Result Pockets::rough(const Chain& chain, double before) {
+  const MoveKind in =
+      contour.pieces.front().kind == MoveKind::Rapid ? MoveKind::Rapid : MoveKind::Feed;
+  const double level = before - contour.depth;
+  const std::vector<Chain> parts = split(chain, level);
+  if (parts.size() == 1) return follow(chain, 0, chain.size());
+  const auto highest = [&](const Chain& part, bool last_part) {
+    std::size_t at = 0;
+    if (last_part) return part.size();
+    for (std::size_t i = 0; i < part.size(); ++i)
+      if (height(part[i].curve.to) >= height(part[at].curve.to) - 1e-9) at = i;
+    return part.empty() ? 0 : at + 1;
+  };
+  if (auto wrong = follow(parts[0], 0, parts[0].size())) return wrong;
+  for (std::size_t i = 1; i < parts.size(); i += 2) {
+    const Chain& pocket = parts[i];
+    static const Chain kNothing;
+    const Chain& behind = i + 1 < parts.size() ? parts[i + 1] : kNothing;
+    const bool last = i + 2 >= parts.size();
+    const double from = place(pocket.front().curve.from), to = place(pocket.back().curve.to);
+    if (auto wrong = go(MoveKind::Feed, point(to, level))) return wrong;
+    const std::size_t crest = highest(behind, last);
+    if (auto wrong = follow(behind, 0, crest)) return wrong;
+    const Point summit = here();
+    if (auto wrong = retract(height(summit))) return wrong;
+    if (auto wrong = go(MoveKind::Rapid, point(from, height(here())))) return wrong;
+    if (auto wrong = go(in, pocket.front().curve.from)) return wrong;
+    if (auto wrong = rough(pocket, level)) return wrong;
+    if (last) break;
+    // Over the island, and at the feed onto it. [TDi 23.1 note 3]
+    const double up = std::max(height(summit), std::min(height(summit) + contour.escape, top));
+    if (auto wrong = go(MoveKind::Rapid, point(place(here()), up))) return wrong;
+    if (auto wrong = go(MoveKind::Rapid, point(place(summit), up))) return wrong;
+    if (auto wrong = go(MoveKind::Feed, summit)) return wrong;
+    if (auto wrong = follow(behind, crest, behind.size())) return wrong;
+  }
+  return std::nullopt;
+}
+
+Contour::Result Contour::rough_pockets() {
+  const Control& c = *motion.facts_->control;
+  Axes begin = start + shift, last = end_of(pieces.back());
+  Pockets pockets{*this, {plane_axes(18), motion.facts_->share(0)}, 1, 1};
+  double lowest = level_of(start), highest = level_of(start);
+  for (const Piece& piece : pieces) {
+    Axes end = end_of(piece);
+    lowest = std::min(lowest, level_of(end));
+    highest = std::max(highest, level_of(end));
+  }
+  pockets.out = level_of(start) - lowest >= highest - level_of(start) ? 1 : -1;
+  pockets.along = cut_of(last) >= cut_of(start) ? 1 : -1;
+  pockets.top = pockets.height(pockets.view.point(begin));
+  const Chain profile = pockets.profile();
+  for (const Bit& bit : profile) {
+    const double back = std::min(pockets.place(bit.curve.start_direction()),
+                                 pockets.place(bit.curve.end_direction()));
+    if (back < -1e-6) return Fault{Cause::ProfileNotMonotone, pieces.back().at, 1, {}};
+  }
+  double deepest = pockets.top;
+  for (const Bit& bit : profile) deepest = std::min(deepest, pockets.height(bit.curve.to));
+  if ((pockets.top - deepest) / depth * static_cast<double>(pieces.size()) > kMostCrossings)
+    return motion.fault(Cause::ValueOutOfRange, block, "the block would cut too many levels");
+  if (auto wrong = go(MoveKind::Rapid, begin)) return wrong;
+  if (auto wrong = pockets.rough(profile, pockets.top)) return wrong;
+  const auto rise = [&]() -> Result {
+    const Point now = pockets.here();
+    return pockets.height(now) < pockets.top
+               ? pockets.go(MoveKind::Rapid, pockets.point(pockets.place(now), pockets.top))
+               : std::nullopt;
+  };
+  if (auto wrong = rise()) return wrong;
+  const bool again =
+      c.pocket_pass.value == PocketPass::Always ||
+      (c.pocket_pass.value == PocketPass::WithJ && block.words.has('J') && block.words['J'] == 1);
+  if (again) {
+    if (auto wrong = go(MoveKind::Rapid, begin)) return wrong;
+    if (auto wrong = follow(shift, 0)) return wrong;
+    if (auto wrong = rise()) return wrong;
+  }
+  return go(MoveKind::Rapid, start);
+}
+
+}  // namespace cncsub
