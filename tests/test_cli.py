@@ -272,6 +272,7 @@ def test_a_number_is_found_however_it_is_written() -> None:
         (["run", "{job}/good.nc", "-c", CONTROL, "--setup", "{job}/none.toml"], "none.toml"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--setup", "{job}/good.nc"], "good.nc"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--mdi", "M30", "--main", "O1"], "--mdi"),
+        (["run", "", "-c", CONTROL], "an empty path"),
         (["run", "/dev/zero", "-c", CONTROL], "not a regular file"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--nonsense"], "--nonsense"),
         (["controls", "fanuc"], "near are fanuc-"),

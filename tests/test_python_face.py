@@ -674,7 +674,7 @@ def test_the_operator_starts_or_stops() -> None:
         ({"signals": {"x": 1}}, TypeError),
         ({"signals": [1]}, TypeError),
         ({"clock": "now"}, TypeError),
-        ({"clock": -1}, TypeError),
+        ({"clock": -1}, ValueError),
         ({"operator": ["go"]}, ValueError),
         ({"operator": "start"}, TypeError),
         ({"writes": [5]}, TypeError),

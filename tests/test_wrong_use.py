@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import cncsub
@@ -143,6 +144,23 @@ def test_signals_and_work_offsets_can_be_given(library: cncsub.Library) -> None:
     assert run.moves.mx[0] == 4
 
 
+def test_an_unknown_option_is_told_with_what_is_near(library: cncsub.Library) -> None:
+    for name in ("machine", "stream"):
+        with pytest.raises(TypeError, match=f"{name} has no option 'cycles'; near are max_cycles;"):
+            getattr(library, name)(cycles=3)
+    with pytest.raises(TypeError, match="mdi has no option 'cycles'; near are max_cycles;"):
+        library.mdi("M98 P2", cycles=3)  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="mdi runs the text that was typed and takes no main"):
+        library.mdi("M98 P2", main="O1")  # type: ignore[call-arg]
+
+
+@pytest.mark.parametrize("odd", ["no", b"", None, 2, [], math.nan])
+def test_optional_stop_is_yes_or_no(library: cncsub.Library, odd: Any) -> None:
+    with pytest.raises(TypeError, match="optional_stop is True or False, not"):
+        library.run(optional_stop=odd)
+    assert library.run(optional_stop=np.bool_(True), max_seconds=np.float32(9)).stop == "end"
+
+
 # ---- setup ----
 
 
@@ -248,6 +266,9 @@ def uses(odd: Any, tmp_path: Path) -> Iterator[Callable[[], object]]:
         yield lambda mapping=mapping: odd in mapping
         yield lambda mapping=mapping: mapping.get(odd)
     yield lambda: known.with_parameters(odd)
+    yield lambda: known.with_parameters()
+    yield lambda: known.with_parameters(odd, odd)
+    yield lambda: known.with_parameters(a=odd)
     yield lambda: known.with_parameters({odd: 1})
     yield lambda: known.with_parameters({"6050": odd})
     yield lambda: known.replace(odd)

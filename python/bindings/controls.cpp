@@ -187,7 +187,13 @@ void add_controls(py::module_& m) {
                                }
                                return rows;
                              })
-      .def("with_parameters", &with_parameters, py::arg("parameters"))
+      .def("with_parameters",
+           [](const Control& c, const py::args& args, const py::kwargs& named) {
+             const bool by_name = args.empty() && named.size() == 1 && named.contains("parameters");
+             if (!by_name && (args.size() != 1 || !named.empty()))
+               throw py::type_error("with_parameters takes one mapping, such as {'6050': 70}");
+             return with_parameters(c, by_name ? py::object(named["parameters"]) : args[0]);
+           })
       .def("replace",
            [](const Control& c, const py::args& args, const py::kwargs& changes) {
              if (!args.empty())

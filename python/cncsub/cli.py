@@ -116,7 +116,7 @@ class RunFormat(enum.StrEnum):
 # ---- options ----
 
 Paths = Annotated[
-    list[Path] | None,
+    list[str] | None,  # an empty path is not the folder one stands in
     typer.Argument(
         help="Files and folders: the memory of the control. The first program runs.",
         show_default=False,
@@ -317,7 +317,9 @@ def _asked(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
 
 def _library(options: Mapping[str, Any]) -> cncsub.Library:
     output = options["output"]
-    if output is not None and any(output.resolve() == p.resolve() for p in options["paths"] or ()):
+    if output is not None and any(
+        output.resolve() == Path(path).resolve() for path in options["paths"] or ()
+    ):
         raise ValueError(f"{output} is the program; name another file to write to")
     control = _control(options["control"])
     if options["param"]:

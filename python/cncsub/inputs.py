@@ -163,10 +163,6 @@ def _fraction(skip: object) -> float:
     return value
 
 
-def _not_a_number(value: object) -> bool:
-    return isinstance(value, bool) or not isinstance(value, int | float)
-
-
 def _clock(clock: datetime | float | None) -> dict[str, float | int]:
     if clock is None:
         return {}
@@ -175,6 +171,7 @@ def _clock(clock: datetime | float | None) -> dict[str, float | int]:
             "date": clock.year * 10_000 + clock.month * 100 + clock.day,
             "time": clock.hour * 10_000 + clock.minute * 100 + clock.second,
         }
-    if _not_a_number(clock) or not 0 <= clock < 2**53:
-        raise TypeError(f"clock is a datetime or a number of milliseconds, not {clock!r}")
-    return {"clock_ms": float(clock)}
+    milliseconds = _value("clock, a datetime or a number of milliseconds,", clock)
+    if milliseconds is None or not 0 <= milliseconds < 2**53:
+        raise ValueError(f"clock counts milliseconds from 0 on, not {clock!r}")
+    return {"clock_ms": milliseconds}

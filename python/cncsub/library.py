@@ -209,12 +209,14 @@ class Library(Mapping[str, Program]):
                 raise TypeError(
                     f"mdi runs the text that was typed and takes no {name}; run takes it"
                 )
+        _check_names("mdi", options)
         return _finished(_machine(self._code.with_mdi(clean(text)), -1, mode="mdi", **options))
 
     def machine(self, main: str | int | None = None, **options: Unpack[ModeOptions]) -> Machine:
         """The engine at the head of a program, to be run step by step; `options` are those of
         `run`.
         """
+        _check_names("machine", options)
         if options.get("trace") in ("none", "calls"):
             options["trace"] = "blocks"  # a step is a row of the table of steps
         return Machine(self._begin(main, **options))
@@ -232,6 +234,7 @@ class Library(Mapping[str, Program]):
         >>> sum(part.moves.total_length for part in library.stream(max_cycles=100_000))
         100000.0
         """
+        _check_names("stream", options)
         trace = options.get("trace", "moves")
         return Stream(self._begin(main, **options), _whole("rows", rows, 1), trace)
 
@@ -334,6 +337,16 @@ def _listing(names: Sequence[str]) -> str:
     return f"; there are {', '.join(names[:8])}{', ...' if len(names) > 8 else ''}"
 
 
+def _check_names(function: str, options: Mapping[str, object]) -> None:
+    known = ModeOptions.__annotations__
+    for name in options:
+        if name not in known:
+            raise TypeError(
+                f"{function} has no option {name!r}{did_you_mean(name, known)};"
+                " the options are those of run"
+            )
+
+
 def _machine(
     code: _core.Code,
     main: int,
@@ -359,7 +372,7 @@ def _machine(
         start=None if start is None else _whole("start, a sequence number,", start, 0),
         variables=None if variables is None else checked_variables("variables", variables),
         block_skip=_switches(block_skip),
-        optional_stop=bool(optional_stop),
+        optional_stop=_yes_or_no("optional_stop", optional_stop),
         max_cycles=_whole("max_cycles", max_cycles, 1),
         max_blocks=_whole("max_blocks", max_blocks, 0),
         max_seconds=None if max_seconds is None else _seconds(max_seconds),
@@ -394,12 +407,22 @@ def _whole(what: str, value: object, least: int) -> int:
     return number
 
 
+def _yes_or_no(what: str, value: object) -> bool:
+    if isinstance(value, str | bytes) or not hasattr(value, "__bool__") or value not in (0, 1):
+        raise TypeError(f"{what} is True or False, not {value!r}")
+    return bool(value)
+
+
 def _seconds(value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if isinstance(value, bool) or not (hasattr(value, "__float__") or hasattr(value, "__index__")):
         raise TypeError(f"max_seconds is a number of seconds, not {value!r}")
-    if not 0 < value < 1e300:
+    try:
+        seconds = float(value)  # type: ignore[arg-type]
+    except OverflowError:
+        seconds = 0.0
+    if not 0 < seconds < 1e300:
         raise ValueError(f"max_seconds must be more than 0 and finite, not {value!r}")
-    return float(value)
+    return seconds
 
 
 def _switches(block_skip: object) -> tuple[int, ...]:

@@ -304,7 +304,7 @@ class Run(_Outcome):
         }
 
     def __repr__(self) -> str:
-        return f"<Run: {self._summary()}, {len(self.steps):,} steps, {len(self.calls):,} calls>"
+        return f"<Run: {self._summary()}, {self.steps._size()}, {self.calls._size()}>"
 
 
 class Machine(_Outcome):

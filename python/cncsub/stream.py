@@ -31,7 +31,7 @@ class Part(Recorded):
     _instead = "send its tables: moves.to_arrow(), steps.to_arrow()"
 
     def __repr__(self) -> str:
-        tables = (f"{len(getattr(self, name)):,} {name}" for name in TABLES)
+        tables = (getattr(self, name)._size() for name in TABLES)
         return f"<Part: {', '.join(tables)}>"
 
 
@@ -121,7 +121,9 @@ class Stream(State):
         return copy.copy(self)
 
     def __repr__(self) -> str:
-        return f"<Stream: {self._summary()}, {self.blocks:,} blocks>"
+        return (
+            f"<Stream: {self._summary()}, {self.blocks:,} block{'s' if self.blocks != 1 else ''}>"
+        )
 
 
 class _Files:
