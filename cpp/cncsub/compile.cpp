@@ -550,7 +550,7 @@ void resolve_calls(Code& code, std::size_t from, Patience& patience) {
 void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
   try {
     std::thread([code = std::move(code), files = std::move(files)] {}).detach();
-  } catch (const std::system_error&) {  // no thread to be had: it was freed here
+  } catch (const std::system_error&) {  // NOLINT: no thread to be had, it was freed here
   }
 }
 
