@@ -22,7 +22,7 @@ struct KeptMemory {
 
   KeptMemory() = default;
   template <class U>
-  KeptMemory(const KeptMemory<U>&) {}  // NOLINT(google-explicit-constructor): as allocators are
+  KeptMemory(const KeptMemory<U>&) {}  // NOLINT(misc-explicit-constructor): as allocators are
 
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);

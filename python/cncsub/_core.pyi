@@ -167,7 +167,7 @@ class Text:
 
 def compile(
     control: Control,
-    files: Sequence[tuple[str, str, list[str | bytes | bytearray | Text], bool]],
+    files: Sequence[tuple[str, str, Sequence[str | bytes | bytearray | Text], bool]],
     external_device: bool = False,
 ) -> Code:
     """Files as (name shown, stem that names a program without a head, text in pieces, external)."""

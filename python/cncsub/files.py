@@ -82,7 +82,7 @@ class TextFile:
 
     name: str
     stem: str
-    pieces: list[Piece]
+    pieces: Sequence[Piece]
 
 
 @dataclass(slots=True)
@@ -179,6 +179,7 @@ def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None
 
 
 def _text_file(path: Path, data: Data | Text, encoding: str | None) -> TextFile:
+    pieces: Sequence[Piece]
     if not isinstance(data, Text):
         pieces = decoded(data, encoding)
     else:
@@ -346,11 +347,10 @@ def check_encoding(encoding: str | None) -> None:
 
 def decode(data: Data, encoding: str | None = None) -> str:
     """The text of a program file; never fails. See `decoded`."""
-    pieces = decoded(data, encoding)
-    return "".join(p if isinstance(p, str) else bytes(p).decode("ascii") for p in pieces)
+    return "".join(p if isinstance(p, str) else p.decode("ascii") for p in decoded(data, encoding))
 
 
-def decoded(data: Data, encoding: str | None = None) -> list[Piece]:
+def decoded(data: Data, encoding: str | None = None) -> list[str | Data]:
     """The text of a program file, in pieces so that Ctrl-C comes in between; never fails. A piece
     is a text, or ASCII bytes.
 
@@ -372,7 +372,7 @@ def decoded(data: Data, encoding: str | None = None) -> list[Piece]:
         return _decoded_as(_legacy_encoding(data), data)
 
 
-def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[Piece]:
+def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[str | Data]:
     if len(data) <= _PIECE:
         return [clean(data.decode(encoding, errors))]
     decoder = codecs.getincrementaldecoder(encoding)(errors)
@@ -381,7 +381,7 @@ def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[Piece
     return [clean(piece) for piece in pieces]
 
 
-def cut(text: str) -> list[Piece]:
+def cut(text: str) -> list[str | Data]:
     """The text in pieces, without lone surrogates."""
     return [clean(text[at : at + _PIECE]) for at in range(0, len(text), _PIECE)]
 

@@ -19,7 +19,7 @@ from cncsub.stream import Stream
 MODES = ("auto", "mdi")
 TRACES = ("none", "calls", "blocks", "moves")
 
-CoreFile = tuple[str, str, list[Piece], bool]
+CoreFile = tuple[str, str, Sequence[Piece], bool]
 
 
 class Options(TypedDict, total=False):
