@@ -70,6 +70,36 @@ def test_a_call_that_is_open_has_no_last_step() -> None:
     assert [call.last_step for call in machine.calls] == [2, 6]
 
 
+def test_a_call_that_is_open_at_the_end_ends_with_the_run() -> None:
+    text = "O1\nN10 M98 P2\nO2\nN20 G0 X1.\nN30 M98 P3\nN40 M99\n"
+    run = cncsub.loads(text, control=CONTROL).run()
+    assert run.stop == cncsub.Stop.ALARM
+    assert [call.last_step for call in run.calls] == [len(run.steps) - 1]
+
+
+def test_all_variables_are_those_that_have_a_value() -> None:
+    text = "O1\nN10 #1=1\nN20 #149=2\nN30 #501=3\nN40 #5221=4\nN50 M30\n"
+    run = cncsub.loads(text, control=CONTROL).run(variables={100: None})
+    assert dict(run.variables) == {1: 1, 149: 2, 501: 3}
+
+
+def test_a_reset_leaves_the_loops() -> None:
+    text = """
+        O1
+        N10 IF[#500 EQ 1]GOTO 40
+        N20 #500=1
+        N30 WHILE[1 EQ 1]DO1
+        N40 M8
+        N50 END1
+    """
+    machine = cncsub.loads(text, control=CONTROL).machine()
+    machine.run(until=("O1", 50))
+    machine.reset()
+    machine.run()
+    assert machine.alarm is not None
+    assert machine.alarm.cause == "missing-do"
+
+
 # ---- copies, and other processes ----
 
 

@@ -240,7 +240,7 @@ bool BlockReader::head(Scanner& s, Block& block) {
   for (;;) {
     const char c = s.peek();
     if (c == '/') {
-      if (!skip_slash(s, block.skip)) return true;
+      skip_slash(s, block.skip);
     } else if (c == 'N' && block.n < 0) {
       Scanner ahead = s;
       ++ahead.at;
@@ -253,16 +253,13 @@ bool BlockReader::head(Scanner& s, Block& block) {
   }
 }
 
-bool BlockReader::skip_slash(Scanner& s, std::uint16_t& mask) {
+/// A slash, and the number of its switch: 1 where none stands.
+void BlockReader::skip_slash(Scanner& s, std::uint16_t& mask) {
   ++s.at;
   const char c = s.peek();
-  if (c >= '1' && c <= '9') {
-    ++s.at;
-    mask = static_cast<std::uint16_t>(mask | (1u << (c - '0')));
-  } else {
-    mask = static_cast<std::uint16_t>(mask | 2u);
-  }
-  return true;
+  const bool numbered = c >= '1' && c <= '9';
+  if (numbered) ++s.at;
+  mask = static_cast<std::uint16_t>(mask | (1u << (numbered ? c - '0' : 1)));
 }
 
 bool BlockReader::sequence_number(Scanner& s, Block& block) {

@@ -46,7 +46,7 @@ class BlockReader {
   bool plain(const Scanner& s, Block& block);
   static void mark_move(Block& block, int g);
   bool head(Scanner& s, Block& block);
-  bool skip_slash(Scanner& s, std::uint16_t& mask);
+  void skip_slash(Scanner& s, std::uint16_t& mask);
   bool sequence_number(Scanner& s, Block& block);
   bool scan_words(Scanner& s, Block& block);
   bool scan_value(Scanner& s, Block& block, Token& token);

@@ -183,8 +183,7 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call,
   return fault(Cause::ProgramNumberMissing, call, "the call does not say which program");
 }
 
-std::optional<Fault> find_target(const Code& code, const CallRecord& call, std::int32_t own,
-                                 Target& target) {
+std::optional<Fault> find_target(const Code& code, const CallRecord& call, Target& target) {
   if (target.skipped) return std::nullopt;
   const bool external = target.external && code.external_device;
   const Operand& word = call.p.present() ? call.p : call.start;
@@ -205,7 +204,6 @@ std::optional<Fault> find_target(const Code& code, const CallRecord& call, std::
       return fault(cause, call, what + where);
     }
   }
-  (void)own;
   const Program& program = code.programs[static_cast<std::size_t>(target.program)];
   if (target.start_n < 0) {
     target.start = program.first;

@@ -21,7 +21,6 @@ struct CallOperands {
 std::optional<Fault> decode_call(const Code& code, const CallRecord& call,
                                  const CallOperands& operands, std::int32_t own, Target& target);
 /// Looks the program and its start block up, when the block's other words have been executed.
-std::optional<Fault> find_target(const Code& code, const CallRecord& call, std::int32_t own,
-                                 Target& target);
+std::optional<Fault> find_target(const Code& code, const CallRecord& call, Target& target);
 
 }  // namespace cncsub

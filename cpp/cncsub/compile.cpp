@@ -470,7 +470,6 @@ class LibraryReader {
 };
 
 void number_variables(Code& code) {
-  code.locals = 34;
   for (const VariableRange& range : code.control->variables) {
     if (range.kind == VariableKind::Local) {
       code.locals = std::max(code.locals, range.last + 1);
@@ -522,7 +521,7 @@ void resolve_calls(Code& code, std::size_t from, Patience& patience) {
       code.faults.push_back(std::move(*fault));
       return;
     }
-    if (find_target(code, call, own, target)) return;  // told when the call is reached
+    if (find_target(code, call, target)) return;  // told when the call is reached
     call.target = target;
     call.constant = true;
   };

@@ -242,12 +242,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::variable_value() {
     if (!code_.control->variable_names.value)
       return refuse(Cause::ExpressionFormat, at,
                     "behind # stands a number, or an expression in brackets");
-    std::string name;
-    while (is_letter(s_.peek()) || s_.peek() == '_' || (!name.empty() && is_digit(s_.peek()))) {
-      name += s_.peek();
-      ++s_.at;
-    }
-    code_.names.push_back(name);
+    code_.names.push_back(s_.take_name());
     emit(Ins::Named, at, static_cast<double>(code_.names.size() - 1));
     emit(Ins::IndirectRaw, at);
   } else {

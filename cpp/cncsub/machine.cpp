@@ -206,8 +206,7 @@ Trace Machine::take() {
 
 bool Machine::branch(const Block& block) {
   if (block.length > kLongText) look_soon();
-  if (!modals_.empty() && modals_.back().every_block && frame().modal < 0 &&
-      block.op != Op::CancelModal && block.op != Op::Fault && block.op != Op::EndOfRecord)
+  if (!modals_.empty() && modals_.back().every_block && frame().modal < 0)
     return every_block(block);
   switch (block.op) {
     case Op::Linear:
@@ -238,46 +237,25 @@ bool Machine::branch(const Block& block) {
     case Op::Assign:
       if (!assign(code_->statements[block.aux])) return false;
       break;
-    case Op::Goto:
     case Op::IfGoto:
-    case Op::IfThen:
-    case Op::If:
-    case Op::Else:
-    case Op::EndIf: {
-      const Statement* statement = &code_->statements[block.aux];
-      Op op = block.op;
-      if (op == Op::IfGoto || op == Op::IfThen || op == Op::If) {
-        bool holds = false;
-        if (!condition(statement->expression, holds)) return false;
-        if (!holds) {
-          if (op == Op::If) next_ = statement->to;
-          break;
-        }
-        if (op == Op::If) break;
-        if (op == Op::IfThen) {
-          const Block& then = code_->variants[statement->then];
-          if (then.op == Op::Goto) {
-            statement = &code_->statements[then.aux];
-          } else {
-            if (then.op == Op::Assign && !assign(code_->statements[then.aux])) return false;
-            if (then.op == Op::Print && !print(code_->prints[then.aux])) return false;
-            break;
-          }
-        }
-        if (!go_to(*statement)) return false;
-      } else if (op == Op::Goto) {
-        if (!go_to(*statement)) return false;
-      } else if (op == Op::Else) {
-        next_ = statement->to;
-      }
-      break;
-    }
     case Op::While:
     case Op::Do:
-      if (!loop(block)) return false;
-      break;
     case Op::EndDo:
-      if (!end_loop(code_->statements[block.aux])) return false;
+      return statements(true);
+    case Op::Goto:
+      if (!go_to(code_->statements[block.aux])) return false;
+      break;
+    case Op::IfThen:
+    case Op::If: {
+      const Statement& statement = code_->statements[block.aux];
+      bool holds = false;
+      if (!condition(statement.expression, holds)) return false;
+      if (holds && block.op == Op::IfThen) return branch(code_->variants[statement.then]);
+      if (!holds && block.op == Op::If) next_ = statement.to;
+      break;
+    }
+    case Op::Else:
+      next_ = code_->statements[block.aux].to;
       break;
     case Op::HCode:
       if (!h_code(code_->statements[block.aux])) return false;
@@ -288,6 +266,7 @@ bool Machine::branch(const Block& block) {
     case Op::NameVariables:
       if (!name_variables(code_->statements[block.aux])) return false;
       break;
+    case Op::EndIf:
     case Op::OpenOutput:
     case Op::CloseOutput:
       break;
@@ -377,7 +356,7 @@ bool Machine::decode(const Block& block, NcWords& words) {
         result = -1;
         return true;
       }
-      value = factor == 1 ? std::round(value) : std::round(value * factor);
+      value = std::round(value * factor);
       at = code_->expressions[expression].at;
       width = code_->expressions[expression].width;
     }
@@ -415,10 +394,7 @@ bool Machine::decode(const Block& block, NcWords& words) {
       return alarm({Cause::Overflow, e.at, e.width, "the result is too large"});
     }
     if (is_vacant(value)) {
-      if (code_->control->vacant_address.value == VacantAddress::Ignored) {
-        words.mask &= ~mark;
-        continue;
-      }
+      if (code_->control->vacant_address.value == VacantAddress::Ignored) words.mask &= ~mark;
       value = 0;
     }
     words.value[place] = value;
@@ -439,7 +415,6 @@ bool Machine::words(const Block& block) {
   }
   NcWords words;
   if (!decode(block, words)) return false;
-  outcome_ = {};
   Motion::Outcome& outcome = outcome_;
   words.ends = block.op == Op::EndProgram;
   Outside around = outside();

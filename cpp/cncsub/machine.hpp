@@ -192,9 +192,13 @@ class Machine {
   bool restart_main();
   bool assign(const Statement& statement);
   bool assign(const Statement& statement, const Places& places, double value);
+  /// GOTO, WHILE and DO alarm in the main program of MDI where the control says so.
+  bool may_jump(const Statement& s) {
+    return !jumps_refused_ || stack_.size() > 1 ||
+           alarm({Cause::JumpInMdi, s.at, s.width, "a jump or a loop in MDI"});
+  }
   bool go_to(const Statement& statement);
   bool branch(const Block& block);
-  bool loop(const Block& block);
   bool loop(const Statement& statement, bool holds);
   bool open_loop(const Statement& statement);
   bool end_loop(const Statement& statement);
@@ -295,13 +299,17 @@ class Machine {
   // Waiting is a loop that changes nothing.
   std::uint64_t changes_ = 0, changes_at_jump_ = ~0ULL;
   Address jumped_from_ = kNowhere;
-  bool jumps_refused_ = false;  // GOTO, WHILE and DO alarm in the main program: MDI
+  bool jumps_refused_ = false;  // in the main program, which was typed in MDI
   Address jumped_after_ = 0;    // the block whose move a modal call follows
   std::uint32_t last_condition_ = kNowhere;
   std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
   double clock_ms_ = 0;
   std::minstd_rand random_{1};
 };
+
+/// The number whose digits to the base `to` are those of a whole value to the base `from`: BIN,
+/// BCD, H24, H25. False where these are not one to eight decimal digits.
+bool read_digits(double value, int from, int to, double& result);
 
 [[gnu::always_inline]] inline void Machine::record_step() {
   if (trace_.depth >= Trace::Depth::Blocks) trace_.steps.push({pc_, frame().call, frame().repeat});

@@ -38,7 +38,7 @@ bool Machine::decode_target(const CallRecord& record, Target& target) {
 
 bool Machine::find(const CallRecord& record, Target& target) {
   if (record.constant) return true;
-  if (auto fault = find_target(*code_, record, frame().program, target)) return alarm(*fault);
+  if (auto fault = find_target(*code_, record, target)) return alarm(*fault);
   return true;
 }
 

@@ -25,14 +25,14 @@ double turn(double degrees) {
   return rest < 0 ? rest + 360.0 : rest;
 }
 
-/// Sines of whole degrees, exact at multiples of 30, so that TAN[90] is told from a large value.
-const std::array<double, 361> kSines = [] {
-  constexpr double kThirds[] = {0,    0.5, 2,  1, 2,    0.5, 0,
-                                -0.5, 2,   -1, 2, -0.5, 0};  // 2: no rational number
-  std::array<double, 361> sines{};
-  for (int a = 0; a <= 360; ++a) {
-    const bool exact = a % 30 == 0 && kThirds[a / 30] != 2;
-    sines[static_cast<std::size_t>(a)] = exact ? kThirds[a / 30] : std::sin(a * kDegree);
+/// Sines of whole degrees, exact where they are 0, a half or 1, so that TAN[90] is told from a
+/// large value.
+const std::array<double, 360> kSines = [] {
+  std::array<double, 360> sines{};
+  for (std::size_t a = 0; a < sines.size(); ++a) {
+    const double sine = std::sin(static_cast<double>(a) * kDegree);
+    const double half = std::round(sine * 2) / 2;
+    sines[a] = std::fabs(sine - half) < 1e-9 ? half : sine;
   }
   return sines;
 }();
@@ -61,31 +61,6 @@ double cosine(double degrees) {
 
 double round_half_away(double value) { return std::round(value); }
 
-/// The value a binary number has when its digits are read as decimal (BCD), and the other way;
-/// false where it has none.
-bool to_bcd(double value, double& result) {
-  const double whole = round_half_away(value);
-  if (whole != value || whole < 0 || whole > 99999999) return false;
-  auto left = static_cast<std::uint64_t>(whole);
-  std::uint64_t bits = 0;
-  for (int shift = 0; left != 0; shift += 4, left /= 10) bits |= (left % 10) << shift;
-  result = static_cast<double>(bits);
-  return true;
-}
-bool from_bcd(double value, double& result) {
-  const double whole = round_half_away(value);
-  if (whole != value) return false;
-  if (whole < 0 || whole > 4294967295.0) return false;
-  auto bits = static_cast<std::uint64_t>(whole);
-  double sum = 0, power = 1;
-  for (; bits != 0; bits >>= 4, power *= 10) {
-    if ((bits & 15u) > 9) return false;
-    sum += static_cast<double>(bits & 15u) * power;
-  }
-  result = sum;
-  return true;
-}
-
 bool as_bits(double value, std::int64_t& bits) {
   const double whole = round_half_away(value);
   if (!(std::fabs(whole) <= 4294967295.0)) return false;
@@ -94,6 +69,18 @@ bool as_bits(double value, std::int64_t& bits) {
 }
 
 }  // namespace
+
+bool read_digits(double value, int from, int to, double& result) {
+  if (!(value >= 0 && value <= 4294967295.0) || value != std::floor(value)) return false;
+  double sum = 0, power = 1;
+  int digits = 0;
+  for (auto left = static_cast<std::int64_t>(value); left != 0; left /= from, power *= to) {
+    if (left % from > 9 || ++digits > 8) return false;
+    sum += static_cast<double>(left % from) * power;
+  }
+  result = sum;
+  return true;
+}
 
 /// False where the expression has no value; `trap` says why.
 bool Machine::compute(const Instruction* at, const Places& places, double& result, Trap& trap) {
@@ -359,10 +346,12 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
         break;
       }
       case Ins::Bin:
-        if (!from_bcd(a, a)) return fault(Cause::ArgumentOutOfRange, "the value is no BCD number");
+        if (!read_digits(a, 16, 10, a))
+          return fault(Cause::ArgumentOutOfRange, "the value is no BCD number");
         break;
       case Ins::Bcd:
-        if (!to_bcd(a, a)) return fault(Cause::ArgumentOutOfRange, "the value has no BCD number");
+        if (!read_digits(a, 10, 16, a))
+          return fault(Cause::ArgumentOutOfRange, "the value has no BCD number");
         break;
       case Ins::Adp:
         break;

@@ -26,21 +26,6 @@ std::string written(double value, const PrintField& field, bool without_blanks) 
   return (negative ? "-" : " ") + blanks + digits;
 }
 
-/// H24 reads decimal digits as binary, H25 the other way.
-std::optional<Cause> h_digits(bool to_binary, double q, double& result) {
-  const double whole = std::round(q);
-  if (whole != q || whole < 0 || whole > 99999999) return Cause::ArgumentOutOfRange;
-  auto left = static_cast<std::uint64_t>(whole);
-  const std::uint64_t from = to_binary ? 16 : 10, to = to_binary ? 10 : 16;
-  std::uint64_t value = 0, power = 1;
-  for (; left != 0; left /= from, power *= to) {
-    if (left % from > 9) return Cause::ArgumentOutOfRange;
-    value += left % from * power;
-  }
-  result = static_cast<double>(value);
-  return std::nullopt;
-}
-
 double angle_of(double degrees) { return degrees * 3.14159265358979323846 / 180.0; }
 
 }  // namespace
@@ -181,7 +166,9 @@ std::optional<Cause> Machine::h_result(int code, double q, double r, std::int64_
       break;
     case 24:
     case 25:
-      return h_digits(code == 24, q, result);
+      if (!read_digits(q, code == 24 ? 16 : 10, code == 24 ? 10 : 16, result))
+        return Cause::ArgumentOutOfRange;
+      break;
     case 26: {
       double old = 0;
       if (r == 0) return Cause::DivisionByZero;
@@ -216,8 +203,7 @@ std::optional<Cause> Machine::h_result(int code, double q, double r, std::int64_
 }
 
 bool Machine::h_jump(const Statement& statement, std::int64_t n) {
-  if (jumps_refused_ && stack_.size() == 1)
-    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a jump in MDI"});
+  if (!may_jump(statement)) return false;
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const Address to = n < 0 ? kNowhere : code_->jump_target(program, n, pc_);
   if (to == kNowhere)

@@ -33,13 +33,16 @@ bool Machine::statements(bool one) {
         break;
       }
       case Op::While: {
-        if (jumps_refused_ && stack_.size() == 1) return branch(block);
+        if (!may_jump(statement)) return false;
         double value = 0;
         last_condition_ = statement.expression;
         if (!evaluate(expressions[statement.expression], places, value)) return false;
         if (!loop(statement, value != 0)) return false;
         break;
       }
+      case Op::Do:
+        if (!may_jump(statement) || !loop(statement, true)) return false;
+        break;
       case Op::EndDo:
         if (!end_loop(statement)) return false;
         break;
@@ -159,8 +162,7 @@ bool Machine::user_alarm(double n, const Statement& statement) {
 }
 
 bool Machine::go_to(const Statement& statement) {
-  if (jumps_refused_ && stack_.size() == 1)
-    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a jump in MDI"});
+  if (!may_jump(statement)) return false;
   if (motion_.compensating() && !code_->control->jumps_in_compensation.value)
     return alarm({Cause::JumpInCompensation, statement.at, statement.width,
                   "a jump while the radius offset is on"});
@@ -252,15 +254,6 @@ bool Machine::open_loop(const Statement& statement) {
                   "more loops inside each other than the control takes"});
   loops_.push_back(pc_);
   return true;
-}
-
-bool Machine::loop(const Block& block) {
-  const Statement& statement = code_->statements[block.aux];
-  if (jumps_refused_ && stack_.size() == 1)
-    return alarm({Cause::JumpInMdi, statement.at, statement.width, "a loop in MDI"});
-  bool holds = true;
-  if (block.op == Op::While && !condition(statement.expression, holds)) return false;
-  return loop(statement, holds);
 }
 
 bool Machine::end_loop(const Statement& statement) {

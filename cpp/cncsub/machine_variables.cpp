@@ -8,6 +8,8 @@ namespace cncsub {
 
 namespace {
 
+constexpr int kSystems = 20;  // numbers from one work coordinate system to the next
+
 Fault no_variable(std::int64_t number) {
   return {Cause::IllegalVariable, 0, 1, "there is no #" + std::to_string(number)};
 }
@@ -124,7 +126,6 @@ std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64
     const auto found = options_.inputs.signals.find(of);
     return found == options_.inputs.signals.end() ? 0.0 : found->second;
   };
-  constexpr int kSystems = 20;  // numbers from one work coordinate system to the next
   switch (place.kind) {
     case VariableKind::Input:
       value = signal(static_cast<std::int32_t>(number)) != 0 ? 1 : 0;
@@ -182,11 +183,10 @@ std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64
       value = 0;
       break;
     case VariableKind::WorkOffset:
-      value = index % kSystems > 8 ? 0 : motion_.work_offset(index / kSystems, index % kSystems);
+      value = motion_.work_offset(index / kSystems, index % kSystems);
       break;
     case VariableKind::ExtraWorkOffset:
-      value =
-          index % kSystems > 8 ? 0 : motion_.extra_offset(index / kSystems + 1, index % kSystems);
+      value = motion_.extra_offset(index / kSystems + 1, index % kSystems);
       break;
     case VariableKind::LengthWear:
     case VariableKind::LengthGeometry:
@@ -208,7 +208,6 @@ std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int6
     return Fault{Cause::IllegalVariableValue, 0, 1,
                  "a vacant value for #" + std::to_string(number)};
   if (is_vacant(value)) value = 0;
-  constexpr int kSystems = 20;
   switch (place.kind) {
     case VariableKind::Milliseconds:
       clock_ms_ = value - motion_.time() * 1000.0;
@@ -217,11 +216,10 @@ std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int6
       system_[number] = value - motion_.time() / 3600.0;
       break;
     case VariableKind::WorkOffset:
-      if (index % kSystems <= 8) motion_.set_work_offset(index / kSystems, index % kSystems, value);
+      motion_.set_work_offset(index / kSystems, index % kSystems, value);
       break;
     case VariableKind::ExtraWorkOffset:
-      if (index % kSystems <= 8)
-        motion_.set_extra_offset(index / kSystems + 1, index % kSystems, value);
+      motion_.set_extra_offset(index / kSystems + 1, index % kSystems, value);
       break;
     case VariableKind::LengthWear:
     case VariableKind::LengthGeometry:

@@ -155,12 +155,6 @@ double rest_of_turn(const Curve& curve, Point from, Point to) {
   return t;
 }
 
-/// The share of the axes across the plane when a piece is cut: they go on evenly.
-void cut_across(const PlaneView& view, const Axes& from, const Axes& to, double part, Axes& at) {
-  for (int i = 0; i < kAxes; ++i)
-    if (i != view.axes.a && i != view.axes.b) at[i] = from[i] + (to[i] - from[i]) * part;
-}
-
 }  // namespace
 
 bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, const Piece& second,
@@ -176,7 +170,6 @@ bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, con
               : cut_chamfer(a, b, std::fabs(first.corner_size), chamfer_line, cut)))
     return false;
   if (cut.none) return true;
-  cut_across(view, from, first.end, 1, corner.at_first);
   view.set(corner.at_first, cut.first);
   view.set(corner.at_second, cut.second);
   corner.first.end = corner.at_first;

@@ -13,8 +13,7 @@ bool is_arc(const Piece& piece) { return piece.turn != 0; }
 struct Join {
   Point leave;             // where the tool leaves the first move, from the corner
   std::vector<Point> way;  // points in between, from the corner
-  bool arc = false;        // the last of them is reached in an arc around the corner
-  double arc_turn = 0;
+  double turn = 0;         // of the arc around the corner that leads to the only one of them
 };
 
 }  // namespace
@@ -81,8 +80,7 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
   if (motion.facts_->control->acute_corner.value == AcuteCorner::Arc) {
     join.leave = na;
     join.way.push_back(nb);
-    join.arc = true;
-    join.arc_turn = std::acos(std::clamp(dot(u, v), -1.0, 1.0)) * (offset > 0 ? -1 : 1);
+    join.turn = std::acos(std::clamp(dot(u, v), -1.0, 1.0)) * (offset > 0 ? -1 : 1);
     return;
   }
   join.leave = a.line() ? na + reach * u : na;
@@ -143,12 +141,8 @@ RadiusPath::Result RadiusPath::leave(Point v, const Join* join) {
   for (std::size_t i = 1; i < held.radius.size(); ++i)
     if (auto wrong = record(held.radius[i], v)) return wrong;
   if (join != nullptr)
-    for (std::size_t i = 0; i < join->way.size(); ++i) {
-      const bool last = i + 1 == join->way.size();
-      if (auto wrong =
-              record_bit(first, first.end, join->way[i], last && join->arc ? join->arc_turn : 0))
-        return wrong;
-    }
+    for (const Point& at : join->way)
+      if (auto wrong = record_bit(first, first.end, at, join->turn)) return wrong;
   held.radius.clear();
   held.starting = false;
   held.engaged = true;

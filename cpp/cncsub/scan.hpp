@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "cncsub/code.hpp"
@@ -46,8 +47,7 @@ struct Scanner {
     ++at;
     return true;
   }
-  /// Takes a word if it stands here, letters apart or not. `least`: how many of its letters suffice
-  /// before a non-letter.
+  /// Takes a word if it stands here, letters apart or not.
   bool take_word(std::string_view word) {
     const char* start = at;
     for (const char c : word) {
@@ -58,6 +58,15 @@ struct Scanner {
       ++at;
     }
     return true;
+  }
+  /// Takes the name of a variable: letters, digits and _.
+  std::string take_name() {
+    std::string name;
+    for (char c = peek(); is_letter(c) || is_digit(c) || c == '_'; c = peek()) {
+      name += c;
+      ++at;
+    }
+    return name;
   }
 };
 

@@ -141,12 +141,7 @@ void StatementReader::assignment(bool bracketed) {
     if (!code_.control->variable_names.value)
       return refuse(Cause::ExpressionFormat, s_.offset(), 1,
                     "behind # stands a number, or an expression in brackets");
-    std::string name;
-    while (is_letter(s_.peek()) || s_.peek() == '_' || (!name.empty() && is_digit(s_.peek()))) {
-      name += s_.peek();
-      ++s_.at;
-    }
-    code_.names.push_back(name);
+    code_.names.push_back(s_.take_name());
     statement.target = Statement::Target::Indirect;
     statement.variable = static_cast<std::uint32_t>(code_.expressions.size());
     code_.expressions.push_back(
@@ -376,8 +371,8 @@ bool StatementReader::print_field(Print& print) {
     return false;
   }
   const Number format = scan_number(s_);
-  const bool good = format.written == (print.binary ? 1 : 2) && !format.negative &&
-                    format.points == 0 && format.value < (print.binary ? 10 : 100);
+  const bool good =
+      format.written == (print.binary ? 1 : 2) && !format.negative && format.points == 0;
   if (!good || !s_.take(']')) {
     refuse(Cause::OutputFormat, at, 1, "the number of digits is two digits in brackets, as [53]");
     return false;
@@ -401,12 +396,8 @@ void StatementReader::name_variables() {
   statement.number = static_cast<std::int32_t>(first.value);
   statement.index = static_cast<std::int32_t>(code_.names.size());
   for (;;) {
-    std::string name;
     const std::uint32_t at = s_.offset();
-    while (is_letter(s_.peek()) || s_.peek() == '_' || is_digit(s_.peek())) {
-      name += s_.peek();
-      ++s_.at;
-    }
+    const std::string name = s_.take_name();
     if (name.size() > 8)
       return refuse(Cause::VariableNameTooLong, at, 1, "a variable name has at most 8 characters");
     const char behind = s_.peek();

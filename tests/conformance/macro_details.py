@@ -451,3 +451,102 @@ case(
     """,
     runs="N10 N20 N30 N50",
 )
+case(
+    "the sine of whole degrees is exact where it is 0, a half or 1, and right elsewhere",
+    control=[*FANUC, *MITSUBISHI, "gsk-988ta"], source="mathematics", evidence="inferred",
+    program="""
+        O1
+        N10 #100=SIN[60]
+        N20 #101=SIN[240]
+        N30 #102=COS[300]
+        N40 IF[#102 NE 0.5]GOTO 60
+        N50 #103=1
+        N60 M30
+    """,
+    runs="N10 N20 N30 N40 N50 N60", vars={100: 0.8660254, 101: -0.8660254},
+)
+case(
+    "SRAND does not give its second argument every time",
+    control=["gsk-980tdi", "gsk-980mdi"], source="TDi29, random numbers", evidence="maker's manual",
+    program="""
+        O1
+        N10 #100=SRAND[1,500]
+        N20 #101=SRAND[1,500]
+        N30 IF[#100 NE #101]GOTO 50
+        N40 #102=1
+        N50 M30
+    """,
+    runs="N10 N20 N30 N50",
+)
+case(
+    "BCD and BIN take eight decimal digits",
+    control=FANUC, source="ALI; general knowledge", evidence="secondary",
+    program="""
+        O1
+        N10 #100=BCD[1234]
+        N20 #101=BIN[4660]
+        N30 #102=BIN[BCD[99999999]]
+        N40 #103=BCD[10000*10000]
+        N50 M30
+    """,
+    runs="N10 N20 N30", vars={100: 4660, 101: 1234, 102: 99999999},
+    alarm="argument-out-of-range", at="O1 N40",
+    number={"fanuc-16i": "119", "fanuc-0i-d": "PS0119", "fanuc-0i-f": "PS0119", "fanuc-30i": "PS0119"},
+)
+case(
+    "H24 takes eight decimal digits",
+    control=["gsk-980tdi", "gsk-980mdi"], source="TDi28, table of G65 H; policy", evidence="inferred",
+    program="""
+        O1
+        N10 G65 H24 P#100 Q2576980377
+        N20 G65 H25 P#101 Q1234
+        N30 M30
+    """,
+    runs="N10 N20 N30", vars={100: 99999999, 101: 4660},
+)
+case(
+    "H34 of R0 is a right angle",
+    control=["gsk-980tdi", "gsk-980mdi"], source="TDi28, table of G65 H; policy", evidence="inferred",
+    program="O1\nN10 G65 H34 P#100 Q1 R0\nN20 G65 H34 P#101 Q0 R1\nN30 M30\n",
+    runs="N10 N20 N30", vars={100: 90, 101: 0},
+)
+case(
+    "only where the control knows short names GO is GOTO",
+    control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi"],
+    source="policy: no source has it; Talm 005, MDia 003", evidence="inferred",
+    program="O1\nN10 #100=1\nN20 GO 30\nN30 M30\n",
+    runs="N10", alarm="address-without-value", at="O1 N20", word="G",
+    number={"gsk-988ta": "005", "gsk-988t": "005", "gsk-980tdi": "003", "gsk-980mdi": "003"},
+)
+case(
+    "a field of DPRNT whose variable has no number is no field",
+    control="fanuc-16i", source="ALI; general knowledge", evidence="secondary",
+    program="O1\nN10 #100=1\nN20 DPRNT[#A[53]]\nN30 M30\n",
+    runs="N10", alarm="expression-format", number="125", at="O1 N20", word="#",
+)
+case(
+    "a name of a variable has letters, digits and lines",
+    control=["fanuc-0i-f", "fanuc-30i"], source="ALM PS1139, PS1141; K-M syntax", evidence="inferred",
+    program="""
+        O1
+        N10 SETVN 510[A_1]
+        N20 [#A_1]=7
+        N30 #100=[#A_1]
+        N40 M30
+    """,
+    runs="N10 N20 N30 N40", vars={510: 7, 100: 7},
+)
+case(
+    "an assignment that is refused is told with the whole variable",
+    control=["fanuc-16i", "gsk-988ta", "mitsubishi-m700"],
+    source="ALM 116; Talm 220; Mazak list P243", evidence="secondary",
+    program="O1\nN10 #100=1\nN20 #5021=5\nN30 M30\n",
+    runs="N10", alarm="variable-write-protected", at="O1 N20", word="#5021",
+    number={"fanuc-16i": "116", "gsk-988ta": "220", "mitsubishi-m700": "P243"},
+)
+case(
+    "an M code beside a straight move is sent and the move is made",
+    control=[*FANUC, *MITSUBISHI, "gsk-988ta", "hnc-21m"], source="general knowledge", evidence="inferred",
+    program="O1\nN10 G1 X10. F100 M8\nN20 M30\n",
+    runs="N10 N20", m=[8], moves_x=[10],
+)
