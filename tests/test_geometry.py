@@ -250,6 +250,14 @@ def test_the_bounds_hold_the_whole_arc(
         assert bounds[axis][1] == pytest.approx(path[:, i].max(), abs=1e-3)
 
 
+def test_the_bounds_of_an_arc_that_comes_first_begin_at_the_zero_point() -> None:
+    text = "O1\nN10 G90 G2 X0 Y10. I10. J0 F100\nN20 M30\n"
+    setup = cncsub.Setup(work_offsets={"G54": {"Y": -10}})
+    bounds = cncsub.loads(text, control="fanuc-0i-f").run(setup=setup).moves.bounds
+    assert bounds["Y"] == pytest.approx((0, 20))
+    assert bounds["X"] == pytest.approx((0, 20))
+
+
 # ---- radius compensation ----
 
 

@@ -100,6 +100,15 @@ def test_a_reset_leaves_the_loops() -> None:
     assert machine.alarm.cause == "missing-do"
 
 
+@pytest.mark.parametrize(("machine", "axes"), [("mill", "XYZA"), ("lathe-a", "XZA")])
+def test_a_position_has_the_axes_of_the_machine_and_those_that_moved(
+    machine: str, axes: str
+) -> None:
+    library = cncsub.loads("O1\nN10 G0 A1.\nN20 M30\n", control=CONTROL)
+    run = library.run(setup=cncsub.Setup(machine=machine))
+    assert list(run.position) == list(axes)
+
+
 # ---- copies, and other processes ----
 
 

@@ -534,9 +534,10 @@ bool BlockReader::scan_name(Scanner& s, Block& block, Token& token, char close) 
 std::optional<Fault> BlockReader::check_number(Token& token, const Number& number) const {
   const std::uint8_t allowed = letters_[static_cast<unsigned char>(token.letter)];
   if (!number.any)
-    return Fault{Cause::AddressWithoutValue, 0, 1,
-                 std::string(1, token.letter) + " stands without a value"};
-  if (number.points > 1) return Fault{Cause::IllegalDecimalPoint, 0, 1, "two points in one number"};
+    return Fault{.cause = Cause::AddressWithoutValue,
+                 .detail = std::string(1, token.letter) + " stands without a value"};
+  if (number.points > 1)
+    return Fault{.cause = Cause::IllegalDecimalPoint, .detail = "two points in one number"};
   const std::uint32_t digits = number.points == 1 ? number.whole_digits + 3 : number.digits;
   token.odd = true;
   if (number.points == 1 && (allowed & kPoint) == 0 && token.letter != 'G')

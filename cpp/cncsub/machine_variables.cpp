@@ -11,22 +11,22 @@ namespace {
 constexpr int kSystems = 20;  // numbers from one work coordinate system to the next
 
 Fault no_variable(std::int64_t number) {
-  return {Cause::IllegalVariable, 0, 1, "there is no #" + std::to_string(number)};
+  return {.cause = Cause::IllegalVariable, .detail = "there is no #" + std::to_string(number)};
 }
 
 std::optional<Fault> refused_write(const VariablePlace& place, std::int64_t number) {
   if (place.range == nullptr) return no_variable(number);
   if (place.kind == VariableKind::Vacant)
-    return Fault{Cause::VacantAssigned, 0, 1, "#0 is always vacant"};
+    return Fault{.cause = Cause::VacantAssigned, .detail = "#0 is always vacant"};
   switch (place.range->access) {
     case Access::ReadWrite:
       break;
     case Access::ReadOnly:
-      return Fault{Cause::VariableWriteProtected, 0, 1,
-                   "#" + std::to_string(number) + " cannot be written"};
+      return Fault{.cause = Cause::VariableWriteProtected,
+                   .detail = "#" + std::to_string(number) + " cannot be written"};
     case Access::WriteOnly:  // it is a statement: the block that writes it has done it already
-      return Fault{Cause::VariableWriteProtected, 0, 1,
-                   "#" + std::to_string(number) + " takes a value from a program only"};
+      return Fault{.cause = Cause::VariableWriteProtected,
+                   .detail = "#" + std::to_string(number) + " takes a value from a program only"};
   }
   return std::nullopt;
 }
@@ -54,8 +54,8 @@ std::optional<Fault> Machine::read_at(const VariablePlace& place, std::int64_t n
                                       double& value) const {
   if (place.range == nullptr) return no_variable(number);
   if (place.range->access == Access::WriteOnly)
-    return Fault{Cause::VariableReadProtected, 0, 1,
-                 "#" + std::to_string(number) + " cannot be read"};
+    return Fault{.cause = Cause::VariableReadProtected,
+                 .detail = "#" + std::to_string(number) + " cannot be read"};
   switch (place.kind) {
     case VariableKind::Vacant:
       value = kVacant;
@@ -205,8 +205,8 @@ std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int6
                                            double value) {
   const int index = place.index;
   if (is_vacant(value) && !code_->control->vacant_system_writes.value)
-    return Fault{Cause::IllegalVariableValue, 0, 1,
-                 "a vacant value for #" + std::to_string(number)};
+    return Fault{.cause = Cause::IllegalVariableValue,
+                 .detail = "a vacant value for #" + std::to_string(number)};
   if (is_vacant(value)) value = 0;
   switch (place.kind) {
     case VariableKind::Milliseconds:

@@ -69,22 +69,25 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
                            Join& join) const {
   const Point na = offset * left(u), nb = offset * left(v);
   const double reach = std::fabs(offset);
+  const double angle = std::acos(std::clamp(dot(u, v), -1.0, 1.0));
+  // Straight on behind the first move: a line is made longer, an arc goes on in a line.
+  const auto go_on = [&](double along) {
+    if (a.line())
+      join.leave = na + along * u;
+    else
+      join.way.push_back(na + along * u);
+  };
   if (dot(u, v) >= -1e-9) {
-    const double along = reach * std::tan(std::acos(std::clamp(dot(u, v), -1.0, 1.0)) / 2);
-    const Point meet = na + along * u;
-    join.leave = a.line() ? meet : na;
-    if (!a.line()) join.way.push_back(meet);
+    go_on(reach * std::tan(angle / 2));
     if (!b.line()) join.way.push_back(nb);
     return;
   }
   if (motion.facts_->control->acute_corner.value == AcuteCorner::Arc) {
-    join.leave = na;
     join.way.push_back(nb);
-    join.turn = std::acos(std::clamp(dot(u, v), -1.0, 1.0)) * (offset > 0 ? -1 : 1);
+    join.turn = angle * (offset > 0 ? -1 : 1);
     return;
   }
-  join.leave = a.line() ? na + reach * u : na;
-  if (!a.line()) join.way.push_back(na + reach * u);
+  go_on(reach);
   join.way.push_back(nb - reach * v);
   if (!b.line()) join.way.push_back(nb);
 }

@@ -284,6 +284,19 @@ case(
     time=(54.85077 + 0.73072 + 12.573) / 10,
 )
 case(
+    "an arc runs the short way its code says: a twelfth of a circle to the left and to the right",
+    control=["fanuc-30i", "mitsubishi-m700", "gsk-988ta"], source="geometry", evidence="inferred",
+    params={"3401#0": 1}, setup=MILL,
+    # Two arcs of 30 degrees with radius 10.
+    program="""
+        O1
+        N10 G90 G3 X-1.34 Y5. I-10. J0 F600
+        N20 G2 X0 Y0 I-8.66 J-5.
+        N30 M30
+    """,
+    moves="CCW X-1.34 Y5 C X-10 Y0\nCW X0 Y0 C X-10 Y0", time=2 * 0.5235988,
+)
+case(
     "an arc whose end lies a hair beside its start, and as far round, is a whole circle",
     control=["gsk-988ta", "mitsubishi-m700"], source="general knowledge: the radii differ within the tolerance",
     evidence="inferred", setup=MILL,
