@@ -86,6 +86,15 @@ def test_no_block_is_executed_where_none_is_allowed() -> None:
     assert 100 not in run.variables
 
 
+def test_at_its_limit_a_machine_stands_at_the_same_block_however_it_came_there() -> None:
+    library = cncsub.loads("O1\nN10 M3\n/N20 M4\nN30 M30\n", control="fanuc-0i-f")
+    stepped, run = (library.machine(max_blocks=1, block_skip=1) for _ in range(2))
+    assert [step.n for step in stepped] == [10]
+    run.run()
+    assert repr(run) == repr(stepped)
+    assert "next block O1 N20" in repr(run)
+
+
 @pytest.mark.parametrize("control", NAMES)
 def test_one_level_too_many_is_an_alarm_at_once(control: str) -> None:
     run = cncsub.loads(nested(40), control=control).run()

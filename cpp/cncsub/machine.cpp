@@ -141,10 +141,9 @@ bool Machine::step(const std::function<bool()>& interrupted) {
   const Asking asking(*this, interrupted);
   const std::int64_t before = executed_;
   while (stop_ == Stop::Running && executed_ == before && !broken_off_) {
-    const Block& block = code_->blocks[pc_];
-    if (passes(block)) continue;
     if (executed_ >= options_.max_blocks) return end(Stop::Limit);
-    execute(block, true);
+    const Block& block = code_->blocks[pc_];
+    if (!passes(block)) execute(block, true);
   }
   if (stop_ == Stop::Running && memory() > options_.max_memory) end(Stop::Limit);
   return executed_ != before;
