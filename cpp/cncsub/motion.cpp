@@ -204,7 +204,7 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
 Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome,
                            Outside& outside) {
   BlockWords block{words, step, moves, outcome, outside, {}, false, false, in_cycle(), false};
-  const bool corner_waits = !s_.held.corner.empty();
+  const bool corner_waits = !s_.held.corner.empty(), angle_waits = s_.angled.waiting;
   if (auto wrong = read(block)) return wrong;
   if (auto wrong = check(block)) return wrong;
   if (block.uncomputed >= 0)
@@ -221,6 +221,7 @@ Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* move
     if (auto wrong = motion(block)) return wrong;
   }
   if (auto wrong = move_by_length(block, length_before)) return wrong;
+  if (auto wrong = check_angle(block, angle_waits)) return wrong;
   if (corner_waits && !block.submitted) return fault(Cause::CornerNoMove, block);
   // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
@@ -436,6 +437,7 @@ bool Motion::lacks_speed() const {
 }
 
 Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
+  if (double angle = 0; angle_word(block, angle)) return angled(block, meaning, angle);
   std::uint32_t named = 0;
   const Axes end = end_point(block, named);
   if (named == 0) return std::nullopt;
@@ -446,11 +448,12 @@ Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
   return move(block, piece);
 }
 
-/// A corner written with C or U alone is no move of that axis.
+/// A corner written with C or U alone, or an angle with A, is no move of that axis.
 bool Motion::corner_address(char name) const {
-  if (name != 'U' && (name != 'C' || !facts_->lathe())) return false;
+  if (name != 'U' && ((name != 'C' && name != 'A') || !facts_->lathe())) return false;
   const Control& c = *facts_->control;
-  const std::string words = " " + c.chamfer_words.value + " " + c.round_words.value + " ";
+  const std::string words =
+      " " + c.chamfer_words.value + " " + c.round_words.value + " " + c.angle_words.value + " ";
   return words.find({' ', name, ' '}) != std::string::npos;
 }
 
@@ -547,8 +550,8 @@ void Motion::settle() {
   if (feed == Meaning::PerRevolution)
     s_.seconds_per_mm = s_.feed > 0 && s_.speed > 0 ? 60 / (s_.feed * s_.speed) : 0;
   s_.plain = s_.line < line_codes_.size() && !in_cycle() && !compensating() &&
-             s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged &&
-             feed != Meaning::InverseTime &&
+             !s_.angled.waiting && s_.held.corner.empty() && s_.held.radius.empty() &&
+             !s_.held.engaged && feed != Meaning::InverseTime &&
              s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() &&
              facts_->limits.empty() && !checks_area() && !s_.surface && !lacks_speed() &&
              !s_.tool_pending && facts_->control->max_feed.value == 0;
@@ -566,6 +569,7 @@ std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {
     wrong.at = s_.held.corner.back().at;
     return wrong;
   }
+  if (s_.angled.waiting) return Fault{Cause::AngleNoEnd, s_.angled.piece.at, 1, {}};
   auto wrong = flush_radius(moves);
   settle();
   return wrong;
@@ -585,6 +589,7 @@ void Motion::reset() {
   s_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
   end_cycles();
   s_.held = {};
+  s_.angled = {};
   s_.turned = {};
   if (c.clear_local_on_reset.value) {
     s_.local = {};

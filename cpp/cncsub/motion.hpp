@@ -240,6 +240,11 @@ class Motion {
   Result corner_words(BlockWords& block, Piece& piece) const;
   Result right_angle_chamfer(const BlockWords& block, Piece& piece) const;
   Result through_corner(Piece piece, Axes from, Moves* moves);
+  // motion_angle.cpp: lines by their angle.
+  bool angle_word(const BlockWords& block, double& angle) const;
+  Result angled(BlockWords& block, Meaning meaning, double angle);
+  Result meet_angles(BlockWords& block, Piece second, double angle);
+  Result check_angle(const BlockWords& block, bool waited);
   // motion_radius.cpp: radius compensation.
   Result through_radius(Piece piece, const Axes& from, Moves* moves);
   Result flush_radius(Moves* moves);

@@ -209,6 +209,7 @@ Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outs
     trial.s_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
     if (auto wrong = trial.run(plain, 0, nullptr, outcome, outside)) return wrong;
   }
+  if (trial.s_.angled.waiting) return Fault{Cause::AngleNoEnd, trial.s_.angled.piece.at, 1, {}};
   if (!trial.s_.held.corner.empty())
     return Fault{Cause::CornerNoMove, trial.s_.held.corner.back().at, 1, {}};
   std::erase_if(pieces, [](const Piece& piece) { return piece.kind == MoveKind::Dwell; });

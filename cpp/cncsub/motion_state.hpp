@@ -35,6 +35,14 @@ struct Piece {
   MoveState state;
 };
 
+/// A line of which only the angle is known, until the next block tells its end.
+struct Angled {
+  bool waiting = false;
+  double angle = 0;  // degrees
+  Piece piece;
+  int idle = 0;  // blocks without a move behind it
+};
+
 /// Moves that wait because the next one decides where they end.
 struct Held {
   std::vector<Piece> corner;  // a block with a chamfer or a corner round
@@ -142,6 +150,7 @@ struct MotionState {
   MultipleData multiple;
   Turned turned;
   StrokeArea area;
+  Angled angled;
   Held held;
 };
 

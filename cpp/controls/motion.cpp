@@ -63,6 +63,7 @@ void set_start_up(Control& c, double v) {
 void set_plain_corners(Control& c, double v) {
   c.chamfer_words.value = v != 0 ? ",C C" : ",C";
   c.round_words.value = v != 0 ? ",R R" : ",R";
+  c.angle_words.value = v != 0 ? ",A A" : ",A";
 }
 // 0 leaves the engine's own half a millimetre: a retract of nothing would break no chip.
 void set_longer_by_h(Control& c, double v) { c.longer_words.value = v != 0 ? "H" : "D"; }
@@ -120,6 +121,7 @@ void set_tool_motion(Control& c, double v) {
   c.tool_offset.value = v != 0 ? ToolOffset::NextMove : ToolOffset::Shift;
 }
 void set_cycle_increments(Control& c, double v) { c.cycle_increments.value = v != 0; }
+void set_cycle_millimetres(Control& c, double v) { c.cycle_increments.value = v == 0; }
 void set_chamfer_length(Control& c, double v) {
   c.chamfer_length.value = v != 0 ? ChamferLength::Corner : ChamferLength::Line;
 }
@@ -185,6 +187,7 @@ void fanuc_rules(Control& c) {
   c.acute_corner = {AcuteCorner::Lines, kKnown, Inferred};
   c.feed_needed = {true, "ALM 011, 0iTC p.66", Manual};
   c.chamfer_ik = {true, kKnown, Inferred};
+  c.angle_words = {",A", "ALM 056 to 058: direct drawing dimension programming", Secondary};
   c.cycle_repeats = {"K", kKnown, Inferred};
   c.power_on_per_minute = {false, "3402#4", Inferred};
   c.max_rotation = {360, kKnown, Inferred};
@@ -260,6 +263,9 @@ void fanuc_alarms(Control& c, const std::string& prefix) {
       {Cause::CornerFormat, "053", "TOO MANY ADDRESS COMMANDS", Secondary},
       {Cause::CornerTaper, "054", "NO TAPER ALLOWED AFTER CHF/CNR", Secondary},
       {Cause::CornerTooShort, "055", "MISSING MOVE VALUE IN CHF/CNR", Secondary},
+      {Cause::AngleEnd, "056", "NO END POINT & ANGLE IN CHF/CNR", Secondary},
+      {Cause::AngleParallel, "057", "NO SOLUTION OF BLOCK END", Secondary},
+      {Cause::AngleNoEnd, "058", "END POINT NOT FOUND", Secondary},
       {Cause::PqMissing, "061", "P OR Q COMMAND IS NOT IN THE MULTIPLE REPETIVE CYCLES BLOCK",
        Secondary},
       {Cause::CycleDepth, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
@@ -324,6 +330,8 @@ void fanuc_alarms_30i(Control& c) {
 
 void mitsubishi_rules(Control& c) {
   c.longer_words = {"DH", "M7 p.241", Manual};
+  c.angle_words = {",A", "general knowledge, linear angle command", Inferred};
+  c.angles_on_mills = {true, "general knowledge, linear angle command", Inferred};
   add_effect(c, "8209", 0, "how far G60 goes past its point first, mm; its sign is the direction",
              kKnown, Inferred, set_overrun);
   c.modal_groups = {"work=12 path=13 macro=14 rotation=16 surface=17 polar=18 mirror=19", kKnown,
@@ -456,6 +464,7 @@ void gsk_988(Control& c, double power_on_feed) {
       "cycle-axis turning-plane turning-axis pq-same profile-start pattern-x pattern-z "
       "groove-step",
       "TA 5 notes 2 and 3; Talm 121 to 161, 271", Manual};
+  c.angle_words = {",A", "TApar 3405#4", Manual};
   c.max_profile_blocks = {100, "Talm 137", Secondary};
   c.max_pockets = {30, "TA 8", Manual};
   add_effect(c, "5102#1", 1, "G71 to G73: 1 = a profile that turns back is an alarm", "TA 8",
@@ -598,6 +607,7 @@ void gsk_980tdi(Control& c) {
   c.set_coordinate_without_tool = {true, "TDi 18 table", Manual};
   c.chamfer_words = {"L", "TDi 11", Manual};
   c.round_words = {"D", "TDi 11", Manual};
+  c.angle_words = {"Q", "TDi 13", Manual};
   c.single_pass_pattern = {false, "TDi 23.3", Manual};
   c.groove_p_diameter = {true, "TDi 23.5", Manual};
   c.drill_retract = {true, "TDi 23.9", Manual};
@@ -634,6 +644,9 @@ void gsk_980tdi(Control& c) {
              Inferred, set_tolerance);
   add_effect(c, "001#7", 0, "G00 goes 0 = each axis at its own rate, 1 = on a straight line",
              "TDipar 001#7", Manual, set_straight_rapid);
+  add_effect(c, "182#7", 0,
+             "P and Q of cycles and of angles count 0 least increments, 1 mm, degrees",
+             "TDipar 182#7", Manual, set_cycle_millimetres);
   add_effect(c, "172#2", 0, "forbidden is 0 = the inside, 1 = the outside of the area of G22",
              "TDi 31", Manual, set_stroke_outside);
   add_effect(c, "154", 0, "how far the radii of an arc may differ, mm, 0 = not checked",

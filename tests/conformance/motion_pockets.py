@@ -101,7 +101,8 @@ case(
 )
 case(
     "with 5102#2 the first block decides: X alone allows no pockets", control=TA, **TA8,
-    setup=LATHE, params={"5102#2": 1}, program=program(first="N20 G0 X50."),
+    setup=LATHE, params={"5102#1": 1, "5102#2": 1},
+    program=program(first="N20 G0 X50."),
     alarm="profile-not-monotone", number="138",
 )
 case(
