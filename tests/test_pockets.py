@@ -143,9 +143,7 @@ def test_pockets_are_cut_level_by_level_and_nothing_is_left(
     )
     text = program(side, profile, depth, escape, allowance)
     run = cncsub.loads(text, control=changed).run(
-        setup=cncsub.Setup(
-            machine="lathe-a", start=dict(zip("XZ", side.point(0, 0), strict=True))
-        )
+        setup=cncsub.Setup(machine="lathe-a", start=dict(zip("XZ", side.point(0, 0), strict=True)))
     )
     assert run.alarm is None, f"{run.alarm}\n{text}"
     made = [m for m in run.moves if m.step == 2]

@@ -282,6 +282,8 @@ Motion::Result Motion::set_modes(BlockWords& block) {
   if (block.meaning(Group::Stroke) == Meaning::StrokeOn) {
     set_area(block);
     block.consumed = true;
+    if (area_is_empty() && facts_->refuses(Cause::StrokeArea))
+      return fault(Cause::StrokeArea, block);
   }
   if (auto wrong = set_feed(block)) return wrong;
   set_lead(block);

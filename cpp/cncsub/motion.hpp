@@ -181,6 +181,7 @@ class Motion {
   // motion_travel.cpp
   void set_area(const BlockWords& block);
   bool checks_area() const;
+  bool area_is_empty() const;
   Result check_travel(const Piece& piece, const Axes& machine) const;
   Result check_area(const Piece& piece, const Axes& machine) const;
   void arc_reach(const Piece& piece, int axis, double& low, double& high) const;
@@ -266,6 +267,7 @@ class Motion {
   Result drill_lathe(BlockWords& block);
   // motion_turning.cpp: G90 G92 G94, G74 to G76.
   Result turning_cycle(BlockWords& block, Meaning meaning);
+  Result turn_once(BlockWords& block, Meaning meaning);
   Result tap_cycle(BlockWords& block);
   Result check_groove(const BlockWords& block, bool face, double p, double q) const;
   Result grooving(BlockWords& block, Meaning meaning);

@@ -77,6 +77,7 @@ struct TurnData {
   bool has_x = false, has_z = false;
   double j = 0, k = 0;  // the run-out of a thread
   bool has_j = false, has_k = false;
+  int starts = 1;  // of a thread
 };
 
 /// The first blocks of the two-block cycles G71 to G76.

@@ -81,6 +81,7 @@ Motion::Result Motion::cut_thread(BlockWords& block, const Axes& end, std::uint3
     Piece piece = make_piece(block, MoveKind::Thread, to, axes);
     const double last = std::sqrt(square);
     piece.state.feed = (lead + last) / 2;  // the mean: the length by the revolutions
+    piece.state.feed_mode = FeedMode::PerRevolution;
     if (auto wrong = corner_words(block, piece)) return wrong;
     lead = last;
     return move(block, piece);
@@ -201,6 +202,10 @@ Motion::Result Motion::multiple_thread(BlockWords& block) {
   const NcWords& w = block.words;
   s_.turn = {};
   take_run_out(block);
+  // Several starts, and other sides of the cut: where the passes lie is not known. [TA 21]
+  for (const char letter : facts_->control->thread_words_not_computed.value)
+    if (w.has(letter) && raw(block, letter) != (letter == 'L' ? 1 : 0))
+      return fault(Cause::CodeNotComputed, block, std::string("G76 with ") + letter);
   if (!w.has('X') && !w.has('Z') && !w.has('U') && !w.has('W')) return set_thread_data(block);
   std::uint32_t named = 0;
   const Axes start = s_.work, end = target(block, named);

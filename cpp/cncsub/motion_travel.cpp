@@ -53,6 +53,15 @@ void Motion::set_area(const BlockWords& block) {
   }
 }
 
+/// Whether a corner of the area is not above the other by 2000 least increments. [Talm 068]
+bool Motion::area_is_empty() const {
+  for (const std::size_t i : {0u, 1u, 2u})
+    if ((i != 1 || !facts_->lathe()) &&
+        s_.area.high[i] - s_.area.low[i] <= 2000 * facts_->increment)
+      return s_.area.known;
+  return false;
+}
+
 bool Motion::checks_area() const {
   return s_.area.known && s_.modal[at(Group::Stroke)].meaning == Meaning::StrokeOn;
 }

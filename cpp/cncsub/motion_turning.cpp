@@ -16,8 +16,22 @@ double Motion::cycle_length(const BlockWords& block, char address) const {
   return value * facts_->increment * (g20() ? 0.1 * kInch : 1);
 }
 
+/// G90, G92, G94. A thread of several starts is cut start by start. [TDi 24.9, TA 18: L]
 Motion::Result Motion::turning_cycle(BlockWords& block, Meaning meaning) {
   if (meaning == Meaning::TapCycle) return tap_cycle(block);
+  const bool starts = meaning == Meaning::ThreadCycle && facts_->control->thread_starts.value;
+  if (starts && block.words.has('L')) {
+    s_.turn.starts = whole(raw(block, 'L'));
+    if (s_.turn.starts < 1 || s_.turn.starts > 999)
+      return fault(Cause::ValueOutOfRange, block, "L of a thread");
+  }
+  const int count = starts ? s_.turn.starts : 1;
+  for (int i = 0; i < count; ++i)
+    if (auto wrong = turn_once(block, meaning)) return wrong;
+  return std::nullopt;
+}
+
+Motion::Result Motion::turn_once(BlockWords& block, Meaning meaning) {
   TurnData& turn = s_.turn;
   std::uint32_t named = 0;
   const Axes end = target(block, named);

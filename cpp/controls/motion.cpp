@@ -462,8 +462,10 @@ void gsk_988(Control& c, double power_on_feed) {
   c.refuses = {
       "codes-with-rotation code-in-rotation corner-at-offset-start thread-passes cycle-plane "
       "cycle-axis turning-plane turning-axis pq-same profile-start pattern-x pattern-z "
-      "groove-step",
-      "TA 5 notes 2 and 3; Talm 121 to 161, 271", Manual};
+      "groove-step stroke-area",
+      "TA 5 notes 2 and 3; Talm 068, 121 to 161, 271", Manual};
+  c.thread_starts = {true, "TA 18: L", Manual};
+  c.thread_words_not_computed = {"LDE", "TA 21: L, D, E of G76", Manual};
   c.angle_words = {",A", "TApar 3405#4", Manual};
   c.max_profile_blocks = {100, "Talm 137", Secondary};
   c.max_pockets = {30, "TA 8", Manual};
@@ -529,6 +531,7 @@ void gsk_988(Control& c, double power_on_feed) {
        {Cause::G10System, "062", "P of G10", "Talm 062", Secondary},
        {Cause::G10Offset, "062", "P of G10", "Talm 062", Secondary},
        {Cause::G10Word, "062", "P of G10", "Talm 062", Secondary},
+       {Cause::StrokeArea, "068", "the range of the stroke check", "Talm 068", Secondary},
        {Cause::CornerOffset, "271", "chamfer in a block that takes none", "Talm 271", Secondary},
        {Cause::ToolWithSetting, "028", "T in a block that takes none", "Talm 028", Secondary},
        {Cause::SpindleStands, "102", "thread at spindle speed 0", "Talm 102", Secondary},
@@ -619,6 +622,7 @@ void gsk_980tdi(Control& c) {
   c.pocket_pass = {PocketPass::WithJ, "TDi 23.1: J", Manual};
   c.run_out_words = {RunOutWords::Equal, "TDi 24.1, 24.9", Manual};
   c.thread_digits_apart = {true, "TDi 24.12 note 4", Manual};
+  c.thread_starts = {true, "TDi 24.9: L", Manual};
   add_effect(c, "019", 0, "the run-out of G92 and G76, tenths of the lead", "TDipar 019", Manual,
              set_thread_chamfer);
   add_effect(c, "056", 0, "the retract of G74 and G75, mm", "TDi 23.5: parameter 056", Manual,
@@ -669,6 +673,7 @@ void gsk_928(Control& c) {
                SourceDocument};
   c.power_on_per_minute = {true, "source 001: F80, F500", SourceDocument};
   c.feed_needed = {false, "no alarm is known", Inferred};
+  c.g_meanings = {"60=none", kKnown, Inferred};
   c.dwell_words = {"PXUD", "928Ti: G4 D1 is a second", Secondary};
   add_effect(c, "3402#0", 0,
              "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,

@@ -127,7 +127,7 @@ case(
     at="O1 N20",
 )
 case(
-    "G60 goes to its point in rapid", control=MILLS + ["hnc-21m"], **KNOWN,
+    "G60 goes to its point in rapid", control=[*MILLS, "hnc-21m"], **KNOWN,
     setup={"machine": "mill"}, program=program("G60 X10. Y5.", "X5."), moves="R X10 Y5\nF X15",
 )
 for _parameter, _controls in (("5440", FANUC), ("8209", MITSUBISHI)):

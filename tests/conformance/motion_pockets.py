@@ -112,6 +112,16 @@ case(
     number={F16: "064", **dict.fromkeys(FANUC_PS, "PS0064")},
 )
 case(
+    "a first block with X alone makes no pockets, whatever the shape",
+    control=["gsk-980tdi", "gsk-928te", *MITSUBISHI], **KNOWN, setup=LATHE,
+    program=program("K1", first="N20 G0 X50."), alarm="profile-not-monotone",
+    number={"gsk-980tdi": None, "gsk-928te": None, **dict.fromkeys(MITSUBISHI, "P203")},
+)
+case(
+    "on a 928 a profile with pockets is cut pocket by pocket, and once more", control="gsk-928te",
+    **KNOWN, setup=LATHE, program=program(), moves=FEED + PASS,
+)
+case(
     "an arc of a profile with pockets that turns back along Z alarms", control="gsk-980tdi",
     source="TDi 23.1: K", evidence="maker's manual", setup=LATHE,
     program="""

@@ -77,7 +77,7 @@ stops(
 )
 stops(
     "a rapid in which every axis goes at its own rate cuts a corner that a line would miss",
-    "G90 G0 X0 Y0", "X25. Y70.", at="O1 N30", area="G22 X30. Y60. Z20. I20. J10. K-20.",
+    "G90 G0 X0 Y0", "X25. Y70.", at="O1 N30", area="G22 X30. Y50. Z20. I20. J10. K-20.",
 )
 passes(
     "a rapid on a straight line does not come where single axes would",
@@ -105,11 +105,28 @@ passes(
     setup=MILL | {"stroke_area": {"X": (10, 30), "Y": (-20, 20), "Z": (-5, 5)}},
 )
 passes(
+    "at power-on the area of the setup is not checked", "G90 G1 X20. Z0 F100.", moves="F X20 Z0",
+    controls=MITSUBISHI, area="G90",
+    setup=MILL | {"stroke_area": {"X": (10, 30), "Y": (-20, 20), "Z": (-5, 5)}},
+)
+passes(
     "an area whose upper corner is not above the lower one forbids nothing",
     "G90 G1 X20. Z0 F100.", moves="F X20 Z0", controls=FANUC,
     area="G22 X10. Y20. Z5. I30. J-20. K-5.",
 )
 # Lathes
+for _params in (None, {"1401#1": 1}):
+    _controls = GSK if _params is None else ["gsk-988ta", "gsk-988t"]
+    (stops if _params is None else passes)(
+        "a rapid of a lathe goes to its X first, " + ("by itself" if _params is None else "or not"),
+        "G0 X50 Z-50", controls=_controls, setup=LATHE, params=_params,
+        area="G22 X60 Z20 I40 K-20", **({"at": "O1 N20"} if _params is None else
+                                        {"moves": "R X50 Z-50"}),
+    )
+passes(
+    "with 001#7 a rapid of a lathe goes on a straight line", "G0 X50 Z-50", controls="gsk-980tdi",
+    setup=LATHE, params={"001#7": 1}, area="G22 X60 Z20 I40 K-20", moves="R X50 Z-50", tags=TDI,
+)
 stops(
     "on a lathe X and I of G22 are diameters", "G1 X62. F100.", "Z9.", "X59.", at="O1 N40",
     controls=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-928te"], setup=LATHE,
@@ -121,7 +138,7 @@ stops(
     controls=FANUC, setup=LATHE, area="G22 X60. Z10. I0 K-50.",
 )
 passes(
-    "at power-on G23 is in force", "G98 G1 X50 Z0 F100", moves="F X50 Z0", controls="gsk-980tdi",
+    "at power-on G23 is in force", "G98 G1 X50 Z0 F100", moves="F X50 Z0", controls=GSK,
     setup=LATHE | {"stroke_area": {"X": (0, 60), "Z": (-50, 10)}}, area="G97 S100", tags=TDI,
 )
 stops(
@@ -145,3 +162,9 @@ case(
     program="O1\nN10 G52 U10. W20.\nN20 G0 X0 Z0\nN30 G52 U0 W0\nN40 X0 Z0\nN50 M30",
     centre="X10 Z20 | X0 Z0",
 )
+for _words in ("X60 Z10 I60 K-50", "X60 Z10 I0 K8.001"):
+    case(
+        f"G22 {_words}: a corner is not above the other by two millimetres",
+        control=["gsk-988ta", "gsk-988t"], source="Talm 068", evidence="secondary", setup=LATHE,
+        program=f"O1\nN10 G22 {_words}\nN20 M30", alarm="stroke-area", number="068", at="O1 N10",
+    )

@@ -324,3 +324,43 @@ thread(
     "no run-out of threads is known of the 928", TE, "G32 Z-20 F2 J3 K1", "T X20 Z-20",
     start=(20, 3), source="policy", evidence="inferred",
 )
+GSK_STARTS = ["gsk-988ta", "gsk-988t", "gsk-980tdi"]
+STARTS = {"source": "TDi 24.9, TA 18: L", "evidence": "maker's manual"}
+case(
+    "a thread of two starts is cut twice, also in the blocks behind", control=GSK_STARTS, **STARTS,
+    setup={"start": {"X": 30, "Z": 5}},
+    program="O1\nN5 S500 M3\nN10 G92 X20 Z-20 F2 L2\nN20 X19\nN30 M30",
+    moves="R X20\nT Z-20\nR X30\nR Z5\n" * 2 + "R X19\nT Z-20\nR X30\nR Z5\n" * 2,
+)
+case(
+    "a thread has one start where L does not count them",
+    control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "mitsubishi-meldas",
+             "mitsubishi-m700", "mitsubishi-m800", "gsk-928te"],
+    source="general knowledge", evidence="inferred",
+    setup={"machine": "lathe-a", "start": {"X": 30, "Z": 5}},
+    program="O1\nN5 S500 M3\nN10 G92 X20. Z-20. F2. L2\nN30 M30",
+    moves="R X20\nT Z-20\nR X30\nR Z5",
+)
+for _words in ("L0", "L1000"):
+    case(
+        f"a thread of {_words} starts alarms", control=GSK_STARTS, **STARTS,
+        setup={"start": {"X": 30, "Z": 5}},
+        program=f"O1\nN5 S500 M3\nN10 G92 X20 Z-20 F2 {_words}\nN30 M30",
+        alarm="value-out-of-range",
+        number={"gsk-988ta": "003", "gsk-988t": "003", "gsk-980tdi": "012"}, at="O1 N10",
+    )
+for _words in ("L2", "D1", "E1"):
+    case(
+        f"G76 with {_words}: where its passes lie is not computed", control=GSK_STARTS[:2],
+        source="TA 21", evidence="maker's manual", setup={"start": {"X": 30, "Z": 5}},
+        program=f"O1\nN5 S500 M3\nN10 G76 P020060 Q0.1 R0.1 {_words}\nN20 M30",
+        alarm="code-not-computed", at="O1 N10",
+    )
+case(
+    "L, D and E are no words of G76",
+    control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "mitsubishi-meldas",
+             "mitsubishi-m700", "mitsubishi-m800", "gsk-928te", "gsk-980tdi"],
+    source="general knowledge", evidence="inferred",
+    setup={"machine": "lathe-a", "start": {"X": 30, "Z": 5}},
+    program="O1\nN5 S500 M3\nN10 G76 P020060 Q100 R0.1 L2 D1 E1\nN20 M30", moves="none",
+)

@@ -94,3 +94,7 @@ for _what, _words in (
         f"{_what}: no arc of G05", control="gsk-980tdi", **TDI5, setup=AT,
         program=f"O1\nN10 G05 {_words} F150\nN20 M30", alarm="three-points", at="O1 N10",
     )
+case(
+    "G60 is no code of a lathe", control="gsk-928te", **KNOWN, setup=LATHE,
+    program=block("G60", "", "U"), alarm="g-code-not-available", at="O1 N20",
+)

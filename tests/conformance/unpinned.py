@@ -105,4 +105,11 @@ UNPINNED = _joined(
     _all("max_rotation", (TDI, TE), NO_ROTATION),
     _all("scale_thousandths", GSK_LATHES, "a lathe has no scaling"),
     _all("cycle_repeats zero_cycle_repeats", (TDI, TE), NO_REPEATS),
+    _all("straight_rapid power_on_stroke_check stroke_outside", MILLS, "it has no stroke check"),
+    _all("longer_words", (*GSK_LATHES, *MILLS), "the control has no G45 to G48"),
+    _all("one_way_overrun", (*GSK_LATHES, MDI), "the control has no G60"),
+    _all("angles_on_mills", GSK_LATHES, A_LATHE),
+    _all("angles_on_mills", MILLS, "the control knows no angles"),
+    _all("angle_words type_by_shape pocket_pass", MILLS, A_MILL),
+    _all("thread_starts thread_words_not_computed", MILLS, A_MILL),
 )

@@ -1,0 +1,42 @@
+"""G code system B of lathes: G90 and G91 are modes, G77, G78 and G79 the turning cycles."""
+
+from conformance import case
+
+TA = ["gsk-988ta", "gsk-988t"]
+FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
+AT = {"start": {"X": 60, "Z": 2}}
+B = AT | {"machine": "lathe-b"}
+TAPAR = {"source": "TApar 3401#6", "evidence": "maker's manual"}
+KNOWN = {"source": "general knowledge, G code system B", "evidence": "inferred"}
+
+for _claim, _program, _moves in (
+    ("under G91 X and Z are increments",
+     "N10 G94 G91 G1 X-10. Z-5. F100.\nN20 G90 X40. Z-10.", "F X50 Z-3\nF X40 Z-10"),
+    ("G77 is the turning cycle", "N10 G94 G77 X50. Z-20. F100.",
+     "R X50\nF Z-20\nF X60\nR Z2"),
+    ("under G91 G77 takes increments", "N10 G94 G91 G77 X-10. Z-22. F100.",
+     "R X50\nF Z-20\nF X60\nR Z2"),
+    ("G79 is the facing cycle", "N10 G94 G79 X20. Z-3. F100.", "R Z-3\nF X20\nF Z2\nR X60"),
+    ("G78 is the thread cycle", "N5 S500 M3\nN10 G78 X50. Z-20. F2.",
+     "R X50\nT Z-20\nR X60\nR Z2"),
+    ("G92 sets coordinates", "N10 G92 X0 Z0\nN20 G0 X10. Z5.", "R X10 Z5"),
+):
+    _text = f"O1\n{_program}\nN90 M30"
+    case(
+        f"with 3401#6 {_claim}", control=TA, **TAPAR, setup=AT, params={"3401#6": 1},
+        program=_text, moves=_moves,
+    )
+    case(f"in system B {_claim}", control=FANUC, **KNOWN, setup=B, program=_text, moves=_moves)
+case(
+    "with 3401#6 G94 and G95 are the feeds per minute and per revolution", control=TA, **TAPAR,
+    setup=AT, params={"3401#6": 1},
+    program="O1\nN5 S100 M3\nN10 G95 G1 Z-18. F0.2\nN20 G94 Z-28. F100.\nN30 M30", time=66.0,
+)
+case(
+    "G90 is no turning cycle with 3401#6", control=TA, **TAPAR, setup=AT, params={"3401#6": 1},
+    program="O1\nN10 G94 G1 Z-20. F100.\nN20 G90 X50. Z-10.\nN30 M30", moves="F Z-20\nF X50 Z-10",
+)
+case(
+    "with 3401#6 U and W are no increments of X and Z", control=TA, **TAPAR, setup=AT,
+    params={"3401#6": 1}, program="O1\nN10 G94 G1 W-5. F100.\nN20 M30", final_machine="Z2",
+)
