@@ -519,17 +519,17 @@ std::optional<ExpressionReader::Value> ExpressionReader::apply(Ins op, std::uint
 
 std::optional<ExpressionReader::Value> ExpressionReader::expression(int level) {
   const int tightest = code_.control->logic_binds_last.value ? 3 : 2;
-  auto left = level > tightest ? operand() : expression(level + 1);
-  if (!left || level > tightest) return left;
-  for (;;) {
+  const auto closer = [&] { return level == tightest ? operand() : expression(level + 1); };
+  auto left = closer();
+  while (left) {
     const std::uint32_t at = (s_.blanks(), s_.offset());
     const auto op = take_operator(level);
     if (!op) return left;
-    const auto right = level == tightest ? operand() : expression(level + 1);
+    const auto right = closer();
     if (!right) return std::nullopt;
     left = apply(*op, at, *left, *right);
-    if (!left) return std::nullopt;
   }
+  return std::nullopt;
 }
 
 }  // namespace cncsub

@@ -430,6 +430,16 @@ case(
     vars={500: 21, 501: 42},
 )
 case(
+    "before another computer writes again the program looks at what was written, and waits anew",
+    control=ALL, source=WAITING, evidence="inferred",
+    program="""
+        O1
+        N10 IF[#500 NE 2]GOTO 10
+        N20 M30
+    """,
+    variables={500: 0}, inputs={"writes": [{500: 1}, {500: 2}]}, runs="N10*5 N20",
+)
+case(
     "a value that another computer writes into another variable leaves a program waiting",
     control=ALL, source=WAITING, evidence="inferred",
     program=SPIN, variables={500: 0}, inputs={"writes": [{502: 21}]}, vars={501: None, 502: 21},

@@ -550,3 +550,36 @@ case(
     program="O1\nN10 G1 X10. F100 M8\nN20 M30\n",
     runs="N10 N20", m=[8], moves_x=[10],
 )
+case(
+    "#3002 that is written behind some motion counts from then on",
+    control=FANUC, source="general knowledge, #3002", evidence="inferred",
+    params={"3401#0": 1},
+    program="""
+        O1
+        N10 G94 G1 X6000 F100
+        N20 #3002=2
+        N30 #100=#3002
+        N40 M30
+    """,
+    runs="N10 N20 N30 N40", vars={100: 2},
+)
+case(
+    "a number that GOTO does not find is told without the comment behind it",
+    control=["fanuc-16i", "mitsubishi-m700"], source="ALM 128; Mazak list P231", evidence="secondary",
+    program="O1\nN10 M8\nN20 GOTO 99 (AWAY)\nN30 M30\n",
+    runs="N10", alarm="jump-target-not-found", at="O1 N20", word="99",
+    number={"fanuc-16i": "128", "mitsubishi-m700": "P231"},
+)
+case(
+    "there are two arguments of X with a number: X3= is none",
+    control=["gsk-988ta", "gsk-988t"], source="TA27, argument I; general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G65 P2 X1=7
+        N30 G65 P2 X3=7
+        N40 M30
+        O2
+        N50 M99
+    """,
+    runs="N10 N50", alarm="illegal-character", at="O1 N30", word="=",
+)
