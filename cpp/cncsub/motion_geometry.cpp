@@ -162,7 +162,6 @@ bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, con
   const Curve a = curve_of(view, from, first), b = curve_of(view, first.end, second);
   corner.first = first;
   corner.second = second;
-  corner.first.corner = 0;
   corner.at_first = corner.at_second = first.end;
   Cut cut;
   const bool round = first.corner == 'R';
@@ -177,7 +176,6 @@ bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, con
   if (!b.line()) corner.second.turn = rest_of_turn(b, cut.second, b.to);
   corner.has_between = true;
   corner.between = first;
-  corner.between.corner = 0;
   corner.between.corner_piece = true;
   corner.between.end = corner.at_second;
   corner.between.named = axis_bit(view.axes.a) | axis_bit(view.axes.b);
