@@ -479,9 +479,14 @@ std::string Motion::axes_of(std::uint32_t mask) const {
 Axes Motion::target(BlockWords& block, std::uint32_t& named) {
   Axes end = turned() ? turned_back(s_.work) : s_.work;
   const bool lathe_a = facts_->machine == MachineType::LatheA;
+  // Only a cut has corners: elsewhere C is an axis.
+  const Meaning motion = s_.modal[at(Group::Motion)].meaning;
+  const bool cuts = motion == Meaning::Line || motion == Meaning::Cw || motion == Meaning::Ccw;
+  const bool corners =
+      cuts && !in_cycle() && goes_with_motion(block, block.meaning(Group::OneShot));
   for (int i = 0; i < (lathe_a ? 6 : kAxes); ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
-    if (!block.words.has(name) || corner_address(name)) continue;
+    if (!block.words.has(name) || (corners && corner_address(name))) continue;
     named |= axis_bit(i);
     end[i] = number(block, name) + (s_.incremental ? end[i] : 0);
   }
@@ -551,9 +556,9 @@ void Motion::settle() {
   s_.seconds_per_mm = s_.feed > 0 ? 60 / s_.feed : 0;
   if (feed == Meaning::PerRevolution)
     s_.seconds_per_mm = s_.feed > 0 && s_.speed > 0 ? 60 / (s_.feed * s_.speed) : 0;
-  s_.plain = s_.line < line_codes_.size() && !in_cycle() && !compensating() &&
-             !s_.angled.waiting && s_.held.corner.empty() && s_.held.radius.empty() &&
-             !s_.held.engaged && feed != Meaning::InverseTime &&
+  s_.plain = s_.line < line_codes_.size() && !in_cycle() && !compensating() && !s_.angled.waiting &&
+             s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged &&
+             feed != Meaning::InverseTime &&
              s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() &&
              facts_->limits.empty() && !checks_area() && !s_.surface && !lacks_speed() &&
              !s_.tool_pending && facts_->control->max_feed.value == 0;

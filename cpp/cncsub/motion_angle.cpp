@@ -21,7 +21,8 @@ bool Motion::angle_word(const BlockWords& block, double& angle) const {
   int place = -1;
   if (takes(" ,A ") && (w.mask >> kCommaA & 1) != 0)
     place = kCommaA;
-  else if (takes(" A ") && facts_->lathe() && w.has('A'))
+  else if (takes(" A ") && facts_->lathe() && w.has('A') &&
+           s_.modal[at(Group::Motion)].meaning != Meaning::Rapid)
     place = 0;
   else if (takes(" Q ") && w.has('Q'))
     place = 'Q' - 'A';

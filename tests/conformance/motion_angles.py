@@ -36,7 +36,14 @@ def both(claim, *blocks, moves, setup=LATHE):
 both("X and an angle say where Z ends", "G1 X40. ANGLE150.", moves="F X40 Z-17.3205")
 both("Z and an angle say where X ends", "G1 Z-17.3205 ANGLE150.", moves="F X40 Z-17.3205")
 both("an increment and an angle say the rest", "G1 U20. ANGLE150.", moves="F X40 Z-17.3205")
-both("a rapid goes by an angle too", "G0 X40. ANGLE150.", moves="R X40 Z-17.3205")
+for _name, _controls, _params, _tags in (
+    (",A", [*FANUC, *TA, *MITSUBISHI], None, KNOWN), ("Q", TDI, {"182#7": 1}, TDI13),
+):
+    case(
+        f"a rapid goes by an angle too, by {_name}", control=_controls, **_tags, setup=LATHE,
+        params=_params, program=f"O1\nN10 G0 X40. {_name}150.\nN20 M30",
+        moves="R X40 Z-17.3205",
+    )
 both("an angle and its opposite are the same line", "G1 X40. ANGLE-30.", moves="F X40 Z-17.3205")
 both("beside both coordinates an angle does not count", "G1 X40. Z-30. ANGLE150.",
      moves="F X40 Z-30")
@@ -122,4 +129,14 @@ for _controls, _setup, _number in (
         source="policy: no wrong move without a word", evidence="inferred", setup=_setup,
         program="O1\nN5 S100 M3\nN10 G1 X40. ,A150. F100.\nN20 M30", alarm="address-not-usable",
         number=_number, at="O1 N10",
+    )
+for _claim, _block, _moves in (
+    ("a rapid", "G0 C90. A5.", "R C90 A5"),
+    ("a return to the reference point", "G1 F100. G28 C0", "R C0\nR C0"),
+    ("a drilling cycle", "G83 C90. Z-10. R-5. F100.", "R C90\nR Z-5\nF Z-10\nR Z0"),
+):
+    case(
+        f"in {_claim} C is an axis of a lathe, no chamfer", control=FANUC,
+        source="general knowledge", evidence="inferred", setup=LATHE,
+        program=f"O1\nN5 G98 S100 M3\nN10 {_block}\nN90 M30", moves=_moves,
     )
