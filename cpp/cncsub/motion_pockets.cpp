@@ -40,7 +40,7 @@ struct Pockets {
   Result go(MoveKind kind, Point to);
   Result follow(const Chain& chain, std::size_t first, std::size_t last);
   Result retract(double level);
-  Result rough(const Chain& chain, double level);
+  Result rough(const Chain& chain, double before);
 };
 
 /// Cuts a bit at the places where an arc is highest or lowest.
@@ -54,9 +54,9 @@ void Pockets::add(Chain& chain, const Bit& bit) const {
   const double first = std::atan2(r.b, r.a), quarter = contour.level_axis == 0 ? kPi / 2 : 0;
   std::vector<double> turns{0, c.turn};
   for (int k = -4; k <= 4; ++k)
-    if (const double turn = quarter + k * kPi - first; turn * c.turn > 0)
-      if (std::fabs(turn) < std::fabs(c.turn) - 1e-9 && std::fabs(turn) > 1e-9)
-        turns.push_back(turn);
+    if (const double turn = quarter + k * kPi - first;
+        turn * c.turn > 0 && std::fabs(turn) < std::fabs(c.turn) - 1e-9 && std::fabs(turn) > 1e-9)
+      turns.push_back(turn);
   std::sort(turns.begin(), turns.end(),
             [](double a, double b) { return std::fabs(a) < std::fabs(b); });
   Point from = c.from;

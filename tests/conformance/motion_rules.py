@@ -38,7 +38,7 @@ case(
     program="""
         O1
         N10 G0 X10.
-        N20 U10.
+        N20 G1 U10. F100
         N30 M30
     """,
     moves_x=[10, 10],

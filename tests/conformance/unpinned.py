@@ -83,7 +83,7 @@ UNPINNED = _joined(
     _all("user_alarm_offset", MITSUBISHI, "the alarm of #3000 has one number, whatever the value"),
     # Motion
     _all("g_meanings", (MDI,), "it has none of the codes that mean something else elsewhere"),
-    _all("power_on_incremental", (TA, T, TE), "the control has no G91"),
+    _all("power_on_incremental", (TE,), "the control has no G91"),
     _all("power_on_per_minute", MILLS, "a mill wakes up with feed per minute"),
     _all("thread_needs_spindle", (MDI,), "the control cuts no threads"),
     _all("negative_radius_on_lathes set_coordinate_alarms", MILLS, A_MILL),
