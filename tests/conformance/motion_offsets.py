@@ -1,4 +1,4 @@
-"""Offsets that meet something else: the nose of a tool, limits of arcs, G53, a written zero point."""
+"""Offsets and feeds that meet something else: noses, limits of arcs, G53, spindles, profiles."""
 
 from conformance import case
 
@@ -103,6 +103,22 @@ case(
         N60 M30
     """,
     moves="R X100 Z0\nF Z-10\nF Z-20\nF Z-30", time=0.3 + 6 + 3 + 3,
+)
+case(
+    "#3001 goes on with the time of a feed per revolution",
+    control=FANUC, source="general knowledge, #3001", evidence="inferred",
+    params=MM, setup=LATHE,
+    # 10 mm at 200 mm/min are three seconds, and each look at the clock is one more thousandth.
+    program="""
+        O1
+        N10 G99 G97 S1000 M3
+        N20 G1 X100 Z0 F0.1
+        N30 #3001=0
+        N40 Z-10 F0.2
+        N50 #100=#3001
+        N60 M30
+    """,
+    vars={100: 3001},
 )
 case(
     "the last block of a profile has no corner to cut",
