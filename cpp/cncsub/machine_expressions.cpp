@@ -71,7 +71,8 @@ bool as_bits(double value, std::int64_t& bits) {
 }  // namespace
 
 bool read_digits(double value, int from, int to, double& result) {
-  if (!(value >= 0 && value <= 4294967295.0) || value != std::floor(value)) return false;
+  const bool known = value >= 0 && value <= 4294967295.0 && value == std::floor(value);
+  if (!known) return false;  // nor has a vacant value any digits
   double sum = 0, power = 1;
   int digits = 0;
   for (auto left = static_cast<std::int64_t>(value); left != 0; left /= from, power *= to) {
