@@ -100,11 +100,17 @@ def test_a_reset_leaves_the_loops() -> None:
     assert machine.alarm.cause == "missing-do"
 
 
-@pytest.mark.parametrize(("machine", "axes"), [("mill", "XYZA"), ("lathe-a", "XZA")])
+@pytest.mark.parametrize(
+    ("machine", "word", "axes"),
+    [
+        ("mill", "X1.", "XYZ"), ("mill", "C1.", "XYZC"),
+        ("lathe-a", "X1.", "XZ"), ("lathe-a", "Y1.", "XYZ"),
+    ],
+)  # fmt: skip
 def test_a_position_has_the_axes_of_the_machine_and_those_that_moved(
-    machine: str, axes: str
+    machine: str, word: str, axes: str
 ) -> None:
-    library = cncsub.loads("O1\nN10 G0 A1.\nN20 M30\n", control=CONTROL)
+    library = cncsub.loads(f"O1\nN10 G0 {word}\nN20 M30\n", control=CONTROL)
     run = library.run(setup=cncsub.Setup(machine=machine))
     assert list(run.position) == list(axes)
 
