@@ -550,9 +550,8 @@ void Motion::settle() {
   const Meaning motion = s_.modal[at(Group::Motion)].meaning;
   const Meaning feed = s_.modal[at(Group::Feed)].meaning;
   s_.row_moves = nullptr;
-  const auto known = std::find_if(line_codes_.begin(), line_codes_.end(),
-                                  [&](const GCode& code) { return code.meaning == motion; });
-  s_.line = static_cast<std::uint8_t>(known - line_codes_.begin());
+  s_.line = 0;
+  while (s_.line < line_codes_.size() && line_codes_[s_.line].meaning != motion) ++s_.line;
   s_.seconds_per_mm = s_.feed > 0 ? 60 / s_.feed : 0;
   if (feed == Meaning::PerRevolution)
     s_.seconds_per_mm = s_.feed > 0 && s_.speed > 0 ? 60 / (s_.feed * s_.speed) : 0;
