@@ -361,3 +361,20 @@ case(
     program=lines("G0 X30. Z5.", "#100=#5001", "#101=#5021", "#102=#5041"),
     vars={100: 30, 101: 30, 102: 30},
 )
+for _back, _modes in ((0, {"motion": "G01", "feed_mode": "G98"}),
+                      (1, {"motion": "G00", "feed_mode": "G99"})):
+    case(
+        f"3402#6 = {_back} says what M30 leaves of the modal codes of the 988TA", control=TA,
+        source="TApar 3402#6", evidence="maker's manual", params={"3402#6": _back},
+        program=lines("G98 G1 X1 F77"), modal_after_reset=_modes,
+    )
+case(
+    "F outlives the M30 of the 980TDi", control=TDI, source="TDi 26", evidence="maker's manual",
+    program=lines("G98 G1 X1 F77"), modal_after_reset={"F": "77"},
+)
+case(
+    "the H of a subprogram holds in the main program", control=[*FANUC, *MITSUBISHI],
+    source="source 003, note 5 (1)", evidence="source document", setup=H,
+    program="O1\nN10 G43 H1 G0 Z5.\nN20 M98 P2\nN30 Z6.\nN40 M30\nO2\nN50 H2 Z5.\nN60 M99",
+    centre="Z15 | Z1 | Z2",
+)
