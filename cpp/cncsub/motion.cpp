@@ -174,6 +174,7 @@ void Motion::power_on() {
         Meaning::MirrorOff, c.power_on_stroke_check.value ? Meaning::StrokeOn : Meaning::StrokeOff})
     wake(meaning);
   s_.plane = lathe ? 18 : 17;
+  s_.incremental = s_.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   s_.feed = c.power_on_feed.value;
   MultipleData& data = s_.multiple;
   data.finish_passes = c.thread_passes.value;
@@ -216,6 +217,7 @@ Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* move
   if (auto wrong = set_longer(block)) return wrong;
   const Meaning once = block.meaning(Group::OneShot);
   if (!goes_with_motion(block, once) && once != Meaning::Ignored) {
+    take_motion_code(block);  // it holds for the blocks behind
     if (auto wrong = one_shot(block)) return wrong;
   } else if (once != Meaning::Ignored && !block.consumed) {
     if (auto wrong = motion(block)) return wrong;
@@ -275,7 +277,12 @@ Motion::Result Motion::set_modes(BlockWords& block) {
                             Group::Fluctuation, Group::PolarMilling})
     if (block.has(group)) s_.modal[at(group)] = block.codes[at(group)];
   s_.plane = s_.modal[at(Group::Plane)].code / 10;
-  s_.surface = s_.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
+  const bool surface = s_.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
+  // G97 without S keeps the speed that there is. [TDi 25 note 4]
+  if (s_.surface && !surface)
+    if (const double last = spindle_at(move_state(), std::fabs(s_.work[0])); last > 0)
+      s_.speed = last;
+  s_.surface = surface;
   const Meaning units = s_.modal[at(Group::Units)].meaning;
   s_.unit = units == Meaning::Inch ? kInch : units == Meaning::Pulses ? facts_->increment : 1;
   s_.incremental = s_.modal[at(Group::Distance)].meaning == Meaning::Incremental;
@@ -391,13 +398,16 @@ Motion::Result Motion::one_shot(BlockWords& block) {
   }
 }
 
+void Motion::take_motion_code(const BlockWords& block) {
+  if (!block.has(Group::Motion)) return;
+  // The taper of a turning cycle ends with it. [TA 6 note 2]
+  if (block.meaning(Group::Motion) != s_.modal[at(Group::Motion)].meaning) s_.turn = {};
+  s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
+  end_cycles();
+}
+
 Motion::Result Motion::motion(BlockWords& block) {
-  if (block.has(Group::Motion)) {
-    // The taper of a turning cycle ends with it. [TA 6 note 2]
-    if (block.meaning(Group::Motion) != s_.modal[at(Group::Motion)].meaning) s_.turn = {};
-    s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
-    end_cycles();
-  }
+  take_motion_code(block);
   if (block.has(Group::Cycle)) {
     if (auto wrong = enter_cycle(block)) return wrong;
   }
@@ -590,7 +600,6 @@ void Motion::reset() {
     s_.modal[at(Group::Work)] = work;
     s_.modal[at(Group::Units)] = units;
     s_.feed = feed;
-    s_.incremental = s_.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   }
   s_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
   end_cycles();

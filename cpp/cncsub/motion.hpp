@@ -151,6 +151,7 @@ class Motion {
   double feed_increment() const;
   Result set_spindle(const BlockWords& block);
   Result one_shot(BlockWords& block);
+  void take_motion_code(const BlockWords& block);
   Result motion(BlockWords& block);
   Result straight(BlockWords& block, Meaning meaning);
   Result dwell(BlockWords& block);

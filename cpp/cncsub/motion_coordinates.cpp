@@ -163,7 +163,6 @@ Motion::Result Motion::machine_move(BlockWords& block) {
   const Control& c = *facts_->control;
   const bool modal = c.machine_move.value == MachineMove::Modal;
   if (!facts_->homed) return fault(Cause::NotHomed, block);
-  if (block.has(Group::Motion)) s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
   if (s_.incremental && !modal) return std::nullopt;
   const Meaning meaning = s_.modal[at(Group::Motion)].meaning;
   const MoveKind kind = modal && meaning != Meaning::Rapid ? MoveKind::Feed : MoveKind::Rapid;

@@ -199,7 +199,7 @@ Motion::Result Motion::through_radius(Piece piece, const Axes& from, Moves* move
     const bool outside = !RadiusPath::inside(u, v, offset_of(piece)) && cross(u, v) != 0;
     Join join;
     if (held.starting) {
-      join.leave = normal;
+      join.leave = offset * left(v);
       if (facts_->control->start_up.value == StartUp::TypeB && outside)
         if (auto wrong = path.join(before, curve, offset, piece.at, join)) return wrong;
     } else if (other_side) {

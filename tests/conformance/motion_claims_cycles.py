@@ -40,6 +40,11 @@ for _claim, _blocks, _time in (
         setup=LATHE | _AT, program=lines("M3", *_blocks, "G99 G1 Z-10. F0.1"), time=_time,
     )
 case(
+    "G97 without S keeps the speed that G96 had", control=LATHES,
+    source="TDi 25 note 4; FANUC: general knowledge", evidence="inferred", setup=LATHE | _AT,
+    program=lines("M3", "G97 S500", "G96 S150", "G97", "G99 G1 Z-10. F0.1"), time=6.2832,
+)
+case(
     "G50 S sets no coordinate", control=LATHES, source="TDi 18", evidence="maker's manual",
     setup=LATHE | _AT, program=lines("G50 S500", "G0 X50. Z0"), moves="R X50 Z0",
     final_machine="X50 Z0",
@@ -90,6 +95,11 @@ for _controls, _claim, _of in (
 case(
     "G41 without a D ever given offsets nothing", control=[*FANUC, MDI, HNC], **KNOWN, setup=D,
     program=lines("G41 G1 X10. Y10. F100", "Y50."), centre="X10 Y10 | X10 Y50",
+)
+case(
+    "a start-up ends on its own D, whatever the D of the next block", control=MILLS,
+    source="15iM p.402", evidence="secondary", setup=D,
+    program=lines("G41 G1 X10. Y10. D1 F100", "Y50. D2", "X60."), centre="X5 Y10 | X7 Y53 | X60 Y53",
 )
 case(
     "G41 without a D ever given alarms on a Mitsubishi", control=MITSUBISHI,

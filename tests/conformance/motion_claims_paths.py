@@ -382,3 +382,17 @@ moves(
     evidence="maker's manual", setup=LATHE,
     moves="R X54.142 Z20\nR X67.071 Z7.071\nR X61.213 Z12.929",
 )
+
+# ---- states that an earlier block or the power-on leaves ----
+
+case(
+    "with 3402#3 the first block after power-on is incremental",
+    control=["fanuc-30i", "mitsubishi-m700"], source="TApar 3402#3; FANUC: general knowledge",
+    evidence="inferred", setup=MILL, params={"3402#3": 1},
+    program="O1\nN10 G0 X5.\nN20 X5.\nN30 M30\n", moves="R X5\nR X10",
+)
+case(
+    "G01 beside G52 holds for the blocks behind", control=[*FANUC, *MITSUBISHI],
+    source="general knowledge: a code of group 01 is modal", evidence="inferred", setup=MILL,
+    program="O1\nN10 G0 X1.\nN20 G1 G52 X0 F100.\nN30 X10.\nN40 M30\n", moves="R X1\nF X10",
+)
