@@ -58,6 +58,9 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
     if (token.letter == 'P' || token.letter == 'L' || token.letter == 'Q') return true;
     return token.letter == 'H' && control_.start_word.value == StartWord::H;
   };
+  const bool dwell = control_.dwell_x_increments.value &&
+                     std::any_of(meaning.g.begin(), meaning.g.begin() + meaning.g_count,
+                                 [](const Token* g) { return g->operand.value == 4; });
   for (const Token& token : tokens) {
     if (macro && token.operand.at >= meaning.call->operand.at) break;  // from here on: arguments
     if (owned(token)) continue;
@@ -72,9 +75,9 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
     mask |= mark;
     const bool computed = token.operand.kind == Operand::Kind::Expression || cut(token.operand);
     expressions = computed ? expressions | mark : expressions & ~mark;
-    const bool length =
-        token.operand.whole && (letters_[static_cast<unsigned char>(token.letter)] & kLength) != 0;
-    whole = length ? whole | mark : whole & ~mark;
+    const bool counts =
+        dwell || (letters_[static_cast<unsigned char>(token.letter)] & kLength) != 0;
+    whole = token.operand.whole && counts ? whole | mark : whole & ~mark;
   }
   block.data = static_cast<std::uint32_t>(code_.cells.size());
   block.mask = mask;

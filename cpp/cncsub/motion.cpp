@@ -523,9 +523,10 @@ Motion::Result Motion::dwell(BlockWords& block) {
   const Control& c = *facts_->control;
   for (const char letter : c.dwell_words.value) {
     if (!w.has(letter)) continue;
-    const bool milliseconds = letter == 'P' ? !c.dwell_p_seconds.value
-                                            : (w.whole & bit(letter)) != 0 &&
-                                                  c.whole_numbers.value == WholeNumbers::Increments;
+    const bool increments =
+        c.dwell_x_increments.value || c.whole_numbers.value == WholeNumbers::Increments;
+    const bool milliseconds =
+        letter == 'P' ? !c.dwell_p_seconds.value : increments && (w.whole & bit(letter)) != 0;
     seconds = raw(block, letter) * (milliseconds ? 0.001 : 1);
     break;
   }

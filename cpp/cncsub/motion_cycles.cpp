@@ -57,7 +57,9 @@ Motion::Result Motion::cycle_words(BlockWords& block, int& repeats) {
     if (w.has(letter)) repeats = whole(raw(block, letter));
   if (w.has('K') && w.has('L') && facts_->refuses(Cause::CycleRepeatsTwice))
     return fault(Cause::CycleRepeatsTwice, block);
-  if (repeats < 0 || (repeats == 0 && c.zero_cycle_repeats.value == ZeroCycleRepeats::Alarm))
+  const bool too_many = c.max_cycle_repeats.value > 0 && repeats > c.max_cycle_repeats.value;
+  if (repeats < 0 || too_many ||
+      (repeats == 0 && c.zero_cycle_repeats.value == ZeroCycleRepeats::Alarm))
     return fault(Cause::CycleRepeats, block);
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
   if (pecks && !facts_->lathe() && cycle.q == 0 && c.peck_needed.value)

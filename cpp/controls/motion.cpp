@@ -349,6 +349,8 @@ void mitsubishi_rules(Control& c) {
       Secondary};
   c.radius_needs_travel = {true, "general knowledge; motion controller Q172, error 108", Inferred};
   c.cycle_repeats = {"L", kKnown, Inferred};
+  c.dwell_x_increments = {true, "general knowledge; M7 p.203 writes G4 X1000 for a second",
+                          Inferred};
   c.feed_needed = {true, "M7 p.52: P62", Manual};
   c.power_on_line = {true, "M7 p.534 (11): G54 X Y right after power-on alarms P62", Manual};
   c.max_profile_blocks = {100, "MZ 898, paired with P202", Secondary};
@@ -486,6 +488,7 @@ void gsk_988(Control& c, double power_on_feed) {
   c.contour_behind = {false, "TA 8", Manual};
   c.cycle_repeats = {"K", "TA 24: K 1 to 99", Manual};
   c.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, "Talm 181", Secondary};
+  c.max_cycle_repeats = {99, "TA 24: K 1 to 99; Talm 181", Manual};
   c.power_on_per_minute = {false, "TApar 3402#4", Manual};
   // The examples of the 988TA feed without F; the 988T has an alarm for that. [source 000, Talm
   // 021]

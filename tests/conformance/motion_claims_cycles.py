@@ -45,6 +45,26 @@ case(
     program=lines("M3", "G97 S500", "G96 S150", "G97", "G99 G1 Z-10. F0.1"), time=6.2832,
 )
 case(
+    "X of a dwell counts milliseconds without a point, seconds with one", control=MITSUBISHI,
+    source="general knowledge; M7 p.203: G4 X1000", evidence="inferred",
+    program=lines("G4 X1000", "G4 X2.", "G4 P500"), time=3.5,
+)
+case(
+    "X of a dwell counts seconds without a point too", control=[*GSK_988, TDI, MDI, "gsk-928te", HNC],
+    source="TDi 14; source 003, G04", evidence="maker's manual",
+    program=lines("G4 X2", "G4 X1."), time=3,
+)
+case(
+    "a drilling cycle is repeated 99 times at the most", control=GSK_988, source="TA 24; Talm 181",
+    evidence="maker's manual", setup=LATHE | _AT,
+    program=lines("G99 M3 S500 F0.1", "G83 Z-5. R-2. K100"), alarm="cycle-repeats", number="181",
+)
+case(
+    "a drilling cycle may be repeated 99 times", control=GSK_988, source="TA 24; Talm 181",
+    evidence="maker's manual", setup=LATHE | _AT,
+    program=lines("G99 M3 S500 F0.1", "G83 Z-5. R-2. K99"), stop="end",
+)
+case(
     "G50 S sets no coordinate", control=LATHES, source="TDi 18", evidence="maker's manual",
     setup=LATHE | _AT, program=lines("G50 S500", "G0 X50. Z0"), moves="R X50 Z0",
     final_machine="X50 Z0",

@@ -40,7 +40,7 @@ def _joined(*parts: Unpinned) -> dict[str, dict[str, str]]:
 UNPINNED = _joined(
     # Reading
     _all("late_sequence_numbers", (TDI, MDI), "an N that is not the first word is refused"),
-    _all("max_words", (TDI, MDI), "no block of 255 characters has a hundred words that may differ"),
+    _all("max_words", (TDI,), "no block of 255 characters has a hundred words that may differ"),
     _all("named_programs", (TA, T, TDI), "<NAME> ends the program before it either way"),
     _all("max_program_number", (TE, HNC), "the control's heads and calls are not held to it"),
     # Calls
@@ -104,7 +104,8 @@ UNPINNED = _joined(
     _all("peck_clearance", GSK_LATHES, "a drilling cycle draws back a little, not to R"),
     _all("max_rotation", (TDI, TE), NO_ROTATION),
     _all("scale_thousandths", GSK_LATHES, "a lathe has no scaling"),
-    _all("cycle_repeats zero_cycle_repeats", (TDI, TE), NO_REPEATS),
+    _all("cycle_repeats zero_cycle_repeats max_cycle_repeats", (TDI, TE), NO_REPEATS),
+    _all("dwell_x_increments", FANUC, "all whole numbers of lengths count increments there"),
     _all("straight_rapid power_on_stroke_check stroke_outside", MILLS, "it has no stroke check"),
     _all("longer_words", (*GSK_LATHES, *MILLS), "the control has no G45 to G48"),
     _all("one_way_overrun", (*GSK_LATHES, MDI), "the control has no G60"),
