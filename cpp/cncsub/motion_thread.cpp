@@ -90,7 +90,8 @@ Motion::Result Motion::cut_thread(BlockWords& block, const Axes& end, std::uint3
   if (out.along > length + 1e-9)
     return fault(Cause::ThreadRunOut, block, "the run-out is longer than the thread");
   Axes leave = end;
-  for (const int i : {0, 2}) leave[i] -= (end[i] - start[i]) * out.along / length;
+  if (length > 0)
+    for (const int i : {0, 2}) leave[i] -= (end[i] - start[i]) * out.along / length;
   if (auto wrong = cut(leave, named, length - out.along)) return wrong;
   Axes last = end;
   last[across] = leave[across] + way * out.across / facts_->share(across);

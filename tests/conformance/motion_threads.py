@@ -364,3 +364,9 @@ case(
     setup={"machine": "lathe-a", "start": {"X": 30, "Z": 5}},
     program="O1\nN5 S500 M3\nN10 G76 P020060 Q100 R0.1 L2 D1 E1\nN20 M30", moves="none",
 )
+case(
+    "J of G32 draws back where the thread has no length too", control=GSK_988,
+    source="TA 18", evidence="inferred", setup={"machine": "lathe-a", "start": {"X": 30, "Z": 0}},
+    program="O1\nN10 G97 S60 M3\nN20 G32 Z-20. F2. J3.\nN30 G32 Z-20.\nN40 M30\n",
+    moves="T Z-20\nR X36\nT X36\nR X42",
+)
