@@ -159,3 +159,12 @@ def test_an_example_ends_as_it_says(file: str, command: list[str]) -> None:
     else:
         assert status == 1, printed
         assert alarms, printed
+
+
+@pytest.mark.parametrize("name", list(cncsub.controls))
+def test_the_table_of_controls_counts_their_rules(name: str) -> None:
+    kinds = ("source document", "maker's manual", "secondary", "inferred")
+    evidence = [str(rule.evidence) for rule in cncsub.controls[name].rules]
+    counts = " / ".join(str(evidence.count(kind)) for kind in kinds)
+    row = next(line for line in README.read_text().splitlines() if line.startswith(f"| `{name}`"))
+    assert row.endswith(f"| {counts} |")
