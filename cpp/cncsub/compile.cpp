@@ -321,7 +321,7 @@ class LibraryReader {
     for (Address a = program.first; a < program.last && !patience_.over(kBlock); ++a) {
       const Block& block = code_.blocks[a];
       if (block.n >= 0) code_.sequence.push_back({block.n, a});
-      statements = statements || (!is_words(block.op));
+      statements = statements || !is_words(block.op);
     }
     program.last_entry = static_cast<std::uint32_t>(code_.sequence.size());
     sort_sequence(program.first_entry);

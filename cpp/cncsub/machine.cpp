@@ -108,19 +108,13 @@ std::vector<Frame> Machine::frames() const {
 /// Executes the block at pc_ and records it. What it decides is where the run goes on (`next_`).
 /// Of macro statements those behind it are executed too, but where `one` block is asked for.
 inline bool Machine::execute(const Block& block, bool one) {
+  next_ = pc_ + 1;
   words_done_ = false;
   if (modals_.empty()) {
-    if (block.op == Op::Linear) {
-      next_ = pc_ + 1;
-      return linear(block);
-    }
-    if (block.op == Op::Round) {
-      next_ = pc_ + 1;
-      return round(block);
-    }
+    if (block.op == Op::Linear) return linear(block);
+    if (block.op == Op::Round) return round(block);
     if (block.op >= kFirstStatement && block.op <= kLastStatement) return statements(one);
   }
-  next_ = pc_ + 1;
   return branch(block);
 }
 
