@@ -125,12 +125,16 @@ Address Code::first_of(const Program& program, std::int64_t n) const {
   return found.first == found.last ? kNowhere : found.first->address;
 }
 
-Address Code::next_of(const Program& program, std::int64_t n, Address behind) const {
+Address Code::first_from(const Program& program, std::int64_t n, Address from) const {
   const Entries found = entries(*this, program, n);
   const auto* const next =
-      std::upper_bound(found.first, found.last, behind,
-                       [](Address a, const SequenceEntry& e) { return a < e.address; });
+      std::lower_bound(found.first, found.last, from,
+                       [](const SequenceEntry& e, Address a) { return e.address < a; });
   return next == found.last ? kNowhere : next->address;
+}
+
+Address Code::next_of(const Program& program, std::int64_t n, Address behind) const {
+  return first_from(program, n, behind + 1);
 }
 
 Address Code::last_of(const Program& program, std::int64_t n, Address before) const {

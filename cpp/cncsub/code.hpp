@@ -420,6 +420,7 @@ struct Code {
 
   // The block N(n) of a program; kNowhere where there is none.
   Address first_of(const Program& program, std::int64_t n) const;
+  Address first_from(const Program& program, std::int64_t n, Address from) const;
   Address next_of(const Program& program, std::int64_t n, Address behind) const;
   Address last_of(const Program& program, std::int64_t n, Address before) const;
   Address jump_target(const Program& program, std::int64_t n, Address from) const;

@@ -464,10 +464,9 @@ bool Machine::after_words(const Motion::Outcome& outcome) {
   jumped_after_ = pc_;
   if (next_ == kNowhere) return restart_main();
   if (next_ == kNowhere - 1) return end(Stop::End);
-  if (outcome.continue_behind && outcome.behind_n >= 0) {
-    const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-    const Address behind = code_->first_of(program, outcome.behind_n);
-    if (behind != kNowhere) next_ = behind + 1;
+  if (outcome.behind != kNowhere) {
+    leave_loops(outcome.behind);
+    next_ = outcome.behind;
   }
   pc_ = next_;
   return call_after_move(outcome);
@@ -608,8 +607,9 @@ bool Machine::jump(const Block& block) {
 
 Outside Machine::outside() {
   Outside around;
-  around.profile = [this](std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks,
-                          bool& behind) { return profile(ns, nf, blocks, behind); };
+  around.profile = [this](std::int64_t ns, std::int64_t nf, Profile& found) {
+    return profile(ns, nf, found);
+  };
   around.skip = [this]() -> std::optional<std::array<double, 3>> {
     if (next_skip_ >= options_.inputs.skips.size()) return std::nullopt;
     return std::array<double, 3>{options_.inputs.skips[next_skip_++], 0, 0};

@@ -260,8 +260,8 @@ class Machine {
   Open& frame() { return stack_.back(); }
   Moves* recorded_moves() { return trace_.depth == Trace::Depth::Moves ? &trace_.moves : nullptr; }
   Outside outside();
-  std::optional<Fault> profile(std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks,
-                               bool& behind);
+  std::optional<Fault> profile(std::int64_t ns, std::int64_t nf, Profile& found);
+  std::optional<Fault> profile_block(Address a, std::vector<NcWords>& blocks);
 
   std::shared_ptr<const Code> code_;
   Options options_;

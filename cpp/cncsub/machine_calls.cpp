@@ -372,52 +372,56 @@ bool Machine::leave(Address to) {
   return true;
 }
 
-/// The words of the blocks N(ns) to N(nf) of the running program, for a cycle that follows them.
-std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf,
-                                      std::vector<NcWords>& blocks, bool& behind) {
+/// The profile from N(ns) to N(nf) of the running program. Of several it is the one that stands
+/// next behind the cycle, on every control: programs that use the same numbers again write it so.
+std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf, Profile& found) {
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-  const Address first = code_->jump_target(program, ns, pc_);
-  const Address last = first == kNowhere ? kNowhere
-                       : first == 0      ? code_->first_of(program, nf)
-                                         : code_->next_of(program, nf, first - 1);
   const Block& here = code_->blocks[pc_];
+  if (options_.mdi) return Fault{Cause::ProfileInMdi, here.text, 1, {}};
   const auto missing = [&](std::int64_t n) {
     return Fault{Cause::PqNotFound, here.text, 1,
                  "there is no N" + std::to_string(n) + " in " + program.name};
   };
+  Address first = code_->next_of(program, ns, pc_);
+  if (first == kNowhere) first = code_->first_of(program, ns);
   if (first == kNowhere) return missing(ns);
-  if (last == kNowhere || last < first) return missing(nf);
-  if (options_.mdi) return Fault{Cause::ProfileInMdi, here.text, 1, {}};
-  behind = first == pc_ + 1;
-  for (Address a = first; a <= last; ++a) {
-    const Block& block = code_->blocks[a];
-    if ((block.skip & options_.skips) != 0) continue;
-    switch (block.op) {
-      case Op::Words:
-      case Op::Linear:
-      case Op::Round:
-        break;
-      case Op::Call:
-      case Op::MacroCall:
-      case Op::ModalCall:
-      case Op::Return:
-      case Op::Choose:
-        return Fault{Cause::ProfileCall, block.text, block.length,
-                     "a call inside the blocks of the profile"};
-      default:
-        return Fault{Cause::ProfileMacro, block.text, block.length,
-                     "a macro statement inside the blocks of the profile"};
-    }
-    NcWords words;
-    const Address at = pc_;
-    if (!decode(block, words)) {
-      pc_ = at;
-      return alarm_ ? Fault{alarm_->cause, block.text, 1, alarm_->detail}
-                    : Fault{Cause::ProfileMacro, block.text, 1, {}};
-    }
-    blocks.push_back(words);
+  const Address last = code_->first_from(program, nf, first);
+  if (last == kNowhere) return missing(nf);
+  const auto passed = [&](Address a) { return (code_->blocks[a].skip & options_.skips) != 0; };
+  Address next = pc_ + 1;
+  while (next < first && passed(next)) ++next;
+  found.right_behind = first == next;
+  found.behind = last + 1;
+  for (Address a = first; a <= last; ++a)
+    if (!passed(a))
+      if (auto wrong = profile_block(a, found.blocks)) return wrong;
+  if (found.blocks.size() > kLongText) look_soon();
+  return std::nullopt;
+}
+
+std::optional<Fault> Machine::profile_block(Address a, std::vector<NcWords>& blocks) {
+  const Block& block = code_->blocks[a];
+  switch (block.op) {
+    case Op::Words:
+    case Op::Linear:
+    case Op::Round:
+      break;
+    case Op::Call:
+    case Op::MacroCall:
+    case Op::ModalCall:
+    case Op::Return:
+    case Op::Choose:
+      return Fault{Cause::ProfileCall, block.text, block.length,
+                   "a call inside the blocks of the profile"};
+    default:
+      return Fault{Cause::ProfileMacro, block.text, block.length,
+                   "a macro statement inside the blocks of the profile"};
   }
-  if (blocks.size() > kLongText) look_soon();
+  NcWords words;
+  if (!decode(block, words))
+    return alarm_ ? Fault{alarm_->cause, block.text, 1, alarm_->detail}
+                  : Fault{Cause::ProfileMacro, block.text, 1, {}};
+  blocks.push_back(words);
   return std::nullopt;
 }
 

@@ -41,13 +41,17 @@ struct Setup {
   double increment = 0.001;                          // the least input increment
 };
 
+/// The blocks N(ns) to N(nf) that a cycle follows.
+struct Profile {
+  std::vector<NcWords> blocks;
+  Address behind = kNowhere;  // the block behind the last of them
+  bool right_behind = false;  // the first stands right behind the cycle
+};
+
 /// What a block needs from around it.
 struct Outside {
-  /// The blocks N(ns) to N(nf) of the running program, and whether N(ns) stands right behind the
-  /// running block.
-  std::function<std::optional<Fault>(std::int64_t ns, std::int64_t nf, std::vector<NcWords>& blocks,
-                                     bool& starts_right_behind)>
-      profile;
+  /// The profile that the running block names.
+  std::function<std::optional<Fault>(std::int64_t ns, std::int64_t nf, Profile& profile)> profile;
   /// Where on the way of a G31 the skip signal comes: a fraction 0 to 1 in [0], or nothing.
   std::function<std::optional<std::array<double, 3>>()> skip;
   /// Whether to break off a block that takes very long; or nothing.
@@ -73,10 +77,9 @@ class Motion {
   Motion(std::shared_ptr<const Control> control, const Setup& setup);
 
   struct Outcome {
-    bool moved = false;            // an axis really moved
-    bool axis_word = false;        // a motion block with an axis word
-    bool continue_behind = false;  // G71 to G73: go on behind block N(nf)
-    std::int64_t behind_n = -1;
+    bool moved = false;         // an axis really moved
+    bool axis_word = false;     // a motion block with an axis word
+    Address behind = kNowhere;  // G71 to G73: the run goes on here, behind the profile
     std::int64_t moves = 0;
   };
   /// Executes the motion words of a block. When it returns a fault nothing has changed.
@@ -295,8 +298,7 @@ class Motion {
   // motion_contour.cpp: G70 to G73.
   Result contour(BlockWords& block, Meaning meaning);
   Result finish_contour(BlockWords& block, const std::vector<NcWords>& blocks);
-  Result rough_contour(BlockWords& block, Meaning meaning, const std::vector<NcWords>& blocks,
-                       bool go_behind, std::int64_t nf);
+  Result rough_contour(BlockWords& block, Meaning meaning, const Profile& profile);
   void take_one_block(const BlockWords& block, Meaning meaning);
   Result rough_pattern(BlockWords& block, struct Contour& contour);
   Result capture(const std::vector<NcWords>& blocks, Outside& outside,

@@ -263,22 +263,19 @@ Motion::Result Motion::contour(BlockWords& block, Meaning meaning) {
   }
   if (!w.has('P') || !w.has('Q')) return fault(Cause::PqMissing, block);
   if (!block.outside.profile) return fault(Cause::PqNotFound, block);
-  std::vector<NcWords> blocks;
-  bool right_behind = false;
+  Profile profile;
   const int ns = whole(raw(block, 'P')), nf = whole(raw(block, 'Q'));
   if (ns == nf && facts_->refuses(Cause::PqSame)) return fault(Cause::PqSame, block);
-  if (auto wrong = block.outside.profile(ns, nf, blocks, right_behind)) return wrong;
+  if (auto wrong = block.outside.profile(ns, nf, profile)) return wrong;
   const int most = c.max_profile_blocks.value;
-  if (most > 0 && blocks.size() > static_cast<std::size_t>(most))
+  if (most > 0 && profile.blocks.size() > static_cast<std::size_t>(most))
     return fault(Cause::ProfileTooLong, block);
-  if (blocks.empty()) return fault(Cause::PqNotFound, block);
-  if (meaning == Meaning::Finish) return finish_contour(block, blocks);
-  return rough_contour(block, meaning, blocks, right_behind || c.contour_behind.value, nf);
+  if (profile.blocks.empty()) return fault(Cause::PqNotFound, block);
+  if (meaning == Meaning::Finish) return finish_contour(block, profile.blocks);
+  return rough_contour(block, meaning, profile);
 }
 
-Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning,
-                                     const std::vector<NcWords>& blocks, bool go_behind,
-                                     std::int64_t nf) {
+Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning, const Profile& profile) {
   const NcWords& w = block.words;
   const Control& c = *facts_->control;
   take_one_block(block, meaning);
@@ -293,8 +290,8 @@ Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning,
                   data.has_escape ? data.escape : c.rough_escape.value * 1e-3,
                   {},
                   false};
-  if (auto wrong = capture(blocks, block.outside, contour.pieces)) return wrong;
-  const NcWords& first = blocks.front();
+  if (auto wrong = capture(profile.blocks, block.outside, contour.pieces)) return wrong;
+  const NcWords& first = profile.blocks.front();
   const bool x = first.has('X') || first.has('U'), z = first.has('Z') || first.has('W');
   const bool pattern = meaning == Meaning::RoughPattern;
   if (pattern && (contour.pieces.empty() || (!x && !z)))
@@ -306,8 +303,7 @@ Motion::Result Motion::rough_contour(BlockWords& block, Meaning meaning,
   contour.pockets = c.type_by_shape.value ? !contour.monotone(contour.level_axis) : x && z;
   contour.shift[0] = w.has('U') ? number(block, 'U') : 0;
   contour.shift[2] = w.has('W') ? number(block, 'W') : 0;
-  block.outcome.continue_behind = go_behind;
-  block.outcome.behind_n = nf;
+  if (profile.right_behind || c.contour_behind.value) block.outcome.behind = profile.behind;
   if (meaning == Meaning::RoughPattern) return rough_pattern(block, contour);
   if (contour.depth <= 0) return fault(Cause::CycleDepth, block);
   if (auto wrong = contour.check()) return wrong;
