@@ -22,7 +22,8 @@ def outcome(run: cncsub.Run) -> tuple[object, ...]:
     alarm = run.alarm and (run.alarm.cause, run.alarm.number, run.alarm.program, run.alarm.line)
     moves = [(m.step, m.kind, m.x, m.y, m.z) for m in run.moves]
     steps = [(s.program, s.line, s.depth, s.repeat) for s in run.steps]
-    return (run.stop, alarm, steps, moves, run.m_codes, dict(run.variables))
+    tree = [(c.parent, c.kind, c.program, c.level, c.caller_step) for c in run.calls]
+    return (run.stop, alarm, steps, moves, run.m_codes, dict(run.variables), tree)
 
 
 # ---- plain blocks are compiled by a short way; a comment sends the same block the long way ----
@@ -120,6 +121,7 @@ def library_of(main: list[str], second: list[str], control: str) -> cncsub.Libra
         ("O1", main, "M30"),
         ("O2", second, "M99"),
         ("O3", ["#101=#1", "G91 G0 Z1."], "M99"),
+        ("O4", ["#102=#102+1", "Z1."], "X1. M99"),
     ]
     return cncsub.loads(
         "".join(
@@ -146,6 +148,59 @@ def test_steps_and_copies_do_what_a_run_does(
     finished = copy.run()
     assert finished is not None
     assert outcome(finished) == outcome(run)
+
+
+modal = st.lists(
+    st.sampled_from(
+        [
+            "G66 P3 A2.",
+            "G66 P4",
+            "G66 P4 L2",
+            "G66.1 P3",
+            "G67",
+            "G91 G1 X1. F100. M98 P2",
+            "Z1. M98 P3 L2",
+            "M98 P2 X2.",
+            "X1. M98 P9",
+            "G4 P1 M98 P2",
+            "X3.",
+            "#100=#100+1",
+        ]
+    ),
+    max_size=7,
+)
+
+
+@given(main=modal, second=modal, control=st.sampled_from(MACRO_CONTROLS))
+def test_steps_and_copies_do_what_a_run_does_under_modal_calls(
+    main: list[str], second: list[str], control: str
+) -> None:
+    test_steps_and_copies_do_what_a_run_does.hypothesis.inner_test(main, second, control)
+
+
+@given(
+    modals=st.lists(st.sampled_from(["G66 P3 A2.", "G66 P4", "G66 P4 L2"]), max_size=2),
+    move=st.sampled_from(["X1.", "G1 Z2. F10.", "X0", "G0 Y1. S8"]),
+    call=st.sampled_from(["M98 P2", "M98 P2 L2", "M98 P9"]),
+    second=st.lists(st.sampled_from(["X1.", "#100=#100+1", "X1. M98 P3", "M98 P4"]), max_size=3),
+    control=st.sampled_from(["fanuc-16i", "fanuc-0i-d", "fanuc-30i", "mitsubishi-m700"]),
+)
+def test_a_move_and_a_call_in_one_block_are_the_move_and_then_the_call(
+    modals: list[str], move: str, call: str, second: list[str], control: str
+) -> None:
+    runs = [
+        library_of(["G91 G1 F100.", *modals, *blocks], second, control).run()
+        for blocks in ([f"{move} {call}"], [move, call])
+    ]
+
+    def seen(run: cncsub.Run) -> tuple[object, ...]:
+        alarm = run.alarm and (run.alarm.cause, [(f.program, f.kind) for f in run.alarm.frames])
+        tree = [(c.parent, c.kind, c.program, c.level, c.repeats) for c in run.calls]
+        steps = [(s.program, s.depth, s.repeat) for s in run.steps if s.program != "O1"]
+        moves = [(m.kind, m.x, m.y, m.z) for m in run.moves]
+        return (run.stop, alarm, tree, steps, moves, run.m_codes, dict(run.variables))
+
+    assert seen(runs[0]) == seen(runs[1])
 
 
 @given(repeats=st.integers(1, 20), control=st.sampled_from(MACRO_CONTROLS))

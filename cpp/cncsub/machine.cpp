@@ -507,7 +507,15 @@ bool Machine::return_from_call(const Block& block) {
     return alarm({Cause::IllegalWordWithReturn, back.at, back.width,
                   "M99 with other words while a modal macro call is active"});
   if (!words(block)) return false;
+  if (modal_after(outcome_) >= 0)
+    return do_behind_modal({Op::Return, block.aux, pc_, executed_, {}, p, l, {}, {}});
+  return return_now(back, p, l) && wake();
+}
+
+/// What is left of a return's block when its words are executed.
+bool Machine::return_now(const CallRecord& back, double p, double l) {
   if (stack_.size() == 1) return return_from_main(back, p);
+  const Control& control = *code_->control;
   Open& open = frame();
   if (!is_vacant(l) && control.return_with_l.value == ReturnWithL::ReplacesCount)
     open.repeats = open.repeat + static_cast<std::int32_t>(std::clamp(std::round(l), 0.0, 1e6));
@@ -515,7 +523,7 @@ bool Machine::return_from_call(const Block& block) {
                          open.modal < static_cast<std::int32_t>(modals_.size());
   const bool leaves = !is_vacant(p) && control.return_with_p.value == ReturnWithP::AtOnce;
   if (!leaves && open.repeat < open.repeats) {
-    record_step();
+    record_block();
     ++open.repeat;
     ++changes_;
     loops_.resize(open.loops);
@@ -541,8 +549,8 @@ bool Machine::return_from_call(const Block& block) {
                         std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) +
                         " in " + caller.name});
   }
-  record_step();
-  return leave(to);
+  record_block();
+  return leave(to, is_vacant(p));
 }
 
 bool Machine::return_from_main(const CallRecord& back, double p) {
@@ -551,13 +559,13 @@ bool Machine::return_from_main(const CallRecord& back, double p) {
       return alarm(
           {Cause::ReturnInMainProgram, back.at, back.width, "M99 stands in the main program"});
     case MainReturn::Ends:
-      record_step();
+      record_block();
       return end(Stop::End);
     case MainReturn::Restarts:
       break;
   }
   if (is_vacant(p)) {
-    record_step();
+    record_block();
     return restart_main();
   }
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
@@ -569,7 +577,7 @@ bool Machine::return_from_main(const CallRecord& back, double p) {
                   "there is no N" +
                       std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
                       program.name});
-  record_step();
+  record_block();
   leave_loops(to);
   pc_ = to;
   return true;
@@ -590,6 +598,12 @@ bool Machine::jump(const Block& block) {
   double p = 0;
   if (!operand(statement.p, p)) return false;
   if (!words(block)) return false;
+  if (modal_after(outcome_) >= 0)
+    return do_behind_modal({Op::Jump, block.aux, pc_, executed_, {}, p, 0, {}, {}});
+  return jump_now(statement, p);
+}
+
+bool Machine::jump_now(const Statement& statement, double p) {
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const double n = is_vacant(p) ? -1 : std::round(p);
   const Address to =
@@ -599,7 +613,7 @@ bool Machine::jump(const Block& block) {
                   "there is no N" +
                       std::to_string(static_cast<std::int64_t>(std::clamp(n, -1.0, 2e9))) + " in " +
                       program.name});
-  record_step();
+  record_block();
   leave_loops(to);
   pc_ = to;
   return true;

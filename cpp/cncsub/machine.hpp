@@ -130,6 +130,18 @@ class Machine {
     std::int32_t modal_limit =
         0;                    // only the modal calls below this one follow the moves of this frame
     std::uint32_t loops = 0;  // the loops of the frames below
+    bool interrupts = false;  // behind it the caller's block makes the call that it waits with
+  };
+  /// The call, return or jump of a block whose move is followed by a modal macro first.
+  struct Waiting {
+    Op op = Op::Call;       // a call, Op::Return or Op::Jump
+    std::uint32_t aux = 0;  // of its block
+    Address at = 0;
+    std::int64_t step = 0;
+    Target target;                    // of a call
+    double p = kVacant, l = kVacant;  // of a return or a jump
+    std::vector<double> arguments;
+    std::vector<std::uint8_t> programmed;
   };
   struct Modal {
     std::uint32_t record = 0;
@@ -178,7 +190,16 @@ class Machine {
   bool auxiliary(const NcWords& words, const Block& block);
   bool wait_for_operator(const std::string& what);
   bool after_words(const Motion::Outcome& outcome);
+  std::int32_t modal_after(const Motion::Outcome& outcome) const;
   bool call_after_move(const Motion::Outcome& outcome);
+  bool do_behind_modal(Waiting waiting);
+  bool wake();
+  bool call_now(std::uint32_t aux, Target target);
+  bool return_now(const CallRecord& back, double p, double l);
+  bool jump_now(const Statement& statement, double p);
+  void record_block() {
+    if (!block_is_step_) record_step();
+  }
   bool call(const Block& block);
   bool macro_call(const Block& block);
   bool modal_call(const Block& block);
@@ -228,7 +249,7 @@ class Machine {
            static_cast<std::size_t>(index);
   }
   bool enter_modal(std::int32_t modal_index);
-  bool leave(Address to);
+  bool leave(Address to, bool goes_on = true);
 
   bool jump_to(Address to);
   void leave_loops(Address to);
@@ -299,8 +320,12 @@ class Machine {
   // Waiting is a loop that changes nothing.
   std::uint64_t changes_ = 0, changes_at_jump_ = ~0ULL;
   Address jumped_from_ = kNowhere;
-  bool jumps_refused_ = false;  // in the main program, which was typed in MDI
-  Address jumped_after_ = 0;    // the block whose move a modal call follows
+  bool jumps_refused_ = false;    // in the main program, which was typed in MDI
+  Address jumped_after_ = 0;      // the block whose move a modal call follows
+  std::vector<Waiting> waiting_;  // of the frames that interrupt, outermost first
+  bool wakes_ = false;            // the last of them goes on now
+  bool block_is_step_ = false;    // the running block, which waited, is a step already
+  std::int64_t waited_at_ = 0;    // which one
   std::uint32_t last_condition_ = kNowhere;
   std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
   double clock_ms_ = 0;

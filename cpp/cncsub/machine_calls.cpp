@@ -126,20 +126,30 @@ bool Machine::call(const Block& block) {
     return alarm({Cause::CallWithWordsInCycle, record.at, record.width,
                   "M98 shares its block with words in a canned cycle"});
   if (!words(block)) return false;
-  const Motion::Outcome outcome = outcome_;
-  if (target.skipped) return after_words(outcome);
+  if (target.skipped) return after_words(outcome_);
+  if (modal_after(outcome_) >= 0) {
+    Waiting waiting{Op::Call, block.aux, pc_, executed_, target, 0, 0, {}, {}};
+    if (passes) waiting.arguments = scratch_, waiting.programmed = scratch_programmed_;
+    return do_behind_modal(std::move(waiting));
+  }
+  return call_now(block.aux, target);
+}
+
+/// What is left of a call's block when its words are executed.
+bool Machine::call_now(std::uint32_t aux, Target target) {
+  const CallRecord& record = code_->calls[aux];
   if (target.external && frame().external)
     return alarm({Cause::ExternalCallNested, record.at, record.width,
                   "a program of the external device calls another one"});
   if (!find(record, target)) return false;
   if (target.jump) {
     const Program& program = code_->programs[static_cast<std::size_t>(target.program)];
-    record_step();
+    record_block();
     if (stack_.size() == 1 && target.start == program.first) return restart_main();
     pc_ = target.start;
     return true;
   }
-  return enter(block.aux, target, -1) && call_after_move(outcome);
+  return enter(aux, target, -1);
 }
 
 bool Machine::macro_call(const Block& block) {
@@ -152,8 +162,10 @@ bool Machine::macro_call(const Block& block) {
       code_->control->calls_in_modal.value == CallsInModal::EndModal)
     modals_.clear();
   if (target.skipped) return after_words(outcome_);
-  if (!find(record, target)) return false;
-  return enter(block.aux, target, -1);
+  if (modal_after(outcome_) >= 0)
+    return do_behind_modal(
+        {Op::Call, block.aux, pc_, executed_, target, 0, 0, scratch_, scratch_programmed_});
+  return call_now(block.aux, target);
 }
 
 /// G66 only declares. What it calls is looked up at the first call.
@@ -266,7 +278,7 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
   const bool by_move = modal >= 0 && !modals_[static_cast<std::size_t>(modal)].every_block;
   const Address called_at = by_move ? jumped_after_ : pc_;
   if (!by_move) {
-    record_step();
+    record_block();
     jumped_after_ = pc_;
   }
   ++changes_;
@@ -310,7 +322,7 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
     row.depth = static_cast<std::int32_t>(stack_.size());
     row.record = index;
     row.kind = record.kind;
-    row.caller_step = executed_ - 1;
+    row.caller_step = block_is_step_ && !by_move ? waited_at_ : executed_ - 1;
     row.first_step = executed_;
     row.last_step = -1;  // until it ends
     row.first_argument = static_cast<std::uint32_t>(trace_.arguments.size());
@@ -328,14 +340,56 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
   return true;
 }
 
-bool Machine::call_after_move(const Motion::Outcome& outcome) {
-  if (modals_.empty()) return true;
+/// The modal call that follows the move of a block, -1 where none does.
+std::int32_t Machine::modal_after(const Motion::Outcome& outcome) const {
+  if (modals_.empty()) return -1;
   const bool triggers =
       code_->control->modal_trigger.value == ModalTrigger::Move ? outcome.moved : outcome.axis_word;
   const auto top =
       std::min<std::int32_t>(static_cast<std::int32_t>(modals_.size()), frame().modal_limit);
-  if (!triggers || top <= 0 || modals_[static_cast<std::size_t>(top - 1)].every_block) return true;
-  return enter_modal(top - 1);
+  if (!triggers || top <= 0 || modals_[static_cast<std::size_t>(top - 1)].every_block) return -1;
+  return modals_[static_cast<std::size_t>(top - 1)].target.skipped ? -1 : top - 1;
+}
+
+bool Machine::call_after_move(const Motion::Outcome& outcome) {
+  const std::int32_t modal = modal_after(outcome);
+  return modal < 0 || enter_modal(modal);
+}
+
+/// The modal macro of a block's move comes before the block's own call, return or jump, and from
+/// the same frame. The block is a step when the macro begins.
+bool Machine::do_behind_modal(Waiting waiting) {
+  record_step();
+  jumped_after_ = pc_;
+  if (!enter_modal(modal_after(outcome_))) return false;
+  frame().interrupts = true;
+  waiting_.push_back(std::move(waiting));
+  return true;
+}
+
+/// Behind a modal macro the block that waited goes on; it may return behind another one.
+bool Machine::wake() {
+  bool runs = true;
+  while (wakes_ && runs) {
+    wakes_ = false;
+    Waiting waiting = std::move(waiting_.back());
+    waiting_.pop_back();
+    pc_ = waiting.at;
+    next_ = pc_ + 1;
+    waited_at_ = waiting.step;
+    words_done_ = false;
+    scratch_ = std::move(waiting.arguments);
+    scratch_programmed_ = std::move(waiting.programmed);
+    block_is_step_ = true;
+    if (waiting.op == Op::Return)
+      runs = return_now(code_->calls[waiting.aux], waiting.p, waiting.l);
+    else if (waiting.op == Op::Jump)
+      runs = jump_now(code_->statements[waiting.aux], waiting.p);
+    else
+      runs = call_now(waiting.aux, waiting.target);
+    block_is_step_ = false;
+  }
+  return runs;
 }
 
 /// The macro of a modal call, behind a block that moved. The block is a step already.
@@ -355,8 +409,8 @@ bool Machine::enter_modal(std::int32_t modal_index) {
   return enter(modal.record, target, modal_index);
 }
 
-/// Closes the frame and goes on in the caller.
-bool Machine::leave(Address to) {
+/// Closes the frame and goes on in the caller: with what its block waited with, where it `goes_on`.
+bool Machine::leave(Address to, bool goes_on) {
   const Open open = frame();
   if (open.modal >= 0 && code_->control->modal_locals.value == ModalLocals::Kept &&
       open.modal < static_cast<std::int32_t>(modals_.size())) {
@@ -369,6 +423,10 @@ bool Machine::leave(Address to) {
   loops_.resize(open.loops);
   stack_.pop_back();
   pc_ = to;
+  if (open.interrupts) {
+    wakes_ = goes_on;
+    if (!goes_on) waiting_.pop_back();
+  }
   return true;
 }
 

@@ -247,6 +247,7 @@ void Machine::reset() {
   motion_.reset();
   modals_.clear();
   loops_.clear();
+  waiting_.clear();
   stack_.resize(1);
   frame().repeat = 1;
   level_ = 0;

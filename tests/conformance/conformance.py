@@ -64,6 +64,8 @@ class Case:
     t: Sequence[int] | None
     messages: Sequence[str] | None
     calls: tuple[str, ...] | None
+    tree: str | None
+    frames: tuple[str, ...] | None
     arguments: Mapping[int, float | None] | None
     moves: tuple[Move, ...] | None
     moves_x: Sequence[float] | None
@@ -134,6 +136,8 @@ def case(
     t: Sequence[int] | None = None,
     messages: Sequence[str] | None = None,
     calls: str | None = None,
+    tree: str | None = None,
+    frames: str | None = None,
     arguments: Mapping[int, float | None] | None = None,
     moves: str | None = None,
     moves_x: Sequence[float] | None = None,
@@ -152,7 +156,8 @@ def case(
     program and the N of the block that alarms, `word` the word under the caret. `moves` is the
     language of `moves.py`; `centre` the end points of the tool centre, separated by `|`; `moves_x`
     the X end points alone. The expectations `after_reset` are of what M02, M30 and the reset key
-    leave. Without `evidence` the source has to be one of the source documents.
+    leave. `tree` is the calls as a tree, `M98:O2(G65:O3 G66:O4)`, each behind what it was called
+    by; `frames` the open calls of an alarm, innermost first: `O2 N50 G65 < O1 N10 M98`. Without `evidence` the source has to be one of the source documents.
     """
     caller = sys._getframe(1)
     controls = (control,) if isinstance(control, str) else tuple(control)
@@ -194,6 +199,8 @@ def case(
         t=t,
         messages=messages,
         calls=None if calls is None else tuple(calls.split()),
+        tree=tree,
+        frames=None if frames is None else tuple(f.strip() for f in frames.split("<") if f.strip()),
         arguments=arguments,
         moves=None if moves is None else read_moves(moves),
         moves_x=moves_x,
@@ -223,7 +230,7 @@ def _fault(row: Case) -> str | None:
         return f"cannot stop with {row.stop!r}"
     if (row.stop == "alarm") != (row.alarm is not None):
         return "stops with an alarm and names none, or the other way round"
-    if row.alarm is None and (row.number or row.at or row.word):
+    if row.alarm is None and (row.number or row.at or row.word or row.frames is not None):
         return "says where or how it alarms, but not which alarm"
     if isinstance(row.number, Mapping) and set(row.number) != set(row.controls):
         return "gives alarm numbers for other controls than it runs on"

@@ -115,6 +115,13 @@ def _stop_differences(case: Case, control: str, run: cncsub.Run) -> Iterator[str
             yield f"alarm at: expected {case.at}, got {at}"
     if case.word is not None and alarm.word != case.word:
         yield f"alarm word: expected {case.word}, got {alarm.word}"
+    if case.frames is not None:
+        open_calls = tuple(
+            frame.program + ("" if frame.n is None else f" N{frame.n}") + f" {frame.kind}"
+            for frame in alarm.frames
+        )
+        if open_calls != case.frames:
+            yield f"alarm frames: expected {case.frames}, got {open_calls}"
 
 
 def _value_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
@@ -162,6 +169,28 @@ def _block_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
         entered = [f"{kinds[kind]}:{programs[program]}" for kind, program in codes]
         if list(case.calls) != entered:
             yield _order("calls", list(case.calls), entered)
+    if case.tree is not None and (tree := call_tree(run)) != case.tree:
+        yield f"tree: expected {case.tree}\n      got      {tree}"
+
+
+def call_tree(run: cncsub.Run) -> str:
+    """The calls as `tree` writes them; a call must lie in its caller's steps, one level deeper."""
+    below: dict[int | None, list[Any]] = {}
+    for call in run.calls:
+        below.setdefault(call.parent, []).append(call)
+
+    def written(parent: Any) -> str:
+        parts = []
+        for call in below.get(parent.call if parent else None, []):
+            inside = parent is None or parent.first_step <= call.caller_step <= parent.last_step
+            inner = written(call)
+            parts.append(
+                f"{call.kind}:{call.program}" + (f"({inner})" if inner else "")
+                + ("" if inside else "!")
+            )
+        return " ".join(parts)
+
+    return written(None)
 
 
 def executed(run: cncsub.Run, *, with_program: bool) -> list[str]:
