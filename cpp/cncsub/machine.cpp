@@ -417,6 +417,7 @@ bool Machine::words(const Block& block) {
     look_soon();
     return false;
   }
+  if (outcome.touched) keep_skip_position();
   moves_ += outcome.moves;
   if (moves_ > kLookMoves) look_soon();
   if (!auxiliary(words, block)) return false;
@@ -425,6 +426,14 @@ bool Machine::words(const Block& block) {
   if (outcome.moved || words.m_count > 0 || words.has('T') || words.g_count > 0) ++changes_;
   if (is_words(block.op)) return after_words(outcome);
   return true;
+}
+
+/// The position of a skip signal, in the variables of a control that keeps it among the commons: X Z
+/// Y of a lathe. [TDi p.94]
+void Machine::keep_skip_position() {
+  const int first = code_->control->skip_variables.value;
+  if (first <= 0) return;
+  for (int axis = 0; axis < 3; ++axis) write(first + axis, motion_.skip_position(axis));
 }
 
 /// M and T codes go to the machine; M00 and M01 wait for the operator.

@@ -188,6 +188,7 @@ class Machine {
   bool round(const Block& block);
   bool decode(const Block& block, NcWords& words);
   bool auxiliary(const NcWords& words, const Block& block);
+  void keep_skip_position();
   bool wait_for_operator(const std::string& what);
   bool after_words(const Motion::Outcome& outcome);
   std::int32_t modal_after(const Motion::Outcome& outcome) const;

@@ -81,6 +81,7 @@ class Motion {
     bool axis_word = false;     // a motion block with an axis word
     Address behind = kNowhere;  // G71 to G73: the run goes on here, behind the profile
     std::int64_t moves = 0;
+    bool touched = false;  // a skip signal ended the move
   };
   /// Executes the motion words of a block. When it returns a fault nothing has changed.
   std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves,

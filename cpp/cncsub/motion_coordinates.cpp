@@ -264,7 +264,8 @@ Motion::Result Motion::skip(BlockWords& block) {
   if (signal)
     for (int i = 0; i < kAxes; ++i) end[i] = s_.work[i] + (end[i] - s_.work[i]) * (*signal)[0];
   if (auto wrong = move(block, MoveKind::Feed, end, named)) return wrong;
-  s_.skip = s_.work;
+  block.outcome.touched = signal.has_value();
+  s_.skip = s_.work + s_.length;  // with the tool, like #5041 [NCT 99M p.183; M7 p.547]
   return std::nullopt;
 }
 

@@ -131,7 +131,7 @@ struct MotionState {
   bool tool_pending = false;  // a tool offset waits for the next move
   int length_axis = 2;
   std::uint32_t named = 0;  // axes that moves named
-  Axes skip{};              // skip position, work coordinates
+  Axes skip{};              // skip position: work coordinates, tool included
   std::array<GCode, kGroups> modal{};
   Meaning motion_before_cycle = Meaning::Rapid;
   int plane = 17;

@@ -50,6 +50,7 @@ constexpr const char* k16Mc = "16MC p.293 (FANUC 16/18 Model C machining centre 
 constexpr const char* k16Tc = "16TC p.67 (FANUC 16/18 Model C lathe manual)";
 constexpr const char* k30i = "30i p.82 (FANUC 30i-A manual B-63944EN)";
 constexpr const char* k30iM = "30iM p.73 (FANUC 30i-A machining centre manual B-63944EN-2)";
+constexpr const char* k15iM = "15iM p.564 (FANUC 15i/150i-MA programming manual)";
 constexpr const char* kAlm = "ALM (transcript of a 30i/31i alarm appendix, cnc4me)";
 constexpr const char* kReg = "REG (register map of cnc4me)";
 constexpr const char* kGed = "GED (FANUC-style syntax notes, after 18i-T and 31i manuals)";
@@ -365,6 +366,13 @@ constexpr VariableRow kVariables30i[] = {
     {4330, 4330, VariableKind::ActiveWord, kReadOnly, 'P', kKnown, Inferred},
     {14001, 19988, VariableKind::ExtraWorkOffset, kReadWrite, 0, kKnown, Inferred},
     {98000, 98499, VariableKind::Kept, kReadWrite, 0, kKnown, Inferred},
+    // The positions once more, for more than 20 axes.
+    {100001, 100050, VariableKind::BlockEnd, kReadOnly, 0, kKnown, Inferred},
+    {100051, 100100, VariableKind::MachinePosition, kReadOnly, 0, kKnown, Inferred},
+    {100101, 100150, VariableKind::WorkPosition, kReadOnly, 0, kKnown, Inferred},
+    {100151, 100200, VariableKind::SkipPosition, kReadOnly, 0, k15iM, Secondary},
+    {100201, 100250, VariableKind::ActiveLength, kReadOnly, 0, kKnown, Inferred},
+    {100251, 100300, VariableKind::ServoError, kReadOnly, 0, kKnown, Inferred},
 };
 
 void add_variable(Control& c, const VariableRow& row) {
@@ -863,6 +871,11 @@ Control fanuc_30i() {
       range.access = Access::ReadWrite;
     if (range.kind == VariableKind::InputWord) range.last = 1035;  // general knowledge, as #4030
     if (range.kind == VariableKind::ModalCode) range.last = 4030;
+    // Positions of 20 axes. [15iM p.564: #5061 to #5080]
+    if (range.first % 20 == 1 && range.first >= 5001 && range.first <= 5101) {
+      range.last = range.first + 19;
+      if (range.kind == VariableKind::SkipPosition) range.source = k15iM;
+    }
   }
   return c;
 }

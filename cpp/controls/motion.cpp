@@ -616,6 +616,7 @@ void gsk_980tdi(Control& c) {
   c.angle_words = {"Q", "TDi 13", Manual};
   c.single_pass_pattern = {false, "TDi 23.3", Manual};
   c.groove_p_diameter = {true, "TDi 23.5", Manual};
+  c.skip_variables = {997, "TDi p.94, 3.16.2: #997 to #999 are X, Z, Y", Manual};
   c.drill_retract = {true, "TDi 23.9", Manual};
   c.refuses = {"cycle-plane turning-plane stroke-check-with-codes", "TDi 8 note 3; TDi 31 note 6",
                Manual};

@@ -108,6 +108,8 @@ UNPINNED = _joined(
     _all("dwell_x_increments", FANUC, "all whole numbers of lengths count increments there"),
     _all("straight_rapid power_on_stroke_check stroke_outside", MILLS, "it has no stroke check"),
     _all("longer_words", (*GSK_LATHES, *MILLS), "the control has no G45 to G48"),
+    _all("skip_variables", (TE,), NO_MACROS),
+    _all("skip_variables", (HNC,), "the control has no G31"),
     _all("one_way_overrun", (*GSK_LATHES, MDI), "the control has no G60"),
     _all("angles_on_mills", GSK_LATHES, A_LATHE),
     _all("angles_on_mills", MILLS, "the control knows no angles"),
