@@ -335,3 +335,60 @@ def test_comparisons_tell_vacant_from_zero_in_eq_and_ne_only(
         tells = word in {"EQ", "NE"}
         expected = compare(left, right) if tells else compare(left or 0, right or 0)
         assert (run.variables.get(100) == 1) is expected, word
+
+
+# ---- no cut takes no time ----
+
+cut_word = st.builds(
+    str.__add__,
+    st.sampled_from("XYZUVWABCIJKRQPHFS"),
+    st.sampled_from(["0", "1.", "-2.", "3.5", "10", "0.001", "-0.05", "2000"]),
+)
+cut_code = st.sampled_from(
+    "G0 G1 G2 G3 G32 G33 G34 G17 G18 G19 G20 G21 G22 G41D1 G40 G43H1 G51P2 G53 G31 G54 G68R30. "
+    "G70 G71 G73 G74 G75 G76 G77 G78 G79 G80 G81 G82 G83 G84 G85 G87 G88 G90 G91 G92 G93 G94 G95 "
+    "G96 G97 G98 G99 G16 G50S1000 M3 M4 M5 T0101".split()
+)
+cut_block = st.builds(
+    lambda codes, words: " ".join([*codes, *words]),
+    st.lists(cut_code, max_size=2),
+    st.lists(cut_word, max_size=4),
+)
+
+
+@given(
+    control=st.sampled_from(NAMES),
+    machine=st.sampled_from(["mill", "lathe-a", "lathe-b"]),
+    blocks=st.lists(cut_block, min_size=1, max_size=8),
+)
+def test_no_cut_takes_no_time(control: str, machine: str, blocks: list[str]) -> None:
+    library = cncsub.loads("O1\n" + "\n".join(blocks) + "\nM30\n", control=control)
+    setup = {"machine": machine, "radius_offsets": {1: 0.5}, "length_offsets": {1: 10}}
+    run = library.run(setup=setup, max_blocks=100)
+    for move in run.moves:
+        if move.kind not in ("rapid", "dwell") and move.length > 0:
+            assert move.time > 0, (move, blocks)
+
+
+@given(
+    control=st.sampled_from(
+        [name for name in MILLS if not name.startswith(("gsk-988", "gsk-980tdi"))]
+    ),
+    words=st.lists(
+        st.builds(str.__add__, st.sampled_from("ABC"), st.sampled_from(["90.", "-3.", "0.5"])),
+        min_size=1,
+        max_size=3,
+        unique_by=lambda word: word[0],
+    ),
+    feed=st.integers(1, 5000),
+)
+def test_a_rotary_axis_does_not_know_inches(control: str, words: list[str], feed: int) -> None:
+    def seconds(unit: str) -> list[float]:
+        text = f"O1\n{unit}\nG91 G94 G1 {' '.join(words)} F{feed}.\nM30\n"
+        run = cncsub.loads(text, control=control).run(setup={"machine": "mill"})
+        assert run.stop is cncsub.Stop.END
+        return [value for move in run.moves for value in (move.time, move.feed)]
+
+    inch, metric = seconds("G20"), seconds("G21")
+    np.testing.assert_allclose(inch, metric)
+    assert metric[1] == feed

@@ -330,6 +330,8 @@ class Machine {
   std::uint32_t last_condition_ = kNowhere;
   std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
   double clock_ms_ = 0;
+  /// Seconds of the run as its clocks show them: they do not wait for an endless cut.
+  double ran() const { return std::min(motion_.time(), 1e9); }
   std::minstd_rand random_{1};
 };
 

@@ -279,7 +279,7 @@ Motion::Result Motion::set_modes(BlockWords& block) {
   s_.plane = s_.modal[at(Group::Plane)].code / 10;
   const bool surface = s_.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
   // G97 without S keeps the speed that there is. [TDi 25 note 4]
-  if (s_.surface && !surface)
+  if (s_.surface && !surface && (s_.work[0] != 0 || s_.max_speed > 0))
     if (const double last = spindle_at(move_state(), std::fabs(s_.work[0])); last > 0)
       s_.speed = last;
   s_.surface = surface;
@@ -435,7 +435,7 @@ Motion::Result Motion::motion(BlockWords& block) {
 
 Motion::Result Motion::need_feed(const BlockWords& block, Meaning meaning) const {
   if (meaning == Meaning::Rapid) return std::nullopt;
-  if (s_.feed <= 0 && facts_->control->feed_needed.value) return fault(Cause::NoFeed, block);
+  if (s_.feed <= 0) return fault(Cause::NoFeed, block);
   if (lacks_speed()) return fault(Cause::NoSpeed, block);
   return std::nullopt;
 }
@@ -545,7 +545,8 @@ double Motion::number(const BlockWords& block, char address) const {
   const NcWords& w = block.words;
   double value = w[address];
   const bool rotary = (address >= 'A' && address <= 'C') || (address == 'H');
-  const double step = facts_->increment * (!rotary && g20() ? 0.1 : 1);
+  const bool pulses = s_.modal[at(Group::Units)].meaning == Meaning::Pulses;
+  const double step = pulses ? 1 : facts_->increment * (!rotary && g20() ? 0.1 : 1);
   if ((w.computed & bit(address)) != 0) {
     const double steps = 1 / step;
     value = std::round(value * steps) / steps;
@@ -553,7 +554,8 @@ double Motion::number(const BlockWords& block, char address) const {
              facts_->control->whole_numbers.value == WholeNumbers::Increments) {
     value = value / (1 / step);
   }
-  return rotary ? value : value * s_.unit;
+  // Pulses count on every axis, inches on the straight ones alone. [source 003, G20 G21 G22]
+  return rotary && !pulses ? value : value * s_.unit;
 }
 
 /// What the fast path needs to know.
@@ -563,9 +565,7 @@ void Motion::settle() {
   s_.row_moves = nullptr;
   s_.line = 0;
   while (s_.line < line_codes_.size() && line_codes_[s_.line].meaning != motion) ++s_.line;
-  s_.seconds_per_mm = s_.feed > 0 ? 60 / s_.feed : 0;
-  if (feed == Meaning::PerRevolution)
-    s_.seconds_per_mm = s_.feed > 0 && s_.speed > 0 ? 60 / (s_.feed * s_.speed) : 0;
+  set_seconds_per_mm();
   s_.plain = s_.line < line_codes_.size() && !in_cycle() && !compensating() && !s_.angled.waiting &&
              s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged &&
              feed != Meaning::InverseTime &&

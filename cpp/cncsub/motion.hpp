@@ -191,6 +191,12 @@ class Motion {
   Result check_area(const Piece& piece, const Axes& machine) const;
   void arc_reach(const Piece& piece, int axis, double& low, double& high) const;
   bool set_plain_feed(double value);
+  /// Zero while there is no feed, endless while the spindle that it counts on stands.
+  void set_seconds_per_mm() {
+    const bool revolutions = s_.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
+    s_.seconds_per_mm =
+        s_.feed > 0 ? 60 / (revolutions ? s_.feed * std::max(s_.speed, 0.0) : s_.feed) : 0;
+  }
   void new_row_state(Moves& moves);
   void switch_line(int line) {
     s_.line = static_cast<std::uint8_t>(line);
@@ -341,12 +347,12 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
   if ((mask & bit('Z')) != 0) s.work[2] = values->value * unit + (s.incremental ? z : 0);
   const double dx = s.work[0] - x, dy = s.work[1] - y, dz = s.work[2] - z;
   moved = dx != 0 || dy != 0 || dz != 0;
-  if (line != 0)
-    s.time += std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz) * s.seconds_per_mm;
-  else
+  if (line == 0)
     s.time +=
         std::max(std::max(std::fabs(dx) * s.rapid_seconds[0], std::fabs(dy) * s.rapid_seconds[1]),
                  std::fabs(dz) * s.rapid_seconds[2]);
+  else if (moved)  // what stands takes no time, also where the spindle stands
+    s.time += std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz) * s.seconds_per_mm;
   const std::uint32_t axes = mask & (bit('X') | bit('Y') | bit('Z'));
   if (axes == 0) return true;
   s.moved_before = true;

@@ -13,6 +13,7 @@ MoveState Motion::move_state() const {
   state.spindle = s_.surface ? s_.surface_speed : s_.speed;
   state.max_spindle = s_.max_speed;
   state.surface = s_.surface;
+  state.degree = g20() ? kInch : 1;
   state.tool = s_.tool;
   state.h = s_.h;
   state.d = s_.d;
@@ -29,9 +30,7 @@ bool Motion::set_plain_feed(double value) {
   if (value == s_.feed) return true;
   s_.feed = value;
   s_.row_moves = nullptr;
-  s_.seconds_per_mm = 60 / value;
-  if (s_.modal[at(Group::Feed)].meaning == Meaning::PerRevolution)
-    s_.seconds_per_mm = s_.speed > 0 ? 60 / (value * s_.speed) : 0;
+  set_seconds_per_mm();
   return true;
 }
 
@@ -178,7 +177,7 @@ double Motion::seconds_of(const Piece& piece, const Axes& machine, double length
   const double zero = piece.offset[0] + piece.length[0];
   const double mean = (std::fabs(s_.tool_at[0] - zero) + std::fabs(machine[0] - zero)) / 2;
   const double path = piece.kind == MoveKind::Feed
-                          ? path_of(s_.tool_at, machine, length)
+                          ? path_of(piece.state, s_.tool_at, machine, length)
                           : path_in_plane(piece.state, s_.tool_at, machine, length);
   return cutting_time(piece.state, path, spindle_at(piece.state, mean));
 }

@@ -39,8 +39,7 @@ void Motion::set_lead(const BlockWords& block) {
 
 Motion::Result Motion::need_lead(const BlockWords& block) const {
   const Control& c = *facts_->control;
-  if (s_.lead <= 0 && (c.feed_needed.value || c.lead_apart.value))
-    return fault(Cause::ThreadLead, block);
+  if (s_.lead <= 0) return fault(Cause::ThreadLead, block);
   if (c.thread_needs_spindle.value &&
       (s_.spindle == 5 || (s_.surface ? s_.surface_speed : s_.speed) <= 0))
     return fault(Cause::SpindleStands, block);

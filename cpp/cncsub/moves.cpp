@@ -8,6 +8,7 @@ namespace cncsub {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kPi = 3.14159265358979323846;
 
 int axis_of(char name) {
@@ -37,16 +38,16 @@ std::string_view to_string(MoveKind kind) {
 
 double spindle_at(const MoveState& state, double diameter) {
   if (!state.surface) return state.spindle;
-  const double speed =
-      diameter == 0 ? state.max_spindle : 1000 * state.spindle / (kPi * std::fabs(diameter));
+  // In the middle only the limit holds; where none was set the speed is as good as endless.
+  const double speed = 1000 * state.spindle / (kPi * std::max(std::fabs(diameter), 1e-3));
   return state.max_spindle > 0 ? std::min(speed, state.max_spindle) : speed;
 }
 
 double cutting_time(const MoveState& state, double length, double mean_spindle) {
   double rate = state.feed;
-  if (state.feed_mode == FeedMode::InverseTime) return rate > 0 ? 60 / rate : 0;
+  if (state.feed_mode == FeedMode::InverseTime) return rate > 0 ? 60 / rate : kEndless;
   if (state.feed_mode == FeedMode::PerRevolution) rate *= mean_spindle;
-  return rate > 0 ? length / rate * 60 : 0;
+  return length == 0 ? 0 : rate > 0 ? length / rate * 60 : kEndless;
 }
 
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
@@ -58,9 +59,12 @@ double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
   return std::sqrt(sum);
 }
 
-double path_of(const Axes& from, const Axes& to, double length) {
+double path_of(const MoveState& state, const Axes& from, const Axes& to, double length) {
   double sum = length * length;
-  for (int i = 3; i < 6; ++i) sum += (to[i] - from[i]) * (to[i] - from[i]);
+  for (int i = 3; i < 6; ++i) {
+    const double d = (to[i] - from[i]) * state.degree;
+    sum += d * d;
+  }
   return std::sqrt(sum);
 }
 
@@ -83,11 +87,15 @@ double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint
 
 double thread_time(const MoveState& state, const Axes& from, const Axes& to,
                    std::uint32_t diameters) {
-  const double dx = (to[0] - from[0]) * ((diameters & 1) != 0 ? 0.5 : 1);
-  const double along =
-      std::max({std::fabs(dx), std::fabs(to[1] - from[1]), std::fabs(to[2] - from[2])});
+  double along = 0, degrees = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    const double d = std::fabs(to[i] - from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
+    double& longest = i < 3 || i > 5 ? along : degrees;
+    longest = std::max(longest, d);
+  }
+  if (along == 0) along = degrees * state.degree;
   const double rate = state.feed * spindle_at(state, (from[0] + to[0]) / 2);
-  return rate > 0 ? along / rate * 60 : 0;
+  return along == 0 ? 0 : rate > 0 ? along / rate * 60 : kEndless;
 }
 
 void Moves::grow() {
@@ -227,11 +235,16 @@ struct Moves::Walk {
     }
     const bool lathe = (moves.diameters_ & 1) != 0;
     row.spindle = lathe ? spindle_at(*row.state, row.point[0]) : row.state->spindle;
+    row.feed = row.state->feed / (row.length == 0 && turns(row) ? row.state->degree : 1);
     row.time = time(row, offset[0]);
     if (second < moves.seconds_.size() && moves.seconds_[second].row == index)
       row.time = moves.seconds_[second++].time;
     from = row.machine;
     return row;
+  }
+
+  bool turns(const MoveRow& row) const {
+    return row.machine[3] != from[3] || row.machine[4] != from[4] || row.machine[5] != from[5];
   }
 
   double time(const MoveRow& row, double x_offset) const {
@@ -249,7 +262,7 @@ struct Moves::Walk {
     }
     const double mean = (std::fabs(from[0] - x_offset) + std::fabs(row.point[0])) / 2;
     const double path = row.kind == MoveKind::Feed
-                            ? path_of(from, row.machine, row.length)
+                            ? path_of(*row.state, from, row.machine, row.length)
                             : path_in_plane(*row.state, from, row.machine, row.length);
     return cutting_time(*row.state, path, spindle_at(*row.state, mean));
   }
@@ -369,7 +382,7 @@ Derived derived(std::string_view name) {
     return {[](const MoveRow& row, std::size_t i) { return row.machine[i]; }, place};
   if (axis >= 0 && axis < 3 && name[0] == 'c')
     return {[](const MoveRow& row, std::size_t i) { return row.centre[i]; }, place};
-  if (name == "feed") return {[](const MoveRow& row, std::size_t) { return row.state->feed; }};
+  if (name == "feed") return {[](const MoveRow& row, std::size_t) { return row.feed; }};
   if (name == "spindle") return {[](const MoveRow& row, std::size_t) { return row.spindle; }};
   if (name == "length") return {[](const MoveRow& row, std::size_t) { return row.length; }};
   if (name == "time") return {[](const MoveRow& row, std::size_t) { return row.time; }};

@@ -35,6 +35,7 @@ struct MoveState {
   std::uint8_t plane = 17;
   FeedMode feed_mode = FeedMode::PerMinute;
   bool surface = false;
+  double degree = 1;  // mm that a degree counts in a path: F is degrees a minute where it is inches
 
   bool operator==(const MoveState&) const = default;
 };
@@ -47,9 +48,10 @@ struct MoveRow {
   Axes machine{};                  // machine position of the tool
   std::array<double, 3> centre{};  // NaN where none
   const MoveState* state = nullptr;
+  double feed = 0;     // mm/min, mm/rev, 1/min; degrees where rotary axes alone move
   double spindle = 0;  // r/min at the end of the move
   double length = 0;   // mm
-  double time = 0;     // s
+  double time = 0;     // s; inf where the spindle that a feed counts on was never told to turn
 };
 
 class Moves {
@@ -180,14 +182,16 @@ class Moves {
   std::uint32_t diameters_ = 0;
 };
 
-/// Seconds of a straight or round move. `mean_spindle` in r/min.
+/// Seconds of a straight or round move. `mean_spindle` in r/min. No cut ends where the spindle that
+/// its feed counts on stands: inf.
 double cutting_time(const MoveState& state, double length, double mean_spindle);
 /// r/min at this diameter.
 double spindle_at(const MoveState& state, double diameter);
 /// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
-/// What a feed is counted along: the length, and the degrees of rotary axes.
-double path_of(const Axes& from, const Axes& to, double length);
+/// What a feed is counted along: the length, and the degrees of rotary axes, each as long as a unit
+/// of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear interpolation]
+double path_of(const MoveState& state, const Axes& from, const Axes& to, double length);
 /// The share of an arc's length that lies in its plane: F is the speed there, a helix goes along.
 double path_in_plane(const MoveState& state, const Axes& from, const Axes& to, double length);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);

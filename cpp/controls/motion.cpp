@@ -185,7 +185,6 @@ void fanuc_rules(Control& c) {
                Secondary};
   c.idle_blocks = {1, "source 003, note a", SourceDocument};
   c.acute_corner = {AcuteCorner::Lines, kKnown, Inferred};
-  c.feed_needed = {true, "ALM 011, 0iTC p.66", Manual};
   c.chamfer_ik = {true, kKnown, Inferred};
   c.angle_words = {",A", "ALM 056 to 058: direct drawing dimension programming", Secondary};
   c.cycle_repeats = {"K", kKnown, Inferred};
@@ -351,7 +350,6 @@ void mitsubishi_rules(Control& c) {
   c.cycle_repeats = {"L", kKnown, Inferred};
   c.dwell_x_increments = {true, "general knowledge; M7 p.203 writes G4 X1000 for a second",
                           Inferred};
-  c.feed_needed = {true, "M7 p.52: P62", Manual};
   c.power_on_line = {true, "M7 p.534 (11): G54 X Y right after power-on alarms P62", Manual};
   c.max_profile_blocks = {100, "MZ 898, paired with P202", Secondary};
   c.small_radius = {SmallRadius::Alarm, "MZ 818, paired with P71", Secondary};
@@ -437,7 +435,6 @@ void hnc_rules(Control& c) {
   c.scale_thousandths = {false, kKnown, Inferred};
   c.machine_move = {MachineMove::Rapid, "source 003, G53", SourceDocument};
   c.unit_change = {UnitChange::Alone, "source 003, G20 G21 G22", SourceDocument};
-  c.feed_needed = {false, "no alarm is known", Inferred};
   add_effect(c, "3402#0", 1, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred,
              set_power_on_line);
   add_effect(c, "3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a line, 1 = an alarm",
@@ -608,7 +605,6 @@ void gsk_980tdi(Control& c) {
   c.negative_radius_on_lathes = {true, "TDi 4 note 7", Manual};
   c.no_radius = {NoRadius::Alarm, "TDi 4 note 1", Manual};
   c.small_radius = {SmallRadius::Alarm, "TDi 4 note 3", Manual};
-  c.feed_needed = {false, "TDi 26: power-on takes parameter 030, F0 stands still", Manual};
   c.power_on_per_minute = {true, "TDi 26", Manual};
   c.set_coordinate_without_tool = {true, "TDi 18 table", Manual};
   c.chamfer_words = {"L", "TDi 11", Manual};
@@ -676,7 +672,6 @@ void gsk_928(Control& c) {
   c.machine = {MachineType::LatheA, "source 001, Fig. 3-1: U is a diameter increment",
                SourceDocument};
   c.power_on_per_minute = {true, "source 001: F80, F500", SourceDocument};
-  c.feed_needed = {false, "no alarm is known", Inferred};
   c.g_meanings = {"60=none", kKnown, Inferred};
   c.dwell_words = {"PXUD", "928Ti: G4 D1 is a second", Secondary};
   add_effect(c, "3402#0", 0,
@@ -699,10 +694,10 @@ void gsk_980mdi(Control& c) {
       "plane-change-in-mirror coordinate-setting-in-rotation work-system-in-rotation "
       "length-in-rotation data-in-rotation cycle-in-rotation rotation-plane-in-cycle "
       "pattern-without-cycle corner-at-offset-start corner-in-helix cycle-repeats-twice "
-      "tap-without-lead g10-axis-missing scale-negative no-spindle-speed "
+      "tap-without-lead tap-without-speed g10-axis-missing scale-negative no-spindle-speed "
       "helix-without-travel",
       "MDib 0013, 0014, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, 0204, 0216, "
-      "0218, "
+      "0218, 0230, "
       "0243, 0247, "
       "0278",
       Manual};
@@ -721,7 +716,6 @@ void gsk_980mdi(Control& c) {
   c.chamfer_length = {ChamferLength::Corner, kKnown, Inferred};
   c.helix = {true, "MDib 0032", Manual};
   c.groove_p_diameter = {false, kKnown, Inferred};
-  c.feed_needed = {true, "MDib 0023", Manual};
   add_effect(c, "027", 0, "the largest cutting feed, mm/min, 0 = any", "MDib 0023", Manual,
              set_max_feed);
   add_effect(c, "3402#0", 0,

@@ -216,7 +216,7 @@ py::dict move_row(const Record& record, std::size_t index) {
   fields["cy"] = row.centre[1];
   fields["cz"] = row.centre[2];
   fields["plane"] = state.plane;
-  fields["feed"] = state.feed;
+  fields["feed"] = row.feed;
   fields["spindle"] = row.spindle;
   fields["tool"] = state.tool;
   fields["feed_mode"] = static_cast<int>(state.feed_mode);

@@ -7,7 +7,7 @@ from typing import Any
 import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import did_you_mean
-from cncsub.tables import records
+from cncsub.tables import finite, records
 
 
 def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
@@ -19,7 +19,7 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "steps": len(run.steps),
         "calls": [dict(record) for record in records(run.calls)],
         "length": run.moves.total_length,
-        "time": run.moves.total_time,
+        "time": finite(run.moves.total_time),
         "bounds": {axis: list(pair) for axis, pair in run.moves.bounds.items()},
         "messages": run.messages,
         "m_codes": run.m_codes,

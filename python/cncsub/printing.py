@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import IO, Any
 
@@ -87,6 +88,8 @@ def shown(text: str) -> str:
 
 
 def _duration(seconds: float) -> str:
+    if math.isinf(seconds):
+        return "endless: a feed per revolution while the spindle has no speed"
     minutes, rest = divmod(seconds, 60)
     hours, minutes = divmod(int(minutes), 60)
     parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]

@@ -374,7 +374,8 @@ class Moves(Table[Move]):
     Columns: `move, step, kind`, the axes in use (`x, y, z` ...: programmed end, work coordinates),
     `mx, my, mz` ... (machine position of the tool), `cx, cy, cz` (arc centre, work coordinates, NaN
     where there is none), `plane` (17, 18, 19), `feed`, `feed_mode`, `spindle`, `tool`, `h`, `d`,
-    `length` (mm) and `time` (s). Kinds are `rapid`, `feed`, `cw`, `ccw`, `thread` and `dwell`.
+    `length` (mm) and `time` (s; `inf` where the spindle that the feed counts on has no speed).
+    Kinds are `rapid`, `feed`, `cw`, `ccw`, `thread` and `dwell`.
 
     >>> import cncsub
     >>> text = "O1\\nN10 G91 G1 X30. Y40. F100\\nN20 M30\\n"
@@ -422,7 +423,9 @@ class Moves(Table[Move]):
 
     @property
     def total_time(self) -> float:
-        """The time of all moves, s: feeds, rapid rates and dwells."""
+        """The time of all moves, s: feeds, rapid rates and dwells; `inf` where a feed per revolution
+        meets a spindle that was never told to turn.
+        """
         return self._core.time
 
     @property
@@ -449,9 +452,13 @@ def _number(value: Any) -> Any:
     return None if isinstance(value, float) and math.isnan(value) else value
 
 
+def finite(value: Any) -> Any:
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
 def records(table: Table[Any]) -> Iterator[Mapping[str, Any]]:
-    """The rows as mappings of the columns, read by columns and so fast on long tables; NaN is
-    `None`.
+    """The rows as mappings of the columns, read by columns and so fast on long tables; what is no finite
+    number is `None`.
     """
     names = table.columns
     table._fetched(names)
@@ -470,4 +477,4 @@ def _plain_values(table: Table[Any], name: str) -> list[Any]:
         return [texts[code] for code in values]
     if name in _NO_INDEX:
         return [_known(value) for value in values]
-    return [_number(value) for value in values]
+    return [finite(value) for value in values]

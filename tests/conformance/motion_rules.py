@@ -180,26 +180,6 @@ case(
     """,
     runs="N10", alarm="no-feed", number="021", at="O1 N20",
 )
-case(
-    "a cut before any F stands still, and takes no time that could be told",
-    control=[TDI, TE], source="TDi 26; general knowledge", evidence="inferred",
-    program="""
-        O1
-        N10 G98 G1 Z-10.
-        N20 M30
-    """,
-    time=0,
-)
-case(
-    "a cut before any F takes no time that could be told on the HNC",
-    control=HNC, source="policy", evidence="inferred",
-    program="""
-        O1
-        N10 G1 Z-10.
-        N20 M30
-    """,
-    time=0,
-)
 for machine, controls in ("mill", MILLS), ("lathe-a", GSK_LATHES):
     case(
         f"an axis of a {machine} without a rate of its own goes 10000 mm in a minute",
