@@ -204,7 +204,7 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
 
 Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome,
                            Outside& outside) {
-  BlockWords block{words, step, moves, outcome, outside, {}, false, false, in_cycle(), false};
+  BlockWords block{words, step, moves, outcome, outside, {}, false, in_cycle(), false};
   const bool corner_waits = !s_.held.corner.empty(), angle_waits = s_.angled.waiting;
   if (auto wrong = read(block)) return wrong;
   if (auto wrong = check(block)) return wrong;
@@ -579,7 +579,7 @@ std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {
   NcWords words;
   Outcome outcome;
   Outside outside;
-  BlockWords block{words, step, moves, outcome, outside, {}, false, false, false, false};
+  BlockWords block{words, step, moves, outcome, outside, {}, false, false, false};
   if (!s_.held.corner.empty()) {
     block.submitted = false;
     Fault wrong = fault(Cause::CornerNoMove, block);

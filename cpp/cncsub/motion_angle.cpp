@@ -67,7 +67,7 @@ Motion::Result Motion::angled(BlockWords& block, Meaning meaning, double angle) 
   if (has_a || has_b) return move(block, piece);
   piece.named |= axis_bit(plane.a) | axis_bit(plane.b);
   s_.angled = {true, angle, piece, 0};
-  block.submitted = block.in_plane = true;
+  block.submitted = true;
   return std::nullopt;
 }
 

@@ -196,6 +196,7 @@ Motion::Result Motion::arc_by_centre(BlockWords& block, Piece& piece) const {
                b1 = piece.end[plane.b] * facts_->share(plane.b);
   const double ca = a0 + i, cb = b0 + j;
   const double first = std::hypot(i, j), last = std::hypot(a1 - ca, b1 - cb);
+  if (piece.radius != 0 && first == 0) return fault(Cause::CompensationArcStart, block);
   if (first == 0 && c.arc_centre_needed.value) return fault(Cause::NoRadius, block);
   const double tolerance = c.arc_tolerance.value * 1e-3;
   if (tolerance > 0 && std::fabs(first - last) > tolerance + 1e-9) {
@@ -207,6 +208,7 @@ Motion::Result Motion::arc_by_centre(BlockWords& block, Piece& piece) const {
     piece.kind = MoveKind::Feed;
     return std::nullopt;
   }
+  if (piece.radius != 0 && last == 0) return fault(Cause::CompensationArcEnd, block);
   piece.centre[plane.a] = ca / facts_->share(plane.a);
   piece.centre[plane.b] = cb / facts_->share(plane.b);
   const bool clockwise = piece.kind == MoveKind::Cw;

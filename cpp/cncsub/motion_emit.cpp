@@ -70,14 +70,10 @@ Motion::Result Motion::move(BlockWords& block, Piece piece) {
   s_.work = piece.end - piece.offset;
   s_.tool_pending = false;
   s_.named |= piece.named;
-  const PlaneAxes plane = plane_axes(piece.plane);
   block.outcome.axis_word = true;
-  for (int i = 0; i < kAxes; ++i) {
-    if (std::fabs(s_.work[i] - before[i]) < 1e-12) continue;
-    block.outcome.moved = true;
-    if (i == plane.a || i == plane.b) block.in_plane = true;
-  }
-  if (piece.turn != 0) block.outcome.moved = block.in_plane = true;
+  if (piece.turn != 0) block.outcome.moved = true;
+  for (int i = 0; i < kAxes; ++i)
+    if (std::fabs(s_.work[i] - before[i]) >= 1e-12) block.outcome.moved = true;
   block.submitted = true;
   return through_corner(piece, before + piece.offset, block.moves);
 }

@@ -109,7 +109,6 @@ struct BlockWords {
   Outside& outside;
   std::array<GCode, kGroups> codes{};  // code -1 where the group has none in this block
   bool submitted = false;              // a piece went out
-  bool in_plane = false;               // one that moves in the plane
   bool was_cycle = false;              // a canned cycle was active before this block
   bool consumed = false;               // the axis words belong to G68, G51 and the like
 

@@ -15,68 +15,68 @@ Curve curve_of(const PlaneView& view, const Axes& from, const Piece& piece) {
   return {view.point(from), view.point(piece.end), view.point(piece.centre), piece.turn};
 }
 
+double moved_radius(const Curve& arc, Point end, double offset) {
+  return size(end - arc.centre) - (arc.turn > 0 ? offset : -offset);
+}
+
 namespace {
 
-std::vector<Point> line_line(Point p, Point u, Point q, Point v) {
+/// The points where two curves meet, none, one or two.
+struct Meetings {
+  std::array<Point, 2> points{};
+  int count = 0;
+
+  Meetings() = default;
+  Meetings(Point middle, Point half) : points{middle + half, middle - half}, count(2) {}
+  explicit Meetings(Point only) : points{only}, count(1) {}
+};
+
+Meetings line_line(Point p, Point u, Point q, Point v) {
   const double denominator = cross(u, v);
   if (std::fabs(denominator) < 1e-12) return {};
-  return {p + (cross(q - p, v) / denominator) * u};
+  return Meetings(p + (cross(q - p, v) / denominator) * u);
 }
 
-std::vector<Point> line_circle(Point p, Point u, Point c, double r, double tolerance) {
-  const double along = dot(c - p, u), distance = cross(u, c - p);
-  const double square = r * r - distance * distance;
+/// Half the chord that is left of a circle; of one that is missed by a hair, none.
+double half_chord(double radius, double distance) {
+  const double square = (radius - distance) * (radius + distance);
+  return square > 0 ? std::sqrt(square) : 0;
+}
+
+Meetings line_circle(Point p, Point u, Point c, double r, double tolerance) {
+  const double distance = cross(u, c - p);
   if (std::fabs(distance) > r + tolerance) return {};
-  const double half = square > 0 ? std::sqrt(square) : 0;
-  return {p + (along - half) * u, p + (along + half) * u};
+  return {p + dot(c - p, u) * u, half_chord(r, distance) * u};
 }
 
-std::vector<Point> circle_circle(Point c, double r, Point d, double s, double tolerance) {
+Meetings circle_circle(Point c, double r, Point d, double s, double tolerance) {
   const double distance = size(d - c);
   if (distance < 1e-12) return {};
   if (distance > r + s + tolerance || distance < std::fabs(r - s) - tolerance) return {};
-  const double along = (r * r - s * s + distance * distance) / (2 * distance);
-  const double square = r * r - along * along;
-  const double half = square > 0 ? std::sqrt(square) : 0;
-  const Point u = (1 / distance) * (d - c), foot = c + along * u;
-  return {foot + half * left(u), foot - half * left(u)};
+  const double along = ((r - s) * (r + s) / distance + distance) / 2;
+  const Point u = (1 / distance) * (d - c);
+  return {c + along * u, half_chord(r, along) * left(u)};
 }
 
-/// The radius of an arc moved to its left: an arc to the left has its centre there.
-double moved_radius(const Curve& curve, double offset) {
-  return curve.radius() - (curve.turn > 0 ? offset : -offset);
+Meetings meetings(const Curve& a, const Curve& b, double offset, double tolerance) {
+  const Point u = a.end_direction(), v = b.start_direction();
+  const Point p = a.to + offset * left(u), q = b.from + offset * left(v);
+  if (a.line() && b.line()) return line_line(p, u, q, v);
+  const double r = a.line() ? 0 : moved_radius(a, a.to, offset);
+  const double s = b.line() ? 0 : moved_radius(b, b.from, offset);
+  if (std::min(r, s) < -tolerance) return {};
+  if (a.line()) return line_circle(p, u, b.centre, std::max(s, 0.0), tolerance);
+  if (b.line()) return line_circle(q, v, a.centre, std::max(r, 0.0), tolerance);
+  return circle_circle(a.centre, std::max(r, 0.0), b.centre, std::max(s, 0.0), tolerance);
 }
 
 }  // namespace
 
-std::vector<Point> meetings(const Curve& a, double offset_a, const Curve& b, double offset_b,
-                            double tolerance) {
-  if (!a.line() && b.line()) return meetings(b, offset_b, a, offset_a, tolerance);
-  if (a.line()) {
-    const Point u = a.start_direction(), p = a.from + offset_a * left(u);
-    if (b.line()) {
-      const Point v = b.start_direction();
-      return line_line(p, u, b.from + offset_b * left(v), v);
-    }
-    const double radius = moved_radius(b, offset_b);
-    return radius < 0 ? std::vector<Point>{} : line_circle(p, u, b.centre, radius, tolerance);
-  }
-  const double r = moved_radius(a, offset_a), s = moved_radius(b, offset_b);
-  if (r < 0 || s < 0) return {};
-  return circle_circle(a.centre, r, b.centre, s, tolerance);
-}
-
-bool nearest(const std::vector<Point>& points, Point to, Point& found) {
-  double best = 0;
-  bool any = false;
-  for (const Point p : points) {
-    const double distance = size(p - to);
-    if (any && distance >= best) continue;
-    best = distance;
-    found = p;
-    any = true;
-  }
-  return any;
+std::optional<Point> meeting(const Curve& a, const Curve& b, double offset, double tolerance) {
+  const Meetings found = meetings(a, b, offset, tolerance);
+  if (found.count == 0) return std::nullopt;
+  const Point first = found.points[0], second = found.points[1];
+  return found.count == 1 || size(first - a.to) <= size(second - a.to) ? first : second;
 }
 
 namespace {
@@ -142,8 +142,10 @@ bool cut_round(const Curve& a, const Curve& b, double radius, Cut& cut) {
   if (std::fabs(side) < 1e-9 && dot(u, v) > 0) return cut.none = true;
   cut.left_turn = side > 0;
   const double offset = cut.left_turn ? radius : -radius;
-  return nearest(meetings(a, offset, b, offset, 0), a.to, cut.centre) &&
-         foot_on(a, cut.centre, cut.first) && foot_on(b, cut.centre, cut.second);
+  const auto centre = meeting(a, b, offset, 0);
+  if (!centre) return false;
+  cut.centre = *centre;
+  return foot_on(a, cut.centre, cut.first) && foot_on(b, cut.centre, cut.second);
 }
 
 /// The angle an arc still runs through when its ends have been cut.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <vector>
+#include <optional>
 
 #include "cncsub/motion_facts.hpp"
 
@@ -52,12 +52,14 @@ struct Curve {
 };
 Curve curve_of(const PlaneView& view, const Axes& from, const Piece& piece);
 
-/// The points where two curves, moved sideways by `offset_a` and `offset_b` (plus = left), meet;
-/// the lines and circles are not bounded. Touching counts, within `tolerance`.
-std::vector<Point> meetings(const Curve& a, double offset_a, const Curve& b, double offset_b,
-                            double tolerance);
-/// The one that is nearest to a point.
-bool nearest(const std::vector<Point>& points, Point to, Point& found);
+/// The radius, at one of its ends, of an arc moved to its left: one to the left has its centre
+/// there. A rounded centre does not lie equally far from both ends.
+double moved_radius(const Curve& arc, Point end, double offset);
+
+/// Where the end of `a` and the start of `b`, one behind the other and both moved sideways by
+/// `offset` (plus = left), meet next to the corner; the lines and circles are not bounded. Curves
+/// that pass by each other within `tolerance` meet there.
+std::optional<Point> meeting(const Curve& a, const Curve& b, double offset, double tolerance);
 
 struct CornerPieces {
   Piece first, between, second;

@@ -18,58 +18,93 @@ struct Join {
 
 }  // namespace
 
-/// The geometry of the moves at one corner, in the plane of the moves.
+/// The geometry of the moves at one corner, in the plane of the moves. Two points are one where the
+/// least increment cannot tell them apart: a program rounds its points and centres to it, so that
+/// what is tangent, or fits, on the drawing does so only within some increments.
 struct RadiusPath {
   Motion& motion;
   Moves* moves;
   PlaneView view;
+  double least = motion.facts_->increment * (motion.g20() ? kInch / 10 : 1);
+
+  RadiusPath(Motion& m, Moves* table, int plane)
+      : motion(m), moves(table), view{plane_axes(plane), m.facts_->share(0)} {}
 
   using Result = std::optional<Fault>;
 
-  std::array<double, 3> vector_of(Point v) const {
-    std::array<double, 3> vector{};
-    view.set(vector, v);
-    return vector;
-  }
+  bool same(Point p, Point q) const { return size(p - q) <= least / 2; }
 
   Result record(const Piece& piece, Point v) {
-    auto& held = motion.s_.held;
-    std::array<double, 3> vector = vector_of(v);
+    std::array<double, 3> vector{};
+    view.set(vector, v);
     for (std::size_t i = 0; i < 3; ++i) vector[i] += piece.tip[i];
     if (auto wrong = motion.record(piece, moves, vector)) return wrong;
-    held.vector = {v.a, v.b};
+    motion.s_.held.vector = {v.a, v.b};
     return std::nullopt;
   }
 
-  /// A straight bit around a corner, as a move of the piece it belongs to.
+  static void straighten(Piece& piece) {
+    piece.turn = 0;
+    if (piece.kind != MoveKind::Rapid) piece.kind = MoveKind::Feed;
+  }
+
+  /// A bit around a corner, as a move of the piece it belongs to.
   Result record_bit(Piece piece, const Axes& at, Point v, double turn) {
     piece.end = at;
-    piece.turn = turn;
     piece.corner_piece = true;
+    straighten(piece);
     if (turn != 0) {
+      piece.turn = turn;
       piece.kind = turn > 0 ? MoveKind::Ccw : MoveKind::Cw;
       view.set(piece.centre, view.point(at));
-    } else if (piece.kind != MoveKind::Rapid) {
-      piece.kind = MoveKind::Feed;
     }
     return record(piece, v);
   }
 
-  static bool inside(Point u, Point v, double offset) { return cross(u, v) * offset > 0; }
+  /// A move without a way in the plane: the tool stays beside the contour.
+  Result record_idle(Piece piece, Point v) {
+    if (is_arc(piece)) straighten(piece);
+    return record(piece, v);
+  }
 
+  /// Whether the second of two directions turns to the tool's side. On the way back along itself
+  /// the tool goes around.
+  bool inside(Point u, Point v, double offset) const {
+    return cross(u, v) * offset > 0 && !same(offset * u, -offset * v);
+  }
+  Axes start_of(const Axes& from) const;
+  bool moves_in_plane(const Piece& piece, const Axes& from) const;
   Result join(const Curve& a, const Curve& b, double offset, std::uint32_t at, Join& join) const;
   void go_around(const Curve& a, const Curve& b, Point u, Point v, double offset, Join& join) const;
-  Result check_direction(const Curve& curve, const Piece& piece, double offset, Point end,
-                         Point v) const;
+  Result check_direction(const Curve& curve, Piece& piece, Point& v) const;
   Result leave(Point v, const Join* join);
+  Result flush();
+  Result cancel(const Piece& piece, const Curve& curve);
+  Result follow(const Piece& piece, const Curve& curve, const Axes& from);
 };
+
+/// Where a move starts: at the end of the last one that the increment can tell from its start.
+Axes RadiusPath::start_of(const Axes& from) const {
+  const Held& held = motion.s_.held;
+  if (held.radius.empty() && !held.engaged) return from;
+  const Point corner = view.point(held.radius_to), there = view.point(from);
+  if (!same(corner, there)) return from;
+  Axes start = from;
+  view.set(start, corner);
+  return start;
+}
+
+bool RadiusPath::moves_in_plane(const Piece& piece, const Axes& from) const {
+  if (piece.kind == MoveKind::Dwell) return false;
+  return std::fabs(piece.turn) > kPi || !same(view.point(from), view.point(piece.end));
+}
 
 /// Outside corners. Up to 90 degrees the tangents are followed to where they meet. [M7 p.191]
 void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, double offset,
                            Join& join) const {
   const Point na = offset * left(u), nb = offset * left(v);
   const double reach = std::fabs(offset);
-  const double angle = std::acos(std::clamp(dot(u, v), -1.0, 1.0));
+  join.leave = na;
   // Straight on behind the first move: a line is made longer, an arc goes on in a line.
   const auto go_on = [&](double along) {
     if (a.line())
@@ -77,14 +112,15 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
     else
       join.way.push_back(na + along * u);
   };
-  if (dot(u, v) >= -1e-9) {
-    go_on(reach * std::tan(angle / 2));
+  const double cosine = dot(u, v);
+  if (cosine >= -1e-9) {
+    go_on(reach * std::fabs(cross(u, v)) / (1 + cosine));
     if (!b.line()) join.way.push_back(nb);
     return;
   }
   if (motion.facts_->control->acute_corner.value == AcuteCorner::Arc) {
     join.way.push_back(nb);
-    join.turn = angle * (offset > 0 ? -1 : 1);
+    join.turn = std::acos(std::max(cosine, -1.0)) * (offset > 0 ? -1 : 1);
     return;
   }
   go_on(reach);
@@ -94,58 +130,62 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
 
 RadiusPath::Result RadiusPath::join(const Curve& a, const Curve& b, double offset, std::uint32_t at,
                                     Join& join) const {
-  const Point u = a.end_direction(), v = b.start_direction(), corner = a.to;
-  const Point normal = offset * left(u);
-  join.leave = normal;
-  if (offset == 0) return std::nullopt;
-  if (std::fabs(cross(u, v)) < 1e-6 && dot(u, v) > 0) return std::nullopt;
-  if (!inside(u, v, offset)) {
+  const Point u = a.end_direction(), v = b.start_direction();
+  const Point na = offset * left(u), nb = offset * left(v);
+  if (same(na, nb)) {  // tangent: an arc keeps its own normal
+    join.leave = a.line() ? nb : na;
+  } else if (!inside(u, v, offset)) {
     go_around(a, b, u, v, offset, join);
-    return std::nullopt;
-  }
-  Point meet;
-  if (!nearest(meetings(a, offset, b, offset, 1e-9), corner, meet))
+  } else if (const auto meet = meeting(a, b, offset, least)) {
+    join.leave = *meet - a.to;
+  } else {
     return Fault{Cause::CompensationNoIntersection, at, 1, {}};
-  join.leave = meet - corner;
+  }
   return std::nullopt;
 }
 
-/// The tool must go the way the program goes, not back. [16iLB p.208]
-RadiusPath::Result RadiusPath::check_direction(const Curve& curve, const Piece& piece,
-                                               double offset, Point end, Point v) const {
-  Axes tool = motion.s_.tool_at;
-  for (std::size_t i = 0; i < tool.size(); ++i)
-    tool[i] -= piece.length[i] + (i < 3 ? piece.tip[i] : 0);
-  const Point start = view.point(tool), stop = end + v;
-  Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
+/// The tool must go the way the program goes, not back. [16iLB p.208] An arc inside of which the
+/// tool only just fits has no way left, and becomes a line.
+RadiusPath::Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v) const {
+  const auto& vector = motion.s_.held.vector;
+  const Point start = curve.from + Point{vector[0], vector[1]}, stop = curve.to + v;
+  const Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
   if (curve.line()) {
-    if (dot(stop - start, curve.start_direction()) < -1e-6) return wrong;
+    if (dot(stop - start, curve.start_direction()) < -least) return wrong;
     return std::nullopt;
   }
-  if (curve.radius() - (curve.turn > 0 ? offset : -offset) < -1e-9)
-    return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
+  const double first = moved_radius(curve, curve.from, offset_of(piece)),
+               last = moved_radius(curve, curve.to, offset_of(piece));
+  if (std::min(first, last) < -least) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
+  const double radius = std::max(first, last);
   const Point r = start - curve.centre, s = stop - curve.centre;
-  if (size(r) < 1e-9 || size(s) < 1e-9) return std::nullopt;
   const double turn = std::atan2(cross(r, s), dot(r, s));
   const double way = curve.turn + std::remainder(turn - curve.turn, 2 * kPi);
   const bool back = (way > 0) != (curve.turn > 0);
-  if (back && std::fabs(way) > 1e-9) return wrong;
+  if (back && std::fabs(way) * radius > least) return wrong;
+  if (back || radius <= least)
+    straighten(piece);
+  else if (std::fabs(way) > 2 * kPi)  // once round, and a hair further
+    v = start - curve.to;
   return std::nullopt;
 }
 
-/// Records the waiting move up to its end, the blocks behind it, and the way around the corner.
+/// Records the waiting move up to its end, the way around the corner, and the blocks behind it.
 RadiusPath::Result RadiusPath::leave(Point v, const Join* join) {
   Held& held = motion.s_.held;
-  const Piece first = held.radius.front();
-  const Curve curve = curve_of(view, held.radius_from, first);
-  if (!held.starting)
-    if (auto wrong = check_direction(curve, first, offset_of(first), curve.to, v)) return wrong;
+  Piece first = held.radius.front();
+  if (!held.starting) {
+    const Curve curve = curve_of(view, held.radius_from, first);
+    if (auto wrong = check_direction(curve, first, v)) return wrong;
+  }
   if (auto wrong = record(first, v)) return wrong;
-  for (std::size_t i = 1; i < held.radius.size(); ++i)
-    if (auto wrong = record(held.radius[i], v)) return wrong;
   if (join != nullptr)
-    for (const Point& at : join->way)
+    for (const Point& at : join->way) {
       if (auto wrong = record_bit(first, first.end, at, join->turn)) return wrong;
+      v = at;
+    }
+  for (std::size_t i = 1; i < held.radius.size(); ++i)
+    if (auto wrong = record_idle(held.radius[i], v)) return wrong;
   held.radius.clear();
   held.starting = false;
   held.engaged = true;
@@ -153,65 +193,93 @@ RadiusPath::Result RadiusPath::leave(Point v, const Join* join) {
 }
 
 /// The waiting move ends on its own normal.
+RadiusPath::Result RadiusPath::flush() {
+  const Held& held = motion.s_.held;
+  if (held.radius.empty()) return std::nullopt;
+  const Piece& first = held.radius.front();
+  const Curve curve = curve_of(view, held.radius_from, first);
+  return leave(offset_of(first) * left(curve.end_direction()), nullptr);
+}
+
+/// The last compensated move ends on its normal, or goes around an outside corner; then the tool
+/// goes straight to the point.
+RadiusPath::Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
+  Held& held = motion.s_.held;
+  const bool around = motion.facts_->control->start_up.value == StartUp::TypeB &&
+                      !held.radius.empty() && !held.starting && !is_arc(piece);
+  if (around) {
+    const Piece& first = held.radius.front();
+    const Curve before = curve_of(view, held.radius_from, first);
+    const double offset = offset_of(first);
+    if (!inside(before.end_direction(), curve.start_direction(), offset)) {
+      Join way;
+      if (auto wrong = join(before, curve, offset, piece.at, way)) return wrong;
+      if (auto wrong = leave(way.leave, &way)) return wrong;
+    }
+  }
+  if (auto wrong = flush()) return wrong;
+  if (is_arc(piece)) return Fault{Cause::CompensationEndArc, piece.at, 1, {}};
+  held.engaged = false;
+  return record(piece, {});
+}
+
+/// Records the waiting move, now that the next one says where the tool leaves it.
+RadiusPath::Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Axes& from) {
+  const Held& held = motion.s_.held;
+  const Point v = curve.start_direction(), normal = offset_of(piece) * left(v);
+  if (held.radius.empty()) {
+    // Behind blocks that were not looked over the tool first goes onto the normal of this move.
+    if (same(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
+    return record_bit(piece, from, normal, 0);
+  }
+  const Piece& first = held.radius.front();
+  const Curve before = curve_of(view, held.radius_from, first);
+  const Point u = before.end_direction();
+  const double offset = offset_of(first);
+  const bool start_around = held.starting &&
+                            motion.facts_->control->start_up.value == StartUp::TypeB &&
+                            !inside(u, v, offset_of(piece)) && cross(u, v) != 0;
+  Join way;
+  if (held.starting && !start_around) {
+    way.leave = offset * left(v);
+  } else if (!held.starting && offset * offset_of(piece) < 0) {  // to the other side
+    way.leave = offset * left(u);
+    way.way.push_back(normal);
+  } else if (auto wrong = join(before, curve, offset, piece.at, way)) {
+    return wrong;
+  }
+  return leave(way.leave, &way);
+}
+
 Motion::Result Motion::flush_radius(Moves* moves) {
   if (s_.held.radius.empty()) return std::nullopt;
-  const Piece& first = s_.held.radius.front();
-  RadiusPath path{*this, moves, {plane_axes(first.plane), facts_->share(0)}};
-  const Curve curve = curve_of(path.view, s_.held.radius_from, first);
-  return path.leave(offset_of(first) * left(curve.end_direction()), nullptr);
+  return RadiusPath(*this, moves, s_.held.radius.front().plane).flush();
 }
 
 Motion::Result Motion::through_radius(Piece piece, const Axes& from, Moves* moves) {
   Held& held = s_.held;
   const bool active = piece.side != 0;
   if (!active && !held.engaged && held.radius.empty()) return record(piece, moves, {});
-  RadiusPath path{*this, moves, {plane_axes(piece.plane), facts_->share(0)}};
-  const Curve curve = curve_of(path.view, from, piece);
-  const bool in_plane =
-      piece.kind != MoveKind::Dwell && (is_arc(piece) || size(curve.to - curve.from) > 1e-9);
-  if (!in_plane) {
-    if (!held.radius.empty()) {
-      held.radius.push_back(piece);
-      return std::nullopt;
-    }
-    return path.record(piece, {held.vector[0], held.vector[1]});
+  RadiusPath path(*this, moves, piece.plane);
+  const Axes start = path.start_of(from);
+  if (!path.moves_in_plane(piece, start)) {
+    if (held.radius.empty()) return path.record_idle(piece, {held.vector[0], held.vector[1]});
+    held.radius.push_back(piece);
+    return std::nullopt;
   }
-  if (!active) {
-    if (auto wrong = flush_radius(moves)) return wrong;
-    if (is_arc(piece)) return Fault{Cause::CompensationEndArc, piece.at, 1, {}};
-    held.engaged = false;
-    return path.record(piece, {});
-  }
-  const Point normal = offset_of(piece) * left(curve.start_direction());
-  if (!held.engaged && held.radius.empty()) {
-    if (is_arc(piece)) return Fault{Cause::CompensationArc, piece.at, 1, {}};
-    held.starting = true;
-  } else if (held.radius.empty()) {
-    // Behind blocks that were not looked over the tool first goes onto the normal of this move.
-    if (size(normal - Point{held.vector[0], held.vector[1]}) > 1e-9)
-      if (auto wrong = path.record_bit(piece, from, normal, 0)) return wrong;
+  const Curve curve = curve_of(path.view, start, piece);
+  held.moved = true;
+  if (!active) return path.cancel(piece, curve);
+  if (held.engaged || !held.radius.empty()) {
+    if (auto wrong = path.follow(piece, curve, start)) return wrong;
+  } else if (is_arc(piece)) {
+    return Fault{Cause::CompensationArc, piece.at, 1, {}};
   } else {
-    const Piece& first = held.radius.front();
-    const Curve before = curve_of(path.view, held.radius_from, first);
-    const double offset = offset_of(first);
-    const bool other_side = offset * offset_of(piece) < 0;
-    const Point u = before.end_direction(), v = curve.start_direction();
-    const bool outside = !RadiusPath::inside(u, v, offset_of(piece)) && cross(u, v) != 0;
-    Join join;
-    if (held.starting) {
-      join.leave = offset * left(v);
-      if (facts_->control->start_up.value == StartUp::TypeB && outside)
-        if (auto wrong = path.join(before, curve, offset, piece.at, join)) return wrong;
-    } else if (other_side) {
-      join.leave = offset * left(u);
-      join.way.push_back(normal);
-    } else if (auto wrong = path.join(before, curve, offset, piece.at, join)) {
-      return wrong;
-    }
-    if (auto wrong = path.leave(join.leave, &join)) return wrong;
+    held.starting = true;
   }
-  held.radius = {piece};
-  held.radius_from = from;
+  held.radius_from = start;
+  held.radius_to = piece.end;
+  held.radius.push_back(piece);
   return std::nullopt;
 }
 
@@ -219,7 +287,8 @@ Motion::Result Motion::through_radius(Piece piece, const Axes& from, Moves* move
 /// the normal.
 Motion::Result Motion::count_idle(BlockWords& block) {
   Held& held = s_.held;
-  if (held.radius.empty() || block.in_plane) {
+  const bool moved = std::exchange(held.moved, false) || !held.corner.empty() || s_.angled.waiting;
+  if (held.radius.empty() || moved) {
     held.idle = 0;
     return std::nullopt;
   }

@@ -50,6 +50,8 @@ struct Held {
   std::vector<Piece>
       radius;              // a compensated move, and behind it those that do not move in the plane
   Axes radius_from{};      // where the first of them starts
+  Axes radius_to{};        // where the last compensated move in the plane ended
+  bool moved = false;      // a move in the plane came in this block
   bool starting = false;   // that move is the start-up
   bool engaged = false;    // the tool is off the programmed path
   bool suspended = false;  // G28, G53: moves without radius compensation

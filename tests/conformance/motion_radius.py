@@ -1,0 +1,123 @@
+"""Radius compensation: what stands behind a corner, joints that rounding tears, arcs on their centre."""
+
+from conformance import case
+
+F16, *FANUC_PS = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
+MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
+TA, T, TDI, MDI, TE, HNC = (
+    "gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", "gsk-928te", "hnc-21m")
+MILLS = [*FANUC, *MITSUBISHI, MDI, HNC]
+GSK_LATHES = [TA, T, TDI, TE]
+KNOWN = {"source": "general knowledge", "evidence": "inferred"}
+MILL = {"machine": "mill", "radius_offsets": {1: 1, 2: 2, 5: 5}, "length_offsets": {1: 30}}
+NOSE = {"machine": "lathe-a", "tools": {1: {"R": 1}, 2: {"R": 2}, 5: {"R": 5}}}
+
+
+def lines(*blocks):
+    """A program of these blocks, numbered from N10 on."""
+    numbered = [f"N{10 * (i + 1)} {block}" for i, block in enumerate(blocks)]
+    return "\n".join(["O1", *numbered, "N900 M30"])
+
+
+def path(claim, controls, *blocks, **keywords):
+    case(
+        claim, control=controls, params={"3401#0": 1} if {*controls} <= {*FANUC} else None,
+        **KNOWN | {"setup": MILL} | keywords, program=lines(*blocks),
+    )
+
+
+def numbers(controls, fanuc, mitsubishi, gsk_988, mdi):
+    table = {F16: fanuc, **dict.fromkeys(FANUC_PS, f"PS0{fanuc}")}
+    table |= dict.fromkeys(MITSUBISHI, mitsubishi) | dict.fromkeys((TA, T), gsk_988) | {MDI: mdi}
+    return {control: table.get(control) for control in controls}
+
+
+# What stands behind an acute corner comes when the tool is around it.
+
+for _plane, _a, _b, _c in (17, "X", "Y", "Z"), (18, "Z", "X", "Y"), (19, "Y", "Z", "X"):
+    _at = lambda a, b, c=0, names=(_a, _b, _c): " ".join(  # noqa: E731
+        f"{name}{value}" for name, value in zip(names, (a, b, c), strict=True))
+    _to_corner = (
+        f"G90 G{_plane} G0 {_a}0. {_b}-10.", f"G41 D1 G1 {_a}10. {_b}0. F100", f"{_a}10. {_b}50.")
+    _away = f"{_a}15. {_b}0.", f"G40 {_a}50."
+    _around = f"{_at(0, -10)} | {_at(9, 0)} | {_at(9, 51)} | {_at(10.8955, 51.0945)}"
+    path(
+        f"behind an acute corner a move across G{_plane} comes when the tool is around it",
+        MILLS, *_to_corner, f"{_c}20.", *_away,
+        centre=f"{_around} | {_at(10.8955, 51.0945, 20)} | {_at(15.995, 0.0995, 20)} | {_at(50, 0, 20)}",
+    )
+    path(
+        f"two moves across G{_plane} behind an acute corner come in their order",
+        ["fanuc-30i", *MITSUBISHI, MDI], *_to_corner, f"{_c}20.", f"{_c}30.", *_away,
+        centre=f"{_around} | {_at(10.8955, 51.0945, 20)} | {_at(10.8955, 51.0945, 30)}"
+        f" | {_at(15.995, 0.0995, 30)} | {_at(50, 0, 30)}",
+    )
+_TO_CORNER = "G90 G17 G0 X0 Y-10.", "G41 D1 G1 X10. Y0 F100", "X10. Y50."
+_AWAY = "X15. Y0", "G40 X50."
+path(
+    "behind an acute corner the length offset comes when the tool is around it", [*FANUC, *MITSUBISHI],
+    *_TO_CORNER, "G43 H1", *_AWAY,
+    centre="X0 Y-10 | X9 Y0 | X9 Y51 | X10.8955 Y51.0945 | X10.8955 Y51.0945 Z30"
+    " | X15.995 Y0.0995 Z30 | X50 Y0 Z30",
+)
+for _controls, _dwell in ([*FANUC, *MITSUBISHI, MDI], "G4 P2000"), (HNC, "G4 P2"):
+    path(
+        f"behind an acute corner {_dwell} waits when the tool is around it", _controls,
+        *_TO_CORNER, _dwell, *_AWAY,
+        moves="R X0 Y-10\nF X10 Y0\nF Y50\nF Y50\nW 2\nF X15 Y0\nF X50",
+    )
+path(
+    "behind an acute corner of a lathe a dwell waits when the nose is around it", GSK_LATHES,
+    "T0101 G0 Z0. X-20.", "G98 G41 G1 Z10. X0. F100", "Z10. X100.", "G4 X2.", "Z15. X0.", "G40 Z50.",
+    setup=NOSE, moves="R Z0 X-20\nF Z10 X0\nF X100\nF X100\nW 2\nF Z15 X0\nF Z50",
+)
+
+# An arc that starts or ends on its own centre has no direction there.
+
+_STARTS = {"source": "ALM 038; Talm 254; MDib 0254; general knowledge", "evidence": "inferred"}
+for _what, _arc, _cause, _mdi in (
+    ("starts", "G2 X40. Y0. I0. J0.", "arc-start-on-centre-in-offset", "0254"),
+    ("ends", "G2 X40. Y0. I20. J0.", "arc-end-on-centre-in-offset", "0255"),
+):
+    _mills = [c for c in MILLS if _what == "starts" or c not in MITSUBISHI]
+    _lathes = [*FANUC, *GSK_LATHES]
+    path(
+        f"a compensated arc that {_what} on its own centre alarms",
+        _mills,
+        "G90 G17 G0 X0 Y-10.", "G41 D1 G1 X10. Y0 F100", "X20. Y0", _arc, "G40 X50. Y9.",
+        **_STARTS, runs="N10 N20 N30", alarm=_cause,
+        number=numbers(_mills, "038", "P153", "254", _mdi), at="O1 N40",
+    )
+    path(
+        f"an arc of a lathe that {_what} on its own centre alarms under a nose radius",
+        _lathes,
+        "T0101 G0 X0. Z0.", "G98 G41 G1 Z10. X10. F100", "Z20.",
+        "G2 Z40. X10. K0. I0." if _what == "starts" else "G2 Z40. X10. K20. I0.",
+        "G40 X50. Z9.", setup=NOSE,
+        **_STARTS, runs="N10 N20 N30", alarm=_cause,
+        number=numbers(_lathes, "038", None, "254", None), at="O1 N40",
+    )
+path(
+    "an arc that starts on its own centre is a line with D0",
+    [*FANUC], "G90 G17 G0 X0 Y-10.", "G41 D0 G1 X10. Y0 F100", "G2 X40. Y0. I0. J0.",
+    moves="R X0 Y-10\nF X10 Y0\nF X40",
+)
+
+# The end of the compensation.
+
+for _angle, _end, _way in (
+    ("right", "X30. Y50.", "X9 Y51 | X30 Y50"),
+    ("acute", "X15. Y0", "X9 Y51 | X10.8955 Y51.0945 | X15 Y0"),
+    ("inside", "X-30. Y50.", "X9 Y50 | X-30 Y50"),
+):
+    case(
+        f"the end of type B at an outside corner goes around it, inside it ends on the normal: {_angle}",
+        control=FANUC, source="16MC p.293; the way: general knowledge", evidence="inferred",
+        params={"3401#0": 1, "5003#0": 1}, setup=MILL,
+        program=lines(*_TO_CORNER, f"G40 {_end}"), centre=f"X0 Y-10 | X9 Y0 | {_way}",
+    )
+    path(
+        f"the end of type A is on the normal of the last move: {_angle}", [*FANUC, *MITSUBISHI],
+        *_TO_CORNER, f"G40 {_end}", source="M7 p.188", evidence="secondary",
+        centre=f"X0 Y-10 | X9 Y0 | X9 Y50 | {_end.replace('.', '')}",
+    )
