@@ -1,6 +1,8 @@
 #include "cncsub/control.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <type_traits>
 
@@ -15,20 +17,6 @@ const std::vector<CauseInfo>& all_causes() {
 #undef CAUSE
   };
   return causes;
-}
-
-std::string_view to_string(Evidence evidence) {
-  switch (evidence) {
-    case Evidence::SourceDocument:
-      return "source document";
-    case Evidence::Manual:
-      return "maker's manual";
-    case Evidence::Secondary:
-      return "secondary";
-    case Evidence::Inferred:
-      return "inferred";
-  }
-  return "";
 }
 
 #define CHOICE(type)                           \
@@ -51,18 +39,19 @@ namespace {
 constexpr std::int64_t kLargestSetting = 999'999'999;  // of a rule, and of a parameter
 
 template <class T>
-RuleView view(const char* name, const char* meaning, const Rule<T>& rule) {
-  RuleView row{name, meaning, {}, rule.source, rule.evidence, {}};
-  if constexpr (std::is_enum_v<T>) {
-    row.options = options<T>();
-    row.value = std::string(row.options[static_cast<std::size_t>(rule.value)].slug);
-  } else if constexpr (std::is_same_v<T, bool>) {
-    row.value = rule.value;
-  } else if constexpr (std::is_integral_v<T>) {
-    row.value = static_cast<std::int64_t>(rule.value);
-  } else {
-    row.value = rule.value;
-  }
+RuleValue shown(const T& value) {
+  if constexpr (std::is_enum_v<T>)
+    return std::string(options<T>()[static_cast<std::size_t>(value)].slug);
+  else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+    return static_cast<std::int64_t>(value);
+  else
+    return value;
+}
+
+template <class T>
+RuleView view(const char* name, const char* meaning, const Rule<T>& rule, const T& family) {
+  RuleView row{name, meaning, shown(rule.value), shown(family), rule.source, rule.evidence, {}};
+  if constexpr (std::is_enum_v<T>) row.options = options<T>();
   return row;
 }
 
@@ -105,26 +94,40 @@ std::optional<std::string> assign(const char* name, Rule<T>& rule, const RuleVal
 
 std::vector<RuleView> rules(const Control& control) {
   return {
-#define RULE(type, name, value, meaning) view(#name, meaning, control.name),
+#define RULE(type, name, standard, meaning) view<type>(#name, meaning, control.name, standard),
 #include "cncsub/rules.def"
 #undef RULE
   };
 }
 
 std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
-                                    const RuleValue& value) {
+                                    const RuleValue& value, const std::string& source,
+                                    Evidence evidence) {
 #define RULE(type, name, default_value, meaning)     \
   if (rule_name == #name) {                          \
     auto wrong = assign(#name, control.name, value); \
     if (!wrong) {                                    \
-      control.name.source = "set by the caller";     \
-      control.name.evidence = Evidence::Inferred;    \
+      control.name.source = source;                  \
+      control.name.evidence = evidence;              \
     }                                                \
     return wrong;                                    \
   }
 #include "cncsub/rules.def"
 #undef RULE
   return "no rule is named " + rule_name;
+}
+
+Answers::Answers(const Control& control) {
+#define RULE(type, name, standard, meaning) name = control.name.value;
+#include "cncsub/rules.def"
+#undef RULE
+}
+
+void follow(Control& control, const Answers& before, const std::string& source, Evidence evidence) {
+#define RULE(type, name, standard, meaning) \
+  if (control.name.value != before.name) control.name = {control.name.value, source, evidence};
+#include "cncsub/rules.def"
+#undef RULE
 }
 
 const AlarmEntry* Control::alarm(Cause cause) const {
@@ -172,6 +175,12 @@ auto* find_parameter(Parameters& parameters, std::string_view name) {
   return static_cast<decltype(&parameters.front())>(nullptr);
 }
 
+std::string written(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
 /// The parameters that somebody who wrote `name` may have meant: the bits of the same number, or
 /// the three nearest numbers.
 std::string near_parameters(const std::vector<Parameter>& parameters, const ParameterName& name) {
@@ -208,9 +217,12 @@ std::optional<std::string> Control::set_parameter(const std::string& parameter_n
   if (read->bit >= 0 && value != 0 && value != 1) return what + " is a bit, 0 or 1";
   if (!(std::fabs(value) <= kLargestSetting))
     return what + " is a number up to " + std::to_string(kLargestSetting);
-  const auto effect = p->effect;
   p->value = value;
-  if (effect != nullptr) effect(*this, value);
+  if (p->effect == nullptr) return std::nullopt;
+  const std::string setting = p->name + " = " + written(value);
+  const Answers before(*this);
+  p->effect(*this, value);
+  follow(*this, before, "set by parameter " + setting, Evidence::Inferred);
   return std::nullopt;
 }
 
@@ -220,12 +232,30 @@ const VariableRange* Control::variable(std::int64_t number) const {
   return nullptr;
 }
 
+namespace {
+
+/// No fact is stronger than its sources are on this control, whoever wrote it down.
+void judge(Control& c) {
+  const auto weaken = [&c](const std::string& source, Evidence& evidence) {
+    evidence = std::max(evidence, strongest(source, c.name));
+  };
+#define RULE(type, name, value, meaning) weaken(c.name.source, c.name.evidence);
+#include "cncsub/rules.def"
+#undef RULE
+  for (Parameter& p : c.parameters) weaken(p.source, p.evidence);
+  for (VariableRange& v : c.variables) weaken(v.source, v.evidence);
+  for (CodeCall& call : c.code_calls) weaken(call.source, call.evidence);
+  for (auto& [cause, entry] : c.alarms) weaken(entry.source, entry.evidence);
+}
+
+}  // namespace
+
 const std::vector<Control>& all_controls() {
   static const std::vector<Control> list = [] {
     std::vector<Control> all;
     const auto take = [&](std::vector<Control> maker, void (*add_motion)(std::vector<Control>&)) {
       add_motion(maker);
-      for (Control& control : maker) all.push_back(std::move(control));
+      for (Control& control : maker) judge(all.emplace_back(std::move(control)));
     };
     take(gsk_controls(), add_gsk_motion);
     take(mitsubishi_controls(), add_mitsubishi_motion);

@@ -11,11 +11,9 @@
 #include <vector>
 
 #include "cncsub/alarm.hpp"
+#include "cncsub/source.hpp"
 
 namespace cncsub {
-
-enum class Evidence : std::uint8_t { SourceDocument, Manual, Secondary, Inferred };
-std::string_view to_string(Evidence evidence);
 
 #define CHOICE(type) enum class type : std::uint8_t {
 #define OPTION(type, name, slug, example) name,
@@ -39,11 +37,14 @@ const std::vector<Option>& options();
 using Letters = std::string;  // addresses, one letter each
 using Codes = std::string;    // names or codes, separated by blanks
 
+/// The source of an answer that a control's file leaves as the family has it.
+inline constexpr const char* kFamilyDefault = "family default";
+
 /// One answer of a control, and where it comes from.
 template <class T>
 struct Rule {
   T value{};
-  std::string source = "family default";
+  std::string source = kFamilyDefault;
   Evidence evidence = Evidence::Inferred;
 };
 
@@ -147,8 +148,7 @@ struct Control {
   std::string name;   // "gsk-988ta"
   std::string title;  // "GSK 988TA lathe"
 
-#define RULE(type, name, value, meaning) \
-  Rule<type> name{value, "family default", Evidence::Inferred};
+#define RULE(type, name, value, meaning) Rule<type> name{value, kFamilyDefault, Evidence::Inferred};
 #include "cncsub/rules.def"
 #undef RULE
 
@@ -169,6 +169,17 @@ struct Control {
   const VariableRange* variable(std::int64_t number) const;
 };
 
+/// The answers of a control without their sources.
+struct Answers {
+#define RULE(type, name, value, meaning) type name{};
+#include "cncsub/rules.def"
+#undef RULE
+  explicit Answers(const Control& control);
+};
+
+/// Sources follow values: every rule that no longer answers as `before` comes from `source`.
+void follow(Control& control, const Answers& before, const std::string& source, Evidence evidence);
+
 using RuleValue = std::variant<bool, std::int64_t, std::string>;
 
 /// A rule as a row of a table.
@@ -176,6 +187,7 @@ struct RuleView {
   std::string name;
   std::string meaning;
   RuleValue value;
+  RuleValue family;  // what the family answers
   std::string source;
   Evidence evidence = Evidence::Inferred;
   std::vector<Option> options;  // of a choice; empty for numbers, yes-or-no and text
@@ -184,7 +196,9 @@ struct RuleView {
 std::vector<RuleView> rules(const Control& control);
 /// Sets a rule by its name. Returns what is wrong with the name or the value, or nothing.
 std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
-                                    const RuleValue& value);
+                                    const RuleValue& value,
+                                    const std::string& source = "set by the caller",
+                                    Evidence evidence = Evidence::Inferred);
 
 /// All controls, in listing order. Each of cpp/controls/*.cpp adds the controls of one maker.
 const std::vector<Control>& all_controls();

@@ -1,35 +1,5 @@
 // FANUC: Series 16i/18i/21i with the 0i-A/B/C, 0i-D, 0i-F and 30i/31i/32i.
-//
-// The tags of the sources, and where each can be read:
-//   PB304   16i/18i-PB operator's manual B-63684EN/01, p.278: www.cncmanuals.com/fanuc/477/
-//           series-16i-18i-160i-180i-pb-operators-manual/page/304 (PB155 is its p.129, page/155)
-//   TB35    16i/18i/21i-TB additional manual A-78962EN, p.35: cncmanuals.com/fanuc/664/
-//           fs-16i-18i-21i-tb-additional-manual/page/35
-//   PMI39   Power Mate i macro executor B-62093E-1/02, p.32: www.cncmanuals.com/fanuc/626/
-//           fanuc-power-mate-i-model-d-h-macro-compiler-macro-executer-programming-manual/page/39
-//   MC52    0i/16/18/20/21 macro executor B-61803E-1, p.42: cncmanuals.com/fanuc/460/
-//           series-0i-16-18-20-21-macro-compiler-macro-executor-programming-manual/page/52
-//   CEX487  16/18/21 C-language executor B-62443EN-3, p.486: cncmanuals.com/fanuc/181/
-//           series-16-18-21-c-language-executor-programming-manual/page/487
-//   16MC    16/18 Model C machining centre operator's manual, 16TC the same for lathes, 30i and
-//           30iM the 30i-A manuals B-63944EN and B-63944EN-2: cncmanuals.com/fanuc
-//   ALM     transcript of a 30i/31i alarm appendix: github.com/cnc4me/cnc4me,
-//           packages/fanuc-macro-b/src/alarms; REG is its register-map.ts
-//   GED     gEdit "Fanuc-style ISO G-code: syntax notes", after 18i-T and 31i lathe manuals
-//   ROB     "Concise guide FANUC" of a machine builder (Robur), p.86
-//   SIN     en.cncarea.com/cnc-macro-real-versus-integer-values
-//   VAC     prodbyog.com/columns/understanding-vacancy
-//   ZAP     zappettiniconsulting.com/wiki
-//   CW-S, CW-A, CW-G   cnc.wiki: subprograms; G65 arguments; custom macro B
-//   CL198   cnclearning.com/?p=1195 (M198)
-//   X-65, X-GO, X-NUL  Chinese book texts: xing528.com/lilun/1435864, 1260326, 1435163
-//   JIX     0i custom macro chapter, jixiecun.com/thread-64304-1-1; XIA xiaomilidoc.com/p-11731552
-//   ALI     developer.aliyun.com/article/1112047; CSD wenku.csdn.net/doc/wp2nijkq6x
-//   A51     51a.net/395490012845001405; FIN 3tl2.webnode.fi/macro/makro-ohjelmointi/lauseet
-//   ISO     github.com/iSorp/macro-executor; IMD industrialmonitordirect.com, 0-MC macro brackets
-//   CNCS    cncschool.pl, 30i lathe G codes; 0iMD zijiebao.com/jishu/478540, 0i-MD G codes
-//   Clones of the macro model: NCT 99M p.171-188, TSN TSNC p.31, HAA Haas 96-8000 p.365, RW
-//   Rockwell 9/Series p.20-13 and 20-58, M7V Mitsubishi M700V p.308, WEI Weihong, INT Intek.
+// The keys of the sources stand in sources.def.
 #include <initializer_list>
 
 #include "controls/controls.hpp"
@@ -39,42 +9,42 @@ namespace {
 
 using enum Evidence;
 
-constexpr const char* kSource002 = "source 002 (FANUC macro call and return, 0i)";
-constexpr const char* kSource003 = "source 003 (milling overview, subprograms of the FANUC 0i)";
-constexpr const char* kPb304 = "PB304 (FANUC 16i/18i-PB operator's manual B-63684EN/01, p.278)";
-constexpr const char* kPb155 = "PB155 (FANUC 16i/18i-PB operator's manual B-63684EN/01, p.129)";
-constexpr const char* kTb35 = "TB35 (FANUC 16i/18i/21i-TB additional manual A-78962EN, p.35)";
-constexpr const char* kPmi39 = "PMI39 (FANUC Power Mate i macro executor B-62093E-1/02, p.32)";
-constexpr const char* kCex487 = "CEX487 (FANUC 16/18/21 C executor B-62443EN-3, p.486)";
-constexpr const char* k16Mc = "16MC p.293 (FANUC 16/18 Model C machining centre manual)";
-constexpr const char* k16Tc = "16TC p.67 (FANUC 16/18 Model C lathe manual)";
-constexpr const char* k30i = "30i p.82 (FANUC 30i-A manual B-63944EN)";
-constexpr const char* k30iM = "30iM p.73 (FANUC 30i-A machining centre manual B-63944EN-2)";
-constexpr const char* k15iM = "15iM p.564 (FANUC 15i/150i-MA programming manual)";
-constexpr const char* kAlm = "ALM (transcript of a 30i/31i alarm appendix, cnc4me)";
-constexpr const char* kReg = "REG (register map of cnc4me)";
-constexpr const char* kGed = "GED (FANUC-style syntax notes, after 18i-T and 31i manuals)";
-constexpr const char* kRob = "ROB (a machine builder's concise guide FANUC, p.86)";
-constexpr const char* kSin = "SIN (real versus integer values, after Sinha's Custom Macro B)";
-constexpr const char* kZap = "ZAP (Zappettini macro wiki)";
-constexpr const char* kCwS = "CW-S (cnc.wiki, calling subprograms)";
-constexpr const char* kCwA = "CW-A (cnc.wiki, G65 arguments)";
-constexpr const char* kCwG = "CW-G (cnc.wiki, custom macro B)";
-constexpr const char* kCl198 = "CL198 (cnclearning.com on M198)";
-constexpr const char* kX65 = "X-65 (book text on G65, 0i)";
-constexpr const char* kXGo = "X-GO (book text on GOTO, IF and WHILE)";
-constexpr const char* kXNul = "X-NUL (book text on vacant variables and brackets)";
-constexpr const char* kJix = "JIX (repost of the 0i custom macro chapter)";
-constexpr const char* kXia = "XIA (text on 0i variables)";
-constexpr const char* kAli = "ALI (text on macro functions and 6004#0)";
-constexpr const char* kFin = "FIN (Finnish macro tutorial)";
-constexpr const char* kIso = "ISO (rules of iSorp/macro-executor)";
-constexpr const char* kA51 = "A51 (question and answer on #1000-#1032)";
-constexpr const char* k0iMd = "0iMD (list of the 0i-MD's G codes)";
-constexpr const char* kCncs = "CNCS (cncschool.pl, 30i lathe G codes)";
-constexpr const char* kRw = "RW (Rockwell 9/Series manual, a clone)";
-constexpr const char* kNct = "NCT (NCT 99M manual, a clone)";
-constexpr const char* kM7v = "M7V (Mitsubishi M700V manual, same macro family)";
+constexpr const char* kSource002 = "source 002";
+constexpr const char* kSource003 = "source 003";
+constexpr const char* kPb304 = "PB304";
+constexpr const char* kPb155 = "PB155";
+constexpr const char* kTb35 = "TB35";
+constexpr const char* kPmi39 = "PMI39";
+constexpr const char* kCex487 = "CEX487";
+constexpr const char* k16Mc = "16MC p.293";
+constexpr const char* k16Tc = "16TC p.67";
+constexpr const char* k30i = "30i p.82";
+constexpr const char* k30iM = "30iM p.73";
+constexpr const char* k15iM = "15iM p.564";
+constexpr const char* kAlm = "ALM";
+constexpr const char* kReg = "REG";
+constexpr const char* kGed = "GED";
+constexpr const char* kRob = "ROB";
+constexpr const char* kSin = "SIN";
+constexpr const char* kZap = "ZAP";
+constexpr const char* kCwS = "CW-S";
+constexpr const char* kCwA = "CW-A";
+constexpr const char* kCwG = "CW-G";
+constexpr const char* kCl198 = "CL198";
+constexpr const char* kX65 = "X-65";
+constexpr const char* kXGo = "X-GO";
+constexpr const char* kXNul = "X-NUL";
+constexpr const char* kJix = "JIX";
+constexpr const char* kXia = "XIA";
+constexpr const char* kAli = "ALI";
+constexpr const char* kFin = "FIN";
+constexpr const char* kIso = "ISO";
+constexpr const char* kA51 = "A51";
+constexpr const char* k0iMd = "0iMD";
+constexpr const char* kCncs = "CNCS";
+constexpr const char* kRw = "RW";
+constexpr const char* kNct = "NCT";
+constexpr const char* kM7v = "M7V";
 constexpr const char* kKnown = "general knowledge";
 constexpr const char* kPolicy = "policy, nobody says";
 
@@ -674,8 +644,7 @@ void calls_and_returns(Control& c) {
   c.max_repeats = {9999, kRob, Secondary};
   c.zero_repeats = {ZeroRepeats::Once, kPolicy, Inferred};
   c.too_many_repeats = {TooManyRepeats::Alarm, kPolicy, Inferred};
-  c.max_nesting = {4, cite({kGed, kCwS, "MC52 (macro executor manual B-61803E-1, p.42)"}),
-                   Secondary};
+  c.max_nesting = {4, cite({kGed, kCwS, "MC52"}), Secondary};
   c.nesting_counts_macros = {false, cite({kRw, "4 + 4 levels"}), Secondary};
   c.max_macro_nesting = {4, kPb304, Manual};
   c.max_total_nesting = {8, cite({kRw, "4 + 4 levels"}), Secondary};
@@ -686,8 +655,7 @@ void calls_and_returns(Control& c) {
   c.return_search = {ReturnSearch::FromHead, cite({"policy", kFin}), Inferred};
   c.return_with_p = {ReturnWithP::AtOnce, kPolicy, Inferred};
   c.return_with_l = {ReturnWithL::Ignored, cite({kKnown, "unsure"}), Inferred};
-  c.main_return = {MainReturn::Restarts, cite({kSource003, kGed, "WEI (Weihong manual, a clone)"}),
-                   SourceDocument};
+  c.main_return = {MainReturn::Restarts, cite({kSource003, kGed, "WEI"}), SourceDocument};
   c.jump_m97 = {false, kKnown, Inferred};
   c.restart_m_code = {0, kKnown, Inferred};
   c.calls_in_modal = {CallsInModal::Allowed, kKnown, Inferred};
@@ -724,8 +692,7 @@ void macro_statements(Control& c) {
                  Secondary};
   c.modulo = {false, kKnown, Inferred};
   c.vacant_address = {VacantAddress::Ignored, cite({kXia, kJix}), Secondary};
-  c.vacant_comparison = {VacantComparison::Distinguished,
-                         cite({kM7v, "TSN (TSNC manual, a clone)"}), Secondary};
+  c.vacant_comparison = {VacantComparison::Distinguished, cite({kM7v, "TSN"}), Secondary};
   c.indirect_9nnn = {false, kKnown, Inferred};
   c.negative_logic = {true, cite({kAli, "on 32-bit whole numbers, general knowledge"}), Inferred};
   c.variable_names = {false, kKnown, Inferred};
@@ -740,7 +707,7 @@ void macro_calls(Control& c) {
   c.max_macro_digits = {8, cite({kKnown, "a number that no program has is not found"}), Inferred};
   c.argument_sets = {ArgumentSets::ByOrder,
                      cite({kKnown, "6008#7 IJK; agrees with source 002 and PB304"}), Inferred};
-  c.numbered_axis_arguments = {false, cite({kZap, "INT (Intek manual, a clone)"}), Secondary};
+  c.numbered_axis_arguments = {false, cite({kZap, "INT"}), Secondary};
   c.call_passes_words = {false, kPb304, Manual};
   c.words_before_macro_call = {WordsBeforeMacroCall::Alarm, cite({"policy", kX65, kPmi39}),
                                Inferred};
@@ -792,7 +759,7 @@ Control fanuc_0i_d() {
                      cite({kKnown, "unsure; ALM PS1093 lets L stand with M99"}), Inferred};
   c.words_with_call_in_cycle = {false, cite({kAlm, "PS5329"}), Secondary};
   c.joined_conditions = {false, cite({kKnown, "6006#0 MLG"}), Inferred};
-  c.short_functions = {true, "seen in the programs of 0i-MD shops", Secondary};
+  c.short_functions = {true, "0i-MD shops", Secondary};
   c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD",
                  cite({kAli, "POW general knowledge, unsure"}), Inferred};
   c.modulo = {true, kKnown, Inferred};

@@ -6,47 +6,27 @@ namespace cncsub {
 
 namespace {
 
-// Where the facts come from. Papers without an address are in github.com/IsPre/gsk980 at 09f84b35.
-const std::string k000 = "source 000, ";  // chapter "subprogram call" of the 988TA
-const std::string k001 = "source 001, ";  // M97, M98 and M99 of a 928 lathe
-const std::string kTA =
-    "TA";  // 988TA programming papers: TA28 calls, TA27 macro calls, TAn the others
-const std::string kTApar = "TApar ";  // 988TA parameter list, 988TA/parameter/param.txt
-// Alarm list 000 to 289 of the 988T, github.com/wangrenyisme/Shukongdashi, html/GSKerror.html and
-// GSKAns1.html
+// Where the facts come from: keys of sources.def.
+const std::string k000 = "source 000, ";
+const std::string k001 = "source 001, ";
+const std::string kTA = "TA";
+const std::string kTApar = "TApar ";
 const std::string kTalm = "Talm ";
-const std::string kTDi =
-    "TDi";  // 980TDi programming manual, chapters 3.n and the papers on new functions
-const std::string kTDipar = "TDipar ";  // 980TDi parameter list, 980TDi/parameter/param.txt
-const std::string kMDia = "MDia ";      // 980MDi alarm list of 2022, appendix 5
-const std::string kMDib = "MDib ";      // 980MDi paper "alarms and how to clear them"
-const std::string kMDipar = "MDipar ";  // 980MDi parameter list, same repository
-const std::string kT928 = "928T1, ";    // GSK 928T paper on M codes of the user's own
+const std::string kTDi = "TDi";
+const std::string kTDipar = "TDipar ";
+const std::string kMDia = "MDia ";
+const std::string kMDib = "MDib ";
+const std::string kMDipar = "MDipar ";
+const std::string kT928 = "928T1, ";
 const std::string kGeneral = "general knowledge";
-const std::string kPolicy =
-    "policy: nobody says";  // a default, to be changed where a machine is known to differ
+// A default, to be changed where a machine is known to differ.
+const std::string kPolicy = "policy: nobody says";
 const std::string kStands = "FANUC's number stands for the control's own";
 
 constexpr Evidence kDocument = Evidence::SourceDocument;
 constexpr Evidence kManual = Evidence::Manual;
 constexpr Evidence kSecondary = Evidence::Secondary;
 constexpr Evidence kInferred = Evidence::Inferred;
-
-/// Judges every source anew: what is a manual for one control is a sister's for its relative.
-template <class Judge>
-void reassess(Control& c, const Judge& judge) {
-#define RULE(type, name, value, meaning) judge(c.name.source, c.name.evidence);
-#include "cncsub/rules.def"
-#undef RULE
-  for (Parameter& p : c.parameters) judge(p.source, p.evidence);
-  for (VariableRange& v : c.variables) judge(v.source, v.evidence);
-  for (CodeCall& call : c.code_calls) judge(call.source, call.evidence);
-  for (auto& [cause, entry] : c.alarms) judge(entry.source, entry.evidence);
-}
-
-bool starts_with(const std::string& text, const std::string& head) {
-  return text.compare(0, head.size(), head) == 0;
-}
 
 /// #4102 B ... #4120 T: the modal words of the block before.
 void modal_words(Control& c, const std::string& addresses, const std::string& source,
@@ -92,8 +72,8 @@ void read_988(Control& c) {
   c.cuts_fine_digits = {false, kPolicy, kInferred};
   c.late_sequence_numbers = {true, kPolicy, kInferred};
   c.max_words = {0, kPolicy, kInferred};
-  c.max_block_length = {256, kTalm + "002", kSecondary};
-  c.max_digits = {8, kTalm + "003", kSecondary};
+  c.max_block_length = {256, kTalm + "002", kManual};
+  c.max_digits = {8, kTalm + "003", kManual};
   c.block_skip = {BlockSkip::Anywhere, kGeneral, kInferred};
   c.repeated_address = {RepeatedAddress::LastWins, kTApar + "3403#6 AD2 = 0", kManual};
   c.open_comment = {OpenComment::RestOfBlock, kPolicy, kInferred};
@@ -104,7 +84,7 @@ void read_988(Control& c) {
   c.missing_end = {MissingEnd::Alarm, kTApar + "3404#6 EOR = 0; Talm 019", kManual};
   c.m_codes_per_block = {1, kTApar + "3404#7 M3B = 0", kManual};
   c.m_codes_alone = {false, kPolicy, kInferred};
-  c.bare_g = {false, kTalm + "005", kSecondary};
+  c.bare_g = {false, kTalm + "005", kManual};
   c.g_codes = {kLatheCodes,
                kTA + "1 to TA28, titles; motion and offset codes from general knowledge",
                kInferred};
@@ -143,7 +123,7 @@ void call_988(Control& c) {
   c.jump_m97 = {false, kTApar + "6003#4: M97 ends a macro interrupt", kManual};
   c.restart_m_code = {0, kGeneral, kInferred};
   c.calls_in_modal = {CallsInModal::Refused, kTA + "27, G66, note 1", kManual};
-  c.codes_not_with_return = {"28 30 53 36 37", kTalm + "030", kSecondary};
+  c.codes_not_with_return = {"28 30 53 36 37", kTalm + "030", kManual};
   c.codes_not_with_call = {"", kPolicy, kInferred};
   c.words_with_call_in_cycle = {true, kPolicy, kInferred};
 }
@@ -155,16 +135,16 @@ void statements_988(Control& c) {
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};
   c.if_form = {IfForm::GotoThen, kTA + "27, example; THEN from general knowledge", kManual};
-  c.loop_form = {LoopForm::DoEnd, kTalm + "209, 211", kSecondary};
-  c.jumps = {true, kTalm + "213", kSecondary};
-  c.jumps_in_mdi = {false, kTalm + "208", kSecondary};
+  c.loop_form = {LoopForm::DoEnd, kTalm + "209, 211", kManual};
+  c.jumps = {true, kTalm + "213", kManual};
+  c.jumps_in_mdi = {false, kTalm + "208", kManual};
   c.jump_search = {JumpSearch::ForwardThenHead, kGeneral, kInferred};
-  c.max_jump_number = {99999, kTalm + "213", kSecondary};
-  c.max_loop_number = {3, kTalm + "211", kSecondary};
+  c.max_jump_number = {99999, kTalm + "213", kManual};
+  c.max_loop_number = {3, kTalm + "211", kManual};
   c.max_loops = {3, "inferred from Talm 211", kInferred};
   c.loops_count_across_calls = {false, kGeneral, kInferred};
   c.max_ifs = {10, kPolicy + "; without effect where IF has no blocks", kInferred};
-  c.max_brackets = {5, kTalm + "205", kSecondary};
+  c.max_brackets = {5, kTalm + "205", kManual};
   c.angle_unit = {AngleUnit::Degrees, kTApar + "6004#0 counts in degrees", kManual};
   c.atan_range = {AngleRange::FullTurn, kTApar + "6004#0 NAT = 0", kManual};
   c.asin_range = {AngleRange::FullTurn, kTApar + "6004#0 NAT = 0", kManual};
@@ -178,7 +158,7 @@ void statements_988(Control& c) {
   c.vacant_address = {VacantAddress::Ignored, kGeneral, kInferred};
   c.vacant_comparison = {VacantComparison::Distinguished, kGeneral, kInferred};
   c.indirect_9nnn = {false, kPolicy, kInferred};
-  c.negative_logic = {false, kTalm + "217", kSecondary};
+  c.negative_logic = {false, kTalm + "217", kManual};
   c.variable_names = {false, kPolicy, kInferred};
   c.logic_binds_last = {false, kGeneral, kInferred};
 }
@@ -213,7 +193,7 @@ void macros_988(Control& c) {
 /// 988T.
 void alarms_988(Control& c) {
   const auto add = [&c](Cause cause, const std::string& number, const std::string& text) {
-    c.alarms[cause] = {number, text, kTalm + number + ", list of the 988T", kSecondary};
+    c.alarms[cause] = {number, text, kTalm + number, kManual};
   };
   const std::string range = "value out of range, or more than 8 digits";
   const std::string missing = "program number not found";
@@ -450,23 +430,10 @@ Control gsk_988t() {
   c.calls_in_modal = {CallsInModal::Refused, kTalm + "204", kManual};
   c.alarms.erase(Cause::IllegalProgramNumber);
   c.alarms.erase(Cause::RepeatGivenTwice);
-  const std::string carried = ", list of the 988T";
-  reassess(c, [&carried](std::string& source, Evidence& evidence) {
-    if (starts_with(source, kTalm)) {
-      evidence = kManual;
-      if (const auto at = source.find(carried); at != std::string::npos) source.erase(at);
-    } else if (starts_with(source, k000) || starts_with(source, kTA)) {
-      evidence = kSecondary;
-      source += "; of the 988TA";
-    }
-  });
   return c;
 }
 
 // ---- 980TDi and 980MDi ----
-
-// Said of an alarm or rule of the 980MDi where it stands for the 980TDi.
-const std::string kOfMDi = "; of the 980MDi";
 
 const std::string kTDiCodes =
     "0 1 2 3 4 5 5.1 6.2 6.3 7.1 7.2 7.3 10 11 12.1 13.1 17 18 19 20 21 22 23 "
@@ -487,17 +454,17 @@ void read_980(Control& c) {
   c.named_programs = {false, kTDi + "15 1.1.1: a name is the name of a file", kManual};
   c.file_name_wins = {false, kPolicy + ": an O word in the file names the program", kInferred};
   c.max_program_number = {9999, kTDi + "15 1.1.1", kManual};
-  c.max_sequence_number = {99999, kMDib + "0112: 0 to 99999" + kOfMDi, kSecondary};
-  c.zero_numbers = {false, kMDia + "095: O0000 cannot be called" + kOfMDi, kSecondary};
-  c.sequence_number_first = {true, kMDia + "006" + kOfMDi, kSecondary};
+  c.max_sequence_number = {99999, kMDib + "0112: 0 to 99999", kManual};
+  c.zero_numbers = {false, kMDia + "095: O0000 cannot be called", kManual};
+  c.sequence_number_first = {true, kMDia + "006", kManual};
   c.cuts_fine_digits = {false, kPolicy, kInferred};
   c.late_sequence_numbers = {true, kPolicy, kInferred};
-  c.max_words = {100, kMDia + "011" + kOfMDi, kSecondary};
-  c.max_block_length = {256, kMDia + "037" + kOfMDi, kSecondary};
-  c.max_digits = {10, kMDia + "003: a word has at most 11 characters" + kOfMDi, kSecondary};
+  c.max_words = {100, kMDia + "011", kManual};
+  c.max_block_length = {256, kMDia + "037", kManual};
+  c.max_digits = {10, kMDia + "003: a word has at most 11 characters", kManual};
   c.block_skip = {BlockSkip::HeadOnly, kGeneral, kInferred};
-  c.repeated_address = {RepeatedAddress::Alarm, kMDia + "010" + kOfMDi, kSecondary};
-  c.open_comment = {OpenComment::Alarm, kMDia + "041" + kOfMDi, kSecondary};
+  c.repeated_address = {RepeatedAddress::Alarm, kMDia + "010", kManual};
+  c.open_comment = {OpenComment::Alarm, kMDia + "041", kManual};
   c.point_addresses = {"ABCDEFHIJKLQRUVWXYZ",
                        kTDi + "11: L and D are lengths; the others from general knowledge",
                        kInferred};
@@ -509,7 +476,7 @@ void read_980(Control& c) {
   c.missing_end = {MissingEnd::Alarm, kPolicy, kInferred};
   c.m_codes_per_block = {1, kGeneral, kInferred};
   c.m_codes_alone = {false, kPolicy, kInferred};
-  c.bare_g = {false, kMDia + "003: a word has at least two characters" + kOfMDi, kSecondary};
+  c.bare_g = {false, kMDia + "003: a word has at least two characters", kManual};
   c.g_codes = {kTDiCodes, kTDi + "2 to TDi37, titles", kManual};
 }
 
@@ -525,14 +492,14 @@ void call_980(Control& c) {
   c.max_name_length = {20, kTDi + "15 1.1.1", kManual};
   c.call_values = {CallValues::Cut, kPolicy + "; as on the 988TA", kInferred};
   c.zero_count_alarms = {true, "inferred from MDib 0092: a count less than 1", kInferred};
-  c.omitted_program = {OmittedProgram::Alarm, kMDia + "095" + kOfMDi, kSecondary};
+  c.omitted_program = {OmittedProgram::Alarm, kMDia + "095", kManual};
   c.start_word = {StartWord::None, kTDi + "15 1.1.7 has no Q", kManual};
-  c.self_call = {SelfCall::Refused, kMDia + "097" + kOfMDi, kSecondary};
-  c.caller_call = {CallerCall::MainRefused, kMDia + "094" + kOfMDi, kSecondary};
+  c.self_call = {SelfCall::Refused, kMDia + "097", kManual};
+  c.caller_call = {CallerCall::MainRefused, kMDia + "094", kManual};
   c.max_repeats = {9999, kTDi + "15 1.1.7", kManual};
-  c.zero_repeats = {ZeroRepeats::Alarm, kMDib + "0092: less than 1" + kOfMDi, kSecondary};
-  c.too_many_repeats = {TooManyRepeats::Alarm, kMDib + "0092: more than 9999" + kOfMDi, kSecondary};
-  c.max_nesting = {4, kMDia + "096" + kOfMDi, kSecondary};
+  c.zero_repeats = {ZeroRepeats::Alarm, kMDib + "0092: less than 1", kManual};
+  c.too_many_repeats = {TooManyRepeats::Alarm, kMDib + "0092: more than 9999", kManual};
+  c.max_nesting = {4, kMDia + "096", kManual};
   c.nesting_counts_macros = {false, kPolicy, kInferred};
   c.max_macro_nesting = {4, kTDi + "28 3.28.3.1: four levels", kManual};
   c.max_total_nesting = {0, kPolicy, kInferred};
@@ -547,14 +514,14 @@ void call_980(Control& c) {
   c.restart_m_code = {0, kGeneral, kInferred};
   c.calls_in_modal = {CallsInModal::EndModal, kTDi + "28 3.28.3.2, note 4; MDia 113", kManual};
   c.codes_not_with_return = {"", kPolicy, kInferred};
-  c.codes_not_with_call = {"4 54 54.1", kMDib + "0051" + kOfMDi, kSecondary};
+  c.codes_not_with_call = {"4 54 54.1", kMDib + "0051", kManual};
   c.words_with_call_in_cycle = {true, kPolicy, kInferred};
 }
 
 void statements_980(Control& c) {
   c.reset_clears_locals = {true, kPolicy, kInferred};
   c.reset_clears_commons = {false, kPolicy, kInferred};
-  c.vacant_system_writes = {false, kMDia + "121" + kOfMDi, kSecondary};
+  c.vacant_system_writes = {false, kMDia + "121", kManual};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};
   c.if_form = {IfForm::GotoThen, kTDi + "29 3.29.2 (2)", kManual};
@@ -587,12 +554,12 @@ void statements_980(Control& c) {
 }
 
 void macros_980(Control& c) {
-  c.codes_not_with_macro_call = {"43 44 49", kMDib + "115" + kOfMDi, kSecondary};
-  c.m_codes_not_with_macro_call = {"0 1 2 30 98 99", kMDib + "116" + kOfMDi, kSecondary};
+  c.codes_not_with_macro_call = {"43 44 49", kMDib + "115", kManual};
+  c.m_codes_not_with_macro_call = {"0 1 2 30 98 99", kMDib + "116", kManual};
   c.codes_not_with_modal_call = {
       "0 1 2 3 4 5 6.2 6.3 7.2 7.3 28 30 31 32 33 34 36 37 50 52 53 70 71 72 73 74 75 76 84 88 90 "
       "92 94",
-      kMDia + "044" + kOfMDi, kSecondary};
+      kMDia + "044", kManual};
   c.macro_calls = {true, kTDi + "28 3.28.3", kManual};
   c.modal_every_block = {false, kTDi + "28 3.28.3 names G65, G66 and G67", kManual};
   c.max_macro_digits = {4, kTDi + "28 3.28.3.1: at most four digits", kManual};
@@ -618,7 +585,7 @@ void macros_980(Control& c) {
 /// The list of the 980MDi; none of the 980TDi was found.
 void alarms_980(Control& c) {
   const auto add = [&c](Cause cause, const std::string& number, const std::string& text) {
-    c.alarms[cause] = {number, text, kMDia + number + kOfMDi, kSecondary};
+    c.alarms[cause] = {number, text, kMDia + number, kManual};
   };
   const std::string length = "word has too few or too many characters";
   const std::string value = "value illegal or out of range";
@@ -691,10 +658,9 @@ void alarms_980(Control& c) {
   add(Cause::IllegalHCode, "124", "illegal H code");
   add(Cause::HCodeOperand, "125", "wrong count of operands");
   add(Cause::IllegalUserAlarm, "126", "alarm number outside 0 to 99");
-  c.alarms[Cause::GCodeNotAvailable] = {"0002", "illegal G code", kMDib + "0002" + kOfMDi,
-                                        kSecondary};
-  c.alarms[Cause::IllegalWordWithCall] = {"051", "G04, G54 or G54.1 with M98",
-                                          kMDib + "0051" + kOfMDi, kSecondary};
+  c.alarms[Cause::GCodeNotAvailable] = {"0002", "illegal G code", kMDib + "0002", kManual};
+  c.alarms[Cause::IllegalWordWithCall] = {"051", "G04, G54 or G54.1 with M98", kMDib + "0051",
+                                          kManual};
 }
 
 void variables_980(Control& c) {
@@ -804,15 +770,6 @@ Control gsk_980mdi() {
   Control c = gsk_980tdi();
   c.name = "gsk-980mdi";
   c.title = "GSK 980MDi mill";
-  reassess(c, [](std::string& source, Evidence& evidence) {
-    if (starts_with(source, kMDia) || starts_with(source, kMDib)) {
-      evidence = kManual;
-      if (const auto at = source.find(kOfMDi); at != std::string::npos) source.erase(at);
-    } else if (evidence == kManual) {
-      evidence = kSecondary;
-      source += "; of the 980TDi";
-    }
-  });
   c.bracket_names = {false, kGeneral, kInferred};
   c.wide_names = {false, kGeneral, kInferred};
   c.count_and_l = {CountAndL::NoL, kGeneral, kInferred};
@@ -862,10 +819,10 @@ Control gsk_980mdi() {
 /// Calls of parts of the same program; M97 jumps, no macro statements, no alarm number known.
 void read_928(Control& c) {
   c.semicolon = {Semicolon::EndOfBlock, kGeneral, kInferred};
-  c.percent_programs = {true, kT928 + "%254; of the 928T", kSecondary};
+  c.percent_programs = {true, kT928 + "%254", kManual};
   c.named_programs = {false, kGeneral, kInferred};
   c.file_name_wins = {false, kPolicy, kInferred};
-  c.max_program_number = {254, kT928 + "%254; of the 928T", kSecondary};
+  c.max_program_number = {254, kT928 + "%254", kManual};
   c.max_sequence_number = {9999, k001 + "N of four digits", kDocument};
   c.zero_numbers = {true, kPolicy, kInferred};
   c.sequence_number_first = {false, kPolicy, kInferred};

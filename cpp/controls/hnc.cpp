@@ -1,10 +1,5 @@
 // Huazhong HNC-21M milling.
-//
-// The tags of the sources, and where each can be read:
-//   H9   9528008.com/zhishi/shukong/shukongxichuangbianchengyucaozuo_751529.html: macro variables
-//   of the HNC-21M(T) HD   m.docduoduo.com/p-5998343.html: an HNC macro tutorial with programs HS
-//   decoder_def.h of the maker's HNC-8 kit (a public copy): limits, applied to the HNC-21 by
-//   analogy
+// The keys of the sources stand in sources.def.
 // The HNC-21 shows its alarms as sentences; no source gives a number or the exact words, so it has
 // no alarm table.
 #include "controls/controls.hpp"
@@ -14,9 +9,9 @@ namespace {
 
 using enum Evidence;
 
-constexpr const char* kH9 = "H9 (macro variables and constants of the HNC-21M)";
-constexpr const char* kHd = "HD (HNC macro tutorial)";
-constexpr const char* kHs = "HS (limits in a header of the maker's HNC-8 kit, by analogy)";
+constexpr const char* kH9 = "H9";
+constexpr const char* kHd = "HD";
+constexpr const char* kHs = "HS";
 constexpr const char* kKnown = "general knowledge";
 constexpr const char* kUnsure = "general knowledge, unsure";
 constexpr const char* kPolicy = "policy, nobody says";
@@ -99,7 +94,7 @@ void macro_statements(Control& c) {
   c.jumps_in_mdi = {false, kPolicy, Inferred};
   c.jump_search = {JumpSearch::FromHead, kNone, Inferred};
   c.max_jump_number = {99999999, kNone, Inferred};
-  c.max_loop_number = {0, "HD (HNC macro tutorial): loops have no numbers", Secondary};
+  c.max_loop_number = {0, "HD: loops have no numbers", Secondary};
   c.max_loops = {9, kHs, Inferred};
   c.loops_count_across_calls = {false, kPolicy, Inferred};
   c.max_ifs = {9, kHs, Inferred};

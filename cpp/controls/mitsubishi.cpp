@@ -5,32 +5,19 @@ namespace cncsub {
 
 namespace {
 
-// Where the facts come from.
-const std::string k004 =
-    "source 004, ";  // lesson "Day CNC Bai 33": M98 P H L, M99, alarms P230 to P232, four levels
-// MELDAS 60/64 and MAGIC 64 lathe programming manual, Russian edition, 13.9 "differences of M98 and
-// G65", studmed.ru, page 38
+// Where the facts come from: keys of sources.def.
+const std::string k004 = "source 004, ";
 const std::string kSM = "SM, ";
-const std::string kM7 = "M7 ";  // M700V/M70V programming manual,
-                                // manualshive.com/en/manual/mitsubishi-electric/m700v-series/238523
-const std::string kSK =
-    "SK ";  // list of P10 to P40, github.com/wangrenyisme/Shukongdashi, html/Mitserror1.html
-// Words of M98 and their ranges,
-// industrialmonitordirect.com/blogs/knowledgebase/mitsubishi-meldas-m98-subprogram-call-h-address-syntax
+const std::string kM7 = "M7 ";
+const std::string kSK = "SK ";
 const std::string kIMD = "IMD, ";
-const std::string kIMD2 = "IMD2, ";  // the same site, "resolving Mitsubishi M700 CNC program not
-                                     // found": the file's name is the key
-const std::string kCW =
-    "CW, ";  // cnc.wiki/en/writing-and-calling-subprograms: levels, M198, the device parameter
-const std::string kOB = "OB, ";  // okumacnc.blogspot.com/2011/07/subprogram-call-m98-m99.html, copy
-                                 // of a Mazak/MELDAS chapter
-// Mazak alarm list, github.com/StevenCowie73/cnc-alarms, public/alarms.json; the P number was
-// paired to its cause by order
+const std::string kIMD2 = "IMD2, ";
+const std::string kCW = "CW, ";
+const std::string kOB = "OB, ";
 const std::string kMZ = "MZ ";
-const std::string kGeneral =
-    "general knowledge";  // of the programming and alarm manuals, no page at hand
-const std::string kPolicy =
-    "policy: nobody says";  // a default, to be changed where a machine is known to differ
+const std::string kGeneral = "general knowledge";
+// A default, to be changed where a machine is known to differ.
+const std::string kPolicy = "policy: nobody says";
 
 constexpr Evidence kDocument = Evidence::SourceDocument;
 constexpr Evidence kManual = Evidence::Manual;

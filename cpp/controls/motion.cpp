@@ -1,9 +1,4 @@
-// Motion rules, parameters and alarms of every maker. The tags of the sources:
-//   source 000, 001, 003   the given documents: GSK 988TA, GSK 928, HNC-21M and FANUC 0i-M
-//   TDi n, TA n            GSK 980TDi manual chapter 3.n, GSK 988TA programming paper n; TApar,
-//   TDipar their parameters Talm nnn, MDib nnnn    alarms of the 988T and the 980MDi M7 p.n, MZ nnn
-//   Mitsubishi M700V manual; Mazak's alarms, paired with Mitsubishi's by order 16MC, 16TC, 15iM,
-//   30i, 30iM, 0iMB, 0iTC, 16iLB p.n   FANUC manuals; ALM a transcript of the 30i's alarms
+// Motion rules, parameters and alarms of every maker. The keys of the sources stand in sources.def.
 #include <algorithm>
 #include <initializer_list>
 
@@ -30,16 +25,17 @@ void add_alarms(Control& c, std::initializer_list<AlarmRow> rows) {
 }
 
 /// Gives a parameter its effect; one the control's own list already has keeps its value and its
-/// source.
+/// source. What it sets comes from it.
 void add_effect(Control& c, const char* name, double value, const char* meaning, const char* source,
                 Evidence evidence, void (*effect)(Control&, double)) {
-  for (Parameter& p : c.parameters)
-    if (p.name == name) {
-      p.effect = effect;
-      return effect(c, p.value);
-    }
-  c.parameters.push_back({name, value, meaning, source, evidence, effect});
-  effect(c, value);
+  auto p = std::find_if(c.parameters.begin(), c.parameters.end(),
+                        [name](const Parameter& known) { return known.name == name; });
+  if (p == c.parameters.end())
+    p = c.parameters.insert(p, {name, value, meaning, source, evidence, nullptr});
+  p->effect = effect;
+  const Answers before(c);
+  effect(c, p->value);
+  follow(c, before, "parameter " + p->name + " as delivered: " + p->source, p->evidence);
 }
 
 int whole(double v) { return static_cast<int>(std::clamp(v, -2e9, 2e9)); }
@@ -403,8 +399,10 @@ void mitsubishi_alarms(Control& c) {
         Secondary},
        {Cause::OffsetNumber, "P170", "No offset number", "MZ 839, paired", Secondary},
        {Cause::RadiusOffsetNumber, "P170", "No offset number", "MZ 839, paired", Secondary},
-       {Cause::Taper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
-       {Cause::FaceTaper, "P191", "Taper length error", "Mitsubishi list, K", Inferred},
+       {Cause::Taper, "P191", "Taper length error", "general knowledge of the Mitsubishi list",
+        Inferred},
+       {Cause::FaceTaper, "P191", "Taper length error", "general knowledge of the Mitsubishi list",
+        Inferred},
        {Cause::PqNotFound, "P201", "Program error (MRC)", "MZ 897, paired", Secondary},
        {Cause::NoSpeed, "P132", "", "general knowledge", Inferred},
        {Cause::ProfileTooLong, "P202", "Block over (MRC)", "MZ 898, paired", Secondary},
@@ -459,9 +457,9 @@ void lathe_rules(Control& c) {
 
 void gsk_988(Control& c, double power_on_feed) {
   lathe_rules(c);
-  c.home_needed = {true, "Talm 047", Secondary};
+  c.home_needed = {true, "Talm 047", Manual};
   c.g_meanings = {"92.1=not-computed", "TA 19: a thread cycle, in both G code systems", Manual};
-  c.unit_change = {UnitChange::Alone, "Talm 042", Secondary};
+  c.unit_change = {UnitChange::Alone, "Talm 042", Manual};
   c.refuses = {
       "codes-with-rotation code-in-rotation corner-at-offset-start thread-passes cycle-plane "
       "cycle-axis turning-plane turning-axis pq-same profile-start pattern-x pattern-z "
@@ -470,7 +468,7 @@ void gsk_988(Control& c, double power_on_feed) {
   c.thread_starts = {true, "TA 18: L", Manual};
   c.thread_words_not_computed = {"LDE", "TA 21: L, D, E of G76", Manual};
   c.angle_words = {",A", "TApar 3405#4", Manual};
-  c.max_profile_blocks = {100, "Talm 137", Secondary};
+  c.max_profile_blocks = {100, "Talm 137", Manual};
   c.max_pockets = {30, "TA 8", Manual};
   add_effect(c, "5102#1", 1, "G71 to G73: 1 = a profile that turns back is an alarm", "TA 8",
              Manual, set_monotone);
@@ -484,11 +482,11 @@ void gsk_988(Control& c, double power_on_feed) {
              Manual, set_bore_return);
   c.cycle_point = {true, "TA 12, 13, 21: P3.000", Manual};
   c.run_out_words = {RunOutWords::Across, "TA 14, TA 18", Manual};
-  c.thread_needs_spindle = {true, "Talm 102", Secondary};
-  c.helix = {false, "Talm 033", Secondary};
+  c.thread_needs_spindle = {true, "Talm 102", Manual};
+  c.helix = {false, "Talm 033", Manual};
   c.contour_behind = {false, "TA 8", Manual};
   c.cycle_repeats = {"K", "TA 24: K 1 to 99", Manual};
-  c.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, "Talm 181", Secondary};
+  c.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, "Talm 181", Manual};
   c.max_cycle_repeats = {99, "TA 24: K 1 to 99; Talm 181", Manual};
   c.power_on_per_minute = {false, "TApar 3402#4", Manual};
   // The examples of the 988TA feed without F; the 988T has an alarm for that. [source 000, Talm
@@ -505,7 +503,7 @@ void gsk_988(Control& c, double power_on_feed) {
   add_effect(c, "1202#3", 0, "RLC: reset ends the local coordinate system", "TApar 1202#3", Manual,
              set_reset_local);
   add_effect(c, "5006#1", 0, "1 = T in a block with G04, G10 or G50 is an alarm", "Talm 028",
-             Secondary, set_tool_with_setting);
+             Manual, set_tool_with_setting);
   add_effect(c, "5002#0", 1, "digits of T that name the offset: 0 one, 1 two", "TApar 5002#0",
              Manual, set_offset_digits);
   add_effect(c, "5002#4", 0,
@@ -513,97 +511,92 @@ void gsk_988(Control& c, double power_on_feed) {
              "TApar 5002#4", Manual, set_tool_motion);
   add_alarms(
       c,
-      {{Cause::NoFeed, "021", "no feed, or one that does not fit G98 and G99", "Talm 021",
-        Secondary},
-       {Cause::OffsetNumber, "026", "offset number", "Talm 026", Secondary},
-       {Cause::RadiusOffsetNumber, "026", "offset number", "Talm 026", Secondary},
-       {Cause::LengthAxis, "027", "no axis for the length offset", "Talm 027", Secondary},
-       {Cause::ArcAxis, "033", "axis outside the plane of the arc", "Talm 033", Secondary},
-       {Cause::NoRadius, "034", "neither R nor I, J, K", "Talm 034", Secondary},
-       {Cause::RadiusTooSmall, "035", "R too small", "Talm 035", Secondary},
-       {Cause::RadiusTolerance, "036", "the radii of start and end differ", "Talm 036", Secondary},
-       {Cause::ThreadLead, "038", "thread lead", "Talm 038", Secondary},
-       {Cause::UnitChangeLate, "042", "G20, G21 not alone at the head", "Talm 042", Secondary},
-       {Cause::NotAtReference, "045", "G27 not at the reference point", "Talm 045", Secondary},
-       {Cause::NotHomed, "043", "the machine zero is not known", "Talm 043", Secondary},
+      {{Cause::NoFeed, "021", "no feed, or one that does not fit G98 and G99", "Talm 021", Manual},
+       {Cause::OffsetNumber, "026", "offset number", "Talm 026", Manual},
+       {Cause::RadiusOffsetNumber, "026", "offset number", "Talm 026", Manual},
+       {Cause::LengthAxis, "027", "no axis for the length offset", "Talm 027", Manual},
+       {Cause::ArcAxis, "033", "axis outside the plane of the arc", "Talm 033", Manual},
+       {Cause::NoRadius, "034", "neither R nor I, J, K", "Talm 034", Manual},
+       {Cause::RadiusTooSmall, "035", "R too small", "Talm 035", Manual},
+       {Cause::RadiusTolerance, "036", "the radii of start and end differ", "Talm 036", Manual},
+       {Cause::ThreadLead, "038", "thread lead", "Talm 038", Manual},
+       {Cause::UnitChangeLate, "042", "G20, G21 not alone at the head", "Talm 042", Manual},
+       {Cause::NotAtReference, "045", "G27 not at the reference point", "Talm 045", Manual},
+       {Cause::NotHomed, "043", "the machine zero is not known", "Talm 043", Manual},
        {Cause::ReferenceNotHomed, "047", "G30 before the machine zero is known", "Talm 047",
-        Secondary},
-       {Cause::ReferenceNumber, "048", "P of G30", "Talm 048", Secondary},
-       {Cause::CompensationSkip, "059", "G31 in G41, G42", "Talm 059", Secondary},
-       {Cause::G10L, "061", "L of G10", "Talm 061", Secondary},
-       {Cause::G10P, "062", "P of G10", "Talm 062", Secondary},
-       {Cause::G10System, "062", "P of G10", "Talm 062", Secondary},
-       {Cause::G10Offset, "062", "P of G10", "Talm 062", Secondary},
-       {Cause::G10Word, "062", "P of G10", "Talm 062", Secondary},
-       {Cause::StrokeArea, "068", "the range of the stroke check", "Talm 068", Secondary},
-       {Cause::CornerOffset, "271", "chamfer in a block that takes none", "Talm 271", Secondary},
-       {Cause::ToolWithSetting, "028", "T in a block that takes none", "Talm 028", Secondary},
-       {Cause::SpindleStands, "102", "thread at spindle speed 0", "Talm 102", Secondary},
-       {Cause::Taper, "123", "taper of G90, G92", "Talm 123", Secondary},
-       {Cause::FaceTaper, "124", "taper of G94", "Talm 124", Secondary},
-       {Cause::ProfileCall, "131", "a call in the profile", "Talm 131", Secondary},
-       {Cause::PqMissing, "133", "P or Q missing", "Talm 133", Secondary},
-       {Cause::PqNotFound, "134", "P or Q not found", "Talm 134", Secondary},
-       {Cause::ProfileNotMonotone, "138", "the profile is not monotone", "Talm 138", Secondary},
-       {Cause::ProfileFirstBlock, "144", "ns is not G00 or G01", "Talm 144", Secondary},
-       {Cause::CycleDepth, "148", "depth of cut", "Talm 148", Secondary},
-       {Cause::CyclePlane, "126", "plane of a multiple cycle", "Talm 126", Secondary},
-       {Cause::CycleAxis, "127", "axis outside ZX in G70 to G76", "Talm 127", Secondary},
-       {Cause::TurningPlane, "121", "a turning cycle outside ZX", "Talm 121", Secondary},
-       {Cause::TurningAxis, "122", "axis outside ZX in a turning cycle", "Talm 122", Secondary},
-       {Cause::ProfileCode, "128", "a G code in G70 to G73", "Talm 128", Secondary},
-       {Cause::ProfileInMdi, "129", "G70 to G73 in MDI", "Talm 129", Secondary},
-       {Cause::ProfileMacro, "130", "a macro statement in G70 to G73", "Talm 130", Secondary},
-       {Cause::PqSame, "135", "P and Q of G70 to G73", "Talm 135", Secondary},
-       {Cause::ProfileTooLong, "137", "more than 100 blocks", "Talm 137", Secondary},
+        Manual},
+       {Cause::ReferenceNumber, "048", "P of G30", "Talm 048", Manual},
+       {Cause::CompensationSkip, "059", "G31 in G41, G42", "Talm 059", Manual},
+       {Cause::G10L, "061", "L of G10", "Talm 061", Manual},
+       {Cause::G10P, "062", "P of G10", "Talm 062", Manual},
+       {Cause::G10System, "062", "P of G10", "Talm 062", Manual},
+       {Cause::G10Offset, "062", "P of G10", "Talm 062", Manual},
+       {Cause::G10Word, "062", "P of G10", "Talm 062", Manual},
+       {Cause::StrokeArea, "068", "the range of the stroke check", "Talm 068", Manual},
+       {Cause::CornerOffset, "271", "chamfer in a block that takes none", "Talm 271", Manual},
+       {Cause::ToolWithSetting, "028", "T in a block that takes none", "Talm 028", Manual},
+       {Cause::SpindleStands, "102", "thread at spindle speed 0", "Talm 102", Manual},
+       {Cause::Taper, "123", "taper of G90, G92", "Talm 123", Manual},
+       {Cause::FaceTaper, "124", "taper of G94", "Talm 124", Manual},
+       {Cause::ProfileCall, "131", "a call in the profile", "Talm 131", Manual},
+       {Cause::PqMissing, "133", "P or Q missing", "Talm 133", Manual},
+       {Cause::PqNotFound, "134", "P or Q not found", "Talm 134", Manual},
+       {Cause::ProfileNotMonotone, "138", "the profile is not monotone", "Talm 138", Manual},
+       {Cause::ProfileFirstBlock, "144", "ns is not G00 or G01", "Talm 144", Manual},
+       {Cause::CycleDepth, "148", "depth of cut", "Talm 148", Manual},
+       {Cause::CyclePlane, "126", "plane of a multiple cycle", "Talm 126", Manual},
+       {Cause::CycleAxis, "127", "axis outside ZX in G70 to G76", "Talm 127", Manual},
+       {Cause::TurningPlane, "121", "a turning cycle outside ZX", "Talm 121", Manual},
+       {Cause::TurningAxis, "122", "axis outside ZX in a turning cycle", "Talm 122", Manual},
+       {Cause::ProfileCode, "128", "a G code in G70 to G73", "Talm 128", Manual},
+       {Cause::ProfileInMdi, "129", "G70 to G73 in MDI", "Talm 129", Manual},
+       {Cause::ProfileMacro, "130", "a macro statement in G70 to G73", "Talm 130", Manual},
+       {Cause::PqSame, "135", "P and Q of G70 to G73", "Talm 135", Manual},
+       {Cause::ProfileTooLong, "137", "more than 100 blocks", "Talm 137", Manual},
        {Cause::ProfileStart, "139", "the start of G71 to G73 lies in the range of the cut",
-        "Talm 139", Secondary},
-       {Cause::ProfilePockets, "140", "too many pockets in G71", "Talm 140", Secondary},
-       {Cause::PatternX, "141", "X escape against the allowance of G73", "Talm 141", Secondary},
-       {Cause::PatternZ, "142", "Z escape against the allowance of G73", "Talm 142", Secondary},
-       {Cause::PatternFirstBlock, "145", "the first block of G73", "Talm 145", Secondary},
-       {Cause::ProfileFirstX, "146", "no X in the first block of G71", "Talm 146", Secondary},
-       {Cause::ProfileFirstZ, "147", "no Z in the first block of G72", "Talm 147", Secondary},
-       {Cause::CycleEscape, "149", "escape of G71, G72 below 0", "Talm 149", Secondary},
-       {Cause::PatternPasses, "151", "passes of G73", "Talm 151", Secondary},
-       {Cause::GrooveQ, "153", "Q of G74", "Talm 153", Secondary},
-       {Cause::GrooveP, "155", "P of G75", "Talm 155", Secondary},
-       {Cause::GrooveRetract, "156", "R(e) of G74, G75 below 0", "Talm 156", Secondary},
-       {Cause::GrooveEscape, "157", "R(d) of G74, G75 below 0", "Talm 157", Secondary},
-       {Cause::GrooveStep, "158", "a step of G74, G75", "Talm 158", Secondary},
-       {Cause::GrooveAxis, "154", "G75 without X", "Talm 154", Secondary},
-       {Cause::ThreadRunOut, "039", "run-out of a thread along the long axis", "Talm 039",
-        Secondary},
-       {Cause::ThreadTravel, "160", "no travel in X or Z of G76", "Talm 160", Secondary},
-       {Cause::ThreadPasses, "161", "passes of G76 outside 1 to 99", "Talm 161", Secondary},
-       {Cause::ThreadLeastCut, "164", "Q(dmin) of G76", "Talm 164", Secondary},
-       {Cause::ThreadAllowance, "165", "R(d) of G76", "Talm 165", Secondary},
-       {Cause::ThreadTaper, "166", "R and U of a taper thread of G76", "Talm 166", Secondary},
-       {Cause::ThreadHeightValue, "168", "height of the thread of G76", "Talm 168", Secondary},
-       {Cause::ThreadCut, "169", "Q of G76", "Talm 169", Secondary},
-       {Cause::ThreadSteep, "170", "taper of G76 over 45 degrees", "Talm 170", Secondary},
-       {Cause::ThreadHeight, "167", "no height of the thread", "Talm 167", Secondary},
-       {Cause::CycleRepeats, "181", "K outside 1 to 99", "Talm 181", Secondary},
-       {Cause::CompensationNoIntersection, "251", "no intersection", "Talm 251", Secondary},
+        "Talm 139", Manual},
+       {Cause::ProfilePockets, "140", "too many pockets in G71", "Talm 140", Manual},
+       {Cause::PatternX, "141", "X escape against the allowance of G73", "Talm 141", Manual},
+       {Cause::PatternZ, "142", "Z escape against the allowance of G73", "Talm 142", Manual},
+       {Cause::PatternFirstBlock, "145", "the first block of G73", "Talm 145", Manual},
+       {Cause::ProfileFirstX, "146", "no X in the first block of G71", "Talm 146", Manual},
+       {Cause::ProfileFirstZ, "147", "no Z in the first block of G72", "Talm 147", Manual},
+       {Cause::CycleEscape, "149", "escape of G71, G72 below 0", "Talm 149", Manual},
+       {Cause::PatternPasses, "151", "passes of G73", "Talm 151", Manual},
+       {Cause::GrooveQ, "153", "Q of G74", "Talm 153", Manual},
+       {Cause::GrooveP, "155", "P of G75", "Talm 155", Manual},
+       {Cause::GrooveRetract, "156", "R(e) of G74, G75 below 0", "Talm 156", Manual},
+       {Cause::GrooveEscape, "157", "R(d) of G74, G75 below 0", "Talm 157", Manual},
+       {Cause::GrooveStep, "158", "a step of G74, G75", "Talm 158", Manual},
+       {Cause::GrooveAxis, "154", "G75 without X", "Talm 154", Manual},
+       {Cause::ThreadRunOut, "039", "run-out of a thread along the long axis", "Talm 039", Manual},
+       {Cause::ThreadTravel, "160", "no travel in X or Z of G76", "Talm 160", Manual},
+       {Cause::ThreadPasses, "161", "passes of G76 outside 1 to 99", "Talm 161", Manual},
+       {Cause::ThreadLeastCut, "164", "Q(dmin) of G76", "Talm 164", Manual},
+       {Cause::ThreadAllowance, "165", "R(d) of G76", "Talm 165", Manual},
+       {Cause::ThreadTaper, "166", "R and U of a taper thread of G76", "Talm 166", Manual},
+       {Cause::ThreadHeightValue, "168", "height of the thread of G76", "Talm 168", Manual},
+       {Cause::ThreadCut, "169", "Q of G76", "Talm 169", Manual},
+       {Cause::ThreadSteep, "170", "taper of G76 over 45 degrees", "Talm 170", Manual},
+       {Cause::ThreadHeight, "167", "no height of the thread", "Talm 167", Manual},
+       {Cause::CycleRepeats, "181", "K outside 1 to 99", "Talm 181", Manual},
+       {Cause::CompensationNoIntersection, "251", "no intersection", "Talm 251", Manual},
        {Cause::CompensationArc, "252", "start or end of the compensation in an arc", "Talm 252",
-        Secondary},
+        Manual},
        {Cause::CompensationEndArc, "252", "start or end of the compensation in an arc", "Talm 252",
-        Secondary},
-       {Cause::CompensationPlane, "253", "plane change in the compensation", "Talm 253", Secondary},
-       {Cause::CompensationArcStart, "254", "arc starts or ends on its centre", "Talm 254",
-        Secondary},
-       {Cause::CompensationArcEnd, "254", "arc starts or ends on its centre", "Talm 254",
-        Secondary},
-       {Cause::CompensationInterference, "256", "interference", "Talm 256", Secondary},
+        Manual},
+       {Cause::CompensationPlane, "253", "plane change in the compensation", "Talm 253", Manual},
+       {Cause::CompensationArcStart, "254", "arc starts or ends on its centre", "Talm 254", Manual},
+       {Cause::CompensationArcEnd, "254", "arc starts or ends on its centre", "Talm 254", Manual},
+       {Cause::CompensationInterference, "256", "interference", "Talm 256", Manual},
        {Cause::CompensationArcTooSmall, "261", "inner arc smaller than the radius", "Talm 261",
-        Secondary},
-       {Cause::CornerInRapid, "271", "chamfer in a block that takes none", "Talm 271", Secondary},
-       {Cause::CornerNextMove, "272", "the block behind the chamfer", "Talm 272", Secondary},
-       {Cause::CornerNoMove, "273", "no move behind the chamfer", "Talm 273", Secondary},
-       {Cause::CornerPlane, "274", "plane change behind the chamfer", "Talm 274", Secondary},
-       {Cause::CornerTooShort, "275", "the move is shorter than the chamfer", "Talm 275",
-        Secondary},
-       {Cause::CornerFormat, "276", "C, R and A together", "Talm 276", Secondary}});
+        Manual},
+       {Cause::CornerInRapid, "271", "chamfer in a block that takes none", "Talm 271", Manual},
+       {Cause::CornerNextMove, "272", "the block behind the chamfer", "Talm 272", Manual},
+       {Cause::CornerNoMove, "273", "no move behind the chamfer", "Talm 273", Manual},
+       {Cause::CornerPlane, "274", "plane change behind the chamfer", "Talm 274", Manual},
+       {Cause::CornerTooShort, "275", "the move is shorter than the chamfer", "Talm 275", Manual},
+       {Cause::CornerFormat, "276", "C, R and A together", "Talm 276", Manual}});
 }
 
 void gsk_980tdi(Control& c) {
@@ -827,10 +820,10 @@ void gsk_980mdi(Control& c) {
 void gsk_988ta(Control& c) { gsk_988(c, 100); }
 void gsk_988t(Control& c) {
   gsk_988(c, 0);
-  c.max_pockets = {10, "Talm 140", Secondary};
+  c.max_pockets = {10, "Talm 140", Manual};
   // The papers of the 988TA say that such a block is not done, or takes the sign. [TA 12, 13]
-  set_refused(c, "groove-axis", true);
-  set_refused(c, "groove-escape", true);
+  c.refuses = {c.refuses.value + " groove-axis groove-escape", c.refuses.source + ", 154, 157",
+               Manual};
 }
 
 void fanuc_16i(Control& c) {

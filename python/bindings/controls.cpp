@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "cncsub/control.hpp"
+#include "cncsub/source.hpp"
 
 namespace py = pybind11;
 
@@ -16,9 +17,10 @@ struct AlarmRow {
   AlarmEntry entry;
 };
 
-py::object value_of(const RuleView& rule) {
-  return std::visit([](const auto& value) -> py::object { return py::cast(value); }, rule.value);
+py::object object_of(const RuleValue& value) {
+  return std::visit([](const auto& held) -> py::object { return py::cast(held); }, value);
 }
+py::object value_of(const RuleView& rule) { return object_of(rule.value); }
 
 py::tuple texts(const std::vector<Option>& options, std::string_view Option::* part) {
   py::tuple list(options.size());
@@ -102,13 +104,21 @@ py::tuple state_of(const Control& control) {
   const auto now = rules(control), then = rules(again);
   for (std::size_t i = 0; i < now.size(); ++i)
     if (now[i].value != then[i].value || now[i].source != then[i].source)
-      changes[py::str(now[i].name)] = value_of(now[i]);
+      changes[py::str(now[i].name)] = py::make_tuple(value_of(now[i]), now[i].source);
   return py::make_tuple(control.name, parameters, changes);
 }
 std::shared_ptr<Control> control_of(const py::tuple& state) {
   if (state.size() != 3) throw py::value_error("this is no Control");
   const Control& base = base_of(state[0].cast<std::string>());
-  return replace(*with_parameters(base, state[1]), py::kwargs(state[2]));
+  auto control = with_parameters(base, state[1]);
+  for (const auto& [key, change] : py::dict(state[2])) {
+    const auto pair = change.cast<py::tuple>();
+    if (pair.size() != 2) throw py::value_error("this is no Control");
+    if (auto wrong = set_rule(*control, key.cast<std::string>(), rule_value(pair[0]),
+                              pair[1].cast<std::string>()))
+      throw py::value_error(*wrong);
+  }
+  return control;
 }
 
 std::string written(double number) { return py::str("{:g}").format(number).cast<std::string>(); }
@@ -122,11 +132,26 @@ void add_controls(py::module_& m) {
       rows.emplace_back(cause.slug, cause.meaning, cause.cure);
     return rows;
   });
+  m.def("sources", [] {
+    std::vector<std::tuple<std::string, std::string, std::string, std::string, std::string>> rows;
+    for (const Source& s : all_sources())
+      rows.emplace_back(s.key, s.title, s.address, s.about, to_string(s.evidence));
+    return rows;
+  });
+  m.def("cited", [](const std::string& text) {
+    std::vector<std::string> keys;
+    for (const Source* source : cited(text)) keys.emplace_back(source->key);
+    return keys;
+  });
+  m.def("strongest", [](const std::string& text, const std::string& control) {
+    return std::string(to_string(strongest(text, control)));
+  });
   py::class_<RuleView>(m, "Rule", py::is_final())
       .def_readonly("name", &RuleView::name)
       .def_readonly("meaning", &RuleView::meaning)
       .def_readonly("source", &RuleView::source)
       .def_property_readonly("value", &value_of)
+      .def_property_readonly("family", [](const RuleView& r) { return object_of(r.family); })
       .def_property_readonly("evidence",
                              [](const RuleView& r) { return std::string(to_string(r.evidence)); })
       .def_property_readonly("choices",

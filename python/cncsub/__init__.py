@@ -11,7 +11,7 @@ screen.
 """
 
 from cncsub._core import Alarm, Control, Frame, __version__
-from cncsub.controls import Cause, causes, controls
+from cncsub.controls import Cause, Source, causes, controls, sources
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
@@ -36,6 +36,7 @@ __all__ = [
     "Program",
     "Run",
     "Setup",
+    "Source",
     "Step",
     "Stop",
     "Stream",
@@ -45,4 +46,5 @@ __all__ = [
     "controls",
     "load",
     "loads",
+    "sources",
 ]

@@ -13,12 +13,23 @@ def causes() -> list[tuple[str, str, str]]:
 def controls() -> list[Control]:
     """Every control, in listing order."""
 
+def sources() -> list[tuple[str, str, str, str, str]]:
+    """Key, title, address, controls and evidence of every source."""
+
+def cited(text: str) -> list[str]:
+    """The keys of the sources that a text cites, each once."""
+
+def strongest(text: str, control: str) -> str:
+    """The strongest evidence that a fact with this source may carry on a control."""
+
 @final
 class Rule:
     @property
     def name(self) -> str: ...
     @property
     def value(self) -> bool | int | str: ...
+    @property
+    def family(self) -> bool | int | str: ...
     @property
     def meaning(self) -> str: ...
     @property

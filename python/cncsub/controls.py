@@ -1,4 +1,4 @@
-"""The controls, and the causes of alarms."""
+"""The controls, the causes of alarms, and the sources of both."""
 
 from __future__ import annotations
 
@@ -18,6 +18,32 @@ class Cause(NamedTuple):
     slug: str
     meaning: str
     cure: str
+
+
+EVIDENCE = ("source document", "maker's manual", "secondary", "inferred")
+
+
+class Source(NamedTuple):
+    """Where facts come from: the key they cite it by, what it is, where it can be read, the
+    controls it is about, and how strong it is on these.
+    """
+
+    key: str
+    title: str
+    address: str
+    controls: tuple[str, ...]
+    evidence: str
+
+    def on(self, control: str) -> str:
+        """The strongest evidence it can be on a control: another control's manual or document is
+        secondary at best.
+
+        >>> import cncsub
+        >>> cncsub.sources["TA"].on("gsk-988ta"), cncsub.sources["TA"].on("gsk-988t")
+        ("maker's manual", 'secondary')
+        """
+        own = control in self.controls
+        return self.evidence if own else max(self.evidence, "secondary", key=EVIDENCE.index)
 
 
 def near_names(name: object, names: Iterable[str], *, most: int = 3) -> list[str]:
@@ -82,6 +108,29 @@ causes: Mapping[str, Cause] = Named(
 >>> cncsub.causes["program-not-found"].meaning
 "the called program is not in the control's memory"
 """
+
+
+def _read_sources() -> dict[str, Source]:
+    rows = _core.sources()
+    return {key: Source(key, title, at, tuple(of.split()), how) for key, title, at, of, how in rows}
+
+
+sources: Mapping[str, Source] = Named("source", _read_sources)
+"""Every source by the key that rules, alarms and rows cite it by.
+
+>>> import cncsub
+>>> cncsub.sources["Talm"].title
+'988T alarm list, 000 to 289, with remedies'
+"""
+
+
+def sources_of(control: Control) -> list[Source]:
+    """The sources that the facts of a control cite, in the order of `sources`."""
+    texts = {rule.source for rule in control.rules}
+    texts |= {parameter.source for parameter in control.parameters.values()}
+    texts |= {alarm.source for alarm in control.alarms.values()}
+    keys = {key for text in texts for key in _core.cited(text)}
+    return [source for key, source in sources.items() if key in keys]
 
 
 def control_of(control: str | Control) -> Control:

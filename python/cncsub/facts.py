@@ -6,7 +6,7 @@ from typing import Any
 
 import cncsub
 from cncsub.calltree import CallTree
-from cncsub.controls import did_you_mean
+from cncsub.controls import did_you_mean, sources_of
 from cncsub.tables import finite, records
 
 
@@ -93,6 +93,15 @@ def control_facts(control: cncsub.Control) -> dict[str, Any]:
         ],
         "alarms": [
             {"cause": alarm.cause, **_alarm_entry(alarm)} for alarm in control.alarms.values()
+        ],
+        "sources": [
+            {
+                "key": source.key,
+                "title": source.title,
+                "address": source.address or None,
+                "evidence": source.on(control.name),
+            }
+            for source in sources_of(control)
         ],
     }
 

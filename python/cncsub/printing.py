@@ -12,6 +12,7 @@ from rich.text import Text
 
 import cncsub
 from cncsub.calltree import CallTree
+from cncsub.controls import sources_of
 
 MOST_CALLS = 100_000  # drawn in a tree
 MOST_LINES = 200  # printed of it
@@ -113,6 +114,15 @@ def print_control(console: Console, control: cncsub.Control) -> None:
         for a in control.alarms.values()
     )
     _print_facts(console, "Alarms", alarms)
+    _print_sources(console, control)
+
+
+def _print_sources(console: Console, control: cncsub.Control) -> None:
+    console.print(Text("\nSources, and what each is on this control", style="bold"))
+    for source in sources_of(control):
+        console.print(Text.assemble((f"  {source.key}", "cyan"), f": {source.title}"))
+        address = f"; {source.address}" if source.address else ""
+        console.print(Text(f"      [{source.on(control.name)}{address}]", style="dim"))
 
 
 def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, Any]]) -> None:
