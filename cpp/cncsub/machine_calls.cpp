@@ -180,10 +180,10 @@ bool Machine::modal_call(const Block& block) {
   modal.locals = scratch_;
   modal.program = frame().program;
   modal.every_block = record.code_kind == CodeCallKind::ModalEveryBlock;
-  if (modals_.size() >= static_cast<std::size_t>(code_->control->max_macro_nesting.value))
+  if (const int most = code_->control->max_modal_calls.value;
+      modals_.size() >= static_cast<std::size_t>(most))
     return alarm({Cause::ModalCallsTooMany, record.at, record.width,
-                  "the control takes " + std::to_string(code_->control->max_macro_nesting.value) +
-                      " modal calls"});
+                  "the control takes " + std::to_string(most) + " modal calls"});
   modals_.push_back(std::move(modal));
   ++changes_;
   record_step();

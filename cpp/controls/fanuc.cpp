@@ -715,6 +715,8 @@ void macro_calls(Control& c) {
   c.modal_locals = {ModalLocals::Kept, kKnown, Inferred};
   c.modal_trigger = {ModalTrigger::Move, cite({kM7v, kNct, kCwA}), Secondary};
   c.modal_calls_stack = {true, cite({kNct, kM7v}), Secondary};
+  c.max_modal_calls = {3, "general knowledge: 122, the macro modal call is specified four-fold",
+                       Inferred};
   c.cancel_alone = {CancelAlone::Ignored, cite({kKnown, "unsure"}), Inferred};
   c.h_codes = {false, kKnown, Inferred};
   c.code_cascade = {CodeCascade::None, cite({kRw, kKnown}), Secondary};
@@ -751,6 +753,7 @@ Control fanuc_0i_d() {
   c.max_nesting = {10, kKnown, Inferred};
   c.nesting_counts_macros = {false, kKnown, Inferred};
   c.max_macro_nesting = {5, kKnown, Inferred};
+  c.max_modal_calls = {5, cite({kKnown, "ALM PS0122 counts them as other macro calls"}), Inferred};
   c.max_total_nesting = {15, cite({kKnown, "ALM PS0077 speaks of the total number"}), Inferred};
   c.start_word = {StartWord::None, cite({kKnown, "Q with 6005#0 SQC, GED for its meaning"}),
                   Inferred};

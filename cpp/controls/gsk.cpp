@@ -178,6 +178,7 @@ void macros_988(Control& c) {
   c.modal_locals = {ModalLocals::Rewritten, kTA + "27, example of G66", kManual};
   c.modal_trigger = {ModalTrigger::Move, kTA + "27, G66, note 3 and example", kManual};
   c.modal_calls_stack = {true, kTA + "27, note 2: G66 counts to the four levels", kManual};
+  c.max_modal_calls = {4, kTA + "27, note 2: G66 counts to the four levels", kManual};
   c.cancel_alone = {CancelAlone::Alarm, kTApar + "6000#0 G67 = 0; Talm 218", kManual};
   c.h_codes = {false, kTApar + "6000#7 EMA = 0", kManual};
   c.code_cascade = {CodeCascade::All,
@@ -573,6 +574,7 @@ void macros_980(Control& c) {
   c.modal_trigger = {ModalTrigger::AxisWord,
                      kTDi + "28 3.28.3.2, note 2: blocks with G00, G01, G02, G03, G05", kManual};
   c.modal_calls_stack = {true, kTDi + "28 3.28.3.2: four levels of G66", kManual};
+  c.max_modal_calls = {4, kTDi + "28 3.28.3.2: four levels of G66", kManual};
   c.cancel_alone = {CancelAlone::Ignored, kPolicy, kInferred};
   c.h_codes = {true, kTDi + "28 3.28.2", kManual};
   c.code_cascade = {CodeCascade::None, kPolicy, kInferred};
@@ -933,6 +935,7 @@ void no_macros_928(Control& c) {
   c.modal_locals = {ModalLocals::Rewritten, none, kInferred};
   c.modal_trigger = {ModalTrigger::Move, none, kInferred};
   c.modal_calls_stack = {false, none, kInferred};
+  c.max_modal_calls = {4, none, kInferred};
   c.cancel_alone = {CancelAlone::Alarm, none, kInferred};
   c.h_codes = {false, none, kInferred};
   c.code_cascade = {CodeCascade::None, none, kInferred};

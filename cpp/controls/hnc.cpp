@@ -131,6 +131,7 @@ void macro_calls(Control& c) {
   c.modal_locals = {ModalLocals::Kept, kNone, Inferred};
   c.modal_trigger = {ModalTrigger::Move, kNone, Inferred};
   c.modal_calls_stack = {true, kNone, Inferred};
+  c.max_modal_calls = {0, kNone, Inferred};
   c.cancel_alone = {CancelAlone::Ignored, kNone, Inferred};
   c.h_codes = {false, kKnown, Inferred};
   c.code_cascade = {CodeCascade::None, kNone, Inferred};

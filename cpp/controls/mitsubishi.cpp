@@ -162,6 +162,7 @@ void macros(Control& c) {
   c.modal_trigger = {ModalTrigger::Move, kGeneral + ": after every block with axis movement",
                      kInferred};
   c.modal_calls_stack = {true, kGeneral, kInferred};
+  c.max_modal_calls = {4, kSM + "difference (6): four levels of G65, G66, G66.1", kManual};
   c.cancel_alone = {CancelAlone::Alarm, kMZ + "857", kSecondary};
   c.h_codes = {false, kGeneral, kInferred};
   c.code_cascade = {CodeCascade::OtherKind,

@@ -1751,11 +1751,12 @@ case(
     """,
     alarm="modal-calls-too-many", number=numbers("122", "PS0122"),
 )
-for controls, count, number in [("fanuc-16i", 4, "122"), (NEW, 5, "PS0122")]:
+# The text of 122 says what counts: the modal call that is specified a fourth time is the fault.
+for controls, count, number in [("fanuc-16i", 3, "122"), (NEW, 5, "PS0122")]:
     blocks = "".join(f"N{10 * i} G66 P2\n" for i in range(1, count + 2))
     case(
         f"{count} modal calls stack, and the G66 behind them is refused",
-        control=controls, source="K-H 122, macro nesting" if count == 4 else "ALM PS0122",
+        control=controls, source="K-H 122: specified four-fold" if count == 3 else "ALM PS0122",
         evidence="inferred",
         program=f"O1\n{blocks}N90 M30\nO2\nM99\n",
         runs=" ".join(f"N{10 * i}" for i in range(1, count + 1)), alarm="modal-calls-too-many",

@@ -213,3 +213,33 @@ for _levels, _ends in ((4, None), (5, "macro-nesting-too-deep")):
         frames="O12 N102 G65 < O11 N101 G65 < O10 N100 G65 < O9 N30 G65 < O1 N20 M98" if _ends
         else None,
     )
+
+# How many modal calls may be active: each modal macro declares the next, so that a move of the main
+# program finds one more each time.
+for _controls, _most, _number, _source, _evidence in (
+    ("fanuc-16i", 3, "122", "K-H 122: the macro modal call is specified four-fold", "inferred"),
+    ([FD, FF, F30], 5, "PS0122", "ALM PS0122", "inferred"),
+    (MITSUBISHI, 4, "P273", "SM 6; MZ 855", "secondary"),
+    (["gsk-988ta", "gsk-988t"], 4, "207", "TA27, note 2; Talm 207", "maker's manual"),
+    (["gsk-980tdi", "gsk-980mdi"], 4, None, "TDi28 3.28.3.2: four levels of G66", "secondary"),
+):
+    for _count in (_most, _most + 1):
+        _macros = "".join(
+            f"O{i + 1}\nN{10 * i} G66 P{i + 2}\nN{10 * i + 5} M99\n" if i < _count
+            else f"O{i + 1}\nN999 M99\n" for i in range(1, _count + 1)
+        )
+        _moves = "".join(f"N{500 + i} G0 X{i}.\n" for i in range(1, _count))
+        _cancels = "".join(f"N{600 + i} G67\n" for i in range(_count))
+        _runs = "N1 " + " ".join(f"N{500 + i} N{10 * i} N{10 * i + 5}" for i in range(1, _count))
+        _fails = _count > _most
+        case(
+            f"{_count} modal calls {'are too many' if _fails else 'may be active'} where {_most} are the most, "
+            f"and G67 takes them away one by one on {_controls if isinstance(_controls, str) else _controls[0]}",
+            control=_controls, source=_source, evidence=_evidence,
+            program=f"O1\nN1 G66 P2\n{_moves}{_cancels}N700 M30\n{_macros}",
+            runs=_runs[: _runs.rindex(" N", 0, _runs.rindex(" N"))] if _fails
+            else _runs + "".join(f" N{600 + i}" for i in range(_count)) + " N700",
+            alarm="modal-calls-too-many" if _fails else None, number=_number if _fails else None,
+            at=f"O{_count} N{10 * (_count - 1)}" if _fails else None,
+            frames=f"O1 N{500 + _count - 1} G66" if _fails else None,
+        )

@@ -73,7 +73,7 @@ UNPINNED = _joined(
     _all("modal_every_block max_macro_digits argument_sets", (TE, HNC), NO_MACRO_CALLS),
     _all("numbered_axis_arguments words_before_macro_call", (TE, HNC), NO_MACRO_CALLS),
     _all("repeated_argument modal_locals modal_trigger", (TE, HNC), NO_MACRO_CALLS),
-    _all("modal_calls_stack cancel_alone", (TE, HNC), NO_MACRO_CALLS),
+    _all("modal_calls_stack max_modal_calls cancel_alone", (TE, HNC), NO_MACRO_CALLS),
     _all("macro_calls call_passes_words", (TE,), NO_MACRO_CALLS),
     _all("modal_calls_stack", (TA, T), "a second G66 is refused while one is active"),
     _all("codes_not_with_macro_call", (TDI,), "the control has no tool length offset"),
