@@ -344,11 +344,12 @@ cut_word = st.builds(
     st.sampled_from("XYZUVWABCIJKRQPHFS"),
     st.sampled_from(["0", "1.", "-2.", "3.5", "10", "0.001", "-0.05", "2000"]),
 )
-cut_code = st.sampled_from(
-    "G0 G1 G2 G3 G32 G33 G34 G17 G18 G19 G20 G21 G22 G41D1 G40 G43H1 G51P2 G53 G31 G54 G68R30. "
-    "G70 G71 G73 G74 G75 G76 G77 G78 G79 G80 G81 G82 G83 G84 G85 G87 G88 G90 G91 G92 G93 G94 G95 "
-    "G96 G97 G98 G99 G16 G50S1000 M3 M4 M5 T0101".split()
-)
+CUT_CODES = """
+    G0 G1 G2 G3 G32 G33 G34 G17 G18 G19 G20 G21 G22 G41D1 G40 G43H1 G51P2 G53 G31 G54 G68R30. G70
+    G71 G73 G74 G75 G76 G77 G78 G79 G80 G81 G82 G83 G84 G85 G87 G88 G90 G91 G92 G93 G94 G95 G96 G97
+    G98 G99 G16 G50S1000 M3 M4 M5 T0101
+"""
+cut_code = st.sampled_from(CUT_CODES.split())
 cut_block = st.builds(
     lambda codes, words: " ".join([*codes, *words]),
     st.lists(cut_code, max_size=2),

@@ -250,3 +250,21 @@ def test_bounds_are_found_by_either_letter() -> None:
     assert bounds.get("y", 0) == 0
     with pytest.raises(KeyError, match="no move named the axis 'y'; there are X"):
         bounds["y"]
+
+
+@pytest.mark.parametrize(
+    ("control", "text"),
+    [
+        ("fanuc-30i", "#100=#[#1*100]"),
+        ("fanuc-16i", "#100=1+#[#1*100]"),
+        ("gsk-988ta", "G1 X#[#1*100] F100"),
+        ("gsk-980mdi", "IF[#[#1*100] GT 1]GOTO 5"),
+        ("mitsubishi-m700", "#100=#5000"),
+    ],
+)
+def test_a_variable_that_is_not_there_is_named(control: str, text: str) -> None:
+    program = f"O1\n#1=50\n{text}\nN5 M30\n"
+    alarm = cncsub.loads(program, control=control).run().alarm
+    assert alarm is not None
+    assert alarm.cause == "illegal-variable"
+    assert "there is no #5000" in alarm.detail

@@ -91,7 +91,7 @@ enum class VariableKind : std::uint8_t {
   Date,             // #3011, YYYYMMDD
   Time,             // #3012, HHMMSS
   PartsCount,       // #3901, #3902
-  ModalCode,        // #4001...: the code of group index + 1, of the block before
+  ModalCode,        // #4001...: the code of group number % 100, of the block before
   ModalWord,        // the modal word of an address, of the block before
   ActiveCode,       // #4201...: the same of the running block
   ActiveWord,       //

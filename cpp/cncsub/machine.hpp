@@ -164,6 +164,8 @@ class Machine {
     Cause cause;
     std::uint32_t at;
     const char* detail;
+    std::int64_t variable = kNoVariable;  // the one that cannot be read
+    static constexpr std::int64_t kNoVariable = std::numeric_limits<std::int64_t>::min();
   };
 
   /// For as long as this lives, a block of very many moves asks whether to stop.

@@ -97,10 +97,10 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
     trap = {cause, at->at, detail};
     return false;
   };
-  const auto missing = [&](const std::optional<Fault>& wrong) {
-    return fault(wrong->cause, wrong->cause == Cause::IllegalVariable
-                                   ? "there is no such variable"
-                                   : "the variable cannot be read");
+  const auto missing = [&](const std::optional<Fault>& wrong, double variable) {
+    fault(wrong->cause);
+    trap.variable = static_cast<std::int64_t>(variable);
+    return false;
   };
   const auto number = [](double value) { return is_vacant(value) ? 0.0 : value; };
   const bool degrees = control.angle_unit.value == AngleUnit::Degrees;
@@ -130,7 +130,7 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
       case Ins::VariableRaw: {
         double value = 0;
         if (const auto wrong = read(static_cast<std::int64_t>(at->value), value))
-          return missing(wrong);
+          return missing(wrong, at->value);
         *below++ = a;
         a = at->op == Ins::Variable ? number(value) : value;
         break;
@@ -141,7 +141,8 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
         if (!(std::fabs(index) < 2e9))
           return fault(Cause::IllegalVariable, "the variable number is out of range");
         double value = 0;
-        if (const auto wrong = read(static_cast<std::int64_t>(index), value)) return missing(wrong);
+        if (const auto wrong = read(static_cast<std::int64_t>(index), value))
+          return missing(wrong, index);
         a = at->op == Ins::Indirect ? number(value) : value;
         break;
       }

@@ -61,7 +61,13 @@ bool Machine::evaluate_long(const Expression& e, const Places& places, double& v
   if (compute(code_->instructions.data() + e.first, places, value, trap)) [[likely]]
     return true;
   const bool inside = trap.at >= e.at && trap.at <= e.at + e.width;
-  return alarm({trap.cause, inside ? trap.at : e.at, 1, trap.detail});
+  std::string detail = trap.detail;
+  if (trap.variable != Trap::kNoVariable) {
+    const std::string name = "#" + std::to_string(trap.variable);
+    detail =
+        trap.cause == Cause::IllegalVariable ? "there is no " + name : name + " cannot be read";
+  }
+  return alarm({trap.cause, inside ? trap.at : e.at, 1, std::move(detail)});
 }
 
 bool Machine::condition(std::uint32_t expression, bool& holds) {

@@ -147,7 +147,7 @@ std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64
       break;
     case VariableKind::ModalCode:
     case VariableKind::ActiveCode:
-      value = motion_.modal_code(index + 1);
+      value = motion_.modal_code(static_cast<int>(number % 100));
       break;
     case VariableKind::ModalWord:
     case VariableKind::ActiveWord: {

@@ -47,6 +47,8 @@ double Motion::modal_word(char address) const {
                                                                        : s_.feed / s_.unit;
     case 'H':
       return s_.h;
+    case 'P':
+      return s_.work_system == 0 ? s_.extra_system : 0;
     case 'S':
       return s_.surface ? s_.surface_speed : s_.speed;
     case 'T':

@@ -28,11 +28,11 @@ constexpr Evidence kManual = Evidence::Manual;
 constexpr Evidence kSecondary = Evidence::Secondary;
 constexpr Evidence kInferred = Evidence::Inferred;
 
-/// #4102 B ... #4120 T: the modal words of the block before.
+/// #4102 to #4120: the modal words of the block before.
 void modal_words(Control& c, const std::string& addresses, const std::string& source,
                  Evidence evidence) {
   for (const char address : addresses) {
-    const std::int32_t number = 4101 + (address - 'A');
+    const std::int32_t number = modal_word_number(address);
     c.variables.push_back(
         {number, number, VariableKind::ModalWord, Access::ReadOnly, address, source, evidence});
   }
@@ -698,7 +698,8 @@ void variables_980(Control& c) {
   add(3011, 3011, VariableKind::Date, Access::ReadWrite);
   add(3012, 3012, VariableKind::Time, Access::ReadWrite);
   add(3901, 3902, VariableKind::PartsCount, Access::ReadWrite);
-  add(4001, 4016, VariableKind::ModalCode);
+  for (const int group : {1, 2, 5, 6, 7, 12, 14, 16})
+    add(4000 + group, 4000 + group, VariableKind::ModalCode);
   modal_words(c, "FMNOST", table, kManual);
   add(5001, 5005, VariableKind::BlockEnd);
   add(5021, 5025, VariableKind::MachinePosition);
@@ -772,6 +773,10 @@ Control gsk_980mdi() {
   Control c = gsk_980tdi();
   c.name = "gsk-980mdi";
   c.title = "GSK 980MDi mill";
+  for (const int group : {3, 4, 8, 9, 10, 11, 13, 15})
+    c.variables.push_back({4000 + group, 4000 + group, VariableKind::ModalCode, Access::ReadOnly, 0,
+                           kGeneral, kInferred});
+  modal_words(c, "BDH", kGeneral, kInferred);
   c.bracket_names = {false, kGeneral, kInferred};
   c.wide_names = {false, kGeneral, kInferred};
   c.count_and_l = {CountAndL::NoL, kGeneral, kInferred};

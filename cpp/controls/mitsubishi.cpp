@@ -272,14 +272,13 @@ void variables(Control& c) {
   add(3012, 3012, VariableKind::Time);
   add(3901, 3902, VariableKind::PartsCount, Access::ReadWrite);
   add(4001, 4021, VariableKind::ModalCode);
-  for (const char address : {'B', 'D', 'E', 'F', 'H', 'M', 'N', 'O', 'S', 'T'}) {
-    const std::int32_t number = 4101 + (address - 'A');
-    add(number, number, VariableKind::ModalWord, Access::ReadOnly, address);
-  }
   add(4201, 4221, VariableKind::ActiveCode);
-  for (const char address : {'B', 'D', 'E', 'F', 'H', 'M', 'N', 'O', 'S', 'T'}) {
-    const std::int32_t number = 4301 + (address - 'A');
-    add(number, number, VariableKind::ActiveWord, Access::ReadOnly, address);
+  for (const char address : std::string_view("BDEFHMNOST")) {
+    const std::int32_t number = modal_word_number(address);
+    for (const auto& [first, kind] :
+         {std::pair{number, VariableKind::ModalWord}, {number + 200, VariableKind::ActiveWord}})
+      c.variables.push_back(
+          {first, first, kind, Access::ReadOnly, address, kM7 + "printed p.331", kManual});
   }
   add(5001, 5008, VariableKind::BlockEnd);
   add(5021, 5028, VariableKind::MachinePosition);

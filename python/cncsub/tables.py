@@ -423,8 +423,8 @@ class Moves(Table[Move]):
 
     @property
     def total_time(self) -> float:
-        """The time of all moves, s: feeds, rapid rates and dwells; `inf` where a feed per revolution
-        meets a spindle that was never told to turn.
+        """The time of all moves, s: feeds, rapid rates and dwells; `inf` where a feed counts on a
+        spindle that has no speed.
         """
         return self._core.time
 
@@ -457,8 +457,8 @@ def finite(value: Any) -> Any:
 
 
 def records(table: Table[Any]) -> Iterator[Mapping[str, Any]]:
-    """The rows as mappings of the columns, read by columns and so fast on long tables; what is no finite
-    number is `None`.
+    """The rows as mappings of the columns, read by columns and so fast on long tables; what is no
+    finite number is `None`.
     """
     names = table.columns
     table._fetched(names)

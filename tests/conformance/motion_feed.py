@@ -9,9 +9,10 @@ F16, *FANUC_PS = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 HNC, TE = "hnc-21m", "gsk-928te"
 MILLS = [MDI, *MITSUBISHI, *FANUC, HNC]
 ALL = [*GSK_988, TDI, TE, *MILLS]
-UNITS = dict(
-    source="source 003, G94; B-63174EN p.33; CSDN 112450340; general knowledge", evidence="secondary"
-)
+UNITS = {
+    "source": "source 003, G94; B-63174EN p.33; CSDN 112450340; general knowledge",
+    "evidence": "secondary",
+}
 ENDLESS = float("inf")
 
 # ---- F of a rotary axis ----
@@ -161,10 +162,10 @@ _NUMBERS = {
     **dict.fromkeys(GSK_988, "021"), TDI: None, TE: None, HNC: None, MDI: "0023",
     **dict.fromkeys(MITSUBISHI, "P62"), F16: "011", **dict.fromkeys(FANUC_PS, "PS0011"),
 }
-NO_F = dict(
-    source="ALM 011; M7 p.52; Talm 021; MDib 0023; TDi 26: F0 stands still; general knowledge",
-    evidence="secondary",
-)
+NO_F = {
+    "source": "ALM 011; M7 p.52; Talm 021; MDib 0023; TDi 26: F0 stands still; general knowledge",
+    "evidence": "secondary",
+}
 
 
 def never_given(claim, program, control, alarm="no-feed", numbers=_NUMBERS, **more):
