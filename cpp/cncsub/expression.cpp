@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "cncsub/statement.hpp"
@@ -7,7 +8,10 @@ namespace cncsub {
 
 namespace {
 
-constexpr int kDeepest = 200;  // values on the stack, whatever the control allows
+// Whatever the control allows: values on the stack of an expression, and brackets or NOT inside each
+// other. What is inside is read by functions inside each other.
+constexpr int kDeepest = 200, kMostInside = 64;
+constexpr int kTightest = 3;  // of the levels at which operators bind, where logic binds last
 
 struct FunctionName {
   std::string_view name;
@@ -163,7 +167,7 @@ std::optional<std::uint32_t> ExpressionReader::number() {
   const auto first = static_cast<std::uint32_t>(code_.instructions.size());
   s_.blanks();
   const std::uint32_t at = s_.offset();
-  const auto value = expression(0);
+  const auto value = expression();
   if (!value) return std::nullopt;
   if (value->type != Type::Number)
     return refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
@@ -193,7 +197,7 @@ std::optional<std::uint32_t> ExpressionReader::condition() {
   const bool bare = code_.control->conditions_without_brackets.value;
   if (!bare && s_.peek() != '[')
     return refuse(Cause::ExpressionFormat, at, "a condition stands in brackets");
-  auto value = bare ? expression(0) : bracket();
+  auto value = bare ? expression() : bracket();
   if (!value) return std::nullopt;
   const int most = code_.control->max_condition_length.value;
   if (most > 0 && s_.offset() - at > static_cast<std::uint32_t>(most))
@@ -282,10 +286,10 @@ bool ExpressionReader::open() {
     return false;
   }
   ++brackets_;
-  if (brackets_ > code_.control->max_brackets.value || brackets_ > kDeepest) {
+  const int most = std::min(code_.control->max_brackets.value, kMostInside);
+  if (brackets_ > most) {
     refuse(Cause::BracketsTooDeep, at,
-           "more than " + std::to_string(code_.control->max_brackets.value) +
-               " brackets inside each other");
+           "more than " + std::to_string(most) + " brackets inside each other");
     return false;
   }
   return true;
@@ -314,7 +318,7 @@ bool ExpressionReader::comma() {
 
 std::optional<ExpressionReader::Value> ExpressionReader::bracket() {
   if (!open()) return std::nullopt;
-  const auto inner = expression(0);
+  const auto inner = expression();
   if (!inner || !close()) return std::nullopt;
   return inner;
 }
@@ -372,7 +376,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::function() {
     return Value{};
   }
   if (word == "NOT" && code_.control->conditions_without_brackets.value) {
-    if (++nots_ > kDeepest) return refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
+    if (++nots_ > kMostInside) return refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
     auto value = operand();
     if (!value) return std::nullopt;
     --nots_;
@@ -398,13 +402,13 @@ std::optional<ExpressionReader::Value> ExpressionReader::function() {
     return Value{};
   }
   if (!open()) return std::nullopt;
-  auto value = expression(0);
+  auto value = expression();
   if (!value || !arithmetic(*value)) return std::nullopt;
   Ins op = found->op;
   if (op == Ins::Pow || op == Ins::Atan2 || op == Ins::RandomBetween ||
       (op == Ins::Parameter && s_.peek() == ',')) {
     if (!comma()) return std::nullopt;
-    auto second = expression(0);
+    auto second = expression();
     if (!second || !arithmetic(*second)) return std::nullopt;
     --depth_;
     if (op == Ins::Parameter) emit(Ins::Modulo, at, -1);  // marks the bit form
@@ -418,11 +422,11 @@ std::optional<ExpressionReader::Value> ExpressionReader::function() {
 /// ATAN[a]/[b], ATAN[a,b] and ATAN[a].
 std::optional<ExpressionReader::Value> ExpressionReader::arc_tangent(std::uint32_t at) {
   if (!open()) return std::nullopt;
-  auto first = expression(0);
+  auto first = expression();
   if (!first || !arithmetic(*first)) return std::nullopt;
   bool two = false;
   if (s_.take(',')) {
-    auto second = expression(0);
+    auto second = expression();
     if (!second || !arithmetic(*second) || !close()) return std::nullopt;
     two = true;
   } else {
@@ -517,17 +521,31 @@ std::optional<ExpressionReader::Value> ExpressionReader::apply(Ins op, std::uint
   return Value{};
 }
 
-std::optional<ExpressionReader::Value> ExpressionReader::expression(int level) {
-  const int tightest = code_.control->logic_binds_last.value ? 3 : 2;
-  const auto closer = [&] { return level == tightest ? operand() : expression(level + 1); };
-  auto left = closer();
-  while (left) {
+std::optional<ExpressionReader::Value> ExpressionReader::expression() {
+  struct Waiting {  // for its right value
+    Value left;
+    Ins op;
+    std::uint32_t at;
+    int level;
+  };
+  std::array<Waiting, kTightest + 1> waiting{};  // looser ones first
+  std::size_t count = 0;
+  const int tightest = code_.control->logic_binds_last.value ? kTightest : kTightest - 1;
+  auto value = operand();
+  for (int level = tightest; value;) {
+    if (count > 0 && waiting[count - 1].level == level) {
+      const Waiting& left = waiting[--count];
+      value = apply(left.op, left.at, left.left, *value);
+      if (!value) return std::nullopt;
+    }
     const std::uint32_t at = (s_.blanks(), s_.offset());
-    const auto op = take_operator(level);
-    if (!op) return left;
-    const auto right = closer();
-    if (!right) return std::nullopt;
-    left = apply(*op, at, *left, *right);
+    if (const auto op = take_operator(level)) {
+      waiting[count++] = {*value, *op, at, level};
+      value = operand();
+      level = tightest;
+    } else if (level-- == 0) {
+      return value;
+    }
   }
   return std::nullopt;
 }

@@ -40,7 +40,11 @@ struct Pockets {
   Result go(MoveKind kind, Point to);
   Result follow(const Chain& chain, std::size_t first, std::size_t last);
   Result retract(double level);
-  Result rough(const Chain& chain, double before);
+  struct Level;
+  std::size_t highest(const Chain& part) const;
+  Result cut(Level& at);
+  Result pass_island(Level& at);
+  Result rough(Chain chain);
 };
 
 /// Cuts a bit at the places where an arc is highest or lowest.
@@ -166,45 +170,83 @@ Pockets::Result Pockets::retract(double level) {
   return go(feeds ? MoveKind::Feed : MoveKind::Rapid, point(place(here()), up));
 }
 
-/// What a level leaves of a part of the profile that lies below the level before: down along the
-/// profile, across, up along the profile, and back; then deeper, pocket by pocket.
-Pockets::Result Pockets::rough(const Chain& chain, double before) {
+/// A level that is being cut: the parts of the profile above and below it, by turns, and the pocket
+/// that is next.
+struct Pockets::Level {
+  double level;
+  std::vector<Chain> parts;
+  std::size_t next = 1;
+  std::size_t crest = 0;  // how much of the part behind the last pocket was cut on the way
+  Point summit{};         // where that ended
+
+  bool last() const { return next + 2 >= parts.size(); }
+  const Chain& behind() const {
+    static const Chain kNothing;
+    return next + 1 < parts.size() ? parts[next + 1] : kNothing;
+  }
+};
+
+/// What the levels leave of the profile: down along it, across, up along it, and back; then deeper,
+/// pocket by pocket. `waiting` holds the levels with pockets to come, no more than there are
+/// islands.
+Pockets::Result Pockets::rough(Chain chain) {
+  std::vector<Level> waiting;
+  double level = top;
+  for (;;) {
+    if (contour.block.outside.over(chain.size() / 64)) return broken_off(contour.block.words.at);
+    level -= contour.depth;
+    std::vector<Chain> parts = split(chain, level);
+    if (parts.size() > 1) {
+      if (auto wrong = follow(parts[0], 0, parts[0].size())) return wrong;
+      waiting.push_back({level, std::move(parts)});
+    } else {
+      if (auto wrong = follow(chain, 0, chain.size())) return wrong;
+      if (waiting.empty()) return std::nullopt;
+      if (auto wrong = pass_island(waiting.back())) return wrong;
+    }
+    Level& at = waiting.back();
+    if (auto wrong = cut(at)) return wrong;
+    level = at.level;
+    chain = std::move(at.parts[at.next]);
+    if (at.last()) waiting.pop_back();
+  }
+}
+
+/// The next pocket of a level: across, up along the profile behind it, back, and in again.
+Pockets::Result Pockets::cut(Level& at) {
   const MoveKind in =
       contour.pieces.front().kind == MoveKind::Rapid ? MoveKind::Rapid : MoveKind::Feed;
-  const double level = before - contour.depth;
-  const std::vector<Chain> parts = split(chain, level);
-  if (parts.size() == 1) return follow(chain, 0, chain.size());
-  const auto highest = [&](const Chain& part, bool last_part) {
-    std::size_t at = 0;
-    if (last_part) return part.size();
-    for (std::size_t i = 0; i < part.size(); ++i)
-      if (height(part[i].curve.to) >= height(part[at].curve.to) - 1e-9) at = i;
-    return part.empty() ? 0 : at + 1;
-  };
-  if (auto wrong = follow(parts[0], 0, parts[0].size())) return wrong;
-  for (std::size_t i = 1; i < parts.size(); i += 2) {
-    const Chain& pocket = parts[i];
-    static const Chain kNothing;
-    const Chain& behind = i + 1 < parts.size() ? parts[i + 1] : kNothing;
-    const bool last = i + 2 >= parts.size();
-    const double from = place(pocket.front().curve.from), to = place(pocket.back().curve.to);
-    if (auto wrong = go(MoveKind::Feed, point(to, level))) return wrong;
-    const std::size_t crest = highest(behind, last);
-    if (auto wrong = follow(behind, 0, crest)) return wrong;
-    const Point summit = here();
-    if (auto wrong = retract(height(summit))) return wrong;
-    if (auto wrong = go(MoveKind::Rapid, point(from, height(here())))) return wrong;
-    if (auto wrong = go(in, pocket.front().curve.from)) return wrong;
-    if (auto wrong = rough(pocket, level)) return wrong;
-    if (last) break;
-    // Over the island, and at the feed onto it. [TDi 23.1 note 3]
-    const double up = std::max(height(summit), std::min(height(summit) + contour.escape, top));
-    if (auto wrong = go(MoveKind::Rapid, point(place(here()), up))) return wrong;
-    if (auto wrong = go(MoveKind::Rapid, point(place(summit), up))) return wrong;
-    if (auto wrong = go(MoveKind::Feed, summit)) return wrong;
-    if (auto wrong = follow(behind, crest, behind.size())) return wrong;
-  }
+  const Point from = at.parts[at.next].front().curve.from;
+  const Point to = at.parts[at.next].back().curve.to;
+  if (auto wrong = go(MoveKind::Feed, point(place(to), at.level))) return wrong;
+  const Chain& behind = at.behind();
+  at.crest = at.last() ? behind.size() : highest(behind);
+  if (auto wrong = follow(behind, 0, at.crest)) return wrong;
+  at.summit = here();
+  if (auto wrong = retract(height(at.summit))) return wrong;
+  if (auto wrong = go(MoveKind::Rapid, point(place(from), height(here())))) return wrong;
+  return go(in, from);
+}
+
+/// Over the island behind a pocket that is done, and at the feed onto it. [TDi 23.1 note 3]
+Pockets::Result Pockets::pass_island(Level& at) {
+  const double up =
+      std::max(height(at.summit), std::min(height(at.summit) + contour.escape, top));
+  if (auto wrong = go(MoveKind::Rapid, point(place(here()), up))) return wrong;
+  if (auto wrong = go(MoveKind::Rapid, point(place(at.summit), up))) return wrong;
+  if (auto wrong = go(MoveKind::Feed, at.summit)) return wrong;
+  const Chain& behind = at.behind();
+  if (auto wrong = follow(behind, at.crest, behind.size())) return wrong;
+  at.next += 2;
   return std::nullopt;
+}
+
+/// How many bits of a part lead to its last highest point.
+std::size_t Pockets::highest(const Chain& part) const {
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (height(part[i].curve.to) >= height(part[at].curve.to) - 1e-9) at = i;
+  return part.empty() ? 0 : at + 1;
 }
 
 Contour::Result Contour::rough_pockets() {
@@ -220,7 +262,7 @@ Contour::Result Contour::rough_pockets() {
   pockets.out = level_of(start) - lowest >= highest - level_of(start) ? 1 : -1;
   pockets.along = cut_of(last) >= cut_of(start) ? 1 : -1;
   pockets.top = pockets.height(pockets.view.point(begin));
-  const Chain profile = pockets.profile();
+  Chain profile = pockets.profile();
   for (const Bit& bit : profile) {
     const double back = std::min(pockets.place(bit.curve.start_direction()),
                                  pockets.place(bit.curve.end_direction()));
@@ -231,7 +273,7 @@ Contour::Result Contour::rough_pockets() {
   if ((pockets.top - deepest) / depth * static_cast<double>(pieces.size()) > kMostCrossings)
     return motion.fault(Cause::ValueOutOfRange, block, "the block would cut too many levels");
   if (auto wrong = go(MoveKind::Rapid, begin)) return wrong;
-  if (auto wrong = pockets.rough(profile, pockets.top)) return wrong;
+  if (auto wrong = pockets.rough(std::move(profile))) return wrong;
   const auto rise = [&]() -> Result {
     const Point now = pockets.here();
     return pockets.height(now) < pockets.top

@@ -38,7 +38,7 @@ class ExpressionReader {
         -1;  // the instruction, where the value is one variable and may still be vacant
   };
 
-  std::optional<Value> expression(int level);
+  std::optional<Value> expression();
   std::optional<Value> operand();
   std::optional<Value> function();
   std::optional<Value> arc_tangent(std::uint32_t at);

@@ -109,10 +109,15 @@ def read_paths(
     reading = Reading()
     for path in map(_checked_path, paths):
         # A folder that is given both ways is read both ways.
-        if without is not None and os.path.realpath(path) != os.path.realpath(without):
-            reading._read.add(os.path.realpath(without))
+        if without is not None and _real(path) != _real(without):
+            reading._read.add(_real(without))
         _read_path(path, encoding, reading)
     return reading
+
+
+def _real(path: StrPath) -> str:
+    """Where a path leads; the path itself where it leads nowhere, as do links without end."""
+    return os.path.realpath(path) if os.path.exists(path) else os.path.abspath(path)  # noqa: PTH100, PTH110
 
 
 def _checked_path(path: StrPath) -> Path:
@@ -137,7 +142,7 @@ def _read_path(path: Path, encoding: str | None, reading: Reading) -> None:
     if not stat.S_ISDIR(mode):
         _read_named_file(path, encoding, reading)
         return
-    if not _read_folder(path, Path(os.path.realpath(path)), encoding, reading):
+    if not _read_folder(path, encoding, reading):
         reasons = "; ".join(f"{name}: {why}" for name, why in reading.skipped[:3])
         raise ValueError(
             f"there is no program in the folder {path}" + (f" ({reasons})" if reasons else "")
@@ -196,24 +201,29 @@ def _first_time(folder: str, name: str, reading: Reading) -> bool:
     return new
 
 
-def _read_folder(folder: Path, root: Path, encoding: str | None, reading: Reading) -> int:
-    """Read what was not read before; return how many programs were found."""
-    real = os.path.realpath(folder)
-    if real in reading._read:
-        return 0
-    reading._read.add(real)
-    files, folders = [], []
-    for entry in _entries(folder, reading):
-        path = folder / entry.name
-        fault = _refused_entry(entry, path, root)
-        if fault is not None:
-            reading.skipped.append((str(path), fault))
-        elif entry.is_dir():
-            folders.append(path)
-        else:
-            files.append(path)
-    found = sum(_read_found_file(path, real, encoding, reading) for path in files)
-    return found + sum(_read_folder(path, root, encoding, reading) for path in folders)
+def _read_folder(top: Path, encoding: str | None, reading: Reading) -> int:
+    """Read a folder and those below it, however deep; return how many programs were found."""
+    root = os.path.realpath(top)
+    found, waiting = 0, [(top, root)]
+    while waiting:
+        folder, real = waiting.pop()
+        if real in reading._read:
+            continue
+        reading._read.add(real)
+        files, folders = [], []
+        for entry in _entries(folder, reading):
+            path = folder / entry.name
+            fault = _refused_entry(entry, path, Path(root))
+            if fault is not None:
+                reading.skipped.append((str(path), fault))
+            elif entry.is_dir():
+                link = entry.is_symlink()
+                folders.append((path, os.path.realpath(path) if link else os.path.join(real, entry.name)))
+            else:
+                files.append(path)
+        found += sum(_read_found_file(path, real, encoding, reading) for path in files)
+        waiting += reversed(folders)
+    return found
 
 
 def _entries(folder: Path, reading: Reading) -> list[os.DirEntry[str]]:

@@ -19,6 +19,8 @@ MACHINES = ("mill", "lathe-a", "lathe-b")
 
 REFERENCES = 4  # G28 and G30 P2 to P4
 
+# A key of so many parts takes TOML the square of them.
+_DEEP = re.compile(r"(?:\.[^.,=\[\]{}#\n]{0,80}){100}")
 _SYSTEM = re.compile(r"EXT|G5[4-9]|G54\.1 P([1-9][0-9]?|[12][0-9]{2}|300)")
 _TOOL_KEYS = ("X", "Y", "Z", "R", "tip")
 
@@ -84,7 +86,10 @@ class Setup:
             raise ValueError(f"{name}: not a regular file")
         with Path(path).open("rb") as file:
             try:
-                return setup_from(tomllib.load(file))
+                text = file.read().decode()
+                if _DEEP.search(text):
+                    raise RecursionError
+                return setup_from(tomllib.loads(text))
             except (ValueError, TypeError) as error:
                 raise ValueError(f"{name}: {error}") from None
             except RecursionError:
