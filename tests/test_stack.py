@@ -13,7 +13,7 @@ import pytest
 
 # The sanitizers' frames are several times as large.
 STACK = (256 if "libasan" not in os.environ.get("LD_PRELOAD", "") else 2048) << 10
-START = f"""
+START = """
 import copy, pickle, threading
 import cncsub
 NAMES = sorted(cncsub.controls)
@@ -28,7 +28,7 @@ def runs(text, stops=("end", "alarm"), **options):
     for name in NAMES:
         for control in (cncsub.controls[name], cncsub.controls[name].replace(**ANY)):
             for machine in ("mill", "lathe-a", "lathe-b"):
-                asked = dict(setup={{"machine": machine}}, max_blocks=100_000, **options)
+                asked = dict(setup={"machine": machine}, max_blocks=100_000, **options)
                 run = cncsub.loads(text, control=control).run(**asked)
                 assert (run.alarm is not None) == (run.stop == "alarm")
                 str(run.alarm), repr(run), repr(run.calls)

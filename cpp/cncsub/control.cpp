@@ -10,8 +10,9 @@
 
 namespace cncsub {
 
+// What every run reads lives as long as the process: when it ends, threads may still be at work.
 const std::vector<CauseInfo>& all_causes() {
-  static const std::vector<CauseInfo> causes = {
+  static const auto& causes = *new const std::vector<CauseInfo>{
 #define CAUSE(name, slug, meaning, cure) {#name, slug, meaning, cure},
 #include "cncsub/causes.def"
 #undef CAUSE
@@ -22,7 +23,7 @@ const std::vector<CauseInfo>& all_causes() {
 #define CHOICE(type)                           \
   template <>                                  \
   const std::vector<Option>& options<type>() { \
-    static const std::vector<Option> list = {
+    static const auto& list = *new const std::vector<Option> {
 #define OPTION(type, name, slug, example) {slug, example},
 #define END_CHOICE(type) \
   }                      \
@@ -251,7 +252,7 @@ void judge(Control& c) {
 }  // namespace
 
 const std::vector<Control>& all_controls() {
-  static const std::vector<Control> list = [] {
+  static const auto& list = *new const std::vector<Control>([] {
     std::vector<Control> all;
     const auto take = [&](std::vector<Control> maker, void (*add_motion)(std::vector<Control>&)) {
       add_motion(maker);
@@ -262,7 +263,7 @@ const std::vector<Control>& all_controls() {
     take(fanuc_controls(), add_fanuc_motion);
     take(hnc_controls(), add_hnc_motion);
     return all;
-  }();
+  }());
   return list;
 }
 

@@ -8,8 +8,8 @@ namespace cncsub {
 
 namespace {
 
-// Whatever the control allows: values on the stack of an expression, and brackets or NOT inside each
-// other. What is inside is read by functions inside each other.
+// Whatever the control allows: values on the stack of an expression, and brackets or NOT inside
+// each other. What is inside is read by functions inside each other.
 constexpr int kDeepest = 200, kMostInside = 64;
 constexpr int kTightest = 3;  // of the levels at which operators bind, where logic binds last
 

@@ -230,8 +230,7 @@ Pockets::Result Pockets::cut(Level& at) {
 
 /// Over the island behind a pocket that is done, and at the feed onto it. [TDi 23.1 note 3]
 Pockets::Result Pockets::pass_island(Level& at) {
-  const double up =
-      std::max(height(at.summit), std::min(height(at.summit) + contour.escape, top));
+  const double up = std::max(height(at.summit), std::min(height(at.summit) + contour.escape, top));
   if (auto wrong = go(MoveKind::Rapid, point(place(here()), up))) return wrong;
   if (auto wrong = go(MoveKind::Rapid, point(place(at.summit), up))) return wrong;
   if (auto wrong = go(MoveKind::Feed, at.summit)) return wrong;

@@ -54,13 +54,18 @@ Alarm alarm_of(const py::tuple& state) {
   return alarm;
 }
 
+/// What pickling and copying need.
+template <class Value>
+py::tuple reduced(const py::object& again, const Value& value) {
+  return py::make_tuple(again, py::make_tuple(state_of(value)));
+}
+
 }  // namespace
 
 void add_alarms(py::module_& m) {
+  m.def("frame", &frame_of, py::arg("state"));
+  m.def("alarm", &alarm_of, py::arg("state"));
   py::class_<Frame>(m, "Frame", py::is_final())
-      .def(py::init([](const py::args&, const py::kwargs&) -> Frame {
-        throw py::type_error("frames come from runs");
-      }))
       .def_readonly("program", &Frame::program)
       .def_property_readonly("n", [](const Frame& f) { return sequence_number(f.n); })
       .def_readonly("line", &Frame::line)
@@ -72,16 +77,13 @@ void add_alarms(py::module_& m) {
       .def(
           "__eq__", [](const Frame& a, const Frame& b) { return a == b; }, py::is_operator())
       .def("__hash__", [](const Frame& f) { return py::hash(state_of(f)); })
-      .def(py::pickle([](const Frame& f) { return state_of(f); }, &frame_of))
+      .def("__reduce__", [again = m.attr("frame")](const Frame& f) { return reduced(again, f); })
       .def("__repr__", [](const Frame& f) {
         return "<Frame " + f.called + " called from " + f.program +
                (f.n < 0 ? "" : " N" + std::to_string(f.n)) + " (" + f.kind + ", pass " +
                std::to_string(f.repeat) + " of " + std::to_string(f.repeats) + ")>";
       });
   py::class_<Alarm>(m, "Alarm", py::is_final())
-      .def(py::init([](const py::args&, const py::kwargs&) -> Alarm {
-        throw py::type_error("alarms come from runs");
-      }))
       .def_property_readonly("cause",
                              [](const Alarm& a) { return std::string(info(a.cause).slug); })
       .def_property_readonly("number", [](const Alarm& a) { return text_or_none(a.number); })
@@ -103,7 +105,7 @@ void add_alarms(py::module_& m) {
       .def(
           "__eq__", [](const Alarm& a, const Alarm& b) { return a == b; }, py::is_operator())
       .def("__hash__", [](const Alarm& a) { return py::hash(py::str(message(a))); })
-      .def(py::pickle([](const Alarm& a) { return state_of(a); }, &alarm_of))
+      .def("__reduce__", [again = m.attr("alarm")](const Alarm& a) { return reduced(again, a); })
       .def("__str__", [](const Alarm& a) { return message(a); })
       .def("__repr__", [](const Alarm& a) {
         return "<Alarm " + (a.number.empty() ? "" : a.number + " ") +

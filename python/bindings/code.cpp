@@ -7,6 +7,7 @@
 
 #include "bindings.hpp"
 #include "cncsub/words.hpp"
+#include "gil.hpp"
 
 namespace py = pybind11;
 
@@ -84,11 +85,9 @@ std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
     files.push_back({name, stem, joined(pieces), external});
   std::shared_ptr<const Code> code;
   {
-    py::gil_scoped_release release;
-    code = compile(control, std::move(files), external_device, [] {
-      py::gil_scoped_acquire acquire;
-      return PyErr_CheckSignals() != 0;
-    });
+    Away away;
+    code = compile(control, std::move(files), external_device,
+                   [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); });
   }
   if (!code) throw py::error_already_set();
   return std::const_pointer_cast<Code>(code);
@@ -98,7 +97,6 @@ std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
 
 void add_code(py::module_& m) {
   py::class_<Text>(m, "Text", py::is_final())
-      .def(py::init<std::size_t>(), py::arg("bytes"))
       .def("add", &Text::add, py::arg("piece"), py::arg("count"))
       .def(
           "part",
@@ -107,6 +105,7 @@ void add_code(py::module_& m) {
           },
           py::arg("at"), py::arg("count"))
       .def("__len__", [](const Text& t) { return t.text.size(); });
+  m.def("text", [](std::size_t bytes) { return Text(bytes); }, py::arg("bytes"));
   py::class_<ProgramData>(m, "ProgramData", py::is_final())
       .def_property_readonly(
           "code", [](const ProgramData& p) { return std::const_pointer_cast<Code>(p.code); })
@@ -173,7 +172,7 @@ void add_code(py::module_& m) {
       .def(
           "with_mdi",
           [](const Code& c, const std::string& text) {
-            py::gil_scoped_release release;
+            const Away away;
             return std::const_pointer_cast<Code>(compile_mdi(c, text));
           },
           py::arg("text"));

@@ -126,6 +126,7 @@ std::string written(double number) { return py::str("{:g}").format(number).cast<
 }  // namespace
 
 void add_controls(py::module_& m) {
+  m.def("control", &control_of, py::arg("state"));
   m.def("causes", [] {
     std::vector<std::tuple<std::string, std::string, std::string>> rows;
     for (const CauseInfo& cause : all_causes())
@@ -183,9 +184,6 @@ void add_controls(py::module_& m) {
                ">";
       });
   py::class_<Control, std::shared_ptr<Control>>(m, "Control", py::is_final())
-      .def(py::init([](const py::args&, const py::kwargs&) -> std::shared_ptr<Control> {
-        throw py::type_error("the controls are in cncsub.controls; changed copies come from them");
-      }))
       .def_readonly("name", &Control::name)
       .def_readonly("title", &Control::title)
       .def_property_readonly("rules",
@@ -230,7 +228,10 @@ void add_controls(py::module_& m) {
           "__deepcopy__",
           [](const Control& c, const py::object&) { return std::make_shared<Control>(c); },
           py::arg("memo"))
-      .def(py::pickle(&state_of, &control_of))
+      .def("__reduce__",
+           [again = m.attr("control")](const Control& c) {
+             return py::make_tuple(again, py::make_tuple(state_of(c)));
+           })
       .def("__repr__",
            [](const Control& c) { return "<Control " + c.name + ": " + c.title + ">"; });
   m.def("controls", [] {

@@ -1,11 +1,11 @@
 #include "cncsub/machine.hpp"
 
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <cmath>
 
 #include "bindings.hpp"
+#include "gil.hpp"
 #include "live.hpp"
 
 namespace py = pybind11;
@@ -172,18 +172,16 @@ template <class... Extent>
 void run_released(Machine& machine, const Extent&... extent) {
   std::optional<py::error_already_set> other;
   {
-    py::gil_scoped_release release;
-    machine.run(
-        [&other] {
-          py::gil_scoped_acquire acquire;
-          if (PyErr_CheckSignals() == 0) return false;
-          if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0)
-            PyErr_Clear();
-          else
-            other.emplace();
-          return true;
-        },
-        extent...);
+    Away away;
+    const auto interrupted = [&other] {
+      if (PyErr_CheckSignals() == 0) return false;
+      if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0)
+        PyErr_Clear();
+      else
+        other.emplace();
+      return true;
+    };
+    machine.run([&] { return away.ask(interrupted); }, extent...);
   }
   if (other) throw std::move(*other);
 }
@@ -275,13 +273,6 @@ void set_variable(Live& live, std::int64_t number, std::optional<double> value, 
 
 void add_machine(py::module_& m) {
   py::class_<Live, std::shared_ptr<Live>>(m, "Machine", py::is_final())
-      .def(py::init(&make_machine), py::arg("code"), py::arg("main"), py::kw_only(),
-           py::arg("mdi") = false, py::arg("start") = py::none(), py::arg("variables") = py::none(),
-           py::arg("block_skip") = std::vector<int>{}, py::arg("optional_stop") = false,
-           py::arg("max_cycles") = 1, py::arg("max_blocks") = 10'000'000,
-           py::arg("max_seconds") = py::none(), py::arg("max_memory") = py::none(),
-           py::arg("trace") = "moves", py::arg("inputs") = py::none(),
-           py::arg("setup") = py::none())
       .def("run", &run, py::arg("until") = py::none())
       .def("run_blocks", &run_blocks, py::arg("blocks"))
       .def("step", &step)
@@ -336,6 +327,12 @@ void add_machine(py::module_& m) {
                              [](Live& live) { return dict_of(Look(live)->motion().position()); })
       .def_property_readonly("modal",
                              [](Live& live) { return dict_of(Look(live)->motion().modal()); });
+  m.def("machine", &make_machine, py::arg("code"), py::arg("main"), py::kw_only(),
+        py::arg("mdi") = false, py::arg("start") = py::none(), py::arg("variables") = py::none(),
+        py::arg("block_skip") = std::vector<int>{}, py::arg("optional_stop") = false,
+        py::arg("max_cycles") = 1, py::arg("max_blocks") = 10'000'000,
+        py::arg("max_seconds") = py::none(), py::arg("max_memory") = py::none(),
+        py::arg("trace") = "moves", py::arg("inputs") = py::none(), py::arg("setup") = py::none());
 }
 
 }  // namespace cncsub::bindings

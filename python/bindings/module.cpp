@@ -1,6 +1,37 @@
+#include <array>
+#include <cstdlib>
+#include <exception>
+#include <string_view>
+#include <utility>
+
 #include "bindings.hpp"
 
-PYBIND11_MODULE(_core, m, pybind11::mod_gil_not_used()) {
+namespace {
+
+/// Where the objects of a class come from: none is made by calling its class. An object that was
+/// never filled, as `__new__` alone would make it, therefore does not exist.
+constexpr std::array<std::pair<std::string_view, const char*>, 3> kSources{{
+    {"Alarm", "alarms come from runs"},
+    {"Frame", "frames come from runs"},
+    {"Control", "the controls are in cncsub.controls; changed copies come from them"},
+}};
+
+PyObject* refuse(PyTypeObject* type, PyObject*, PyObject*) {
+  std::string_view name = type->tp_name;
+  name.remove_prefix(name.rfind('.') + 1);
+  for (const auto& [known, source] : kSources)
+    if (name == known) return PyErr_Format(PyExc_TypeError, "%s", source);
+  return PyErr_Format(PyExc_TypeError, "%s objects come from the engine", name.data());
+}
+
+}  // namespace
+
+PYBIND11_MODULE_PYINIT(engine, pybind11::mod_gil_not_used())
+PYBIND11_MODULE_EXEC(engine, m) {
+  // The base class of ours is ours alone: CMakeLists.txt.
+  auto* const base =
+      reinterpret_cast<PyTypeObject*>(pybind11::detail::get_internals().instance_base);
+  base->tp_new = &refuse;
   m.doc() = "The engine. Use it through `cncsub`; nothing here is public by itself.";
   m.attr("__version__") = CNCSUB_VERSION;
   cncsub::bindings::add_controls(m);
@@ -8,4 +39,22 @@ PYBIND11_MODULE(_core, m, pybind11::mod_gil_not_used()) {
   cncsub::bindings::add_code(m);
   cncsub::bindings::add_trace(m);
   cncsub::bindings::add_machine(m);
+}
+
+/// Exceptions need memory of this thread, which is taken when one is thrown for the first time;
+/// where there is none then, the C library ends the process. It is taken while there is some.
+static bool prepare_exceptions() {
+  constexpr std::size_t kEnough = 1 << 16;
+  void* const some = std::malloc(kEnough);
+  std::free(some);
+  return some != nullptr && std::uncaught_exceptions() == 0;
+}
+
+/// A second interpreter of the process is refused before anything waits for the first one.
+extern "C" PYBIND11_EXPORT PyObject* PyInit__core() {
+  if (!prepare_exceptions()) return PyErr_NoMemory();
+  if (PyInterpreterState_Get() == PyInterpreterState_Main()) return PyInit_engine();
+  PyErr_SetString(PyExc_ImportError,
+                  "cncsub works in the main interpreter only; use threads or processes");
+  return nullptr;
 }

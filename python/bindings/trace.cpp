@@ -1,13 +1,14 @@
 // The tables of a run, of a machine that is still at work, or of a part of a stream.
 #include "cncsub/trace.hpp"
 
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 #include "bindings.hpp"
+#include "gil.hpp"
 #include "live.hpp"
 
 namespace py = pybind11;
@@ -16,29 +17,44 @@ namespace cncsub::bindings {
 
 namespace {
 
+/// An array of NumPy to be filled. NumPy makes it: Python has imported it where it asks for one.
+template <class T>
+struct Array {
+  explicit Array(std::size_t size)
+      : object(py::module_::import("numpy").attr("empty")(
+            size, std::string(std::is_integral_v<T> ? "i" : "f") + std::to_string(sizeof(T)))),
+        data(static_cast<T*>(py::reinterpret_borrow<py::buffer>(object).request(true).ptr)) {}
+
+  py::object object;
+  T* data;
+};
+
 template <class T, class Value>
-py::array_t<T> step_array(const Record& record, Value&& value) {
+py::object step_array(const Record& record, Value&& value) {
   const auto& steps = record.trace().steps;
-  py::array_t<T> array(static_cast<py::ssize_t>(steps.size()));
-  T* out = array.mutable_data();
-  py::gil_scoped_release release;
-  steps.for_each_run([&](const Trace::Step* rows, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) *out++ = static_cast<T>(value(rows[i]));
-  });
-  return array;
+  const Array<T> array(steps.size());
+  {
+    const Away away;
+    T* out = array.data;
+    steps.for_each_run([&](const Trace::Step* rows, std::size_t count) {
+      for (std::size_t i = 0; i < count; ++i) *out++ = static_cast<T>(value(rows[i]));
+    });
+  }
+  return array.object;
 }
 
 std::int32_t depth_of_call(const Record& record, std::int32_t call) {
   return call < 0 ? 0 : record.trace().calls[record.trace().call_row(call)].depth;
 }
 
-py::array step_column(const Record& record, const std::string& name) {
+py::object step_column(const Record& record, const std::string& name) {
   const Record::Reading reading(record);
   const Code& code = record.code();
   if (name == "step") {
-    py::array_t<std::int64_t> array(static_cast<py::ssize_t>(record.trace().steps.size()));
-    std::iota(array.mutable_data(), array.mutable_data() + array.size(), record.trace().first_step);
-    return array;
+    const std::size_t size = record.trace().steps.size();
+    const Array<std::int64_t> array(size);
+    std::iota(array.data, array.data + size, record.trace().first_step);
+    return array.object;
   }
   if (name == "program") {
     std::int32_t last = 0;  // most steps lie in the program of the step before
@@ -77,22 +93,24 @@ py::tuple step_row(const Record& record, std::size_t index) {
 }
 
 template <class T, class Value>
-py::array call_array(const Record& record, Value&& value) {
+py::object call_array(const Record& record, Value&& value) {
   const Trace& trace = record.trace();
-  py::array_t<T> array(static_cast<py::ssize_t>(trace.ended_calls()));
-  T* out = array.mutable_data();
-  py::gil_scoped_release release;
-  auto later = trace.unfinished.begin();
-  for (std::size_t row = 0; row < trace.calls.size(); ++row) {
-    if (later != trace.unfinished.end() && *later == row)
-      ++later;
-    else
-      *out++ = static_cast<T>(value(trace.calls[row], row));
+  const Array<T> array(trace.ended_calls());
+  {
+    const Away away;
+    T* out = array.data;
+    auto later = trace.unfinished.begin();
+    for (std::size_t row = 0; row < trace.calls.size(); ++row) {
+      if (later != trace.unfinished.end() && *later == row)
+        ++later;
+      else
+        *out++ = static_cast<T>(value(trace.calls[row], row));
+    }
   }
-  return array;
+  return array.object;
 }
 
-py::array call_column(const Record& record, const std::string& name) {
+py::object call_column(const Record& record, const std::string& name) {
   const Record::Reading reading(record);
   const auto column = [&](auto value) {
     return call_array<std::int64_t>(record,
@@ -151,20 +169,22 @@ bool is_whole(const std::string& name) {
 }
 
 template <class Whole>
-py::array whole_move_column(const Record& record, const std::string& name) {
+py::object whole_move_column(const Record& record, const std::string& name) {
   const Moves& moves = record.trace().moves;
-  py::array_t<Whole> array(static_cast<py::ssize_t>(moves.size()));
-  Whole* const out = array.mutable_data();
-  py::gil_scoped_release release;
-  moves.column(name, out);
-  if constexpr (sizeof(Whole) == 8) {
-    if (name == "step")
-      for (std::size_t i = 0; i < moves.size(); ++i)
-        out[i] = record.trace().step_of_move(static_cast<std::uint32_t>(out[i]));
-    if (name == "move")
-      for (std::size_t i = 0; i < moves.size(); ++i) out[i] += record.trace().first_move;
+  const Array<Whole> array(moves.size());
+  Whole* const out = array.data;
+  {
+    const Away away;
+    moves.column(name, out);
+    if constexpr (sizeof(Whole) == 8) {
+      if (name == "step")
+        for (std::size_t i = 0; i < moves.size(); ++i)
+          out[i] = record.trace().step_of_move(static_cast<std::uint32_t>(out[i]));
+      if (name == "move")
+        for (std::size_t i = 0; i < moves.size(); ++i) out[i] += record.trace().first_move;
+    }
   }
-  return array;
+  return array.object;
 }
 
 /// Columns of the moves; those that follow from the rows are worked out together.
@@ -181,14 +201,14 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
                                      : whole_move_column<std::int64_t>(record, name);
       continue;
     }
-    py::array_t<double> array(static_cast<py::ssize_t>(moves.size()));
+    const Array<double> array(moves.size());
     lengths.push_back(name);
-    places.push_back(array.mutable_data());
-    columns[py::str(name)] = std::move(array);
+    places.push_back(array.data);
+    columns[py::str(name)] = array.object;
   }
   bool known = false;
   {
-    py::gil_scoped_release release;
+    const Away away;
     known = moves.columns(lengths, places);
   }
   if (!known) throw py::key_error("no such column");

@@ -83,6 +83,7 @@ class Control:
     def replace(self, **rules: bool | int | str) -> Control: ...
     def __copy__(self) -> Control: ...
     def __deepcopy__(self, memo: object) -> Control: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Frame:
@@ -102,6 +103,7 @@ class Frame:
     def repeat(self) -> int: ...
     @property
     def repeats(self) -> int: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Alarm:
@@ -127,6 +129,11 @@ class Alarm:
     def detail(self) -> str: ...
     @property
     def frames(self) -> tuple[Frame, ...]: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+
+def control(state: tuple[Any, ...]) -> Control: ...  # what __reduce__ told
+def frame(state: tuple[Any, ...]) -> Frame: ...
+def alarm(state: tuple[Any, ...]) -> Alarm: ...
 
 @final
 class ProgramData:
@@ -169,13 +176,12 @@ class Code:
 @final
 class Text:
     """The ASCII text of a file, put together while it is read; `compile` takes it over."""
-
-    def __init__(self, bytes: int) -> None: ...
     def add(self, piece: bytearray, count: int) -> bool:
         """Take the first `count` bytes; `False`, and nothing taken, where one is not ASCII."""
     def part(self, at: int, count: int) -> bytes: ...
     def __len__(self) -> int: ...
 
+def text(bytes: int) -> Text: ...
 def compile(
     control: Control,
     files: Sequence[tuple[str, str, Sequence[str | bytes | bytearray | Text], bool]],
@@ -227,24 +233,6 @@ class Machine:
     """One run of one program, whole or step by step. It is used by one thread at a time: whoever
     asks it anything while another thread runs it gets a RuntimeError.
     """
-    def __init__(
-        self,
-        code: Code,
-        main: int,
-        *,
-        mdi: bool = False,
-        start: int | None = None,
-        variables: Mapping[int, float | None] | None = None,
-        block_skip: Sequence[int] = (),
-        optional_stop: bool = False,
-        max_cycles: int = 1,
-        max_blocks: int = 10_000_000,
-        max_seconds: float | None = None,
-        max_memory: int | None = None,
-        trace: str = "moves",
-        inputs: Mapping[str, Any] | None = None,
-        setup: Mapping[str, Any] | None = None,
-    ) -> None: ...
     def run(self, until: tuple[int, int] | None = None) -> None:
         """Runs on, to `until`: (program, line) or (-1, depth). Ctrl-C stops it as interrupted."""
     def run_blocks(self, blocks: int) -> None:
@@ -288,3 +276,21 @@ class Machine:
     def position(self) -> dict[str, float]: ...
     @property
     def modal(self) -> dict[str, str]: ...
+
+def machine(
+    code: Code,
+    main: int,
+    *,
+    mdi: bool = False,
+    start: int | None = None,
+    variables: Mapping[int, float | None] | None = None,
+    block_skip: Sequence[int] = (),
+    optional_stop: bool = False,
+    max_cycles: int = 1,
+    max_blocks: int = 10_000_000,
+    max_seconds: float | None = None,
+    max_memory: int | None = None,
+    trace: str = "moves",
+    inputs: Mapping[str, Any] | None = None,
+    setup: Mapping[str, Any] | None = None,
+) -> Machine: ...

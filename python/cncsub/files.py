@@ -22,6 +22,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from cncsub import _core
 from cncsub._core import Text
 
 StrPath = str | os.PathLike[str]
@@ -218,7 +219,9 @@ def _read_folder(top: Path, encoding: str | None, reading: Reading) -> int:
                 reading.skipped.append((str(path), fault))
             elif entry.is_dir():
                 link = entry.is_symlink()
-                folders.append((path, os.path.realpath(path) if link else os.path.join(real, entry.name)))
+                folders.append(
+                    (path, os.path.realpath(path) if link else f"{real}{os.sep}{entry.name}")
+                )
             else:
                 files.append(path)
         found += sum(_read_found_file(path, real, encoding, reading) for path in files)
@@ -300,7 +303,7 @@ def _read_bytes(path: Path) -> tuple[Data | Text | None, str]:
             return None, f"larger than {LARGEST_FILE >> 20} MiB"
         # Piece by piece: Python looks for Ctrl-C in between, and nothing goes over the whole. A
         # file that grows meanwhile is read on.
-        text, piece = Text(status.st_size), bytearray(min(status.st_size + 1, _READ))
+        text, piece = _core.text(status.st_size), bytearray(min(status.st_size + 1, _READ))
         while len(text) < LARGEST_FILE and (count := file.readinto(piece)):
             if not text.add(piece, count):
                 break

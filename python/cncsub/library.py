@@ -365,7 +365,7 @@ def _machine(
     setup: Setup | Mapping[str, Any] | None = None,
 ) -> _core.Machine:
     """The engine with checked options; `main` is the number of the program, -1 the last."""
-    return _core.Machine(
+    return _core.machine(
         code,
         main if main >= 0 else len(code.programs) - 1,
         mdi=_one_of("mode", mode, MODES) == "mdi",

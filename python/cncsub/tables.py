@@ -83,15 +83,17 @@ class Table(Stays, Generic[Row]):
         known = {name: self._columns.get(name) for name in names}
         missing = [n for n, column in known.items() if column is None or len(column) != rows]
         if missing:
+            import numpy  # noqa: F401  # here, not below the engine's functions
+
             for name, column in self._fetch(missing).items():
                 column.flags.writeable = False  # what ran cannot be changed
                 self._columns[name] = column
         return {name: self._columns[name] for name in names}
 
     def __getattr__(self, name: str) -> Column:
-        # Names with an underscore are never columns; asking for one must not call back into this
-        # table.
-        if name.startswith("_") or name not in self.columns:
+        # Names with an underscore and those of the class are never columns; asking for one must not
+        # call back into this table.
+        if name.startswith("_") or hasattr(type(self), name) or name not in self.columns:
             raise AttributeError(f"{self._title} have no column {name!r}")
         return self.column(name)
 

@@ -1,0 +1,47 @@
+// Work without the GIL.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace cncsub::bindings {
+
+/// The GIL is given away for as long as this lives.
+///
+/// When Python ends, a thread of a daemon that wants the GIL back is ended on the spot: with glibc
+/// the stack is unwound as by an exception, through functions that throw none and with objects of
+/// Python in them. Such a thread sleeps here instead until the process is gone.
+class Away {
+ public:
+  Away() : state_(PyEval_SaveThread()) {}
+  Away(const Away&) = delete;
+  Away& operator=(const Away&) = delete;
+  ~Away() { come_back(); }
+
+  /// Takes the GIL for a question to Python.
+  template <class Question>
+  auto ask(Question&& question) {
+    come_back();
+    const struct Leave {
+      Away& away;
+      ~Leave() { away.state_ = PyEval_SaveThread(); }
+    } leave{*this};
+    return std::forward<Question>(question)();
+  }
+
+ private:
+  void come_back() noexcept {
+    try {
+      PyEval_RestoreThread(state_);
+    } catch (...) {
+      for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+    }
+  }
+
+  PyThreadState* state_;
+};
+
+}  // namespace cncsub::bindings
