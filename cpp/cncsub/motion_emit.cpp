@@ -147,7 +147,8 @@ double Motion::arc_length(const Piece& piece, const Axes& machine) const {
                                  std::atan2(part(plane.b), part(plane.a))};
   };
   const auto from = polar(s_.tool_at), to = polar(machine);
-  const double turn = piece.turn + std::remainder(to[1] - from[1] - piece.turn, 2 * kPi);
+  double turn = piece.turn + std::remainder(to[1] - from[1] - piece.turn, 2 * kPi);
+  if (std::fabs(turn) > 2 * kPi + 1e-6) turn -= std::copysign(2 * kPi, turn);  // cut by half
   double rest = 0;
   for (int i = 0; i < kAxes; ++i) {
     if (i == plane.a || i == plane.b || is_rotary(i)) continue;

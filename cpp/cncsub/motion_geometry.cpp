@@ -64,7 +64,6 @@ Meetings meetings(const Curve& a, const Curve& b, double offset, double toleranc
   if (a.line() && b.line()) return line_line(p, u, q, v);
   const double r = a.line() ? 0 : moved_radius(a, a.to, offset);
   const double s = b.line() ? 0 : moved_radius(b, b.from, offset);
-  if (std::min(r, s) < -tolerance) return {};
   if (a.line()) return line_circle(p, u, b.centre, std::max(s, 0.0), tolerance);
   if (b.line()) return line_circle(q, v, a.centre, std::max(r, 0.0), tolerance);
   return circle_circle(a.centre, std::max(r, 0.0), b.centre, std::max(s, 0.0), tolerance);

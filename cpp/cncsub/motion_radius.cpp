@@ -9,6 +9,9 @@ double offset_of(const Piece& piece) { return piece.side < 0 ? piece.radius : -p
 
 bool is_arc(const Piece& piece) { return piece.turn != 0; }
 
+/// From one direction to another, at most half a turn.
+double angle(Point from, Point to) { return std::atan2(cross(from, to), dot(from, to)); }
+
 /// How two moves with their offsets join.
 struct Join {
   Point leave;             // where the tool leaves the first move, from the corner
@@ -138,6 +141,10 @@ RadiusPath::Result RadiusPath::join(const Curve& a, const Curve& b, double offse
     go_around(a, b, u, v, offset, join);
   } else if (const auto meet = meeting(a, b, offset, least)) {
     join.leave = *meet - a.to;
+  } else if (!a.line() && moved_radius(a, a.to, offset) < -least) {
+    return Fault{Cause::CompensationArcTooSmall, motion.s_.held.radius.front().at, 1, {}};
+  } else if (!b.line() && moved_radius(b, b.from, offset) < -least) {
+    return Fault{Cause::CompensationArcTooSmall, at, 1, {}};
   } else {
     return Fault{Cause::CompensationNoIntersection, at, 1, {}};
   }
@@ -156,11 +163,11 @@ RadiusPath::Result RadiusPath::check_direction(const Curve& curve, Piece& piece,
   }
   const double first = moved_radius(curve, curve.from, offset_of(piece)),
                last = moved_radius(curve, curve.to, offset_of(piece));
-  if (std::min(first, last) < -least) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
+  if (first + last < -2 * least) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
   const double radius = std::max(first, last);
   const Point r = start - curve.centre, s = stop - curve.centre;
-  const double turn = std::atan2(cross(r, s), dot(r, s));
-  const double way = curve.turn + std::remainder(turn - curve.turn, 2 * kPi);
+  const double way =
+      curve.turn + angle(curve.to - curve.centre, s) - angle(curve.from - curve.centre, r);
   const bool back = (way > 0) != (curve.turn > 0);
   if (back && std::fabs(way) * radius > least) return wrong;
   if (back || radius <= least)

@@ -121,3 +121,38 @@ for _angle, _end, _way in (
         *_TO_CORNER, f"G40 {_end}", source="M7 p.188", evidence="secondary",
         centre=f"X0 Y-10 | X9 Y0 | X9 Y50 | {_end.replace('.', '')}",
     )
+
+# A program rounds its points and centres: what is tangent, or fits, on the drawing is so within some
+# increments.
+
+_WITNESS = (
+    "G90 G0 X49.379 Y76.423", "G42 D1 G1 X61.101 Y60.218 F500", "G1 X36.795 Y42.635",
+    "G2 X8.031 Y38.733 I-18.026 J24.919", "G1 X-10.711 Y45.716", "G40 X-20. Y30.")
+path(
+    "an arc whose centre is rounded joins the tangent lines beside it", MILLS, *_WITNESS,
+    centre="X49.379 Y76.423 | X60.515 Y61.028 | X36.209 Y43.445 | X8.380 Y39.670 | X-10.362 Y46.653"
+    " | X-20 Y30",
+)
+path(
+    "an arc whose centre is rounded joins the tangent lines beside it on a lathe", GSK_LATHES,
+    "T0101", "G98 G0 Z49.379 X152.846", "G42 G1 Z61.101 X120.436 F500", "G1 Z36.795 X85.270",
+    "G2 Z8.031 X77.466 K-18.026 I24.919", "G1 Z-10.711 X91.432", "G40 Z-20. X60.", setup=NOSE,
+    centre="Z49.379 X152.846 | Z60.515 X122.056 | Z36.209 X86.890 | Z8.380 X79.340 | Z-10.362 X93.306"
+    " | Z-20 X60",
+)
+# A groove of 2 mm with a round ground: a tool of that radius just fits, one of 1.01 mm does not.
+for _d, _fits in (1, True), (3, False):
+    path(
+        f"into a round groove whose words miss 2 mm by an increment a tool of D{_d} "
+        + ("fits" if _fits else "does not fit"), [*FANUC, *MITSUBISHI, MDI],
+        "G90 G17 G0 X-10. Y20.", f"G41 D{_d} G1 X0 Y20. F100", "Y0.001", "G3 X1.999 Y0 I1. J0.",
+        "G1 Y20.", "G40 X-10.", setup=MILL | {"radius_offsets": {1: 1, 3: 1.01}},
+        **(
+            {"centre": "X-10 Y20 | X1 Y20 | X1 Y0.001 | X0.999 Y0 | X0.999 Y20 | X-10 Y20"}
+            if _fits else {
+                "source": "16iLB p.208; MDib 0256; general knowledge",
+                "alarm": "offset-arc-too-small",
+                "number": numbers([*FANUC, *MITSUBISHI, MDI], "041", "P153", None, "0256"),
+            }
+        ),
+    )
