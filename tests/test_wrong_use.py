@@ -126,7 +126,7 @@ def test_until_takes_a_block_of_its_own_library(library: cncsub.Library) -> None
         ({"inputs": {"signals": {100: 1}}}, ValueError, "signals: #100 is no signal on fanuc-0i-f"),
         ({"inputs": {"writes": [{3000: 1}]}}, ValueError, "writes: #3000 takes a value"),
         ({"inputs": {"writes": [{9_999_999: 1}]}}, ValueError, "writes: there is no #9999999"),
-        ({"inputs": {"skips": ["0.5"]}}, TypeError, "skips takes a number"),
+        ({"inputs": {"skips": ["0.5"]}}, TypeError, r"skips\[0\] takes a fraction"),
     ],
 )
 def test_a_variable_that_cannot_be_given_is_told(

@@ -44,6 +44,9 @@ Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options op
     : code_(std::move(code)),
       options_(std::move(options)),
       motion_(code_->control, options_.setup) {
+  if (options_.inputs.workpiece)  // it stays where it is, whatever the program does to zero points
+    options_.inputs.workpiece =
+        std::make_shared<const Workpiece>(motion_.placed(*options_.inputs.workpiece));
   trace_.depth = options_.trace;
   locals_.assign(static_cast<std::size_t>(code_->locals), kVacant);
   if (code_->control->call_passes_words.value) programmed_.assign(locals_.size(), 0);
@@ -411,13 +414,15 @@ bool Machine::words(const Block& block) {
   Motion::Outcome& outcome = outcome_;
   words.ends = block.op == Op::EndProgram;
   Outside around = outside();
+  const std::size_t skip = next_skip_;
   if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), recorded_moves(),
                                    outcome, around)) {
+    next_skip_ = skip;
     if (!broken_off_) return alarm(*fault);
     look_soon();
     return false;
   }
-  if (outcome.touched) keep_skip_position();
+  if (outcome.skip != SkipMove::No) keep_skip(outcome.skip);
   moves_ += outcome.moves;
   if (moves_ > kLookMoves) look_soon();
   if (!auxiliary(words, block)) return false;
@@ -428,9 +433,13 @@ bool Machine::words(const Block& block) {
   return true;
 }
 
-/// The position of a skip signal, in the variables of a control that keeps it among the commons: X Z
-/// Y of a lathe. [TDi p.94]
-void Machine::keep_skip_position() {
+/// What a G31 leaves: its position, in the variables of a control that keeps it among the commons
+/// (X Z Y of a lathe [TDi p.94]); or that nothing was met.
+void Machine::keep_skip(SkipMove skip) {
+  if (skip == SkipMove::Missed) {
+    trace_.missed_skips.push({executed_, pc_});
+    return;
+  }
   const int first = code_->control->skip_variables.value;
   if (first <= 0) return;
   for (int axis = 0; axis < 3; ++axis) write(first + axis, motion_.skip_position(axis));
@@ -441,6 +450,7 @@ bool Machine::auxiliary(const NcWords& words, const Block& block) {
   if (words.has('T') && trace_.depth != Trace::Depth::None)
     trace_.t_codes.push(
         static_cast<std::int64_t>(std::llround(std::clamp(words['T'], -1e15, 1e15))));
+  if (words.has('T')) answer('T', std::llround(std::clamp(words['T'], -1e15, 1e15)));
   for (int i = 0; i < words.m_count; ++i) {
     const int m = words.m[static_cast<std::size_t>(i)];
     if (trace_.depth != Trace::Depth::None) trace_.m_codes.push(m);
@@ -449,12 +459,23 @@ bool Machine::auxiliary(const NcWords& words, const Block& block) {
     if (stops)
       if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_), recorded_moves()))
         return alarm(*fault);
+    answer('M', m);
     if (stops && !wait_for_operator(m == 0 ? "M00" : "M01")) return false;
     if (m != 0 && m == code_->control->restart_m_code.value && stack_.size() == 1) next_ = kNowhere;
     if ((m == 2 || m == 30) && block.op != Op::EndProgram)
       next_ = kNowhere - 1;  // M#1 that ends the program
   }
   return true;
+}
+
+/// What the machine does about a code it was sent: its signals change, and variables that it
+/// writes.
+void Machine::answer(char address, std::int64_t code) {
+  if (options_.inputs.answers.empty()) return;
+  const auto found = options_.inputs.answers.find({address, code});
+  if (found == options_.inputs.answers.end()) return;
+  for (const auto& [number, value] : found->second) set_from_outside(number, value);
+  ++changes_;
 }
 
 bool Machine::wait_for_operator(const std::string& what) {
@@ -633,10 +654,11 @@ Outside Machine::outside() {
   around.profile = [this](std::int64_t ns, std::int64_t nf, Profile& found) {
     return profile(ns, nf, found);
   };
-  around.skip = [this]() -> std::optional<std::array<double, 3>> {
+  around.skip = [this]() -> std::optional<SkipSignal> {
     if (next_skip_ >= options_.inputs.skips.size()) return std::nullopt;
-    return std::array<double, 3>{options_.inputs.skips[next_skip_++], 0, 0};
+    return options_.inputs.skips[next_skip_++];
   };
+  around.workpiece = options_.inputs.workpiece.get();
   if (interrupted_ != nullptr && *interrupted_)
     around.interrupted = [this] { return broken_off_ = (*interrupted_)(); };
   return around;

@@ -33,8 +33,11 @@ struct Inputs {
       operator_starts;  // at M00, M01, #3006: cycle start, or not; all start when empty
   bool operator_given = false;
   std::vector<std::map<std::int32_t, double>>
-      writes;                 // variables another program writes, each time the run waits
-  std::vector<double> skips;  // G31: where the signal comes, as a fraction of the move; none beyond
+      writes;                     // variables another program writes, each time the run waits
+  std::vector<SkipSignal> skips;  // of each G31 in order; behind them the workpiece decides
+  std::shared_ptr<const Workpiece> workpiece;
+  // What the machine's signals become when it is sent a code: 'M' 117.
+  std::map<std::pair<char, std::int64_t>, std::map<std::int32_t, double>> answers;
 };
 
 struct Options {
@@ -112,6 +115,9 @@ class Machine {
   bool can_be_vacant(std::int64_t number) const;
   /// Whether a variable is set by the machine, from outside.
   bool is_signal(std::int64_t number) const;
+  void set_from_outside(std::int32_t number, double value);
+  /// The signals that were set so far.
+  const std::map<std::int32_t, double>& signals() const { return options_.inputs.signals; }
 
  private:
   struct Open {  // a frame
@@ -190,7 +196,8 @@ class Machine {
   bool round(const Block& block);
   bool decode(const Block& block, NcWords& words);
   bool auxiliary(const NcWords& words, const Block& block);
-  void keep_skip_position();
+  void keep_skip(SkipMove skip);
+  void answer(char address, std::int64_t code);
   bool wait_for_operator(const std::string& what);
   bool after_words(const Motion::Outcome& outcome);
   std::int32_t modal_after(const Motion::Outcome& outcome) const;

@@ -227,12 +227,8 @@ bool Machine::waits_for(std::uint32_t condition) {
     ++at;
   if (at->op == Ins::End) return false;
   if (next_write_ < options_.inputs.writes.size()) {
-    for (const auto& [number, value] : options_.inputs.writes[next_write_++]) {
-      if (is_signal(number))
-        options_.inputs.signals[number] = value;
-      else
-        write(number, value);
-    }
+    for (const auto& [number, value] : options_.inputs.writes[next_write_++])
+      set_from_outside(number, value);
     ++changes_;
     return false;
   }

@@ -87,6 +87,14 @@ bool Machine::can_be_vacant(std::int64_t number) const {
          kind == VariableKind::Kept || kind == VariableKind::LevelImage;
 }
 
+/// What the machine or another program writes: a signal, or a variable.
+void Machine::set_from_outside(std::int32_t number, double value) {
+  if (is_signal(number))
+    options_.inputs.signals[number] = value;
+  else
+    write(number, value);
+}
+
 bool Machine::is_signal(std::int64_t number) const {
   const VariablePlace place = code_->place(number);
   return place.range != nullptr &&

@@ -71,18 +71,6 @@ void number_groups(MotionFacts& facts, const std::string& changes) {
   }
 }
 
-/// "G54", "G54.1 P3", "EXT": 1, 103, 0; -1 for another name.
-int system_of(const std::string& name) {
-  if (name == "EXT") return 0;
-  if (name.size() == 3 && name[0] == 'G' && name[1] == '5' && name[2] >= '4' && name[2] <= '9')
-    return name[2] - '3';
-  const auto p = name.find('P');
-  if (name.rfind("G54.1", 0) != 0 || p == std::string::npos) return -1;
-  int number = 0;
-  std::from_chars(name.data() + p + 1, name.data() + name.size(), number);
-  return number > 0 && number <= 9999 ? 100 + number : -1;
-}
-
 OffsetTables tables_of(const Setup& setup, const Control& control) {
   OffsetTables tables;
   const auto rows = [](std::int32_t most) {
@@ -112,6 +100,17 @@ OffsetTables tables_of(const Setup& setup, const Control& control) {
 }
 
 }  // namespace
+
+int system_of(const std::string& name) {
+  if (name == "EXT") return 0;
+  if (name.size() == 3 && name[0] == 'G' && name[1] == '5' && name[2] >= '4' && name[2] <= '9')
+    return name[2] - '3';
+  const auto p = name.find('P');
+  if (name.rfind("G54.1", 0) != 0 || p == std::string::npos) return -1;
+  int number = 0;
+  std::from_chars(name.data() + p + 1, name.data() + name.size(), number);
+  return number > 0 && number <= 9999 ? 100 + number : -1;
+}
 
 MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
     : control(std::move(c)),

@@ -19,6 +19,7 @@
 #include "cncsub/control.hpp"
 #include "cncsub/motion_state.hpp"
 #include "cncsub/moves.hpp"
+#include "cncsub/probe.hpp"
 
 namespace cncsub {
 
@@ -48,12 +49,20 @@ struct Profile {
   bool right_behind = false;  // the first stands right behind the cycle
 };
 
+/// What is said of the skip signal of one G31.
+struct SkipSignal {
+  enum class Comes : std::uint8_t { AtFraction, AtCoordinate, Never } comes = Comes::AtFraction;
+  double value = 0;  // of the way, or in work coordinates, mm
+  int axis = 0;
+};
+
 /// What a block needs from around it.
 struct Outside {
   /// The profile that the running block names.
   std::function<std::optional<Fault>(std::int64_t ns, std::int64_t nf, Profile& profile)> profile;
-  /// Where on the way of a G31 the skip signal comes: a fraction 0 to 1 in [0], or nothing.
-  std::function<std::optional<std::array<double, 3>>()> skip;
+  /// The next skip signal that was told, or nothing where none is left; then the workpiece decides.
+  std::function<std::optional<SkipSignal>()> skip;
+  const Workpiece* workpiece = nullptr;  // in machine coordinates
   /// Whether to break off a block that takes very long; or nothing.
   std::function<bool()> interrupted;
 
@@ -81,7 +90,7 @@ class Motion {
     bool axis_word = false;     // a motion block with an axis word
     Address behind = kNowhere;  // G71 to G73: the run goes on here, behind the profile
     std::int64_t moves = 0;
-    bool touched = false;  // a skip signal ended the move
+    SkipMove skip = SkipMove::No;
   };
   /// Executes the motion words of a block. When it returns a fault nothing has changed.
   std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves,
@@ -104,6 +113,8 @@ class Motion {
 
   /// The axes that addresses (a block's mask) can move, as the columns of the moves are called.
   std::string axes_of(std::uint32_t mask) const;
+  /// A workpiece by machine coordinates and true lengths, its zero point where it is now.
+  Workpiece placed(Workpiece workpiece) const;
   /// The rows go to another table from now on.
   void forget_table() { s_.row_moves = nullptr; }
   std::size_t held_bytes() const {
@@ -235,7 +246,10 @@ class Motion {
   Result reference(BlockWords& block, int number);
   Result from_reference(BlockWords& block);
   Result check_reference(BlockWords& block);
+  // motion_skip.cpp
   Result skip(BlockWords& block);
+  std::optional<double> signal_on_way(const BlockWords& block, Axes& end) const;
+  std::optional<double> touch(const Workpiece& workpiece, const Axes& end) const;
   Result one_way(BlockWords& block);
   Axes linear_target(BlockWords& block, std::uint32_t& named);
   // motion_tool.cpp: tool words, lengths and radii.

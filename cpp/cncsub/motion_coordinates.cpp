@@ -253,22 +253,6 @@ Motion::Result Motion::check_reference(BlockWords& block) {
   return std::nullopt;
 }
 
-/// G31: a feed that ends where the skip signal comes.
-Motion::Result Motion::skip(BlockWords& block) {
-  if (compensating()) return fault(Cause::CompensationSkip, block);
-  std::uint32_t named = 0;
-  Axes end = linear_target(block, named);
-  if (named == 0) return std::nullopt;
-  if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
-  const auto signal = block.outside.skip ? block.outside.skip() : std::nullopt;
-  if (signal)
-    for (int i = 0; i < kAxes; ++i) end[i] = s_.work[i] + (end[i] - s_.work[i]) * (*signal)[0];
-  if (auto wrong = move(block, MoveKind::Feed, end, named)) return wrong;
-  block.outcome.touched = signal.has_value();
-  s_.skip = s_.work + s_.length;  // with the tool, like #5041 [NCT 99M p.183; M7 p.547]
-  return std::nullopt;
-}
-
 /// G60: rapid past the point on the same side every time, then rapid to the point.
 Motion::Result Motion::one_way(BlockWords& block) {
   if (block.has(Group::Motion)) s_.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];

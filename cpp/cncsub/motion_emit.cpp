@@ -122,6 +122,7 @@ Motion::Result Motion::record(const Piece& piece, Moves* moves,
     if (round) moves->arc(centre_of(piece), length);
     if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves->vector(vector);
     if (piece.kind == MoveKind::Dwell) moves->seconds(piece.seconds);
+    if (piece.skip != SkipMove::No) moves->skip(piece.skip);
   }
   s_.tool_at = machine;
   return std::nullopt;

@@ -20,6 +20,8 @@ inline int axis_of(char letter) {
   const auto found = kAxisNames.find(letter);
   return found == std::string_view::npos ? -1 : static_cast<int>(found);
 }
+/// "G54", "G54.1 P3", "EXT": 1, 103, 0; -1 for another name.
+int system_of(const std::string& name);
 constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
 /// A whole number of a word, whatever the word holds.
 inline int whole(double value) {

@@ -29,6 +29,7 @@ struct Piece {
   char corner = 0;              // 'C' or 'R' between this piece and the next
   double corner_size = 0;
   bool corner_piece = false;  // put in between two blocks
+  SkipMove skip = SkipMove::No;
   std::uint32_t at = 0;       // where its block stands, for faults
   Axes offset{};              // work to base
   Axes length{};              // base to machine

@@ -36,6 +36,18 @@ std::string_view to_string(MoveKind kind) {
   return "";
 }
 
+std::string_view to_string(SkipMove skip) {
+  switch (skip) {
+    case SkipMove::No:
+      return "no";
+    case SkipMove::Touched:
+      return "touched";
+    case SkipMove::Missed:
+      return "missed";
+  }
+  return "";
+}
+
 double spindle_at(const MoveState& state, double diameter) {
   if (!state.surface) return state.spindle;
   // In the middle only the limit holds; where none was set the speed is as good as endless.
@@ -152,6 +164,8 @@ void Moves::vector(const std::array<double, 3>& vector) {
 
 void Moves::seconds(double time) { seconds_.push({static_cast<std::uint32_t>(rows_ - 1), time}); }
 
+void Moves::skip(SkipMove how) { skips_.push({static_cast<std::uint32_t>(rows_ - 1), how}); }
+
 namespace {
 
 /// The first entry of a list by row that belongs to this row or one behind it.
@@ -172,6 +186,7 @@ void Moves::truncate(std::size_t rows) {
   arcs_.keep(find_row(arcs_, rows));
   vectors_.keep(find_row(vectors_, rows));
   seconds_.keep(find_row(seconds_, rows));
+  skips_.keep(find_row(skips_, rows));
   for (Extra& extra : extras_) {
     extra.first = std::min(rows, extra.first);
     extra.values.keep(rows - extra.first);
@@ -271,7 +286,10 @@ struct Moves::Walk {
 MoveRow Moves::row(std::size_t index) const {
   Walk walk{*this};
   walk.seek(index);
-  return walk.next(index);
+  MoveRow row = walk.next(index);
+  const std::size_t skip = find_row(skips_, index);
+  if (skip < skips_.size() && skips_[skip].row == index) row.skip = skips_[skip].how;
+  return row;
 }
 
 template <class Use>
@@ -430,6 +448,12 @@ bool Moves::column(std::string_view name, Whole* out) const {
   if (name == "h") return state([](const MoveState& s) { return s.h; });
   if (name == "d") return state([](const MoveState& s) { return s.d; });
   if (name == "feed_mode") return state([](const MoveState& s) { return s.feed_mode; });
+  if (name == "skip") {
+    std::fill_n(out, rows_, static_cast<Whole>(SkipMove::No));
+    for (std::size_t i = 0; i < skips_.size(); ++i)
+      out[skips_[i].row] = static_cast<Whole>(skips_[i].how);
+    return true;
+  }
   return false;
 }
 
@@ -438,7 +462,7 @@ template bool Moves::column(std::string_view name, std::int64_t* out) const;
 
 std::size_t Moves::bytes() const {
   std::size_t sum = chunks_.size() * sizeof(Chunk) + states_.bytes() + offsets_.bytes() +
-                    arcs_.bytes() + vectors_.bytes() + seconds_.bytes();
+                    arcs_.bytes() + vectors_.bytes() + seconds_.bytes() + skips_.bytes();
   for (const Extra& extra : extras_) sum += extra.values.bytes();
   return sum;
 }

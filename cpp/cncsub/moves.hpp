@@ -17,6 +17,10 @@ namespace cncsub {
 enum class MoveKind : std::uint8_t { Rapid, Feed, Cw, Ccw, Thread, Dwell };
 std::string_view to_string(MoveKind kind);
 
+/// Whether a move was one of G31, and whether its signal came.
+enum class SkipMove : std::uint8_t { No, Touched, Missed };
+std::string_view to_string(SkipMove skip);
+
 constexpr int kAxes = 9;
 constexpr std::string_view kAxisNames = "XYZABCUVW";
 using Axes = std::array<double, kAxes>;
@@ -52,6 +56,7 @@ struct MoveRow {
   double spindle = 0;  // r/min at the end of the move
   double length = 0;   // mm
   double time = 0;     // s; inf where the spindle that a feed counts on was never told to turn
+  SkipMove skip = SkipMove::No;
 };
 
 class Moves {
@@ -72,7 +77,7 @@ class Moves {
   /// Writes whole columns, each to its place, in one pass over the moves: x y z a b c u v w, mx my
   /// mz ma ..., cx cy cz, feed, spindle, length, time. False where a name is another one.
   bool columns(const std::vector<std::string>& names, const std::vector<double*>& out) const;
-  /// move, step, kind, plane, tool, h, d, feed_mode.
+  /// move, step, kind, plane, tool, h, d, feed_mode, skip.
   template <class Whole>
   bool column(std::string_view name, Whole* out) const;
   std::size_t bytes() const;
@@ -108,6 +113,7 @@ class Moves {
   void arc(std::array<double, 3> centre, double length);
   void vector(const std::array<double, 3>& vector);
   void seconds(double time);
+  void skip(SkipMove how);
   /// Forgets the rows from `rows` on.
   void truncate(std::size_t rows);
 
@@ -140,6 +146,10 @@ class Moves {
   struct Seconds {
     std::uint32_t row;
     double time;
+  };
+  struct Skip {
+    std::uint32_t row;
+    SkipMove how;
   };
   struct Walk;
   /// Where rows may be written: the last chunk, and the first row that is not in it. A copy of the
@@ -175,6 +185,7 @@ class Moves {
   Column<Arc> arcs_;
   Column<Vector> vectors_;
   Column<Seconds> seconds_;
+  Column<Skip> skips_;
   std::uint32_t used_ = 0;
   bool begun_ = false;
   Axes start_{}, start_point_{};

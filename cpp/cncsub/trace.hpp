@@ -37,6 +37,11 @@ struct Trace {
     std::int32_t repeat;
   };
 
+  struct Place {
+    std::int64_t step;
+    Address address;
+  };
+
   Depth depth = Depth::Moves;
   Column<Step> steps;
   Column<CallRow> calls;
@@ -44,6 +49,7 @@ struct Trace {
   Moves moves;
   Column<std::int64_t> m_codes, t_codes;
   Column<std::string> messages;
+  Column<Place> missed_skips;  // the blocks of G31 that met nothing
   std::size_t text = 0;  // characters of the messages
 
   // Steps, calls and moves are numbered through the run; a part begins anywhere.

@@ -92,7 +92,7 @@ def write_inputs(out: Writer, inputs: Mapping[str, Any]) -> None:
     for write in out.each(writes, 4):
         out.values(write, 2)
     for skip in out.each(inputs.get("skips", ()), 4):
-        out.byte(round(skip * 255))
+        out.byte(round(skip * 255) if isinstance(skip, int | float) else 255)
 
 
 def work_system(name: str) -> int:

@@ -23,13 +23,61 @@ double number_or_vacant(const py::handle& value) {
   return value.is_none() ? kVacant : value.cast<double>();
 }
 
+/// ("fraction", 0.5), ("never",) or an axis with its coordinate, ("X", 40.0).
+SkipSignal skip_of(const py::tuple& from) {
+  const auto kind = from[0].cast<std::string>();
+  if (kind == "never") return {SkipSignal::Comes::Never};
+  const auto value = from[1].cast<double>();
+  if (kind == "fraction") return {SkipSignal::Comes::AtFraction, value};
+  return {SkipSignal::Comes::AtCoordinate, value, static_cast<int>(kAxisNames.find(kind[0]))};
+}
+
+Solid solid_of(const py::dict& from) {
+  Solid solid;
+  const auto shape = from["shape"].cast<std::string>();
+  solid.shape = shape == "plane"      ? Solid::Shape::Plane
+                : shape == "box"      ? Solid::Shape::Box
+                : shape == "cylinder" ? Solid::Shape::Cylinder
+                                      : Solid::Shape::Sphere;
+  solid.hole = get(from, "hole", false);
+  solid.at = get(from, "at", solid.at);
+  solid.direction = get(from, "direction", solid.direction);
+  solid.low = get(from, "low", solid.low);
+  solid.high = get(from, "high", solid.high);
+  solid.radius = get(from, "radius", 0.0);
+  solid.first = get(from, "first", solid.first);
+  solid.last = get(from, "last", solid.last);
+  return solid;
+}
+
+std::shared_ptr<const Workpiece> workpiece_of(const py::dict& from) {
+  auto workpiece = std::make_shared<Workpiece>();
+  for (const py::handle solid : from["solids"])
+    workpiece->solids.push_back(solid_of(solid.cast<py::dict>()));
+  workpiece->stylus = get(from, "stylus", 0.0);
+  workpiece->by_end = get(from, "by_end", false);
+  if (from.contains("length")) workpiece->length = from["length"].cast<double>();
+  workpiece->system = get(from, "system", workpiece->system);
+  return workpiece;
+}
+
 Inputs inputs_of(const py::dict& from) {
   Inputs inputs;
   inputs.signals = get(from, "signals", inputs.signals);
   inputs.clock_ms = get(from, "clock_ms", 0.0);
   inputs.date = get(from, "date", 0.0);
   inputs.time = get(from, "time", 0.0);
-  inputs.skips = get(from, "skips", inputs.skips);
+  if (from.contains("skips"))
+    for (const py::handle skip : from["skips"])
+      inputs.skips.push_back(skip_of(skip.cast<py::tuple>()));
+  if (from.contains("workpiece")) inputs.workpiece = workpiece_of(from["workpiece"]);
+  if (from.contains("answers"))
+    for (const auto& [code, values] : from["answers"].cast<py::dict>()) {
+      const auto name = code.cast<std::string>();
+      for (const auto& [number, value] : values.cast<py::dict>())
+        inputs.answers[{name[0], std::stoll(name.substr(1))}][number.cast<std::int32_t>()] =
+            number_or_vacant(value);
+    }
   if (from.contains("operator") && !from["operator"].is_none()) {
     inputs.operator_given = true;
     for (const py::handle answer : from["operator"])
@@ -100,13 +148,17 @@ Trace::Depth depth_of(const std::string& name) {
 }
 
 /// G54.1 P49 is a work coordinate system of some controls only.
-void check_systems(const Control& control, const Setup& setup) {
+void check_systems(const Control& control, const Options& options) {
   const std::int32_t most = control.max_extra_systems.value;
-  for (const auto& [name, values] : setup.work_offsets)
+  const Setup& setup = options.setup;
+  const auto check = [&](const std::string& field, const std::string& name) {
     if (const auto p = name.find('P');
         p != std::string::npos && std::stol(name.substr(p + 1)) > most)
-      throw py::value_error("work_offsets: " + control.name + " has no " + name +
+      throw py::value_error(field + ": " + control.name + " has no " + name +
                             (most > 0 ? "; the last is G54.1 P" + std::to_string(most) : ""));
+  };
+  if (options.inputs.workpiece) check("coordinates", options.inputs.workpiece->system);
+  for (const auto& [name, values] : setup.work_offsets) check("work_offsets", name);
 }
 
 /// The numbers in the inputs must be those of signals, and of variables that can be written.
@@ -115,10 +167,13 @@ void check_inputs(const Machine& machine, const Inputs& inputs) {
     if (!machine.is_signal(number))
       throw py::value_error("signals: #" + std::to_string(number) + " is no signal on " +
                             machine.code().control->name);
-  for (const auto& write : inputs.writes)
-    for (const auto& [number, value] : write)
+  const auto check = [&](const char* field, const std::map<std::int32_t, double>& values) {
+    for (const auto& [number, value] : values)
       if (auto fault = machine.unwritable(number); fault && !machine.is_signal(number))
-        throw py::value_error("writes: " + fault->detail);
+        throw py::value_error(field + (": " + fault->detail));
+  };
+  for (const auto& write : inputs.writes) check("writes", write);
+  for (const auto& [code, values] : inputs.answers) check("answers", values);
 }
 
 std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32_t main, bool mdi,
@@ -151,7 +206,7 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
   options.trace = depth_of(trace);
   if (inputs) options.inputs = inputs_of(*inputs);
   if (setup) options.setup = setup_of(*setup);
-  check_systems(*code->control, options.setup);
+  check_systems(*code->control, options);
   const Program& program = code->programs[static_cast<std::size_t>(main)];
   if (start && code->first_of(program, *start) == kNowhere)
     throw py::value_error("start: there is no block N" + std::to_string(*start) + " in " +
@@ -269,6 +324,23 @@ void set_variable(Live& live, std::int64_t number, std::optional<double> value, 
     raise(*fault);
 }
 
+double get_signal(Live& live, std::int64_t number) {
+  const Look machine(live);
+  if (!machine->is_signal(number))
+    throw py::key_error("#" + std::to_string(number) + " is no signal on " +
+                        machine->code().control->name);
+  const auto found = machine->signals().find(static_cast<std::int32_t>(number));
+  return found == machine->signals().end() ? 0 : found->second;
+}
+
+void set_signal(Live& live, std::int32_t number, double value) {
+  const Work machine(live);
+  if (!machine->is_signal(number))
+    throw py::key_error("#" + std::to_string(number) + " is no signal on " +
+                        machine->code().control->name);
+  machine->set_from_outside(number, value);
+}
+
 }  // namespace
 
 void add_machine(py::module_& m) {
@@ -317,6 +389,9 @@ void add_machine(py::module_& m) {
           "can_be_vacant",
           [](Live& live, std::int64_t number) { return Look(live)->can_be_vacant(number); },
           py::arg("number"))
+      .def_property_readonly("signals", [](Live& live) { return dict_of(Look(live)->signals()); })
+      .def("get_signal", &get_signal, py::arg("number"))
+      .def("set_signal", &set_signal, py::arg("number"), py::arg("value"))
       .def("reset", [](Live& live) { Work(live)->reset(); })
       .def(
           "cleared_by_reset",

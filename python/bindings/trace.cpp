@@ -165,7 +165,7 @@ py::dict call_arguments(const Record& record, std::size_t index) {
 
 bool is_whole(const std::string& name) {
   return name == "move" || name == "step" || name == "kind" || name == "plane" || name == "tool" ||
-         name == "h" || name == "d" || name == "feed_mode";
+         name == "h" || name == "d" || name == "feed_mode" || name == "skip";
 }
 
 template <class Whole>
@@ -196,7 +196,7 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
   std::vector<double*> places;
   for (const std::string& name : names) {
     if (is_whole(name)) {
-      const bool texts = name == "kind" || name == "feed_mode";
+      const bool texts = name == "kind" || name == "feed_mode" || name == "skip";
       columns[py::str(name)] = texts ? whole_move_column<std::int32_t>(record, name)
                                      : whole_move_column<std::int64_t>(record, name);
       continue;
@@ -213,6 +213,21 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
   }
   if (!known) throw py::key_error("no such column");
   return columns;
+}
+
+/// Step, program, sequence number and line of the blocks of G31 that met nothing.
+py::list missed_skips(const Record& record) {
+  const Record::Reading reading(record);
+  const Code& code = record.code();
+  py::list list;
+  const auto& missed = record.trace().missed_skips;
+  for (std::size_t i = 0; i < missed.size(); ++i) {
+    const Block& block = code.blocks[missed[i].address];
+    const auto program = static_cast<std::size_t>(code.program_at(missed[i].address));
+    list.append(py::make_tuple(missed[i].step, code.programs[program].name,
+                               sequence_number(block.n), block.line));
+  }
+  return list;
 }
 
 std::string axis_name(char axis, const char* before = "") {
@@ -240,6 +255,7 @@ py::dict move_row(const Record& record, std::size_t index) {
   fields["spindle"] = row.spindle;
   fields["tool"] = state.tool;
   fields["feed_mode"] = static_cast<int>(state.feed_mode);
+  fields["skip"] = std::string(to_string(row.skip));
   fields["h"] = state.h;
   fields["d"] = state.d;
   fields["length"] = row.length;
@@ -313,6 +329,7 @@ void add_trace(py::module_& m) {
       .def("move_row", &move_row, py::arg("index"))
       .def("move_columns", &move_columns, py::arg("names"))
       .def_property_readonly("move_kinds", [](const Record&) { return names_to(MoveKind::Dwell); })
+      .def_property_readonly("skip_names", [](const Record&) { return names_to(SkipMove::Missed); })
       .def_property_readonly("move_axes", &move_axes)
       .def_property_readonly("path_length",
                              size([](const Trace& trace) { return trace.moves.length(); }))
@@ -323,7 +340,8 @@ void add_trace(py::module_& m) {
       .def_property_readonly(
           "t_codes", [](const Record& record) { return listed(record, record.trace().t_codes); })
       .def_property_readonly(
-          "messages", [](const Record& record) { return listed(record, record.trace().messages); });
+          "messages", [](const Record& record) { return listed(record, record.trace().messages); })
+      .def_property_readonly("missed_skips", &missed_skips);
 }
 
 }  // namespace cncsub::bindings

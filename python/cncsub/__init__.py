@@ -15,32 +15,39 @@ from cncsub.controls import Cause, Source, causes, controls, sources
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
-from cncsub.rows import Call, Move, Step
+from cncsub.rows import Call, MissedSkip, Move, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
+from cncsub.workpiece import Box, Cylinder, Plane, Sphere, Workpiece
 
 __all__ = [
     "Alarm",
     "AlarmError",
     "Block",
+    "Box",
     "Call",
     "Cause",
     "Control",
+    "Cylinder",
     "Frame",
     "Inputs",
     "Library",
     "Machine",
+    "MissedSkip",
     "Move",
     "Part",
+    "Plane",
     "Program",
     "Run",
     "Setup",
     "Source",
+    "Sphere",
     "Step",
     "Stop",
     "Stream",
     "Word",
+    "Workpiece",
     "__version__",
     "causes",
     "controls",

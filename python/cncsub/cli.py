@@ -149,6 +149,10 @@ MaxBlocks = Annotated[int, typer.Option(help="How many blocks are executed at mo
 SetupFile = Annotated[
     Path | None, typer.Option("--setup", help="A TOML file with offsets, tools, limits.")
 ]
+InputsFile = Annotated[
+    Path | None,
+    typer.Option("--inputs", help="A TOML file with signals, answers, a workpiece to probe."),
+]
 Start = Annotated[int | None, typer.Option(help="The sequence number to begin at.")]
 OptionalStop = Annotated[bool, typer.Option("--optional-stop", help="M01 stops.")]
 Output = Annotated[
@@ -170,6 +174,7 @@ def run(
     max_cycles: MaxCycles = 1,
     max_blocks: MaxBlocks = 10_000_000,
     setup: SetupFile = None,
+    inputs: InputsFile = None,
     start: Start = None,
     optional_stop: OptionalStop = False,
     format: Annotated[
@@ -205,6 +210,7 @@ def tree(
     max_cycles: MaxCycles = 1,
     max_blocks: MaxBlocks = 10_000_000,
     setup: SetupFile = None,
+    inputs: InputsFile = None,
     start: Start = None,
     optional_stop: OptionalStop = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
@@ -312,6 +318,8 @@ def _asked(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     }
     if options["setup"] is not None:
         asked["setup"] = cncsub.Setup.from_toml(options["setup"])
+    if options["inputs"] is not None:
+        asked["inputs"] = cncsub.Inputs.from_toml(options["inputs"])
     return asked
 
 

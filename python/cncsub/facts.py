@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 import cncsub
@@ -22,6 +23,7 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "time": finite(run.moves.total_time),
         "bounds": {axis: list(pair) for axis, pair in run.moves.bounds.items()},
         "messages": run.messages,
+        "missed_skips": [asdict(missed) for missed in run.missed_skips],
         "m_codes": run.m_codes,
         "t_codes": run.t_codes,
         "variables": {str(number): value for number, value in run.variables.items()},

@@ -5,12 +5,16 @@ probe.
 from __future__ import annotations
 
 import dataclasses
+import os
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
 
 from cncsub.controls import did_you_mean
+from cncsub.setup import AXES, from_toml
+from cncsub.workpiece import Workpiece, workpiece_of
 
 Values = Mapping[int, float | None]
 
@@ -30,8 +34,11 @@ class Inputs:
     presses cycle start, with it the run waits where the answers are used up. `writes`: what another
     program writes into variables while this one waits for them, one mapping for each time the run
     would wait; `(3, {500: 1})` is written the third time only. `None` makes a variable vacant.
-    `skips`: where each G31 meets its skip signal, as a fraction 0 to 1 of the move; none beyond the
-    list.
+    `skips`: where the first G31, the second and so on meet their skip signal: a coordinate of the
+    way, `{"X": 40.0}` (work coordinates as they are programmed), a fraction 0 to 1 of it, or `None`
+    for one that meets nothing. `workpiece`: what those behind the list touch, see `Workpiece`; a
+    G31 that nothing answers meets nothing. `answers`: what the machine does about a code it is
+    sent, signals and variables by number: `{"M117": {1004: 1}}`.
 
     Raises `TypeError` and `ValueError` for values of another kind.
 
@@ -49,7 +56,27 @@ class Inputs:
     clock: datetime | float | None = None
     operator: Sequence[str] | None = None
     writes: Sequence[Values | tuple[int, Values]] = ()
-    skips: Sequence[float] = ()
+    skips: Sequence[float | Mapping[str, float] | None] = ()
+    workpiece: Workpiece | Mapping[str, Any] | None = None
+    answers: Mapping[str, Values] = field(default_factory=dict)
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Inputs:
+        """Read the fields from a TOML file. In `skips`, `"never"` stands for `None`; ends without
+        end are `-inf` and `inf`.
+
+            answers = { M117 = { 1004 = 1 } }
+            [workpiece]
+            stylus = 3
+            solids = [
+                { box = { X = [0, 80], Y = [0, 50], Z = [-20, 0] } },
+                { cylinder = { X = 40, Y = 25 }, radius = 10, inside = true },
+            ]
+
+        Raises `FileNotFoundError`, and `ValueError` with the file's name for anything that is no
+        inputs.
+        """
+        return from_toml(path, _from_table)
 
     def __post_init__(self) -> None:
         self.to_core()
@@ -63,11 +90,14 @@ class Inputs:
             "writes": [
                 write for entry in _listed("writes", self.writes) for write in _write(entry)
             ],
-            "skips": [_fraction(skip) for skip in _listed("skips", self.skips)],
+            "skips": [_skip(i, skip) for i, skip in enumerate(_listed("skips", self.skips))],
+            "answers": _answers(self.answers),
             **_clock(self.clock),
         }
         if self.operator is not None:
             core["operator"] = [_answer(answer) for answer in _listed("operator", self.operator)]
+        if self.workpiece is not None:
+            core["workpiece"] = workpiece_of(self.workpiece)
         return core
 
 
@@ -79,13 +109,45 @@ def inputs_of(inputs: Inputs | Mapping[str, Any] | None) -> dict[str, Any] | Non
         return inputs.to_core()
     if not isinstance(inputs, Mapping):
         raise TypeError(f"inputs is a cncsub.Inputs or a mapping, not {type(inputs).__name__}")
+    return _inputs_from(inputs).to_core()
+
+
+def _inputs_from(inputs: Mapping[str, Any]) -> Inputs:
     known = [f.name for f in dataclasses.fields(Inputs)]
     for key in inputs:
         if key not in known:
             raise ValueError(
                 f"inputs has no {key!r}{did_you_mean(key, known)}; there are {', '.join(known)}"
             )
-    return Inputs(**inputs).to_core()
+    return Inputs(**inputs)
+
+
+def _from_table(table: dict[str, Any]) -> Inputs:
+    """Inputs of a TOML file, whose keys are texts and which has no `None`."""
+    values = dict(table)
+    if isinstance(values.get("signals"), dict):
+        values["signals"] = _numbered(values["signals"])
+    if isinstance(values.get("writes"), list):
+        values["writes"] = [
+            _numbered(write)
+            if isinstance(write, dict)
+            else [_numbered(part) if isinstance(part, dict) else part for part in write]
+            if isinstance(write, list)
+            else write
+            for write in values["writes"]
+        ]
+    if isinstance(values.get("answers"), dict):
+        values["answers"] = {
+            code: _numbered(answer) if isinstance(answer, dict) else answer
+            for code, answer in values["answers"].items()
+        }
+    if isinstance(values.get("skips"), list):
+        values["skips"] = [None if skip == "never" else skip for skip in values["skips"]]
+    return _inputs_from(values)
+
+
+def _numbered(values: dict[str, Any]) -> dict[Any, Any]:
+    return {int(key) if re.fullmatch(r"[0-9]{1,9}", key) else key: v for key, v in values.items()}
 
 
 def checked_variables(what: str, values: object) -> dict[int, float | None]:
@@ -156,11 +218,48 @@ def _answer(answer: object) -> str:
     return str(answer)
 
 
-def _fraction(skip: object) -> float:
-    value = _value("skips", skip)
+def _skip(place: int, skip: object) -> tuple[str, float]:
+    """Where a skip signal comes: `("fraction", 0.5)`, `("X", 40.0)` or `("never", 0.0)`."""
+    where = f"skips[{place}]"
+    if skip is None:
+        return "never", 0.0
+    if isinstance(skip, Mapping):
+        if len(skip) != 1:
+            raise ValueError(f'{where} is the coordinate of one axis, {{"X": 40.0}}, not {skip!r}')
+        ((axis, coordinate),) = skip.items()
+        name = axis.upper() if isinstance(axis, str) else ""
+        if len(name) != 1 or name not in AXES:
+            raise ValueError(f"{where}: {axis!r} is no axis; the axes are {', '.join(AXES)}")
+        value = _value(f"{where}: {name}", coordinate)
+        if value is None:
+            raise ValueError(f"{where}: {name} has no coordinate")
+        return name, value
+    takes = f'{where} takes a fraction of the move, a coordinate such as {{"X": 40.0}}, or None'
+    try:
+        value = _value(where, skip)
+    except TypeError:
+        raise TypeError(f"{takes}, not {skip!r}") from None
     if value is None or not 0 <= value <= 1:
-        raise ValueError(f"a skip is a fraction of the move, 0 to 1, not {skip!r}")
-    return value
+        raise ValueError(f"{takes}; a fraction is 0 to 1, not {skip!r}")
+    return "fraction", value
+
+
+def _answers(answers: object) -> dict[str, dict[int, float | None]]:
+    if not isinstance(answers, Mapping):
+        raise TypeError(
+            f'answers maps codes to variables, such as {{"M117": {{1004: 1}}}},'
+            f" not {type(answers).__name__}"
+        )
+    checked: dict[str, dict[int, float | None]] = {}
+    for code, values in answers.items():
+        match = re.fullmatch(r"([MT])0*([0-9]{1,9})", str(code).strip().upper())
+        if match is None:
+            raise ValueError(f"answers: {code!r} is no M or T code such as 'M117'")
+        name = f"{match[1]}{match[2]}"
+        if name in checked:
+            raise ValueError(f"answers has {name} twice, also as {code!r}")
+        checked[name] = _variables(f"answers[{code!r}]", values)
+    return checked
 
 
 def _clock(clock: datetime | float | None) -> dict[str, float | int]:

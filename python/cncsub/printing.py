@@ -16,6 +16,7 @@ from cncsub.controls import sources_of
 
 MOST_CALLS = 100_000  # drawn in a tree
 MOST_LINES = 200  # printed of it
+MOST_MISSED = 20
 
 
 def console_on(file: IO[str]) -> Console:
@@ -36,6 +37,10 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
             console.print(f"  {axis} {low:.10g} to {high:.10g}")
     for message in run.messages:
         console.print(f"message: {shown(message)}")
+    for missed in itertools.islice(run.missed_skips, MOST_MISSED):
+        console.print(f"skip: {shown(str(missed))}, its move went to its end")
+    if len(run.missed_skips) > MOST_MISSED:
+        console.print(f"... {len(run.missed_skips) - MOST_MISSED:,} more skips met nothing")
 
 
 def print_tree(console: Console, run: cncsub.Run, title: str) -> None:

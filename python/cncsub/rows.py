@@ -47,7 +47,8 @@ class Move:
 
     `x`, `y`, `z` and the other axes in use: the programmed end in the work coordinates in force, a
     diameter on a diameter axis. `mx`, `my`, `mz` ...: the machine position of the tool, offsets
-    included. `cx`, `cy`, `cz`: the centre of an arc. What does not apply is `None`.
+    included. `cx`, `cy`, `cz`: the centre of an arc. `skip`: `"touched"` or `"missed"` where the
+    move was one of G31, else `"no"`. What does not apply is `None`.
     """
 
     move: int
@@ -83,3 +84,18 @@ class Move:
     d: int | None = None
     length: float = 0.0
     time: float = 0.0
+    skip: str = "no"
+
+
+@dataclass(frozen=True, slots=True)
+class MissedSkip:
+    """A block of G31 that met nothing, and went to its end. `step` is its row in `run.steps`."""
+
+    step: int
+    program: str
+    n: int | None
+    line: int
+
+    def __str__(self) -> str:
+        where = f"line {self.line}" if self.n is None else f"N{self.n}"
+        return f"{self.program} {where} met nothing"

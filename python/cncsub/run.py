@@ -13,7 +13,7 @@ from cncsub._core import Alarm, Frame
 from cncsub.controls import did_you_mean
 from cncsub.inputs import checked_variables
 from cncsub.program import Block, find_program
-from cncsub.rows import Step
+from cncsub.rows import MissedSkip, Step
 from cncsub.staying import Stays
 from cncsub.tables import Calls, Moves, Steps
 
@@ -165,6 +165,53 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         return MachineVariables(self._core, level)
 
 
+class Signals(Stays, MutableMapping[int, float]):
+    """The interface inputs of a machine by variable number, to read and to set. One that nobody set
+    is 0; iteration tells those that were set.
+
+    A number that is no signal of the control is a `KeyError`.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 #100=#1004\\nN20 M30\\n"
+    >>> machine = cncsub.loads(text, control="fanuc-0i-f").machine()
+    >>> machine.signals[1004] = 1
+    >>> machine.step().n, machine.variables[100], machine.signals
+    (10, 1.0, {1004: 1})
+    """
+
+    _instead = "send dict(signals)"
+
+    def __init__(self, core: _core.Machine) -> None:
+        self._core = core
+
+    def __getitem__(self, number: int) -> float:
+        if isinstance(number, bool) or not hasattr(number, "__index__"):
+            raise KeyError(f"a signal is a whole number such as 1004, not {number!r}")
+        try:
+            return self._core.get_signal(operator.index(number))
+        except (TypeError, LookupError) as error:
+            raise _no_variable(number, error) from None
+
+    def __setitem__(self, number: int, value: float) -> None:
+        ((checked, number_or_none),) = checked_variables("signals", {number: value}).items()
+        try:
+            self._core.set_signal(checked, number_or_none or 0.0)
+        except LookupError as error:
+            raise _no_variable(number, error) from None
+
+    def __delitem__(self, number: int) -> None:
+        self[number] = 0
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._core.signals)
+
+    def __len__(self) -> int:
+        return len(self._core.signals)
+
+    def __repr__(self) -> str:
+        return "{" + ", ".join(f"{number}: {self[number]:g}" for number in self) + "}"
+
+
 class Recorded(Stays):
     """What was recorded, in a run, by a machine so far, or in one part of a stream."""
 
@@ -191,6 +238,18 @@ class Recorded(Stays):
     def messages(self) -> list[str]:
         """What `#3006` and `DPRNT` wrote, in order."""
         return self._trace.messages
+
+    @property
+    def missed_skips(self) -> list[MissedSkip]:
+        """The blocks of G31 that met nothing, in order.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 G31 Z-5. F50\\nN20 M30\\n"
+        >>> for missed in cncsub.loads(text, control="fanuc-0i-f").run().missed_skips:
+        ...     print(missed)
+        O1 N10 met nothing
+        """
+        return [MissedSkip(*place) for place in self._trace.missed_skips]
 
     @property
     def m_codes(self) -> list[int]:
@@ -402,6 +461,11 @@ class Machine(_Outcome):
     def variables(self) -> MachineVariables:
         """The variables now, to read and to set; `#1` and so on are those of the present level."""
         return MachineVariables(self._core, -1)
+
+    @property
+    def signals(self) -> Signals:
+        """The interface inputs now, to read and to set: `machine.signals[1004] = 1`."""
+        return Signals(self._core)
 
     def __repr__(self) -> str:
         try:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Mapping, Set
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from cncsub.controls import did_you_mean
 
@@ -25,6 +25,7 @@ _SYSTEM = re.compile(r"EXT|G5[4-9]|G54\.1 P([1-9][0-9]?|[12][0-9]{2}|300)")
 _TOOL_KEYS = ("X", "Y", "Z", "R", "tip")
 
 Point = Mapping[str, float]
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,27 +80,13 @@ class Setup:
         Raises `FileNotFoundError`, and `ValueError` with the file's name for anything that is no
         setup.
         """
-        import tomllib
-
-        name = os.fspath(path)
-        if Path(path).exists() and not Path(path).is_file():
-            raise ValueError(f"{name}: not a regular file")
-        with Path(path).open("rb") as file:
-            try:
-                text = file.read().decode()
-                if _DEEP.search(text):
-                    raise RecursionError
-                return setup_from(tomllib.loads(text))
-            except (ValueError, TypeError) as error:
-                raise ValueError(f"{name}: {error}") from None
-            except RecursionError:
-                raise ValueError(f"{name}: nested too deep") from None
+        return from_toml(path, setup_from)
 
     def to_core(self) -> dict[str, Any]:
         """The setup as the engine takes it: only what was given, every name and number checked."""
         core: dict[str, Any] = {
             "start": _point("start", self.start),
-            "work_offsets": _checked("work_offsets", self.work_offsets, _system, _point),
+            "work_offsets": _checked("work_offsets", self.work_offsets, work_system, _point),
             "length_offsets": _checked("length_offsets", self.length_offsets, _offset, _number),
             "radius_offsets": _checked("radius_offsets", self.radius_offsets, _offset, _number),
             "tools": _checked("tools", self.tools, _offset, _tool),
@@ -112,6 +99,25 @@ class Setup:
         if self.machine is not None:
             core["machine"] = _machine(self.machine)
         return {name: value for name, value in core.items() if value not in ({}, None)}
+
+
+def from_toml(path: str | os.PathLike[str], read: Callable[[dict[str, Any]], T]) -> T:
+    """What `read` makes of a TOML file; what is wrong with it is told with the file's name."""
+    import tomllib
+
+    name = os.fspath(path)
+    if Path(path).exists() and not Path(path).is_file():
+        raise ValueError(f"{name}: not a regular file")
+    with Path(path).open("rb") as file:
+        try:
+            text = file.read().decode()
+            if _DEEP.search(text):
+                raise RecursionError
+            return read(tomllib.loads(text))
+        except (ValueError, TypeError) as error:
+            raise ValueError(f"{name}: {error}") from None
+        except RecursionError:
+            raise ValueError(f"{name}: nested too deep") from None
 
 
 def setup_of(setup: Setup | Mapping[str, Any] | None) -> dict[str, Any] | None:
@@ -192,7 +198,8 @@ def _point(what: str, point: object) -> dict[str, float]:
     return _checked(what, point, _axis, _number)
 
 
-def _system(what: str, name: object) -> str:
+def work_system(what: str, name: object) -> str:
+    """The name of a work coordinate system as it is written: `g54.1p3` is `G54.1 P3`."""
     system = re.sub(r"\s*P\s*", " P", str(name).upper().strip())
     if not _SYSTEM.fullmatch(system):
         raise ValueError(

@@ -376,8 +376,9 @@ class Moves(Table[Move]):
     Columns: `move, step, kind`, the axes in use (`x, y, z` ...: programmed end, work coordinates),
     `mx, my, mz` ... (machine position of the tool), `cx, cy, cz` (arc centre, work coordinates, NaN
     where there is none), `plane` (17, 18, 19), `feed`, `feed_mode`, `spindle`, `tool`, `h`, `d`,
-    `length` (mm) and `time` (s; `inf` where the spindle that the feed counts on has no speed).
-    Kinds are `rapid`, `feed`, `cw`, `ccw`, `thread` and `dwell`.
+    `length` (mm), `time` (s; `inf` where the spindle that the feed counts on has no speed) and
+    `skip` (`no`, and of moves of G31 `touched` or `missed`). Kinds are `rapid`, `feed`, `cw`,
+    `ccw`, `thread` and `dwell`.
 
     >>> import cncsub
     >>> text = "O1\\nN10 G91 G1 X30. Y40. F100\\nN20 M30\\n"
@@ -419,6 +420,11 @@ class Moves(Table[Move]):
         return list(_FEED_MODES)
 
     @property
+    def skips(self) -> list[str]:
+        """The texts behind the codes of the column `skip`."""
+        return self._core.skip_names
+
+    @property
     def total_length(self) -> float:
         """The length of all moves, mm."""
         return self._core.path_length
@@ -447,7 +453,8 @@ class Moves(Table[Move]):
         return self._core.move_columns(names)
 
     def _texts(self, name: str) -> list[str] | None:
-        return {"kind": self.kinds, "feed_mode": self.feed_modes}.get(name)
+        texts = {"kind": self.kinds, "feed_mode": self.feed_modes, "skip": self.skips}
+        return texts.get(name)
 
 
 def _number(value: Any) -> Any:

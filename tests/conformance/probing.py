@@ -263,3 +263,197 @@ case(
         "gsk-988ta": "220", "gsk-988t": "220",
     },
 )
+
+# Where the signal comes
+
+START = {"start": {"X": 0, "Y": 0, "Z": 0}}
+SKIP = "15iM p.564; M7 p.547"
+case(
+    "a skip told as a coordinate stops the move there",
+    control=[*FANUC, *MITSUBISHI], source=SKIP, evidence="secondary",
+    params=MM, setup=MILL | START, inputs={"skips": [{"X": 40}, {"Y": 7.5}, {"x": 41}]},
+    program="""
+        O1
+        N10 G90 G31 X100. F100
+        N20 G31 X60. Y15. F100
+        N30 G31 X70. F100
+        N40 M30
+    """,
+    moves="F X40\nF X50 Y7.5\nF X70",
+)
+case(
+    "a coordinate that the way does not reach is met by nothing",
+    control=[*FANUC, *MITSUBISHI], source="policy, what is not met", evidence="inferred",
+    params=MM, setup=MILL | START,
+    inputs={"skips": [{"X": 100.5}, {"X": 99}, {"Y": 1}, {"X": 110}, {"X": 111}]},
+    program="""
+        O1
+        N10 G90 G31 X100. F100
+        N20 G31 X101. F100
+        N30 G31 X102. F100
+        N40 G31 X110. F100
+        N50 G31 X115. F100
+        N60 M30
+    """,
+    moves_x=[100, 101, 102, 110, 111],
+)
+case(
+    "a signal that is on when the move begins ends it at once",
+    control=[*FANUC, *MITSUBISHI, *T988], source="M7 p.547 (5); TA p.55: the state counts",
+    evidence="secondary", params=MM, setup=START, inputs={"skips": [{"X": 0}]},
+    program="""
+        O1
+        N10 G31 X100. F100
+        N20 G4 P1
+        N30 M30
+    """,
+    moves="F X0\nW 0.001",
+)
+case(
+    "the way that a skip signal cut off is dropped, and increments count from where the move stopped",
+    control=[*FANUC, *MITSUBISHI], source=SKIP, evidence="secondary",
+    params=MM, setup=MILL | START, inputs={"skips": [{"X": 40}, {"X": 30}]},
+    program="""
+        O1
+        N10 G91 G31 X100. Y10. F100
+        N20 G1 X-5. F100
+        N30 G31 X-50. F100
+        N40 G90 G1 Y20. F100
+        N50 M30
+    """,
+    moves="F X40 Y4\nF X35\nF X30\nF Y20",
+)
+case(
+    "a lathe's increments count from where the signal came",
+    control=T988, source="TA p.54: the next block in increments", evidence="secondary",
+    setup={"start": {"X": 100, "Z": 50}}, inputs={"skips": [{"Z": 20}]},
+    program="""
+        O1
+        N10 G98 G31 W-50. F100
+        N20 G1 U-10. W-5.
+        N30 M30
+    """,
+    moves="F Z20\nF X90 Z15",
+)
+
+# What a stylus touches
+
+PART = {
+    "stylus": 3,
+    "solids": [
+        {"box": {"X": (20, 80), "Y": (-30, 30), "Z": (-20, 0)}},
+        {"cylinder": {"X": 50, "Y": 0}, "radius": 10, "ends": (-20, 0), "inside": True},
+    ],
+}
+LONG = MILL | {
+    "start": {"X": 0, "Y": 0, "Z": 100}, "length_offsets": {1: 100},
+    "work_offsets": {"G54": {"X": -400, "Y": -200, "Z": -300}},
+}
+case(
+    "a stylus stops a radius before a face, whatever the zero point and the tool length are",
+    control=[*FANUC, *MITSUBISHI], source=SKIP, evidence="secondary",
+    params=MM, setup=LONG, inputs={"workpiece": PART},
+    program="""
+        O1
+        N10 G90 G43 H1 G0 Z20. F100
+        N20 G0 Z-10.
+        N30 G31 X100. F100
+        N40 #100=#5061
+        N50 #101=#5041
+        N60 G0 X0
+        N70 Z20.
+        N80 X30.
+        N90 G31 Z-50. F100
+        N100 #102=#5063
+        N110 #103=#5063-[#5043-#5003]
+        N120 M30
+    """,
+    vars={100: 17, 101: 17, 102: 103, 103: 3},
+)
+case(
+    "a stylus finds both sides of a bore",
+    control=[*FANUC, *MITSUBISHI], source=SKIP, evidence="secondary",
+    params=MM, setup=LONG, inputs={"workpiece": PART},
+    program="""
+        O1
+        N10 G90 G43 H1 G0 X51. Z20.
+        N20 Z-10.
+        N30 G31 X80. F100
+        N40 #100=#5061
+        N50 G0 X51.
+        N60 G31 X20. F100
+        N70 #101=#5061
+        N80 #102=[#100+#101]/2
+        N90 G0 X#102
+        N100 G31 Y50. F100
+        N110 #103=#5062
+        N120 M30
+    """,
+    vars={100: 57, 101: 43, 102: 50, 103: 7},
+)
+case(
+    "a G28 between does not move the workpiece",
+    control=[*FANUC, *MITSUBISHI], source="policy, the workpiece stays", evidence="inferred",
+    params=MM, setup=LONG, inputs={"workpiece": PART},
+    program="""
+        O1
+        N10 G90 G43 H1 G0 X0 Z-10.
+        N20 G52 X5.
+        N30 G31 X100. F100
+        N40 #100=#5061
+        N50 G52 X0
+        N60 #5221=-390.
+        N70 G0 X-20.
+        N80 G31 X100. F100
+        N90 #101=#5061
+        N100 M30
+    """,
+    vars={100: 12, 101: 7},
+)
+case(
+    "a program finds out that its probe met nothing",
+    control=[*FANUC, *MITSUBISHI], source="general knowledge", evidence="inferred",
+    params=MM, setup=LONG, inputs={"workpiece": PART},
+    program="""
+        O1
+        N10 G90 G43 H1 G0 Z20.
+        N20 G31 X100. F100
+        N30 IF[#5061 LT 99.9]GOTO 50
+        N40 #3000=3(NO CONTACT)
+        N50 M30
+    """,
+    runs="N10 N20 N30 N40", alarm="user-alarm", at="O1 N40",
+    number={
+        "fanuc-16i": "3003", "fanuc-0i-d": "MC3003", "fanuc-0i-f": "MC3003", "fanuc-30i": "MC3003",
+        "mitsubishi-meldas": "P277", "mitsubishi-m700": "P277", "mitsubishi-m800": "P277",
+    },
+)
+case(
+    "a code that is answered changes a signal, and another one changes it back",
+    control=[*FANUC, *MITSUBISHI, "gsk-980tdi", *T988], source="policy, scripted inputs",
+    evidence="inferred",
+    inputs={"answers": {"M117": {1004: 1, 500: 3}, "M118": {1004: 0}}},
+    program="""
+        O1
+        N10 #100=#1004
+        N20 M117
+        N30 #101=#1004
+        N40 M118
+        N50 #102=#1004
+        N60 #103=#500
+        N70 M30
+    """,
+    vars={100: 0, 101: 1, 102: 0, 103: 3},
+)
+case(
+    "a loop that waits for a signal waits where no code answers with it",
+    control=[*FANUC, *MITSUBISHI], source="policy, scripted inputs", evidence="inferred",
+    inputs={"answers": {"M117": {1005: 1}}},
+    program="""
+        O1
+        N10 M117
+        N20 IF[#1004 EQ 0]GOTO 20
+        N30 M30
+    """,
+    runs="N10 (N20)*2", stop="waiting",
+)
