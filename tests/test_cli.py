@@ -143,6 +143,38 @@ def test_the_external_device_is_read(tmp_path: Path) -> None:
     assert "M198 O9" in done.out
 
 
+def test_an_inputs_file_is_read_and_missed_skips_are_told(job: Path) -> None:
+    program = (
+        "O1\nN10 G31 X50. F100\nN20 G31 X90.\nN30 M98 P2 L3\nN40 M30\nO2\nN50 G31 Y1.\nN60 M99\n"
+    )
+    (job / "probe.nc").write_text(program)
+    inputs = job / "inputs.toml"
+    inputs.write_text("""
+        skips = [{ X = 12.5 }, "never"]
+        signals = { 1004 = 1 }
+        writes = [{ 500 = 1 }, [2, { 501 = 1 }]]
+        answers = { M117 = { 1005 = 1 } }
+        [workpiece]
+        stylus = 2
+        solids = [{ box = { Y = [5, inf] } }, { plane = { Z = -900 }, faces = { Z = 1, X = 0.5 } }]
+    """)
+    done = Done("run", job / "probe.nc", "-c", CONTROL, "--inputs", inputs)
+    assert done.status == 0
+    assert done.out.splitlines()[-2:] == [
+        "skip: O1 N20 met nothing",
+        "skip: O2 N50 met nothing, 3 times",
+    ]
+    facts = Done(
+        "run", job / "probe.nc", "-c", CONTROL, "--inputs", inputs, "--format", "json"
+    ).json
+    assert facts["missed_skips"][0] == {"step": 1, "program": "O1", "n": 20, "line": 3}
+    assert [move["skip"] for move in facts["moves"]] == ["touched"] + ["missed"] * 4
+    inputs.write_text("[workpiece]\nsolids = [{ sphere = { X = 1 } }]\n")
+    done = Done("run", job / "probe.nc", "-c", CONTROL, "--inputs", inputs)
+    assert done.status == 2
+    assert done.error == f"cncsub: {inputs}: workpiece: solids[0], a sphere has no radius\n"
+
+
 def test_a_setup_file_is_read(job: Path) -> None:
     setup = job / "setup.toml"
     setup.write_text("[limits]\nX = [-1, 5]\n")

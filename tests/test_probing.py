@@ -359,3 +359,63 @@ def test_wrong_inputs_are_told_with_their_place(
     library = cncsub.loads("O1\nN10 M30\n", control="fanuc-0i-f")
     with pytest.raises(error, match=words):
         library.run(inputs=inputs)
+
+
+# What the macros of examples/fanuc/probing find, and what part.toml says.
+FOUND = {
+    510: 0.04,  # the top
+    511: 0.12,  # the left side
+    512: 24.99,  # the middle along Y
+    513: 50.12,  # the width
+    514: 60.1,  # the bore: X, Y, diameter
+    515: 24.95,
+    516: 20.016,
+    517: 30.03,  # the boss
+    518: 25.02,
+    519: 11.98,
+    520: 0.12,  # the corner
+    521: -0.07,
+}
+PROBING = EXAMPLES / "probing"
+
+
+@pytest.mark.parametrize(
+    "control",
+    [name for name in cncsub.controls if name.startswith(("fanuc", "mitsubishi"))],
+)
+def test_probing_cycles_find_the_workpiece(control: str) -> None:
+    setup = cncsub.Setup.from_toml(PROBING / "setup.toml")
+    inputs = Inputs.from_toml(PROBING / "part.toml")
+    run = cncsub.load(PROBING, control=control).run(setup=setup, inputs=inputs)
+    run.raise_for_alarm()
+    for number, value in FOUND.items():
+        assert run.variables[number] == pytest.approx(value, abs=2e-6), f"#{number}"
+    # Moves on the way to a place are G31 too, and meet nothing.
+    assert {(missed.program, missed.n) for missed in run.missed_skips} == {("O9810", 120)}
+
+
+def test_a_probing_cycle_alarms_where_the_part_is_not() -> None:
+    setup = cncsub.Setup.from_toml(PROBING / "setup.toml")
+    library = cncsub.load(PROBING, control="fanuc-0i-f")
+    answers = {"M117": {1004: 1}}
+    run = library.run(setup=setup, inputs={"workpiece": {"solids": []}, "answers": answers})
+    assert run.alarm is not None
+    assert (run.alarm.number, run.alarm.program) == ("MC3093", "O9811")
+    run = library.run(setup=setup)
+    assert run.alarm is not None
+    assert (run.alarm.number, run.alarm.n) == ("MC3090", 900)
+
+
+def test_the_way_to_a_place_is_protected() -> None:
+    setup = cncsub.Setup.from_toml(PROBING / "setup.toml")
+    block = Box({"X": (-40, -20), "Y": (-40, 90), "Z": (-30, 30)})
+    run = cncsub.load(PROBING, control="fanuc-0i-f").run(
+        "O9810",
+        setup={"start": {"X": 0, "Y": 0, "Z": 0}},
+        variables={24: -60, 9: 500},
+        inputs={"workpiece": Workpiece([block], stylus=2)},
+    )
+    assert setup.machine == "mill"
+    assert run.alarm is not None
+    assert run.alarm.number == "MC3091"
+    assert run.position["X"] == -18

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import IO, Any
 
@@ -16,7 +17,7 @@ from cncsub.controls import sources_of
 
 MOST_CALLS = 100_000  # drawn in a tree
 MOST_LINES = 200  # printed of it
-MOST_MISSED = 20
+MOST_MISSED = 20  # blocks of G31
 
 
 def console_on(file: IO[str]) -> Console:
@@ -37,10 +38,11 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
             console.print(f"  {axis} {low:.10g} to {high:.10g}")
     for message in run.messages:
         console.print(f"message: {shown(message)}")
-    for missed in itertools.islice(run.missed_skips, MOST_MISSED):
-        console.print(f"skip: {shown(str(missed))}, its move went to its end")
-    if len(run.missed_skips) > MOST_MISSED:
-        console.print(f"... {len(run.missed_skips) - MOST_MISSED:,} more skips met nothing")
+    missed = Counter(map(str, run.missed_skips))
+    for block, times in itertools.islice(missed.items(), MOST_MISSED):
+        console.print(f"skip: {shown(block)}{f', {times:,} times' if times > 1 else ''}")
+    if len(missed) > MOST_MISSED:
+        console.print(f"... skips of {len(missed) - MOST_MISSED:,} more blocks met nothing")
 
 
 def print_tree(console: Console, run: cncsub.Run, title: str) -> None:
