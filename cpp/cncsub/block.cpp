@@ -20,23 +20,6 @@ std::int64_t key(char address, std::int32_t code) {
   return (static_cast<std::int64_t>(address) << 32) | code;
 }
 
-/// Calls `use` for each code of a list such as "0 1 54.1", as ten times the code.
-template <class Use>
-void for_each_code(const Codes& codes, Use&& use) {
-  const char* at = codes.data();
-  const char* end = at + codes.size();
-  while (at < end) {
-    double value = 0;
-    const auto read = std::from_chars(at, end, value);
-    if (read.ec != std::errc()) {
-      ++at;
-      continue;
-    }
-    if (value >= 0 && value <= 1000) use(static_cast<int>(value * 10 + 0.5));
-    at = read.ptr + 1;
-  }
-}
-
 }  // namespace
 
 BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
@@ -50,7 +33,7 @@ BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
     for_each_code(rule.value, [&](int code10) { codes.set(static_cast<std::size_t>(code10)); });
   };
   list(control_.g_codes, code_.g_codes);
-  if (code_.g_codes.none()) code_.g_codes.set();
+  if (code_.g_codes.none() || !control_.g_codes_complete.value) code_.g_codes.set();
   list(control_.codes_not_with_call, not_with_call_);
   list(control_.codes_not_with_return, not_with_return_);
   list(control_.codes_not_with_macro_call, not_with_macro_);

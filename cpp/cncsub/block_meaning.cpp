@@ -165,10 +165,8 @@ std::optional<Fault> BlockReader::sort_g(const Token& token, bool calls, Meaning
       return std::nullopt;
     }
   }
-  const bool macro_code = code10 >= 650 && code10 <= 670;
-  const bool known = code >= 0 && code < 1000 &&
-                     code_.g_codes.test(static_cast<std::size_t>(code10)) &&
-                     (!macro_code || control_.macro_calls.value);
+  const bool known =
+      code >= 0 && code < 1000 && code_.g_codes.test(static_cast<std::size_t>(code10));
   if (!known)
     return Fault{Cause::GCodeNotAvailable, operand.at, operand.width,
                  "G" + spell(code) + " is no code of this control"};

@@ -2,6 +2,7 @@
 // with its source.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -39,6 +40,23 @@ using Codes = std::string;    // names or codes, separated by blanks
 
 /// The source of an answer that a control's file leaves as the family has it.
 inline constexpr const char* kFamilyDefault = "family default";
+
+/// Calls `use` for each code of a list such as "0 1 54.1", as ten times the code.
+template <class Use>
+void for_each_code(std::string_view codes, Use&& use) {
+  const char* at = codes.data();
+  const char* end = at + codes.size();
+  while (at < end) {
+    double value = 0;
+    const auto read = std::from_chars(at, end, value);
+    if (read.ec != std::errc()) {
+      ++at;
+      continue;
+    }
+    if (value >= 0 && value <= 1000) use(static_cast<int>(value * 10 + 0.5));
+    at = read.ptr + 1;
+  }
+}
 
 /// One answer of a control, and where it comes from.
 template <class T>

@@ -119,8 +119,6 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
       axis_order(machine == MachineType::Mill ? "XYZABCUVW" : "XZYCABUVW"),
       diameters(machine == MachineType::Mill ? 0 : 1),
       increment(setup.increment > 0 ? setup.increment : 0.001) {
-  for (const MachineType other : {MachineType::Mill, MachineType::LatheA, MachineType::LatheB})
-    if (other != machine) other_codes.emplace_back(*control, other);
   number_groups(*this, control->modal_groups.value);
   rapid.fill(control->rapid_rate.value);
   fill(rapid, setup.rapid);
@@ -238,13 +236,11 @@ Motion::Result Motion::read(BlockWords& block) const {
     const int written = block.words.g[static_cast<std::size_t>(i)];
     const GCode code = facts_->codes.find(written);
     if (code.meaning == Meaning::Neutral) continue;
-    if (code.meaning == Meaning::None) {
-      const bool elsewhere = std::any_of(facts_->other_codes.begin(), facts_->other_codes.end(),
-                                         [&](const GCodes& codes) { return codes.has(written); });
-      if (c.g_codes.value.empty() || elsewhere)
-        return fault(Cause::GCodeNotAvailable, block, code_name(written));
-    }
-    if (code.meaning == Meaning::None || code.meaning == Meaning::Uncomputed) {
+    if (code.meaning == Meaning::None)
+      return fault(Cause::GCodeNotAvailable, block, code_name(written));
+    if (code.meaning == Meaning::Unknown)
+      return fault(Cause::CodeNotKnown, block, code_name(written));
+    if (code.meaning == Meaning::Uncomputed) {
       block.uncomputed = written;
       continue;
     }
@@ -260,9 +256,11 @@ Motion::Result Motion::read(BlockWords& block) const {
 /// What may not stand together, before anything changes.
 Motion::Result Motion::check(const BlockWords& block) const {
   const Control& c = *facts_->control;
-  if (block.has(Group::Units) && c.unit_change.value == UnitChange::Alone &&
-      (s_.moved_before || block.words.g_count > 1 || (block.words.mask & ~bit('N')) != 0))
-    return fault(Cause::UnitChangeLate, block);
+  if (block.has(Group::Units) && c.unit_change.value != UnitChange::Anywhere) {
+    const bool shares = c.unit_change.value == UnitChange::Alone && block.words.g_count > 1;
+    if (s_.moved_before || shares || (block.words.mask & ~bit('N')) != 0)
+      return fault(Cause::UnitChangeLate, block);
+  }
   if (!s_.held.corner.empty() && block.has(Group::Plane)) return fault(Cause::CornerPlane, block);
   if (compensating() && block.has(Group::Plane) &&
       block.codes[at(Group::Plane)].code != s_.plane * 10)
@@ -275,7 +273,7 @@ Motion::Result Motion::set_modes(BlockWords& block) {
                             Group::Return, Group::Macro, Group::Surface, Group::Path, Group::Turret,
                             Group::Fluctuation, Group::PolarMilling})
     if (block.has(group)) s_.modal[at(group)] = block.codes[at(group)];
-  s_.plane = s_.modal[at(Group::Plane)].code / 10;
+  if (block.has(Group::Plane)) s_.plane = block.codes[at(Group::Plane)].code / 10;
   const bool surface = s_.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
   // G97 without S keeps the speed that there is. [TDi 25 note 4]
   if (s_.surface && !surface && (s_.work[0] != 0 || s_.max_speed > 0))

@@ -41,6 +41,17 @@ constexpr GCode kShared[] = {
     {190, G::Plane, M::PlaneYZ},
     {220, G::Stroke, M::StrokeOn},
     {230, G::Stroke, M::StrokeOff},
+    {250, G::Fluctuation, M::Ignored},
+    {260, G::Fluctuation, M::Ignored},
+    {121, G::PolarMilling, M::Uncomputed},
+    {131, G::PolarMilling, M::Ignored},
+    {490, G::Length, M::LengthOff},
+    {610, G::Path, M::PathExact},
+    {620, G::Path, M::PathCorner},
+    {630, G::Path, M::PathTap},
+    {640, G::Path, M::PathCut},
+    {150, G::Polar, M::PolarOff},
+    {501, G::Mirror, M::MirrorOff},
     {400, G::Radius, M::RadiusOff},
     {410, G::Radius, M::RadiusLeft},
     {420, G::Radius, M::RadiusRight},
@@ -70,7 +81,6 @@ constexpr GCode kMill[] = {
     {950, G::Feed, M::PerRevolution},
     {430, G::Length, M::LengthPlus},
     {440, G::Length, M::LengthMinus},
-    {490, G::Length, M::LengthOff},
     {730, G::Cycle, M::PeckFast},
     {740, G::Cycle, M::LeftTap},
     {760, G::Cycle, M::FineBore},
@@ -87,15 +97,9 @@ constexpr GCode kMill[] = {
     {990, G::Return, M::ReturnR},
     {500, G::Scaling, M::ScalingOff},
     {510, G::Scaling, M::ScalingOn},
-    {610, G::Path, M::PathExact},
-    {620, G::Path, M::PathCorner},
-    {630, G::Path, M::PathTap},
-    {640, G::Path, M::PathCut},
     {680, G::Rotation, M::RotationOn},
     {690, G::Rotation, M::RotationOff},
-    {150, G::Polar, M::PolarOff},
     {160, G::Polar, M::PolarOn},
-    {501, G::Mirror, M::MirrorOff},
     {511, G::Mirror, M::MirrorOn},
     {920, G::OneShot, M::SetCoordinate},
     {921, G::OneShot, M::ClearCoordinate},
@@ -120,14 +124,10 @@ constexpr GCode kLathe[] = {
     {870, G::Cycle, M::Peck},
     {880, G::Cycle, M::Tap},
     {890, G::Cycle, M::Bore},
-    {250, G::Fluctuation, M::Ignored},
-    {260, G::Fluctuation, M::Ignored},
     {680, G::Turret, M::Uncomputed},
     {690, G::Turret, M::Ignored},
     {681, G::Rotation, M::RotationOn},
     {691, G::Rotation, M::RotationOff},
-    {121, G::PolarMilling, M::Uncomputed},
-    {131, G::PolarMilling, M::Ignored},
 };
 
 constexpr GCode kLatheA[] = {
@@ -178,6 +178,7 @@ constexpr Word kWords[] = {
     {"three-points", G::Motion, M::ThreePoints},
     {"three-points-absolute", G::Motion, M::ThreePointsAbsolute},
     {"none", G::OneShot, M::None},
+    {"unknown", G::OneShot, M::Unknown},
 };
 
 }  // namespace
@@ -202,7 +203,24 @@ GCodes::GCodes(const Control& control, MachineType machine) {
     add(kLathe);
   if (machine == MachineType::LatheA) add(kLatheA);
   if (machine == MachineType::LatheB) add(kLatheB);
+  if (!control.g_codes.value.empty()) keep(control.g_codes.value, control.g_codes_complete.value);
+  if (!control.macro_calls.value)
+    for (const std::int16_t code : {650, 660, 661, 670}) set({code, G::OneShot, M::None});
   change(control.g_meanings.value);
+}
+
+/// The family's tables say what the control's own codes mean, and nothing about others. What it
+/// has and no table of its kind of machine knows is not computed: it would not alarm there.
+void GCodes::keep(std::string_view list, bool complete) {
+  std::vector<GCode> kept;
+  for_each_code(list, [&](int code10) {
+    const GCode entry = find(code10);
+    const auto code = static_cast<std::int16_t>(code10);
+    kept.push_back(entry.code >= 0 ? entry : GCode{code, G::OneShot, M::Uncomputed});
+  });
+  codes_.clear();
+  for (const GCode& entry : kept) set(entry);
+  if (complete) unlisted_ = M::None;
 }
 
 void GCodes::set(GCode entry) {
@@ -235,8 +253,8 @@ void GCodes::change(std::string_view text) {
 GCode GCodes::find(int code) const {
   const auto place = std::lower_bound(codes_.begin(), codes_.end(), code,
                                       [](const GCode& a, int wanted) { return a.code < wanted; });
-  if (place == codes_.end() || place->code != code) return {};
-  return *place;
+  if (place != codes_.end() && place->code == code) return *place;
+  return {-1, G::OneShot, unlisted_};
 }
 
 GCode GCodes::of(Meaning meaning) const {

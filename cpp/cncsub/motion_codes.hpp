@@ -41,7 +41,7 @@ constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
 
 // clang-format off
 #define CNCSUB_MEANINGS(M) \
-  M(None) M(Neutral) M(Uncomputed) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
+  M(None) M(Unknown) M(Neutral) M(Uncomputed) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
   M(FromReference) M(SecondReference) M(Skip) M(Local) M(Machine) M(SetCoordinate) \
   M(ClearCoordinate) M(Lengthen) M(Shorten) M(LengthenTwice) M(ShortenTwice) M(OneWay) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
   M(PeckTurn) M(MultipleThread) M(Rapid) M(Line) M(Cw) M(Ccw) M(Thread) M(VariableThread) \
@@ -74,18 +74,20 @@ std::string code_name(int code);
 class GCodes {
  public:
   GCodes(const Control& control, MachineType machine);
-  /// The meaning of a code times ten; Meaning::None where the machine does not have it, Neutral
-  /// where no path depends on it, Uncomputed where the engine does not know its moves.
+  /// The meaning of a code times ten: None where the machine does not have it, Neutral where no
+  /// path depends on it, Uncomputed where the engine does not know its moves, Unknown where no
+  /// source says whether the control has it.
   GCode find(int code) const;
-  bool has(int code) const { return find(code).meaning != Meaning::None; }
   /// The code of a meaning as this machine writes it; code -1 where it has none.
   GCode of(Meaning meaning) const;
 
  private:
   void set(GCode entry);
+  void keep(std::string_view list, bool complete);
   void change(std::string_view text);
 
   std::vector<GCode> codes_;  // sorted by code
+  Meaning unlisted_ = Meaning::Unknown;
 };
 
 }  // namespace cncsub

@@ -68,8 +68,7 @@ struct MotionFacts {
   std::shared_ptr<const Control> control;
   MachineType machine;
   GCodes codes;
-  std::vector<GCodes> other_codes;  // of the other kinds of machine
-  std::string axis_order;           // the control's axes by number
+  std::string axis_order;  // the control's axes by number
   std::array<int, kGroups> group_numbers{};
   std::uint32_t diameters = 0;
   double increment = 0.001;

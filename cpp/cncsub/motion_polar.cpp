@@ -37,7 +37,9 @@ Motion::Result Motion::set_rotation(BlockWords& block) {
   Turned turned = s_.turned;
   turned.rotation = block.meaning(Group::Rotation) == Meaning::RotationOn;
   if (turned.rotation) {
-    turned.angle = block.words.has('R') ? raw(block, 'R') : 0;
+    turned.angle = 0;
+    for (const char name : c.rotation_words.value)
+      if (block.words.has(name)) turned.angle = raw(block, name);
     if (c.max_rotation.value > 0 && std::fabs(turned.angle) > c.max_rotation.value)
       return fault(Cause::RotationAngle, block);
     turned.plane = s_.plane;

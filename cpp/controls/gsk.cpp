@@ -85,6 +85,7 @@ void read_988(Control& c) {
   c.m_codes_per_block = {1, kTApar + "3404#7 M3B = 0", kManual};
   c.m_codes_alone = {false, kPolicy, kInferred};
   c.bare_g = {false, kTalm + "005", kManual};
+  c.g_codes_complete = {true, "inferred: Talm 009, illegal G code", kInferred};
   c.g_codes = {kLatheCodes,
                kTA + "1 to TA28, titles; motion and offset codes from general knowledge",
                kInferred};
@@ -847,7 +848,9 @@ void read_928(Control& c) {
   c.m_codes_per_block = {1, kGeneral, kInferred};
   c.m_codes_alone = {false, kPolicy, kInferred};
   c.bare_g = {false, kPolicy, kInferred};
-  c.g_codes = {"", "no list is known", kInferred};
+  c.g_codes = {"0 1 2 3 4 22 26 27 29 33 50 80 96 97 98 99",
+               "source 001 names G00 and G01, 928Ti G04; the rest " + kGeneral, kInferred};
+  c.g_codes_complete = {false, "no list is known", kInferred};
 }
 
 void call_928(Control& c) {

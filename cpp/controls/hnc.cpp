@@ -42,7 +42,11 @@ void reading(Control& c) {
   c.m_codes_per_block = {1, kUnsure, Inferred};
   c.m_codes_alone = {false, kPolicy, Inferred};
   c.bare_g = {false, kPolicy, Inferred};
-  c.g_codes = {"", "no complete list was found", Inferred};
+  c.g_codes = {
+      "0 1 2 3 4 7 9 11 12 17 18 19 20 21 22 24 25 28 29 34 40 41 42 43 44 49 50 51 52 53 54 55 56 "
+      "57 58 59 60 61 64 65 68 69 73 74 76 80 81 82 83 84 85 86 87 88 89 90 91 92 94 95 98 99",
+      "general knowledge; no complete list was found", Inferred};
+  c.g_codes_complete = {false, "no complete list was found", Inferred};
 }
 
 void calls_and_returns(Control& c) {

@@ -427,8 +427,11 @@ void mitsubishi_alarms(Control& c) {
 // ---- HNC ----
 
 void hnc_rules(Control& c) {
-  c.g_meanings = {"22=pulses 24=mirror 25=mirror-off 45=none 46=none 47=none 48=none",
-                  "source 003, G22; the mirror from general knowledge", SourceDocument};
+  c.g_meanings = {
+      "22=pulses 24=mirror 25=mirror-off 7=not-computed 11=not-computed 12=not-computed "
+      "34=not-computed 65=not-computed 10=none 15=none 16=none 31=none 96=none 45=none 46=none "
+      "47=none 48=none",
+      "source 003, G22; the others from general knowledge", SourceDocument};
   c.power_on_line = {true, kKnown, Inferred};
   c.dwell_p_seconds = {true, "source 003, G04", SourceDocument};
   c.no_radius = {NoRadius::Alarm, kKnown, Inferred};
@@ -436,7 +439,9 @@ void hnc_rules(Control& c) {
   c.peck_words = {PeckWords::K, kKnown, Inferred};
   c.scale_thousandths = {false, kKnown, Inferred};
   c.machine_move = {MachineMove::Rapid, "source 003, G53", SourceDocument};
-  c.unit_change = {UnitChange::Alone, "source 003, G20 G21 G22", SourceDocument};
+  c.unit_change = {UnitChange::AtHead, "source 003, G20 G21 G22, and its typical example",
+                   SourceDocument};
+  c.rotation_words = {"P", kKnown, Inferred};
   add_effect(c, "3402#0", 1, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred,
              set_power_on_line);
   add_effect(c, "3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a line, 1 = an alarm",
@@ -673,7 +678,10 @@ void gsk_928(Control& c) {
   c.machine = {MachineType::LatheA, "source 001, Fig. 3-1: U is a diameter increment",
                SourceDocument};
   c.power_on_per_minute = {true, "source 001: F80, F500", SourceDocument};
-  c.g_meanings = {"60=none", kKnown, Inferred};
+  c.g_meanings = {
+      "22=not-computed 26=not-computed 27=not-computed 29=not-computed 33=not-computed "
+      "80=not-computed",
+      "general knowledge: G22 to G80 is a loop, G26, G27 and G29 return to points", Inferred};
   c.dwell_words = {"PXUD", "928Ti: G4 D1 is a second", Secondary};
   add_effect(c, "3402#0", 0,
              "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,

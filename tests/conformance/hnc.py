@@ -894,19 +894,6 @@ case(
     """,
     runs="N10", alarm="statement-not-available", number=None, at="%1 N20",
 )
-case(
-    "HNC: there is no G65",
-    control=HNC, source="general knowledge, no G65 in HNC-21", evidence="inferred",
-    program="""
-        %1
-        N10 S1
-        N20 G65 P2 A1
-        N30 M30
-        %2
-        N40 M99
-    """,
-    runs="N10", calls="", alarm="g-code-not-available", number=None, at="%1 N20",
-)
 
 # Expressions
 

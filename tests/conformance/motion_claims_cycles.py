@@ -256,7 +256,7 @@ for _claim, _blocks, _moves in (
         setup=_MILL, program=lines("G0 Z20.", _FIRST, *_blocks), moves=f"R Z20\n{_HOLE}{_moves}",
     )
 case(
-    "G33 ends a cycle", control=[*FANUC, *MITSUBISHI, HNC], **KNOWN, setup=_MILL,
+    "G33 ends a cycle", control=[*FANUC, *MITSUBISHI], **KNOWN, setup=_MILL,
     program=lines("G0 Z20.", "M3 S100", _FIRST, "G33 Z-20. F1."),
     moves=f"R Z20\n{_HOLE}T Z-20",
 )

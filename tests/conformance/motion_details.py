@@ -363,10 +363,10 @@ case(
     final_machine="Z5",
 )
 case(
-    "G71 is a code of lathes, and none of a mill",
-    control="gsk-988ta", source="Talm 009; policy", evidence="inferred", setup=MILL,
+    "G71, a code of lathes, is not computed where the setup tells a mill",
+    control="gsk-988ta", source="policy: a code of the control's list", evidence="inferred", setup=MILL,
     program="O1\nN10 G0 X1\nN20 G71 U1 R1\nN30 M30\n",
-    runs="N10", alarm="g-code-not-available", number="009", at="O1 N20",
+    runs="N10", alarm="code-not-computed", at="O1 N20",
 )
 case(
     "G70 belongs to the plane of X and Z as the cycles that cut do",

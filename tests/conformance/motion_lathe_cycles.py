@@ -3,7 +3,7 @@
 from conformance import case
 
 TA, T = GSK_988 = ["gsk-988ta", "gsk-988t"]
-TDI, TE = "gsk-980tdi", "gsk-928te"
+TDI = "gsk-980tdi"
 MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
 F16, *FANUC_PS = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 KNOWN = {"source": "general knowledge", "evidence": "inferred"}
@@ -306,10 +306,10 @@ case(
 
 # What holds where neither a block nor a parameter says it
 
-LATHES = [*GSK_988, TDI, TE, *MITSUBISHI, *FANUC]
+LATHES = [*GSK_988, TDI, *MITSUBISHI, *FANUC]
 SLOW = at(36, 5) | {"rapid": {"X": 1, "Z": 1}}
 for _controls, _thread, _groove in (
-    (GSK_988, "P0.04 Q0.002", "Q6"), ([TDI, TE, *MITSUBISHI, *FANUC], "P40 Q2", "Q6000"),
+    (GSK_988, "P0.04 Q0.002", "Q6"), ([TDI, *MITSUBISHI, *FANUC], "P40 Q2", "Q6000"),
 ):
     case(
         f"G76 alone has one finishing pass, no angle, no least cut, no allowance: {_thread}",
@@ -326,7 +326,7 @@ for _controls, _thread, _groove in (
         program=f"O1\nN10 G98 G74 Z-7. {_groove} F60.\nN20 M30",
         moves="F Z-1\nR Z-1\nF Z-7\nR Z5", time=732,
     )
-for _controls, _time in ((GSK_988, 9), ([TE, *MITSUBISHI, *FANUC], 12)):
+for _controls, _time in ((GSK_988, 9), ([*MITSUBISHI, *FANUC], 12)):
     case(
         f"a boring cycle takes {_time} s of feed", control=_controls,
         source="TA 26; general knowledge", evidence="inferred",
@@ -334,31 +334,31 @@ for _controls, _time in ((GSK_988, 9), ([TE, *MITSUBISHI, *FANUC], 12)):
         program="O1\nN10 G98 G85 Z-10. F100.\nN20 M30", moves="F Z-10\nF Z0", time=_time,
     )
 case(
-    "two pockets are cut", control=[TE, *MITSUBISHI, *FANUC], **KNOWN, setup=at(50, 2),
+    "two pockets are cut", control=[*MITSUBISHI, *FANUC], **KNOWN, setup=at(50, 2),
     program="O1\nN10 G71 U15. R1.\nN15 G71 P20 Q70 U0 W0 F1.\nN20 G0 X20. Z0\nN30 G1 X30. Z-1.\n"
             "N40 X20. Z-2.\nN50 X30. Z-3.\nN60 X20. Z-4.\nN70 X50.\nN80 M30",
     runs="N10 N15 N80",
 )
 case(
     "P of two digits in G76 names no passes and no run-out: there is one pass, and none",
-    control=[TE, *MITSUBISHI, *FANUC], **KNOWN, setup=at(30, 5),
+    control=[*MITSUBISHI, *FANUC], **KNOWN, setup=at(30, 5),
     program="O1\nN10 G97 S60 M3\nN15 G76 P020500 Q0 R0\nN20 G76 P00\n"
             "N30 G76 X18. Z-20. P1000 Q1000 F2.\nN40 M30",
     moves="R X18 Z5\nT X18 Z-20\nR X30\nR Z5\n" * 2,
 )
 case(
-    "G76 in one block is no thread of other controls", control=[TDI, TE, *MITSUBISHI], **KNOWN,
+    "G76 in one block is no thread of other controls", control=[TDI, *MITSUBISHI], **KNOWN,
     setup=at(30, 5),
     program="O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. K1. D1000 F2. A60\nN30 M30",
     runs="N10", alarm="thread-height", number=None, at="O1 N20",
 )
 case(
-    "P of G74 takes no point on other controls", control=[TDI, TE, *MITSUBISHI], **KNOWN,
+    "P of G74 takes no point on other controls", control=[TDI, *MITSUBISHI], **KNOWN,
     setup=at(36, 5), program="O1\nN10 G74 X33. Z-2. P1.5 Q7000 F50.\nN20 M30",
     runs="", alarm="illegal-decimal-point",
-    number={TDI: "012", TE: None, **dict.fromkeys(MITSUBISHI, "P33")}, at="O1 N10",
+    number={TDI: "012", **dict.fromkeys(MITSUBISHI, "P33")}, at="O1 N10",
 )
-for _controls, _thread in ((GSK_988, "P1 Q1"), ([TDI, TE, *MITSUBISHI, *FANUC], "P1000 Q1000")):
+for _controls, _thread in ((GSK_988, "P1 Q1"), ([TDI, *MITSUBISHI, *FANUC], "P1000 Q1000")):
     case(
         f"G76 alone goes straight in: {_thread}",
         control=_controls,

@@ -113,13 +113,9 @@ case(
 )
 case(
     "a first block with X alone makes no pockets, whatever the shape",
-    control=["gsk-980tdi", "gsk-928te", *MITSUBISHI], **KNOWN, setup=LATHE,
+    control=["gsk-980tdi", *MITSUBISHI], **KNOWN, setup=LATHE,
     program=program("K1", first="N20 G0 X50."), alarm="profile-not-monotone",
-    number={"gsk-980tdi": None, "gsk-928te": None, **dict.fromkeys(MITSUBISHI, "P203")},
-)
-case(
-    "on a 928 a profile with pockets is cut pocket by pocket, and once more", control="gsk-928te",
-    **KNOWN, setup=LATHE, program=program(), moves=FEED + PASS,
+    number={"gsk-980tdi": None, **dict.fromkeys(MITSUBISHI, "P203")},
 )
 case(
     "an arc of a profile with pockets that turns back along Z alarms", control="gsk-980tdi",

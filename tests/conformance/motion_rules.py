@@ -12,6 +12,7 @@ GSK_LATHES = [*GSK_988, TDI, TE]
 
 MILLS = [MDI, *MITSUBISHI, *FANUC, HNC]
 LATHES = [*GSK_LATHES, *MITSUBISHI, *FANUC]
+TURNING = [*GSK_988, TDI, *MITSUBISHI, *FANUC]  # the codes of the 928 are known in part only
 MILL = {"machine": "mill"}
 LATHE = {"machine": "lathe-a"}
 HOMED = {"reference": {1: {"X": 0, "Y": 0, "Z": 0}}}
@@ -56,7 +57,7 @@ case(
 )
 case(
     "G22 leaves lengths as they are",
-    control=[*GSK_LATHES, *MITSUBISHI, *FANUC], source="TDi: stroke check; general knowledge",
+    control=[*GSK_988, TDI, *MITSUBISHI, *FANUC], source="TDi: stroke check; general knowledge",
     evidence="inferred",
     program="""
         O1
@@ -239,7 +240,7 @@ case(
 )
 case(
     "a thread is cut though no block has started the spindle",
-    control=[TE, *MITSUBISHI, *FANUC], **POLICY, setup=LATHE,
+    control=[*MITSUBISHI, *FANUC], **POLICY, setup=LATHE,
     program="""
         O1
         N10 G32 Z-10. F2.
@@ -249,7 +250,7 @@ case(
 )
 case(
     "a thread of a mill is cut though no block has started the spindle",
-    control=HNC, **POLICY, setup=MILL,
+    control="fanuc-16i", **POLICY, setup=MILL,
     program="""
         O1
         N10 G33 Z-10. F2.
@@ -534,7 +535,7 @@ case(
 )
 case(
     "G20 behind a move changes the unit of a lathe from there on",
-    control=[TDI, TE], **POLICY, setup=LATHE,
+    control=TDI, **POLICY, setup=LATHE,
     program="""
         O1
         N10 G0 X10.
@@ -570,7 +571,7 @@ case(
 )
 case(
     "G53 is rapid whatever the mode",
-    control=[*GSK_LATHES, MDI, *FANUC, HNC], source="source 003, G53; TDi 20", evidence="inferred",
+    control=[*GSK_988, TDI, MDI, *FANUC, HNC], source="source 003, G53; TDi 20", evidence="inferred",
     setup=HOMED,
     program="""
         O1
@@ -593,7 +594,7 @@ case(
 )
 case(
     "G53 goes to machine coordinates though the setup names no reference point",
-    control=[TDI, TE, *MITSUBISHI, *FANUC, HNC], **POLICY,
+    control=[TDI, *MITSUBISHI, *FANUC, HNC], **POLICY,
     program="""
         O1
         N10 G0 G53 Z-10.
@@ -627,7 +628,7 @@ case(
 )
 case(
     "G53 may stand in a drilling cycle of a lathe",
-    control=GSK_LATHES, **POLICY, setup=LATHE | HOMED,
+    control=[*GSK_988, TDI], **POLICY, setup=LATHE | HOMED,
     program="""
         O1
         N10 G98 G83 Z-5. F100
@@ -638,7 +639,7 @@ case(
 )
 case(
     "G27 may share a block with M30",
-    control=[TE, *FANUC, HNC], **POLICY, setup=HOMED,
+    control=FANUC, **POLICY, setup=HOMED,
     program="""
         O1
         N10 G27 Z0 M30
@@ -669,7 +670,7 @@ case(
 )
 case(
     "G28 may stand in a drilling cycle of a lathe",
-    control=GSK_LATHES, **POLICY, setup=LATHE | HOMED,
+    control=[*GSK_988, TDI], **POLICY, setup=LATHE | HOMED,
     program="""
         O1
         N10 G98 G83 Z-5. F100
@@ -790,7 +791,7 @@ case(
 )
 case(
     "G10 knows no tool offset 401 on a lathe",
-    control=LATHES, source="Talm 062; ALM 031; general knowledge",
+    control=TURNING, source="Talm 062; ALM 031; general knowledge",
     evidence="inferred", setup=LATHE,
     program="""
         O1
@@ -798,7 +799,7 @@ case(
         N20 G10 P401 X1.
         N30 M30
     """,
-    runs="N10", alarm="g10-offset-number", number=numbers(LATHES, "031", None, "062"),
+    runs="N10", alarm="g10-offset-number", number=numbers(TURNING, "031", None, "062"),
     at="O1 N20",
 )
 case(
@@ -940,7 +941,7 @@ case(
 )
 case(
     "an angle of rotation may be over 360 degrees",
-    control=[*MITSUBISHI, HNC], **POLICY, setup=MILL,
+    control=MITSUBISHI, **POLICY, setup=MILL,
     program="""
         O1
         N10 G68 X0 Y0 R450.
@@ -1012,7 +1013,7 @@ case(
 )
 case(
     "a start-up of type A ends on the normal of the next move on a lathe",
-    control=GSK_LATHES, **KNOWN, setup=NOSE,
+    control=[*GSK_988, TDI], **KNOWN, setup=NOSE,
     program="""
         O1
         N5 T0101
@@ -1038,7 +1039,7 @@ case(
 )
 case(
     "around an acute corner the tool of a lathe goes by lines",
-    control=GSK_LATHES, source="TDipar 002#5; general knowledge", evidence="inferred", setup=NOSE,
+    control=[*GSK_988, TDI], source="TDipar 002#5; general knowledge", evidence="inferred", setup=NOSE,
     program="""
         O1
         N5 T0101
@@ -1068,7 +1069,7 @@ for count, controls in (2, [F16, F0D, F0F, HNC]), (4, [*MITSUBISHI, F30]):
     )
 case(
     "two blocks without a move let one move of a lathe end and the next begin on its own normal",
-    control=GSK_LATHES, **POLICY, setup=NOSE,
+    control=[*GSK_988, TDI], **POLICY, setup=NOSE,
     program="""
         O1
         N5 T0101
@@ -1161,7 +1162,7 @@ case(
 )
 case(
     "a drilling cycle may stand in radius compensation of a lathe",
-    control=GSK_LATHES, source="TA 24; general knowledge", evidence="inferred", setup=NOSE,
+    control=[*GSK_988, TDI], source="TA 24; general knowledge", evidence="inferred", setup=NOSE,
     program="""
         O1
         N5 T0101
@@ -1341,7 +1342,7 @@ for code, seconds in ("G73", 66.066), ("G83", 66.198):
         """,
         time=seconds,
     )
-for q, controls in ("Q4", GSK_988), ("Q4000", [TE, *MITSUBISHI, *FANUC]):
+for q, controls in ("Q4", GSK_988), ("Q4000", [*MITSUBISHI, *FANUC]):
     case(
         f"a pecking cycle of a lathe with {q} draws back by half a millimetre, whatever K is",
         control=controls, source="TA 24, 5101#2; TDi 23.9; the half millimetre: policy",
@@ -1367,7 +1368,7 @@ case(
 )
 case(
     "R of a drilling cycle is a plane that counts from the start",
-    control=[*GSK_988, TE, *MITSUBISHI, *FANUC], source="TA 24; general knowledge", evidence="inferred", setup=LATHE,
+    control=[*GSK_988, *MITSUBISHI, *FANUC], source="TA 24; general knowledge", evidence="inferred", setup=LATHE,
     program="""
         O1
         N10 G98 G83 Z-10. R-2. F100.
@@ -1492,7 +1493,7 @@ for claim, program, cause, number in (
 # Multiple cycles
 
 _feed = {**dict.fromkeys(GSK_988, "F"), TDI: "F", TE: "F"}
-for kind, controls in ("F", GSK_LATHES), ("R", [*MITSUBISHI, *FANUC]):
+for kind, controls in ("F", GSK_988 + [TDI]), ("R", [*MITSUBISHI, *FANUC]):
     name = "at feed" if kind == "F" else "rapid"
     case(
         f"G71 cuts a millimetre deep and leaves the cut by half a millimetre, {name}",
@@ -1519,7 +1520,7 @@ for kind, controls in ("F", GSK_LATHES), ("R", [*MITSUBISHI, *FANUC]):
 _lathe = [*GSK_988, *MITSUBISHI, *FANUC]
 case(
     "G73 R1 is one pass",
-    control=[*GSK_988, TE, *MITSUBISHI, *FANUC], **KNOWN,
+    control=[*GSK_988, *MITSUBISHI, *FANUC], **KNOWN,
     setup=LATHE | {"start": {"X": 20, "Z": 2}},
     program="""
         O1
@@ -1547,7 +1548,7 @@ case(
 )
 case(
     "Q of G74 counts least increments",
-    control=[TE, *MITSUBISHI, *FANUC], **KNOWN, setup=LATHE,
+    control=[*MITSUBISHI, *FANUC], **KNOWN, setup=LATHE,
     program="""
         O1
         N10 G74 R1.
@@ -1567,7 +1568,7 @@ case(
     """,
     moves="F Z-6\nR Z-5\nF Z-10\nR Z0",
 )
-for letter, controls in ("P3000", [TE, *MITSUBISHI, *FANUC]), ("P3", GSK_988):
+for letter, controls in ("P3000", [*MITSUBISHI, *FANUC]), ("P3", GSK_988):
     case(
         f"P of G75 is a radius: {letter} is 6 mm of diameter",
         control=controls, source="TA 12, 13; general knowledge", evidence="inferred",
@@ -1613,14 +1614,14 @@ case(
     alarm="call-in-profile",
 )
 case(
-    "a profile that turns back alarms on the 928, on the 980TDi with K1", control=[TDI, TE],
+    "a profile that turns back alarms on the 980TDi with K1", control=TDI,
     source="TDi 23.1; general knowledge",
     evidence="inferred", setup=PROFILE,
     program="O1\nN10 G71 P20 Q40 U0 W0 K1 F10.\nN20 G0 X10.\nN30 G1 Z-10.\nN40 X12. Z-5.\nN50 M30",
     alarm="profile-not-monotone",
 )
 for claim, end, behind in (
-    ("behind G71 the program goes on behind the profile", [TDI, TE, *MITSUBISHI, *FANUC], "N10 N50"),
+    ("behind G71 the program goes on behind the profile", [TDI, *MITSUBISHI, *FANUC], "N10 N50"),
     ("behind G71 the 988 goes on with the next block where the profile stands elsewhere", GSK_988,
      "N10 N15 N20 N30 N50"),
 ):
@@ -1658,7 +1659,7 @@ for height, controls in ("P1 Q1", GSK_988), ("P1000 Q200", [*MITSUBISHI, *FANUC]
 
 # Reset
 
-for machine, controls in ("mill", [MDI, HNC]), ("lathe-a", LATHES):
+for machine, controls in ("mill", [MDI, HNC]), ("lathe-a", TURNING):
     case(
         f"the reset of a {machine} leaves the modal codes as they are",
         control=controls, source="TApar 3402#6; general knowledge", evidence="inferred",
@@ -1672,7 +1673,7 @@ for machine, controls in ("mill", [MDI, HNC]), ("lathe-a", LATHES):
     )
 case(
     "reset ends G52",
-    control=[TDI, TE, MDI, *MITSUBISHI, HNC], source="TDipar 181; general knowledge",
+    control=[TDI, MDI, *MITSUBISHI, HNC], source="TDipar 181; general knowledge",
     evidence="inferred",
     program="""
         O1

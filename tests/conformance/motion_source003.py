@@ -143,7 +143,77 @@ case(
     moves="R X50 Y86.6025",
 )
 
-# Unit codes of the HNC: at the head, in blocks of their own, not switched later.
+# Unit codes of the HNC: at the head, and with other G codes at the most, not switched later.
+
+for _line, _what in (
+    ("G90G21G17G94G40", "the codes of the typical example"), ("G21", "a block of its own"),
+    ("G17 G20 G90", "inch between two others"), ("G22 G91", "pulses with increments"),
+):
+    case(
+        f"HNC: {_line}, {_what}, may head a program",
+        control="hnc-21m", source="source 003, typical example", **SOURCE,
+        program=f"""
+            %1
+            N100 {_line}
+            N110 G00 X0
+            N190 M30
+        """,
+        runs="N100 N110 N190",
+    )
+case(
+    "what the source prints in one block the controls that want it alone still refuse",
+    control=["gsk-988ta", "gsk-988t"], source="Talm 042", evidence="secondary", params=MM,
+    program="O1\nN10 G21 G98 G40\nN20 M30", alarm="unit-change-misplaced",
+    number="042", at="O1 N10",
+)
+case(
+    "HNC: G68 turns by P around X and Y",
+    control="hnc-21m", source="added.md: HNC-21M", evidence="inferred", params=MM, setup=MILL,
+    program="""
+        %1
+        N10 G90 G00 X0 Y0
+        N20 G68 X10 Y0 P90
+        N30 G00 X20 Y0
+        N40 G69
+        N50 G00 X20 Y0
+        N60 M30
+    """,
+    moves="R X0 Y0\nR X10 Y10\nR X20 Y0",
+)
+case(
+    "HNC: R is no angle of G68, which turns by nothing then",
+    control="hnc-21m", source="added.md: HNC-21M", evidence="inferred", params=MM, setup=MILL,
+    program="""
+        %1
+        N10 G68 X10 Y0 R90
+        N20 G00 X20 Y0
+        N30 M30
+    """,
+    moves="R X20 Y0",
+)
+case(
+    "P is no angle of G68 elsewhere",
+    control=["fanuc-0i-f", "mitsubishi-m700"], source="B-64113EN p.789; general knowledge",
+    evidence="inferred", params=MM, setup=MILL,
+    program="""
+        O1
+        N10 G68 X10 Y0 P90
+        N20 G00 X20 Y0
+        N30 M30
+    """,
+    moves="R X20 Y0",
+)
+case(
+    "HNC: an angle of 450 alarms in no rotation",
+    control="hnc-21m", source="policy", evidence="inferred", params=MM, setup=MILL,
+    program="""
+        %1
+        N10 G68 X0 Y0 P450
+        N20 G0 X10 Y0
+        N30 M30
+    """,
+    final_machine="X0 Y10",
+)
 
 for code in ("G20", "G21", "G22"):
     case(
@@ -158,7 +228,7 @@ for code in ("G20", "G21", "G22"):
         runs="N10", alarm="unit-change-misplaced", number=None, at="%1 N20",
     )
     case(
-        f"HNC: {code} that shares its block alarms",
+        f"HNC: {code} that shares its block with a move alarms",
         control="hnc-21m", source="source 003, G20 G21 G22", **SOURCE,
         program=f"""
             %1

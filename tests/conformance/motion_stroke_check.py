@@ -116,7 +116,7 @@ passes(
 )
 # Lathes
 for _params in (None, {"1401#1": 1}):
-    _controls = GSK if _params is None else ["gsk-988ta", "gsk-988t"]
+    _controls = GSK[:3] if _params is None else ["gsk-988ta", "gsk-988t"]
     (stops if _params is None else passes)(
         "a rapid of a lathe goes to its X first, " + ("by itself" if _params is None else "or not"),
         "G0 X50 Z-50", controls=_controls, setup=LATHE, params=_params,
@@ -129,7 +129,7 @@ passes(
 )
 stops(
     "on a lathe X and I of G22 are diameters", "G1 X62. F100.", "Z9.", "X59.", at="O1 N40",
-    controls=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-928te"], setup=LATHE,
+    controls=["gsk-988ta", "gsk-988t", "gsk-980tdi"], setup=LATHE,
     area="G22 X60 Z10 I0 K-50",
     tags=TDI,
 )

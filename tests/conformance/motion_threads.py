@@ -46,7 +46,7 @@ thread(
     source="motion: FANUC chamfer 5130, general knowledge", evidence="inferred",
 )
 thread(
-    "without J, K and parameter G92 runs to the end", [*GSK, TE, *OTHERS], "G92 X58.7 Z-28. F3.",
+    "without J, K and parameter G92 runs to the end", [*GSK, *OTHERS], "G92 X58.7 Z-28. F3.",
     "R X58.7\nT X58.7 Z-28\nR X65\nR Z5", source="TDi 24.9; TA 18", evidence="inferred",
 )
 thread(
@@ -154,7 +154,7 @@ for _control, _number in (([TA, T], "039"), ([TDI], None)):
 
 # The lead
 
-for _control, _number in ((GSK_988, "038"), ([TDI, TE], None)):
+for _control, _number in ((GSK_988, "038"), ([TDI], None)):
     case(
         f"a thread before any lead alarms on {' and '.join(_control)}, whatever the feed is",
         control=_control, source="Talm 038; TDi 24.1", evidence="secondary", setup=at(20, 0),
@@ -169,7 +169,7 @@ case(
 )
 case(
     "a lead stays until the next one, and the feed is another number",
-    control=[*GSK, TE], source="TDi 24.1: F of a thread", evidence="maker's manual",
+    control=GSK, source="TDi 24.1: F of a thread", evidence="maker's manual",
     setup=at(20, 0),
     program="""
         O1
@@ -183,11 +183,11 @@ case(
     time=4,
 )
 thread(
-    "I is the number of threads an inch", [*GSK, TE], "G32 Z-25.4 I10", "T Z-25.4", start=(20, 0),
+    "I is the number of threads an inch", GSK, "G32 Z-25.4 I10", "T Z-25.4", start=(20, 0),
     source="TDi 24.1; TA 14", time=10,
 )
 thread(
-    "the lead of G34 grows by R", [*GSK, TE], "G34 W-40 F2 R1", "T Z-40", start=(20, 0),
+    "the lead of G34 grows by R", GSK, "G34 W-40 F2 R1", "T Z-40", start=(20, 0),
     source="TDi 24.4; TA 17", time=7.165,
 )
 thread(
@@ -200,7 +200,7 @@ thread(
     time=7.165 - 0.222 + 5 / 9.060,
 )
 for _word, _controls, _numbers in (
-    ("R-1", [*GSK, TE], {TA: "038", T: "038", TDI: None, TE: None}),
+    ("R-1", GSK, {TA: "038", T: "038", TDI: None}),
     ("K-1.", OTHERS, {
         **dict.fromkeys(MITSUBISHI, "P93"), F16: None, **dict.fromkeys(FANUC_PS, "PS0313"),
     }),
@@ -309,20 +309,16 @@ for _what, _second, _cause in (
     )
 case(
     "a thread of a mill takes the feed in force as its lead",
-    control=["hnc-21m", *FANUC], source="general knowledge", evidence="inferred",
+    control=FANUC, source="general knowledge", evidence="inferred",
     setup={"machine": "mill"},
     program="O1\nN10 S60 M3\nN20 G95 G1 Z-1. F0.5\nN30 G33 Z-3.\nN40 M30",
     moves="F Z-1\nT Z-3", time=6,
 )
 case(
     "J and K are no run-out of a mill's thread",
-    control=["hnc-21m", *FANUC], source="general knowledge", evidence="inferred",
+    control=FANUC, source="general knowledge", evidence="inferred",
     setup={"machine": "mill"},
     program="O1\nN10 S60 M3\nN20 G33 Z-20. F2. J3. K1.\nN30 M30", moves="T Z-20",
-)
-thread(
-    "no run-out of threads is known of the 928", TE, "G32 Z-20 F2 J3 K1", "T X20 Z-20",
-    start=(20, 3), source="policy", evidence="inferred",
 )
 GSK_STARTS = ["gsk-988ta", "gsk-988t", "gsk-980tdi"]
 STARTS = {"source": "TDi 24.9, TA 18: L", "evidence": "maker's manual"}
@@ -335,7 +331,7 @@ case(
 case(
     "a thread has one start where L does not count them",
     control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "mitsubishi-meldas",
-             "mitsubishi-m700", "mitsubishi-m800", "gsk-928te"],
+             "mitsubishi-m700", "mitsubishi-m800"],
     source="general knowledge", evidence="inferred",
     setup={"machine": "lathe-a", "start": {"X": 30, "Z": 5}},
     program="O1\nN5 S500 M3\nN10 G92 X20. Z-20. F2. L2\nN30 M30",
@@ -359,7 +355,7 @@ for _words in ("L2", "D1", "E1"):
 case(
     "L, D and E are no words of G76",
     control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "mitsubishi-meldas",
-             "mitsubishi-m700", "mitsubishi-m800", "gsk-928te", "gsk-980tdi"],
+             "mitsubishi-m700", "mitsubishi-m800", "gsk-980tdi"],
     source="general knowledge", evidence="inferred",
     setup={"machine": "lathe-a", "start": {"X": 30, "Z": 5}},
     program="O1\nN5 S500 M3\nN10 G76 P020060 Q100 R0.1 L2 D1 E1\nN20 M30", moves="none",

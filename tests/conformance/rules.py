@@ -2789,16 +2789,6 @@ case(
     runs="N10 N30 N20",
 )
 case(
-    "G28 may share a block with M99 on the GSK 928",
-    control=TE, source="policy", evidence="inferred",
-    program="""
-        N10 M98 P30
-        N20 M30
-        N30 G28 Z0 M99
-    """,
-    runs="N10 N30 N20",
-)
-case(
     "G54 may share a block with M98 on the HNC",
     control=HNC, source="policy", evidence="inferred",
     program="""
@@ -2806,16 +2796,6 @@ case(
         N10 G54 M98 P2
         N20 M30
         %2
-        N30 M99
-    """,
-    runs="N10 N30 N20",
-)
-case(
-    "G54 may share a block with M98 on the GSK 928",
-    control=TE, source="policy", evidence="inferred",
-    program="""
-        N10 G54 M98 P30
-        N20 M30
         N30 M99
     """,
     runs="N10 N30 N20",
@@ -2868,17 +2848,6 @@ case(
         N20 X5. M98 P2
         N30 M30
         %2
-        N40 M99
-    """,
-    runs="N10 N20 N40 N30",
-)
-case(
-    "in a drilling cycle M98 may share its block with words on the GSK 928",
-    control=TE, source="policy", evidence="inferred",
-    program="""
-        N10 G98 G83 Z-5. F100.
-        N20 Z-6. M98 P40
-        N30 M30
         N40 M99
     """,
     runs="N10 N20 N40 N30",

@@ -21,6 +21,8 @@ A_LATHE = "a rule of mills, and the control is a lathe"
 NO_ROTATION = "the control has no rotation, scaling or mirror"
 NO_REPEATS = "no repeat count is known of its drilling cycles"
 
+NOT_KNOWN = "no source says which codes of the control this rule is about"
+
 Unpinned = dict[str, tuple[tuple[str, ...], str]]
 
 
@@ -83,7 +85,23 @@ UNPINNED = _joined(
     _all("user_alarm_offset", MITSUBISHI, "the alarm of #3000 has one number, whatever the value"),
     # Motion
     _all("g_meanings", (MDI,), "it has none of the codes that mean something else elsewhere"),
-    _all("power_on_incremental", (TE,), "the control has no G91"),
+    _all("power_on_incremental", (TDI, TE), "the control has no G91"),
+    _all("rotation_words", (TDI, TE), NO_ROTATION),
+    _all("straight_rapid", (TE,), "without the area of G22 no alarm tells the way of a rapid"),
+    _all("codes_not_with_return codes_not_with_call words_with_call_in_cycle", (TE,), NOT_KNOWN),
+    _all("unit_change machine_move power_on_stroke_check stroke_outside", (TE,), NOT_KNOWN),
+    _all("home_needed max_offset_number start_up acute_corner idle_blocks", (TE,), NOT_KNOWN),
+    _all("idle_blocks_alarm peck_words peck_retract drill_full_retract", (TE,), NOT_KNOWN),
+    _all("escape rough_depth rough_escape single_pass_pattern", (TE,), NOT_KNOWN),
+    _all("cycle_increments one_block_cycles lead_apart thread_starts", (TE,), NOT_KNOWN),
+    _all("thread_words_not_computed run_out_words lead_growth", (TE,), NOT_KNOWN),
+    _all("thread_chamfer thread_digits_apart thread_passes thread_angle", (TE,), NOT_KNOWN),
+    _all("thread_least_cut thread_allowance groove_retract cycle_point", (TE,), NOT_KNOWN),
+    _all("groove_p_diameter profile_monotone max_profile_blocks", (TE,), NOT_KNOWN),
+    _all("max_pockets type_by_shape pocket_pass contour_behind", (TE,), NOT_KNOWN),
+    _all("bore_return drill_retract", (TE,), NOT_KNOWN),
+    _all("clear_on_reset clear_local_on_reset thread_needs_spindle", (TE,), NOT_KNOWN),
+    _all("thread_needs_spindle lead_apart run_out_words", (HNC,), "no thread of it is computed"),
     _all("power_on_per_minute", MILLS, "a mill wakes up with feed per minute"),
     _all("thread_needs_spindle", (MDI,), "the control cuts no threads"),
     _all("negative_radius_on_lathes set_coordinate_alarms", MILLS, A_MILL),
