@@ -152,8 +152,9 @@ void parameters(Control& c) {
        Inferred, [](Control& k, double v) {
          k.whole_numbers.value = v != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
        }});
-  c.parameters.push_back(
-      {"3402#0", 1, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred, nullptr});
+  c.parameters.push_back({"3402#0", 0, "stands for: at power-on 0 = G00, 1 = G01",
+                          "inferred from source 003, typical example: Z5 before any F", Inferred,
+                          nullptr});
   c.parameters.push_back(
       {"3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a straight line, 1 = an alarm",
        kUnsure, Inferred, nullptr});

@@ -432,7 +432,7 @@ void hnc_rules(Control& c) {
       "34=not-computed 65=not-computed 10=none 15=none 16=none 31=none 96=none 45=none 46=none "
       "47=none 48=none",
       "source 003, G22; the others from general knowledge", SourceDocument};
-  c.power_on_line = {true, kKnown, Inferred};
+  c.power_on_line = {false, "inferred from source 003, typical example: Z5 before any F", Inferred};
   c.dwell_p_seconds = {true, "source 003, G04", SourceDocument};
   c.no_radius = {NoRadius::Alarm, kKnown, Inferred};
   c.cycle_repeats = {"L", kKnown, Inferred};
@@ -442,7 +442,7 @@ void hnc_rules(Control& c) {
   c.unit_change = {UnitChange::AtHead, "source 003, G20 G21 G22, and its typical example",
                    SourceDocument};
   c.rotation_words = {"P", kKnown, Inferred};
-  add_effect(c, "3402#0", 1, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred,
+  add_effect(c, "3402#0", 0, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred,
              set_power_on_line);
   add_effect(c, "3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a line, 1 = an alarm",
              kKnown, Inferred, set_no_radius);

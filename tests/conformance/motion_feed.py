@@ -63,7 +63,7 @@ case(
 )
 case(
     "the C axis of a lathe turns at F degrees a minute under inch, named by C and by H",
-    control=[TDI, TE], source="B-63174EN p.33; general knowledge",
+    control=TDI, source="B-63174EN p.33; general knowledge",
     evidence="inferred", setup={"machine": "lathe-a"},
     program="""
         O1
@@ -76,7 +76,7 @@ case(
 )
 case(
     "the B axis of a lathe turns at F degrees a minute under inch",
-    control=[*GSK_988, TDI, TE, *FANUC], source="B-63174EN p.33; general knowledge",
+    control=[*GSK_988, TDI, *FANUC], source="B-63174EN p.33; general knowledge",
     evidence="inferred", setup={"machine": "lathe-a"},
     program="""
         O1
@@ -224,7 +224,7 @@ never_given(
         N20 G90 X10. Z-5.
         N30 M30
     """,
-    [T, TDI, TE], runs="N10", at="O1 N20",
+    [T, TDI], runs="N10", at="O1 N20",
 )
 never_given(
     "roughing without any F alarms",
@@ -245,7 +245,7 @@ never_given(
 )
 case(
     "a thread without any lead alarms as one without a lead",
-    control=[*GSK_988, TDI, TE], source="Talm 038; general knowledge", evidence="inferred",
+    control=[*GSK_988, TDI], source="Talm 038; general knowledge", evidence="inferred",
     program="""
         O1
         N10 M3 S500
@@ -253,7 +253,7 @@ case(
         N30 G32 Z-5.
         N40 M30
     """,
-    runs="N10 N20", alarm="thread-lead", number={**dict.fromkeys(GSK_988, "038"), TDI: None, TE: None}, at="O1 N30",
+    runs="N10 N20", alarm="thread-lead", number={**dict.fromkeys(GSK_988, "038"), TDI: None}, at="O1 N30",
 )
 case(
     "F in the block of the cut itself is a feed",
@@ -294,7 +294,7 @@ case(
 )
 case(
     "a thread of a spindle without a speed never ends",
-    control=[TDI, TE, *FANUC], source="general knowledge", evidence="inferred",
+    control=[TDI, *FANUC], source="general knowledge", evidence="inferred",
     setup={"machine": "lathe-a"},
     program="""
         O1

@@ -7,7 +7,7 @@ MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
 TA, T, TDI, MDI, TE, HNC = (
     "gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", "gsk-928te", "hnc-21m")
 MILLS = [*FANUC, *MITSUBISHI, MDI, HNC]
-GSK_LATHES = [TA, T, TDI, TE]
+GSK_LATHES = [TA, T, TDI]
 KNOWN = {"source": "general knowledge", "evidence": "inferred"}
 MILL = {"machine": "mill", "radius_offsets": {1: 1, 2: 2, 5: 5}, "length_offsets": {1: 30}}
 NOSE = {"machine": "lathe-a", "tools": {1: {"R": 1}, 2: {"R": 2}, 5: {"R": 5}}}

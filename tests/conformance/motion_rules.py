@@ -89,7 +89,7 @@ case(
     """,
     vars={100: 55},
 )
-for machine, controls in ("mill", [MDI, *FANUC]), ("lathe-a", GSK_LATHES):
+for machine, controls in ("mill", [MDI, *FANUC, HNC]), ("lathe-a", GSK_LATHES):
     case(
         f"a control of a {machine} wakes up in G00",
         control=controls, source="TApar 3402#0; TDi 2; general knowledge", evidence="inferred",
@@ -103,7 +103,7 @@ for machine, controls in ("mill", [MDI, *FANUC]), ("lathe-a", GSK_LATHES):
     )
 case(
     "the control wakes up in G01",
-    control=[*MITSUBISHI, HNC], source="M7 p.534 (11); general knowledge", evidence="inferred",
+    control=MITSUBISHI, source="M7 p.534 (11); general knowledge", evidence="inferred",
     setup=MILL,
     program="""
         O1
