@@ -236,6 +236,7 @@ struct NcWords {
   int g_count = 0;
   int m_count = 0;
   bool ends = false;     // M02 or M30 stands in the block
+  bool stops = false;    // the run stops behind it: moves that wait for the next one wait no more
   std::uint32_t at = 0;  // where the block stands, for faults
 
   bool has(char address) const { return (mask & bit(address)) != 0; }

@@ -84,8 +84,20 @@ bool Machine::alarm(const Fault& fault) {
   const Address at = pc_;
   alarm_ = alarm_of(*code_, at, fault);
   alarm_->frames = frames();
-  if (words_done_) record_step();
+  if (words_done_)
+    record_step();
+  else
+    give_back();
   return end(Stop::Alarm);
+}
+
+/// A block that alarms, or that is broken off to be run again, has taken nothing.
+void Machine::give_back() {
+  if (taken_.block != executed_) return;
+  clock_ms_ = taken_.clock_ms;
+  next_skip_ = taken_.next_skip;
+  random_ = taken_.random;
+  taken_.block = -1;
 }
 
 std::vector<Frame> Machine::frames() const {
@@ -413,12 +425,16 @@ bool Machine::words(const Block& block) {
   if (!decode(block, words)) return false;
   Motion::Outcome& outcome = outcome_;
   words.ends = block.op == Op::EndProgram;
+  words.stops = words.ends;
+  for (int i = 0; i < words.m_count; ++i) {
+    const int m = words.m[static_cast<std::size_t>(i)];
+    words.stops = words.stops || m == 0 || (m == 1 && options_.optional_stop) || m == 2 || m == 30;
+  }
   Outside around = outside();
-  const std::size_t skip = next_skip_;
   if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), recorded_moves(),
                                    outcome, around)) {
-    next_skip_ = skip;
     if (!broken_off_) return alarm(*fault);
+    give_back();
     look_soon();
     return false;
   }
@@ -456,9 +472,6 @@ bool Machine::auxiliary(const NcWords& words, const Block& block) {
     if (trace_.depth != Trace::Depth::None) trace_.m_codes.push(m);
     last_m_ = m;
     const bool stops = m == 0 || (m == 1 && options_.optional_stop);
-    if (stops)
-      if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_), recorded_moves()))
-        return alarm(*fault);
     answer('M', m);
     if (stops && !wait_for_operator(m == 0 ? "M00" : "M01")) return false;
     if (m != 0 && m == code_->control->restart_m_code.value && stack_.size() == 1) next_ = kNowhere;
@@ -504,6 +517,7 @@ bool Machine::after_words(const Motion::Outcome& outcome) {
 
 bool Machine::end_program(const Block& block) {
   if (!words(block)) return false;
+  // Where the block has no words of its own nothing has ended the moves that wait.
   if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_), recorded_moves()))
     return alarm(*fault);
   record_step();
@@ -547,13 +561,15 @@ bool Machine::return_now(const CallRecord& back, double p, double l) {
   if (stack_.size() == 1) return return_from_main(back, p);
   const Control& control = *code_->control;
   Open& open = frame();
+  std::int32_t repeats = open.repeats;
   if (!is_vacant(l) && control.return_with_l.value == ReturnWithL::ReplacesCount)
-    open.repeats = open.repeat + static_cast<std::int32_t>(std::clamp(std::round(l), 0.0, 1e6));
+    repeats = open.repeat + static_cast<std::int32_t>(std::clamp(std::round(l), 0.0, 1e6));
   const bool rewritten = open.modal >= 0 && control.modal_locals.value == ModalLocals::Rewritten &&
                          open.modal < static_cast<std::int32_t>(modals_.size());
   const bool leaves = !is_vacant(p) && control.return_with_p.value == ReturnWithP::AtOnce;
-  if (!leaves && open.repeat < open.repeats) {
+  if (!leaves && open.repeat < repeats) {
     record_block();
+    open.repeats = repeats;
     ++open.repeat;
     ++changes_;
     loops_.resize(open.loops);
@@ -656,6 +672,7 @@ Outside Machine::outside() {
   };
   around.skip = [this]() -> std::optional<SkipSignal> {
     if (next_skip_ >= options_.inputs.skips.size()) return std::nullopt;
+    take_from_outside();
     return options_.inputs.skips[next_skip_++];
   };
   around.workpiece = options_.inputs.workpiece.get();

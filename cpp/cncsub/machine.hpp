@@ -207,6 +207,11 @@ class Machine {
   bool call_now(std::uint32_t aux, Target target);
   bool return_now(const CallRecord& back, double p, double l);
   bool jump_now(const Statement& statement, double p);
+  /// To be called before the clock, a random number or a skip signal is taken.
+  void take_from_outside() {
+    if (taken_.block != executed_) taken_ = {executed_, clock_ms_, next_skip_, random_};
+  }
+  void give_back();
   void record_block() {
     if (!block_is_step_) record_step();
   }
@@ -338,6 +343,12 @@ class Machine {
   std::int64_t waited_at_ = 0;    // which one
   std::uint32_t last_condition_ = kNowhere;
   std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
+  struct Taken {  // what a block may take from outside before it alarms, as it was before
+    std::int64_t block = -1;  // the number of blocks executed before it
+    double clock_ms = 0;
+    std::size_t next_skip = 0;
+    std::minstd_rand random;
+  } taken_;
   double clock_ms_ = 0;
   /// Seconds of the run as its clocks show them: they do not wait for an endless cut.
   double ran() const { return std::min(motion_.time(), 1e9); }

@@ -158,10 +158,17 @@ bool Machine::macro_call(const Block& block) {
   Target target;
   if (!decode_target(record, target) || !evaluate_arguments(record)) return false;
   if (!words(block)) return false;
-  if (record.kind == CallKind::G65 &&
-      code_->control->calls_in_modal.value == CallsInModal::EndModal)
+  const bool ends_modal = record.kind == CallKind::G65 &&
+                          code_->control->calls_in_modal.value == CallsInModal::EndModal;
+  if (target.skipped) {
+    if (ends_modal) modals_.clear();
+    return after_words(outcome_);
+  }
+  if (ends_modal) {
+    if (!call_now(block.aux, target)) return false;
     modals_.clear();
-  if (target.skipped) return after_words(outcome_);
+    return true;
+  }
   if (modal_after(outcome_) >= 0)
     return do_behind_modal(
         {Op::Call, block.aux, pc_, executed_, target, 0, 0, scratch_, scratch_programmed_});
@@ -174,16 +181,17 @@ bool Machine::modal_call(const Block& block) {
   if (auto fault = refused_here(record)) return alarm(*fault);
   Modal modal;
   if (!decode_target(record, modal.target) || !evaluate_arguments(record)) return false;
+  const bool stacks = code_->control->modal_calls_stack.value;
+  const int most = code_->control->max_modal_calls.value;
+  if ((stacks ? modals_.size() : 0) >= static_cast<std::size_t>(most))
+    return alarm({Cause::ModalCallsTooMany, record.at, record.width,
+                  "the control takes " + std::to_string(most) + " modal calls"});
   if (!words(block)) return false;
-  if (!code_->control->modal_calls_stack.value) modals_.clear();
+  if (!stacks) modals_.clear();
   modal.record = block.aux;
   modal.locals = scratch_;
   modal.program = frame().program;
   modal.every_block = record.code_kind == CodeCallKind::ModalEveryBlock;
-  if (const int most = code_->control->max_modal_calls.value;
-      modals_.size() >= static_cast<std::size_t>(most))
-    return alarm({Cause::ModalCallsTooMany, record.at, record.width,
-                  "the control takes " + std::to_string(most) + " modal calls"});
   modals_.push_back(std::move(modal));
   ++changes_;
   record_step();
@@ -231,7 +239,6 @@ bool Machine::every_block(const Block& block) {
   Modal& modal = modals_.back();
   const CallRecord& record = code_->calls[modal.record];
   if (modal.target.start == kNowhere && !find(record, modal.target)) return false;
-  words_done_ = true;
   const Target target = modal.target;
   return enter(modal.record, target, static_cast<std::int32_t>(modals_.size()) - 1);
 }

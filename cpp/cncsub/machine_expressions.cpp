@@ -377,9 +377,11 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
         a = a > 0 ? 1 : a < 0 ? -1 : 0;
         break;
       case Ins::Random:  // above 0, not above the argument
+        take_from_outside();
         a *= static_cast<double>(random_()) / 2147483646.0;
         break;
       case Ins::RandomBetween:
+        take_from_outside();
         b = a;
         a = *--below;
         a += (b - a) * static_cast<double>(random_()) / 2147483646.0;

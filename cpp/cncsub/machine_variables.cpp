@@ -38,6 +38,7 @@ std::optional<Fault> refused_write(const VariablePlace& place, std::int64_t numb
 std::optional<Fault> Machine::read(std::int64_t number, double& value) {
   const VariablePlace place = code_->place(number);
   if (place.range != nullptr && place.kind == VariableKind::Milliseconds) {
+    take_from_outside();
     clock_ms_ += 1;
     ++changes_;
   }

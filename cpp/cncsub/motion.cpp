@@ -188,9 +188,16 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
   const MotionState before = s_;
   const std::size_t rows = moves != nullptr ? moves->size() : 0;
   outcome = {};
+  old_offsets_.clear();
+  old_tools_.clear();
   auto wrong = run(words, step, moves, outcome, outside);
+  if (!wrong && words.stops) {
+    settle();
+    wrong = end_waiting(step, moves);
+  }
   if (wrong) {
     s_ = before;
+    put_back();
     if (moves != nullptr) moves->truncate(rows);
     outcome = {};
     return wrong;
@@ -572,6 +579,18 @@ void Motion::settle() {
 }
 
 std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {
+  if (s_.plain) return std::nullopt;
+  const MotionState before = s_;
+  const std::size_t rows = moves != nullptr ? moves->size() : 0;
+  auto wrong = end_waiting(step, moves);
+  if (wrong) {
+    s_ = before;
+    if (moves != nullptr) moves->truncate(rows);
+  }
+  return wrong;
+}
+
+Motion::Result Motion::end_waiting(std::uint32_t step, Moves* moves) {
   if (s_.plain) return std::nullopt;
   NcWords words;
   Outcome outcome;

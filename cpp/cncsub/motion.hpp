@@ -106,7 +106,7 @@ class Motion {
   bool round(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves);
 
   /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the
-  /// run.
+  /// run. When it returns a fault nothing has changed.
   std::optional<Fault> finish(std::uint32_t step, Moves* moves);
   /// What M02, M30 and the reset key do.
   void reset();
@@ -161,6 +161,7 @@ class Motion {
   // motion_conflicts.cpp
   Result check_conflicts(const BlockWords& block) const;
   // motion.cpp again
+  Result end_waiting(std::uint32_t step, Moves* moves);
   Result set_modes(BlockWords& block);
   Result set_feed(const BlockWords& block);
   double feed_increment() const;
@@ -328,6 +329,9 @@ class Motion {
   int axis_number(int axis) const;
   double shown(int axis, const Axes& values) const;
   OffsetTables& own_tables();
+  double& changed(double& place);
+  ToolOffsets& changed_tool(int number);
+  void put_back();
   void write(Axes& values, int axis, double value);
   static const std::vector<double>* table_of(const OffsetTables& tables, VariableKind kind);
 
@@ -338,7 +342,10 @@ class Motion {
   std::array<GCode, 4> line_codes_;
   MotionState s_;
   std::shared_ptr<const MotionFacts> facts_;
-  std::shared_ptr<OffsetTables> tables_;    // copied before it is written when it is shared
+  std::shared_ptr<OffsetTables> tables_;  // copied before it is written when it is shared
+  // What the running block changed in them, as it was before.
+  std::vector<std::pair<double*, double>> old_offsets_;
+  std::vector<std::pair<int, std::optional<ToolOffsets>>> old_tools_;
   std::vector<Piece>* captured_ = nullptr;  // pieces go here instead of to the table
 };
 

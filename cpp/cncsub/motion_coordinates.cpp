@@ -113,11 +113,11 @@ Motion::Result Motion::set_data(BlockWords& block) {
   for (int i = 0; i < kAxes; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
     if (facts_->machine == MachineType::LatheA && i > 5) continue;
-    if (w.has(name)) put(values[i], number(block, name), s_.incremental);
+    if (w.has(name)) put(changed(values[i]), number(block, name), s_.incremental);
   }
   if (facts_->machine == MachineType::LatheA)
     for (const auto& [letter, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
-      if (w.has(letter)) values[static_cast<std::size_t>(axis)] += number(block, letter);
+      if (w.has(letter)) changed(values[static_cast<std::size_t>(axis)]) += number(block, letter);
   refresh_offset();
   return std::nullopt;
 }
@@ -132,7 +132,7 @@ Motion::Result Motion::set_offset_data(BlockWords& block, int l, double p) {
                 : l == 12 ? tables.radius
                 : l == 13 ? tables.radius_wear
                           : tables.length_wear;
-  put(table[static_cast<std::size_t>(p)], number(block, 'R'), s_.incremental);
+  put(changed(table[static_cast<std::size_t>(p)]), number(block, 'R'), s_.incremental);
   return std::nullopt;
 }
 
@@ -145,14 +145,15 @@ Motion::Result Motion::set_tool_data(BlockWords& block) {
   if (p < 0 || p >= 20000 || tool > facts_->control->max_offset_number.value)
     return fault(Cause::G10Offset, block);
   OffsetTables& tables = own_tables();
-  Axes& values = p == 0 ? tables.work[0] : tables.tools[tool].value;
+  ToolOffsets* const entry = p == 0 ? nullptr : &changed_tool(tool);
+  Axes& values = p == 0 ? tables.work[0] : entry->value;
   for (const auto& [name, axis] : {std::pair{'X', 0}, {'Y', 1}, {'Z', 2}})
     if (w.has(name))
-      put(values[static_cast<std::size_t>(axis)], number(block, name), s_.incremental);
+      put(changed(values[static_cast<std::size_t>(axis)]), number(block, name), s_.incremental);
   for (const auto& [name, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
-    if (w.has(name)) values[static_cast<std::size_t>(axis)] += number(block, name);
-  if (p != 0 && w.has('R')) tables.tools[tool].radius = number(block, 'R');
-  if (p != 0 && w.has('Q')) tables.tools[tool].tip = whole(raw(block, 'Q'));
+    if (w.has(name)) changed(values[static_cast<std::size_t>(axis)]) += number(block, name);
+  if (entry != nullptr && w.has('R')) entry->radius = number(block, 'R');
+  if (entry != nullptr && w.has('Q')) entry->tip = whole(raw(block, 'Q'));
   refresh_offset();
   return std::nullopt;
 }

@@ -89,12 +89,6 @@ struct MotionFacts {
   double share(int axis) const { return (diameters >> axis & 1) != 0 ? 0.5 : 1; }
 };
 
-struct ToolOffsets {
-  Axes value{};
-  int tip = 0;
-  double radius = 0;
-};
-
 struct OffsetTables {
   std::array<Axes, 7> work{};                                    // 0 = EXT
   std::vector<Axes> extra;                                       // G54.1 P1...

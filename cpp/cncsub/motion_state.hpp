@@ -94,6 +94,12 @@ struct MultipleData {
   double least_cut = 0, allowance = 0;            // G76 Q R
 };
 
+struct ToolOffsets {  // of a lathe
+  Axes value{};
+  int tip = 0;
+  double radius = 0;
+};
+
 /// The area of G22: machine coordinates of X, Y and Z.
 struct StrokeArea {
   std::array<double, 3> low{}, high{};

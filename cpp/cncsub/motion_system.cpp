@@ -84,6 +84,33 @@ OffsetTables& Motion::own_tables() {
   return *tables_;
 }
 
+/// An offset of the tables that a block is about to change.
+double& Motion::changed(double& place) {
+  old_offsets_.emplace_back(&place, place);
+  return place;
+}
+
+ToolOffsets& Motion::changed_tool(int number) {
+  auto& tools = tables_->tools;
+  const auto found = tools.find(number);
+  old_tools_.emplace_back(number,
+                          found == tools.end() ? std::nullopt : std::optional(found->second));
+  return tools[number];
+}
+
+/// The tables as they were before the block.
+void Motion::put_back() {
+  for (; !old_offsets_.empty(); old_offsets_.pop_back())
+    *old_offsets_.back().first = old_offsets_.back().second;
+  for (; !old_tools_.empty(); old_tools_.pop_back()) {
+    auto& [number, before] = old_tools_.back();
+    if (before)
+      tables_->tools[number] = *before;
+    else
+      tables_->tools.erase(number);
+  }
+}
+
 void Motion::write(Axes& values, int axis, double value) {
   const int i = axis_number(axis);
   if (i < 0) return;
