@@ -9,6 +9,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import cncsub
 from curves import Curve
@@ -50,3 +52,68 @@ def test_the_distance_to_an_arc_is_that_to_its_nearest_point() -> None:
     points = np.array([[3.0, 0.0], [0.0, 0.0], [1.0, 1.0], [-1.0, 2.0], [2.0, -2.0]])
     expected = [1.0, 2.0, 2 - math.sqrt(2), 1.0, 2.0]
     np.testing.assert_allclose(arc.distances(points), expected, atol=1e-12)
+
+
+# ---- the order of the moves ----
+
+PLANES = {17: tuple("XYIJZ"), 18: tuple("ZXKIY"), 19: tuple("YZJKX")}
+MILLS = [name for name in cncsub.controls if name not in ("gsk-928te", "gsk-980tdi")]
+MILLS = [name for name in MILLS if not name.startswith("gsk-988")]
+
+
+@st.composite
+def climbs(draw: st.DrawFn) -> tuple[int, list[str]]:
+    """Blocks of a compensated contour in a plane, while the axis across it only ever rises."""
+    plane = draw(st.sampled_from(sorted(PLANES)))
+    a, b, i, j, c = PLANES[plane]
+    places = st.integers(-60, 60)
+    height, blocks = 0, []
+    for _ in range(draw(st.integers(2, 10))):
+        kind = draw(st.sampled_from(["line", "line", "arc", "corner", "rise", "other", "helix"]))
+        at = f"{a}{draw(places)}. {b}{draw(places)}."
+        if kind in ("rise", "helix"):
+            height += draw(st.integers(1, 9))
+        if kind == "rise":
+            blocks.append(f"{draw(st.sampled_from(['G1', 'G0']))} {c}{height}.")
+        elif kind == "helix":
+            blocks.append(f"G1 {at} {c}{height}.")
+        elif kind == "arc":
+            way, middle = draw(st.sampled_from(["G2", "G3"])), draw(st.integers(2, 20))
+            blocks.append(f"G1 {at}")
+            blocks.append(f"G91 {way} {a}{2 * middle}. {i}{middle}. {j}0. {c}1.")
+            blocks.append("G90")
+            height += 1
+        elif kind == "corner":
+            cut = draw(st.sampled_from([",C1.", ",R2."]))
+            blocks.append(f"G1 {at} {cut}")
+        elif kind == "other":
+            blocks.append(
+                draw(st.sampled_from(["G4 P1", "M8", "M98 P2", "D2", "G41", "G42", "S5"]))
+            )
+        else:
+            blocks.append(f"{draw(st.sampled_from(['G1', 'G1', 'G0']))} {at}")
+    return plane, blocks
+
+
+@given(
+    control=st.sampled_from(MILLS),
+    climb=climbs(),
+    radius=st.sampled_from([0.01, 0.5, 3.0]),
+    around=st.booleans(),
+    end=st.sampled_from(["G40 {a}200.", "G40", "G40 {c}99.", "M30"]),
+)
+def test_steps_never_go_back_and_an_axis_across_the_plane_never_returns(
+    control: str, climb: tuple[int, list[str]], radius: float, around: bool, end: str
+) -> None:
+    plane, blocks = climb
+    a, b, _, _, c = PLANES[plane]
+    head = [f"G90 G{plane} G0 {a}0. {b}-99. {c}0.", f"G41 D1 G1 {a}5. {b}-70. F100."]
+    body = [*head, *blocks, end.format(a=a, c=c)]
+    text = "\n".join(["O1", *body, "M30", "O2", "S7", "M9", "M99", ""])
+    made = cncsub.controls[control]
+    if around and "5003#0" in made.parameters:
+        made = made.with_parameters({"5003#0": 1})
+    setup = {"machine": "mill", "radius_offsets": {1: radius, 2: radius / 2}}
+    moves = cncsub.loads(text, control=made).run(setup=setup).moves
+    assert (np.diff(moves.step) >= 0).all()
+    assert (np.diff(getattr(moves, "m" + c.lower())) >= -1e-9).all()

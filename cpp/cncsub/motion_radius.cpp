@@ -12,6 +12,9 @@ bool is_arc(const Piece& piece) { return piece.turn != 0; }
 /// From one direction to another, at most half a turn.
 double angle(Point from, Point to) { return std::atan2(cross(from, to), dot(from, to)); }
 
+/// How far a step along one direction leads away from a line in another, 0 to 1.
+double sharpness(Point u, Point v) { return dot(u, v) < 0 ? 1 : std::fabs(cross(u, v)); }
+
 /// How two moves with their offsets join.
 struct Join {
   Point leave;             // where the tool leaves the first move, from the corner
@@ -35,7 +38,9 @@ struct RadiusPath {
 
   using Result = std::optional<Fault>;
 
-  bool same(Point p, Point q) const { return size(p - q) <= least / 2; }
+  /// A step of one increment has no direction yet.
+  bool same(Point p, Point q) const { return size(p - q) < 1.2 * least; }
+  bool same_normal(Point p, Point q) const { return size(p - q) <= least / 2; }
 
   Result record(const Piece& piece, Point v) {
     std::array<double, 3> vector{};
@@ -73,14 +78,14 @@ struct RadiusPath {
   /// Whether the second of two directions turns to the tool's side. On the way back along itself
   /// the tool goes around.
   bool inside(Point u, Point v, double offset) const {
-    return cross(u, v) * offset > 0 && !same(offset * u, -offset * v);
+    return cross(u, v) * offset > 0 && !same_normal(offset * u, -offset * v);
   }
   Axes start_of(const Axes& from) const;
   bool moves_in_plane(const Piece& piece, const Axes& from) const;
   Result join(const Curve& a, const Curve& b, double offset, std::uint32_t at, Join& join) const;
   void go_around(const Curve& a, const Curve& b, Point u, Point v, double offset, Join& join) const;
-  Result check_direction(const Curve& curve, Piece& piece, Point& v) const;
-  Result leave(Point v, const Join* join);
+  Result check_direction(const Curve& curve, Piece& piece, Point& v, Point next) const;
+  Result leave(Point v, const Join* join, Point next);
   Result flush();
   Result cancel(const Piece& piece, const Curve& curve);
   Result follow(const Piece& piece, const Curve& curve, const Axes& from);
@@ -135,7 +140,7 @@ RadiusPath::Result RadiusPath::join(const Curve& a, const Curve& b, double offse
                                     Join& join) const {
   const Point u = a.end_direction(), v = b.start_direction();
   const Point na = offset * left(u), nb = offset * left(v);
-  if (same(na, nb)) {  // tangent: an arc keeps its own normal
+  if (same_normal(na, nb)) {  // tangent: an arc keeps its own normal
     join.leave = a.line() ? nb : na;
   } else if (!inside(u, v, offset)) {
     go_around(a, b, u, v, offset, join);
@@ -151,14 +156,21 @@ RadiusPath::Result RadiusPath::join(const Curve& a, const Curve& b, double offse
   return std::nullopt;
 }
 
-/// The tool must go the way the program goes, not back. [16iLB p.208] An arc inside of which the
-/// tool only just fits has no way left, and becomes a line.
-RadiusPath::Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v) const {
-  const auto& vector = motion.s_.held.vector;
-  const Point start = curve.from + Point{vector[0], vector[1]}, stop = curve.to + v;
+/// The tool must go the way the program goes, not back. [16iLB p.208] It may go back as far as does
+/// not cut an increment into the moves beside; an arc in which it only just fits has no way left,
+/// and becomes a line.
+RadiusPath::Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v,
+                                               Point next) const {
+  const Held& held = motion.s_.held;
+  const Point start = curve.from + Point{held.vector[0], held.vector[1]}, stop = curve.to + v;
+  const Point u = curve.start_direction(), w = curve.end_direction();
+  const auto cuts = [&](double back) {
+    const double before = sharpness({held.entered[0], held.entered[1]}, u);
+    return back * std::max(before, sharpness(w, next)) > least;
+  };
   const Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
   if (curve.line()) {
-    if (dot(stop - start, curve.start_direction()) < -least) return wrong;
+    if (cuts(-dot(stop - start, u))) return wrong;
     return std::nullopt;
   }
   const double first = moved_radius(curve, curve.from, offset_of(piece)),
@@ -168,23 +180,27 @@ RadiusPath::Result RadiusPath::check_direction(const Curve& curve, Piece& piece,
   const Point r = start - curve.centre, s = stop - curve.centre;
   const double way =
       curve.turn + angle(curve.to - curve.centre, s) - angle(curve.from - curve.centre, r);
-  const bool back = (way > 0) != (curve.turn > 0);
-  if (back && std::fabs(way) * radius > least) return wrong;
-  if (back || radius <= least)
+  const double forward = curve.turn > 0 ? way : -way;
+  if (cuts(-forward * radius)) return wrong;
+  if (forward <= 0 || radius <= least)
     straighten(piece);
-  else if (std::fabs(way) > 2 * kPi)  // once round, and a hair further
+  else if (forward > 2 * kPi)  // once round, and a hair further
     v = start - curve.to;
   return std::nullopt;
 }
 
 /// Records the waiting move up to its end, the way around the corner, and the blocks behind it.
-RadiusPath::Result RadiusPath::leave(Point v, const Join* join) {
+/// `next` is the direction of the move behind it, nothing where there is none.
+RadiusPath::Result RadiusPath::leave(Point v, const Join* join, Point next) {
   Held& held = motion.s_.held;
   Piece first = held.radius.front();
+  Point u;
   if (!held.starting) {
     const Curve curve = curve_of(view, held.radius_from, first);
-    if (auto wrong = check_direction(curve, first, v)) return wrong;
+    if (auto wrong = check_direction(curve, first, v, next)) return wrong;
+    if (join != nullptr) u = curve.end_direction();
   }
+  held.entered = {u.a, u.b};
   if (auto wrong = record(first, v)) return wrong;
   if (join != nullptr)
     for (const Point& at : join->way) {
@@ -205,7 +221,7 @@ RadiusPath::Result RadiusPath::flush() {
   if (held.radius.empty()) return std::nullopt;
   const Piece& first = held.radius.front();
   const Curve curve = curve_of(view, held.radius_from, first);
-  return leave(offset_of(first) * left(curve.end_direction()), nullptr);
+  return leave(offset_of(first) * left(curve.end_direction()), nullptr, {});
 }
 
 /// The last compensated move ends on its normal, or goes around an outside corner; then the tool
@@ -221,7 +237,7 @@ RadiusPath::Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
     if (!inside(before.end_direction(), curve.start_direction(), offset)) {
       Join way;
       if (auto wrong = join(before, curve, offset, piece.at, way)) return wrong;
-      if (auto wrong = leave(way.leave, &way)) return wrong;
+      if (auto wrong = leave(way.leave, &way, curve.start_direction())) return wrong;
     }
   }
   if (auto wrong = flush()) return wrong;
@@ -236,7 +252,7 @@ RadiusPath::Result RadiusPath::follow(const Piece& piece, const Curve& curve, co
   const Point v = curve.start_direction(), normal = offset_of(piece) * left(v);
   if (held.radius.empty()) {
     // Behind blocks that were not looked over the tool first goes onto the normal of this move.
-    if (same(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
+    if (same_normal(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
     return record_bit(piece, from, normal, 0);
   }
   const Piece& first = held.radius.front();
@@ -255,7 +271,7 @@ RadiusPath::Result RadiusPath::follow(const Piece& piece, const Curve& curve, co
   } else if (auto wrong = join(before, curve, offset, piece.at, way)) {
     return wrong;
   }
-  return leave(way.leave, &way);
+  return leave(way.leave, &way, v);
 }
 
 Motion::Result Motion::flush_radius(Moves* moves) {

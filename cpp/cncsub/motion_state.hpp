@@ -58,7 +58,8 @@ struct Held {
   bool suspended = false;  // G28, G53: moves without radius compensation
   std::array<double, 2>
       vector{};  // from the programmed point to the tool, in the plane, radius values
-  int idle = 0;  // blocks without a move in the plane, in a row
+  std::array<double, 2> entered{};  // the direction of the compensated move before
+  int idle = 0;                     // blocks without a move in the plane, in a row
 };
 
 struct CycleData {

@@ -84,6 +84,10 @@ class Drawing:
                 if reached if turn > 0.02 else turn < 1e-9 and not reached:
                     return True
             ways.append(self.beside(curve, PARTS)[free])
+            far = [c for i, c in enumerate(self.curves) if abs(i - place) > 2]
+            step = np.hypot(*np.diff(ways[-1], axis=0).T).max() if len(ways[-1]) > 1 else 0.0
+            if far and distances(ways[-1], far).min() < self.radius + step / 2:
+                return True
         if distances(np.concatenate(ways), self.curves).min() < self.radius - 1e-9:
             return True
         return any(self.loses_its_way(i) for i, turn in enumerate(turns[1:-1]) if turn > 1e-9)
