@@ -170,8 +170,9 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
   alarm.cause = fault.cause;
   alarm.detail = fault.detail;
   if (const AlarmEntry* entry = code.control->alarm(fault.cause)) {
-    alarm.number = entry->number;
-    alarm.text = entry->text;
+    const DirectedNumber* own = entry->towards(fault.direction);
+    alarm.number = own != nullptr ? own->number : entry->number;
+    alarm.text = own != nullptr ? own->text : entry->text;
   }
   const std::int32_t index = code.program_at(address);
   if (index < 0) return alarm;

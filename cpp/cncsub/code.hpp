@@ -43,6 +43,7 @@ struct Fault {
   std::uint32_t at = 0;     // byte offset in the file's text
   std::uint32_t width = 1;  // bytes
   std::string detail;
+  std::string direction = {};  // "X+", where the control may have a number for each
 };
 
 // ---- expressions ----

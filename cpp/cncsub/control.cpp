@@ -131,6 +131,12 @@ void follow(Control& control, const Answers& before, const std::string& source, 
 #undef RULE
 }
 
+const DirectedNumber* AlarmEntry::towards(std::string_view direction) const {
+  for (const DirectedNumber& one : directed)
+    if (!direction.empty() && direction.ends_with(one.direction)) return &one;
+  return nullptr;
+}
+
 const AlarmEntry* Control::alarm(Cause cause) const {
   const auto found = alarms.find(cause);
   return found == alarms.end() ? nullptr : &found->second;

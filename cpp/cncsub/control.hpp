@@ -66,11 +66,24 @@ struct Rule {
   Evidence evidence = Evidence::Inferred;
 };
 
+/// A number of its own for one direction of an axis.
+struct DirectedNumber {
+  std::string direction;  // "X+", or "-" of any axis
+  std::string number;
+  std::string text;
+};
+
 struct AlarmEntry {
   std::string number;
   std::string text;
   std::string source;
   Evidence evidence = Evidence::Inferred;
+  bool printed =
+      false;  // the text is the list's own words, not ours: a translation, or from memory
+  std::vector<DirectedNumber> directed = {};
+
+  /// The number of a direction such as "X+", or null where it has none of its own.
+  const DirectedNumber* towards(std::string_view direction) const;
 };
 
 struct Control;

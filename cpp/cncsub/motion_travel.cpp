@@ -15,9 +15,9 @@ Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) con
     std::string number = std::to_string(outside);
     number.erase(number.find_last_not_of('0') + 1);
     if (number.back() == '.') number.pop_back();
-    return Fault{Cause::OverTravel, piece.at, 1,
-                 std::string(1, kAxisNames[static_cast<std::size_t>(limit.axis)]) +
-                     " would go to " + number};
+    const std::string axis(1, kAxisNames[static_cast<std::size_t>(limit.axis)]);
+    return Fault{Cause::OverTravel, piece.at, 1, axis + " would go to " + number,
+                 axis + (outside < limit.low ? "-" : "+")};
   }
   return std::nullopt;
 }

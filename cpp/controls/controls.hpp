@@ -12,6 +12,23 @@ std::vector<Control> mitsubishi_controls();
 std::vector<Control> fanuc_controls();
 std::vector<Control> hnc_controls();
 
+/// A row of an alarm list: a number and its text as printed, and the causes that show it.
+struct ListedAlarm {
+  enum class Row : std::uint8_t { Listed, Assumed, Meant, Directed } row = Row::Listed;
+  const char* number = "";
+  const char* text = "";
+  std::vector<Cause> causes;
+  const char* direction = "";
+};
+
+const std::vector<ListedAlarm>& fanuc_16i_alarms();
+const std::vector<ListedAlarm>& fanuc_30i_alarms();
+
+/// Gives a control the alarms of a list. Without a key of a source the list is from memory, and no
+/// text of it is printed anywhere.
+void take_list(Control& control, const std::vector<ListedAlarm>& list, const std::string& key,
+               const std::string& memory);
+
 /// Give a maker's controls their motion rules, parameters and alarms.
 void add_gsk_motion(std::vector<Control>& controls);
 void add_mitsubishi_motion(std::vector<Control>& controls);

@@ -385,153 +385,17 @@ void code_calls(Control& c, int last_g, int first_sub_m, int last_sub_m, int fir
 
 // ---- alarms ----
 
-struct AlarmRow {
-  Cause cause;
-  const char* number;
-  const char* text;
-  const char* source;
-  Evidence evidence;
-};
-
 constexpr const char* k16iList = "general knowledge of the 16i alarm list";
-constexpr const char* kBothLists =
-    "ALM (30i/31i alarm appendix, cnc4me); the 16i list has the same text";
-constexpr const char* kFormat =
-    "general knowledge of the 16i alarm list: 114 is a format error outside a formula";
-constexpr const char* kFormula =
-    "general knowledge of the 16i alarm list: 125 is a format error inside a formula";
-constexpr const char* kAlmInferred =
-    "ALM (30i/31i alarm appendix, cnc4me) for the text; that it is raised here is inferred";
+constexpr const char* k30iList = "general knowledge of the 30i alarm list";
 
-constexpr AlarmRow kAlarms16i[] = {
-    {Cause::IllegalCharacter, "009", "ILLEGAL ADDRESS INPUT", kPolicy, Inferred},
-    {Cause::AddressWithoutValue, "005", "NO DATA AFTER ADDRESS", k16iList, Inferred},
-    {Cause::ValueWithoutAddress, "004", "ADDRESS NOT FOUND", k16iList, Inferred},
-    {Cause::IllegalMinusSign, "006", "ILLEGAL USE OF NEGATIVE SIGN", k16iList, Inferred},
-    {Cause::IllegalDecimalPoint, "007", "ILLEGAL USE OF DECIMAL POINT", k16iList, Inferred},
-    {Cause::TooManyDigits, "003", "TOO MANY DIGITS", k16iList, Inferred},
-    {Cause::ValueOutOfRange, "003", "TOO MANY DIGITS", k16iList, Inferred},
-    {Cause::AddressNotUsable, "009", "ILLEGAL ADDRESS INPUT", k16iList, Inferred},
-    {Cause::AddressGivenTwice, "5074", "ADDRESS DUPLICATION ERROR", kBothLists, Secondary},
-    {Cause::TooManyWords, "5006", "TOO MANY WORD IN ONE BLOCK", kBothLists, Secondary},
-    {Cause::GCodeNotAvailable, "010", "IMPROPER G-CODE", k16iList, Inferred},
-    {Cause::IllegalMCombination, "5016", "ILLEGAL COMBINATION OF M CODES", kBothLists, Secondary},
-    {Cause::ProgramNumberMissing, "076", "ADDRESS P NOT DEFINED", k16iList, Inferred},
-    {Cause::IllegalProgramNumber, "074", "ILLEGAL PROGRAM NUMBER", k16iList, Inferred},
-    {Cause::ProgramNotFound, "078", "NUMBER NOT FOUND", k16iList, Inferred},
-    {Cause::StartNotFound, "078", "NUMBER NOT FOUND", k16iList, Inferred},
-    {Cause::ReturnTargetNotFound, "078", "NUMBER NOT FOUND", k16iList, Inferred},
-    {Cause::JumpTargetNotFound, "128", "ILLEGAL MACRO SEQUENCE NUMBER", k16iList, Inferred},
-    {Cause::NestingTooDeep, "077", "SUB PROGRAM NESTING ERROR", k16iList, Inferred},
-    {Cause::MacroNestingTooDeep, "077", "SUB PROGRAM NESTING ERROR", k16iList, Inferred},
-    {Cause::EndOfRecord, "5010", "END OF RECORD", kBothLists, Secondary},
-    {Cause::NcAndMacroInBlock, "127", "NC, MACRO STATEMENT IN SAME BLOCK", k16iList, Inferred},
-    {Cause::StatementFormat, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
-    {Cause::ExpressionFormat, "125", "FORMAT ERROR IN MACRO", kFormula, Inferred},
-    {Cause::MissingEquals, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
-    {Cause::BracketNotOpened, "114", "FORMAT ERROR IN MACRO", k16iList, Inferred},
-    {Cause::BracketNotClosed, "125", "FORMAT ERROR IN MACRO", k16iList, Inferred},
-    {Cause::BracketsTooDeep, "118", "PARENTHESIS NESTING ERROR", k16iList, Inferred},
-    {Cause::IfFormat, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
-    {Cause::WhileFormat, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
-    {Cause::OutputFormat, "114", "FORMAT ERROR IN MACRO", kFormat, Inferred},
-    {Cause::IllegalVariable, "115", "ILLEGAL VARIABLE NUMBER", k16iList, Inferred},
-    {Cause::VariableWriteProtected, "116", "WRITE PROTECTED VARIABLE", k16iList, Inferred},
-    {Cause::VacantAssigned, "116", "WRITE PROTECTED VARIABLE", k16iList, Inferred},
-    {Cause::DivisionByZero, "112", "DIVIDED BY ZERO", k16iList, Inferred},
-    {Cause::SquareRootOfNegative, "119", "ILLEGAL ARGUMENT", k16iList, Inferred},
-    {Cause::LogarithmOfNonPositive, "111", "CALCULATED DATA OVERFLOW", kAli, Secondary},
-    {Cause::TangentInfinite, "112", "DIVIDED BY ZERO", k16iList, Inferred},
-    {Cause::ArcSineOutOfRange, "111", "CALCULATED DATA OVERFLOW", kAli, Secondary},
-    {Cause::ArgumentOutOfRange, "119", "ILLEGAL ARGUMENT", k16iList, Inferred},
-    {Cause::Overflow, "111", "CALCULATED DATA OVERFLOW", kJix, Secondary},
-    {Cause::IllegalJumpNumber, "128", "ILLEGAL MACRO SEQUENCE NUMBER", k16iList, Inferred},
-    {Cause::IllegalLoopNumber, "126", "ILLEGAL LOOP NUMBER", k16iList, Inferred},
-    {Cause::MissingEnd, "124", "MISSING END STATEMENT", k16iList, Inferred},
-    {Cause::MissingDo, "124", "MISSING END STATEMENT", k16iList, Inferred},
-    {Cause::JumpInMdi, "123", "CAN NOT USE MACRO COMMAND IN DNC", k16iList, Inferred},
-    {Cause::IllegalArgument, "129", "ILLEGAL ARGUMENT ADDRESS", k16iList, Inferred},
-    {Cause::MacroCallNotFirst, "129", "ILLEGAL ARGUMENT ADDRESS", k16iList, Inferred},
-    {Cause::ModalCallsTooMany, "122", "FOUR FOLD MACRO MODAL-CALL", k16iList, Inferred},
-    {Cause::StatementNotAvailable, "004", "ADDRESS NOT FOUND", k16iList, Inferred},
-};
-
-// The 30i, 0i-F and 0i-D. A missing program is PS0076 although PS0310 says almost the same. A bad
-// expression is PS1125; PS0114 has the same text.
-constexpr AlarmRow kAlarmsPs[] = {
-    {Cause::IllegalCharacter, "PS0009", "IMPROPER NC-ADDRESS", kPolicy, Inferred},
-    {Cause::AddressWithoutValue, "PS0005", "NO DATA AFTER ADDRESS", kAlm, Secondary},
-    {Cause::ValueWithoutAddress, "PS0004", "INVALID BREAK POINT OF WORDS", kAlm, Secondary},
-    {Cause::IllegalMinusSign, "PS0006", "ILLEGAL USE OF MINUS SIGN", kAlm, Secondary},
-    {Cause::IllegalDecimalPoint, "PS0007", "ILLEGAL USE OF DECIMAL POINT", kAlm, Secondary},
-    {Cause::TooManyDigits, "PS0003", "TOO MANY DIGIT", kAlm, Secondary},
-    {Cause::ValueOutOfRange, "PS1305", "DATA OUT OF RANGE", kAlm, Secondary},
-    {Cause::AddressNotUsable, "PS0009", "IMPROPER NC-ADDRESS", kAlm, Secondary},
-    {Cause::AddressGivenTwice, "PS5074", "ADDRESS DUPLICATION ERROR", kAlm, Secondary},
-    {Cause::TooManyWords, "PS5006", "TOO MANY WORD IN ONE BLOCK", kAlm, Secondary},
-    {Cause::IllegalSequenceNumber, "PS1014", "ILLEGAL FORMAT OF PROGRAM NO", kAlm, Secondary},
-    {Cause::GCodeNotAvailable, "PS0010", "IMPROPER G-CODE", kAlm, Secondary},
-    {Cause::IllegalMCombination, "PS5016", "ILLEGAL COMBINATION OF M CODES", kAlm, Secondary},
-    {Cause::ProgramNumberMissing, "PS0076", "PROGRAM NOT FOUND", kAlmInferred, Inferred},
-    {Cause::IllegalProgramNumber, "PS0074", "ILLEGAL PROGRAM NUMBER", kAlmInferred, Inferred},
-    {Cause::IllegalProgramName, "PS0311", "CALLED BY FILE NAME FORMAT ERROR", kAlm, Secondary},
-    {Cause::ProgramNotFound, "PS0076", "PROGRAM NOT FOUND", kAlm, Secondary},
-    {Cause::NamedProgramNotFound, "PS0310", "FILE NOT FOUND", kAlm, Secondary},
-    {Cause::ExternalProgramNotFound, "PS1079", "PROGRAM FILE NOT FOUND", kAlm, Secondary},
-    {Cause::StartNotFound, "PS0078", "SEQUENCE NUMBER NOT FOUND", kAlmInferred, Inferred},
-    {Cause::ReturnTargetNotFound, "PS0078", "SEQUENCE NUMBER NOT FOUND", kAlm, Secondary},
-    {Cause::JumpTargetNotFound, "PS0128", "ILLEGAL MACRO SEQUENCE NUMBER", kAlm, Secondary},
-    {Cause::NestingTooDeep, "PS0077", "TOO MANY SUB,MACRO NESTING", kAlm, Secondary},
-    {Cause::MacroNestingTooDeep, "PS0122", "TOO MANY MACRO NESTING", kAlm, Secondary},
-    {Cause::ExternalCallNested, "PS1080", "DUPLICATE DEVICE SUB PROGRAM CALL", kAlm, Secondary},
-    {Cause::CallGivenTwice, "PS1091", "DUPLICATE SUB-CALL WORD", kAlm, Secondary},
-    {Cause::IllegalWordWithReturn, "PS1093", "DUPLICATE NC-WORD & M99", kAlm, Secondary},
-    {Cause::CallWithWordsInCycle, "PS5329", "M98 AND NC COMMAND IN SAME BLOCK", kAlm, Secondary},
-    {Cause::ReturnInMainProgram, "PS1018", "M99 IN MAIN PROGRAM", kAlm, Secondary},
-    {Cause::EndOfRecord, "PS5010", "END OF RECORD", kAlm, Secondary},
-    {Cause::NcAndMacroInBlock, "PS0127", "DUPLICATE NC,MACRO STATEMENT", kAlm, Secondary},
-    {Cause::StatementFormat, "PS0125", "MACRO STATEMENT FORMAT ERROR", kAlm, Secondary},
-    {Cause::ExpressionFormat, "PS1125", "ILLEGAL EXPRESSION FORMAT", kAlm, Secondary},
-    {Cause::MissingEquals, "PS1133", "MISSING '='", kAlm, Secondary},
-    {Cause::MissingComma, "PS1134", "MISSING ','", kAlm, Secondary},
-    {Cause::BracketNotOpened, "PS1131", "MISSING OPEN BRACKET", kAlm, Secondary},
-    {Cause::BracketNotClosed, "PS1132", "MISSING CLOSE BRACKET", kAlm, Secondary},
-    {Cause::BracketsTooDeep, "PS0118", "TOO MANY BRACKET NESTING", kAlm, Secondary},
-    {Cause::IfFormat, "PS1137", "IF STATEMENT FORMAT ERROR", kAlm, Secondary},
-    {Cause::WhileFormat, "PS1138", "WHILE STATEMENT FORMAT ERROR", kAlm, Secondary},
-    {Cause::OutputFormat, "PS1143", "BPRNT/DPRNT STATEMENT FORMAT ERROR", kAlm, Secondary},
-    {Cause::IllegalVariable, "PS0115", "VARIABLE NO. OUT OF RANGE", kAlm, Secondary},
-    {Cause::VariableWriteProtected, "PS0116", "WRITE PROTECTED VARIABLE", kAlm, Secondary},
-    {Cause::VariableReadProtected, "PS1115", "READ PROTECTED VARIABLE", kAlm, Secondary},
-    {Cause::VacantAssigned, "PS0116", "WRITE PROTECTED VARIABLE", kAlmInferred, Inferred},
-    {Cause::IllegalVariableName, "PS1141", "ILLEGAL CHARACTER IN VAR. NAME", kAlm, Secondary},
-    {Cause::VariableNameUnknown, "PS1098", "NO VARIABLE NAME", kAlm, Secondary},
-    {Cause::DivisionByZero, "PS0112", "ZERO DIVIDE", kAlm, Secondary},
-    {Cause::SquareRootOfNegative, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlm, Secondary},
-    {Cause::LogarithmOfNonPositive, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred,
-     Inferred},
-    {Cause::TangentInfinite, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred, Inferred},
-    {Cause::ArcSineOutOfRange, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred, Inferred},
-    {Cause::ArgumentOutOfRange, "PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlm, Secondary},
-    {Cause::Overflow, "PS0111", "OVERFLOW :FLOATING", kAlm, Secondary},
-    {Cause::IllegalJumpNumber, "PS1128", "SEQUENCE NUMBER OUT OF RANGE", kAlm, Secondary},
-    {Cause::IllegalLoopNumber, "PS0126", "ILLEGAL LOOP NUMBER", kAlm, Secondary},
-    {Cause::MissingEnd, "PS0124", "MISSING END STATEMENT", kAlm, Secondary},
-    {Cause::MissingDo, "PS1124", "MISSING DO STATEMENT", kAlm, Secondary},
-    {Cause::JumpInMdi, "PS0123", "ILLEGAL MODE FOR GOTO/WHILE/DO", kAlm, Secondary},
-    {Cause::IllegalArgument, "PS0129", "USE 'G' AS ARGUMENT", kAlm, Secondary},
-    {Cause::MacroCallNotFirst, "PS0129", "USE 'G' AS ARGUMENT", kAlmInferred, Inferred},
-    {Cause::MacroCallGivenTwice, "PS1092", "DUPLICATE MACRO-CALL WORD", kAlm, Secondary},
-    {Cause::ModalCallsTooMany, "PS0122", "TOO MANY MACRO NESTING", kAlm, Secondary},
-    {Cause::SetvnFormat, "PS1139", "SETVN STATEMENT FORMAT ERROR", kAlm, Secondary},
-    {Cause::VariableNameTooLong, "PS1142", "TOO LONG V-NAME (SETVN)", kAlm, Secondary},
-    {Cause::TooManyArgumentSets, "PS1095", "TOO MANY TYPE-2 ARGUMENT", kAlm, Secondary},
-    {Cause::ModalCallMissing, "PS1100", "CANCEL WITHOUT MODAL CALL", kAlm, Secondary},
-    {Cause::StatementNotAvailable, "PS0004", "INVALID BREAK POINT OF WORDS", kAlm, Secondary},
-};
-
-void add_alarm(Control& c, const AlarmRow& row) {
-  c.alarms[row.cause] = {row.number, row.text, row.source, row.evidence};
+/// What the 0i-D, 0i-F and 30i show for a function outside its domain; the 0i-D keeps the 16i's
+/// overflow.
+void domain_alarms(Control& c, Cause shown) {
+  for (const Cause cause : {Cause::LogarithmOfNonPositive, Cause::ArcSineOutOfRange}) {
+    c.alarms[cause] = c.alarms[shown];
+    c.alarms[cause].source += " has the number; that it is raised here is inferred";
+    c.alarms[cause].evidence = Inferred;
+  }
 }
 
 // ---- G codes ----
@@ -737,7 +601,13 @@ Control fanuc_16i() {
   parameters_16i(c);
   for (const VariableRow& row : kVariables) add_variable(c, row);
   code_calls(c, 255, 1, 97, 6, 255);
-  for (const AlarmRow& row : kAlarms16i) add_alarm(c, row);
+  take_list(c, fanuc_16i_alarms(), "", k16iList);
+  for (const auto& [cause, source] : {std::pair{Cause::Overflow, kJix},
+                                      {Cause::LogarithmOfNonPositive, kAli},
+                                      {Cause::ArcSineOutOfRange, kAli}}) {
+    c.alarms[cause].source = source;
+    c.alarms[cause].evidence = Secondary;
+  }
   return c;
 }
 
@@ -787,11 +657,8 @@ Control fanuc_0i_d() {
 
   code_calls(c, 9999, 3, 99999999, 3, 99999999);
   c.alarms.clear();
-  for (const AlarmRow& row : kAlarmsPs) add_alarm(c, row);
-  // The 0i-D keeps the 16i's overflow for a function outside its domain.
-  c.alarms[Cause::LogarithmOfNonPositive] = {"PS0111", "OVERFLOW :FLOATING", kAlmInferred,
-                                             Inferred};
-  c.alarms[Cause::ArcSineOutOfRange] = {"PS0111", "OVERFLOW :FLOATING", kAlmInferred, Inferred};
+  take_list(c, fanuc_30i_alarms(), kAlm, k30iList);
+  domain_alarms(c, Cause::Overflow);
   c.user_alarm_prefix = "MC";
   c.user_alarm_digits = 4;
   return c;
@@ -811,10 +678,7 @@ Control fanuc_0i_f() {
   c.g_codes = {kCodes0iF, cite({k0iMd, kReg, kCncs, "the rest general knowledge"}), Inferred};
   c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD ADP PRM",
                  cite({kAli, "POW, ADP and PRM general knowledge"}), Inferred};
-  c.alarms[Cause::LogarithmOfNonPositive] = {"PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred,
-                                             Inferred};
-  c.alarms[Cause::ArcSineOutOfRange] = {"PS0119", "ARGUMENT VALUE OUT OF RANGE", kAlmInferred,
-                                        Inferred};
+  domain_alarms(c, Cause::ArgumentOutOfRange);
   return c;
 }
 

@@ -215,114 +215,6 @@ void fanuc_rules(Control& c) {
              Inferred, set_length_normal);
 }
 
-/// The numbers of the 16i; the later series write PS0 in front.
-void fanuc_alarms(Control& c, const std::string& prefix) {
-  struct Row {
-    Cause cause;
-    const char* number;
-    const char* text;
-    Evidence evidence;
-  };
-  static constexpr Row kRows[] = {
-      {Cause::NoFeed, "011", "NO FEEDRATE COMMANDED", Secondary},
-      {Cause::RadiusTolerance, "020", "OVER TOLERANCE OF RADIUS", Secondary},
-      {Cause::RadiusTooSmall, "020", "OVER TOLERANCE OF RADIUS", Inferred},
-      {Cause::ArcAxis, "021", "ILLEGAL PLANE AXIS COMMANDED", Secondary},
-      {Cause::NoRadius, "022", "NO CIRCLE RADIUS", Secondary},
-      {Cause::NegativeRadius, "023", "ILLEGAL RADIUS COMMAND", Inferred},
-      {Cause::LengthAxis, "027", "NO AXES COMMANDED IN G43/G44", Secondary},
-      {Cause::OffsetNumber, "030", "ILLEGAL OFFSET NUMBER", Secondary},
-      {Cause::RadiusOffsetNumber, "030", "ILLEGAL OFFSET NUMBER", Secondary},
-      {Cause::G10L, "031", "ILLEGAL P COMMAND IN G10", Secondary},
-      {Cause::G10P, "031", "ILLEGAL P COMMAND IN G10", Secondary},
-      {Cause::G10System, "031", "ILLEGAL P COMMAND IN G10", Secondary},
-      {Cause::G10Offset, "031", "ILLEGAL P COMMAND IN G10", Secondary},
-      {Cause::G10Word, "031", "ILLEGAL P COMMAND IN G10", Secondary},
-      {Cause::G10Value, "031", "ILLEGAL P COMMAND IN G10", Inferred},
-      {Cause::CornerOffset, "039", "CHF/CNR NOT ALLOWED IN CRC", Secondary},
-      {Cause::ToolWithSetting, "245", "T-CODE NOT ALLOWED IN THIS BLOCK", Secondary},
-      {Cause::CompensationNoIntersection, "033", "NO SOLUTION AT CRC", Secondary},
-      {Cause::CompensationArc, "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK", Secondary},
-      {Cause::CompensationEndArc, "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK", Secondary},
-      {Cause::CompensationSkip, "036", "CAN NOT COMMANDED G31", Secondary},
-      {Cause::CompensationPlane, "037", "CAN NOT CHANGE PLANE IN CRC", Secondary},
-      {Cause::LongerInCompensation, "042", "G45/G48 NOT ALLOWED IN CRC", Secondary},
-      {Cause::CompensationArcStart, "038", "INTERFERENCE IN CIRCULAR BLOCK", Secondary},
-      {Cause::CompensationArcEnd, "038", "INTERFERENCE IN CIRCULAR BLOCK", Secondary},
-      {Cause::CompensationInterference, "041", "INTERFERENCE IN CRC", Inferred},
-      {Cause::CompensationArcTooSmall, "041", "INTERFERENCE IN CRC", Inferred},
-      {Cause::ReferenceInCycle, "044", "G27-G30 NOT ALLOWED IN FIXED CYC", Secondary},
-      {Cause::NoPeck, "045", "ADDRESS Q NOT FOUND (G73/G83)", Secondary},
-      {Cause::ReferenceNumber, "046", "ILLEGAL REFERENCE RETURN COMMAND", Secondary},
-      {Cause::CornerInRapid, "050", "CHF/CNR NOT ALLOWED IN THRD BLK", Secondary},
-      {Cause::CornerNoMove, "051", "MISSING MOVE AFTER CHF/CNR", Secondary},
-      {Cause::CornerNextMove, "052", "CODE IS NOT G01 AFTER CHF/CNR", Secondary},
-      {Cause::CornerFormat, "053", "TOO MANY ADDRESS COMMANDS", Secondary},
-      {Cause::CornerTaper, "054", "NO TAPER ALLOWED AFTER CHF/CNR", Secondary},
-      {Cause::CornerTooShort, "055", "MISSING MOVE VALUE IN CHF/CNR", Secondary},
-      {Cause::AngleEnd, "056", "NO END POINT & ANGLE IN CHF/CNR", Secondary},
-      {Cause::AngleParallel, "057", "NO SOLUTION OF BLOCK END", Secondary},
-      {Cause::AngleNoEnd, "058", "END POINT NOT FOUND", Secondary},
-      {Cause::PqMissing, "061", "P OR Q COMMAND IS NOT IN THE MULTIPLE REPETIVE CYCLES BLOCK",
-       Secondary},
-      {Cause::CycleDepth, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Secondary},
-      {Cause::ThreadHeightValue, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Secondary},
-      {Cause::PatternPasses, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Secondary},
-      {Cause::GrooveQ, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Secondary},
-      {Cause::GrooveP, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Secondary},
-      {Cause::GrooveStep, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Secondary},
-      {Cause::GrooveEscape, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Secondary},
-      {Cause::ProfileFirstX, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM",
-       Secondary},
-      {Cause::ProfileFirstZ, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM",
-       Secondary},
-      {Cause::PatternFirstBlock, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM",
-       Secondary},
-      {Cause::ProfileInMdi, "067",
-       "THE MULTIPLE REPETITIVE CYCLES IS NOT IN THE PART PROGRAM STORAGE", Secondary},
-      {Cause::ThreadCut, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Secondary},
-      {Cause::ThreadLeastCut, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Secondary},
-      {Cause::ThreadAllowance, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Inferred},
-      {Cause::ThreadHeight, "062", "THE CUTTING AMOUNT IN THE ROUGH CUTTING CYCLE IS ILLEGAL",
-       Inferred},
-      {Cause::PqNotFound, "063", "THE BLOCK OF A SPECIFIED SEQUENCE NUMBER IS NOT FOUND",
-       Secondary},
-      {Cause::ProfileNotMonotone, "064", "THE FINISHING SHAPE IS NOT A MONOTONOUS CHANGE",
-       Secondary},
-      {Cause::ProfileFirstBlock, "065", "G00/G01 IS NOT IN THE FIRST BLOCK OF SHAPE PROGRAM",
-       Secondary},
-      {Cause::ProfileCode, "066", "UNAVAILABLE COMMAND IS IN THE MULTIPLE REPETIVE CYCLES BLOCK",
-       Secondary},
-      {Cause::ProfileCall, "066", "UNAVAILABLE COMMAND IS IN THE MULTIPLE REPETIVE CYCLES BLOCK",
-       Inferred},
-      {Cause::NotAtReference, "092", "ZERO RETURN CHECK (G27) ERROR", Secondary},
-  };
-  for (const Row& row : kRows)
-    c.alarms.insert(
-        {row.cause,
-         {prefix.empty() ? row.number : prefix + row.number, row.text,
-          row.evidence == Secondary ? std::string("ALM ") + row.number : kKnown, row.evidence}});
-}
-
-/// What the 30i and its relatives number from 300 on.
-void fanuc_alarms_30i(Control& c) {
-  add_alarms(
-      c, {{Cause::NoIntermediate, "PS0305", "ILLEGAL RETURN REFERENCE POINT", "ALM 305", Secondary},
-          {Cause::ThreadLead, "PS0313", "ILLEGAL LEAD COMMAND", "ALM 313", Secondary},
-          {Cause::CornerPlane, "PS0306", "MISMATCH AXIS WITH CNR/CHF", "ALM 306", Secondary},
-          {Cause::ScaleZero, "PS0300", "ILLEGAL COMMAND IN SCALING", "ALM 300", Secondary}});
-}
-
 // ---- Mitsubishi ----
 
 void mitsubishi_rules(Control& c) {
@@ -421,6 +313,7 @@ void mitsubishi_alarms(Control& c) {
        {Cause::NotAtReference, "P434", "Compare error", "MZ 884, paired", Secondary},
        {Cause::ReferenceWithEnd, "P435", "G27 and M commands in one block", "MZ 920, paired",
         Secondary},
+       {Cause::OverTravel, "M01 0007", "", "SK M01-0007", Secondary},
        {Cause::CompensationSkip, "P608", "Skip during radius compensation", kKnown, Inferred}});
 }
 
@@ -736,6 +629,14 @@ void gsk_980mdi(Control& c) {
              kKnown, Inferred, set_peck_retract);
   add_effect(c, "5115", 0, "the clearance of G83, mm; FANUC's number stands for the control's own",
              kKnown, Inferred, set_peck_clearance);
+  AlarmEntry& travel = c.alarms[Cause::OverTravel];
+  travel = {"", "", "MDia 3011 to 3020", Manual};
+  int number = 3011;
+  for (const char* direction : {"+", "-"})
+    for (const char* axis : {"X", "Y", "Z"})  // of the fourth and the fifth axis no name is known
+      travel.directed.push_back({std::string(axis) + direction,
+                                 std::to_string(number++ + 2 * (*direction == '-')),
+                                 "software travel limit"});
   add_alarms(
       c,
       {{Cause::ArcAxis, "0008", "axis outside the plane of the arc", "MDib 0008", Manual},
@@ -836,15 +737,10 @@ void gsk_988t(Control& c) {
 
 void fanuc_16i(Control& c) {
   fanuc_rules(c);
-  fanuc_alarms(c, "");
   c.negative_radius_on_lathes = {false, "16TC p.67", Manual};
 }
 
-void fanuc_0i(Control& c) {
-  fanuc_rules(c);
-  fanuc_alarms(c, "PS0");
-  fanuc_alarms_30i(c);
-}
+void fanuc_0i(Control& c) { fanuc_rules(c); }
 
 void fanuc_30i(Control& c) {
   fanuc_0i(c);

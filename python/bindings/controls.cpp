@@ -176,6 +176,15 @@ void add_controls(py::module_& m) {
       .def_readonly("cause", &AlarmRow::cause)
       .def_property_readonly("number", [](const AlarmRow& a) { return a.entry.number; })
       .def_property_readonly("text", [](const AlarmRow& a) { return text_or_none(a.entry.text); })
+      .def_property_readonly("printed", [](const AlarmRow& a) { return a.entry.printed; })
+      .def_property_readonly("directed",
+                             [](const AlarmRow& a) {
+                               py::dict rows;
+                               for (const DirectedNumber& one : a.entry.directed)
+                                 rows[py::str(one.direction)] =
+                                     py::make_tuple(one.number, text_or_none(one.text));
+                               return rows;
+                             })
       .def_property_readonly("source", [](const AlarmRow& a) { return a.entry.source; })
       .def_property_readonly(
           "evidence", [](const AlarmRow& a) { return std::string(to_string(a.entry.evidence)); })

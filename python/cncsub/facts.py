@@ -122,9 +122,15 @@ def explanations(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]
 
 
 def _causes_of_number(wanted: str, among: list[cncsub.Control]) -> list[str]:
-    exact = {a.cause for c in among for a in c.alarms.values() if _same(a.number, wanted)}
-    loose = {a.cause for c in among for a in c.alarms.values() if _alike(a.number, wanted)}
+    entries = [alarm for control in among for alarm in control.alarms.values()]
+    exact = {a.cause for a in entries if any(_same(n, wanted) for n in _numbers(a))}
+    loose = {a.cause for a in entries if any(_alike(n, wanted) for n in _numbers(a))}
     return [slug for slug in cncsub.causes if slug in (exact or loose)]
+
+
+def _numbers(entry: Any) -> list[str]:
+    """The number of an alarm, and those of its directions."""
+    return [entry.number, *(number for number, _ in entry.directed.values())]
 
 
 def _same(number: str | None, wanted: str) -> bool:
@@ -149,8 +155,10 @@ def _explanation(slug: str, among: list[cncsub.Control], wanted: str | None) -> 
     cause = cncsub.causes[slug]
     entries = [(c, c.alarms[slug]) for c in among if slug in c.alarms]
     if wanted is not None:
-        exact = [(c, a) for c, a in entries if _same(a.number, wanted)]
-        entries = exact or [(c, a) for c, a in entries if _alike(a.number, wanted)]
+        exact = [(c, a) for c, a in entries if any(_same(n, wanted) for n in _numbers(a))]
+        entries = exact or [
+            (c, a) for c, a in entries if any(_alike(n, wanted) for n in _numbers(a))
+        ]
     return {
         "cause": slug,
         "meaning": cause.meaning,
@@ -163,13 +171,15 @@ def _alarm_entry(entry: Any) -> dict[str, Any]:
     return {
         "number": entry.number or None,
         "text": entry.text,
+        "printed": entry.printed,
+        "directed": {way: number for way, (number, _) in entry.directed.items()},
         "source": entry.source,
         "evidence": entry.evidence,
     }
 
 
 def unknown_alarm(asked: str, among: list[cncsub.Control]) -> str:
-    numbers = [a.number for c in among for a in c.alarms.values() if a.number]
+    numbers = [n for c in among for a in c.alarms.values() for n in _numbers(a) if n]
     near = did_you_mean(asked, [*cncsub.causes, *dict.fromkeys(numbers)])
     where = f" on {among[0].name}" if len(among) == 1 else ""
     return f"no alarm or cause is called {asked!r}{where}{near}"

@@ -117,11 +117,17 @@ def print_control(console: Console, control: cncsub.Control) -> None:
     parameters = ((f"{p.name} = {p.value:g}", p.meaning, p) for p in control.parameters.values())
     _print_facts(console, "Parameters", parameters)
     alarms = (
-        (f"{a.number or '(no number)'} {a.cause}", a.text or cncsub.causes[a.cause].meaning, a)
+        (f"{_numbers(a)} {a.cause}", a.text or cncsub.causes[a.cause].meaning, a)
         for a in control.alarms.values()
     )
     _print_facts(console, "Alarms", alarms)
     _print_sources(console, control)
+
+
+def _numbers(alarm: Any) -> str:
+    """The number of an alarm, or those of its directions: OT0500 +, OT0501 -."""
+    directed = [f"{number} {way}" for way, (number, _) in alarm.directed.items()]
+    return alarm.number or ", ".join(directed) or "(no number)"
 
 
 def _print_sources(console: Console, control: cncsub.Control) -> None:
@@ -153,7 +159,8 @@ def print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
         console.print(f"  raised by: {fact['meaning']}")
         console.print(f"  cure: {fact['cure']}")
         for alarm in fact["alarms"]:
-            number = alarm["number"] or "no number"
+            directed = ", ".join(f"{number} {way}" for way, number in alarm["directed"].items())
+            number = alarm["number"] or directed or "no number"
             text = f" {alarm['text']}" if alarm["text"] else ""
             console.print(Text.assemble((f"  {alarm['control']}: ", "cyan"), f"{number}{text}"))
             console.print(Text(f"      [{alarm['source']}; {alarm['evidence']}]", style="dim"))

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from cncsub import _core
 from moves import Move, Point, read_moves, read_point
 
 FOLDER = Path(__file__).parent
@@ -35,8 +36,8 @@ class Case:
 
     claim: str
     controls: tuple[str, ...]
-    source: str
-    evidence: str
+    source: str | Mapping[str, str]
+    evidence: Mapping[str, str]  # of each control: as stated, but no stronger than its source there
     topic: str
     line: int
 
@@ -77,6 +78,9 @@ class Case:
     work_after_reset: Point | None
     modal_after_reset: Mapping[str, str] | None
 
+    def source_on(self, control: str) -> str:
+        return self.source if isinstance(self.source, str) else self.source[control]
+
     def number_on(self, control: str) -> str | None:
         return self.number[control] if isinstance(self.number, Mapping) else self.number
 
@@ -108,8 +112,8 @@ def case(
     claim: str,
     *,
     control: str | Sequence[str],
-    source: str,
-    evidence: str | None = None,
+    source: str | Mapping[str, str],
+    evidence: str | Mapping[str, str] | None = None,
     program: Text | None = None,
     files: Mapping[str, Text] | None = None,
     external: Mapping[str, Text] | None = None,
@@ -161,8 +165,6 @@ def case(
     """
     caller = sys._getframe(1)
     controls = (control,) if isinstance(control, str) else tuple(control)
-    if evidence is None and re.match(r"source 00\d", source):
-        evidence = "source document"
     options = {
         "main": main,
         "start": start,
@@ -177,7 +179,7 @@ def case(
         claim=claim,
         controls=controls,
         source=source,
-        evidence=evidence or "",
+        evidence={name: _evidence(source, evidence, name) for name in controls},
         topic=Path(caller.f_code.co_filename).stem,
         line=caller.f_lineno,
         program=None if program is None else as_program(program),
@@ -218,6 +220,19 @@ def case(
     _cases.append(row)
 
 
+def _evidence(
+    source: str | Mapping[str, str], stated: str | Mapping[str, str] | None, control: str
+) -> str:
+    """What a row is worth on a control, empty where it does not say."""
+    text = source if isinstance(source, str) else source.get(control, "")
+    said = stated if isinstance(stated, str | None) else stated.get(control)
+    if said is None and re.match(r"source 00\d", text):
+        said = "source document"
+    if said not in EVIDENCE:
+        return ""
+    return max(said, _core.strongest(text, control), key=EVIDENCE.index)
+
+
 def _fault(row: Case) -> str | None:
     """What makes a row meaningless, if anything does."""
     if not row.controls:
@@ -232,6 +247,8 @@ def _fault(row: Case) -> str | None:
         return "stops with an alarm and names none, or the other way round"
     if row.alarm is None and (row.number or row.at or row.word or row.frames is not None):
         return "says where or how it alarms, but not which alarm"
+    if not isinstance(row.source, str) and set(row.source) != set(row.controls):
+        return "gives sources for other controls than it runs on"
     if isinstance(row.number, Mapping) and set(row.number) != set(row.controls):
         return "gives alarm numbers for other controls than it runs on"
     return None

@@ -14,7 +14,8 @@ def at(x, z):
 
 
 def on_fanuc(number):
-    return {F16: number, **dict.fromkeys(FANUC_PS, f"PS0{number}")}
+    old, later = (number.split("/") * 2)[:2]  # the 16i's and that of the later series
+    return {F16: old, **dict.fromkeys(FANUC_PS, f"PS0{later}")}
 
 
 def alarms(claim, control, blocks, cause, number, where, source, **more):
@@ -99,11 +100,11 @@ case(
 )
 alarms(
     "G74 with a negative Q alarms on a FANUC", FANUC, "N10 G74 X40. Z-5. P1000 Q-1000 F50.",
-    "groove-q", on_fanuc("062"), "N10", "ALM 062",
+    "groove-q", on_fanuc("062/320"), "N10", "ALM 0320",
 )
 alarms(
     "G74 with an escape below zero alarms on a FANUC", FANUC,
-    "N10 G74 X40. Z-5. P1000 Q1000 R-1. F50.", "groove-escape", on_fanuc("062"), "N10", "ALM 062",
+    "N10 G74 X40. Z-5. P1000 Q1000 R-1. F50.", "groove-escape", on_fanuc("062/318"), "N10", "ALM 0318",
 )
 
 # Profiles
@@ -170,7 +171,7 @@ case(
 for _first, _block, _cause, _number in (
     ("no X in the first block of G71",
      "N10 G71 P20 Q40 U0 W0 F1.\nN20 G0 Z0\nN30 G1 X20.\nN40 Z-10.", "profile-first-x", "065"),
-    ("no passes", "N10 G73 U2. W1. R0", "pattern-passes", "062"),
+    ("no passes", "N10 G73 U2. W1. R0", "pattern-passes", "062/321"),
 ):
     case(
         f"a cycle with {_first} alarms on a FANUC",
@@ -250,7 +251,7 @@ case(
     "G76 with K and no P has no height of the thread while 0001#1 is 0",
     control=FANUC, source="ALM 062", evidence="secondary", setup=at(30, 5),
     program="O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. K1. D1000 F2. A60\nN30 M30",
-    runs="N10", alarm="thread-height", number=on_fanuc("062"), at="O1 N20",
+    runs="N10", alarm="thread-height", number=on_fanuc("062/317"), at="O1 N20",
 )
 
 # Drilling

@@ -39,7 +39,7 @@ case(
         N30 G3 X40 Z0 R10
         N40 M30
     """,
-    runs="N10 N20", alarm="over-travel", at="O1 N30",
+    runs="N10 N20", alarm="over-travel", number="OT0500", at="O1 N30",
 )
 case(
     "G53 goes without the radius offset, and the moves behind it have it again",

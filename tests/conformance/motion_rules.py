@@ -23,10 +23,12 @@ POLICY = {"source": "policy", "evidence": "inferred"}
 
 
 def numbers(controls, fanuc=None, mitsubishi=None, gsk_988=None, mdi=None):
-    """The alarm numbers of the makers, each control with the one of its maker."""
+    """The alarm numbers of the makers, each control with the one of its maker; `066/325` where the
+    16i's number is not that of the later series."""
+    old, later = (fanuc.split("/") * 2)[:2] if fanuc else (None, None)
     by_control = {
         **dict.fromkeys(GSK_988, gsk_988), **dict.fromkeys(MITSUBISHI, mitsubishi),
-        F16: fanuc, **dict.fromkeys(FANUC_PS, fanuc and f"PS0{fanuc}"), MDI: mdi,
+        F16: old, **dict.fromkeys(FANUC_PS, later and f"PS0{later}"), MDI: mdi,
     }
     return {control: by_control.get(control) for control in controls}
 
@@ -282,6 +284,38 @@ case(
         N30 M30
     """,
     runs="N10", alarm="over-travel", at="O1 N20",
+    number={MDI: "3011", **dict.fromkeys(MITSUBISHI, "M01 0007"), F16: "500",
+            **dict.fromkeys(FANUC_PS, "OT0500"), HNC: None},
+)
+case(
+    "a move below the travel of its axis has the number of that direction",
+    control=[MDI, *MITSUBISHI, *FANUC], source="MDia 3016 to 3018; SK M01-0007; general knowledge",
+    evidence="inferred", setup=MILL | {"limits": {"X": (-100, 100), "Y": (-50, 50)}},
+    program="""
+        O1
+        N10 G0 X-100. Y50.
+        N20 G0 X-100.01
+        N30 M30
+    """,
+    runs="N10", alarm="over-travel", at="O1 N20",
+    number={MDI: "3016", **dict.fromkeys(MITSUBISHI, "M01 0007"), F16: "501",
+            **dict.fromkeys(FANUC_PS, "OT0501")},
+)
+for _axis, _sign, _number in (("Y", "", "3012"), ("Z", "", "3013"), ("Y", "-", "3017"), ("Z", "-", "3018")):
+    case(
+        f"the 980MDi has {_number} for the travel of {_sign or '+'}{_axis}",
+        control=MDI, source="MDia 3011 to 3020", evidence="maker's manual",
+        setup=MILL | {"limits": {_axis: (-100, 100)}},
+        program=f"O1\nN10 G0 {_axis}{_sign}100.\nN20 G0 {_axis}{_sign}100.01\nN30 M30",
+        runs="N10", alarm="over-travel", at="O1 N20", number=_number,
+    )
+case(
+    "an arc that bulges out of the travel below has the number of below",
+    control=[MDI, *FANUC], source="MDia 3017; general knowledge", evidence="inferred",
+    setup=MILL | {"limits": {"Y": (-5, 50)}},
+    program="O1\nN10 G17 G0 X0 Y0\nN20 G3 X20. Y0 R10. F100\nN30 M30",
+    runs="N10", alarm="over-travel", at="O1 N20",
+    number={MDI: "3017", F16: "501", **dict.fromkeys(FANUC_PS, "OT0501")},
 )
 case(
     "a move beyond the travel of its axis alarms on a lathe",
@@ -971,7 +1005,7 @@ case(
         N20 G51 X0 Y0 Z0 P0
         N30 M30
     """,
-    runs="N10", alarm="scale-zero", number={MDI: "0158", F30: "PS0300"}, at="O1 N20",
+    runs="N10", alarm="scale-zero", number={MDI: "0158", F30: "PS0142"}, at="O1 N20",
 )
 
 case(
@@ -1252,7 +1286,7 @@ case(
 )
 case(
     "G31 may not stand in radius compensation",
-    control=_radius, source="ALM 036; MDib 0035; general knowledge", evidence="inferred", setup=RADIUS,
+    control=_radius, source="ALM 0035; MDib 0035; general knowledge", evidence="inferred", setup=RADIUS,
     program="""
         O1
         N10 G41 G1 Y10. D1 F100
@@ -1260,7 +1294,7 @@ case(
         N30 G31 X40.
         N40 M30
     """,
-    runs="N10 N20", alarm="skip-in-offset", number=numbers(_radius, "036", "P608", None, "0035"),
+    runs="N10 N20", alarm="skip-in-offset", number=numbers(_radius, "036/035", "P608", None, "0035"),
     at="O1 N30",
 )
 
@@ -1584,10 +1618,10 @@ for letter, controls in ("P3000", [*MITSUBISHI, *FANUC]), ("P3", GSK_988):
 
 PROFILE = LATHE | {"start": {"X": 20, "Z": 2}}
 for claim, head, body, cause, fanuc, mitsubishi, gsk_988 in (
-    ("a call inside the profile of G71 alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 M98 P2\nN40 G1 Z-10.", "call-in-profile", "066", None, "131"),
+    ("a call inside the profile of G71 alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 M98 P2\nN40 G1 Z-10.", "call-in-profile", "066/325", None, "131"),
     ("a profile that begins with an arc alarms", "G71 P20 Q40", "N20 G2 X10. Z0 R20.\nN30 G1 Z-10.\nN40 X20.", "profile-first-block", "065", None, "144"),
     ("G71 with P and no Q alarms", "G71 P20", "N20 G0 X10.\nN30 G1 Z-10.\nN40 X20.", "pq-missing", "061", None, "133"),
-    ("G28 inside a profile alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 G1 Z-10.\nN40 G28 X20.", "profile-code", "066", None, "128"),
+    ("G28 inside a profile alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 G1 Z-10.\nN40 G28 X20.", "profile-code", "066/325", None, "128"),
     ("a macro statement inside a profile alarms", "G71 P20 Q40", "N20 G0 X10.\nN30 #100=1\nN40 G1 Z-10.", "profile-macro", None, None, "130"),
     ("a depth of cut of 0 alarms", "G71 U0 R1.\nN15 G71 P20 Q40", "N20 G0 X10.\nN30 G1 Z-10.\nN40 X20.", "cycle-depth", "062", None, "148"),
 ):
@@ -1632,7 +1666,7 @@ for claim, end, behind in (
     )
 for claim, block, cause, number in (
     ("G75 without X alarms", "G75 Z-10. Q1000 F10.", "groove-axis", (None, None, "154")),
-    ("G76 without P alarms", "G76 X18. Z-10. Q100 F1.", "thread-height", ("062", None, "167")),
+    ("G76 without P alarms", "G76 X18. Z-10. Q100 F1.", "thread-height", ("062/317", None, "167")),
 ):
     case(
         claim, control=_lathe if cause != "groove-axis" else T, source="ALM; Talm",
@@ -1645,7 +1679,7 @@ for claim, block, cause, number in (
 for height, controls in ("P1 Q1", GSK_988), ("P1000 Q200", [*MITSUBISHI, *FANUC]):
     case(
         f"G76 with a finishing allowance above its height of {height} alarms",
-        control=controls, source="Talm 165; ALM 062", evidence="secondary", setup=PROFILE,
+        control=controls, source="Talm 165; ALM 0317", evidence="secondary", setup=PROFILE,
         program=f"""
             O1
             N10 G97 S100 M3
@@ -1653,7 +1687,7 @@ for height, controls in ("P1 Q1", GSK_988), ("P1000 Q200", [*MITSUBISHI, *FANUC]
             N30 G76 X18. Z-10. {height} F1.
             N40 M30
         """,
-        runs="N10 N20", alarm="thread-allowance", number=numbers(controls, "062", None, "165"),
+        runs="N10 N20", alarm="thread-allowance", number=numbers(controls, "062/317", None, "165"),
         at="O1 N30",
     )
 

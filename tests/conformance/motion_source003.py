@@ -302,6 +302,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="over-travel", at="O1 N20",
+    number={"fanuc-0i-f": "OT0500", "mitsubishi-m700": "M01 0007", "hnc-21m": None},
 )
 case(
     "the travel is that of the machine, with the zero point in it",
@@ -315,6 +316,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="over-travel", at="O1 N20",
+    number={"fanuc-0i-f": "OT0500", "mitsubishi-m700": "M01 0007", "hnc-21m": None},
 )
 # The contours of source 001 stand in the given rows with every X and Z.
 

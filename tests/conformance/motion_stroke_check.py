@@ -19,9 +19,11 @@ def program(*blocks, area=BOX):
 
 
 def stops(claim, *blocks, at, controls=MILLS, setup=MILL, area=BOX, params=None, tags=KNOWN):
+    controls = [controls] if isinstance(controls, str) else controls
     case(
         claim, control=controls, **tags, setup=setup, params=params,
         program=program(*blocks, area=area), alarm="over-travel", at=at,
+        number={name: "M01 0007" if name in MITSUBISHI else None for name in controls},
     )
 
 

@@ -8,7 +8,7 @@ GSK = [*GSK_988, TDI]
 MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
 F16, *FANUC_PS = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 OTHERS = [*MITSUBISHI, *FANUC]
-FANUC_062 = {F16: "062", **dict.fromkeys(FANUC_PS, "PS0062")}
+FANUC_317 = {F16: "062", **dict.fromkeys(FANUC_PS, "PS0317")}
 
 
 def at(x, z):
@@ -303,9 +303,9 @@ for _what, _second, _cause in (
 ):
     case(
         f"G76 with {_what} alarms on a FANUC",
-        control=FANUC, source="ALM 062", evidence="secondary", setup=at(30, 5),
+        control=FANUC, source="ALM 0317", evidence="secondary", setup=at(30, 5),
         program=f"O1\nN10 G97 S60 M3\nN20 G76 {_second} F2.\nN30 M30",
-        runs="N10", alarm=_cause, number=FANUC_062, at="O1 N20",
+        runs="N10", alarm=_cause, number=FANUC_317, at="O1 N20",
     )
 case(
     "a thread of a mill takes the feed in force as its lead",

@@ -315,7 +315,7 @@ def report(row: Row, found: list[str]) -> str:
     """What a person needs to see of a row that failed."""
     case = row.case
     run = execute(case, load(case, cncsub.controls[row.control]))
-    source = f"{case.source} ({case.evidence})" if case.evidence else case.source
+    source = f"{case.source_on(row.control)} ({case.evidence[row.control]})"
     parts = [
         f"{case.topic}.py:{case.line}: {case.claim}",
         f"control {row.control}; source: {source}",

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
+from pathlib import Path
 
 import cncsub
+from cncsub import _core
 from conformance import EVIDENCE, cases, rows, topic_files
 from mutation import HOW_TO_WRITE, notices, read_pins
 from unpinned import UNPINNED
 
 MINIMUM_CASES = 900
+LISTS = Path(__file__).parents[2] / "cpp" / "controls"
+strength = EVIDENCE.index
 
 
 def test_there_are_enough_rows() -> None:
@@ -34,10 +39,36 @@ def test_every_claim_is_made_once() -> None:
 def test_every_row_says_where_it_comes_from() -> None:
     without = [
         f"{case.topic}.py:{case.line}: {case.claim}"
-        for case in cases()
-        if not case.source.strip() or case.evidence not in EVIDENCE
+        for case, control in rows()
+        if not case.source_on(control).strip() or case.evidence[control] not in EVIDENCE
     ]
     assert without == []
+
+
+def test_no_row_is_stronger_than_its_source_is_on_the_control() -> None:
+    """Another maker's or model's manual is no manual of the control, whatever a row says."""
+    stronger = []
+    for case, control in rows():
+        keys = _core.cited(case.source_on(control))
+        best = min([cncsub.sources[key].on(control) for key in keys] or ["inferred"], key=strength)
+        if strength(case.evidence[control]) < strength(best):
+            stronger.append(f"{case.topic}.py:{case.line}: {case.claim} [{control}]")
+    assert stronger == []
+
+
+def test_the_text_of_an_alarm_is_that_of_the_printed_list() -> None:
+    """One list for each that is printed: number and text stand in it together."""
+    for file, own in (("alarms_fanuc_30i.def", ("fanuc-30i", "fanuc-0i-f", "fanuc-0i-d")),):
+        listed = dict(re.findall(r'LISTED\("(\w+)", "(.*?)"[,)]', (LISTS / file).read_text()))
+        for name in own:
+            for alarm in cncsub.controls[name].alarms.values():
+                assert not alarm.printed or alarm.text == listed[alarm.number]
+                assert alarm.printed or "general knowledge" in alarm.source
+
+
+def test_only_a_list_that_is_printed_is_quoted() -> None:
+    quoted = {n for n, c in cncsub.controls.items() if any(a.printed for a in c.alarms.values())}
+    assert quoted == {"fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"}
 
 
 def test_rows_run_on_controls_that_exist() -> None:
