@@ -9,6 +9,7 @@ import itertools
 import math
 import time
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -56,6 +57,87 @@ ENDLESS = {
         LONG_PROFILES, "O1\nN5 G70 P10 Q20 F1\nGOTO5\nN10 G0 X1.\n" + "X1.\n" * 50_000 + "N20 G1 X2.\n",
     ),
 }  # fmt: skip
+
+
+WITHOUT_BOUNDS = cncsub.controls["fanuc-0i-f"].replace(
+    max_nesting=999_999_999, max_macro_nesting=999_999_999, max_total_nesting=0
+)
+# Programs that keep more and more: each kind of what a run keeps, in few blocks and in many.
+GROWING = {
+    "steps": ("fanuc-0i-f", "O1\nN10 GOTO10\n"),
+    "steps of blocks without a word": ("fanuc-0i-f", "O1\nN10 (A)\nN11\nGOTO10\n"),
+    "moves": ("fanuc-0i-f", "O1\nG91 F1\nN10 G1 X1.\nGOTO10\n"),
+    "moves of one block": ("fanuc-0i-f", "O1\nZ5.\nN10 G83 X1. Z-900. R1. Q.002 F1\nGOTO10\n"),
+    "one message": ("fanuc-0i-f", "O1\nN10 #3006=1(" + "A" * 2_000_000 + ")\nGOTO10\n"),
+    "long messages": ("fanuc-0i-f", "O1\nN10 #3006=1(" + "A" * 60_000 + ")\nGOTO10\n"),
+    "messages": ("fanuc-0i-f", "O1\nN10 #3006=1(" + "A" * 900 + ")\nGOTO10\n"),
+    "messages behind THEN": ("fanuc-0i-f", "O1\nN10 IF[1EQ1]THEN #3006=1(" + "A" * 900 + ")\nGOTO10\n"),
+    "printed lines": ("fanuc-0i-f", "O1\nN10 DPRNT[" + "A" * 900 + "]\nGOTO10\n"),
+    "one printed line": ("fanuc-0i-f", "O1\nN10 DPRNT[" + "#1[44]" * 200_000 + "]\nGOTO10\n"),
+    "M and T codes": ("fanuc-0i-f", "O1\nN10 M3 T1\nGOTO10\n"),
+    "calls and their arguments": ("fanuc-0i-f", "O1\nN10 G65 P2 A1. B2. C3. I4.\nGOTO10\nO2\nM99\n"),
+    "open calls": (WITHOUT_BOUNDS, "O1\nM98 P1\n"),
+    "levels of locals": (WITHOUT_BOUNDS, "O1\nG65 P1 A1.\n"),
+    "names of variables": ("fanuc-0i-f", "O1\nN10 SETVN 100[" + ",".join(f"A{k}" for k in range(200_000)) + "]\nGOTO10\n"),
+    "moves held back": ("fanuc-0i-f", "O1\nG41 D1 G1 X9. F1\n" + "Z1.\nZ2.\n" * 100_000 + "M30\n"),
+    "a profile": (LONG_PROFILES, "O1\nN5 G70 P10 Q20 F1\nGOTO5\nN10 G0 X1.\n" + "X1.\n" * 100_000 + "N20 G1 X2.\n"),
+}  # fmt: skip
+KEEPS_NOTHING = {
+    "open calls",
+    "levels of locals",
+    "names of variables",
+    "a profile",
+    "one message",
+    "long messages",
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "trace"),
+    [*((name, "moves") for name in GROWING), *((name, "none") for name in sorted(KEEPS_NOTHING))],
+)
+def test_everything_that_a_run_keeps_counts(name: str, trace: str) -> None:
+    control, text = GROWING[name]
+    most = 1 << 20
+    run = cncsub.loads(text, control=control).run(
+        max_memory=most, max_blocks=2**62, max_cycles=2**62, max_seconds=60, trace=trace
+    )
+    assert run.stop is cncsub.Stop.LIMIT
+    longest = max(map(len, text.split("\n")))
+    assert run._core.memory < most + (most // 2) + longest
+    assert sum(map(len, run.messages)) < most + (most // 2) + longest
+
+
+SKIPPED = {
+    "and nothing else": "O1\n" + "/X1\n" * 1_000_000 + "M99\n",
+    "and a block": "O1\n" + "/X1\n" * 500_000 + "#1=1\nM99\n",
+    "around a jump": "O1\nN1\n" + "/X1\n" * 900_000 + "GOTO1\n",
+}
+
+
+@pytest.mark.parametrize("name", SKIPPED)
+def test_blocks_that_are_skipped_take_time_too(name: str) -> None:
+    library = cncsub.loads(SKIPPED[name], control="fanuc-0i-f")
+    begun = time.process_time()
+    run = library.run(max_seconds=SECONDS, max_blocks=2**62, max_cycles=2**62, block_skip=1)
+    assert run.stop is cncsub.Stop.LIMIT
+    assert time.process_time() - begun < SECONDS + 2.0
+
+
+def test_the_time_of_a_run_in_pieces_is_that_of_all_pieces() -> None:
+    library = cncsub.loads("O1\nN10 #1=#1+1\nN20 GOTO10\n", control="fanuc-0i-f")
+    limits: dict[str, Any] = {"max_seconds": 0.005, "max_blocks": 2**62}
+    begun = time.process_time()
+    for _ in library.stream(rows=1000, trace="none", **limits):
+        pass
+    machine = library.machine(max_memory=2**40, **limits)
+    while machine.stop is None:
+        machine.run(until=("O1", 10))
+    stepped = library.machine(max_memory=2**40, **limits)
+    steps = sum(1 for _ in stepped)
+    assert stepped.stop is cncsub.Stop.LIMIT
+    assert len(stepped.steps) == steps
+    assert time.process_time() - begun < SLACK
 
 
 @pytest.mark.parametrize("trace", ["none", "moves"])

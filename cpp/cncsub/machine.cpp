@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -10,13 +9,13 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::int64_t kLookBlocks = 1 << 14;  // blocks between two looks at clock and memory
-constexpr std::int64_t kLookMoves = 1 << 16;   // or moves
-constexpr std::size_t kPartMoves = 1 << 20;    // a part of a run that has more ends early
+constexpr std::int64_t kLookSkipped = 1 << 20;  // blocks passed over between two looks around
+constexpr std::size_t kPartMoves = 1 << 20;     // a part of a run that has more ends early
 constexpr std::size_t kManySkipped = 1'000'000;
 constexpr std::int32_t kManyRepeats = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t kHeldPieces =
+    8;  // that are kept for a block to be undone: as long as a move
 constexpr Op kFirstStatement = Op::Assign, kLastStatement = Op::EndDo;
-constexpr double kAskSeconds = 0.02;  // between two questions whether to stop, which may wait
 
 }  // namespace
 
@@ -147,14 +146,15 @@ bool Machine::passes(const Block& block) {
 bool Machine::step(const std::function<bool()>& interrupted) {
   if (stop_ == Stop::Interrupted) stop_ = Stop::Running;
   if (stop_ != Stop::Running) return false;
-  const Asking asking(*this, interrupted);
+  const AtWork at_work(*this, interrupted);
   const std::int64_t before = executed_;
-  while (stop_ == Stop::Running && executed_ == before && !broken_off_) {
+  while (stop_ == Stop::Running && executed_ == before && broken_off_ == Stop::Running) {
     if (executed_ >= options_.max_blocks) return end(Stop::Limit);
     const Block& block = code_->blocks[pc_];
     if (!passes(block)) execute(block, true);
   }
-  if (stop_ == Stop::Running && memory() > options_.max_memory) end(Stop::Limit);
+  const bool limited = broken_off_ == Stop::Limit || stops() == Stop::Limit;
+  if (stop_ == Stop::Running && limited) end(Stop::Limit);
   return executed_ != before;
 }
 
@@ -165,39 +165,33 @@ std::string Machine::axes() const {
   return motion_.axes_of(mask);
 }
 
-std::uint64_t Machine::memory() const { return trace_.bytes() + motion_.held_bytes(); }
-
 void Machine::run(const std::function<bool()>& interrupted,
                   const std::function<bool(const Machine&)>& pause, std::int64_t until) {
   if (stop_ == Stop::Interrupted) stop_ = Stop::Running;
-  using Clock = std::chrono::steady_clock;
-  const auto started = Clock::now();
   const Block* blocks = code_->blocks.data();
-  double asked = 0;
+  std::int64_t passed = 0;
   const std::int64_t last = std::min(until, options_.max_blocks);
   const bool in_parts = until != std::numeric_limits<std::int64_t>::max();
-  const Asking asking(*this, interrupted);
+  const AtWork at_work(*this, interrupted);
+  if (stop_ == Stop::Running && stops() == Stop::Limit) end(Stop::Limit);
   while (stop_ == Stop::Running) {
     // Between two looks at the clock, the memory and Ctrl-C nothing but blocks.
-    look_at_ = std::min(executed_ + kLookBlocks, last);
-    moves_ = 0;
+    look_later(last);
     while (executed_ < look_at_ && stop_ == Stop::Running) {
       const Block& block = blocks[pc_];
       if ((block.skip & options_.skips) != 0) [[unlikely]] {
         passes(block);
+        if (++passed % kLookSkipped == 0) look_soon();
         continue;
       }
       if (pause && pause(*this)) return;
       execute(block, static_cast<bool>(pause));
     }
     if (stop_ != Stop::Running) return;
-    const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
-    const bool ask = interrupted && seconds - asked > kAskSeconds;
-    if (ask) asked = seconds;
-    if (broken_off_ || (ask && interrupted()))
-      end(Stop::Interrupted);
-    else if (executed_ >= options_.max_blocks || memory() > options_.max_memory ||
-             (options_.max_seconds > 0 && seconds > options_.max_seconds))
+    const Stop why = broken_off_ != Stop::Running ? broken_off_ : stops();
+    if (why != Stop::Running)
+      end(why);
+    else if (executed_ >= options_.max_blocks)
       end(Stop::Limit);
     else if (executed_ >= until || (in_parts && trace_.moves.size() > kPartMoves))
       return;
@@ -433,14 +427,12 @@ bool Machine::words(const Block& block) {
   Outside around = outside();
   if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), recorded_moves(),
                                    outcome, around)) {
-    if (!broken_off_) return alarm(*fault);
-    give_back();
-    look_soon();
-    return false;
+    return broken_off_ == Stop::Running ? alarm(*fault) : false;
   }
+  in_block_ = 0;
   if (outcome.skip != SkipMove::No) keep_skip(outcome.skip);
-  moves_ += outcome.moves;
-  if (moves_ > kLookMoves) look_soon();
+  moves_ += outcome.moves + motion_.held_pieces() / kHeldPieces;
+  if (moves_ > look_moves_) look_soon();
   if (!auxiliary(words, block)) return false;
   words_done_ = true;
   if (block.n >= 0) last_n_ = block.n;
@@ -676,8 +668,8 @@ Outside Machine::outside() {
     return options_.inputs.skips[next_skip_++];
   };
   around.workpiece = options_.inputs.workpiece.get();
-  if (interrupted_ != nullptr && *interrupted_)
-    around.interrupted = [this] { return broken_off_ = (*interrupted_)(); };
+  in_block_ = 0;
+  around.interrupted = [this] { return breaks_off(); };
   return around;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -174,15 +175,12 @@ class Machine {
     static constexpr std::int64_t kNoVariable = std::numeric_limits<std::int64_t>::min();
   };
 
-  /// For as long as this lives, a block of very many moves asks whether to stop.
-  struct Asking {
-    Asking(Machine& of, const std::function<bool()>& interrupted) : machine(of) {
-      machine.interrupted_ = &interrupted;
-      machine.broken_off_ = false;
-    }
-    Asking(const Asking&) = delete;
-    Asking& operator=(const Asking&) = delete;
-    ~Asking() { machine.interrupted_ = nullptr; }
+  /// The machine is at work for as long as this lives: its time counts, and it asks `interrupted`.
+  struct AtWork {
+    AtWork(Machine& of, const std::function<bool()>& interrupted);
+    AtWork(const AtWork&) = delete;
+    AtWork& operator=(const AtWork&) = delete;
+    ~AtWork();
     Machine& machine;
   };
 
@@ -245,6 +243,12 @@ class Machine {
   std::optional<Cause> h_result(int code, double q, double r, std::int64_t target, double& result);
   bool print(const Print& print);
   bool name_variables(const Statement& statement);
+  /// A message for the operator, or what is printed.
+  void say(std::string text) {
+    if (text.size() > kLongText) look_soon();
+    trace_.say(std::move(text));
+    ++changes_;
+  }
   bool user_alarm(double n, const Statement& statement);
   bool store(const Statement& statement, double value);
   bool store_number(std::int64_t number, double value, const Statement& statement);
@@ -286,6 +290,11 @@ class Machine {
   void record_step();
   /// A block that did the work of many: time, memory and Ctrl-C are asked about soon.
   void look_soon() { look_at_ = 0; }
+  void look_later(std::int64_t last);
+  /// Why the run is to stop now, if it is: asked between blocks, and inside those that take long.
+  Stop stops();
+  /// Whether to break off the running block, which then has done nothing.
+  bool breaks_off();
   static constexpr std::uint32_t kLongText = 1000;  // of a block or an expression that takes long
   void run(const std::function<bool()>& interrupted,
            const std::function<bool(const Machine&)>& pause, std::int64_t until);
@@ -301,8 +310,13 @@ class Machine {
 
   std::shared_ptr<const Code> code_;
   Options options_;
+  using Clock = std::chrono::steady_clock;
   const std::function<bool()>* interrupted_ = nullptr;  // while it runs: whether to stop
-  bool broken_off_ = false;                             // it said so in the middle of a block
+  Stop broken_off_ = Stop::Running;                     // why a block was, in the middle
+  Clock::time_point begun_;                             // while it runs: when it began to
+  double spent_ = 0, asked_ = 0;  // seconds at work before, and until it asked `interrupted`
+  std::uint64_t in_block_ = 0;    // bytes that the running block takes besides what it records
+  std::int64_t look_moves_ = 0;   // when that many moves are made the run looks around
   Trace trace_;
   Motion motion_;
 

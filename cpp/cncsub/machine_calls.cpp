@@ -4,8 +4,15 @@
 #include <limits>
 
 #include "cncsub/machine.hpp"
+#include "cncsub/motion_state.hpp"
 
 namespace cncsub {
+
+namespace {
+
+constexpr std::uint32_t kManyArguments = 1 << 16;  // work for a millisecond
+
+}  // namespace
 
 bool Machine::operand(const Operand& operand, double& value) {
   switch (operand.kind) {
@@ -251,6 +258,7 @@ bool Machine::evaluate_arguments(const CallRecord& record) {
   const Argument* argument = code_->arguments.data() + record.first_argument;
   for (std::uint32_t i = 0; i < record.arguments; ++i, ++argument) {
     double value = 0;
+    if (i % kManyArguments == kManyArguments - 1 && breaks_off()) return false;
     if (!operand(argument->operand, value)) return false;
     if (argument->operand.whole && argument->operand.kind == Operand::Kind::Constant)
       value = motion_.scaled(argument->address, value);
@@ -343,6 +351,7 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
     if (open.call == std::numeric_limits<std::int32_t>::max() - 1) end(Stop::Limit);
   }
   stack_.push_back(open);
+  if (stack_.size() > kLongText) look_soon();  // each call looks at all of them
   pc_ = target.start;
   return true;
 }
@@ -457,9 +466,12 @@ std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf, Profile&
   while (next < first && passed(next)) ++next;
   found.right_behind = first == next;
   found.behind = last + 1;
-  for (Address a = first; a <= last; ++a)
+  for (Address a = first; a <= last; ++a) {
     if (!passed(a))
       if (auto wrong = profile_block(a, found.blocks)) return wrong;
+    in_block_ = found.blocks.size() * (sizeof(NcWords) + sizeof(Piece));
+    if (a % kLongText == 0 && breaks_off()) return missing(nf);
+  }
   if (found.blocks.size() > kLongText) look_soon();
   return std::nullopt;
 }

@@ -33,7 +33,13 @@ double angle_of(double degrees) { return degrees * 3.14159265358979323846 / 180.
 bool Machine::print(const Print& print) {
   const bool without_blanks = code_->control->parameter("6001#1") != 0;
   std::string line;
+  std::size_t left = kLongText;
   for (const PrintField& field : print.fields) {
+    if (--left == 0) {
+      in_block_ = line.size();
+      if (breaks_off()) return false;
+      left = kLongText;
+    }
     if (!field.is_variable) {
       line += field.text;
       continue;
@@ -47,8 +53,8 @@ bool Machine::print(const Print& print) {
     else
       line += written(value, field, without_blanks);
   }
-  trace_.say(std::move(line));
-  ++changes_;
+  in_block_ = 0;
+  say(std::move(line));
   return true;
 }
 

@@ -130,8 +130,7 @@ bool Machine::store_number(std::int64_t number, double value, const Statement& s
     return user_alarm(is_vacant(value) ? 0 : value, statement);
   if (place.range != nullptr && place.kind == VariableKind::Message) {
     const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-    trace_.say(code_->files[program.file].text.substr(statement.text, statement.text_length));
-    ++changes_;
+    say(code_->files[program.file].text.substr(statement.text, statement.text_length));
     return wait_for_operator("#" + std::to_string(number));
   }
   if (auto fault = write(number, value)) {
@@ -268,8 +267,10 @@ bool Machine::end_loop(const Statement& statement) {
 }
 
 bool Machine::name_variables(const Statement& statement) {
-  for (std::uint32_t i = 0; i < statement.variable_width; ++i)
+  for (std::uint32_t i = 0; i < statement.variable_width; ++i) {
+    if (i % kLongText == kLongText - 1 && breaks_off()) return false;
     names_[code_->names[static_cast<std::size_t>(statement.index) + i]] = statement.number + i;
+  }
   return true;
 }
 

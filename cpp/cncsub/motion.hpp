@@ -117,6 +117,9 @@ class Motion {
   Workpiece placed(Workpiece workpiece) const;
   /// The rows go to another table from now on.
   void forget_table() { s_.row_moves = nullptr; }
+  std::int64_t held_pieces() const {
+    return static_cast<std::int64_t>(s_.held.corner.size() + s_.held.radius.size());
+  }
   std::size_t held_bytes() const {
     return (s_.held.corner.capacity() + s_.held.radius.capacity()) * sizeof(Piece);
   }
