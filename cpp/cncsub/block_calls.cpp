@@ -44,6 +44,10 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
   const bool sub = call && !macro;
   std::array<const Token*, kAddresses> values{};
   std::uint32_t mask = 0, expressions = 0, whole = 0;
+  const std::size_t first_drop = code_.drops.size();
+  const auto drop = [&](const Token& token) {
+    code_.drops.push_back({0, token.operand.at, token.operand.width});
+  };
   const auto owned = [&](const Token& token) {  // by the call or the return, not by the block
     if (token.late || token.letter == 'G' || token.letter == 'M' || token.letter == '<' ||
         token.letter == '/')
@@ -70,7 +74,9 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
               : token.letter == 'R' ? kCommaR
               : token.letter == 'A' ? kCommaA
                                     : kCommaD;
-    values[static_cast<std::size_t>(place)] = &token;
+    const Token*& value = values[static_cast<std::size_t>(place)];
+    if (value != nullptr) drop(*value);
+    value = &token;
     const std::uint32_t mark = 1u << place;
     mask |= mark;
     const bool computed = token.operand.kind == Operand::Kind::Expression || cut(token.operand);
@@ -109,6 +115,9 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
   }
   const int most = std::min(control_.m_codes_per_block.value, 6);
   const int first_m = std::max(0, meaning.m_count - most);
+  for (int i = 0; i < first_m; ++i) drop(*meaning.m[static_cast<std::size_t>(i)]);
+  if (code_.drops.size() > first_drop) block.flags |= Block::kDrops;
+  for (std::size_t i = first_drop; i < code_.drops.size(); ++i) code_.drops[i].data = block.data;
   for (int i = first_m; i < meaning.m_count; ++i)
     code_cell(*meaning.m[static_cast<std::size_t>(i)], 1);
   block.g_count = static_cast<std::uint8_t>(g_count);

@@ -241,6 +241,10 @@ std::optional<Fault> BlockReader::check_together(const Tokens& tokens,
   if (control_.m_codes_alone.value && meaning.lonely != nullptr && meaning.m_words > 1)
     return at(Cause::IllegalMCombination, *meaning.lonely,
               "this M code shares no block with another M code");
+  if (const int most = control_.m_codes_per_block.value;
+      control_.m_codes_alarm.value && meaning.m_count > most && most >= 0)
+    return at(Cause::IllegalMCombination, *meaning.m[static_cast<std::size_t>(most)],
+              "the control takes " + std::to_string(most) + " M codes in one block");
   for (int i = 0; i < meaning.g_count; ++i) {
     const Token& token = *meaning.g[static_cast<std::size_t>(i)];
     if (token.operand.kind != Operand::Kind::Constant) continue;

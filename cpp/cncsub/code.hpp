@@ -224,6 +224,7 @@ struct Block {
       2;  // a G or M is an expression: its cell holds -1 - expression
   static constexpr std::uint8_t kSecondG = 4;  // Linear: G01 is written; Round: G03
   static constexpr std::uint8_t kNoG = 8;      // Linear and Round: no G is written
+  static constexpr std::uint8_t kDrops = 16;   // words that do not count: Code::drops
 };
 
 /// The words of a block, ready to be executed.
@@ -359,6 +360,12 @@ struct SourceFile {
   bool external = false;
 };
 
+/// A word that the control reads and does not obey: an M code too many, an address written again.
+struct Drop {
+  std::uint32_t data = 0;  // of its block
+  std::uint32_t at = 0, width = 1;
+};
+
 struct SequenceEntry {
   std::int32_t n;
   Address address;
@@ -407,6 +414,7 @@ struct Code {
   std::vector<Print> prints;
   std::vector<Variant> choices;
   std::vector<Fault> faults;
+  std::vector<Drop> drops;  // in the order of their blocks' data
   std::vector<SequenceEntry> sequence;
   std::unordered_map<std::int64_t, std::int32_t> by_number, external_by_number;
   std::unordered_map<std::string, std::int32_t> by_name, external_by_name;

@@ -434,6 +434,8 @@ bool Machine::words(const Block& block) {
   moves_ += outcome.moves + motion_.held_pieces() / kHeldPieces;
   if (moves_ > look_moves_) look_soon();
   if (!auxiliary(words, block)) return false;
+  if ((block.flags & Block::kDrops) != 0 || (outcome.dropped | outcome.dropped_codes) != 0)
+    tell_dropped(block, words);
   words_done_ = true;
   if (block.n >= 0) last_n_ = block.n;
   if (outcome.moved || words.m_count > 0 || words.has('T') || words.g_count > 0) ++changes_;

@@ -363,6 +363,7 @@ class Machine {
     std::size_t next_skip = 0;
     std::minstd_rand random;
   } taken_;
+  void tell_dropped(const Block& block, const NcWords& words);
   double clock_ms_ = 0;
   /// Seconds of the run as its clocks show them: they do not wait for an endless cut.
   double ran() const { return std::min(motion_.time(), 1e9); }

@@ -1,9 +1,11 @@
 // DPRNT and BPRNT, and the G65 H statements of the GSK controls.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 
 #include "cncsub/machine.hpp"
+#include "cncsub/motion_codes.hpp"
 
 namespace cncsub {
 
@@ -29,6 +31,35 @@ std::string written(double value, const PrintField& field, bool without_blanks) 
 double angle_of(double degrees) { return degrees * 3.14159265358979323846 / 180.0; }
 
 }  // namespace
+
+/// What the block said and the control did not obey: what was known when the block was read, then
+/// G codes, then addresses.
+void Machine::tell_dropped(const Block& block, const NcWords& words) {
+  if (trace_.depth == Trace::Depth::None) return;
+  const auto tell = [&](std::string text) {
+    text.erase(text.find_last_not_of(" \t\r") + 1);
+    trace_.text += text.size();
+    trace_.dropped.push({executed_, pc_, std::move(text)});
+  };
+  const Program& program = code_->programs[static_cast<std::size_t>(code_->program_at(pc_))];
+  const std::string& text = code_->files[program.file].text;
+  if ((block.flags & Block::kDrops) != 0) {
+    auto drop = std::lower_bound(code_->drops.begin(), code_->drops.end(), block.data,
+                                 [](const Drop& d, std::uint32_t data) { return d.data < data; });
+    for (; drop != code_->drops.end() && drop->data == block.data; ++drop)
+      tell(text.substr(drop->at, drop->width));
+  }
+  for (int i = 0; i < words.g_count; ++i)
+    if ((outcome_.dropped_codes >> i & 1) != 0)
+      tell(code_name(words.g[static_cast<std::size_t>(i)]));
+  for (std::uint32_t left = outcome_.dropped & words.mask; left != 0; left &= left - 1) {
+    const int place = std::countr_zero(left);
+    char word[40];
+    std::snprintf(word, sizeof word, "%c%.10g", static_cast<char>('A' + place),
+                  words.value[static_cast<std::size_t>(place)]);
+    tell(word);
+  }
+}
 
 bool Machine::print(const Print& print) {
   const bool without_blanks = code_->control->parameter("6001#1") != 0;

@@ -255,6 +255,9 @@ Motion::Result Motion::read(BlockWords& block) const {
     if (place.code >= 0 && code.group != Group::OneShot &&
         c.repeated_address.value == RepeatedAddress::Alarm)
       return fault(Cause::AddressGivenTwice, block);
+    for (int j = 0; j < i && place.code >= 0; ++j)
+      if (block.words.g[static_cast<std::size_t>(j)] == place.code && place.code != code.code)
+        block.outcome.dropped_codes |= static_cast<std::uint16_t>(1u << j);
     place = code;
   }
   return std::nullopt;
@@ -506,7 +509,11 @@ Axes Motion::target(BlockWords& block, std::uint32_t& named) {
   }
   for (const auto& [letter, name] : kIncrements) {
     const int axis = axis_of(name);
-    if (!lathe_a || !block.words.has(letter) || (named & axis_bit(axis)) != 0) continue;
+    if (!lathe_a || !block.words.has(letter)) continue;
+    if ((named & axis_bit(axis)) != 0) {
+      block.outcome.drop(bit(letter));
+      continue;
+    }
     named |= axis_bit(axis);
     end[axis] += number(block, letter);
   }
@@ -532,6 +539,8 @@ Motion::Result Motion::dwell(BlockWords& block) {
     const bool milliseconds =
         letter == 'P' ? !c.dwell_p_seconds.value : increments && (w.whole & bit(letter)) != 0;
     seconds = raw(block, letter) * (milliseconds ? 0.001 : 1);
+    for (const char other : c.dwell_words.value)
+      if (other != letter) block.outcome.drop(bit(other));
     break;
   }
   if (seconds <= 0) return std::nullopt;

@@ -91,6 +91,11 @@ class Motion {
     Address behind = kNowhere;  // G71 to G73: the run goes on here, behind the profile
     std::int64_t moves = 0;
     SkipMove skip = SkipMove::No;
+    // What the block says and the control does not obey beside something else of the block.
+    std::uint32_t dropped = 0;        // addresses, as in a mask
+    std::uint16_t dropped_codes = 0;  // the places of G codes among the block's
+
+    void drop(std::uint32_t addresses) { dropped |= addresses; }
   };
   /// Executes the motion words of a block. When it returns a fault nothing has changed.
   std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves,

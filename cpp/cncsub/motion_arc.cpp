@@ -99,6 +99,7 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
   Piece piece = make_piece(block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
   if (auto wrong = corner_words(block, piece)) return wrong;
   if (radius) {
+    block.outcome.drop(bit('I') | bit('J') | bit('K'));  // R counts [source 003, note 3]
     if (auto wrong = arc_by_radius(block, piece)) return wrong;
   } else if (centre) {
     if (s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn &&

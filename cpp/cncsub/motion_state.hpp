@@ -30,9 +30,9 @@ struct Piece {
   double corner_size = 0;
   bool corner_piece = false;  // put in between two blocks
   SkipMove skip = SkipMove::No;
-  std::uint32_t at = 0;       // where its block stands, for faults
-  Axes offset{};              // work to base
-  Axes length{};              // base to machine
+  std::uint32_t at = 0;  // where its block stands, for faults
+  Axes offset{};         // work to base
+  Axes length{};         // base to machine
   MoveState state;
 };
 

@@ -28,7 +28,7 @@ std::int64_t Trace::step_of_move(std::uint32_t step) const {
 
 std::size_t Trace::bytes() const {
   return steps.bytes() + calls.bytes() + arguments.bytes() + moves.bytes() + m_codes.bytes() +
-         t_codes.bytes() + messages.bytes() + text + missed_skips.bytes();
+         t_codes.bytes() + messages.bytes() + dropped.bytes() + text + missed_skips.bytes();
 }
 
 void Trace::say(std::string message) {

@@ -41,6 +41,12 @@ struct Trace {
     std::int64_t step;
     Address address;
   };
+  /// A word that the control read and did not obey.
+  struct Dropped {
+    std::int64_t step;
+    Address address;
+    std::string text;
+  };
 
   Depth depth = Depth::Moves;
   Column<Step> steps;
@@ -50,6 +56,7 @@ struct Trace {
   Column<std::int64_t> m_codes, t_codes;
   Column<std::string> messages;
   Column<Place> missed_skips;  // the blocks of G31 that met nothing
+  Column<Dropped> dropped;
   std::size_t text = 0;  // characters of the messages
 
   // Steps, calls and moves are numbered through the run; a part begins anywhere.

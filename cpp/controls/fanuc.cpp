@@ -485,6 +485,7 @@ void reading(Control& c) {
                      Inferred};
   c.missing_end = {MissingEnd::Alarm, cite({kAlm, "5010; 3404#6 EOR"}), Secondary};
   c.m_codes_per_block = {1, cite({kKnown, "3404#7 M3B", kCex487}), Inferred};
+  c.m_codes_alarm = {false, cite({kKnown, "3404#7 M3B"}), Inferred};
   c.m_codes_alone = {true, cite({kKnown, "alarm text 5016 from ALM"}), Inferred};
   c.bare_g = {false, cite({kKnown, "005"}), Inferred};
   c.g_codes = {kCodes16i, cite({kReg, kCncs, "the rest general knowledge"}), Inferred};

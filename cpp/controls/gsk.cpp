@@ -83,6 +83,7 @@ void read_988(Control& c) {
   c.whole_numbers = {WholeNumbers::Millimetres, "inferred from the examples of TA28", kInferred};
   c.missing_end = {MissingEnd::Alarm, kTApar + "3404#6 EOR = 0; Talm 019", kManual};
   c.m_codes_per_block = {1, kTApar + "3404#7 M3B = 0", kManual};
+  c.m_codes_alarm = {true, kTalm + "012: 3404#7", kSecondary};
   c.m_codes_alone = {false, kPolicy, kInferred};
   c.bare_g = {false, kTalm + "005", kManual};
   c.g_codes_complete = {true, "inferred: Talm 009, illegal G code", kInferred};
@@ -477,6 +478,7 @@ void read_980(Control& c) {
                      kInferred};
   c.missing_end = {MissingEnd::Alarm, kPolicy, kInferred};
   c.m_codes_per_block = {1, kGeneral, kInferred};
+  c.m_codes_alarm = {false, kGeneral, kInferred};
   c.m_codes_alone = {false, kPolicy, kInferred};
   c.bare_g = {false, kMDia + "003: a word has at least two characters", kManual};
   c.g_codes = {kTDiCodes, kTDi + "2 to TDi37, titles", kManual};
@@ -846,6 +848,7 @@ void read_928(Control& c) {
   c.whole_numbers = {WholeNumbers::Millimetres, k001 + "Fig. 3-1", kDocument};
   c.missing_end = {MissingEnd::Alarm, kPolicy, kInferred};
   c.m_codes_per_block = {1, kGeneral, kInferred};
+  c.m_codes_alarm = {false, kGeneral, kInferred};
   c.m_codes_alone = {false, kPolicy, kInferred};
   c.bare_g = {false, kPolicy, kInferred};
   c.g_codes = {"0 1 2 3 4 22 26 27 29 33 50 80 96 97 98 99",

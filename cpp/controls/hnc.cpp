@@ -39,7 +39,8 @@ void reading(Control& c) {
   c.minus_addresses = {"ABCDEFHIJKQRSUVWXYZ", kKnown, Inferred};
   c.whole_numbers = {WholeNumbers::Millimetres, kKnown, Inferred};
   c.missing_end = {MissingEnd::Alarm, kKnown, Inferred};
-  c.m_codes_per_block = {1, kUnsure, Inferred};
+  c.m_codes_per_block = {2, "source 003, M06: T1 M06 M03 S500", SourceDocument};
+  c.m_codes_alarm = {false, kUnsure, Inferred};
   c.m_codes_alone = {false, kPolicy, Inferred};
   c.bare_g = {false, kPolicy, Inferred};
   c.g_codes = {

@@ -66,6 +66,7 @@ void reading(Control& c) {
                      "inferred from the worked examples, which count in millimetres", kInferred};
   c.missing_end = {MissingEnd::Alarm, kSK + "P36", kManual};
   c.m_codes_per_block = {4, kGeneral, kInferred};
+  c.m_codes_alarm = {false, kGeneral, kInferred};
   c.m_codes_alone = {false, kGeneral, kInferred};
   c.bare_g = {true, kM7 + "p.45: G without a number is G00", kManual};
   c.g_codes = {kGCodes, kGeneral + "; " + kM7 + "for the milling groups", kInferred};

@@ -92,6 +92,20 @@ py::tuple step_row(const Record& record, std::size_t index) {
                         step.call, step.repeat);
 }
 
+py::list dropped(const Record& record) {
+  const Record::Reading reading(record);
+  const Code& code = record.code();
+  py::list list;
+  for (std::size_t i = 0; i < record.trace().dropped.size(); ++i) {
+    const Trace::Dropped& drop = record.trace().dropped[i];
+    const Block& block = code.blocks[drop.address];
+    const Program& program = code.programs[static_cast<std::size_t>(code.program_at(drop.address))];
+    list.append(py::make_tuple(drop.step, program.name, sequence_number(block.n), block.line,
+                               code.files[program.file].name, drop.text));
+  }
+  return list;
+}
+
 template <class T, class Value>
 py::object call_array(const Record& record, Value&& value) {
   const Trace& trace = record.trace();
@@ -339,6 +353,7 @@ void add_trace(py::module_& m) {
           "m_codes", [](const Record& record) { return listed(record, record.trace().m_codes); })
       .def_property_readonly(
           "t_codes", [](const Record& record) { return listed(record, record.trace().t_codes); })
+      .def_property_readonly("dropped", &dropped)
       .def_property_readonly(
           "messages", [](const Record& record) { return listed(record, record.trace().messages); })
       .def_property_readonly("missed_skips", &missed_skips);

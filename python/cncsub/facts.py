@@ -24,6 +24,7 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "bounds": {axis: list(pair) for axis, pair in run.moves.bounds.items()},
         "messages": run.messages,
         "missed_skips": [asdict(missed) for missed in run.missed_skips],
+        "dropped": [asdict(word) for word in run.dropped],
         "m_codes": run.m_codes,
         "t_codes": run.t_codes,
         "variables": {str(number): value for number, value in run.variables.items()},

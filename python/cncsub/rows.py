@@ -6,6 +6,18 @@ from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
+class Dropped:
+    """A word that the control read and did not obey, as it is written; a G code by its name."""
+
+    step: int
+    program: str
+    n: int | None
+    line: int
+    file: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Step:
     """One executed block. `frame` is the number of its call, its row in `run.calls`; -1 in
     the main program.

@@ -13,7 +13,7 @@ from cncsub._core import Alarm, Frame
 from cncsub.controls import did_you_mean
 from cncsub.inputs import checked_variables
 from cncsub.program import Block, find_program
-from cncsub.rows import MissedSkip, Step
+from cncsub.rows import Dropped, MissedSkip, Step
 from cncsub.staying import Stays
 from cncsub.tables import Calls, Moves, Steps
 
@@ -238,6 +238,19 @@ class Recorded(Stays):
     def messages(self) -> list[str]:
         """What `#3006` and `DPRNT` wrote, in order."""
         return self._trace.messages
+
+    @property
+    def dropped(self) -> tuple[Dropped, ...]:
+        """Words that the control read and did not obey, in order (with any `trace` but `"none"`): M
+        codes beyond those it takes in a block, all but the last of an address or of a group of G
+        codes, I and K beside R, U beside X.
+
+        >>> import cncsub
+        >>> run = cncsub.loads("O1\\nN10 M8 M3 S500\\nM30\\n", control="fanuc-0i-f").run()
+        >>> run.dropped[0].text, run.dropped[0].n, run.m_codes
+        ('M8', 10, [3])
+        """
+        return tuple(Dropped(*row) for row in self._trace.dropped)
 
     @property
     def missed_skips(self) -> list[MissedSkip]:

@@ -64,6 +64,7 @@ class Case:
     m: Sequence[int] | None
     t: Sequence[int] | None
     messages: Sequence[str] | None
+    dropped: Sequence[str] | None
     calls: tuple[str, ...] | None
     tree: str | None
     frames: tuple[str, ...] | None
@@ -139,6 +140,7 @@ def case(
     m: Sequence[int] | None = None,
     t: Sequence[int] | None = None,
     messages: Sequence[str] | None = None,
+    dropped: Sequence[str] | None = None,
     calls: str | None = None,
     tree: str | None = None,
     frames: str | None = None,
@@ -200,6 +202,7 @@ def case(
         m=m,
         t=t,
         messages=messages,
+        dropped=dropped,
         calls=None if calls is None else tuple(calls.split()),
         tree=tree,
         frames=None if frames is None else tuple(f.strip() for f in frames.split("<") if f.strip()),

@@ -132,6 +132,8 @@ def _value_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
         yield from _list_difference("m", case.m, codes)
     if case.t is not None:
         yield from _list_difference("t", case.t, run.t_codes)
+    if case.dropped is not None:
+        yield from _list_difference("dropped", case.dropped, [w.text for w in run.dropped])
     if case.messages is not None:
         yield from _list_difference("messages", case.messages, map(str, run.messages))
 
