@@ -39,7 +39,7 @@ struct RadiusPath {
   using Result = std::optional<Fault>;
 
   /// A step of one increment has no direction yet.
-  bool same(Point p, Point q) const { return size(p - q) < 1.2 * least; }
+  bool same(Point p, Point q) const { return size(p - q) < 1.5 * least; }
   bool same_normal(Point p, Point q) const { return size(p - q) <= least / 2; }
 
   Result record(const Piece& piece, Point v) {

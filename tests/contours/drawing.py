@@ -77,13 +77,15 @@ class Drawing:
         turns = [0.0, *self.corners(), 0.0]
         ways = [self.around(i) for i, turn in enumerate(turns[1:-1]) if turn < -1e-9]
         for place, curve in enumerate(self.curves):
-            free = self.room(place, PARTS) > self.radius - 1e-9
+            close = int(min(max(3 * curve.length / self.radius, 40), 2000))
+            parts = np.linspace(0, 1, close + 1)
+            free = self.room(place, parts) > self.radius - 1e-9
             if not free.any() or (np.diff([0, *free, 0]) != 0).sum() > 2:
                 return True
             for reached, turn in ((free[0], turns[place]), (free[-1], turns[place + 1])):
                 if reached if turn > 0.02 else turn < 1e-9 and not reached:
                     return True
-            ways.append(self.beside(curve, PARTS)[free])
+            ways.append(self.beside(curve, parts)[free])
             far = [c for i, c in enumerate(self.curves) if abs(i - place) > 2]
             step = np.hypot(*np.diff(ways[-1], axis=0).T).max() if len(ways[-1]) > 1 else 0.0
             if far and distances(ways[-1], far).min() < self.radius + step / 2:

@@ -16,7 +16,8 @@ INCH = 25.4
 PLANES = {17: "XYIJZ", 18: "ZXKIY", 19: "YZJKX"}
 # From the nose's centre to the imaginary tip, as Z and X.
 TIPS = [(0, 0), (1, 1), (-1, 1), (-1, -1), (1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (0, 0)]
-NO_INCH = {"gsk-980tdi", "gsk-928te"}
+NO_INCH = {"gsk-980tdi"}
+NONE = {"gsk-928te"}  # no source tells of radius compensation there
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class Station:
 
 def stations() -> list[Station]:
     found = []
-    for name in cncsub.controls:
+    for name in [name for name in cncsub.controls if name not in NONE]:
         if name not in ("gsk-980mdi", "hnc-21m") and not name.startswith("mitsubishi"):
             found.append(Station(name, "lathe-a"))
         if not name.startswith("gsk") or name == "gsk-980mdi":
