@@ -301,7 +301,7 @@ def _read_block(name: str) -> str:
 
 def topic_files() -> list[Path]:
     """The files that hold rows: everything here that is neither a test nor part of the harness."""
-    harness = {"conformance", "moves", "outcome", "mutation", "unpinned", "conftest"}
+    harness = {"conformance", "entries", "moves", "outcome", "mutation", "unpinned", "conftest"}
     files = sorted(FOLDER.glob("*.py"))
     return [file for file in files if file.stem not in harness and not file.stem.startswith("test")]
 

@@ -9,6 +9,8 @@ from pathlib import Path
 import cncsub
 from cncsub import _core
 from conformance import EVIDENCE, cases, rows, topic_files
+from entries import HOW_TO_WRITE as HOW_TO_PIN
+from entries import unnoticed
 from mutation import HOW_TO_WRITE, notices, read_pins
 from unpinned import UNPINNED
 
@@ -118,6 +120,11 @@ def test_every_rule_is_pinned() -> None:
                 idle.append(f"{name}: {rule.name}: {claim}")
     assert idle == [], f"{HOW_TO_WRITE}; these rows pin nothing:\n{chr(10).join(idle)}"
     assert missing == [], f"{HOW_TO_WRITE}; no row is known for:\n{chr(10).join(missing)}"
+
+
+def test_every_entry_of_every_list_is_pinned() -> None:
+    """Take any code, letter, name or cause out of any list, and the row that pins it has to fail."""
+    assert unnoticed() == [], HOW_TO_PIN
 
 
 def test_what_is_unpinned_is_pinned_nowhere_else() -> None:

@@ -1,0 +1,171 @@
+"""Lists are pinned entry by entry: for each entry a row that fails where it is missing.
+
+`entries.json` names that row for every entry of every list of every control. The test of it runs
+these rows alone; `python tests/conformance/entries.py` looks through all rows for the entries that
+have none, and forgets what is gone. An entry that no row can notice has its reason here, or its
+whole rule has it in `unpinned.py`.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import cncsub
+from conformance import Case, rows
+from mutation import passes
+from unpinned import UNPINNED
+
+FILE = Path(__file__).parent / "entries.json"
+HOW_TO_WRITE = "python tests/conformance/entries.py looks for rows and writes entries.json"
+
+LETTERS = (  # noqa: SIM905
+    "point_addresses minus_addresses name_marks dwell_words longer_words cycle_repeats"
+    " lead_growth thread_words_not_computed"
+).split()  # lists of one character an entry; the others have blanks between
+
+# Rule, the controls or none for all, entries, and why no row can notice them.
+TE, HNC = "gsk-928te", "hnc-21m"
+REASONS = [
+    ("g_codes", None, "65 66 66.1 67", "a macro call is known by `macro_calls`, whatever the list says"),
+    ("g_codes", TE, "22 26 27 29 33 80", "a code that no source tells of alarms alike without the list"),
+    ("g_codes", HNC, "7 11 12 22 24 25 34", "a meaning of the control's own is known without the list"),
+    ("g_meanings", TE, "33=not-computed", "a code that no source tells of alarms alike"),
+    ("g_meanings", HNC, "7=not-computed 12=not-computed 34=not-computed", "the same"),
+    ("codes_not_with_macro_call", None, "65 66", "two macro calls in a block are another fault"),
+    ("codes_not_with_modal_call", None, "65 66", "two macro calls in a block are another fault"),
+    ("modal_groups", None, "rotation=16", "the group has this number on every control"),
+    ("lead_growth", None, "K", "a control without the word has it by default"),
+    ("longer_words", None, "D", "a control without the word has it by default"),
+]
+
+# Control, rule, claim, and the entries whose want it notices, separated by blanks.
+Pins = dict[str, dict[str, dict[str, str]]]
+
+
+def lists(control: cncsub.Control) -> Iterator[Any]:
+    yield from (rule for rule in control.rules if isinstance(rule.value, str) and not rule.choices)
+
+
+def entries(rule: Any) -> list[str]:
+    return list(dict.fromkeys(rule.value if rule.name in LETTERS else rule.value.split()))
+
+
+# How `replace` takes a list as a whole, where one that is given is otherwise added to.
+_PROBE = next(iter(cncsub.controls.values())).replace(g_codes="=0")
+_WHOLE = "" if any(rule.value == "=0" for rule in _PROBE.rules) else "="
+
+
+def without(control: cncsub.Control, rule: Any, entry: str) -> cncsub.Control:
+    between = "" if rule.name in LETTERS else " "
+    rest = between.join(other for other in entries(rule) if other != entry)
+    return control.replace(**{rule.name: _WHOLE + rest})
+
+
+def excused(control: cncsub.Control, rule: Any, entry: str) -> bool:
+    """Whether an entry stands for a reason where no row can notice it."""
+    if control.name in UNPINNED.get(rule.name, {}):
+        return True
+    if rule.name.startswith("codes_not_with"):
+        codes = next(str(other.value) for other in control.rules if other.name == "g_codes").split()
+        if codes and entry not in codes:
+            return True  # a relative's code, which this control does not have
+    return any(
+        rule.name == name and control.name == (only or control.name) and entry in inert.split()
+        for name, only, inert, _ in REASONS
+    )
+
+
+def read_pins() -> Pins:
+    pins: Pins = json.loads(FILE.read_text(encoding="utf-8"))
+    return pins
+
+
+def _by_entry(pins: Pins, control: str, rule: str) -> dict[str, str]:
+    claims = pins.get(control, {}).get(rule, {})
+    return {entry: claim for claim, noticed in claims.items() for entry in noticed.split()}
+
+
+def unnoticed() -> list[str]:
+    """The entries of the lists in the file that no row notices: the row that is named for them, or
+    any other where that one is gone. A list that is new joins when the file is written.
+    """
+    by_place = {(row.control, row.case.claim): row.case for row in rows()}
+    pins, found = read_pins(), []
+    known = {rule for claims in pins.values() for rule in claims}
+    for name, control in cncsub.controls.items():
+        for rule in lists(control):
+            claims = _by_entry(pins, name, rule.name)
+            for entry in entries(rule) if rule.name in known else ():
+                if excused(control, rule, entry):
+                    continue
+                case = by_place.get((name, claims.get(entry, "")))
+                mutant = without(control, rule, entry)
+                if case is not None and not passes(case, mutant):
+                    continue
+                own = (row.case for row in rows() if row.control == name)
+                likely = (c for c in own if _may_notice(rule.name, entry, c, _text(c)))
+                if all(passes(c, mutant) or not passes(c, control) for c in likely):
+                    found.append(f"{name}: {rule.name}: {entry}: {claims.get(entry)}")
+    return found
+
+
+def _text(case: Case) -> str:
+    parts = [case.program, case.mdi, *(case.files or {}).values(), *(case.external or {}).values()]
+    texts = [part.decode("latin-1") if isinstance(part, bytes) else part for part in parts if part]
+    return "\n".join(texts).upper()
+
+
+def _may_notice(rule: str, entry: str, case: Case, text: str) -> bool:
+    """Whether a row has what the entry is about: its code, its name, its cause, its letter."""
+    if rule == "refuses":
+        return case.alarm == entry
+    if rule == "functions":
+        return entry[:2] in text
+    if "codes" in rule or rule == "g_meanings":
+        letter = "M" if rule.startswith("m_") else "G"
+        return re.search(rf"{letter}0*{re.escape(entry.split('=')[0])}(?![\d.]*[1-9])", text) is not None
+    return rule == "modal_groups" or entry[-1] in text
+
+
+def find_pins() -> Pins:
+    """The pins that hold, and for the other entries the first row that notices."""
+    old, pins = read_pins() if FILE.exists() else {}, {}
+    every = [(row, _text(row.case)) for row in rows()]
+    for name, control in cncsub.controls.items():
+        own = [(row.case, text) for row, text in every if row.control == name]
+        claims: dict[str, dict[str, list[str]]] = {}
+        for rule in lists(control):
+            known = _by_entry(old, name, rule.name)
+            tried_first: list[str] = []
+            for entry in entries(rule):
+                if excused(control, rule, entry):
+                    continue
+                first = [known.get(entry), *tried_first]
+                likely = [case for case, text in own if _may_notice(rule.name, entry, case, text)]
+                likely.sort(key=lambda case: first.index(case.claim) if case.claim in first else 99)
+                mutant = without(control, rule, entry)
+                for case in likely:
+                    if not passes(case, mutant) and passes(case, control):
+                        claims.setdefault(rule.name, {}).setdefault(case.claim, []).append(entry)
+                        tried_first.insert(0, case.claim)
+                        break
+        pins[name] = {
+            rule: {claim: " ".join(noticed) for claim, noticed in by_claim.items()}
+            for rule, by_claim in claims.items()
+        }
+    return pins
+
+
+def main() -> None:
+    pins = find_pins()
+    FILE.write_text(json.dumps(pins, indent=1, ensure_ascii=True) + "\n", encoding="utf-8")
+    print("\n".join(unnoticed()), file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()
