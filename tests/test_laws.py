@@ -355,6 +355,25 @@ cut_block = st.builds(
     st.lists(cut_code, max_size=2),
     st.lists(cut_word, max_size=4),
 )
+# ---- what is told about the moves: finite, in order, and one sum of times ----
+
+measured = st.one_of(place, place, st.sampled_from(["0", "99999.999", "-99999.999", "99999999", "-0."]))
+said = st.builds(
+    lambda code, words: f"{code} {words}",
+    st.sampled_from(
+        ["G0", "G1", "G1", "G2 R30.", "G3 R30.", "G96 S100", "G97 S500", "G95 F0.2", "G94 F200."]
+        + ["G98 F150.", "G99 F0.1", "T0101", "T0202", "T0", "G41 D1", "G42 D1", "G40", "G43 H1"]
+        + ["G49", "G92", "G52", "G54", "G55", "G91", "G90", "G4 P500", "G32 F2.", "G20", "G21"]
+        + ["G51 P2000", "G68 R30.", "G10 L2 P1", "G28", "G16", "G15", "M98 P2 L3"]
+    ),
+    st.lists(st.builds(str.__add__, st.sampled_from("XYZXYZB"), measured), max_size=3).map(" ".join),
+)
+SHOP = {
+    "length_offsets": {1: 12.5},
+    "radius_offsets": {1: 2.5},
+    "tools": {1: {"X": 4.0, "Z": -3.0, "R": 0.8, "tip": 3}, 2: {"X": -2.5, "R": 0.4, "tip": 2}},
+    "work_offsets": {"G55": {"X": 30.0, "Z": 7.0}, "EXT": {"Y": 2.0}},
+}
 
 
 @given(
@@ -393,3 +412,28 @@ def test_a_rotary_axis_does_not_know_inches(control: str, words: list[str], feed
     inch, metric = seconds("G20"), seconds("G21")
     np.testing.assert_allclose(inch, metric)
     assert metric[1] == feed
+    blocks=st.lists(said, max_size=10),
+)
+def test_moves_are_finite_in_order_and_add_up(
+    control: str, machine: str, blocks: list[str]
+) -> None:
+    head = "%" if cncsub.controls[control].name in ("hnc-21m", "gsk-928te") else "O"
+    text = f"{head}1\nG1 F100. S300\n" + "\n".join(blocks) + f"\nM30\n{head}2\nG91 X3.\nM99\n"
+    run = cncsub.loads(text, control=control).run(setup={"machine": machine, **SHOP})
+    moves = run.moves
+    assert np.all(np.diff(moves.step) >= 0)
+    for name in moves.columns:
+        values = np.asarray(getattr(moves, name), dtype=float)
+        assert np.all(np.isfinite(values) | (name in ("cx", "cy", "cz"))), name
+        assert not np.any(np.isinf(values)), name
+    assert math.isclose(moves.time.sum(), moves.total_time, rel_tol=1e-9, abs_tol=1e-9)
+    assert all(math.isfinite(value) for value in run.position.values())
+    share = 1 if machine == "mill" else 0.5
+    chords = np.sqrt(
+        (np.diff(moves.mx) * share) ** 2 + np.diff(moves.my) ** 2 + np.diff(moves.mz) ** 2
+    )
+    assert np.all(moves.length[1:] >= chords * (1 - 1e-9) - 1e-9)
+    for axis, (low, high) in moves.bounds.items():
+        column = getattr(moves, axis.lower())
+        assert low <= column.min()
+        assert high >= column.max()

@@ -45,8 +45,8 @@ BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
 
 void BlockReader::register_calls() {
   const auto value_of = [&](std::int32_t parameter) {
-    return static_cast<std::int32_t>(
-        std::clamp(control_.parameter(std::to_string(parameter)), -1e9, 1e9));
+    return to_whole<std::int32_t>(control_.parameter(std::to_string(parameter)), -1'000'000'000,
+                                  1'000'000'000);
   };
   if (const std::int32_t m = value_of(6030); m > 0 && m < 1000) external_m_ = m;
   for (const CodeCall& list : control_.code_calls) {
@@ -97,7 +97,7 @@ const RegisteredCall* BlockReader::registered(char address, double code) const {
   if (const int place = switched_[static_cast<std::size_t>(address - 'A')]; place != 0)
     return &switches_[static_cast<std::size_t>(place - 1)];
   if (registered_.empty() || std::fabs(code) > 1e9 || code != std::floor(code)) return nullptr;
-  const auto found = registered_.find(key(address, static_cast<std::int32_t>(code)));
+  const auto found = registered_.find(key(address, to_whole<std::int32_t>(code)));
   return found == registered_.end() ? nullptr : &found->second;
 }
 
@@ -128,7 +128,7 @@ bool BlockReader::plain(const Scanner& s, Block& block) {
     const bool negative = *p == '-';  // signs come as they like: nothing branches on them
     p += negative ? 1 : 0;
     const auto [mantissa, whole, decimals, point] = scan_mantissa(p);
-    if (whole + decimals == 0 || whole + decimals > 15 ||
+    if (whole + decimals == 0 || whole + decimals > kMostDigits ||
         whole + (point ? 3 : 0) > control_.max_digits.value)
       return false;
     if (what == Plain::Value) {
@@ -265,7 +265,7 @@ bool BlockReader::sequence_number(Scanner& s, Block& block) {
         "the largest sequence number is " + std::to_string(control_.max_sequence_number.value));
   if (number.value == 0 && !control_.zero_numbers.value)
     return wrong(Cause::ProgramNumberZero, "N0 is no sequence number");
-  block.n = static_cast<std::int32_t>(number.value);
+  block.n = to_whole<std::int32_t>(number.value);
   return true;
 }
 
@@ -380,7 +380,7 @@ bool BlockReader::scan_value(Scanner& s, Block& block, Token& token) {
           number.any && s.peek() == '=' && number.value >= 1 && number.value <= 2 &&
           token.letter >= 'X') {
         ++s.at;
-        token.axis = static_cast<std::uint8_t>(number.value);
+        token.axis = to_whole<std::uint8_t>(number.value);
         --s.at;
         return scan_value(s, block, token);  // the equals sign stands where the letter did
       }
@@ -527,7 +527,7 @@ std::optional<Fault> BlockReader::check_number(Token& token, const Number& numbe
     token.wrong = Cause::IllegalDecimalPoint;
   else if (number.negative && (allowed & kMinus) == 0)
     token.wrong = Cause::IllegalMinusSign;
-  else if (digits > static_cast<std::uint32_t>(control_.max_digits.value) && token.letter != 'P')
+  else if (digits > static_cast<std::uint32_t>(most_digits(control_)))
     token.wrong = Cause::TooManyDigits;
   else
     token.odd = false;
@@ -539,7 +539,7 @@ Fault BlockReader::odd_word(const Token& token) const {
   std::string detail = letter + " takes no minus sign";
   if (token.wrong == Cause::IllegalDecimalPoint) detail = letter + " takes no decimal point";
   if (token.wrong == Cause::TooManyDigits)
-    detail = "a number has at most " + std::to_string(control_.max_digits.value) + " digits";
+    detail = "a number has at most " + std::to_string(most_digits(control_)) + " digits";
   return {token.wrong, token.operand.at, token.operand.width, std::move(detail)};
 }
 

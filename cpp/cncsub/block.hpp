@@ -78,6 +78,7 @@ class BlockReader {
 
     bool calls_macro() const { return call != nullptr && is_macro(kind, code_kind); }
   };
+  static bool names_by_p(const Meaning& meaning);
   bool is_cycle_step(const Token& token, const Meaning& meaning) const;
   std::optional<Fault> sort(const Tokens& tokens, bool calls, Meaning& meaning) const;
   std::optional<Fault> sort_g(const Token& token, bool calls, Meaning& meaning) const;

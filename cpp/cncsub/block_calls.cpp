@@ -136,7 +136,7 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
   block.op = Op::Words;
   if (block.flags != 0 || block.m_count != 0 || block.g_count > 1) return;
   const double g = block.g_count == 0 ? -10 : code_.cells[block.data].value;
-  if (g <= 30 && std::fmod(g, 10) == 0) mark_move(block, static_cast<int>(g / 10));
+  if (g <= 30 && std::fmod(g, 10) == 0) mark_move(block, to_whole<int>(g / 10));
 }
 
 void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& meaning) {
@@ -151,7 +151,7 @@ void BlockReader::build_call(Block& block, const Tokens& tokens, const Meaning& 
   if (meaning.registered != nullptr) {
     call.program_number = meaning.registered->program;
     call.variable = meaning.registered->variable;
-    call.code = static_cast<std::int32_t>(word.operand.value);
+    call.code = to_whole<std::int32_t>(word.operand.value);
   }
   const bool by_number = meaning.registered == nullptr;
   const Token* seen_p = nullptr;
@@ -354,7 +354,7 @@ void BlockReader::build_h_code(Block& block, const Tokens& tokens, const Meaning
     switch (token.letter) {
       case 'H':
         h.number = token.operand.kind == Operand::Kind::Constant && token.operand.value < 1000
-                       ? static_cast<std::int32_t>(token.operand.value)
+                       ? to_whole<std::int32_t>(token.operand.value)
                        : -1;
         h.variable_at = token.operand.at;
         h.variable_width = token.operand.width;

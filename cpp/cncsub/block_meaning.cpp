@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string>
 
 #include "cncsub/block.hpp"
+#include "cncsub/scan.hpp"
 
 namespace cncsub {
 
@@ -21,7 +23,7 @@ std::string spell(double value) {
 std::size_t BlockReader::code_index(const Operand& operand) {
   const bool known =
       operand.kind == Operand::Kind::Constant && operand.value >= 0 && operand.value < 1000;
-  return known ? static_cast<std::size_t>(operand.value * 10 + 0.5) : std::size_t{10000};
+  return known ? to_whole<std::size_t>(operand.value * 10 + 0.5) : std::size_t{10000};
 }
 
 void BlockReader::build(Block& block, const Tokens& tokens, bool calls) {
@@ -33,6 +35,12 @@ void BlockReader::build(Block& block, const Tokens& tokens, bool calls) {
       tokens.size() > static_cast<std::size_t>(control_.max_words.value))
     fault = {Cause::TooManyWords, block.text, 1,
              "a block has at most " + std::to_string(control_.max_words.value) + " words"};
+  if (!fault && !names_by_p(meaning))
+    for (const Token& token : tokens)
+      if (token.letter == 'P' && token.odd && !is_cycle_step(token, meaning)) {
+        fault = odd_word(token);
+        break;
+      }
   if (!fault) fault = check_together(tokens, meaning);
   if (fault) return refuse(block, *fault);
   if (meaning.registered != nullptr &&
@@ -80,6 +88,13 @@ void BlockReader::build_slash(Block& block, const Tokens& tokens, std::size_t sl
   code_.choices.push_back(variant);
 }
 
+/// P of a call, a return or a jump has digits of its own: those of a program or a block, and a count.
+bool BlockReader::names_by_p(const Meaning& meaning) {
+  const bool by_code = meaning.registered != nullptr && !meaning.calls_macro();
+  return (meaning.call != nullptr && !by_code) || meaning.back != nullptr ||
+         meaning.jump != nullptr;
+}
+
 /// P of G74 to G76 is a length on some lathes and takes a point there. [TA 12, 13, 21]
 bool BlockReader::is_cycle_step(const Token& token, const Meaning& meaning) const {
   if (token.letter != 'P' || token.wrong != Cause::IllegalDecimalPoint ||
@@ -96,7 +111,10 @@ std::optional<Fault> BlockReader::sort(const Tokens& tokens, bool calls, Meaning
   for (const Token& token : tokens) {
     std::optional<Fault> fault;
     const bool argument = meaning.calls_macro() && token.letter != 'P' && token.letter != 'L';
-    if (token.odd && !argument && !is_cycle_step(token, meaning)) return odd_word(token);
+    const bool long_p = token.letter == 'P' && token.wrong == Cause::TooManyDigits;
+    if (token.odd && !argument && !long_p && !is_cycle_step(token, meaning)) return odd_word(token);
+    if (argument && std::fabs(token.operand.value) >= kPowersOfTen[kMostDigits])
+      return odd_word(token);
     if (token.late) continue;
     if (token.letter == 'G') {
       fault = sort_g(token, calls, meaning);

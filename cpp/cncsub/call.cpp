@@ -67,7 +67,7 @@ std::optional<Fault> repeats(const Control& control, const CallRecord& call, dou
     target.repeats = most;
     return std::nullopt;
   }
-  target.repeats = static_cast<std::int32_t>(count);
+  target.repeats = to_whole<std::int32_t>(count);
   return std::nullopt;
 }
 
@@ -82,7 +82,7 @@ std::optional<Fault> program_number(const Control& control, const CallRecord& ca
   if (call.p.bracketed && control.bracket_names.value) {
     if (number >= kCountBase)
       return fault(illegal, call.p, says + "; a program number has at most 4 digits");
-    target.program_number = static_cast<std::int64_t>(number);
+    target.program_number = to_whole<std::int64_t>(number);
     return std::nullopt;
   }
   if (number >= std::pow(10.0, digits) || call.p.digits > digits)
@@ -91,7 +91,7 @@ std::optional<Fault> program_number(const Control& control, const CallRecord& ca
   if (number == 0 && !control.zero_numbers.value)
     return fault(call.macro ? illegal : Cause::ProgramNumberZero, call.p,
                  says + "; programs are numbered from 1");
-  const auto p = static_cast<std::int64_t>(number);
+  const auto p = to_whole<std::int64_t>(number);
   target.program_number = p;
   if (call.macro || control.program_word.value != ProgramWord::CountAndNumber || p < kCountBase) {
     const bool zeros = !call.macro && control.program_word.value == ProgramWord::CountAndNumber &&
@@ -146,7 +146,7 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call,
     if (n < 0 || n > control.max_sequence_number.value)
       return fault(Cause::IllegalSequenceNumber, call.start,
                    "the start block is " + spell(operands.start));
-    target.start_n = static_cast<std::int32_t>(n);
+    target.start_n = to_whole<std::int32_t>(n);
   }
   if (by_code) {
     target.program_number = call.program_number;
@@ -157,7 +157,7 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call,
     if (control.program_word.value == ProgramWord::SequenceNumber && !call.macro) {
       target.program = own;
       target.start_n =
-          static_cast<std::int32_t>(std::clamp(whole(control, call.p, operands.p), -1.0, 2e9));
+          to_whole<std::int32_t>(std::clamp(whole(control, call.p, operands.p), -1.0, 2e9));
       return std::nullopt;
     }
     return program_number(control, call, operands.p, count_in_l, target);

@@ -6,6 +6,7 @@
 // will raise when it is reached.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cmath>
@@ -20,6 +21,7 @@
 
 #include "cncsub/control.hpp"
 #include "cncsub/large_pages.hpp"
+#include "cncsub/number.hpp"
 
 namespace cncsub {
 
@@ -33,6 +35,12 @@ constexpr double kVacant = std::numeric_limits<double>::quiet_NaN();
 inline bool is_vacant(double value) { return std::isnan(value); }
 /// The largest value that a variable or a word takes.
 constexpr double kLargest = 1e47;
+
+/// A number has no more digits than these, whatever a rule says: a double holds no more.
+constexpr int kMostDigits = 15;
+inline int most_digits(const Control& control) {
+  return std::min<int>(control.max_digits.value, kMostDigits);
+}
 
 /// The largest G (ten times) or M code that a block can hold.
 constexpr double kLargestCode = 1e9;

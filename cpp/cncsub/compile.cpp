@@ -193,7 +193,7 @@ class LibraryReader {
       s.blanks();
       const std::string name(start, static_cast<std::size_t>(s.at - start));
       begin_program(trimmed(name),
-                    number.value < 1e15 ? static_cast<std::int64_t>(number.value) : -1,
+                    number.value < 1e15 ? to_whole<std::int64_t>(number.value) : -1,
                     static_cast<std::uint32_t>(start - begin_), true);
       title(start, s.end);
       return;
@@ -218,7 +218,7 @@ class LibraryReader {
       const std::string name =
           "O" + std::string(digits, static_cast<std::size_t>(ahead.at - digits));
       const auto offset = static_cast<std::uint32_t>(start - begin_);
-      begin_program(name, number.digits <= 15 ? static_cast<std::int64_t>(number.value) : -1,
+      begin_program(name, number.digits <= 15 ? to_whole<std::int64_t>(number.value) : -1,
                     offset, true);
       title(start, s.end);
       const bool zero = number.value == 0 && !code_.control->zero_numbers.value;

@@ -227,7 +227,7 @@ std::optional<ExpressionReader::Variable> ExpressionReader::variable() {
   const Number number = scan_number(s_);
   if (number.points != 0 || number.digits > 9)
     return refuse(Cause::IllegalVariable, at, "a variable number is a whole number");
-  return Variable{static_cast<std::int64_t>(number.value), 0};
+  return Variable{to_whole<std::int64_t>(number.value), 0};
 }
 
 std::optional<ExpressionReader::Value> ExpressionReader::variable_value() {

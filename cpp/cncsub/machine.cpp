@@ -1,4 +1,5 @@
 #include "cncsub/machine.hpp"
+#include "cncsub/scan.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,6 +52,7 @@ Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options op
   if (code_->control->call_passes_words.value) programmed_.assign(locals_.size(), 0);
   commons_.assign(static_cast<std::size_t>(code_->commons), kVacant);
   clock_ms_ = options_.inputs.clock_ms;
+  largest_word_ = kPowersOfTen[most_digits(*code_->control)];
   jumps_refused_ = options_.mdi && !code_->control->jumps_in_mdi.value;
   const Program& program = code_->programs[static_cast<std::size_t>(main)];
   Open open;
@@ -352,7 +354,7 @@ bool Machine::decode(const Block& block, NcWords& words) {
     double value = (cell++)->value;
     std::uint32_t at = block.text, width = block.length;
     if (value < 0) {
-      const auto expression = static_cast<std::uint32_t>(-1.0 - value);
+      const auto expression = to_whole<std::uint32_t>(-1.0 - value);
       if (!evaluate(expression, value)) return false;
       if (is_vacant(value)) {
         result = -1;
@@ -364,7 +366,7 @@ bool Machine::decode(const Block& block, NcWords& words) {
     }
     if (value < 0 || value > kLargestCode)
       return alarm({Cause::ValueOutOfRange, at, width, "the code is out of range"});
-    result = static_cast<int>(value);
+    result = to_whole<int>(value);
     return true;
   };
   for (int i = 0; i < block.g_count; ++i) {
@@ -391,9 +393,13 @@ bool Machine::decode(const Block& block, NcWords& words) {
     double value = 0;
     const auto expression = static_cast<std::uint32_t>(cell->expression);
     if (!evaluate(expression, value)) return false;
-    if (std::fabs(value) > kLargest) {  // a vacant value compares false
+    if (std::fabs(value) >= largest_word_) {  // a vacant value compares false
       const Expression& e = code_->expressions[expression];
-      return alarm({Cause::Overflow, e.at, e.width, "the result is too large"});
+      if (std::fabs(value) > kLargest)
+        return alarm({Cause::Overflow, e.at, e.width, "the result is too large"});
+      return alarm({Cause::ValueOutOfRange, e.at, e.width,
+                    "the value has more than " + std::to_string(most_digits(*code_->control)) +
+                        " digits"});
     }
     if (is_vacant(value)) {
       if (code_->control->vacant_address.value == VacantAddress::Ignored) words.mask &= ~mark;
@@ -458,9 +464,8 @@ void Machine::keep_skip(SkipMove skip) {
 /// M and T codes go to the machine; M00 and M01 wait for the operator.
 bool Machine::auxiliary(const NcWords& words, const Block& block) {
   if (words.has('T') && trace_.depth != Trace::Depth::None)
-    trace_.t_codes.push(
-        static_cast<std::int64_t>(std::llround(std::clamp(words['T'], -1e15, 1e15))));
-  if (words.has('T')) answer('T', std::llround(std::clamp(words['T'], -1e15, 1e15)));
+    trace_.t_codes.push(to_whole<std::int64_t>(std::round(words['T'])));
+  if (words.has('T')) answer('T', to_whole<std::int64_t>(std::round(words['T'])));
   for (int i = 0; i < words.m_count; ++i) {
     const int m = words.m[static_cast<std::size_t>(i)];
     if (trace_.depth != Trace::Depth::None) trace_.m_codes.push(m);
@@ -557,7 +562,7 @@ bool Machine::return_now(const CallRecord& back, double p, double l) {
   Open& open = frame();
   std::int32_t repeats = open.repeats;
   if (!is_vacant(l) && control.return_with_l.value == ReturnWithL::ReplacesCount)
-    repeats = open.repeat + static_cast<std::int32_t>(std::clamp(std::round(l), 0.0, 1e6));
+    repeats = open.repeat + to_whole<std::int32_t>(std::clamp(std::round(l), 0.0, 1e6));
   const bool rewritten = open.modal >= 0 && control.modal_locals.value == ModalLocals::Rewritten &&
                          open.modal < static_cast<std::int32_t>(modals_.size());
   const bool leaves = !is_vacant(p) && control.return_with_p.value == ReturnWithP::AtOnce;
@@ -581,12 +586,12 @@ bool Machine::return_now(const CallRecord& back, double p, double l) {
         code_->programs[static_cast<std::size_t>(stack_[stack_.size() - 2].program)];
     const double n = std::round(p);
     to = n >= 0 && n < 2e9
-             ? code_->return_target(caller, static_cast<std::int64_t>(n), open.called_at)
+             ? code_->return_target(caller, to_whole<std::int64_t>(n), open.called_at)
              : kNowhere;
     if (to == kNowhere)
       return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
                     "there is no N" +
-                        std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) +
+                        std::to_string(to_whole<std::int64_t>(std::clamp(n, -1e9, 2e9))) +
                         " in " + caller.name});
   }
   record_block();
@@ -611,11 +616,11 @@ bool Machine::return_from_main(const CallRecord& back, double p) {
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const double n = std::round(p);
   const Address to =
-      n >= 0 && n < 2e9 ? code_->first_of(program, static_cast<std::int64_t>(n)) : kNowhere;
+      n >= 0 && n < 2e9 ? code_->first_of(program, to_whole<std::int64_t>(n)) : kNowhere;
   if (to == kNowhere)
     return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
                   "there is no N" +
-                      std::to_string(static_cast<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
+                      std::to_string(to_whole<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
                       program.name});
   record_block();
   leave_loops(to);
@@ -647,11 +652,11 @@ bool Machine::jump_now(const Statement& statement, double p) {
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const double n = is_vacant(p) ? -1 : std::round(p);
   const Address to =
-      n >= 0 && n < 2e9 ? code_->first_of(program, static_cast<std::int64_t>(n)) : kNowhere;
+      n >= 0 && n < 2e9 ? code_->first_of(program, to_whole<std::int64_t>(n)) : kNowhere;
   if (to == kNowhere)
     return alarm({Cause::JumpTargetNotFound, statement.p.at, statement.p.width,
                   "there is no N" +
-                      std::to_string(static_cast<std::int64_t>(std::clamp(n, -1.0, 2e9))) + " in " +
+                      std::to_string(to_whole<std::int64_t>(std::clamp(n, -1.0, 2e9))) + " in " +
                       program.name});
   record_block();
   leave_loops(to);

@@ -355,6 +355,7 @@ class Machine {
   bool wakes_ = false;            // the last of them goes on now
   bool block_is_step_ = false;    // the running block, which waited, is a step already
   std::int64_t waited_at_ = 0;    // which one
+  double largest_word_ = 0;       // no computed word of a block reaches it
   std::uint32_t last_condition_ = kNowhere;
   std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
   struct Taken {  // what a block may take from outside before it alarms, as it was before
@@ -365,8 +366,6 @@ class Machine {
   } taken_;
   void tell_dropped(const Block& block, const NcWords& words);
   double clock_ms_ = 0;
-  /// Seconds of the run as its clocks show them: they do not wait for an endless cut.
-  double ran() const { return std::min(motion_.time(), 1e9); }
   std::minstd_rand random_{1};
 };
 

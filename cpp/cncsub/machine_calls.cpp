@@ -23,7 +23,10 @@ bool Machine::operand(const Operand& operand, double& value) {
       value = operand.value;
       return true;
     case Operand::Kind::Expression:
-      return evaluate(operand.expression, value);
+      if (!evaluate(operand.expression, value)) return false;
+      if (std::fabs(value) > kLargest)  // a vacant value compares false
+        return alarm({Cause::Overflow, operand.at, operand.width, "the result is too large"});
+      return true;
   }
   return true;
 }

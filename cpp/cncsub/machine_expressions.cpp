@@ -17,7 +17,7 @@ double turn(double degrees) {
   if (!std::isfinite(degrees)) return 0;
   constexpr double kExact = 1e12;  // below, whole turns are subtracted without rounding
   if (std::fabs(degrees) < kExact) {
-    const auto turns = static_cast<double>(static_cast<std::int64_t>(degrees * (1.0 / 360.0)));
+    const auto turns = static_cast<double>(to_whole<std::int64_t>(degrees * (1.0 / 360.0)));
     const double rest = degrees - 360.0 * turns;
     return rest < 0 ? rest + 360.0 : rest >= 360.0 ? rest - 360.0 : rest;
   }
@@ -40,7 +40,7 @@ const std::array<double, 360> kSines = [] {
 /// Whether the angle is a whole number of degrees, and which of one turn.
 bool whole_degrees(double degrees, std::size_t& of_turn) {
   if (!(std::fabs(degrees) < 1e9)) return false;
-  const auto whole = static_cast<std::int32_t>(degrees);
+  const auto whole = to_whole<std::int32_t>(degrees);
   if (static_cast<double>(whole) != degrees) return false;
   const std::int32_t rest = whole % 360;
   of_turn = static_cast<std::size_t>(rest < 0 ? rest + 360 : rest);
@@ -64,7 +64,7 @@ double round_half_away(double value) { return std::round(value); }
 bool as_bits(double value, std::int64_t& bits) {
   const double whole = round_half_away(value);
   if (!(std::fabs(whole) <= 4294967295.0)) return false;
-  bits = static_cast<std::int64_t>(whole);
+  bits = to_whole<std::int64_t>(whole);
   return true;
 }
 
@@ -75,7 +75,7 @@ bool read_digits(double value, int from, int to, double& result) {
   if (!known) return false;  // nor has a vacant value any digits
   double sum = 0, power = 1;
   int digits = 0;
-  for (auto left = static_cast<std::int64_t>(value); left != 0; left /= from, power *= to) {
+  for (auto left = to_whole<std::int64_t>(value); left != 0; left /= from, power *= to) {
     if (left % from > 9 || ++digits > 8) return false;
     sum += static_cast<double>(left % from) * power;
   }
@@ -129,7 +129,7 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
       case Ins::Variable:
       case Ins::VariableRaw: {
         double value = 0;
-        if (const auto wrong = read(static_cast<std::int64_t>(at->value), value))
+        if (const auto wrong = read(to_whole<std::int64_t>(at->value), value))
           return missing(wrong, at->value);
         *below++ = a;
         a = at->op == Ins::Variable ? number(value) : value;
@@ -141,13 +141,13 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
         if (!(std::fabs(index) < 2e9))
           return fault(Cause::IllegalVariable, "the variable number is out of range");
         double value = 0;
-        if (const auto wrong = read(static_cast<std::int64_t>(index), value))
+        if (const auto wrong = read(to_whole<std::int64_t>(index), value))
           return missing(wrong, index);
         a = at->op == Ins::Indirect ? number(value) : value;
         break;
       }
       case Ins::Named: {
-        const auto found = names_.find(code_->names[static_cast<std::size_t>(at->value)]);
+        const auto found = names_.find(code_->names[to_whole<std::size_t>(at->value)]);
         if (found == names_.end())
           return fault(Cause::VariableNameUnknown, "the name is not registered");
         *below++ = a;
@@ -366,10 +366,10 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
         const double which = round_half_away(a);
         if (!(std::fabs(which) < 1e9))
           return fault(Cause::ArgumentOutOfRange, "there is no such parameter");
-        std::string name = std::to_string(static_cast<std::int64_t>(which));
+        std::string name = std::to_string(to_whole<std::int64_t>(which));
         if (bit_form)
           name += "#" + std::to_string(
-                            static_cast<std::int64_t>(std::clamp(round_half_away(b), 0.0, 31.0)));
+                            to_whole<std::int64_t>(std::clamp(round_half_away(b), 0.0, 31.0)));
         a = control.parameter(name);
         break;
       }
@@ -385,10 +385,11 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
         b = a;
         a = *--below;
         a += (b - a) * static_cast<double>(random_()) / 2147483646.0;
+        if (!std::isfinite(a)) return fault(Cause::Overflow, "the result is too large");
         break;
       case Ins::Programmed: {
         const auto place =
-            static_cast<std::size_t>(level_ * code_->locals) + static_cast<std::size_t>(at->value);
+            static_cast<std::size_t>(level_ * code_->locals) + to_whole<std::size_t>(at->value);
         if (at->value >= code_->locals || programmed_.empty())
           return fault(Cause::IllegalVariable, "AR takes a local variable");
         *below++ = a;

@@ -79,7 +79,7 @@ bool Machine::print(const Print& print) {
     if (!evaluate(field.expression, value)) return false;
     if (is_vacant(value)) value = 0;
     if (print.binary)
-      line += std::to_string(static_cast<std::int64_t>(std::clamp(
+      line += std::to_string(to_whole<std::int64_t>(std::clamp(
           std::round(value * std::pow(10.0, field.decimals)), -2147483648.0, 2147483647.0)));
     else
       line += written(value, field, without_blanks);
@@ -100,7 +100,7 @@ bool Machine::h_variable(const Operand& operand, std::int64_t& number) {
     case Ins::Local:
     case Ins::Common:
     case Ins::Variable:
-      number = static_cast<std::int64_t>(at->value);
+      number = to_whole<std::int64_t>(at->value);
       break;
     case Ins::Constant:
       number = 0;
@@ -112,7 +112,7 @@ bool Machine::h_variable(const Operand& operand, std::int64_t& number) {
     double index = 0;
     if (read(number, index).has_value()) return false;
     number =
-        static_cast<std::int64_t>(std::clamp(is_vacant(index) ? 0.0 : std::round(index), 0.0, 1e9));
+        to_whole<std::int64_t>(std::clamp(is_vacant(index) ? 0.0 : std::round(index), 0.0, 1e9));
   }
   return true;
 }
@@ -138,7 +138,7 @@ bool Machine::h_code(const Statement& h) {
     double n = 0;
     if (!operand(h.p, n)) return false;
     return h_jump(
-        h, is_vacant(n) ? -1 : static_cast<std::int64_t>(std::clamp(std::round(n), -1.0, 2e9)));
+        h, is_vacant(n) ? -1 : to_whole<std::int64_t>(std::clamp(std::round(n), -1.0, 2e9)));
   }
   const bool two = (code >= 2 && code <= 5) || (code >= 11 && code <= 13) || code == 23 ||
                    code == 26 || code == 27 || (code >= 31 && code <= 34);
@@ -152,7 +152,7 @@ bool Machine::h_code(const Statement& h) {
     return wrong(Cause::HCodeOperand, h.q, "an operand is missing");
   double result = 0;
   if (auto cause = h_result(code, q, r, target, result)) return wrong(*cause, h.q, "");
-  if (std::fabs(result) > kLargest) return wrong(Cause::Overflow, h.q, "the result is too large");
+  if (!(std::fabs(result) <= kLargest)) return wrong(Cause::Overflow, h.q, "the result is too large");
   Statement assign = h;
   assign.target = Statement::Target::Variable;
   assign.variable_at = h.p.at;
@@ -163,7 +163,7 @@ bool Machine::h_code(const Statement& h) {
 std::optional<Cause> Machine::h_result(int code, double q, double r, std::int64_t target,
                                        double& result) {
   const auto bits = [](double value) {
-    return static_cast<std::int64_t>(std::clamp(std::round(value), -4294967295.0, 4294967295.0));
+    return to_whole<std::int64_t>(std::clamp(std::round(value), -4294967295.0, 4294967295.0));
   };
   switch (code) {
     case 1:
@@ -264,7 +264,7 @@ bool Machine::h_alarm(const Statement& h) {
   words_done_ = true;
   alarm({Cause::UserAlarm, h.at, h.width, text.empty() ? "raised by the program" : text});
   if (!alarm_) return false;
-  alarm_->number = std::to_string(control.h99_offset.value + static_cast<int>(number));
+  alarm_->number = std::to_string(control.h99_offset.value + to_whole<int>(number));
   alarm_->text = text;
   return false;
 }

@@ -115,7 +115,7 @@ bool Machine::store(const Statement& statement, double value) {
       double number = 0;
       if (!evaluate(statement.variable, number)) return false;
       if (is_vacant(number)) number = 0;
-      return store_number(static_cast<std::int64_t>(std::clamp(std::round(number), -1e9, 2e9)),
+      return store_number(to_whole<std::int64_t>(std::clamp(std::round(number), -1e9, 2e9)),
                           value, statement);
     }
     case Statement::Target::None:
@@ -154,7 +154,7 @@ bool Machine::user_alarm(double n, const Statement& statement) {
   const std::string text =
       code_->files[program.file].text.substr(statement.text, statement.text_length);
   std::string shown =
-      std::to_string(control.user_alarm_offset.value + static_cast<std::int64_t>(number));
+      std::to_string(control.user_alarm_offset.value + to_whole<std::int64_t>(number));
   while (static_cast<int>(shown.size()) < control.user_alarm_digits) shown.insert(0, "0");
   words_done_ = true;
   alarm({Cause::UserAlarm, statement.at, statement.width,
@@ -180,7 +180,7 @@ bool Machine::go_to(const Statement& statement) {
     if (rounded < 1 || rounded > code_->control->max_jump_number.value)
       return alarm({Cause::IllegalJumpNumber, statement.variable_at, statement.variable_width,
                     "GOTO takes 1 to " + std::to_string(code_->control->max_jump_number.value)});
-    n = static_cast<std::int64_t>(rounded);
+    n = to_whole<std::int64_t>(rounded);
     to = code_->jump_target(code_->programs[static_cast<std::size_t>(frame().program)], n, pc_);
   }
   if (to == kNowhere)
@@ -231,7 +231,7 @@ bool Machine::waits_for(std::uint32_t condition) {
     ++changes_;
     return false;
   }
-  waiting_for_ = "#" + std::to_string(static_cast<std::int64_t>(at->value));
+  waiting_for_ = "#" + std::to_string(to_whole<std::int64_t>(at->value));
   record_step();
   end(Stop::Waiting);
   return true;

@@ -143,10 +143,10 @@ std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64
       value = signal(static_cast<std::int32_t>(number));
       break;
     case VariableKind::Milliseconds:
-      value = clock_ms_ + ran() * 1000.0;
+      value = clock_ms_ + motion_.time() * 1000.0;
       break;
     case VariableKind::Hours:
-      value = written(0) + ran() / 3600.0;
+      value = written(0) + motion_.time() / 3600.0;
       break;
     case VariableKind::Date:
       value = written(options_.inputs.date);
@@ -219,10 +219,10 @@ std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int6
   if (is_vacant(value)) value = 0;
   switch (place.kind) {
     case VariableKind::Milliseconds:
-      clock_ms_ = value - ran() * 1000.0;
+      clock_ms_ = value - motion_.time() * 1000.0;
       break;
     case VariableKind::Hours:
-      system_[number] = value - ran() / 3600.0;
+      system_[number] = value - motion_.time() / 3600.0;
       break;
     case VariableKind::WorkOffset:
       motion_.set_work_offset(index / kSystems, index % kSystems, value);

@@ -136,8 +136,8 @@ Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup)
                  facts_->codes.of(Meaning::Cw), facts_->codes.of(Meaning::Ccw)};
   for (int i = 0; i < 3; ++i) {
     s_.half[static_cast<std::size_t>(i)] = facts_->share(i) * facts_->share(i);
-    s_.rapid_seconds[static_cast<std::size_t>(i)] =
-        facts_->share(i) * 60 / facts_->rapid[static_cast<std::size_t>(i)];
+    const double rate = facts_->rapid[static_cast<std::size_t>(i)];
+    s_.rapid_seconds[static_cast<std::size_t>(i)] = rate > 0 ? facts_->share(i) * 60 / rate : 0;
   }
   power_on();
   s_.offset = zero_offset();
@@ -233,6 +233,9 @@ Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* move
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
       once == Meaning::Local)
     s_.moved_before = true;
+  if (!in_range(s_.work) || !in_range(s_.offset) || !in_range(s_.length) || !in_range(s_.skip) ||
+      !in_range(std::array{s_.feed, s_.speed, s_.surface_speed, s_.max_speed, s_.polar_angle}))
+    return out_of_range(block.words.at);
   return count_idle(block);
 }
 
@@ -571,6 +574,12 @@ double Motion::number(const BlockWords& block, char address) const {
   return rotary && !pulses ? value : value * s_.unit;
 }
 
+/// Whether the tool stands elsewhere than its offsets say: the next move takes it there.
+bool Motion::tool_waits() const {
+  const Axes way = machine_point() - s_.tool_at;
+  return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
+}
+
 /// What the fast path needs to know.
 void Motion::settle() {
   const Meaning motion = s_.modal[at(Group::Motion)].meaning;
@@ -584,7 +593,7 @@ void Motion::settle() {
              feed != Meaning::InverseTime &&
              s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() &&
              facts_->limits.empty() && !checks_area() && !s_.surface && !lacks_speed() &&
-             !s_.tool_pending && facts_->control->max_feed.value == 0;
+             !s_.tool_pending && !tool_waits() && facts_->control->max_feed.value == 0;
 }
 
 std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {
@@ -619,6 +628,7 @@ Motion::Result Motion::end_waiting(std::uint32_t step, Moves* moves) {
 
 void Motion::reset() {
   const Control& c = *facts_->control;
+  if (s_.plain) s_.tool_at = machine_point();
   if (c.clear_on_reset.value) {
     const GCode work = s_.modal[at(Group::Work)], units = s_.modal[at(Group::Units)];
     const double feed = s_.feed;

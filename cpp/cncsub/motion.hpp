@@ -182,6 +182,7 @@ class Motion {
   Result need_feed(const BlockWords& block, Meaning meaning) const;
   bool lacks_speed() const;
   Fault fault(Cause cause, const BlockWords& block, std::string detail = {}) const;
+  bool tool_waits() const;
   void settle();
   double raw(const BlockWords& block, char address) const;
   double number(const BlockWords& block, char address) const;
@@ -202,20 +203,20 @@ class Motion {
   Result record(const Piece& piece, Moves* moves, const std::array<double, 3>& vector);
   std::array<double, 3> centre_of(const Piece& piece) const;
   double arc_length(const Piece& piece, const Axes& machine) const;
-  double seconds_of(const Piece& piece, const Axes& machine, double length) const;
   // motion_travel.cpp
   void set_area(const BlockWords& block);
   bool checks_area() const;
   bool area_is_empty() const;
   Result check_travel(const Piece& piece, const Axes& machine) const;
   Result check_area(const Piece& piece, const Axes& machine) const;
-  void arc_reach(const Piece& piece, int axis, double& low, double& high) const;
+  void arc_reach(const Piece& piece, const Axes& machine, int axis, double& low,
+                 double& high) const;
   bool set_plain_feed(double value);
-  /// Zero while there is no feed, endless while the spindle that it counts on stands.
+  /// Zero while there is no feed.
   void set_seconds_per_mm() {
     const bool revolutions = s_.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
     s_.seconds_per_mm =
-        s_.feed > 0 ? 60 / (revolutions ? s_.feed * std::max(s_.speed, 0.0) : s_.feed) : 0;
+        s_.feed > 0 ? 60 / (revolutions ? s_.feed * turning(s_.speed) : s_.feed) : 0;
   }
   void new_row_state(Moves& moves);
   void switch_line(int line) {

@@ -60,13 +60,13 @@ bool Motion::round(std::uint32_t mask, const Cell* values, int g, std::uint32_t 
       full ? 2 * kPi
            : turn_between(std::atan2(-j, -i), std::atan2(end[b] - cb, end[a] - ca), clockwise);
   const double along = end[across] - s.work[across];
-  const double in_plane = turn * turn * first * last;
+  const double in_plane = spiral_length(first, last, turn);
 
   if (line != s.line) switch_line(line);
   if ((mask & bit('F')) != 0) set_plain_feed(feed);
   if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
   std::copy(end.begin(), end.end(), s.work.begin());
-  s.time += std::sqrt(in_plane) * s.seconds_per_mm;
+  s.time += in_plane * s.seconds_per_mm;
   s.moved_before = true;
   if (moves == nullptr) return true;
   moves->mark(mask >> ('X' - 'A') & 7u);
@@ -74,7 +74,7 @@ bool Motion::round(std::uint32_t mask, const Cell* values, int g, std::uint32_t 
   centre[a] = ca;
   centre[b] = cb;
   centre[across] = std::numeric_limits<double>::quiet_NaN();
-  moves->arc(centre, std::sqrt(in_plane + along * along));
+  moves->arc(centre, std::sqrt(in_plane * in_plane + along * along));
   return true;
 }
 

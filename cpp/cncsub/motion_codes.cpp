@@ -1,5 +1,7 @@
 #include "cncsub/motion_codes.hpp"
 
+#include "cncsub/number.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -246,7 +248,7 @@ void GCodes::change(std::string_view text) {
     if (std::isnan(code) || code < 0 || code > 1000) continue;
     for (const Word& word : kWords)
       if (word.word == item.substr(equals + 1))
-        set({static_cast<std::int16_t>(code * 10 + 0.5), word.group, word.meaning});
+        set({to_whole<std::int16_t>(code * 10 + 0.5), word.group, word.meaning});
   }
 }
 

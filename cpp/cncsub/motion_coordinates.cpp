@@ -30,7 +30,7 @@ Motion::Result Motion::select_work(BlockWords& block) {
     const double p = block.words.has('P') ? raw(block, 'P') : 1;
     if (p < 1 || p > static_cast<double>(tables_->extra.size()))
       return fault(Cause::WorkSystem, block);
-    s_.extra_system = static_cast<int>(p);
+    s_.extra_system = to_whole<int>(p);
     system = 0;
   }
   s_.work_system = system;
@@ -108,8 +108,8 @@ Motion::Result Motion::set_data(BlockWords& block) {
   for (const char axis : kAxisNames) named = named || w.has(axis);
   if (!named && facts_->refuses(Cause::G10Axis)) return fault(Cause::G10Axis, block);
   OffsetTables& tables = own_tables();
-  Axes& values = l == 2 ? tables.work[static_cast<std::size_t>(p)]
-                        : tables.extra[static_cast<std::size_t>(p) - 1];
+  Axes& values = l == 2 ? tables.work[to_whole<std::size_t>(p)]
+                        : tables.extra[to_whole<std::size_t>(p) - 1];
   for (int i = 0; i < kAxes; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
     if (facts_->machine == MachineType::LatheA && i > 5) continue;
@@ -132,7 +132,7 @@ Motion::Result Motion::set_offset_data(BlockWords& block, int l, double p) {
                 : l == 12 ? tables.radius
                 : l == 13 ? tables.radius_wear
                           : tables.length_wear;
-  put(changed(table[static_cast<std::size_t>(p)]), number(block, 'R'), s_.incremental);
+  put(changed(table[to_whole<std::size_t>(p)]), number(block, 'R'), s_.incremental);
   return std::nullopt;
 }
 
@@ -191,7 +191,7 @@ Motion::Result Motion::reference(BlockWords& block, int number_of_point) {
     const double p = block.words.has('P') ? raw(block, 'P') : 2;
     if (p < 2 || p > 4) return fault(Cause::ReferenceNumber, block);
     if (!facts_->homed) return fault(Cause::ReferenceNotHomed, block);
-    number_of_point = static_cast<int>(p);
+    number_of_point = to_whole<int>(p);
   }
   std::uint32_t named = 0;
   const Axes middle = linear_target(block, named);

@@ -35,7 +35,7 @@ bool Motion::set_plain_feed(double value) {
 }
 
 void Motion::new_row_state(Moves& moves) {
-  if (!moves.begun()) moves.begin(machine_point(), s_.work, facts_->rapid, facts_->diameters);
+  if (moves.size() == 0) moves.begin(machine_point(), facts_->rapid, facts_->diameters);
   s_.row_state = moves.intern(move_state(), s_.offset + s_.length);
   s_.row_moves = &moves;
 }
@@ -66,6 +66,7 @@ Motion::Result Motion::move(BlockWords& block, Piece piece) {
     return fault(Cause::ValueOutOfRange, block,
                  "the block would make more than " + std::to_string(kMostMoves) + " moves");
   if (block.outside.over(1)) return broken_off(block.words.at);
+  if (!in_range(piece.end)) return out_of_range(piece.at);
   const Axes before = s_.work;
   s_.work = piece.end - piece.offset;
   s_.tool_pending = false;
@@ -101,20 +102,24 @@ Motion::Result Motion::record(const Piece& piece, Moves* moves,
                               const std::array<double, 3>& vector) {
   Axes machine = piece.end + piece.length;
   for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
+  if (!in_range(machine) || !in_range(piece.centre)) return out_of_range(piece.at);
   if (auto wrong = check_travel(piece, machine)) return wrong;
   if (auto wrong = check_area(piece, machine)) return wrong;
   const bool round = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
   const double length =
       round ? arc_length(piece, machine) : length_of(s_.tool_at, machine, facts_->diameters);
+  const double zero = piece.offset[0] + piece.length[0];
+  const double seconds =
+      seconds_of({piece.kind, piece.state, s_.tool_at, machine, length, zero, piece.seconds},
+                 facts_->rapid, facts_->diameters);
+  if (!in_range(std::array{length, seconds, s_.time + seconds})) return out_of_range(piece.at);
   if (captured_ != nullptr) captured_->push_back(piece);
-  s_.time += seconds_of(piece, machine, length);
+  s_.time += seconds;
   if (moves != nullptr) {
-    if (!moves->begun())
-      moves->begin(s_.tool_at, s_.tool_at - piece.offset - piece.length, facts_->rapid,
-                   facts_->diameters);
+    if (moves->size() == 0) moves->begin(s_.tool_at, facts_->rapid, facts_->diameters);
     const Axes point = piece.end - piece.offset;
     if (piece.named >> 3 != 0)
-      moves->use(piece.named, s_.tool_at - piece.offset - piece.length);
+      moves->use(piece.named);
     else
       moves->mark(piece.named);
     moves->push(piece.step, piece.kind, point,
@@ -156,28 +161,8 @@ double Motion::arc_length(const Piece& piece, const Axes& machine) const {
     const double d = (machine[i] - s_.tool_at[i]) * facts_->share(i);
     rest += d * d;
   }
-  return std::sqrt(turn * turn * from[0] * to[0] + rest);
-}
-
-double Motion::seconds_of(const Piece& piece, const Axes& machine, double length) const {
-  switch (piece.kind) {
-    case MoveKind::Dwell:
-      return piece.seconds;
-    case MoveKind::Rapid:
-      return rapid_time(s_.tool_at, machine, facts_->rapid, facts_->diameters);
-    case MoveKind::Thread:
-      return thread_time(piece.state, s_.tool_at, machine, facts_->diameters);
-    case MoveKind::Feed:
-    case MoveKind::Cw:
-    case MoveKind::Ccw:
-      break;
-  }
-  const double zero = piece.offset[0] + piece.length[0];
-  const double mean = (std::fabs(s_.tool_at[0] - zero) + std::fabs(machine[0] - zero)) / 2;
-  const double path = piece.kind == MoveKind::Feed
-                          ? path_of(piece.state, s_.tool_at, machine, length)
-                          : path_in_plane(piece.state, s_.tool_at, machine, length);
-  return cutting_time(piece.state, path, spindle_at(piece.state, mean));
+  const double in_plane = spiral_length(from[0], to[0], turn);
+  return std::sqrt(in_plane * in_plane + rest);
 }
 
 }  // namespace cncsub

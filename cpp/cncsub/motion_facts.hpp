@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cncsub/motion.hpp"
+#include "cncsub/number.hpp"
 
 namespace cncsub {
 
@@ -25,7 +26,16 @@ int system_of(const std::string& name);
 constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
 /// A whole number of a word, whatever the word holds.
 inline int whole(double value) {
-  return std::isnan(value) ? 0 : static_cast<int>(std::clamp(value, -2e9, 2e9));
+  return to_whole<int>(value, -2'000'000'000, 2'000'000'000);
+}
+/// Whether all of these are numbers that a position, a length or a time may be.
+template <std::size_t Size>
+bool in_range(const std::array<double, Size>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](double value) { return std::fabs(value) <= kLargest; });
+}
+inline Fault out_of_range(std::uint32_t at) {
+  return {Cause::ValueOutOfRange, at, 1, "the numbers of the move are out of range"};
 }
 /// No block makes more moves than this, however small its steps and however large its counts are.
 #ifdef CNCSUB_FUZZ  // a fuzzer has better things to do

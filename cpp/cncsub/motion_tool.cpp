@@ -41,7 +41,7 @@ Motion::Result Motion::set_length(BlockWords& block) {
     const double number = raw(block, 'H');
     if (number < 0 || number >= static_cast<double>(tables_->length.size()))
       return fault(Cause::OffsetNumber, block);
-    s_.h = static_cast<int>(number);
+    s_.h = to_whole<int>(number);
   }
   if (block.has(Group::Length)) s_.modal[at(Group::Length)] = block.codes[at(Group::Length)];
   const Meaning meaning = s_.modal[at(Group::Length)].meaning;
@@ -100,7 +100,7 @@ Motion::Result Motion::set_radius(BlockWords& block) {
     const double number = raw(block, 'D');
     if (number < 0 || number >= static_cast<double>(tables_->radius.size()))
       return fault(Cause::RadiusOffsetNumber, block);
-    s_.d = static_cast<int>(number);
+    s_.d = to_whole<int>(number);
   }
   if (!block.has(Group::Radius)) return std::nullopt;
   s_.modal[at(Group::Radius)] = block.codes[at(Group::Radius)];

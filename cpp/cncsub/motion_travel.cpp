@@ -9,7 +9,7 @@ Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) con
   for (const auto& limit : facts_->limits) {
     const double value = machine[static_cast<std::size_t>(limit.axis)];
     double low = value, high = value;
-    if (piece.turn != 0) arc_reach(piece, limit.axis, low, high);
+    if (piece.turn != 0) arc_reach(piece, machine, limit.axis, low, high);
     if (low >= limit.low - 1e-9 && high <= limit.high + 1e-9) continue;
     const double outside = low < limit.low - 1e-9 ? low : high;
     std::string number = std::to_string(outside);
@@ -23,20 +23,24 @@ Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) con
 }
 
 /// How far an arc reaches on an axis of its plane.
-void Motion::arc_reach(const Piece& piece, int axis, double& low, double& high) const {
+void Motion::arc_reach(const Piece& piece, const Axes& machine, int axis, double& low,
+                       double& high) const {
   const PlaneAxes plane = plane_axes(piece.plane);
   if (axis != plane.a && axis != plane.b) return;
-  const auto part = [&](int i) {
-    return (s_.tool_at[i] - piece.length[i] - piece.tip[i] - piece.centre[i]) * facts_->share(i);
+  const auto part = [&](const Axes& at, int i) {
+    return (at[i] - piece.length[i] - piece.tip[i] - piece.centre[i]) * facts_->share(i);
   };
-  const double radius = std::hypot(part(plane.a), part(plane.b));
-  const double first = std::atan2(part(plane.b), part(plane.a));
+  const auto radius_at = [&](const Axes& at) {
+    return std::hypot(part(at, plane.a), part(at, plane.b));
+  };
+  const double start = radius_at(s_.tool_at), end = radius_at(machine);
+  const double first = std::atan2(part(s_.tool_at, plane.b), part(s_.tool_at, plane.a));
   const double from = std::min(first, first + piece.turn), to = std::max(first, first + piece.turn);
   for (int quarter = -6; quarter <= 6; ++quarter) {
     const double t = quarter * kPi / 2;
     if (t < from || t > to) continue;
     const double reach =
-        radius * (axis == plane.a ? std::cos(t) : std::sin(t)) / facts_->share(axis) +
+        (start + (end - start) * (t - first) / piece.turn) * (axis == plane.a ? std::cos(t) : std::sin(t)) / facts_->share(axis) +
         piece.centre[axis] + piece.length[axis] + piece.tip[axis];
     low = std::min(low, reach);
     high = std::max(high, reach);

@@ -8,7 +8,6 @@ namespace cncsub {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kPi = 3.14159265358979323846;
 
 int axis_of(char name) {
@@ -55,13 +54,6 @@ double spindle_at(const MoveState& state, double diameter) {
   return state.max_spindle > 0 ? std::min(speed, state.max_spindle) : speed;
 }
 
-double cutting_time(const MoveState& state, double length, double mean_spindle) {
-  double rate = state.feed;
-  if (state.feed_mode == FeedMode::InverseTime) return rate > 0 ? 60 / rate : kEndless;
-  if (state.feed_mode == FeedMode::PerRevolution) rate *= mean_spindle;
-  return length == 0 ? 0 : rate > 0 ? length / rate * 60 : kEndless;
-}
-
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
   double sum = 0;
   for (int i = 0; i < kAxes; ++i) {
@@ -69,22 +61,6 @@ double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
     if (i < 3 || i > 5) sum += d * d;
   }
   return std::sqrt(sum);
-}
-
-double path_of(const MoveState& state, const Axes& from, const Axes& to, double length) {
-  double sum = length * length;
-  for (int i = 3; i < 6; ++i) {
-    const double d = (to[i] - from[i]) * state.degree;
-    sum += d * d;
-  }
-  return std::sqrt(sum);
-}
-
-double path_in_plane(const MoveState& state, const Axes& from, const Axes& to, double length) {
-  const int across = state.plane == 17 ? 2 : state.plane == 18 ? 1 : 0;
-  double sum = length * length;
-  for (const int i : {across, 6, 7, 8}) sum -= (to[i] - from[i]) * (to[i] - from[i]);
-  return std::sqrt(std::max(0.0, sum));
 }
 
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters) {
@@ -97,17 +73,47 @@ double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint
   return longest;
 }
 
-double thread_time(const MoveState& state, const Axes& from, const Axes& to,
-                   std::uint32_t diameters) {
+namespace {
+
+double thread_time(const MoveWay& way, double spindle, std::uint32_t diameters) {
   double along = 0, degrees = 0;
   for (int i = 0; i < kAxes; ++i) {
-    const double d = std::fabs(to[i] - from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
+    const double d = std::fabs(way.to[i] - way.from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
     double& longest = i < 3 || i > 5 ? along : degrees;
     longest = std::max(longest, d);
   }
-  if (along == 0) along = degrees * state.degree;
-  const double rate = state.feed * spindle_at(state, (from[0] + to[0]) / 2);
-  return along == 0 ? 0 : rate > 0 ? along / rate * 60 : kEndless;
+  if (along == 0) along = degrees * way.state.degree;
+  const double rate = way.state.feed * spindle;
+  return rate > 0 ? along / rate * 60 : 0;
+}
+
+/// What a feed is counted along. Of a line: the length, and the degrees of rotary axes, each as long
+/// as a unit of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear interpolation]
+/// Of an arc: what lies in its plane; F is the speed there, a helix goes along.
+double path_of(const MoveWay& way) {
+  double sum = way.length * way.length;
+  const auto square = [&](int i) { return (way.to[i] - way.from[i]) * (way.to[i] - way.from[i]); };
+  if (way.kind == MoveKind::Feed) {
+    for (int i = 3; i < 6; ++i) sum += square(i) * way.state.degree * way.state.degree;
+  } else {
+    const int across = way.state.plane == 17 ? 2 : way.state.plane == 18 ? 1 : 0;
+    for (const int i : {across, 6, 7, 8}) sum -= square(i);
+  }
+  return std::sqrt(std::max(0.0, sum));
+}
+
+}  // namespace
+
+double seconds_of(const MoveWay& way, const Axes& rapid, std::uint32_t diameters) {
+  if (way.kind == MoveKind::Dwell) return way.dwell;
+  if (way.kind == MoveKind::Rapid) return rapid_time(way.from, way.to, rapid, diameters);
+  const double diameter = (std::fabs(way.from[0] - way.zero) + std::fabs(way.to[0] - way.zero)) / 2;
+  const double spindle = turning(spindle_at(way.state, diameter));
+  if (way.kind == MoveKind::Thread) return thread_time(way, spindle, diameters);
+  double rate = way.state.feed;
+  if (way.state.feed_mode == FeedMode::InverseTime) return rate > 0 ? 60 / rate : 0;
+  if (way.state.feed_mode == FeedMode::PerRevolution) rate *= spindle;
+  return rate > 0 ? path_of(way) / rate * 60 : 0;
 }
 
 void Moves::grow() {
@@ -119,18 +125,12 @@ void Moves::grow() {
 Moves Moves::next_part() const {
   Moves next;
   next.used_ = used_;
-  const Axes last = rows_ > 0 ? point(rows_ - 1) : Axes{};
-  for (const Extra& extra : extras_)
-    next.extras_.push_back(
-        {extra.axis, 0, rows_ > 0 ? last[static_cast<std::size_t>(extra.axis)] : extra.before, {}});
+  for (const Extra& extra : extras_) next.extras_.push_back({extra.axis, 0, {}});
   return next;
 }
 
-void Moves::begin(const Axes& machine, const Axes& point, const Axes& rapid,
-                  std::uint32_t diameters) {
-  begun_ = true;
+void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameters) {
   start_ = machine;
-  start_point_ = point;
   rapid_ = rapid;
   diameters_ = diameters;
 }
@@ -142,10 +142,10 @@ std::uint32_t Moves::intern(MoveState state, const Axes& offset) {
   return static_cast<std::uint32_t>(states_.size() - 1);
 }
 
-void Moves::use(std::uint32_t axes, const Axes& before) {
+void Moves::use(std::uint32_t axes) {
   for (int axis = 3; axis < kAxes; ++axis) {
     if ((axes >> axis & 1) == 0 || (used_ >> axis & 1) != 0) continue;
-    extras_.push_back({axis, rows_, before[axis], {}});
+    extras_.push_back({axis, rows_, {}});
   }
   used_ |= axes;
 }
@@ -199,12 +199,14 @@ void Moves::truncate(std::size_t rows) {
 Axes Moves::point(std::size_t row) const {
   const Chunk& chunk = chunks_[row / Chunk::kRows];
   const std::size_t place = row % Chunk::kRows;
-  Axes point = start_point_;
+  Axes point = start_;  // an axis without a column stands where it stood, in any coordinates
+  const Axes& offset = offsets_[states_[chunk.state[place]].offset];
+  for (std::size_t i = 3; i < point.size(); ++i) point[i] -= offset[i];
   point[0] = chunk.x[place];
   point[1] = chunk.y[place];
   point[2] = chunk.z[place];
   for (const Extra& extra : extras_)
-    point[extra.axis] = row < extra.first ? extra.before : extra.values[row - extra.first];
+    if (row >= extra.first) point[extra.axis] = extra.values[row - extra.first];
   return point;
 }
 
@@ -251,35 +253,17 @@ struct Moves::Walk {
     const bool lathe = (moves.diameters_ & 1) != 0;
     row.spindle = lathe ? spindle_at(*row.state, row.point[0]) : row.state->spindle;
     row.feed = row.state->feed / (row.length == 0 && turns(row) ? row.state->degree : 1);
-    row.time = time(row, offset[0]);
+    double dwell = 0;
     if (second < moves.seconds_.size() && moves.seconds_[second].row == index)
-      row.time = moves.seconds_[second++].time;
+      dwell = moves.seconds_[second++].time;
+    row.time = seconds_of({row.kind, *row.state, from, row.machine, row.length, offset[0], dwell},
+                          moves.rapid_, moves.diameters_);
     from = row.machine;
     return row;
   }
 
   bool turns(const MoveRow& row) const {
     return row.machine[3] != from[3] || row.machine[4] != from[4] || row.machine[5] != from[5];
-  }
-
-  double time(const MoveRow& row, double x_offset) const {
-    switch (row.kind) {
-      case MoveKind::Rapid:
-        return rapid_time(from, row.machine, moves.rapid_, moves.diameters_);
-      case MoveKind::Thread:
-        return thread_time(*row.state, from, row.machine, moves.diameters_);
-      case MoveKind::Dwell:
-        return 0;
-      case MoveKind::Feed:
-      case MoveKind::Cw:
-      case MoveKind::Ccw:
-        break;
-    }
-    const double mean = (std::fabs(from[0] - x_offset) + std::fabs(row.point[0])) / 2;
-    const double path = row.kind == MoveKind::Feed
-                            ? path_of(*row.state, from, row.machine, row.length)
-                            : path_in_plane(*row.state, from, row.machine, row.length);
-    return cutting_time(*row.state, path, spindle_at(*row.state, mean));
   }
 };
 
@@ -320,23 +304,29 @@ double Moves::time() const {
 
 namespace {
 
-/// Widens the bounds of a plane's two axes by the quadrant points that an arc passes.
+/// Widens the bounds of a plane's two axes by the quadrant points that an arc passes. `from` is
+/// where it starts, in its own work coordinates.
 void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters, Axes& low,
                   Axes& high) {
   const int a = row.state->plane == 17 ? 0 : row.state->plane == 18 ? 2 : 1;
   const int b = row.state->plane == 17 ? 1 : row.state->plane == 18 ? 0 : 2;
   const auto share = [&](int axis) { return (diameters >> axis & 1) != 0 ? 0.5 : 1.0; };
   const double ca = row.centre[a], cb = row.centre[b];
-  const double radius = std::hypot((row.point[a] - ca) * share(a), (row.point[b] - cb) * share(b));
-  const auto angle = [&](const Axes& p) {
-    return std::atan2((p[b] - cb) * share(b), (p[a] - ca) * share(a));
+  const auto part = [&](const Axes& p) {
+    return std::array{(p[a] - ca) * share(a), (p[b] - cb) * share(b)};
   };
-  double first = angle(from), last = angle(row.point);
-  if (row.kind == MoveKind::Cw) std::swap(first, last);
-  if (last <= first + 1e-9) last += 2 * kPi;
-  for (int quarter = -4; quarter <= 8; ++quarter) {
-    const double t = quarter * kPi / 2;
-    if (t < first || t > last) continue;
+  const auto first = part(from), last = part(row.point);
+  const double start = std::hypot(first[0], first[1]), end = std::hypot(last[0], last[1]);
+  const double angle = std::atan2(first[1], first[0]);
+  double turn = std::atan2(last[1], last[0]) - angle;
+  if (row.kind == MoveKind::Cw)
+    turn = turn > -1e-9 ? turn - 2 * kPi : turn;
+  else
+    turn = turn < 1e-9 ? turn + 2 * kPi : turn;
+  for (int quarter = -6; quarter <= 6; ++quarter) {
+    const double t = quarter * kPi / 2, done = (t - angle) / turn;
+    if (!(done >= 0 && done <= 1)) continue;
+    const double radius = start + (end - start) * done;
     const double pa = ca + radius * std::cos(t) / share(a),
                  pb = cb + radius * std::sin(t) / share(b);
     low[a] = std::min(low[a], pa), high[a] = std::max(high[a], pa);
@@ -353,15 +343,19 @@ Moves::Bounds Moves::bounds() const {
   Axes low, high;
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
-  Axes from = start_point_;
+  Axes base = start_;  // where the row starts, without a radius offset
   walk([&](std::size_t, const MoveRow& row) {
+    const Axes& offset = offsets_[row.state->offset];
     for (int i = 0; i < kAxes; ++i) {
       low[i] = std::min(low[i], row.point[i]);
       high[i] = std::max(high[i], row.point[i]);
     }
-    if (row.kind == MoveKind::Cw || row.kind == MoveKind::Ccw)
+    if (row.kind == MoveKind::Cw || row.kind == MoveKind::Ccw) {
+      Axes from = base;
+      for (std::size_t i = 0; i < from.size(); ++i) from[i] -= offset[i];
       widen_by_arc(row, from, diameters_, low, high);
-    from = row.point;
+    }
+    for (std::size_t i = 0; i < base.size(); ++i) base[i] = row.point[i] + offset[i];
   });
   for (int i = 0; i < kAxes; ++i)
     if (rows_ > 0 && (used_ >> i & 1) != 0) bounds.low[i] = low[i], bounds.high[i] = high[i];

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -55,7 +56,7 @@ struct MoveRow {
   double feed = 0;     // mm/min, mm/rev, 1/min; degrees where rotary axes alone move
   double spindle = 0;  // r/min at the end of the move
   double length = 0;   // mm
-  double time = 0;     // s; inf where the spindle that a feed counts on was never told to turn
+  double time = 0;     // s
   SkipMove skip = SkipMove::No;
 };
 
@@ -84,15 +85,14 @@ class Moves {
 
   // What the motion engine writes.
 
-  /// The machine's facts that lengths and times need: where the tool was, rapid rates, diameter
-  /// axes.
-  void begin(const Axes& machine, const Axes& point, const Axes& rapid, std::uint32_t diameters);
-  bool begun() const { return begun_; }
+  /// The machine's facts that lengths and times need, before the first row: where the tool is, rapid
+  /// rates, diameter axes.
+  void begin(const Axes& machine, const Axes& rapid, std::uint32_t diameters);
   std::uint32_t intern(MoveState state, const Axes& offset);
   /// The axes that moves named; bit 0 is X.
   void mark(std::uint32_t axes) { used_ |= axes; }
-  /// The same for axes beyond X, Y and Z, which get a column: where they stood before.
-  void use(std::uint32_t axes, const Axes& before);
+  /// The same for axes beyond X, Y and Z, which get a column.
+  void use(std::uint32_t axes);
   std::uint32_t used() const { return used_; }
 
   /// A row with nothing but X, Y and Z, which must be fast.
@@ -131,7 +131,6 @@ class Moves {
   struct Extra {
     int axis = 0;
     std::size_t first = 0;  // the first row with this axis
-    double before = 0;      // its value before
     Column<double> values;
   };
   struct Arc {
@@ -187,26 +186,41 @@ class Moves {
   Column<Seconds> seconds_;
   Column<Skip> skips_;
   std::uint32_t used_ = 0;
-  bool begun_ = false;
-  Axes start_{}, start_point_{};
+  Axes start_{};  // machine position before the first row
   Axes rapid_{};
   std::uint32_t diameters_ = 0;
 };
 
-/// Seconds of a straight or round move. `mean_spindle` in r/min. No cut ends where the spindle that
-/// its feed counts on stands: inf.
-double cutting_time(const MoveState& state, double length, double mean_spindle);
+/// A move of the tool: from one machine position to another.
+struct MoveWay {
+  MoveKind kind = MoveKind::Rapid;
+  const MoveState& state;
+  const Axes &from, &to;
+  double length = 0;  // mm
+  double zero = 0;    // where X is 0, to which a diameter counts: a machine coordinate
+  double dwell = 0;   // s
+};
+/// The speed that a feed per revolution counts on: a spindle that was never told to turn counts as
+/// one that turns once a minute, so that the cut ends, late. [policy]
+inline double turning(double spindle) { return spindle > 0 ? spindle : 1; }
+/// How long a move takes, in seconds: told with each move, and summed up by the run.
+double seconds_of(const MoveWay& way, const Axes& rapid, std::uint32_t diameters);
 /// r/min at this diameter.
 double spindle_at(const MoveState& state, double diameter);
 /// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
-/// What a feed is counted along: the length, and the degrees of rotary axes, each as long as a unit
-/// of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear interpolation]
-double path_of(const MoveState& state, const Axes& from, const Axes& to, double length);
-/// The share of an arc's length that lies in its plane: F is the speed there, a helix goes along.
-double path_in_plane(const MoveState& state, const Axes& from, const Axes& to, double length);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
-double thread_time(const MoveState& state, const Axes& from, const Axes& to,
-                   std::uint32_t diameters);
+/// The length of an arc whose radius grows evenly from the first to the last over an angle: of one
+/// that misses its end inside the tolerance, which the tool reaches on a spiral. [ALM 020][M7 p.194]
+inline double spiral_length(double first, double last, double turn) {
+  const double growth = last - first, mean = (first + last) / 2 * turn;
+  if (growth == 0) return std::fabs(mean);
+  if (std::fabs(growth) <= 1e-5 * (first + last)) return std::sqrt(mean * mean + growth * growth);
+  const double k = std::fabs(growth / turn);  // of the radius, for each radian
+  const auto upto = [k](double radius) {
+    return radius * std::sqrt(radius * radius + k * k) + k * k * std::asinh(radius / k);
+  };
+  return std::fabs(turn / (2 * growth) * (upto(last) - upto(first)));
+}
 
 }  // namespace cncsub

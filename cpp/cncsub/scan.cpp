@@ -1,5 +1,7 @@
 #include "cncsub/scan.hpp"
 
+#include <algorithm>
+
 namespace cncsub {
 
 Number scan_number(Scanner& s) {
@@ -43,7 +45,7 @@ Number scan_number(Scanner& s) {
     }
   }
   number.decimals = decimals;
-  const double value = static_cast<double>(mantissa) * scale;
+  const double value = std::min(static_cast<double>(mantissa) * scale, kLargest);
   number.value = decimals <= 22 ? value / kPowersOfTen[decimals] : 0;
   if (number.negative) number.value = -number.value;
   return number;

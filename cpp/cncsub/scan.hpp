@@ -72,7 +72,7 @@ struct Scanner {
 
 /// A number as written.
 struct Number {
-  double value = 0;
+  double value = 0;                // at most kLargest: whoever takes more digits looks at these
   std::uint32_t digits = 0;        // without leading zeros
   std::uint32_t whole_digits = 0;  // of them before the point
   std::uint32_t decimals = 0;

@@ -295,7 +295,7 @@ void StatementReader::loop(Op op, Statement statement) {
   if (number.points != 0 || number.value < 1 || number.value > most)
     return refuse(Cause::IllegalLoopNumber, at, std::max(1u, s_.offset() - at),
                   "a loop number is 1 to " + std::to_string(most));
-  statement.number = static_cast<std::int32_t>(number.value);
+  statement.number = to_whole<std::int32_t>(number.value);
   if (at_end(Cause::NcAndMacroInBlock)) finish(op, statement);
 }
 
@@ -322,7 +322,7 @@ void StatementReader::jump(Op op, Statement statement) {
     if (number.value < 1 || number.value > most)
       return refuse(Cause::IllegalJumpNumber, at, std::max(1u, s_.offset() - at),
                     "GOTO takes 1 to " + std::to_string(most));
-    statement.number = static_cast<std::int32_t>(number.value);
+    statement.number = to_whole<std::int32_t>(number.value);
   } else {
     return refuse(format, at, 1, "GOTO without a sequence number");
   }
@@ -377,7 +377,7 @@ bool StatementReader::print_field(Print& print) {
     refuse(Cause::OutputFormat, at, 1, "the number of digits is two digits in brackets, as [53]");
     return false;
   }
-  const int digits = static_cast<int>(format.value);
+  const int digits = to_whole<int>(format.value);
   field.whole_digits = print.binary ? 0 : digits / 10;
   field.decimals = digits % 10;
   print.fields.push_back(field);
@@ -393,7 +393,7 @@ void StatementReader::name_variables() {
   const Number first = scan_number(s_);
   if (!first.any || first.points != 0 || first.negative || first.value > 1e9 || !s_.take('['))
     return refuse(Cause::SetvnFormat, s_.offset(), 1, "write SETVN n[NAME, NAME]");
-  statement.number = static_cast<std::int32_t>(first.value);
+  statement.number = to_whole<std::int32_t>(first.value);
   statement.index = static_cast<std::int32_t>(code_.names.size());
   for (;;) {
     const std::uint32_t at = s_.offset();

@@ -1,5 +1,7 @@
 #include "cncsub/words.hpp"
 
+#include <cmath>
+
 #include "cncsub/scan.hpp"
 
 namespace cncsub {
@@ -74,7 +76,7 @@ std::vector<WrittenWord> written_words(const Control&, std::string_view block) {
     const char value = s.peek();
     if (is_digit(value) || value == '.' || value == '-' || value == '+') {
       const Number number = scan_number(s);
-      word.known = number.any && number.points < 2;
+      word.known = number.any && number.points < 2 && std::fabs(number.value) < kLargest;
       word.value = number.value;
       if (!number.any) pass_value(s);
     } else {

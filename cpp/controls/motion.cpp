@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "cncsub/number.hpp"
 #include "controls/controls.hpp"
 
 namespace cncsub {
@@ -38,7 +39,7 @@ void add_effect(Control& c, const char* name, double value, const char* meaning,
   follow(c, before, "parameter " + p->name + " as delivered: " + p->source, p->evidence);
 }
 
-int whole(double v) { return static_cast<int>(std::clamp(v, -2e9, 2e9)); }
+int whole(double v) { return to_whole<int>(v, -2'000'000'000, 2'000'000'000); }
 int micrometres(double millimetres) { return whole(millimetres * 1000 + 0.5); }
 
 void set_tolerance(Control& c, double v) { c.arc_tolerance.value = micrometres(v); }

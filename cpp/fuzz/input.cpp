@@ -70,7 +70,7 @@ class Reader {
   double length() { return std::clamp(finite(), -kSetupLimit, kSetupLimit); }
   double positive() {
     const double value = std::fabs(length());
-    return value > 0 ? value : 1;
+    return value >= 1e-9 ? value : 1;
   }
   std::int32_t variable() { return whole<std::int32_t>() & 0x7fffffff; }
   int numbered() { return whole<std::uint16_t>() % 1000; }
@@ -288,8 +288,10 @@ Job read_job(const std::uint8_t* data, std::size_t size) {
   return job;
 }
 
-Job run_job(const std::uint8_t* data, std::size_t size) {
-  Reader in(data, size);
+namespace {
+
+/// All but the texts: from the end of the bytes.
+Job job_without_texts(Reader& in) {
   Job job;
   const std::uint8_t first = in.byte();
   job.control = control_at(first & 0x1f);
@@ -304,8 +306,21 @@ Job run_job(const std::uint8_t* data, std::size_t size) {
     });
   }
   if ((first & 0x20) == 0) job.options.max_blocks = 300;
+  return job;
+}
+
+}  // namespace
+
+Job run_job(const std::uint8_t* data, std::size_t size) {
+  Reader in(data, size);
+  Job job = job_without_texts(in);
   job.texts = texts_of(data, in.left());
   return job;
+}
+
+Job job_around(const std::uint8_t* data, std::size_t size) {
+  Reader in(data, size);
+  return job_without_texts(in);
 }
 
 std::shared_ptr<const Code> library_of(const Job& job, std::int32_t& main) {
@@ -317,8 +332,11 @@ std::shared_ptr<const Code> library_of(const Job& job, std::int32_t& main) {
   return code;
 }
 
+char* broken_claim = nullptr;
+
 void claim(bool holds, const char* what) {
   if (holds) return;
+  if (broken_claim != nullptr) std::strncpy(broken_claim, what, kLongestClaim - 1);
   std::fprintf(stderr, "not so: %s\n", what);
   std::abort();
 }

@@ -41,8 +41,15 @@ Job read_job(const std::uint8_t* data, std::size_t size);
 /// Everything.
 Job run_job(const std::uint8_t* data, std::size_t size);
 
+/// Everything but the texts; what the bytes do not need is left.
+Job job_around(const std::uint8_t* data, std::size_t size);
+
 /// The library of a job, and the program to run: never empty.
 std::shared_ptr<const Code> library_of(const Job& job, std::int32_t& main);
+
+/// Where a broken claim is noted for another process, unless it is null.
+constexpr std::size_t kLongestClaim = 200;
+extern char* broken_claim;
 
 /// Stops the fuzzer where a claim about the engine is false.
 void claim(bool holds, const char* what);

@@ -128,7 +128,7 @@ Setup setup_of(const py::dict& from) {
       for (const auto& [key, value] : values.cast<py::dict>()) {
         const auto name = key.cast<std::string>();
         if (name == "tip")
-          tool.tip = static_cast<int>(value.cast<double>());
+          tool.tip = to_whole<int>(value.cast<double>());
         else if (name == "R")
           tool.radius = value.cast<double>();
         else

@@ -8,7 +8,7 @@ from typing import Any
 import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import did_you_mean, sources_of
-from cncsub.tables import finite, records
+from cncsub.tables import records
 
 
 def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
@@ -20,7 +20,7 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "steps": len(run.steps),
         "calls": [dict(record) for record in records(run.calls)],
         "length": run.moves.total_length,
-        "time": finite(run.moves.total_time),
+        "time": run.moves.total_time,
         "bounds": {axis: list(pair) for axis, pair in run.moves.bounds.items()},
         "messages": run.messages,
         "missed_skips": [asdict(missed) for missed in run.missed_skips],

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import IO, Any
@@ -101,8 +100,6 @@ def shown(text: str) -> str:
 
 
 def _duration(seconds: float) -> str:
-    if math.isinf(seconds):
-        return "endless: a feed per revolution while the spindle has no speed"
     minutes, rest = divmod(seconds, 60)
     hours, minutes = divmod(int(minutes), 60)
     parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]

@@ -17,6 +17,7 @@ from cncsub.controls import did_you_mean
 AXES = "XYZABCUVW"
 MACHINES = ("mill", "lathe-a", "lathe-b")
 
+SMALLEST = 1e-9  # of what must be more than 0: a rapid rate, an increment
 REFERENCES = 4  # G28 and G30 P2 to P4
 
 # A key of so many parts takes TOML the square of them.
@@ -182,8 +183,8 @@ def _number(what: str, value: object) -> float:
 
 def _positive(what: str, value: object) -> float:
     number = _number(what, value)
-    if number <= 0:
-        raise ValueError(f"{what} must be more than 0, not {value!r}")
+    if number < SMALLEST:
+        raise ValueError(f"{what} must be more than 0 (at least {SMALLEST:g}), not {value!r}")
     return number
 
 

@@ -376,9 +376,9 @@ class Moves(Table[Move]):
     Columns: `move, step, kind`, the axes in use (`x, y, z` ...: programmed end, work coordinates),
     `mx, my, mz` ... (machine position of the tool), `cx, cy, cz` (arc centre, work coordinates, NaN
     where there is none), `plane` (17, 18, 19), `feed`, `feed_mode`, `spindle`, `tool`, `h`, `d`,
-    `length` (mm), `time` (s; `inf` where the spindle that the feed counts on has no speed) and
-    `skip` (`no`, and of moves of G31 `touched` or `missed`). Kinds are `rapid`, `feed`, `cw`,
-    `ccw`, `thread` and `dwell`.
+    `length` (mm), `time` (s; a spindle without a speed counts as one turn a minute) and `skip`
+    (`no`, and of moves of G31 `touched` or `missed`). Kinds are `rapid`, `feed`, `cw`, `ccw`,
+    `thread` and `dwell`.
 
     >>> import cncsub
     >>> text = "O1\\nN10 G91 G1 X30. Y40. F100\\nN20 M30\\n"
@@ -431,14 +431,16 @@ class Moves(Table[Move]):
 
     @property
     def total_time(self) -> float:
-        """The time of all moves, s: feeds, rapid rates and dwells; `inf` where a feed counts on a
-        spindle that has no speed.
+        """The time of all moves, s: feeds, rapid rates and dwells. Where a feed counts on a spindle
+        that was never told a speed, it counts as one revolution a minute.
         """
         return self._core.time
 
     @property
     def bounds(self) -> dict[str, tuple[float, float]]:
-        """Lowest and highest programmed end point by axis, work coordinates; `"x"` is `"X"`."""
+        """The lowest and the highest coordinate that the moves lead to by axis, arcs with all they
+        pass; programmed path, work coordinates. `"x"` is `"X"`.
+        """
         return Bounds({axis.upper(): pair for axis, pair in self._core.bounds.items()})
 
     def _rows(self) -> int:
@@ -461,13 +463,9 @@ def _number(value: Any) -> Any:
     return None if isinstance(value, float) and math.isnan(value) else value
 
 
-def finite(value: Any) -> Any:
-    return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
 def records(table: Table[Any]) -> Iterator[Mapping[str, Any]]:
-    """The rows as mappings of the columns, read by columns and so fast on long tables; what is no
-    finite number is `None`.
+    """The rows as mappings of the columns, read by columns and so fast on long tables; NaN is
+    `None`.
     """
     names = table.columns
     table._fetched(names)
@@ -486,4 +484,4 @@ def _plain_values(table: Table[Any], name: str) -> list[Any]:
         return [texts[code] for code in values]
     if name in _NO_INDEX:
         return [_known(value) for value in values]
-    return [finite(value) for value in values]
+    return [_number(value) for value in values]

@@ -13,7 +13,6 @@ UNITS = {
     "source": "source 003, G94; B-63174EN p.33; CSDN 112450340; general knowledge",
     "evidence": "secondary",
 }
-ENDLESS = float("inf")
 
 # ---- F of a rotary axis ----
 
@@ -282,19 +281,19 @@ case(
 # ---- a spindle that stands ----
 
 case(
-    "a cut whose feed counts on a spindle without a speed never ends",
-    control=FANUC, source="general knowledge", evidence="inferred",
+    "a cut whose feed counts on a spindle without a speed takes a minute a revolution",
+    control=FANUC, source="policy: every time is a number", evidence="inferred",
     program="""
         O1
         N10 G0 X0
         N20 G95 G1 X10. F0.2
         N30 M30
     """,
-    moves="R X0\nF X10", time=ENDLESS,
+    moves="R X0\nF X10", time=3000,
 )
 case(
-    "a thread of a spindle without a speed never ends",
-    control=[TDI, *FANUC], source="general knowledge", evidence="inferred",
+    "a thread of a spindle without a speed takes a minute a revolution",
+    control=[TDI, *FANUC], source="policy: every time is a number", evidence="inferred",
     setup={"machine": "lathe-a"},
     program="""
         O1
@@ -302,7 +301,7 @@ case(
         N20 G32 Z-10. F1.
         N30 M30
     """,
-    time=ENDLESS,
+    time=600.03,
 )
 case(
     "with a speed it ends",

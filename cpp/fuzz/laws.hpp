@@ -1,0 +1,14 @@
+// The laws of a run, for whoever makes programs: a fuzzer from bytes, a generator from words.
+#pragma once
+
+#include "input.hpp"
+
+namespace cncsub::fuzz {
+
+/// Makes the run of a job in every way there is - in one go, block by block, by a copy that goes on
+/// by itself from some block on, with pauses and interrupts, in parts that are taken away, and with
+/// every depth of the trace -, holds them all to the laws, then resets two of the machines and runs
+/// them again. Stops the process where a claim is false.
+void try_all_ways(const Job& job);
+
+}  // namespace cncsub::fuzz
