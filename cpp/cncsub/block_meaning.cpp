@@ -14,7 +14,8 @@ namespace {
 
 std::string spell(double value) {
   std::array<char, 32> text{};
-  const auto done = std::to_chars(text.data(), text.data() + text.size(), value);
+  // Nought has no sign.
+  const auto done = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
   return {text.data(), done.ptr};
 }
 

@@ -13,7 +13,8 @@ constexpr std::int64_t kCountBase = 10000;  // the last four digits are the prog
 
 std::string spell(double value) {
   std::array<char, 40> text{};
-  const auto done = std::to_chars(text.data(), text.data() + text.size(), value);
+  // Nought has no sign.
+  const auto done = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
   return {text.data(), done.ptr};
 }
 

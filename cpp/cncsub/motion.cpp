@@ -186,6 +186,7 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
                                      Outcome& outcome, Outside& outside) {
   if (s_.plain) s_.tool_at = machine_point();
   const MotionState before = s_;
+  s_.plain = false;  // from here on tool_at is kept
   const std::size_t rows = moves != nullptr ? moves->size() : 0;
   outcome = {};
   old_offsets_.clear();
@@ -582,6 +583,7 @@ bool Motion::tool_waits() const {
 
 /// What the fast path needs to know.
 void Motion::settle() {
+  if (s_.plain) s_.tool_at = machine_point();
   const Meaning motion = s_.modal[at(Group::Motion)].meaning;
   const Meaning feed = s_.modal[at(Group::Feed)].meaning;
   s_.row_moves = nullptr;
@@ -628,7 +630,6 @@ Motion::Result Motion::end_waiting(std::uint32_t step, Moves* moves) {
 
 void Motion::reset() {
   const Control& c = *facts_->control;
-  if (s_.plain) s_.tool_at = machine_point();
   if (c.clear_on_reset.value) {
     const GCode work = s_.modal[at(Group::Work)], units = s_.modal[at(Group::Units)];
     const double feed = s_.feed;
