@@ -99,7 +99,7 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
   };
   const auto missing = [&](const std::optional<Fault>& wrong, double variable) {
     fault(wrong->cause);
-    trap.variable = static_cast<std::int64_t>(variable);
+    trap.variable = to_whole<std::int64_t>(variable);
     return false;
   };
   const auto number = [](double value) { return is_vacant(value) ? 0.0 : value; };
