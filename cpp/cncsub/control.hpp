@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cncsub/alarm.hpp"
+#include "cncsub/number.hpp"
 #include "cncsub/source.hpp"
 
 namespace cncsub {
@@ -53,7 +54,7 @@ void for_each_code(std::string_view codes, Use&& use) {
       ++at;
       continue;
     }
-    if (value >= 0 && value <= 1000) use(static_cast<int>(value * 10 + 0.5));
+    if (value >= 0 && value <= 1000) use(to_whole<int>(value * 10 + 0.5));
     at = read.ptr + 1;
   }
 }
