@@ -39,4 +39,8 @@ for target in read run; do
         $build/corpus/$target $build/seeds/$target >$build/$target.log 2>&1 || failed=1
     grep -E 'ERROR|SUMMARY|not so:|runtime error|Test unit written|^stat::' $build/$target.log || true
 done
+echo "== whole programs, $seconds s"
+timeout $((seconds + 120)) $build/cpp/fuzz/fuzz_programs --seed "$(date +%Y%m%d)" --count 1000000000 --seconds "$seconds" \
+    $build/seeds/run >$build/programs.log 2>&1 || failed=1
+tail -n 60 $build/programs.log
 exit $failed
