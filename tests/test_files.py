@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import os
+import pickle
 import signal
 import socket
 from collections.abc import Iterator
@@ -312,3 +313,14 @@ def test_decoding_never_fails_with_an_encoding(data: bytes, encoding: str) -> No
 def test_utf8_is_read_as_it_is(text: str) -> None:
     if not text.startswith("\ufeff"):
         assert decode(text.encode()) == text
+
+
+def test_the_leader_of_a_tape_is_told_and_its_lines_are_counted() -> None:
+    library = cncsub.loads(
+        "PART 12\nX1..2\n%\nO1\nN10 M99 P5\n%\n", control="fanuc-0i-f", name="a.nc"
+    )
+    assert library.skipped == (("a.nc", "the text before its first %: 2 lines"),)
+    assert (library.main.line if library.main else 0) == 4
+    assert pickle.loads(pickle.dumps(library)).skipped == library.skipped
+    plain = cncsub.loads("N10 M98 P2\nM30\nO2\nM99\n", control="fanuc-0i-f")
+    assert plain.skipped == ()

@@ -366,6 +366,7 @@ struct SourceFile {
   std::string stem;  // names the program where the text does not
   std::string text;  // UTF-8
   bool external = false;
+  std::int32_t leader = 0;  // how many lines stand before its tape and are no program
 };
 
 /// A word that the control reads and does not obey: an M code too many, an address written again.

@@ -87,6 +87,7 @@ class LibraryReader {
     line_ = 0;
     open_ = false;
     first_in_file_ = true;
+    leader_possible_ = true;
     const bool semicolons = code_.control->semicolon.value == Semicolon::EndOfBlock;
     while (at < end) {
       const char* newline =
@@ -187,6 +188,7 @@ class LibraryReader {
   /// A line that starts with %: the tape's mark, or the head of a program.
   void percent(Scanner s) {
     const char* start = s.at;
+    if (std::exchange(leader_possible_, false) && open_ && tape_begins(s)) drop_leader();
     ++s.at;
     if (code_.control->percent_programs.value && is_digit(s.peek())) {
       const Number number = scan_number(s);
@@ -199,6 +201,41 @@ class LibraryReader {
       return;
     }
     if (open_) close(static_cast<std::uint32_t>(start - begin_));
+  }
+
+  /// Whether a tape begins with the % of this line: a program's head, or blocks that another % ends.
+  bool tape_begins(const Scanner& percent) {
+    const std::string& text = code_.files[file_].text;
+    const char* end = begin_ + text.size();
+    bool blocks = false;
+    for (const char* at = percent.at; at < end;) {
+      const char* line_end = std::find(at, end, '\n');
+      if (patience_.over(static_cast<std::size_t>(line_end + 1 - at))) return false;
+      Scanner line{at, line_end, begin_};
+      at = line_end + 1;
+      const char c = line.peek();
+      if (c == '\0') continue;
+      ++line.at;
+      if (c == '%') {
+        if (blocks) return true;
+        if (code_.control->percent_programs.value && is_digit(line.peek())) return true;
+        continue;
+      }
+      if (!blocks && (c == 'O' || c == ':') && is_digit(line.peek())) return true;
+      if (!blocks && c == '<' && code_.control->named_programs.value) return true;
+      blocks = true;
+    }
+    return false;
+  }
+
+  /// What stands before the first % of a tape is no program: a reader looks for the % first.
+  void drop_leader() {
+    const Program& leader = code_.programs.back();
+    code_.blocks.erase(code_.blocks.begin() + leader.first, code_.blocks.end());
+    code_.files[file_].leader = line_ - 1;
+    code_.programs.pop_back();
+    open_ = false;
+    first_in_file_ = true;
   }
 
   /// O0001, :1 or <NAME> at the head of a line begins a program.
@@ -295,6 +332,7 @@ class LibraryReader {
     program.text = offset;
     program.first = static_cast<Address>(code_.blocks.size());
     code_.programs.push_back(std::move(program));
+    leader_possible_ = leader_possible_ && !headed && first_in_file_;
     first_in_file_ = false;
     open_ = true;
   }
@@ -467,6 +505,7 @@ class LibraryReader {
   std::uint32_t line_ = 0;
   bool open_ = false;
   bool first_in_file_ = true;
+  bool leader_possible_ = true;  // neither a head nor a % was met in this file
 };
 
 void number_variables(Code& code) {

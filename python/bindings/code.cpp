@@ -156,6 +156,14 @@ void add_code(py::module_& m) {
                                                             py::bytes(file.text), file.external));
                                return rows;
                              })
+      .def_property_readonly("leaders",
+                             [](const Code& c) {
+                               py::list rows;
+                               for (const SourceFile& file : c.files)
+                                 if (file.leader > 0)
+                                   rows.append(py::make_tuple(file.name, file.leader));
+                               return rows;
+                             })
       .def_readonly("external_device", &Code::external_device)
       .def(
           "find",

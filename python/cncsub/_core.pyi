@@ -173,6 +173,8 @@ class Code:
     @property
     def sources(self) -> list[tuple[str, str, bytes, bool]]: ...  # name, stem, UTF-8, external
     @property
+    def leaders(self) -> list[tuple[str, int]]: ...  # file, lines before its first %
+    @property
     def external_device(self) -> bool: ...
     def find(self, name: str | int, external: bool = False) -> int: ...
     def with_mdi(self, text: str) -> Code: ...  # one more program, the last

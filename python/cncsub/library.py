@@ -129,8 +129,18 @@ class Library(Mapping[str, Program]):
 
     @property
     def skipped(self) -> tuple[tuple[str, str], ...]:
-        """What was left out of the folders: path and reason."""
-        return self._skipped
+        """What was left out: of the folders and of the files, path and reason.
+
+        >>> import cncsub
+        >>> text = "PART 12\\n%\\nO1\\nM30\\n%\\n"
+        >>> cncsub.loads(text, control="fanuc-0i-f", name="part.nc").skipped
+        (('part.nc', 'the text before its first %: 1 line'),)
+        """
+        leaders = (
+            (name, f"the text before its first %: {lines} line{'s' if lines != 1 else ''}")
+            for name, lines in self._code.leaders
+        )
+        return (*self._skipped, *leaders)
 
     @property
     def external(self) -> Mapping[str, Program]:

@@ -112,6 +112,53 @@ for name, content in [("an empty file", b""), ("a file of zeros", b"\0" * 4096),
         files={"O1.NC": b"O1\nN10 M8\nN20 M30\n", "X.NC": content},
         main="O1", runs="N10 N20", m=[8],
     )
+NOT_FOUND = {**on_fanuc(76), "fanuc-16i": "078", **dict.fromkeys(GSK_988, "083"), **dict.fromkeys(GSK_980, "001"),
+             **dict.fromkeys(MITSUBISHI, "P232")}
+LEADER = "GED, file frame: the tape begins with its %; general knowledge"
+for _kind, _head, _number in (("O", b"O1", NOT_FOUND), ("percent", b"%1", None)):
+    _where = {"control": WITH_O if _kind == "O" else WITH_PERCENT, "source": LEADER,
+              "evidence": "inferred"}
+    for _name, _before in [
+        ("words", b"PART 12 FIXTURE 3\r\nTOOLS: 4\r\n"), ("a bad word", b"X1..2\n#1=[\n"),
+        ("an end of program", b"G0 X1.\nM30\n"), ("a letter O", b"ORDER 7\n"),
+        ("an open loop", b"WHILE[1EQ1]DO1\n"),
+    ]:
+        case(f"{_name} before the first percent sign is a leader, {_kind} programs", **_where,
+             files={"O1.NC": _before + b"%\n" + _head + b"\nN10 M8\nN20 M9\nN30 M30\n%\n"},
+             runs="N10 N20 N30", m=[8, 9])
+        case(f"behind {_name} as a leader the program alarms where it always does, {_kind} programs",
+             control=[c for c in _where["control"] if c != "gsk-928te"], source=LEADER,
+             evidence="inferred",
+             files={"O1.NC": _before + b"%\n" + _head + b"\nN10 M8\nN20 M98 P77\nN30 M30\n"},
+             runs="N10", alarm="program-not-found", number=_number, word="P77", m=[8],
+             at=f"{_head.decode()} N20")
+for _name, _tape, _runs in [
+    ("a head that a second percent sign does not follow", b"%\nO1\nN10 M8\nN20 M30\n", "N10 N20"),
+    ("blank lines and a comment", b"%\n\n(SHAFT)\n  \nO1\nN10 M8\nN20 M30\n", "N10 N20"),
+    ("blocks without a head that a second percent sign ends", b"%\nN10 M8\nN20 M30\n%\n", "N10 N20"),
+    ("several programs", b"%\nO1\nN10 M98 P2\nN20 M8\nN30 M30\nO2\nN40 M99\n%\n", "N10 N40 N20 N30"),
+]:
+    case(f"a leader stands before {_name}", control=WITH_O, source=LEADER, evidence="inferred",
+         files={"O1.NC": b"SHAFT 40\n" + _tape}, runs=_runs, m=[8])
+for _name, _text, _runs in [
+    ("without any percent sign", b"N10 M98 P2\nN20 M30\nO2\nN30 M8\nN40 M99\n", "N10 N30 N40 N20"),
+    ("that a percent sign closes", b"N10 M8\nN20 M30\n%\n", "N10 N20"),
+    ("that a percent sign closes before a trailer", b"N10 M8\nN20 M30\n%\nEND OF TAPE\n", "N10 N20"),
+    ("behind the first percent sign",
+     b"%\nN10 M98 P2\nN20 M30\nO2\nN30 M8\nN40 M99\n%\n", "N10 N30 N40 N20"),
+    ("behind the first percent sign and closed by one of its own",
+     b"%\nN10 M98 P2\nN20 M30\n%\nO2\nN30 M8\nN40 M99\n%\n", "N10 N30 N40 N20"),
+]:
+    case(f"a main program without a head {_name} is no leader", control=WITH_O, source=LEADER,
+         evidence="inferred", files={"MAIN.NC": _text}, runs=_runs, m=[8])
+    case(f"a main program without a head {_name} alarms as any does", control=WITH_O,
+         source=LEADER, evidence="inferred",
+         files={"MAIN.NC": _text.replace(b"M8\n", b"M98 P77\n")},
+         alarm="program-not-found", number=NOT_FOUND, m=[])
+case("a program with a head before the first percent sign is no leader", control=WITH_O,
+     source=LEADER, evidence="inferred",
+     files={"O1.NC": b"O1\nN10 M98 P2\nN20 M30\n%\nO2\nN30 M8\nN40 M99\n%\n"},
+     runs="N10 N30 N40 N20", m=[8])
 case(
     "a closing percent sign is the end and the program in front of it has no M30",
     control=FANUC, source="ALM 5010, END OF RECORD", evidence="secondary",
