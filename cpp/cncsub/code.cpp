@@ -1,8 +1,10 @@
 #include "cncsub/code.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cncsub/scan.hpp"
+#include "cncsub/words.hpp"
 
 namespace cncsub {
 
@@ -165,6 +167,56 @@ Address Code::return_target(const Program& program, std::int64_t n, Address call
   return kNowhere;
 }
 
+namespace {
+
+constexpr std::size_t kLookedAt = 65535;  // bytes of a block in which a word is looked for
+
+struct WordPlace {
+  std::uint32_t at, width;
+};
+
+bool in_name(char c) { return is_letter(upper(c)) || is_digit(c) || c == '.' || c == '_'; }
+
+/// The name, number or variable of a macro statement that a place lies in.
+WordPlace whole_token(std::string_view text, WordPlace place) {
+  std::uint32_t from = place.at, to = place.at + place.width;
+  if (to > text.size()) return place;
+  if (text[to - 1] == '#' && to < text.size() && is_digit(text[to])) ++to;
+  while (to < text.size() && in_name(text[to - 1]) && in_name(text[to])) ++to;
+  while (from > 0 && in_name(text[from]) && in_name(text[from - 1])) --from;
+  if (from > 0 && is_digit(text[from]) && text[from - 1] == '#') --from;
+  return {from, to - from};
+}
+
+/// The bytes of the whole word that a fault points into.
+WordPlace whole_word(const Code& code, const Program& program, const Block& block,
+                     const Fault& fault) {
+  const WordPlace place{fault.at, std::max(fault.width, 1u)};
+  const std::string_view text = code.text_of(block, program).substr(0, kLookedAt);
+  const bool named = fault.block == kNowhere && fault.address != 0;
+  if (!named && (place.at < block.text || place.at >= block.text + text.size())) return place;
+  for (const WrittenWord& word : written_words(*code.control, text)) {
+    const WordPlace whole{block.text + word.at, word.width};
+    if (named) {
+      const bool same = word.address == std::string_view(&fault.address, 1);
+      if (same && (fault.code < 0 || !word.known || std::lround(word.value * 10) == fault.code))
+        return whole;
+      continue;
+    }
+    if (place.at < whole.at || place.at >= whole.at + whole.width) continue;
+    const char head = word.address.empty() ? '#' : word.address[0];
+    if (!is_letter(head) && head != ',' && head != '<' && head != '#') return place;
+    const bool statement = word.address.empty() || word.address == "#";
+    if (!statement) return {whole.at, std::max(whole.width, place.at + place.width - whole.at)};
+    if (fault.width == 1) return place;  // a sign, or a letter that is no name
+    const WordPlace token = whole_token(text, {place.at - block.text, place.width});
+    return {token.at + block.text, token.width};
+  }
+  return place;
+}
+
+}  // namespace
+
 Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
   Alarm alarm;
   alarm.cause = fault.cause;
@@ -184,7 +236,8 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
   alarm.n = block.n;
   alarm.line = block.line;
   const std::string& text = file.text;
-  const std::size_t at = std::min<std::size_t>(std::max(fault.at, block.text), text.size());
+  const WordPlace place = whole_word(code, program, block, fault);
+  const std::size_t at = std::min<std::size_t>(std::max(place.at, block.text), text.size());
   const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
   const std::size_t line_start = before == std::string::npos ? 0 : before + 1;
   const std::size_t line_end = std::min(text.find('\n', at), text.size());
@@ -194,12 +247,13 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
       if ((static_cast<unsigned char>(text[i]) & 0xC0u) != 0x80u) ++count;
     return count;
   };
-  const std::size_t word_end = std::min(line_end, at + fault.width);
+  const std::size_t word_end = std::min(line_end, at + place.width);
   alarm.source_line = text.substr(line_start, std::min<std::size_t>(line_end - line_start, 4096));
   alarm.column = characters(line_start, at) + 1;
   alarm.width = std::max(1u, characters(at, word_end));
   alarm.word = text.substr(at, std::min<std::size_t>(word_end - at, 4096));
   while (!alarm.word.empty() && is_blank(alarm.word.back())) alarm.word.pop_back();
+  if (fault.cause == Cause::EndOfRecord) alarm.word.clear();  // a word is missing there
   if (alarm.detail.starts_with("{}")) alarm.detail.replace(0, 2, alarm.word);
   return alarm;
 }

@@ -49,9 +49,12 @@ constexpr double kLargestCode = 1e9;
 struct Fault {
   Cause cause{};
   std::uint32_t at = 0;     // byte offset in the file's text
-  std::uint32_t width = 1;  // bytes
+  std::uint32_t width = 1;  // bytes; 0 = the name, number or sign that stands there
   std::string detail;
   std::string direction = {};  // "X+", where the control may have a number for each
+  Address block = kNowhere;    // the block it stands in; otherwise the one that is being executed
+  char address = 0;            // of the word that is wrong, where `at` does not say it
+  int code = -1;               // or that G code, ten times its number
 };
 
 // ---- expressions ----
@@ -245,9 +248,9 @@ struct NcWords {
   std::array<int, 6> m{};
   int g_count = 0;
   int m_count = 0;
-  bool ends = false;     // M02 or M30 stands in the block
-  bool stops = false;    // the run stops behind it: moves that wait for the next one wait no more
-  std::uint32_t at = 0;  // where the block stands, for faults
+  bool ends = false;   // M02 or M30 stands in the block
+  bool stops = false;  // the run stops behind it: moves that wait for the next one wait no more
+  Address at = 0;      // the block, for faults
 
   bool has(char address) const { return (mask & bit(address)) != 0; }
   double operator[](char address) const { return value[static_cast<std::size_t>(address - 'A')]; }

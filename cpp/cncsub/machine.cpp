@@ -82,14 +82,23 @@ void Machine::finish() {
 }
 
 bool Machine::alarm(const Fault& fault) {
-  const Address at = pc_;
-  alarm_ = alarm_of(*code_, at, fault);
+  alarm_ = alarm_of(*code_, fault.block != kNowhere ? fault.block : pc_, fault);
   alarm_->frames = frames();
   if (words_done_)
     record_step();
   else
     give_back();
   return end(Stop::Alarm);
+}
+
+/// A fault of the motion, which knows the block it stands in and no text.
+Fault Machine::of_motion(Fault fault) const {
+  fault.block = fault.at;
+  const Program& program =
+      code_->programs[static_cast<std::size_t>(code_->program_at(fault.block))];
+  const Block& block = code_->blocks[fault.block];
+  motion_.point_at_word(code_->text_of(block, program), block.text, fault);
+  return fault;
 }
 
 /// A block that alarms, or that is broken off to be run again, has taken nothing.
@@ -349,7 +358,7 @@ bool Machine::decode(const Block& block, NcWords& words) {
     words.whole = cell->extra.whole;
     ++cell;
   }
-  words.at = block.text;
+  words.at = pc_;
   const auto code = [&](double factor, int& result) {
     double value = (cell++)->value;
     std::uint32_t at = block.text, width = block.length;
@@ -373,8 +382,10 @@ bool Machine::decode(const Block& block, NcWords& words) {
     int g = 0;
     if (!code(10, g)) return false;
     if (g > 10000 || (g >= 0 && !code_->g_codes.test(static_cast<std::size_t>(g))))
-      return alarm(
-          {Cause::GCodeNotAvailable, block.text, block.length, "the control has no such G code"});
+      return alarm({.cause = Cause::GCodeNotAvailable,
+                    .detail = "the control has no such G code",
+                    .address = 'G',
+                    .code = g});
     if (g >= 0) words.g[static_cast<std::size_t>(words.g_count++)] = g;
   }
   for (int i = 0; i < block.m_count; ++i) {
@@ -433,7 +444,9 @@ bool Machine::words(const Block& block) {
   Outside around = outside();
   if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), recorded_moves(),
                                    outcome, around)) {
-    return broken_off_ == Stop::Running ? alarm(*fault) : false;
+    if (stop_ != Stop::Running) return false;  // a word of a profile has alarmed
+    if (broken_off_ == Stop::Running) return alarm(of_motion(*fault));
+    return false;
   }
   in_block_ = 0;
   if (outcome.skip != SkipMove::No) keep_skip(outcome.skip);
@@ -518,7 +531,7 @@ bool Machine::end_program(const Block& block) {
   if (!words(block)) return false;
   // Where the block has no words of its own nothing has ended the moves that wait.
   if (auto fault = motion_.finish(static_cast<std::uint32_t>(executed_), recorded_moves()))
-    return alarm(*fault);
+    return alarm(of_motion(*fault));
   record_step();
   return end(Stop::End);
 }

@@ -188,6 +188,7 @@ class Machine {
   bool execute(const Block& block, bool one);
   bool statements(bool one);
   bool alarm(const Fault& fault);
+  Fault of_motion(Fault fault) const;
   bool choose(const Block& block);
   bool words(const Block& block);
   bool linear(const Block& block);

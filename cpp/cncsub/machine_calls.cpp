@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "cncsub/machine.hpp"
 #include "cncsub/motion_state.hpp"
@@ -211,7 +212,10 @@ bool Machine::modal_call(const Block& block) {
 
 bool Machine::cancel_modal(const Block& block) {
   if (modals_.empty() && code_->control->cancel_alone.value == CancelAlone::Alarm)
-    return alarm({Cause::ModalCallMissing, block.text, 1, "no modal macro call is active"});
+    return alarm({.cause = Cause::ModalCallMissing,
+                  .detail = "no modal macro call is active",
+                  .address = 'G',
+                  .code = 670});
   if (!words(block)) return false;
   if (!modals_.empty() && frame().modal < 0) modals_.pop_back();
   ++changes_;
@@ -453,17 +457,18 @@ bool Machine::leave(Address to, bool goes_on) {
 /// next behind the cycle, on every control: programs that use the same numbers again write it so.
 std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf, Profile& found) {
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-  const Block& here = code_->blocks[pc_];
-  if (options_.mdi) return Fault{Cause::ProfileInMdi, here.text, 1, {}};
-  const auto missing = [&](std::int64_t n) {
-    return Fault{Cause::PqNotFound, here.text, 1,
-                 "there is no N" + std::to_string(n) + " in " + program.name};
+  if (options_.mdi) return Fault{Cause::ProfileInMdi, pc_, 1, {}};
+  const auto missing = [&](char word, std::int64_t n) {
+    return Fault{.cause = Cause::PqNotFound,
+                 .at = pc_,
+                 .detail = "there is no N" + std::to_string(n) + " in " + program.name,
+                 .address = word};
   };
   Address first = code_->next_of(program, ns, pc_);
   if (first == kNowhere) first = code_->first_of(program, ns);
-  if (first == kNowhere) return missing(ns);
+  if (first == kNowhere) return missing('P', ns);
   const Address last = code_->first_from(program, nf, first);
-  if (last == kNowhere) return missing(nf);
+  if (last == kNowhere) return missing('Q', nf);
   const auto passed = [&](Address a) { return (code_->blocks[a].skip & options_.skips) != 0; };
   Address next = pc_ + 1;
   while (next < first && passed(next)) ++next;
@@ -473,7 +478,7 @@ std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf, Profile&
     if (!passed(a))
       if (auto wrong = profile_block(a, found.blocks)) return wrong;
     in_block_ = found.blocks.size() * (sizeof(NcWords) + sizeof(Piece));
-    if (a % kLongText == 0 && breaks_off()) return missing(nf);
+    if (a % kLongText == 0 && breaks_off()) return missing('Q', nf);
   }
   if (found.blocks.size() > kLongText) look_soon();
   return std::nullopt;
@@ -491,16 +496,15 @@ std::optional<Fault> Machine::profile_block(Address a, std::vector<NcWords>& blo
     case Op::ModalCall:
     case Op::Return:
     case Op::Choose:
-      return Fault{Cause::ProfileCall, block.text, block.length,
-                   "a call inside the blocks of the profile"};
+      return Fault{Cause::ProfileCall, a, 1, "a call inside the blocks of the profile"};
     default:
-      return Fault{Cause::ProfileMacro, block.text, block.length,
-                   "a macro statement inside the blocks of the profile"};
+      return Fault{Cause::ProfileMacro, a, 1, "a macro statement inside the blocks of the profile"};
   }
   NcWords words;
-  if (!decode(block, words))
-    return alarm_ ? Fault{alarm_->cause, block.text, 1, alarm_->detail}
-                  : Fault{Cause::ProfileMacro, block.text, 1, {}};
+  const Address cycle = std::exchange(pc_, a);
+  const bool read = decode(block, words);
+  pc_ = cycle;
+  if (!read) return Fault{Cause::ProfileMacro, a, 1, {}};  // it has alarmed itself
   blocks.push_back(words);
   return std::nullopt;
 }

@@ -67,7 +67,7 @@ bool Machine::evaluate_long(const Expression& e, const Places& places, double& v
     detail =
         trap.cause == Cause::IllegalVariable ? "there is no " + name : name + " cannot be read";
   }
-  return alarm({trap.cause, inside ? trap.at : e.at, 1, std::move(detail)});
+  return alarm({trap.cause, inside ? trap.at : e.at, 0, std::move(detail)});
 }
 
 bool Machine::condition(std::uint32_t expression, bool& holds) {

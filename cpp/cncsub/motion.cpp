@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "cncsub/fault_words.hpp"
 #include "cncsub/motion_facts.hpp"
 
 namespace cncsub {
@@ -213,8 +214,7 @@ Motion::Result Motion::run(const NcWords& words, std::uint32_t step, Moves* move
   const bool corner_waits = !s_.held.corner.empty(), angle_waits = s_.angled.waiting;
   if (auto wrong = read(block)) return wrong;
   if (auto wrong = check(block)) return wrong;
-  if (block.uncomputed >= 0)
-    return fault(Cause::CodeNotComputed, block, code_name(block.uncomputed));
+  if (block.uncomputed >= 0) return fault_of(block.uncomputed, Cause::CodeNotComputed, block);
   if (auto wrong = set_modes(block)) return wrong;
   const Axes length_before = s_.length;
   if (auto wrong = set_length(block)) return wrong;
@@ -247,10 +247,8 @@ Motion::Result Motion::read(BlockWords& block) const {
     const int written = block.words.g[static_cast<std::size_t>(i)];
     const GCode code = facts_->codes.find(written);
     if (code.meaning == Meaning::Neutral) continue;
-    if (code.meaning == Meaning::None)
-      return fault(Cause::GCodeNotAvailable, block, code_name(written));
-    if (code.meaning == Meaning::Unknown)
-      return fault(Cause::CodeNotKnown, block, code_name(written));
+    if (code.meaning == Meaning::None) return fault_of(written, Cause::GCodeNotAvailable, block);
+    if (code.meaning == Meaning::Unknown) return fault_of(written, Cause::CodeNotKnown, block);
     if (code.meaning == Meaning::Uncomputed) {
       block.uncomputed = written;
       continue;
@@ -258,7 +256,7 @@ Motion::Result Motion::read(BlockWords& block) const {
     GCode& place = block.codes[at(code.group)];
     if (place.code >= 0 && code.group != Group::OneShot &&
         c.repeated_address.value == RepeatedAddress::Alarm)
-      return fault(Cause::AddressGivenTwice, block);
+      return fault_of(written, Cause::AddressGivenTwice, block);
     for (int j = 0; j < i && place.code >= 0; ++j)
       if (block.words.g[static_cast<std::size_t>(j)] == place.code && place.code != code.code)
         block.outcome.dropped_codes |= static_cast<std::uint16_t>(1u << j);
@@ -555,6 +553,23 @@ Fault Motion::fault(Cause cause, const BlockWords& block, std::string detail) co
   return {cause, block.words.at, 1, std::move(detail)};
 }
 
+Fault Motion::fault_at(char address, Cause cause, const BlockWords& block,
+                       std::string detail) const {
+  Fault wrong = fault(cause, block, std::move(detail));
+  wrong.address = address;
+  return wrong;
+}
+
+Fault Motion::fault_of(int code, Cause cause, const BlockWords& block) const {
+  Fault wrong = fault_at('G', cause, block, code_name(code));
+  wrong.code = code;
+  return wrong;
+}
+
+void Motion::point_at_word(std::string_view block, std::uint32_t text, Fault& fault) const {
+  cncsub::point_at_word(*facts_->control, facts_->codes, block, text, fault);
+}
+
 double Motion::raw(const BlockWords& block, char address) const { return block.words[address]; }
 
 /// The value of an axis or length word in mm or degrees.
@@ -620,9 +635,12 @@ Motion::Result Motion::end_waiting(std::uint32_t step, Moves* moves) {
     block.submitted = false;
     Fault wrong = fault(Cause::CornerNoMove, block);
     wrong.at = s_.held.corner.back().at;
+    wrong.address = s_.held.corner.back().corner;
     return wrong;
   }
-  if (s_.angled.waiting) return Fault{Cause::AngleNoEnd, s_.angled.piece.at, 1, {}};
+  if (s_.angled.waiting)
+    return Fault{
+        .cause = Cause::AngleNoEnd, .at = s_.angled.piece.at, .detail = {}, .address = 'A'};
   auto wrong = flush_radius(moves);
   settle();
   return wrong;

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -129,6 +130,10 @@ class Motion {
     return (s_.held.corner.capacity() + s_.held.radius.capacity()) * sizeof(Piece);
   }
 
+  /// Points a fault of the motion at the word of its block, which is written as `block` and begins
+  /// at `text` in its file.
+  void point_at_word(std::string_view block, std::uint32_t text, Fault& fault) const;
+
   double time() const { return s_.time; }
   bool in_cycle() const;
   bool compensating() const;
@@ -181,8 +186,11 @@ class Motion {
   Result dwell(BlockWords& block);
   Result need_feed(const BlockWords& block, Meaning meaning) const;
   bool lacks_speed() const;
+  // A fault of the motion: `at` is the number of its block.
   Fault fault(Cause cause, const BlockWords& block, std::string detail = {}) const;
   bool tool_waits() const;
+  Fault fault_at(char address, Cause cause, const BlockWords& block, std::string detail = {}) const;
+  Fault fault_of(int code, Cause cause, const BlockWords& block) const;
   void settle();
   double raw(const BlockWords& block, char address) const;
   double number(const BlockWords& block, char address) const;

@@ -91,9 +91,10 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
   if (block.longer != 0)
     if (auto wrong = check_longer(block, written, radius)) return wrong;
   const char across = kCentreWords[static_cast<std::size_t>(plane.across)];
-  if ((named & axis_bit(plane.across)) != 0 && !c.helix.value) return fault(Cause::ArcAxis, block);
+  if ((named & axis_bit(plane.across)) != 0 && !c.helix.value)
+    return fault_at(kAxisNames[static_cast<std::size_t>(plane.across)], Cause::ArcAxis, block);
   if (!radius && block.words.has(across) && block.words[across] != 0)
-    return fault(Cause::ArcAxis, block);
+    return fault_at(across, Cause::ArcAxis, block);
   bool clockwise = meaning == Meaning::Cw;
   if (mirrored_plane()) clockwise = !clockwise;
   Piece piece = make_piece(block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);

@@ -81,16 +81,17 @@ std::vector<double> Contour::crossings(double level) const {
   return list;
 }
 
-bool Contour::monotone(int axis) const {
+/// The piece of the profile that goes back along an axis, or nothing.
+const Piece* Contour::turning_back(int axis) const {
   int way = 0;
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     const double step = pieces[i].end[static_cast<std::size_t>(axis)] -
                         pieces[i - 1].end[static_cast<std::size_t>(axis)];
     if (std::fabs(step) < 1e-9) continue;
-    if (way != 0 && (step > 0) != (way > 0)) return false;
+    if (way != 0 && (step > 0) != (way > 0)) return &pieces[i];
     way = step > 0 ? 1 : -1;
   }
-  return true;
+  return nullptr;
 }
 
 /// Whether the profile reaches further out than the point where the cycle starts.
@@ -116,14 +117,24 @@ int Contour::pocket_count() const {
   return count;
 }
 
+Fault Contour::turns_back(int axis) const {
+  const Piece* piece = turning_back(axis);
+  return {.cause = Cause::ProfileNotMonotone,
+          .at = (piece != nullptr ? *piece : pieces.back()).at,
+          .detail = {},
+          .address = axis == 0 ? 'X' : 'Z'};
+}
+
 Contour::Result Contour::check() const {
   const Control& c = *motion.facts_->control;
   const MonotoneCheck check = c.profile_monotone.value;
   const bool checked =
       check == MonotoneCheck::Always ||
       (check == MonotoneCheck::WithK && block.words.has('K') && block.words['K'] == 1);
-  if (checked && (!monotone(cut_axis()) || (!pockets && !monotone(level_axis))))
-    return Fault{Cause::ProfileNotMonotone, pieces.back().at, 1, {}};
+  if (checked) {
+    if (turning_back(cut_axis()) != nullptr) return turns_back(cut_axis());
+    if (!pockets && turning_back(level_axis) != nullptr) return turns_back(level_axis);
+  }
   if (const int most = c.max_pockets.value; most > 0 && pocket_count() > most)
     return motion.fault(Cause::ProfilePockets, block);
   if (motion.facts_->refuses(Cause::ProfileStart) && starts_inside())
@@ -202,16 +213,26 @@ Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outs
     if (calling) return Fault{Cause::ProfileCall, words.at, 1, {}};
     for (int i = 0; i < words.g_count; ++i)
       if (!allowed(facts_->codes.find(words.g[static_cast<std::size_t>(i)]).meaning))
-        return Fault{Cause::ProfileCode, words.at, 1, {}};
+
+        return Fault{.cause = Cause::ProfileCode,
+                     .at = words.at,
+                     .detail = {},
+                     .address = 'G',
+                     .code = words.g[static_cast<std::size_t>(i)]};
     if (outside.over(1)) return broken_off(words.at);
     Outcome outcome;
     NcWords plain = words;
     trial.s_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
     if (auto wrong = trial.run(plain, 0, nullptr, outcome, outside)) return wrong;
   }
-  if (trial.s_.angled.waiting) return Fault{Cause::AngleNoEnd, trial.s_.angled.piece.at, 1, {}};
+  if (trial.s_.angled.waiting)
+    return Fault{
+        .cause = Cause::AngleNoEnd, .at = trial.s_.angled.piece.at, .detail = {}, .address = 'A'};
   if (!trial.s_.held.corner.empty())
-    return Fault{Cause::CornerNoMove, trial.s_.held.corner.back().at, 1, {}};
+    return Fault{.cause = Cause::CornerNoMove,
+                 .at = trial.s_.held.corner.back().at,
+                 .detail = {},
+                 .address = trial.s_.held.corner.back().corner};
   std::erase_if(pieces, [](const Piece& piece) { return piece.kind == MoveKind::Dwell; });
   return std::nullopt;
 }
@@ -220,8 +241,8 @@ Motion::Result Motion::capture(const std::vector<NcWords>& blocks, Outside& outs
 Motion::Result Motion::finish_contour(BlockWords& block, const std::vector<NcWords>& blocks) {
   const Axes start = s_.work;
   for (const NcWords& words : blocks) {
-    if (calls(words)) return fault(Cause::ProfileCall, block);
-    if (follows_profile(words, facts_->codes)) return fault(Cause::ProfileCode, block);
+    if (calls(words)) return Fault{Cause::ProfileCall, words.at, 1, {}};
+    if (follows_profile(words, facts_->codes)) return Fault{Cause::ProfileCode, words.at, 1, {}};
     if (auto wrong = run(words, block.step, block.moves, block.outcome, block.outside))
       return wrong;
   }

@@ -38,7 +38,9 @@ struct Contour {
   Result check() const;
   bool starts_inside() const;
   int pocket_count() const;
-  bool monotone(int axis) const;
+  const Piece* turning_back(int axis) const;
+  bool monotone(int axis) const { return turning_back(axis) == nullptr; }
+  Fault turns_back(int axis) const;
   Result rough();
   Result rough_level(double level, double back, double away);
   std::vector<double> crossings(double level) const;

@@ -265,7 +265,7 @@ Contour::Result Contour::rough_pockets() {
   for (const Bit& bit : profile) {
     const double back = std::min(pockets.place(bit.curve.start_direction()),
                                  pockets.place(bit.curve.end_direction()));
-    if (back < -1e-6) return Fault{Cause::ProfileNotMonotone, pieces.back().at, 1, {}};
+    if (back < -1e-6) return turns_back(cut_axis());
   }
   double deepest = pockets.top;
   for (const Bit& bit : profile) deepest = std::min(deepest, pockets.height(bit.curve.to));

@@ -30,7 +30,7 @@ struct Piece {
   double corner_size = 0;
   bool corner_piece = false;  // put in between two blocks
   SkipMove skip = SkipMove::No;
-  std::uint32_t at = 0;  // where its block stands, for faults
+  std::uint32_t at = 0;  // its block, for faults
   Axes offset{};         // work to base
   Axes length{};         // base to machine
   MoveState state;

@@ -76,7 +76,9 @@ Motion::Result Motion::cut_thread(BlockWords& block, const Axes& end, std::uint3
   double lead = s_.lead;
   const auto cut = [&](const Axes& to, std::uint32_t axes, double bit) -> Result {
     const double square = lead * lead + 2 * growth * bit;
-    if (square <= 0) return fault(Cause::ThreadLead, block, "the lead would come to 0");
+    if (square <= 0)
+      return fault_at(block.words.has('R') ? 'R' : 'K', Cause::ThreadLead, block,
+                      "the lead would come to 0");
     Piece piece = make_piece(block, MoveKind::Thread, to, axes);
     const double last = std::sqrt(square);
     piece.state.feed = (lead + last) / 2;  // the mean: the length by the revolutions
@@ -189,8 +191,8 @@ Motion::Result Motion::read_thread(const BlockWords& block, const Axes& end, Thr
   const double x = (end[0] - start[0]) * facts_->share(0), z = end[2] - start[2];
   if (form.height <= 0) return fault(Cause::ThreadHeightValue, block);
   if (form.first <= 0) return fault(Cause::ThreadCut, block);
-  if (data.least_cut > form.height) return fault(Cause::ThreadLeastCut, block);
-  if (data.allowance >= form.height) return fault(Cause::ThreadAllowance, block);
+  if (data.least_cut > form.height) return fault_at(height, Cause::ThreadLeastCut, block);
+  if (data.allowance >= form.height) return fault_at(height, Cause::ThreadAllowance, block);
   if (x == 0 || z == 0) return fault(Cause::ThreadTravel, block);
   if (std::fabs(form.taper) > std::fabs(z)) return fault(Cause::ThreadSteep, block);
   if (form.taper * x < 0 && std::fabs(form.taper) > std::fabs(x))

@@ -15,9 +15,12 @@ Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) con
     std::string number = std::to_string(outside);
     number.erase(number.find_last_not_of('0') + 1);
     if (number.back() == '.') number.pop_back();
-    const std::string axis(1, kAxisNames[static_cast<std::size_t>(limit.axis)]);
-    return Fault{Cause::OverTravel, piece.at, 1, axis + " would go to " + number,
-                 axis + (outside < limit.low ? "-" : "+")};
+    const char axis = kAxisNames[static_cast<std::size_t>(limit.axis)];
+    return Fault{.cause = Cause::OverTravel,
+                 .at = piece.at,
+                 .detail = std::string(1, axis) + " would go to " + number,
+                 .direction = {axis, outside < limit.low ? '-' : '+'},
+                 .address = axis};
   }
   return std::nullopt;
 }

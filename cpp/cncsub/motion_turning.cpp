@@ -23,7 +23,7 @@ Motion::Result Motion::turning_cycle(BlockWords& block, Meaning meaning) {
   if (starts && block.words.has('L')) {
     s_.turn.starts = whole(raw(block, 'L'));
     if (s_.turn.starts < 1 || s_.turn.starts > 999)
-      return fault(Cause::ValueOutOfRange, block, "L of a thread");
+      return fault_at('L', Cause::ValueOutOfRange, block, "L of a thread");
   }
   const int count = starts ? s_.turn.starts : 1;
   for (int i = 0; i < count; ++i)
@@ -101,8 +101,8 @@ Motion::Result Motion::check_groove(const BlockWords& block, bool face, double p
   const auto wrong = [&](char name, double value) {
     return value < 0 || (zero_alarms && value == 0 && block.words.has(name));
   };
-  if (wrong('P', p)) return fault(face ? Cause::GrooveStep : Cause::GrooveP, block);
-  if (wrong('Q', q)) return fault(face ? Cause::GrooveQ : Cause::GrooveStep, block);
+  if (wrong('P', p)) return fault_at('P', face ? Cause::GrooveStep : Cause::GrooveP, block);
+  if (wrong('Q', q)) return fault_at('Q', face ? Cause::GrooveQ : Cause::GrooveStep, block);
   return std::nullopt;
 }
 

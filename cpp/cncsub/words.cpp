@@ -8,17 +8,19 @@ namespace cncsub {
 
 namespace {
 
-/// What stands behind an address that is no number: up to the next letter outside brackets.
-void pass_value(Scanner& s) {
+/// What stands behind an address that is no number: up to the next letter outside brackets. The end
+/// of it, `behind` where nothing stands there.
+const char* pass_value(Scanner& s, const char* behind) {
   int brackets = 0;
   while (s.at != s.end) {
     const char c = s.peek();
-    if (c == '\0') return;
-    if (brackets == 0 && (is_letter(c) || c == ',' || c == '/')) return;
+    if (c == '\0') break;
+    if (brackets == 0 && (is_letter(c) || c == ',' || c == '/')) break;
     if (c == '[') ++brackets;
     if (c == ']') --brackets;
-    ++s.at;
+    behind = ++s.at;
   }
+  return behind;
 }
 
 std::string squeezed(const char* from, const char* to) {
@@ -36,6 +38,12 @@ std::string squeezed(const char* from, const char* to) {
 
 std::vector<WrittenWord> written_words(const Control&, std::string_view block) {
   std::vector<WrittenWord> words;
+  const auto add = [&](WrittenWord& word, const char* from, const char* to) {
+    while (to > from + 1 && is_blank(to[-1])) --to;
+    word.at = static_cast<std::uint32_t>(from - block.data());
+    word.width = static_cast<std::uint32_t>(to - from);
+    words.push_back(std::move(word));
+  };
   Scanner s{block.data(), block.data() + block.size(), block.data()};
   for (;;) {
     const char c = s.peek();
@@ -47,13 +55,13 @@ std::vector<WrittenWord> written_words(const Control&, std::string_view block) {
     const char next = behind.peek();
     if (is_letter(c) && is_letter(next)) {  // a macro statement: the rest of the block is one
       word.text = squeezed(start, s.end);
-      words.push_back(std::move(word));
+      add(word, start, s.end);
       return words;
     }
     if (c == '#') {
       word.address = "#";
       word.text = squeezed(start, s.end);
-      words.push_back(std::move(word));
+      add(word, start, s.end);
       return words;
     }
     ++s.at;
@@ -66,25 +74,26 @@ std::vector<WrittenWord> written_words(const Control&, std::string_view block) {
       while (s.at != s.end && *s.at != '>') ++s.at;
       if (s.at != s.end) ++s.at;
       word.text = std::string(start, s.at);
-      words.push_back(std::move(word));
+      add(word, start, s.at);
       continue;
     } else {
       // A character of several bytes, which is no address, stays whole.
       while (s.at != s.end && (static_cast<unsigned char>(*s.at) & 0xC0U) == 0x80U) ++s.at;
       word.address = is_letter(c) ? std::string(1, c) : std::string(start, s.at);
     }
+    const char* end = s.at;
     const char value = s.peek();
     if (is_digit(value) || value == '.' || value == '-' || value == '+') {
       const Number number = scan_number(s);
       word.known = number.any && number.points < 2 && std::fabs(number.value) < kLargest;
       word.value = number.value;
-      if (!number.any) pass_value(s);
+      end = number.any ? s.at : pass_value(s, s.at);
     } else {
-      pass_value(s);
+      end = pass_value(s, end);
     }
     word.text = squeezed(start, s.at);
     if (!word.text.empty()) word.text[0] = upper(word.text[0]);
-    words.push_back(std::move(word));
+    add(word, start, end);
   }
 }
 

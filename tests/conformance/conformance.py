@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import functools
 import importlib.util
+import json
 import re
 import sys
 import textwrap
@@ -85,6 +86,13 @@ class Case:
     def number_on(self, control: str) -> str | None:
         return self.number[control] if isinstance(self.number, Mapping) else self.number
 
+    def word_on(self, control: str) -> str | None:
+        """The word under the caret, as the row says it or the table of words beside the rows."""
+        if self.word is not None:
+            return self.word
+        word = words().get(self.claim)
+        return word.get(control) if isinstance(word, dict) else word
+
     @property
     def resets(self) -> bool:
         after = (self.vars_after_reset, self.work_after_reset, self.modal_after_reset)
@@ -94,6 +102,17 @@ class Case:
     def wants_moves(self) -> bool:
         motion = (self.moves, self.moves_x, self.centre, self.final_machine, self.time)
         return any(expectation is not None for expectation in motion)
+
+
+@functools.cache
+def words() -> Mapping[str, str | dict[str, str]]:
+    """By claim, the word that each motion alarm of the rows points at (by control where it differs):
+    read once through, so that each is the word that is wrong, or the code that lacks one.
+    """
+    table: Mapping[str, str | dict[str, str]] = json.loads(
+        (FOLDER / "words.json").read_text(encoding="utf-8")
+    )
+    return table
 
 
 class Row(NamedTuple):

@@ -236,7 +236,7 @@ for text, cause, number, word in [
     ("IF[[1 EQ 2] EQ 3]GOTO 30", "if-format", "PS1137", "E"),
     ("IF[1 EQ 1]THEN G0 X1.", "if-format", "PS1137", "G"),
     ("G0 X1. ]", "bracket-not-opened", "PS1131", "]"),
-    ("G0 O#1", "address-not-usable", "PS0009", "O"),
+    ("G0 O#1", "address-not-usable", "PS0009", "O#1"),
     ("G0 X1. O5", "address-not-usable", "PS0009", "O5"),
     ("M98 P2 M99", "call-given-twice", "PS1091", "M99"),
 ]:
@@ -281,7 +281,7 @@ case(
         N20 G#1 X1.
         N30 M30
     """,
-    runs="N10", alarm="value-out-of-range", number="PS1305", at="O1 N20", word="#1",
+    runs="N10", alarm="value-out-of-range", number="PS1305", at="O1 N20", word="G#1",
 )
 case(
     "#[0] is vacant like #0",

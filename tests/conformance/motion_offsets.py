@@ -135,5 +135,5 @@ case(
         N70 Z-20
         N80 M30
     """,
-    runs="N10 N20", alarm="corner-no-move", number="PS0051", at="O1 N30",
+    runs="N10 N20", alarm="corner-no-move", number="PS0051", at="O1 N60",
 )

@@ -113,8 +113,9 @@ def _stop_differences(case: Case, control: str, run: cncsub.Run) -> Iterator[str
         at = alarm.program if alarm.n is None else f"{alarm.program} N{alarm.n}"
         if at != case.at:
             yield f"alarm at: expected {case.at}, got {at}"
-    if case.word is not None and alarm.word != case.word:
-        yield f"alarm word: expected {case.word}, got {alarm.word}"
+    word = case.word_on(control)
+    if word is not None and alarm.word != word:
+        yield f"alarm word: expected {word}, got {alarm.word}"
     if case.frames is not None:
         open_calls = tuple(
             frame.program + ("" if frame.n is None else f" N{frame.n}") + f" {frame.kind}"

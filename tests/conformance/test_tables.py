@@ -8,10 +8,11 @@ from pathlib import Path
 
 import cncsub
 from cncsub import _core
-from conformance import EVIDENCE, cases, rows, topic_files
+from conformance import EVIDENCE, Case, cases, rows, topic_files
 from entries import HOW_TO_WRITE as HOW_TO_PIN
 from entries import unnoticed
 from mutation import HOW_TO_WRITE, notices, read_pins
+from outcome import execute, load
 from unpinned import UNPINNED
 
 MINIMUM_CASES = 900
@@ -138,3 +139,40 @@ def test_what_is_unpinned_is_pinned_nowhere_else() -> None:
     known = {rule.name for control in cncsub.controls.values() for rule in control.rules}
     assert both == []
     assert set(UNPINNED) <= known
+
+
+def _line_of(case: Case, alarm: cncsub.Alarm) -> str | None:
+    """The line that an alarm names, in the text of the row."""
+    texts = [case.mdi] if alarm.file == "MDI" else [case.program, *(case.files or {}).values()]
+    if case.files is not None or case.external is not None:
+        named = {**(case.external or {}), **(case.files or {})}
+        texts = [text for name, text in named.items() if (alarm.file or "").endswith(name)] or texts
+    text = next((text for text in texts if isinstance(text, str)), None)
+    lines = text.split("\n") if text is not None else []
+    return lines[alarm.line - 1] if alarm.line is not None and alarm.line <= len(lines) else None
+
+
+def _is_whole(line: str, start: int, word: str) -> bool:
+    """Neither a name nor a number is cut, and no address stands without its value."""
+    name = re.compile(r"[A-Za-z0-9._]")
+    before, behind = line[start - 1 : start], line[start + len(word) :]
+    cut = name.match(word) and name.match(before) and not re.match(r"\d", before)
+    cut = cut or (name.match(word[-1]) and re.match(r"[0-9._]", behind))
+    return not cut and not (re.fullmatch(r"[A-Za-z]", word) and re.match(r"\s*[-+0-9.#\[]", behind))
+
+
+def test_the_word_of_a_motion_alarm_stands_where_it_says_and_is_whole() -> None:
+    wrong = []
+    for row in rows():
+        if row.case.alarm is None or "motion" not in row.case.topic:
+            continue
+        alarm = execute(row.case, load(row.case, cncsub.controls[row.control])).alarm
+        line = None if alarm is None else _line_of(row.case, alarm)
+        if alarm is None or line is None or not alarm.word:
+            continue
+        start = alarm.column - 1
+        if line[start : start + len(alarm.word)] != alarm.word:
+            wrong.append(f"{row}: {alarm.word!r} does not stand at column {alarm.column} of {line!r}")
+        elif not _is_whole(line, start, alarm.word):
+            wrong.append(f"{row}: {alarm.word!r} is no whole word of {line!r}")
+    assert wrong == []

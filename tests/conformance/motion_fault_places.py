@@ -1,0 +1,76 @@
+"""A fault names the block, the file and the whole word that is wrong, wherever the run has come to."""
+
+from conformance import case
+
+F16, F30 = MILLS = ["fanuc-16i", "fanuc-30i"]
+GSK_988 = ["gsk-988ta", "gsk-988t"]
+RULE = {"source": "policy: a fault carries its block", "evidence": "inferred"}
+M7 = "mitsubishi-m700"
+CORNER = {F16: "055", F30: "PS0055"}
+TOO_SMALL = {F16: "041", F30: "PS0041"}
+DIVISION = {"fanuc-16i": "112", "fanuc-30i": "PS0112", "mitsubishi-m700": "P283"}
+
+
+def lathe(**more):
+    return {"machine": "lathe-a", "start": {"X": 50, "Z": 2}, **more}
+
+
+for _sub, _file in (("O2\n", "b.nc"), ("", "")):
+    _files = {"a.nc": "O1\nN10 G90 G0 X0 Y0\nN20 M98 P2\nN30 Y50.\nN40 M30\n"}
+    if _file:
+        _files[_file] = "O2\nN50 G1 X3. ,C5. F100.\nN60 M99\n"
+    else:
+        _files["a.nc"] = "O1\nN10 G90 G0 X0 Y0\nN50 G1 X3. ,C5. F100.\nN30 Y50.\nN40 M30\n"
+    case(
+        "a corner that is too long belongs to its own block, "
+        f"{'also where a program in another file finds it' if _file else 'and not to the block that finds it'}",
+        control=MILLS, **RULE, files=_files, alarm="corner-too-short", number=CORNER,
+        at="O2 N50" if _file else "O1 N50", word=",C5.",
+    )
+case(
+    "an inner arc smaller than the tool belongs to its own block, also where another file finds it",
+    control=MILLS, **RULE, setup={"radius_offsets": {1: 6}},
+    files={
+        "a.nc": "O1\nN10 G90 G0 X0 Y0\nN20 G41 G91 G1 X30. Y-5. D1 F50.\nN30 M98 P2\nN40 G0 Y-5.\n"
+                "N50 G40 X-30. Y5.\nN60 M30\n",
+        "b.nc": "O2\nN70 Y5.\nN80 G2 X20. I10.\nN85 X-10. I-5.\nN90 G3 X-10. I-5.\nN95 M99\n",
+    },
+    alarm="offset-arc-too-small", number=TOO_SMALL, at="O2 N90", word="I-5.",
+)
+case(
+    "the same contour with a tool that fits is cut",
+    control=MILLS, **RULE, setup={"radius_offsets": {1: 4}},
+    files={
+        "a.nc": "O1\nN10 G90 G0 X0 Y0\nN20 G41 G91 G1 X30. Y-5. D1 F50.\nN30 M98 P2\nN40 G0 Y-5.\n"
+                "N50 G40 X-30. Y5.\nN60 M30\n",
+        "b.nc": "O2\nN70 Y5.\nN80 G2 X20. I10.\nN85 X-10. I-5.\nN90 G3 X-10. I-5.\nN95 M99\n",
+    },
+    runs="N10 N20 N30 N70 N80 N85 N90 N95 N40 N50 N60",
+)
+_G71 = "O1\nN10 G71 U5. R1.\nN20 G71 P30 Q50 U0 W0 F100.\nN30 G0 X20.\nN40 {0}\nN50 X50. Z-40.\nN60 M30\n"
+for _block, _cause, _word, _number in (
+    ("G28 X30.", "profile-code", "G28", "128"), ("M98 P2", "call-in-profile", "M98", "131"),
+    ("G2 X30. Z-20. R1.", "radius-too-small", "R1.", "035"),
+):
+    case(
+        f"a fault of {_block} in a profile names its own block and word",
+        control=GSK_988, **RULE, setup=lathe(), program=_G71.format(_block), runs="N10",
+        alarm=_cause, number=_number, at="O1 N40", word=_word,
+    )
+case(
+    "a value that cannot be computed in a profile names its own block",
+    control=[F16, F30, M7], **RULE, setup=lathe(), program=_G71.format("G1 Z[-9/#100]"), runs="N10",
+    alarm="division-by-zero", number=DIVISION, at="O1 N40", word="Z[-9/#100]",
+)
+case(
+    "a value that can be computed in a profile is cut",
+    control=[F16, F30, M7], **RULE, setup=lathe(), program=_G71.format("G1 Z[-9/#100]"), runs="N10 N20 N60",
+    variables={100: 1},
+)
+case(
+    "a move beyond the travel names the word of that axis, with increments too",
+    control=[F30, "gsk-988t"], **RULE, setup=lathe(limits={"X": (-60, 60), "Z": (-60, 60)}),
+    program="O1\nN10 G0 X40. Z0\nN20 U5. W-70.\nN30 M30", runs="N10", alarm="over-travel",
+    number={F30: "OT0501", "gsk-988t": None},
+    at="O1 N20", word="W-70.",
+)
