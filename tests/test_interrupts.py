@@ -214,6 +214,22 @@ def test_a_block_of_very_many_moves_is_broken_off(trace: str) -> None:
         assert len(run.moves) == len(whole.moves)
 
 
+def test_reading_a_long_text_of_mdi_is_given_up() -> None:
+    code = """
+lib = endless()
+text = "G91 G1 X1. Y#1 F100\\n" * 3_000_000
+try:
+    go()
+    while True:
+        lib.mdi(text, max_blocks=1)
+except KeyboardInterrupt:
+    print("raised", flush=True)
+"""
+    said, took = interrupted(code, after=0.3)
+    assert said == "raised"
+    assert took < SOON
+
+
 class Rang(Exception):  # noqa: N818
     pass
 

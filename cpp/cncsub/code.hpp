@@ -457,7 +457,8 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     std::vector<SourceFile> files, bool external_device,
                                     const std::function<bool()>& interrupted = {});
 /// The same library with one more program behind the others, the text typed in MDI.
-std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text);
+std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,
+                                        const std::function<bool()>& interrupted = {});
 
 /// The alarm of a fault in this block; frames are the caller's to add.
 Alarm alarm_of(const Code& code, Address address, const Fault& fault);

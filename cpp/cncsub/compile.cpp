@@ -621,16 +621,19 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   return nullptr;
 }
 
-std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text) {
+std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,
+                                        const std::function<bool()>& interrupted) {
   auto with = std::make_shared<Code>(code);
   const std::size_t programs = with->programs.size();
   with->files.push_back({"MDI", "MDI", text, false});
-  Patience patience;
+  Patience patience(interrupted);
   LibraryReader reader(*with, patience);
   reader.read(static_cast<std::uint32_t>(with->files.size() - 1));
   // What is typed in MDI is no program of the memory: it is not registered, nothing finds it.
   resolve_calls(*with, programs, patience);
-  return with;
+  if (!patience.over(0)) return with;
+  free_aside(std::move(with), {});
+  return nullptr;
 }
 
 }  // namespace cncsub

@@ -180,8 +180,15 @@ void add_code(py::module_& m) {
       .def(
           "with_mdi",
           [](const Code& c, const std::string& text) {
-            const Away away;
-            return std::const_pointer_cast<Code>(compile_mdi(c, text));
+            std::shared_ptr<const Code> with;
+            {
+              Away away;
+              with = compile_mdi(c, text, [&away] {
+                return away.ask([] { return PyErr_CheckSignals() != 0; });
+              });
+            }
+            if (!with) throw py::error_already_set();
+            return std::const_pointer_cast<Code>(with);
           },
           py::arg("text"));
   m.def("compile", &compile_files, py::arg("control"), py::arg("files"),

@@ -17,6 +17,7 @@ from cncsub.setup import Setup, setup_of
 from cncsub.stream import Stream
 
 MODES = ("auto", "mdi")
+_NEAR = 5000  # names are compared with one that is not there
 TRACES = ("none", "calls", "blocks", "moves")
 
 CoreFile = tuple[str, str, Sequence[Piece], bool]
@@ -78,6 +79,12 @@ class Library(Mapping[str, Program]):
     def __getitem__(self, name: str | int) -> Program:
         return self._programs[self._find(name)]
 
+    def __contains__(self, name: object) -> bool:
+        try:
+            return find_program(self._code, name) >= 0
+        except TypeError:
+            return False
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
 
@@ -107,7 +114,7 @@ class Library(Mapping[str, Program]):
             raise KeyError(str(error)) from None
         if index >= 0:
             return index
-        known = did_you_mean(name, self._names, _listing(self._names))
+        known = did_you_mean(name, self._names[:_NEAR], _listing(self._names))
         raise KeyError(f"no program {name} in the memory{known}")
 
     @property
