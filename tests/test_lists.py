@@ -51,3 +51,60 @@ def test_a_code_outside_the_list_is_refused_or_not_known(name: str, machine: str
             assert alarm.number == (entry.number if entry else None)
         else:
             assert (alarm.cause, alarm.number) == ("code-not-known", None), code
+
+
+def value(control: cncsub.Control, name: str) -> str:
+    return str(next(rule.value for rule in control.rules if rule.name == name))
+
+
+@pytest.mark.parametrize("name", list(cncsub.controls))
+def test_an_entry_is_added_to_a_list_and_taken_away(name: str) -> None:
+    control = cncsub.controls[name]
+    changed = control.replace(g_meanings="68.2=neutral", functions="RAND", refuses="groove-axis")
+    for rule, entry in (("g_meanings", "68.2=neutral"), ("functions", "RAND")):
+        assert set(value(changed, rule).split()) == {*value(control, rule).split(), entry}
+    back = changed.replace(g_meanings="-68.2")
+    assert value(back, "g_meanings") == value(control.replace(g_meanings=""), "g_meanings")
+    again = changed.replace(g_meanings="68.2=not-computed 69.1=neutral")
+    assert "68.2=not-computed" in value(again, "g_meanings").split()
+    assert "68.2=neutral" not in value(again, "g_meanings").split()
+
+
+def test_a_meaning_that_is_added_leaves_the_others() -> None:
+    """G22 of the HNC-21M stays the unit of pulses."""
+    control = cncsub.controls["hnc-21m"].replace(g_meanings="68.2=neutral")
+    run = cncsub.loads("%1\nN10 G22\nN20 G1 X1000 F1000\nN30 M30\n", control=control).run()
+    assert run.moves.x[-1] == pytest.approx(1.0)
+
+
+def test_a_whole_list_is_given_with_an_equals_sign() -> None:
+    control = cncsub.controls["fanuc-0i-f"].replace(g_codes="= 0 1 4", point_addresses="XYZ")
+    assert value(control, "g_codes") == "0 1 4"
+    assert value(control, "point_addresses") == "XYZ"
+
+
+@pytest.mark.parametrize(
+    ("rule", "entry", "told"),
+    [
+        ("g_meanings", "68.2=neutrl", "neutrl is no meaning of a G code; near are neutral"),
+        ("g_meanings", "68.2", "write 68.2=neutral"),
+        ("g_meanings", "68.25=neutral", "68.25 is no code"),
+        ("g_meanings", "-68.2", "there is no 68.2 to take away"),
+        ("functions", "SINN", "SINN is no function; near are SIN"),
+        ("refuses", "no-such-cause", "no-such-cause is no cause that may be refused; near are"),
+        ("refuses", "program-not-found", "program-not-found is no cause that may be refused"),
+        ("refuses", "groove-axs", "near are groove-axis"),
+        ("g_codes", "1 G2", "G2 is no code"),
+        ("codes_not_with_call", "x", "x is no code"),
+        ("modal_groups", "plan=2", "plan is no group of G codes; near are plane"),
+        ("modal_groups", "plane", "write plane=2"),
+        ("chamfer_words", ",,C", "write C or ,C"),
+        ("statements", "DPRN", "DPRN is no macro statement; near are DPRNT"),
+        ("point_addresses", "XYz", "'z' is no address"),
+        ("name_marks", "+A", "'A' is no mark"),
+    ],
+)
+def test_a_bad_entry_of_a_list_is_named(rule: str, entry: str, told: str) -> None:
+    with pytest.raises(ValueError, match=rule) as raised:
+        cncsub.controls["fanuc-0i-f"].replace(**{rule: entry})
+    assert told in str(raised.value)

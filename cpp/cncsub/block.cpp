@@ -32,6 +32,7 @@ BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
   const auto list = [](const Rule<Codes>& rule, std::bitset<10001>& codes) {
     for_each_code(rule.value, [&](int code10) { codes.set(static_cast<std::size_t>(code10)); });
   };
+  code_.list_statements();
   list(control_.g_codes, code_.g_codes);
   if (code_.g_codes.none() || !control_.g_codes_complete.value) code_.g_codes.set();
   list(control_.codes_not_with_call, not_with_call_);

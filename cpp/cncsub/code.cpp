@@ -54,6 +54,22 @@ std::int64_t number_in(std::string_view name) {
   return number;
 }
 
+void Code::list_statements() {
+  const std::string list = " " + control->statements.value + " ";
+  for (std::size_t i = 0; i < static_cast<std::size_t>(StatementKind::Count); ++i) {
+    const std::string name = " " + std::string(statement_name(static_cast<StatementKind>(i)));
+    unheard_of.set(i, list.find(name + "? ") != std::string::npos);
+    lacking.set(i, list.find(name + " ") == std::string::npos);
+  }
+}
+
+Fault Code::lacking_fault(StatementKind kind, std::uint32_t at) const {
+  const std::string name(statement_name(kind));
+  if (unheard_of.test(static_cast<std::size_t>(kind)))
+    return {Cause::StatementNotKnown, at, 1, "no source says whether this control has " + name};
+  return {Cause::StatementNotAvailable, at, 1, "this control has no " + name};
+}
+
 VariablePlace Code::place(std::int64_t number) const {
   VariablePlace place;
   std::int32_t base = 0;

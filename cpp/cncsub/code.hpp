@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -22,6 +23,7 @@
 #include "cncsub/control.hpp"
 #include "cncsub/large_pages.hpp"
 #include "cncsub/number.hpp"
+#include "cncsub/rule_lists.hpp"
 
 namespace cncsub {
 
@@ -409,6 +411,8 @@ struct Code {
   std::shared_ptr<const Control> control;
   bool external_device = false;
   std::bitset<10001> g_codes;  // the codes of the control, ten times each; all where it has no list
+  std::bitset<16> lacking;     // kinds of statements that the control does not have, or
+  std::bitset<16> unheard_of;  // that no source tells of, which are lacking too
   std::vector<std::string> names;      // of variables used by name
   std::int32_t locals = 34;            // the locals of one level, #0 included
   std::int32_t locals_per_level = 33;  // as a level's image counts them
@@ -432,6 +436,14 @@ struct Code {
   std::unordered_map<std::string, std::int32_t> by_name, external_by_name;
 
   VariablePlace place(std::int64_t number) const;
+
+  /// The fault of a statement of this kind at `at`; nothing where the control has it.
+  std::optional<Fault> lacks(StatementKind kind, std::uint32_t at) const {
+    if (!lacking.test(static_cast<std::size_t>(kind))) return std::nullopt;
+    return lacking_fault(kind, at);
+  }
+  Fault lacking_fault(StatementKind kind, std::uint32_t at) const;
+  void list_statements();
 
   std::int32_t program_at(Address address) const;
   std::string_view text_of(const Block& block, const Program& program) const;

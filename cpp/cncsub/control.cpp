@@ -6,6 +6,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "cncsub/rule_lists.hpp"
 #include "controls/controls.hpp"
 
 namespace cncsub {
@@ -63,7 +64,8 @@ std::string joined(const std::vector<Option>& list) {
 }
 
 template <class T>
-std::optional<std::string> assign(const char* name, Rule<T>& rule, const RuleValue& value) {
+std::optional<std::string> assign([[maybe_unused]] std::string_view type, const char* name,
+                                  Rule<T>& rule, const RuleValue& value) {
   if constexpr (std::is_enum_v<T>) {
     if (const auto* slug = std::get_if<std::string>(&value)) {
       const auto& list = options<T>();
@@ -86,7 +88,8 @@ std::optional<std::string> assign(const char* name, Rule<T>& rule, const RuleVal
   } else {
     const auto* text = std::get_if<std::string>(&value);
     if (text == nullptr) return std::string(name) + " is a text";
-    rule.value = *text;
+    return type == "Codes" ? change_list(name, rule.value, *text)
+                           : change_letters(name, rule.value, *text);
   }
   return std::nullopt;
 }
@@ -104,14 +107,14 @@ std::vector<RuleView> rules(const Control& control) {
 std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
                                     const RuleValue& value, const std::string& source,
                                     Evidence evidence) {
-#define RULE(type, name, default_value, meaning)     \
-  if (rule_name == #name) {                          \
-    auto wrong = assign(#name, control.name, value); \
-    if (!wrong) {                                    \
-      control.name.source = source;                  \
-      control.name.evidence = evidence;              \
-    }                                                \
-    return wrong;                                    \
+#define RULE(type, name, default_value, meaning)            \
+  if (rule_name == #name) {                                 \
+    auto wrong = assign(#type, #name, control.name, value); \
+    if (!wrong) {                                           \
+      control.name.source = source;                         \
+      control.name.evidence = evidence;                     \
+    }                                                       \
+    return wrong;                                           \
   }
 #include "cncsub/rules.def"
 #undef RULE

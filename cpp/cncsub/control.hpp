@@ -226,7 +226,8 @@ struct RuleView {
 };
 
 std::vector<RuleView> rules(const Control& control);
-/// Sets a rule by its name. Returns what is wrong with the name or the value, or nothing.
+/// Sets a rule by its name; a list is changed entry by entry (rule_lists.hpp). Returns what is
+/// wrong with the name or the value, or nothing.
 std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
                                     const RuleValue& value,
                                     const std::string& source = "set by the caller",

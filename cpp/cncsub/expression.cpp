@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 
+#include "cncsub/rule_lists.hpp"
 #include "cncsub/statement.hpp"
 
 namespace cncsub {
@@ -81,6 +82,12 @@ Ins computed(Ins raw) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> function_names() {
+  std::vector<std::string_view> names = {"PI", "TRUE", "FALSE"};
+  for (const FunctionName& f : kFunctions) names.push_back(f.name);
+  return names;
+}
 
 std::nullopt_t ExpressionReader::refuse(Cause cause, std::uint32_t at, std::string detail) {
   if (!failed_) fault_ = {cause, at, 1, std::move(detail)};
@@ -181,7 +188,11 @@ std::optional<std::uint32_t> ExpressionReader::word_value(char address) {
   const std::uint32_t at = s_.offset();
   const bool negative = s_.take('-');
   if (!negative) s_.take('+');
-  auto value = s_.peek() == '#' ? variable_value() : bracket();
+  const bool variable = s_.peek() == '#';
+  if (const auto wrong =
+          code_.lacks(variable ? StatementKind::Variables : StatementKind::Brackets, at))
+    return refuse(wrong->cause, at, wrong->detail);
+  auto value = variable ? variable_value() : bracket();
   if (!value) return std::nullopt;
   if (value->type != Type::Number)
     return refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
@@ -444,8 +455,48 @@ std::optional<ExpressionReader::Value> ExpressionReader::arc_tangent(std::uint32
   return Value{};
 }
 
-/// Takes the operator that stands here if it binds at this level. Level 0 binds weakest.
-std::optional<Ins> ExpressionReader::take_operator(int level) {
+/// Whether a condition stands behind this logic operator: `AND #2 EQ 4` or `AND [#2 EQ 4]`, not
+/// `AND 3`. Looks as far as the next one.
+bool ExpressionReader::condition_behind(std::string_view logic) const {
+  static constexpr std::string_view kComparisons[] = {"EQ", "NE", "GT", "LT", "GE", "LE"};
+  Scanner s = s_;
+  if (!s.take_word(logic)) return false;
+  const char first = s.peek();
+  int depth = 0, deepest = 0;
+  bool value = false;  // the value of an operand has ended: an operator follows
+  for (char c = first; c != '\0'; c = s.peek()) {
+    if (c == '[') {
+      deepest = std::max(deepest, ++depth);
+    } else if (c == ']') {
+      if (depth-- == 0) return false;
+    } else if (is_letter(c) && value) {
+      for (const std::string_view comparison : kComparisons) {
+        Scanner t = s;
+        const bool own = depth == 0 || (first == '[' && depth == 1 && deepest == 1);
+        if (t.take_word(comparison) && own) return true;
+      }
+      Scanner t = s;
+      if (depth == 0 && !t.take_word("MOD")) return false;
+      while (is_letter(s.peek())) ++s.at;
+      value = false;
+      continue;
+    } else if (c == '<' || c == '>' || c == '=') {
+      if (depth == 0 || (first == '[' && depth == 1)) return true;
+    }
+    value = c == ']' || is_digit(c) || c == '.';
+    if (is_letter(c)) {  // a function's name
+      while (is_letter(s.peek())) ++s.at;
+      continue;
+    }
+    ++s.at;
+  }
+  return false;
+}
+
+/// Takes the operator that stands here if it binds at this level. Level 0 binds weakest. Where
+/// logic of numbers binds first, it counts whether the value before is a number, and whether it is
+/// the right side of a comparison: `#1EQ3AND#2EQ4` joins two, `3EQ#1AND3` is one.
+std::optional<Ins> ExpressionReader::take_operator(int level, bool of_number, bool compared) {
   struct Word {
     std::string_view text;
     Ins op;
@@ -474,7 +525,12 @@ std::optional<Ins> ExpressionReader::take_operator(int level) {
   }
   if (is_letter(c)) {
     for (const Word& word : kWords) {
-      if (word.text[0] != c || !binds(word.high, word.low)) continue;
+      if (word.text[0] != c) continue;
+      const bool logic = last && word.low == 0;
+      const bool of_numbers =
+          logic && of_number && level == word.high + 1 && code_.control->logic_of_numbers.value;
+      if (!binds(word.high, word.low) && !of_numbers) continue;
+      if (of_numbers && compared && condition_behind(word.text)) continue;
       if (word.op == Ins::Modulo && !code_.control->modulo.value) continue;
       if (s_.take_word(word.text)) return word.op;
     }
@@ -530,6 +586,11 @@ std::optional<ExpressionReader::Value> ExpressionReader::expression() {
   };
   std::array<Waiting, kTightest + 1> waiting{};  // looser ones first
   std::size_t count = 0;
+  const auto compared = [&] {
+    return std::any_of(waiting.begin(), waiting.begin() + count, [](const Waiting& left) {
+      return left.op >= Ins::Equal && left.op <= Ins::LessEqual;
+    });
+  };
   const int tightest = code_.control->logic_binds_last.value ? kTightest : kTightest - 1;
   auto value = operand();
   for (int level = tightest; value;) {
@@ -539,7 +600,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::expression() {
       if (!value) return std::nullopt;
     }
     const std::uint32_t at = (s_.blanks(), s_.offset());
-    if (const auto op = take_operator(level)) {
+    if (const auto op = take_operator(level, value->type == Type::Number, compared())) {
       waiting[count++] = {*value, *op, at, level};
       value = operand();
       level = tightest;

@@ -4,6 +4,7 @@
 
 #include "cncsub/fault_words.hpp"
 #include "cncsub/motion_facts.hpp"
+#include "cncsub/rule_lists.hpp"
 
 namespace cncsub {
 namespace {
@@ -101,6 +102,12 @@ OffsetTables tables_of(const Setup& setup, const Control& control) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> group_names() {
+  std::vector<std::string_view> names;
+  for (const GroupName& g : kGroupNames) names.push_back(g.name);
+  return names;
+}
 
 int system_of(const std::string& name) {
   if (name == "EXT") return 0;

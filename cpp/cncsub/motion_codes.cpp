@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "cncsub/rule_lists.hpp"
+
 namespace cncsub {
 namespace {
 
@@ -184,6 +186,12 @@ constexpr Word kWords[] = {
 };
 
 }  // namespace
+
+std::vector<std::string_view> meaning_words() {
+  std::vector<std::string_view> words;
+  for (const Word& word : kWords) words.push_back(word.word);
+  return words;
+}
 
 std::string code_name(int code) {
   std::string name = code < 100 ? "G0" : "G";

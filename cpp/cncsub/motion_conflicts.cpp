@@ -1,6 +1,7 @@
 // What does not go together: a block's codes and words with each other, or with the state that they
 // meet. Each conflict is a cause; a control refuses those that its rule `refuses` names.
 #include "cncsub/motion_facts.hpp"
+#include "cncsub/rule_lists.hpp"
 
 namespace cncsub {
 namespace {
@@ -193,6 +194,21 @@ constexpr Conflict kConflicts[] = {
 };
 
 }  // namespace
+
+/// Besides the conflicts above: what is asked where the words are carried out.
+constexpr Cause kAskedElsewhere[] = {
+    Cause::CornerHelix, Cause::CornerOffset, Cause::CycleRepeatsTwice, Cause::G10Axis,
+    Cause::GrooveAxis,  Cause::GrooveEscape, Cause::GrooveStep,        Cause::HelixTravel,
+    Cause::NoSpeed,     Cause::PatternX,     Cause::PatternZ,          Cause::PolarCentre,
+    Cause::PolarCorner, Cause::PqSame,       Cause::ProfileStart,      Cause::ScaleNegative,
+    Cause::StrokeArea,  Cause::TapLead,      Cause::TapSpeed,          Cause::ThreadPasses};
+
+std::vector<std::string_view> refusable_causes() {
+  std::vector<std::string_view> slugs;
+  for (const Conflict& conflict : kConflicts) slugs.push_back(info(conflict.cause).slug);
+  for (const Cause cause : kAskedElsewhere) slugs.push_back(info(cause).slug);
+  return slugs;
+}
 
 Causes refused_causes(const Control& control) {
   Causes list;

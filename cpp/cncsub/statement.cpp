@@ -41,6 +41,13 @@ bool StatementReader::keyword(std::string_view word) {
   return true;
 }
 
+/// Refuses a statement that the control does not have, or of which nobody says whether it has it.
+bool StatementReader::lacks(StatementKind kind) {
+  auto wrong = code_.lacks(kind, block_.text);
+  if (wrong) refuse(*wrong);
+  return wrong.has_value();
+}
+
 /// `#2=` rather than a stray variable.
 bool StatementReader::starts_assignment() const {
   Scanner ahead = s_;
@@ -73,7 +80,7 @@ bool StatementReader::read() {
   const Control& control = *code_.control;
   const char c = s_.peek();
   if (c == '#') {
-    assignment(false);
+    if (!lacks(StatementKind::Variables)) assignment(false);
     return true;
   }
   if (c == '[' && control.variable_names.value) {  // [#NAME] = 5
@@ -106,23 +113,25 @@ bool StatementReader::read() {
     return true;
   }
   if (s_.take_word("IF")) {
-    if_statement();
+    if (!lacks(StatementKind::If)) if_statement();
   } else if (keyword("WHILE")) {
-    while_statement();
+    if (!lacks(StatementKind::While)) while_statement();
   } else if (keyword("GOTO")) {
     jump(Op::Goto, statement);
   } else if (s_.take_word("DO")) {
-    loop(Op::Do, statement);
+    if (!lacks(StatementKind::Do)) loop(Op::Do, statement);
   } else if (keyword("END")) {
-    loop(Op::EndDo, statement);
+    if (!lacks(StatementKind::While)) loop(Op::EndDo, statement);
   } else if (keyword("DPRNT")) {
-    print(false);
+    if (!lacks(StatementKind::Dprnt)) print(false);
   } else if (keyword("BPRNT")) {
-    print(true);
+    if (!lacks(StatementKind::Bprnt)) print(true);
   } else if (keyword("POPEN")) {
-    if (at_end(Cause::NcAndMacroInBlock)) block_.op = Op::OpenOutput;
+    if (!lacks(StatementKind::Popen) && at_end(Cause::NcAndMacroInBlock))
+      block_.op = Op::OpenOutput;
   } else if (keyword("PCLOS")) {
-    if (at_end(Cause::NcAndMacroInBlock)) block_.op = Op::CloseOutput;
+    if (!lacks(StatementKind::Pclos) && at_end(Cause::NcAndMacroInBlock))
+      block_.op = Op::CloseOutput;
   } else if (keyword("SETVN")) {
     name_variables();
   } else {

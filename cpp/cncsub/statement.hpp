@@ -45,7 +45,8 @@ class ExpressionReader {
   std::optional<Value> bracket();
   std::optional<Value> variable_value();
   std::optional<Value> apply(Ins op, std::uint32_t at, Value left, Value right);
-  std::optional<Ins> take_operator(int level);
+  std::optional<Ins> take_operator(int level, bool of_number, bool compared);
+  bool condition_behind(std::string_view logic) const;
   bool arithmetic(Value& value);
   bool open();
   bool close();
@@ -77,6 +78,7 @@ class StatementReader {
 
  private:
   bool keyword(std::string_view word);
+  bool lacks(StatementKind kind);
   void assignment(bool bracketed);
   void if_statement();
   void then_statement(Statement& statement);

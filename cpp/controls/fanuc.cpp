@@ -535,6 +535,7 @@ void macro_statements(Control& c) {
   c.vacant_system_writes = {true, kPolicy, Inferred};
   c.max_constant_digits = {8, "general knowledge", Inferred};
   c.max_condition_length = {0, kPolicy, Inferred};
+  c.statements = {"# [ IF WHILE DO DPRNT BPRNT POPEN PCLOS", cite({kXGo, kFin, kAlm}), Secondary};
   c.if_form = {IfForm::GotoThen, cite({kXGo, kFin}), Secondary};
   c.loop_form = {LoopForm::DoEnd, cite({kXGo, kAlm}), Secondary};
   c.jumps = {true, kXGo, Secondary};

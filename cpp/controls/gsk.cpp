@@ -131,6 +131,8 @@ void call_988(Control& c) {
 }
 
 void statements_988(Control& c) {
+  c.statements = {"# [ IF WHILE DO DPRNT? BPRNT? POPEN? PCLOS?", kTA + "27, example; Talm 209, 211",
+                  kManual};
   c.reset_clears_locals = {true, kTA + "27, parameter 6001#7", kManual};
   c.reset_clears_commons = {true, kTA + "27, parameter 6001#6", kManual};
   c.vacant_system_writes = {true, kPolicy, kInferred};
@@ -528,6 +530,7 @@ void statements_980(Control& c) {
   c.vacant_system_writes = {false, kMDia + "121", kManual};
   c.max_constant_digits = {12, kPolicy, kInferred};
   c.max_condition_length = {0, kPolicy, kInferred};
+  c.statements = {"# [ IF WHILE DO DPRNT? BPRNT? POPEN? PCLOS?", kTDi + "29 3.29.2", kManual};
   c.if_form = {IfForm::GotoThen, kTDi + "29 3.29.2 (2)", kManual};
   c.loop_form = {LoopForm::DoEnd, kTDi + "29 3.29.2 (3)", kManual};
   c.jumps = {true, kTDi + "29 3.29.2 (1)", kManual};
@@ -909,6 +912,7 @@ void no_macros_928(Control& c) {
   c.m_codes_not_with_macro_call = {"", "there are no macro calls", kInferred};
   c.codes_not_with_modal_call = {"", "there are no macro calls", kInferred};
   const std::string none = kGeneral + ": no macro statements";
+  c.statements = {"", none, kInferred};
   c.if_form = {IfForm::GotoThen, none, kInferred};
   c.loop_form = {LoopForm::DoEnd, none, kInferred};
   c.jumps = {false, k001 + "jumps are M97", kDocument};

@@ -93,6 +93,8 @@ void macro_statements(Control& c) {
   c.vacant_system_writes = {true, kPolicy, Inferred};
   c.max_constant_digits = {12, kPolicy, Inferred};
   c.max_condition_length = {128, "HS MAX_CONDITION_LEN of an HNC-8 header", Secondary};
+  c.statements = {"# [ IF WHILE DPRNT? BPRNT? POPEN? PCLOS?", "HD; of outputs nobody says",
+                  Inferred};
   c.if_form = {IfForm::Blocks, kHd, Secondary};
   c.loop_form = {LoopForm::WhileEndw, kHd, Secondary};
   c.jumps = {false, kUnsure, Inferred};

@@ -143,6 +143,10 @@ void statements(Control& c) {
   c.indirect_9nnn = {false, kGeneral, kInferred};
   c.negative_logic = {true, kPolicy, kInferred};
   c.variable_names = {true, kMZ + "866, 870, 871: SETVN", kSecondary};
+  c.statements = {"# [ IF WHILE DO DPRNT BPRNT? POPEN PCLOS", kGeneral + "; of BPRNT nobody says",
+                  kInferred};
+  c.logic_of_numbers = {true, "added.md: IF[#120AND3EQ3] in programs of a machine; " + kGeneral,
+                        kInferred};
   c.logic_binds_last = {true, kGeneral + ": functions, * / MOD, + -, comparisons, AND, OR XOR",
                         kInferred};
 }

@@ -119,7 +119,8 @@ void change_rule(Reader& in, Control& control) {
     value = rule_number(in);
   else
     value = text(in);
-  claim(!set_rule(control, rule.name, value), "a rule takes each of its values");
+  const bool list = rule.options.empty() && std::holds_alternative<std::string>(rule.value);
+  claim(!set_rule(control, rule.name, value) || list, "a rule takes each of its values");
 }
 
 void set_parameter(Reader& in, Control& control) {

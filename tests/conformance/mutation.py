@@ -39,9 +39,10 @@ def notices(case: Case, control: cncsub.Control, rule: Any) -> bool:
 
 def mutants(control: cncsub.Control, rule: Any) -> Iterator[cncsub.Control]:
     """The control with another value of the rule, for each value worth trying."""
+    whole = "=" if isinstance(rule.value, str) and not rule.choices else ""  # a list as a whole
     for value in other_values(rule):
         try:
-            yield control.replace(**{rule.name: value})
+            yield control.replace(**{rule.name: whole + value if whole else value})
         except ValueError:
             continue  # A value the rule cannot take.
 

@@ -68,6 +68,7 @@ UNPINNED = _joined(
     _all("indirect_9nnn variable_names", (HNC,), "the control has no such variables"),
     _all("atan_range asin_range", (HNC,), "it has no ASIN, and ATAN of one argument is signed"),
     _all("max_ifs", (TA, T, TDI, MDI, TE, *MITSUBISHI[:2], *FANUC), NO_IF_BLOCKS),
+    _all("logic_of_numbers", (TA, T, TDI, MDI, TE, *FANUC), "logic binds like * and + there anyway"),
     # Macro calls
     _all("nesting_counts_macros max_macro_nesting calls_in_modal", (TE, HNC), NO_MACRO_CALLS),
     _all("return_alone_in_modal codes_not_with_macro_call", (TE, HNC), NO_MACRO_CALLS),

@@ -1,0 +1,42 @@
+// Rules that are lists: what somebody changes in them, entry by entry.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cncsub {
+
+/// Changes the list of a rule. Each entry of the text is added, or replaces the one with the same
+/// key (`68.2=neutral`); `-entry` takes one away; a `=` at the head gives the whole list anew.
+/// Returns what is wrong with an entry, and what is near it, or nothing.
+std::optional<std::string> change_list(std::string_view rule, std::string& list,
+                                       std::string_view text);
+
+/// The same for a rule that is a set of letters: the text is the whole set.
+std::optional<std::string> change_letters(std::string_view rule, std::string& letters,
+                                          std::string_view text);
+
+// What the entries of a list may be; each is told where its meaning is.
+std::vector<std::string_view> function_names();
+std::vector<std::string_view> meaning_words();
+std::vector<std::string_view> refusable_causes();
+std::vector<std::string_view> group_names();
+
+/// The kinds of macro statements that the rule `statements` may name.
+enum class StatementKind : unsigned char {
+  Variables,
+  Brackets,
+  If,
+  While,
+  Do,
+  Dprnt,
+  Bprnt,
+  Popen,
+  Pclos,
+  Count
+};
+std::string_view statement_name(StatementKind kind);
+
+}  // namespace cncsub
