@@ -322,7 +322,14 @@ Motion::Result Motion::set_modes(BlockWords& block) {
 
 Motion::Result Motion::set_feed(const BlockWords& block) {
   if (!block.words.has('F')) return std::nullopt;
-  if (facts_->control->lead_apart.value && cuts_thread(block)) return std::nullopt;
+  const Control& c = *facts_->control;
+  if (c.lead_apart.value && cuts_thread(block)) return std::nullopt;
+  if (c.skip_own_feed.value && block.meaning(Group::OneShot) == Meaning::Skip) return std::nullopt;
+  return feed_of(block, s_.feed);
+}
+
+/// F of a block as a feed.
+Motion::Result Motion::feed_of(const BlockWords& block, double& feed) const {
   const double value = raw(block, 'F');
   double unit = s_.unit;
   if ((block.words.whole & bit('F')) != 0 &&
@@ -330,7 +337,7 @@ Motion::Result Motion::set_feed(const BlockWords& block) {
     unit *= feed_increment();
   const int most = facts_->control->max_feed.value;
   if (value < 0 || (most > 0 && value * unit > most)) return fault(Cause::FeedOutOfRange, block);
-  s_.feed = value * unit;
+  feed = value * unit;
   return std::nullopt;
 }
 

@@ -177,6 +177,7 @@ class Motion {
   Result end_waiting(std::uint32_t step, Moves* moves);
   Result set_modes(BlockWords& block);
   Result set_feed(const BlockWords& block);
+  Result feed_of(const BlockWords& block, double& feed) const;
   double feed_increment() const;
   Result set_spindle(const BlockWords& block);
   Result one_shot(BlockWords& block);
@@ -266,6 +267,7 @@ class Motion {
   Result check_reference(BlockWords& block);
   // motion_skip.cpp
   Result skip(BlockWords& block);
+  Result skip_feed(const BlockWords& block);
   std::optional<double> signal_on_way(const BlockWords& block, Axes& end) const;
   std::optional<double> touch(const Workpiece& workpiece, const Axes& end) const;
   Result one_way(BlockWords& block);

@@ -175,6 +175,7 @@ constexpr Word kWords[] = {
     {"rotation", G::Rotation, M::RotationOn},
     {"rotation-off", G::Rotation, M::RotationOff},
     {"dwell", G::OneShot, M::Dwell},
+    {"skip", G::OneShot, M::Skip},
     {"per-minute", G::Feed, M::PerMinute},
     {"per-revolution", G::Feed, M::PerRevolution},
     {"neutral", G::OneShot, M::Neutral},

@@ -10,14 +10,32 @@ Motion::Result Motion::skip(BlockWords& block) {
   std::uint32_t named = 0;
   Axes end = linear_target(block, named);
   if (named == 0) return std::nullopt;
-  if (auto wrong = need_feed(block, Meaning::Line)) return wrong;
+  const double feed = s_.feed;
+  if (auto wrong = skip_feed(block)) return wrong;
   const bool touched = signal_on_way(block, end).has_value();
   Piece piece = make_piece(block, MoveKind::Feed, end, named);
   piece.skip = touched ? SkipMove::Touched : SkipMove::Missed;
   if (auto wrong = move(block, piece)) return wrong;
   block.outcome.skip = piece.skip;
+  s_.feed = feed;
   s_.skip = s_.work + s_.length;  // with the tool, like #5041 [NCT 99M p.183]
   return std::nullopt;
+}
+
+/// The feed of G31, and the numbers of its signals: P.
+Motion::Result Motion::skip_feed(const BlockWords& block) {
+  const Control& c = *facts_->control;
+  if (const int most = c.max_skip_signals.value; most > 0 && block.words.has('P'))
+    if (const double p = raw(block, 'P'); p < 1 || p > most)
+      return fault(Cause::ValueOutOfRange, block, "P of G31 is 1 to " + std::to_string(most));
+  if (!c.skip_own_feed.value) return need_feed(block, Meaning::Line);
+  // Parameters of G31, G31.1, G31.2 and G31.3. [M7 p.547, p.552]
+  const int form = block.codes[at(Group::OneShot)].code - 310;
+  s_.feed = c.parameter(std::to_string(1174 + 2 * form));
+  if (block.words.has('F'))
+    if (auto wrong = feed_of(block, s_.feed)) return wrong;
+  if (s_.feed <= 0) return fault(Cause::NoSkipFeed, block);
+  return need_feed(block, Meaning::Line);
 }
 
 /// Where on the way the signal comes, 0 to 1; the way then ends there.

@@ -339,6 +339,14 @@ void call_codes(Control& c) {
 
 void parameters(Control& c) {
   c.parameters = {
+      {"1174", 0, "skip_F, the feed of G31 without F, mm/min",
+       kM7 + "p.547; its default " + kPolicy, kManual, nullptr},
+      {"1176", 0, "skip1f, the feed of G31.1 without F, mm/min",
+       kM7 + "p.552; its default " + kPolicy, kManual, nullptr},
+      {"1178", 0, "skip2f, the feed of G31.2 without F, mm/min",
+       kM7 + "p.552; its default " + kPolicy, kManual, nullptr},
+      {"1180", 0, "skip3f, the feed of G31.3 without F, mm/min",
+       kM7 + "p.552; its default " + kPolicy, kManual, nullptr},
       {"3401#0", 1, "lengths without a point: 0 least increments, 1 millimetres",
        "inferred from the worked examples; FANUC's number stands for the control's own", kInferred,
        [](Control& k, double value) {

@@ -241,6 +241,9 @@ void mitsubishi_rules(Control& c) {
   c.cycle_repeats = {"L", kKnown, Inferred};
   c.dwell_x_increments = {true, "general knowledge; M7 p.203 writes G4 X1000 for a second",
                           Inferred};
+  c.g_meanings = {"31.1=skip 31.2=skip 31.3=skip", "M7 p.552", Manual};
+  c.skip_own_feed = {true, "M7 p.547 (1)", Manual};
+  c.max_skip_signals = {255, "M7 p.555 (2)", Manual};
   c.power_on_line = {true, "M7 p.534 (11): G54 X Y right after power-on alarms P62", Manual};
   c.max_profile_blocks = {100, "MZ 898, paired with P202", Secondary};
   c.small_radius = {SmallRadius::Alarm, "MZ 818, paired with P71", Secondary};
@@ -315,7 +318,8 @@ void mitsubishi_alarms(Control& c) {
        {Cause::ReferenceWithEnd, "P435", "G27 and M commands in one block", "MZ 920, paired",
         Secondary},
        {Cause::OverTravel, "M01 0007", "", "SK M01-0007", Secondary},
-       {Cause::CompensationSkip, "P608", "Skip during radius compensation", kKnown, Inferred}});
+       {Cause::CompensationSkip, "P608", "Skip during radius compensation", "M7 p.547 (6)", Manual},
+       {Cause::NoSkipFeed, "P603", "Skip speed 0", "M7 p.547 (7)", Manual}});
 }
 
 // ---- HNC ----

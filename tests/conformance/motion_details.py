@@ -581,8 +581,7 @@ case(
 )
 case(
     "G31 feeds, and alarms without a feed",
-    control=["fanuc-16i", "mitsubishi-m700"], source="ALM 011; general knowledge P62", evidence="secondary",
+    control="fanuc-16i", source="ALM 011", evidence="secondary",
     setup=MILL, program="O1\nN10 G0 X1.\nN20 G31 X10.\nN30 M30\n",
-    runs="N10", alarm="no-feed", at="O1 N20",
-    number={"fanuc-16i": "011", "mitsubishi-m700": "P62"},
+    runs="N10", alarm="no-feed", at="O1 N20", number="011",
 )

@@ -336,6 +336,115 @@ case(
     moves="F Z20\nF X90 Z15",
 )
 
+# The feed of G31, and its signals
+
+case(
+    "F of G31 on a Mitsubishi is of its block alone",
+    control=MITSUBISHI, source="M7 p.547 (1): the F modal is not updated", evidence="secondary",
+    params=MM, setup=MILL | START,
+    program="""
+        O1
+        N10 G90 G1 X10. F600
+        N20 G31 X20. F60
+        N30 G1 X30.
+        N40 #100=#4109
+        N50 M30
+    """,
+    moves="F X10\nF X20\nF X30", time=1 + 10 + 1, vars={100: 600},
+)
+case(
+    "F of G31 holds for the blocks behind it",
+    control=[*FANUC, "gsk-980mdi"], source="15iM p.564: F in or before the block; general knowledge",
+    evidence="inferred", params=MM, setup=START,
+    program="""
+        O1
+        N10 G90 G1 X10. F600
+        N20 G31 X20. F60
+        N30 G1 X30.
+        N40 G31 X40.
+        N50 M30
+    """,
+    moves="F X10\nF X20\nF X30\nF X40", time=1 + 10 + 10 + 10,
+)
+case(
+    "F of G31 holds for the blocks behind it on a lathe",
+    control=[*T988, "gsk-980tdi"], source="TA p.54 and TDi p.93: as G01", evidence="secondary",
+    setup={"start": {"X": 0, "Z": 0}},
+    program="""
+        O1
+        N10 G98 G1 Z10. F600
+        N20 G31 Z20. F60
+        N30 G1 Z30.
+        N40 M30
+    """,
+    moves="F Z10\nF Z20\nF Z30", time=1 + 10 + 10,
+)
+for _code, _parameter in ("G31", "1174"), ("G31.1", "1176"), ("G31.2", "1178"), ("G31.3", "1180"):
+    case(
+        f"{_code} of a Mitsubishi without F alarms, whatever feed is in force",
+        control=MITSUBISHI, source="M7 p.547 (7), p.552 (3)", evidence="secondary",
+        params=MM, setup=MILL | START,
+        program=f"""
+            O1
+            N10 G90 G1 X10. F600
+            N20 {_code} X20. F60
+            N30 {_code} X30.
+            N40 M30
+        """,
+        runs="N10 N20", alarm="no-skip-feed", number="P603", at="O1 N30",
+    )
+    case(
+        f"{_parameter} is the feed of {_code} without F",
+        control=MITSUBISHI, source="M7 p.547 (1), p.552 (1)", evidence="secondary",
+        params=MM | {_parameter: 120}, setup=MILL | START, inputs={"skips": [{"X": 20}]},
+        program=f"""
+            O1
+            N10 G90 G1 X10. F600
+            N20 {_code} X30.
+            N30 G1 X30.
+            N40 M30
+        """,
+        moves="F X10\nF X20\nF X30", time=1 + 5 + 1,
+    )
+    case(
+        f"{_code} of a Mitsubishi may not stand in radius compensation",
+        control=MITSUBISHI, source="M7 p.547 (6), p.552 (3)", evidence="secondary",
+        params=MM, setup=MILL | START | {"radius_offsets": {1: 1}},
+        program=f"""
+            O1
+            N10 G90 G41 D1 G1 Y10. F100
+            N20 X20.
+            N30 {_code} X30. F50
+            N40 M30
+        """,
+        runs="N10 N20", alarm="skip-in-offset", number="P608", at="O1 N30",
+    )
+for _signals in "P0", "P256", "P500":
+    case(
+        f"{_signals} of G31 is out of range on a Mitsubishi",
+        control=MITSUBISHI, source="M7 p.555 (2), (5)", evidence="secondary",
+        params=MM, setup=MILL | START,
+        program=f"""
+            O1
+            N10 G90 G31 X10. P255 F100
+            N20 G31 X20. {_signals} F100
+            N30 M30
+        """,
+        runs="N10", alarm="value-out-of-range", number="P35", at="O1 N20",
+    )
+case(
+    "P of G31 names its signals, and says nothing about the way",
+    control=[*FANUC, *T988, "gsk-980tdi", "gsk-980mdi"], source="general knowledge, multi-step skip",
+    evidence="inferred", params=MM, setup=START, inputs={"skips": [{"Z": -5}, {"Z": -7}]},
+    program="""
+        O1
+        N10 G31 Z-10. P4 F100
+        N20 G31 Z-12. P1 F100
+        N30 M30
+    """,
+    moves="F Z-5\nF Z-7",
+)
+
 # What a stylus touches
 
 PART = {
