@@ -74,7 +74,7 @@ for address, block in [("X", "G0 X#1"), ("F", "G1 X1. F#1"), ("S", "M3 S#1"), ("
     case(
         f"{block} is out of range with 10 to the 16th", **HERE,
         program=f"O1\nN10 M9\nN20 #1=[10000000*10000000*100]\nN30 {block}\nN40 M30", runs="N10 N20",
-        alarm="value-out-of-range", number=RANGE, at="O1 N30", word="#1",
+        alarm="value-out-of-range", number=RANGE, at="O1 N30", word=f"{address}#1",
     )
 case(
     "a computed word takes what its digits could say", **HERE,
