@@ -129,7 +129,7 @@ def _may_notice(rule: str, entry: str, case: Case, text: str) -> bool:
     if "codes" in rule or rule == "g_meanings":
         letter = "M" if rule.startswith("m_") else "G"
         return re.search(rf"{letter}0*{re.escape(entry.split('=')[0])}(?![\d.]*[1-9])", text) is not None
-    return rule == "modal_groups" or entry[-1] in text
+    return rule == "modal_groups" or entry.rstrip("?")[-1] in text
 
 
 def find_pins() -> Pins:

@@ -69,12 +69,11 @@ case(
 
 # Computed values: what no digits could say is out of range.
 
-for address, block in [("X", "G0 X#1"), ("F", "G1 X1. F#1"), ("S", "M3 S#1"), ("T", "T#1"),
-                       ("P", "G4 P#1"), ("R", "G10 L2 P1 X#1"), ("Z", "G52 Z#1"), ("I", "G2 I#1")]:
+for block in ["G0 X#1", "G1 X1. F#1", "M3 S#1", "T#1", "G4 P#1", "G10 L2 P1 X#1", "G52 Z#1", "G2 I#1"]:
     case(
         f"{block} is out of range with 10 to the 16th", **HERE,
         program=f"O1\nN10 M9\nN20 #1=[10000000*10000000*100]\nN30 {block}\nN40 M30", runs="N10 N20",
-        alarm="value-out-of-range", number=RANGE, at="O1 N30", word=f"{address}#1",
+        alarm="value-out-of-range", number=RANGE, at="O1 N30", word=f"{block[block.index('#') - 1]}#1",
     )
 case(
     "a computed word takes what its digits could say", **HERE,
