@@ -397,16 +397,54 @@ def test_a_rotary_axis_does_not_know_inches(control: str, words: list[str], feed
 
 # ---- what is told about the moves: finite, in order, and one sum of times ----
 
-measured = st.one_of(place, place, st.sampled_from(["0", "99999.999", "-99999.999", "99999999", "-0."]))
+measured = st.one_of(
+    place, place, st.sampled_from(["0", "99999.999", "-99999.999", "99999999", "-0."])
+)
 said = st.builds(
     lambda code, words: f"{code} {words}",
     st.sampled_from(
-        ["G0", "G1", "G1", "G2 R30.", "G3 R30.", "G96 S100", "G97 S500", "G95 F0.2", "G94 F200."]
-        + ["G98 F150.", "G99 F0.1", "T0101", "T0202", "T0", "G41 D1", "G42 D1", "G40", "G43 H1"]
-        + ["G49", "G92", "G52", "G54", "G55", "G91", "G90", "G4 P500", "G32 F2.", "G20", "G21"]
-        + ["G51 P2000", "G68 R30.", "G10 L2 P1", "G28", "G16", "G15", "M98 P2 L3"]
+        [
+            "G0",
+            "G1",
+            "G1",
+            "G2 R30.",
+            "G3 R30.",
+            "G96 S100",
+            "G97 S500",
+            "G95 F0.2",
+            "G94 F200.",
+            "G98 F150.",
+            "G99 F0.1",
+            "T0101",
+            "T0202",
+            "T0",
+            "G41 D1",
+            "G42 D1",
+            "G40",
+            "G43 H1",
+            "G49",
+            "G92",
+            "G52",
+            "G54",
+            "G55",
+            "G91",
+            "G90",
+            "G4 P500",
+            "G32 F2.",
+            "G20",
+            "G21",
+            "G51 P2000",
+            "G68 R30.",
+            "G10 L2 P1",
+            "G28",
+            "G16",
+            "G15",
+            "M98 P2 L3",
+        ]
     ),
-    st.lists(st.builds(str.__add__, st.sampled_from("XYZXYZB"), measured), max_size=3).map(" ".join),
+    st.lists(st.builds(str.__add__, st.sampled_from("XYZXYZB"), measured), max_size=3).map(
+        " ".join
+    ),
 )
 SHOP = {
     "length_offsets": {1: 12.5},

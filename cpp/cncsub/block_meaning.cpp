@@ -89,7 +89,8 @@ void BlockReader::build_slash(Block& block, const Tokens& tokens, std::size_t sl
   code_.choices.push_back(variant);
 }
 
-/// P of a call, a return or a jump has digits of its own: those of a program or a block, and a count.
+/// P of a call, a return or a jump has digits of its own: those of a program or a block, and a
+/// count.
 bool BlockReader::names_by_p(const Meaning& meaning) {
   const bool by_code = meaning.registered != nullptr && !meaning.calls_macro();
   return (meaning.call != nullptr && !by_code) || meaning.back != nullptr ||

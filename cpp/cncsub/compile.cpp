@@ -194,8 +194,7 @@ class LibraryReader {
       const Number number = scan_number(s);
       s.blanks();
       const std::string name(start, static_cast<std::size_t>(s.at - start));
-      begin_program(trimmed(name),
-                    number.value < 1e15 ? to_whole<std::int64_t>(number.value) : -1,
+      begin_program(trimmed(name), number.value < 1e15 ? to_whole<std::int64_t>(number.value) : -1,
                     static_cast<std::uint32_t>(start - begin_), true);
       title(start, s.end);
       return;
@@ -203,7 +202,8 @@ class LibraryReader {
     if (open_) close(static_cast<std::uint32_t>(start - begin_));
   }
 
-  /// Whether a tape begins with the % of this line: a program's head, or blocks that another % ends.
+  /// Whether a tape begins with the % of this line: a program's head, or blocks that another %
+  /// ends.
   bool tape_begins(const Scanner& percent) {
     const std::string& text = code_.files[file_].text;
     const char* end = begin_ + text.size();
@@ -255,8 +255,8 @@ class LibraryReader {
       const std::string name =
           "O" + std::string(digits, static_cast<std::size_t>(ahead.at - digits));
       const auto offset = static_cast<std::uint32_t>(start - begin_);
-      begin_program(name, number.digits <= 15 ? to_whole<std::int64_t>(number.value) : -1,
-                    offset, true);
+      begin_program(name, number.digits <= 15 ? to_whole<std::int64_t>(number.value) : -1, offset,
+                    true);
       title(start, s.end);
       const bool zero = number.value == 0 && !code_.control->zero_numbers.value;
       const bool large = number.value > code_.control->max_program_number.value;

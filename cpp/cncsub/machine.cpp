@@ -1,10 +1,11 @@
 #include "cncsub/machine.hpp"
-#include "cncsub/scan.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "cncsub/scan.hpp"
 
 namespace cncsub {
 
@@ -408,9 +409,9 @@ bool Machine::decode(const Block& block, NcWords& words) {
       const Expression& e = code_->expressions[expression];
       if (std::fabs(value) > kLargest)
         return alarm({Cause::Overflow, e.at, e.width, "the result is too large"});
-      return alarm({Cause::ValueOutOfRange, e.at, e.width,
-                    "the value has more than " + std::to_string(most_digits(*code_->control)) +
-                        " digits"});
+      return alarm(
+          {Cause::ValueOutOfRange, e.at, e.width,
+           "the value has more than " + std::to_string(most_digits(*code_->control)) + " digits"});
     }
     if (is_vacant(value)) {
       if (code_->control->vacant_address.value == VacantAddress::Ignored) words.mask &= ~mark;
@@ -598,14 +599,13 @@ bool Machine::return_now(const CallRecord& back, double p, double l) {
     const Program& caller =
         code_->programs[static_cast<std::size_t>(stack_[stack_.size() - 2].program)];
     const double n = std::round(p);
-    to = n >= 0 && n < 2e9
-             ? code_->return_target(caller, to_whole<std::int64_t>(n), open.called_at)
-             : kNowhere;
+    to = n >= 0 && n < 2e9 ? code_->return_target(caller, to_whole<std::int64_t>(n), open.called_at)
+                           : kNowhere;
     if (to == kNowhere)
       return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
                     "there is no N" +
-                        std::to_string(to_whole<std::int64_t>(std::clamp(n, -1e9, 2e9))) +
-                        " in " + caller.name});
+                        std::to_string(to_whole<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
+                        caller.name});
   }
   record_block();
   return leave(to, is_vacant(p));

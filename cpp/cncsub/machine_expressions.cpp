@@ -368,8 +368,8 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
           return fault(Cause::ArgumentOutOfRange, "there is no such parameter");
         std::string name = std::to_string(to_whole<std::int64_t>(which));
         if (bit_form)
-          name += "#" + std::to_string(
-                            to_whole<std::int64_t>(std::clamp(round_half_away(b), 0.0, 31.0)));
+          name += "#" +
+                  std::to_string(to_whole<std::int64_t>(std::clamp(round_half_away(b), 0.0, 31.0)));
         a = control.parameter(name);
         break;
       }

@@ -137,8 +137,8 @@ bool Machine::h_code(const Statement& h) {
     if (!holds) return true;
     double n = 0;
     if (!operand(h.p, n)) return false;
-    return h_jump(
-        h, is_vacant(n) ? -1 : to_whole<std::int64_t>(std::clamp(std::round(n), -1.0, 2e9)));
+    return h_jump(h,
+                  is_vacant(n) ? -1 : to_whole<std::int64_t>(std::clamp(std::round(n), -1.0, 2e9)));
   }
   const bool two = (code >= 2 && code <= 5) || (code >= 11 && code <= 13) || code == 23 ||
                    code == 26 || code == 27 || (code >= 31 && code <= 34);
@@ -152,7 +152,8 @@ bool Machine::h_code(const Statement& h) {
     return wrong(Cause::HCodeOperand, h.q, "an operand is missing");
   double result = 0;
   if (auto cause = h_result(code, q, r, target, result)) return wrong(*cause, h.q, "");
-  if (!(std::fabs(result) <= kLargest)) return wrong(Cause::Overflow, h.q, "the result is too large");
+  if (!(std::fabs(result) <= kLargest))
+    return wrong(Cause::Overflow, h.q, "the result is too large");
   Statement assign = h;
   assign.target = Statement::Target::Variable;
   assign.variable_at = h.p.at;

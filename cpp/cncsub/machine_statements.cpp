@@ -115,8 +115,8 @@ bool Machine::store(const Statement& statement, double value) {
       double number = 0;
       if (!evaluate(statement.variable, number)) return false;
       if (is_vacant(number)) number = 0;
-      return store_number(to_whole<std::int64_t>(std::clamp(std::round(number), -1e9, 2e9)),
-                          value, statement);
+      return store_number(to_whole<std::int64_t>(std::clamp(std::round(number), -1e9, 2e9)), value,
+                          statement);
     }
     case Statement::Target::None:
       break;

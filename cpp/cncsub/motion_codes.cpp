@@ -1,11 +1,10 @@
 #include "cncsub/motion_codes.hpp"
 
-#include "cncsub/number.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
+#include "cncsub/number.hpp"
 #include "cncsub/rule_lists.hpp"
 
 namespace cncsub {

@@ -108,8 +108,8 @@ Motion::Result Motion::set_data(BlockWords& block) {
   for (const char axis : kAxisNames) named = named || w.has(axis);
   if (!named && facts_->refuses(Cause::G10Axis)) return fault(Cause::G10Axis, block);
   OffsetTables& tables = own_tables();
-  Axes& values = l == 2 ? tables.work[to_whole<std::size_t>(p)]
-                        : tables.extra[to_whole<std::size_t>(p) - 1];
+  Axes& values =
+      l == 2 ? tables.work[to_whole<std::size_t>(p)] : tables.extra[to_whole<std::size_t>(p) - 1];
   for (int i = 0; i < kAxes; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
     if (facts_->machine == MachineType::LatheA && i > 5) continue;

@@ -25,9 +25,7 @@ inline int axis_of(char letter) {
 int system_of(const std::string& name);
 constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
 /// A whole number of a word, whatever the word holds.
-inline int whole(double value) {
-  return to_whole<int>(value, -2'000'000'000, 2'000'000'000);
-}
+inline int whole(double value) { return to_whole<int>(value, -2'000'000'000, 2'000'000'000); }
 /// Whether all of these are numbers that a position, a length or a time may be.
 template <std::size_t Size>
 bool in_range(const std::array<double, Size>& values) {

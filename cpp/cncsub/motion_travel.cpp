@@ -42,9 +42,9 @@ void Motion::arc_reach(const Piece& piece, const Axes& machine, int axis, double
   for (int quarter = -6; quarter <= 6; ++quarter) {
     const double t = quarter * kPi / 2;
     if (t < from || t > to) continue;
-    const double reach =
-        (start + (end - start) * (t - first) / piece.turn) * (axis == plane.a ? std::cos(t) : std::sin(t)) / facts_->share(axis) +
-        piece.centre[axis] + piece.length[axis] + piece.tip[axis];
+    const double reach = (start + (end - start) * (t - first) / piece.turn) *
+                             (axis == plane.a ? std::cos(t) : std::sin(t)) / facts_->share(axis) +
+                         piece.centre[axis] + piece.length[axis] + piece.tip[axis];
     low = std::min(low, reach);
     high = std::max(high, reach);
   }

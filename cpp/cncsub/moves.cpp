@@ -87,9 +87,9 @@ double thread_time(const MoveWay& way, double spindle, std::uint32_t diameters) 
   return rate > 0 ? along / rate * 60 : 0;
 }
 
-/// What a feed is counted along. Of a line: the length, and the degrees of rotary axes, each as long
-/// as a unit of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear interpolation]
-/// Of an arc: what lies in its plane; F is the speed there, a helix goes along.
+/// What a feed is counted along. Of a line: the length, and the degrees of rotary axes, each as
+/// long as a unit of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear
+/// interpolation] Of an arc: what lies in its plane; F is the speed there, a helix goes along.
 double path_of(const MoveWay& way) {
   double sum = way.length * way.length;
   const auto square = [&](int i) { return (way.to[i] - way.from[i]) * (way.to[i] - way.from[i]); };

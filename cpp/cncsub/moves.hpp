@@ -85,8 +85,8 @@ class Moves {
 
   // What the motion engine writes.
 
-  /// The machine's facts that lengths and times need, before the first row: where the tool is, rapid
-  /// rates, diameter axes.
+  /// The machine's facts that lengths and times need, before the first row: where the tool is,
+  /// rapid rates, diameter axes.
   void begin(const Axes& machine, const Axes& rapid, std::uint32_t diameters);
   std::uint32_t intern(MoveState state, const Axes& offset);
   /// The axes that moves named; bit 0 is X.
@@ -211,7 +211,8 @@ double spindle_at(const MoveState& state, double diameter);
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
 /// The length of an arc whose radius grows evenly from the first to the last over an angle: of one
-/// that misses its end inside the tolerance, which the tool reaches on a spiral. [ALM 020][M7 p.194]
+/// that misses its end inside the tolerance, which the tool reaches on a spiral. [ALM 020][M7
+/// p.194]
 inline double spiral_length(double first, double last, double turn) {
   const double growth = last - first, mean = (first + last) / 2 * turn;
   if (growth == 0) return std::fabs(mean);

@@ -57,7 +57,7 @@ struct Trace {
   Column<std::string> messages;
   Column<Place> missed_skips;  // the blocks of G31 that met nothing
   Column<Dropped> dropped;
-  std::size_t text = 0;        // characters of the messages
+  std::size_t text = 0;  // characters of the messages
 
   // Steps, calls and moves are numbered through the run; a part begins anywhere.
   std::int64_t first_step = 0, first_move = 0;

@@ -14,7 +14,8 @@ constexpr std::size_t kMostLines = 60;
 /// Makes the texts of one program.
 class Writer {
  public:
-  Writer(std::uint64_t seed, const std::vector<std::string>& lines) : random_(seed), lines_(lines) {}
+  Writer(std::uint64_t seed, const std::vector<std::string>& lines)
+      : random_(seed), lines_(lines) {}
 
   std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
   bool chance(int percent) { return below(100) < static_cast<std::size_t>(percent); }
@@ -39,11 +40,12 @@ class Writer {
   /// Numbers at the edges of types, of the controls' digits and of sense.
   std::string edge() {
     static constexpr std::array<const char*, 36> kEdges = {
-        "0",          "-0",         "0.",          "-0.0",        "0.001",      "-0.001",
-        "0.0004",     "0.0001",     "0.000000001", "1",           "99",         "100",
-        "127",        "128",        "255",         "256",         "9999",       "10000",
-        "32767",      "32768",      "65536",       "99999.999",   "-99999.999", "99999999",
-        "-99999999",  "999999999",  "999999.999",  "2147483647",  "2147483648", "-2147483649",
+        "0",          "-0",         "0.",          "-0.0",        "0.001",
+        "-0.001",     "0.0004",     "0.0001",      "0.000000001", "1",
+        "99",         "100",        "127",         "128",         "255",
+        "256",        "9999",       "10000",       "32767",       "32768",
+        "65536",      "99999.999",  "-99999.999",  "99999999",    "-99999999",
+        "999999999",  "999999.999", "2147483647",  "2147483648",  "-2147483649",
         "4294967295", "4294967296", "99999999999", "9999999999.", "999999999999999999999",
         "90.0000001"};
     if (chance(3)) return std::string(400, '9');
@@ -52,13 +54,14 @@ class Writer {
 
   std::string expression(int depth) {
     static constexpr std::array<const char*, 14> kFunctions = {
-        "SIN", "COS", "TAN", "ASIN", "ACOS", "SQRT", "ABS", "ROUND", "FIX", "FUP", "LN", "EXP",
-        "BIN", "BCD"};
-    static constexpr std::array<const char*, 9> kOperators = {"+", "-", "*", "/",   " MOD ",
+        "SIN",   "COS", "TAN", "ASIN", "ACOS", "SQRT", "ABS",
+        "ROUND", "FIX", "FUP", "LN",   "EXP",  "BIN",  "BCD"};
+    static constexpr std::array<const char*, 9> kOperators = {"+", "-", "*", "/",    " MOD ",
                                                               "*", "*", "/", " AND "};
     if (depth == 0 || chance(40))
-      return chance(50) ? "#" + std::to_string(chance(70) ? 100 + below(6) : below(34))
-                        : chance(80) ? std::to_string(below(400)) + "." : edge();
+      return chance(50)   ? "#" + std::to_string(chance(70) ? 100 + below(6) : below(34))
+             : chance(80) ? std::to_string(below(400)) + "."
+                          : edge();
     if (chance(25)) return std::string(one_of(kFunctions)) + "[" + expression(depth - 1) + "]";
     return expression(depth - 1) + one_of(kOperators) + "[" + expression(depth - 1) + "]";
   }
@@ -84,21 +87,20 @@ class Writer {
 
   std::string code() {
     static constexpr std::array<const char*, 104> kCodes = {
-        "0",  "1",  "2",  "3",  "4",  "5",  "6.2", "7",   "9",   "10",  "11",   "12",   "13",
-        "15", "16", "17", "18", "19", "20", "21",  "22",  "23",  "24",  "25",   "26",   "27",
-        "28", "29", "30", "31", "32", "33", "34",  "36",  "37",  "38",  "39",   "40",   "41",
-        "42", "43", "44", "45", "46", "47", "48",  "49",  "50",  "51",  "50.1", "51.1", "52",
-        "53", "54", "55", "56", "59", "54.1", "60", "61", "62",  "63",  "64",   "65",   "66",
-        "67", "68", "69", "68.1", "69.1", "70", "71", "72", "73", "74", "75",   "76",   "77",
-        "78", "79", "80", "81", "82", "83", "84",  "85",  "86",  "87",  "88",   "89",   "90",
-        "91", "92", "93", "94", "95", "96", "97",  "98",  "99",  "110", "115",  "12.1", "13.1"};
+        "0",  "1",  "2",  "3",    "4",    "5",    "6.2", "7",  "9",  "10",  "11",   "12",   "13",
+        "15", "16", "17", "18",   "19",   "20",   "21",  "22", "23", "24",  "25",   "26",   "27",
+        "28", "29", "30", "31",   "32",   "33",   "34",  "36", "37", "38",  "39",   "40",   "41",
+        "42", "43", "44", "45",   "46",   "47",   "48",  "49", "50", "51",  "50.1", "51.1", "52",
+        "53", "54", "55", "56",   "59",   "54.1", "60",  "61", "62", "63",  "64",   "65",   "66",
+        "67", "68", "69", "68.1", "69.1", "70",   "71",  "72", "73", "74",  "75",   "76",   "77",
+        "78", "79", "80", "81",   "82",   "83",   "84",  "85", "86", "87",  "88",   "89",   "90",
+        "91", "92", "93", "94",   "95",   "96",   "97",  "98", "99", "110", "115",  "12.1", "13.1"};
     return "G" + std::string(one_of(kCodes));
   }
 
   std::string any_block() {
-    static constexpr std::array<const char*, 16> kM = {"0",  "1",  "2",  "3",  "4",  "5",  "6", "8",
-                                                       "19", "29", "30", "97", "98", "99", "198",
-                                                       "17"};
+    static constexpr std::array<const char*, 16> kM = {
+        "0", "1", "2", "3", "4", "5", "6", "8", "19", "29", "30", "97", "98", "99", "198", "17"};
     std::string text;
     for (std::size_t left = below(3); left > 0; --left) text += code() + ' ';
     text += some("XYZABCUVWIJKRPQLFSTHDE", 18);
@@ -141,8 +143,8 @@ class Writer {
 
   /// A contour beside which the tool goes.
   void contour() {
-    line(std::string(chance(50) ? "G41" : "G42") + (chance(70) ? " D1" : "") + (chance(80) ? " G1" : "") +
-         some("XYZ", 55) + " F100");
+    line(std::string(chance(50) ? "G41" : "G42") + (chance(70) ? " D1" : "") +
+         (chance(80) ? " G1" : "") + some("XYZ", 55) + " F100");
     for (std::size_t left = 1 + below(7); left > 0; --left)
       line(chance(15) ? "G1 Z" + number() : chance(15) ? any_block() : move() + corner());
     if (chance(80)) line("G40" + some("XYZ", 50));
@@ -232,15 +234,24 @@ class Writer {
     const std::size_t from = lines_out_.size();
     while (lines_out_.size() < from + most) {
       const std::size_t kind = below(100);
-      if (kind < 30) line(move() + corner());
-      else if (kind < 42) line(cycle());
-      else if (kind < 52) line(any_block());
-      else if (kind < 62) line(data());
-      else if (kind < 78) line(macro());
-      else if (kind < 84) rough();
-      else if (kind < 90) contour();
-      else if (kind < 93) loop();
-      else lines_out_.push_back(one_of(lines_));
+      if (kind < 30)
+        line(move() + corner());
+      else if (kind < 42)
+        line(cycle());
+      else if (kind < 52)
+        line(any_block());
+      else if (kind < 62)
+        line(data());
+      else if (kind < 78)
+        line(macro());
+      else if (kind < 84)
+        rough();
+      else if (kind < 90)
+        contour();
+      else if (kind < 93)
+        loop();
+      else
+        lines_out_.push_back(one_of(lines_));
     }
   }
 
@@ -377,7 +388,8 @@ Job Generator::make(std::uint64_t seed, std::uint64_t number) const {
     other.texts = std::move(job.texts);
     job = std::move(other);
     if (writer.chance(70)) job.options.setup = usual_setup(writer);
-    if (writer.chance(50)) job.options.variables = {{100, 3}, {101, -2.5}, {102, 0.001}, {103, 1e6}};
+    if (writer.chance(50))
+      job.options.variables = {{100, 3}, {101, -2.5}, {102, 0.001}, {103, 1e6}};
   }
   job.options.max_blocks = std::min<std::int64_t>(job.options.max_blocks, 300);
   job.copied_after = writer.below(12);

@@ -1,5 +1,5 @@
-// The laws that every run keeps to: all ways to make it come out alike, and what it tells is finite,
-// in order and clean.
+// The laws that every run keeps to: all ways to make it come out alike, and what it tells is
+// finite, in order and clean.
 #include "laws.hpp"
 
 #include <algorithm>
@@ -95,10 +95,9 @@ void same_run(const Machine& a, const Machine& b) {
 void check_moves(const Machine& machine, const Options& options) {
   const Moves& moves = machine.trace().moves;
   if (moves.size() == 0 || moves.size() > kMostCompared) return;
-  const bool lathe =
-      options.setup.machine.empty()
-          ? machine.code().control->machine.value != MachineType::Mill
-          : options.setup.machine != "mill";
+  const bool lathe = options.setup.machine.empty()
+                         ? machine.code().control->machine.value != MachineType::Mill
+                         : options.setup.machine != "mill";
   MoveRow before = moves.row(0);
   double time = 0;
   for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -108,7 +107,8 @@ void check_moves(const Machine& machine, const Options& options) {
     for (std::size_t axis = 0; axis < row.point.size(); ++axis) {
       claim(std::isfinite(row.point[axis]) && std::isfinite(row.machine[axis]),
             "a move ends somewhere");
-      const double way = (row.machine[axis] - before.machine[axis]) * (lathe && axis == 0 ? 0.5 : 1);
+      const double way =
+          (row.machine[axis] - before.machine[axis]) * (lathe && axis == 0 ? 0.5 : 1);
       if (axis < 3) chord += way * way;
     }
     for (const double centre : row.centre) claim(!std::isinf(centre), "a centre is somewhere");
@@ -126,7 +126,8 @@ void check_moves(const Machine& machine, const Options& options) {
     before = row;
   }
   const double whole = machine.motion().time();
-  claim(std::fabs(time - whole) <= 1e-9 * (1 + whole), "the times of the moves are that of the run");
+  claim(std::fabs(time - whole) <= 1e-9 * (1 + whole),
+        "the times of the moves are that of the run");
   const Moves::Bounds bounds = moves.bounds();
   for (std::size_t axis = 0; axis < before.point.size(); ++axis)
     claim(!(bounds.low[axis] > before.point[axis]) && !(bounds.high[axis] < before.point[axis]) &&

@@ -80,8 +80,8 @@ struct Shared {
 
 Shared* shared() {
   static Shared* const memory = [] {
-    void* place = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
-                       -1, 0);
+    void* place =
+        mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (place == MAP_FAILED) std::abort();
     broken_claim = static_cast<Shared*>(place)->claim;
     return static_cast<Shared*>(place);
@@ -120,9 +120,9 @@ bool holds(const Job& job, const std::string& claim) {
 void print(const Job& job) {
   const Setup& setup = job.options.setup;
   std::printf("control %s, machine \"%s\", trace %d, blocks %lld, copied after %zu%s\n",
-              job.control->name.c_str(), setup.machine.c_str(),
-              static_cast<int>(job.options.trace), static_cast<long long>(job.options.max_blocks),
-              job.copied_after, job.by_hand.empty() ? "" : ", with variables written by hand");
+              job.control->name.c_str(), setup.machine.c_str(), static_cast<int>(job.options.trace),
+              static_cast<long long>(job.options.max_blocks), job.copied_after,
+              job.by_hand.empty() ? "" : ", with variables written by hand");
   const auto point = [](const std::string& name, const std::map<char, double>& axes) {
     if (axes.empty()) return;
     std::printf("%s:", name.c_str());
@@ -133,8 +133,10 @@ void print(const Job& job) {
   point("rapid", setup.rapid);
   for (const auto& [name, axes] : setup.work_offsets) point(name, axes);
   for (const auto& [number, axes] : setup.reference) point("reference", axes);
-  for (const auto& [number, value] : setup.length_offsets) std::printf("H%d %.17g\n", number, value);
-  for (const auto& [number, value] : setup.radius_offsets) std::printf("D%d %.17g\n", number, value);
+  for (const auto& [number, value] : setup.length_offsets)
+    std::printf("H%d %.17g\n", number, value);
+  for (const auto& [number, value] : setup.radius_offsets)
+    std::printf("D%d %.17g\n", number, value);
   for (const auto& [number, tool] : setup.tools) {
     std::printf("tool %d tip %d R %.17g ", number, tool.tip, tool.radius);
     point("values", tool.values);

@@ -183,9 +183,8 @@ void add_code(py::module_& m) {
             std::shared_ptr<const Code> with;
             {
               Away away;
-              with = compile_mdi(c, text, [&away] {
-                return away.ask([] { return PyErr_CheckSignals() != 0; });
-              });
+              with = compile_mdi(
+                  c, text, [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); });
             }
             if (!with) throw py::error_already_set();
             return std::const_pointer_cast<Code>(with);

@@ -1527,7 +1527,7 @@ for claim, program, cause, number in (
 # Multiple cycles
 
 _feed = {**dict.fromkeys(GSK_988, "F"), TDI: "F", TE: "F"}
-for kind, controls in ("F", GSK_988 + [TDI]), ("R", [*MITSUBISHI, *FANUC]):
+for kind, controls in ("F", [*GSK_988, TDI]), ("R", [*MITSUBISHI, *FANUC]):
     name = "at feed" if kind == "F" else "rapid"
     case(
         f"G71 cuts a millimetre deep and leaves the cut by half a millimetre, {name}",

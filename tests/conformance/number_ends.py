@@ -7,7 +7,7 @@ GSK_988 = ["gsk-988ta", "gsk-988t"]
 MITSUBISHI = ["mitsubishi-m700", "mitsubishi-m800"]
 DIGITS = {c: "003" if c in ("fanuc-16i", *GSK_988, "gsk-980mdi") else "PS0003" for c in
           (*FANUC, *GSK_988, "gsk-980mdi")} | dict.fromkeys(MITSUBISHI, "P35")
-RANGE = DIGITS | {c: "PS1305" for c in FANUC[1:]} | {"gsk-980mdi": "012"}
+RANGE = DIGITS | dict.fromkeys(FANUC[1:], "PS1305") | {"gsk-980mdi": "012"}
 EVERYWHERE = list(DIGITS)
 SOURCE = "motion sheet 9, value out of range: 003, P35, 988T 003, 980MDi 012; ALM PS1305"
 NINES = "9" * 100  # a GSK takes no longer block than 255 characters
