@@ -40,6 +40,10 @@ BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
   list(control_.codes_not_with_macro_call, not_with_macro_);
   list(control_.codes_not_with_modal_call, not_with_modal_);
   list(control_.m_codes_not_with_macro_call, m_not_with_macro_);
+  const std::string refused = " " + control_.refuses.value + " ";
+  if (refused.find(" corner-with-call ") != std::string::npos)
+    corners_not_with_call_ =
+        " " + control_.chamfer_words.value + " " + control_.round_words.value + " ";
   register_calls();
   allow_plain();
 }
@@ -306,6 +310,10 @@ bool BlockReader::scan_words(Scanner& s, Block& block) {
         tokens_.push_back(token);
         continue;
       }
+      if (c == ')' && control_.open_comment.value == OpenComment::RestOfBlock) {
+        s.rest_of_comment();
+        if (s.peek() != ')') continue;
+      }
       return stray(s, block);
     }
     token.letter = c;
@@ -348,10 +356,11 @@ bool BlockReader::stray(Scanner& s, Block& block) {
     fault.width = width;
     fault.detail = "the control does not know this character";
     const std::string_view character(s.at, width);
-    const bool parenthesis = character == "\uFF08" || character == "\uFF09";  // full-width
-    if (parenthesis && control_.open_comment.value == OpenComment::Alarm) {
+    const bool wide = character == "\uFF08" || character == "\uFF09";  // full-width
+    if ((wide || c == ')') && control_.open_comment.value == OpenComment::Alarm) {
       fault.cause = Cause::CommentNotClosed;
-      fault.detail = "a full-width parenthesis begins no comment";
+      fault.detail = wide ? "a full-width parenthesis begins no comment"
+                          : "this parenthesis ends no comment";
     }
   }
   refuse(block, fault);

@@ -83,6 +83,7 @@ class BlockReader {
   std::optional<Fault> sort(const Tokens& tokens, bool calls, Meaning& meaning) const;
   std::optional<Fault> sort_g(const Token& token, bool calls, Meaning& meaning) const;
   std::optional<Fault> sort_m(const Token& token, bool calls, Meaning& meaning) const;
+  const Token* corner_with_call(const Tokens& tokens, const Meaning& meaning) const;
   std::optional<Fault> check_together(const Tokens& tokens, const Meaning& meaning) const;
   void register_calls();
   const RegisteredCall* registered(char address, double code) const;
@@ -117,6 +118,7 @@ class BlockReader {
   std::vector<RegisteredCall> switches_;                         // addresses whose every code calls
   std::array<int, 26> switched_{};  // 1 + the place there, 0 = the address does not call
   std::int32_t external_m_ = 198;
+  std::string corners_not_with_call_;  // the chamfer and corner words that M98 refuses, ",C L"
 };
 
 }  // namespace cncsub

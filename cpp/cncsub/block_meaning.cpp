@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "cncsub/block.hpp"
 #include "cncsub/scan.hpp"
@@ -246,6 +247,24 @@ std::optional<Fault> BlockReader::sort_m(const Token& token, bool calls, Meaning
   return std::nullopt;
 }
 
+/// The chamfer or corner word that the control refuses beside M98. An L is one only beside an axis
+/// word: else it is the count of the call.
+const BlockReader::Token* BlockReader::corner_with_call(const Tokens& tokens,
+                                                         const Meaning& meaning) const {
+  if (corners_not_with_call_.empty() || meaning.call == nullptr || meaning.kind != CallKind::M98)
+    return nullptr;
+  const auto is_axis = [](const Token& token) {
+    return !token.comma && std::string_view("XYZABC").find(token.letter) != std::string_view::npos;
+  };
+  const bool moves = std::any_of(tokens.begin(), tokens.end(), is_axis);
+  for (const Token& token : tokens) {
+    const std::string word = std::string(token.comma ? " ," : " ") + token.letter + ' ';
+    if ((moves || token.letter != 'L') && corners_not_with_call_.find(word) != std::string::npos)
+      return &token;
+  }
+  return nullptr;
+}
+
 std::optional<Fault> BlockReader::check_together(const Tokens& tokens,
                                                  const Meaning& meaning) const {
   const auto at = [](Cause cause, const Token& token, std::string detail) {
@@ -274,6 +293,8 @@ std::optional<Fault> BlockReader::check_together(const Tokens& tokens,
     if (meaning.back != nullptr && not_with_return_.test(code10))
       return at(Cause::IllegalWordWithReturn, token, "this code may not stand with M99");
   }
+  if (const Token* corner = corner_with_call(tokens, meaning))
+    return at(Cause::CornerWithCall, *corner, "a chamfer or corner round may not stand with M98");
   if (control_.repeated_address.value == RepeatedAddress::Alarm && !meaning.calls_macro()) {
     std::uint64_t seen = 0;
     for (const Token& token : tokens) {

@@ -156,6 +156,7 @@ class LibraryReader {
   void add_block(Scanner s) {
     const bool open_comment = comment_not_closed(s);
     s.blanks();
+    if (code_.control->open_comment.value == OpenComment::RestOfBlock) s.rest_of_comment();
     if (s.at == s.end && !open_comment) return;
     if (!open_) begin_program(code_.files[file_].stem, -1, s.offset(), false);
     Block block;

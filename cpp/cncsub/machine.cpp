@@ -225,8 +225,9 @@ bool Machine::branch(const Block& block) {
   switch (block.op) {
     case Op::Linear:
       return linear(block);
-    case Op::Words:
     case Op::Round:
+      return modals_.empty() ? round(block) : words(block);
+    case Op::Words:
       return words(block);
     case Op::Call:
       return call(block);

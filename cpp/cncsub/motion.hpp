@@ -211,7 +211,7 @@ class Motion {
   Result wait(BlockWords& block, double seconds);
   Result record(const Piece& piece, Moves* moves, const std::array<double, 3>& vector);
   std::array<double, 3> centre_of(const Piece& piece) const;
-  double arc_length(const Piece& piece, const Axes& machine) const;
+  double arc_in_plane(const Piece& piece, const Axes& machine) const;
   // motion_travel.cpp
   void set_area(const BlockWords& block);
   bool checks_area() const;

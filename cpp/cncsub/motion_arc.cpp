@@ -59,7 +59,6 @@ bool Motion::round(std::uint32_t mask, const Cell* values, int g, std::uint32_t 
   const double turn =
       full ? 2 * kPi
            : turn_between(std::atan2(-j, -i), std::atan2(end[b] - cb, end[a] - ca), clockwise);
-  const double along = end[across] - s.work[across];
   const double in_plane = spiral_length(first, last, turn);
 
   if (line != s.line) switch_line(line);
@@ -74,7 +73,7 @@ bool Motion::round(std::uint32_t mask, const Cell* values, int g, std::uint32_t 
   centre[a] = ca;
   centre[b] = cb;
   centre[across] = std::numeric_limits<double>::quiet_NaN();
-  moves->arc(centre, std::sqrt(in_plane * in_plane + along * along));
+  moves->arc(centre, in_plane);
   return true;
 }
 

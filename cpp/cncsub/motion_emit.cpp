@@ -106,11 +106,13 @@ Motion::Result Motion::record(const Piece& piece, Moves* moves,
   if (auto wrong = check_travel(piece, machine)) return wrong;
   if (auto wrong = check_area(piece, machine)) return wrong;
   const bool round = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
+  const double path =
+      round ? arc_in_plane(piece, machine) : length_of(s_.tool_at, machine, facts_->diameters);
   const double length =
-      round ? arc_length(piece, machine) : length_of(s_.tool_at, machine, facts_->diameters);
+      round ? arc_length(path, piece.plane, s_.tool_at, machine, facts_->diameters) : path;
   const double zero = piece.offset[0] + piece.length[0];
   const double seconds =
-      seconds_of({piece.kind, piece.state, s_.tool_at, machine, length, zero, piece.seconds},
+      seconds_of({piece.kind, piece.state, s_.tool_at, machine, path, zero, piece.seconds},
                  facts_->rapid, facts_->diameters);
   if (!in_range(std::array{length, seconds, s_.time + seconds})) return out_of_range(piece.at);
   if (captured_ != nullptr) captured_->push_back(piece);
@@ -118,13 +120,16 @@ Motion::Result Motion::record(const Piece& piece, Moves* moves,
   if (moves != nullptr) {
     if (moves->size() == 0) moves->begin(s_.tool_at, facts_->rapid, facts_->diameters);
     const Axes point = piece.end - piece.offset;
-    if (piece.named >> 3 != 0)
-      moves->use(piece.named);
+    std::uint32_t axes = piece.named;  // and what a cycle moves beside them
+    for (int i = 3; i < kAxes; ++i)
+      if (machine[i] != s_.tool_at[i]) axes |= axis_bit(i);
+    if (axes >> 3 != 0)
+      moves->use(axes);
     else
-      moves->mark(piece.named);
+      moves->mark(axes);
     moves->push(piece.step, piece.kind, point,
                 moves->intern(piece.state, piece.offset + piece.length));
-    if (round) moves->arc(centre_of(piece), length);
+    if (round) moves->arc(centre_of(piece), path);
     if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves->vector(vector);
     if (piece.kind == MoveKind::Dwell) moves->seconds(piece.seconds);
     if (piece.skip != SkipMove::No) moves->skip(piece.skip);
@@ -142,8 +147,8 @@ std::array<double, 3> Motion::centre_of(const Piece& piece) const {
   return centre;
 }
 
-/// The tool's way on an arc, with the helix.
-double Motion::arc_length(const Piece& piece, const Axes& machine) const {
+/// The tool's way on an arc, in the plane.
+double Motion::arc_in_plane(const Piece& piece, const Axes& machine) const {
   const PlaneAxes plane = plane_axes(piece.plane);
   const auto polar = [&](const Axes& p) {
     const auto part = [&](int i) {
@@ -155,14 +160,7 @@ double Motion::arc_length(const Piece& piece, const Axes& machine) const {
   const auto from = polar(s_.tool_at), to = polar(machine);
   double turn = piece.turn + std::remainder(to[1] - from[1] - piece.turn, 2 * kPi);
   if (std::fabs(turn) > 2 * kPi + 1e-6) turn -= std::copysign(2 * kPi, turn);  // cut by half
-  double rest = 0;
-  for (int i = 0; i < kAxes; ++i) {
-    if (i == plane.a || i == plane.b || is_rotary(i)) continue;
-    const double d = (machine[i] - s_.tool_at[i]) * facts_->share(i);
-    rest += d * d;
-  }
-  const double in_plane = spiral_length(from[0], to[0], turn);
-  return std::sqrt(in_plane * in_plane + rest);
+  return spiral_length(from[0], to[0], turn);
 }
 
 }  // namespace cncsub

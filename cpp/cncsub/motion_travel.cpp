@@ -12,7 +12,7 @@ Motion::Result Motion::check_travel(const Piece& piece, const Axes& machine) con
     if (piece.turn != 0) arc_reach(piece, machine, limit.axis, low, high);
     if (low >= limit.low - 1e-9 && high <= limit.high + 1e-9) continue;
     const double outside = low < limit.low - 1e-9 ? low : high;
-    std::string number = std::to_string(outside);
+    std::string number = std::to_string(std::round(outside * 1e6) / 1e6 + 0.0);
     number.erase(number.find_last_not_of('0') + 1);
     if (number.back() == '.') number.pop_back();
     const char axis = kAxisNames[static_cast<std::size_t>(limit.axis)];

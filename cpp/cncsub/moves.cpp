@@ -63,6 +63,17 @@ double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
   return std::sqrt(sum);
 }
 
+double arc_length(double in_plane, int plane, const Axes& from, const Axes& to,
+                  std::uint32_t diameters) {
+  const int across = plane == 17 ? 2 : plane == 18 ? 1 : 0;
+  double sum = in_plane * in_plane;
+  for (const int i : {across, 6, 7, 8}) {
+    const double d = (to[i] - from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
+    sum += d * d;
+  }
+  return std::sqrt(sum);
+}
+
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters) {
   double longest = 0;
   for (int i = 0; i < kAxes; ++i) {
@@ -91,15 +102,13 @@ double thread_time(const MoveWay& way, double spindle, std::uint32_t diameters) 
 /// long as a unit of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear
 /// interpolation] Of an arc: what lies in its plane; F is the speed there, a helix goes along.
 double path_of(const MoveWay& way) {
-  double sum = way.length * way.length;
-  const auto square = [&](int i) { return (way.to[i] - way.from[i]) * (way.to[i] - way.from[i]); };
-  if (way.kind == MoveKind::Feed) {
-    for (int i = 3; i < 6; ++i) sum += square(i) * way.state.degree * way.state.degree;
-  } else {
-    const int across = way.state.plane == 17 ? 2 : way.state.plane == 18 ? 1 : 0;
-    for (const int i : {across, 6, 7, 8}) sum -= square(i);
+  if (way.kind != MoveKind::Feed) return way.path;
+  double sum = way.path * way.path;
+  for (int i = 3; i < 6; ++i) {
+    const double turned = (way.to[i] - way.from[i]) * way.state.degree;
+    sum += turned * turned;
   }
-  return std::sqrt(std::max(0.0, sum));
+  return std::sqrt(sum);
 }
 
 }  // namespace
@@ -154,8 +163,8 @@ void Moves::push_extras(const Axes& point) {
   for (Extra& extra : extras_) extra.values.push(point[extra.axis]);
 }
 
-void Moves::arc(std::array<double, 3> centre, double length) {
-  arcs_.push({static_cast<std::uint32_t>(rows_ - 1), centre, length});
+void Moves::arc(std::array<double, 3> centre, double in_plane) {
+  arcs_.push({static_cast<std::uint32_t>(rows_ - 1), centre, in_plane});
 }
 
 void Moves::vector(const std::array<double, 3>& vector) {
@@ -245,10 +254,11 @@ struct Moves::Walk {
       for (int i = 0; i < 3; ++i) row.machine[i] += v[i];
     }
     row.centre = {kNone, kNone, kNone};
-    row.length = length_of(from, row.machine, moves.diameters_);
+    double path = row.length = length_of(from, row.machine, moves.diameters_);
     if (arc < moves.arcs_.size() && moves.arcs_[arc].row == index) {
       row.centre = moves.arcs_[arc].centre;
-      row.length = moves.arcs_[arc++].length;
+      path = moves.arcs_[arc++].in_plane;
+      row.length = arc_length(path, row.state->plane, from, row.machine, moves.diameters_);
     }
     const bool lathe = (moves.diameters_ & 1) != 0;
     row.spindle = lathe ? spindle_at(*row.state, row.point[0]) : row.state->spindle;
@@ -256,7 +266,7 @@ struct Moves::Walk {
     double dwell = 0;
     if (second < moves.seconds_.size() && moves.seconds_[second].row == index)
       dwell = moves.seconds_[second++].time;
-    row.time = seconds_of({row.kind, *row.state, from, row.machine, row.length, offset[0], dwell},
+    row.time = seconds_of({row.kind, *row.state, from, row.machine, path, offset[0], dwell},
                           moves.rapid_, moves.diameters_);
     from = row.machine;
     return row;

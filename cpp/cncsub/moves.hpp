@@ -110,7 +110,7 @@ class Moves {
     if (!extras_.empty()) push_extras(point);
   }
   /// Facts about the row that was just pushed.
-  void arc(std::array<double, 3> centre, double length);
+  void arc(std::array<double, 3> centre, double in_plane);
   void vector(const std::array<double, 3>& vector);
   void seconds(double time);
   void skip(SkipMove how);
@@ -136,7 +136,7 @@ class Moves {
   struct Arc {
     std::uint32_t row;
     std::array<double, 3> centre;
-    double length;
+    double in_plane;  // its way, without that of other axes
   };
   struct Vector {
     std::uint32_t row;
@@ -196,9 +196,9 @@ struct MoveWay {
   MoveKind kind = MoveKind::Rapid;
   const MoveState& state;
   const Axes &from, &to;
-  double length = 0;  // mm
-  double zero = 0;    // where X is 0, to which a diameter counts: a machine coordinate
-  double dwell = 0;   // s
+  double path = 0;  // mm; of an arc what lies in its plane
+  double zero = 0;  // where X is 0, to which a diameter counts: a machine coordinate
+  double dwell = 0;  // s
 };
 /// The speed that a feed per revolution counts on: a spindle that was never told to turn counts as
 /// one that turns once a minute, so that the cut ends, late. [policy]
@@ -209,6 +209,9 @@ double seconds_of(const MoveWay& way, const Axes& rapid, std::uint32_t diameters
 double spindle_at(const MoveState& state, double diameter);
 /// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
+/// The length of an arc of which the way in its plane is known, with that of the other axes.
+double arc_length(double in_plane, int plane, const Axes& from, const Axes& to,
+                  std::uint32_t diameters);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
 /// The length of an arc whose radius grows evenly from the first to the last over an angle: of one
 /// that misses its end inside the tolerance, which the tool reaches on a spiral. [ALM 020][M7

@@ -47,6 +47,17 @@ struct Scanner {
     ++at;
     return true;
   }
+  /// Passes over what is left of a comment with brackets of its own: `)` behind its end.
+  void rest_of_comment() {
+    while (at != end && *at == ')') {
+      const char* before = at;
+      while (before != file && is_blank(before[-1])) --before;
+      if (before == file || before[-1] != ')') return;
+      while (at != end && (*at == ')' || is_blank(*at))) ++at;
+      blanks();
+    }
+  }
+
   /// Takes a word if it stands here, letters apart or not.
   bool take_word(std::string_view word) {
     const char* start = at;

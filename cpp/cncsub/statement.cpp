@@ -58,6 +58,8 @@ bool StatementReader::starts_assignment() const {
 
 /// Nothing may stand behind a statement.
 bool StatementReader::at_end(Cause otherwise) {
+  s_.blanks();
+  if (code_.control->open_comment.value == OpenComment::RestOfBlock) s_.rest_of_comment();
   const char c = s_.peek();
   if (c == '\0') return true;
   if (c == ']')

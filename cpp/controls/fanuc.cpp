@@ -654,8 +654,6 @@ Control fanuc_0i_d() {
           }});
   add_parameter(c, {"6006#0", 0, "MLG: 1 = AND, OR and XOR may join conditions", kKnown, Inferred,
                     [](Control& k, double v) { k.joined_conditions.value = v != 0; }});
-  add_parameter(c, {"6008#0", 0, "F16: numbers are 0 = double precision, 1 = as on the 16i", kKnown,
-                    Inferred, nullptr});
 
   code_calls(c, 9999, 3, 99999999, 3, 99999999);
   c.alarms.clear();

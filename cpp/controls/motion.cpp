@@ -600,7 +600,8 @@ void gsk_980mdi(Control& c) {
       "codes-with-rotation mirror-in-rotation reference-return-in-mirror rotation-plane "
       "plane-change-in-mirror coordinate-setting-in-rotation work-system-in-rotation "
       "length-in-rotation data-in-rotation cycle-in-rotation rotation-plane-in-cycle "
-      "pattern-without-cycle corner-at-offset-start corner-in-helix cycle-repeats-twice "
+      "pattern-without-cycle corner-at-offset-start corner-in-helix corner-with-call "
+      "cycle-repeats-twice "
       "tap-without-lead tap-without-speed g10-axis-missing scale-negative no-spindle-speed "
       "helix-without-travel",
       "MDib 0013, 0014, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, 0204, 0216, "
@@ -666,6 +667,7 @@ void gsk_980mdi(Control& c) {
        {Cause::ReferenceNotHomed, "0069", "G30 before the machine zero is known", "MDib 0069",
         Manual},
        {Cause::CornerFormat, "0093", "chamfer words combined", "MDib 0093", Manual},
+       {Cause::CornerWithCall, "0093", "M98 with a chamfer", "MDib 0093", Manual},
        {Cause::ReturnInCompensation, "0099", "a jump in the compensation", "MDib 0099", Manual},
        {Cause::JumpInCompensation, "0100", "a jump in the compensation", "MDib 0100", Manual},
        {Cause::ReferenceInRotation, "0152", "G28 to G30 in rotation or mirror", "MDib 0152",

@@ -108,8 +108,8 @@ std::string text(Reader& in) {
 }
 
 void change_rule(Reader& in, Control& control) {
-  const std::vector<RuleView> list = rules(control);
-  const RuleView& rule = list[in.byte() % list.size()];
+  const std::vector<RuleView> every = rules(control);
+  const RuleView& rule = every[in.byte() % every.size()];
   RuleValue value = rule.value;
   if (!rule.options.empty())
     value = std::string(rule.options[in.byte() % rule.options.size()].slug);
@@ -119,8 +119,8 @@ void change_rule(Reader& in, Control& control) {
     value = rule_number(in);
   else
     value = text(in);
-  const bool list = rule.options.empty() && std::holds_alternative<std::string>(rule.value);
-  claim(!set_rule(control, rule.name, value) || list, "a rule takes each of its values");
+  const bool checked = rule.options.empty() && std::holds_alternative<std::string>(rule.value);
+  claim(!set_rule(control, rule.name, value) || checked, "a rule takes each of its values");
 }
 
 void set_parameter(Reader& in, Control& control) {

@@ -135,8 +135,15 @@ void check_moves(const Machine& machine, const Options& options) {
           "the bounds hold the moves");
 }
 
-/// A text of ours, which quotes nobody: no number in it is none, or less than nothing.
-bool clean(const std::string& text) {
+/// A text of ours: but for what it quotes in brackets no number in it is none, or less than nothing.
+bool clean(const std::string& whole) {
+  std::string text;
+  int depth = 0;
+  for (const char c : whole) {
+    depth += c == '[' ? 1 : 0;
+    if (depth == 0) text += c;
+    depth -= c == ']' && depth > 0 ? 1 : 0;
+  }
   for (const std::string_view word : {"nan", "inf", "-0"})
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
       const auto letter = [&](std::size_t i) {

@@ -753,6 +753,36 @@ case(
     """,
     runs="N10 N30", t=[5], m=[8],
 )
+OWN = "real programs: `($Message(\"... [..] ...\") )`; general knowledge"
+TAKES_LONE = FANUC + GSK_988 + MITSUBISHI + WITH_PERCENT
+for _name, _line in [
+    ("in a block", 'N20 M9 ($Message("[1] of [2]") )'), ("on a line of its own", '($Message("A") )\nN20 M9'),
+    ("at the head of a block", "(A (B) ) N20 M9"), ("between words", "N20 (A(B)) M9"),
+    ("twice", "N20 M9 (A (B (C) ) )"), ("before another comment", "N20 M9 (A (B)) (C (D))"),
+]:
+    for _head, _controls in ((b"O1", [c for c in TAKES_LONE if c not in WITH_PERCENT]),
+                             (b"%1", WITH_PERCENT)):
+        case(f"a comment with brackets of its own {_name} ends with the last, {_head.decode()} programs",
+             control=_controls, source=OWN, evidence="inferred",
+             files={"O1.NC": _head + f"\nN10 M8\n{_line}\nN30 M30\n".encode()},
+             runs="N10 N20 N30", m=[8, 9])
+case("a comment with brackets of its own ends a macro statement", control=FANUC + GSK_988 + MITSUBISHI,
+     source=OWN, evidence="inferred",
+     program="O1\nN10 #100=2 (A (B) )\nN20 IF[#100EQ2]GOTO40 (A (B) )\nN30 M8\nN40 M30\n",
+     runs="N10 N20 N40", vars={100: 2})
+for _name, _line, _word in [("behind a word", "N20 M9)", ")"), ("behind a word behind a comment", "N20 (A) M9 )", ")"),
+                            ("at the head of a block", ") N20 M9", ")"),
+                            ("and a sign behind a comment", "N20 M9 (A (B) ) !", "!")]:
+    case(f"a parenthesis {_name} alarms", control=FANUC + GSK_988 + MITSUBISHI, source=OWN,
+         evidence="inferred", program=f"O1\nN10 M8\n{_line}\nN30 M30\n",
+         runs="N10", m=[8], alarm="illegal-character", word=_word,
+         number={**dict.fromkeys(GSK_988), **dict.fromkeys(MITSUBISHI, "P32"), **on_fanuc(9), "fanuc-16i": "009"})
+for _name, _line in [("behind a word", "N20 M9)"), ("behind a comment", "N20 M9 (A (B) )"),
+                     ("between words", "N20 (A)) M9")]:
+    case(f"a parenthesis too many {_name} is 041 on the GSK 980", control=GSK_980,
+         source="MDia 041: brackets not paired", evidence="maker's manual",
+         program=f"O1\nN10 M8\n{_line}\nN30 M30\n",
+         runs="N10", m=[8], alarm="comment-not-closed", number="041", at="O1 N20", word=")")
 case(
     "a comment that is not closed ends with its block on FANUC",
     control=FANUC, source="GED, comments; policy for unclosed", evidence="inferred",

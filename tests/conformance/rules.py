@@ -3014,3 +3014,16 @@ case(
     """,
     m=[8],
 )
+
+# A corner beside a call
+
+for _line, _word in [("G1 X10. ,C1. F100 M98 P2", ",C1."), ("M98 P2 G1 X10. ,R1. F100", ",R1."),
+                     ("G1 X10. L1. F100 M98 P2", "L1."), ("M98 P2 U1.", "U1."),
+                     ("G1 G91 Y10. U1. F100 M98 P2", "U1."), ("M98 P2 ,C1.", ",C1.")]:
+    case(f"M98 beside a chamfer is 0093 on the 980MDi: {_line}", control=MDI, source="MDib 0093",
+         evidence="maker's manual", program=f"O1\nN10 M8\nN20 {_line}\nN30 M30\nO2\nN40 M99\n",
+         runs="N10", alarm="corner-with-call", number="0093", at="O1 N20", word=_word)
+for _line in ("G1 X10. F100 M98 P2", "M98 P2 L1", "M98 P2"):
+    case(f"a call without a chamfer is none to 0093: {_line}", control=MDI, source="MDib 0093",
+         evidence="maker's manual", program=f"O1\nN10 M8\nN20 {_line}\nN30 M30\nO2\nN40 M99\n",
+         runs="N10 N20 N40 N30", m=[8])
