@@ -62,9 +62,10 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
     if (token.letter == 'P' || token.letter == 'L' || token.letter == 'Q') return true;
     return token.letter == 'H' && control_.start_word.value == StartWord::H;
   };
-  const bool dwell = control_.dwell_x_increments.value &&
-                     std::any_of(meaning.g.begin(), meaning.g.begin() + meaning.g_count,
-                                 [](const Token* g) { return g->operand.value == 4; });
+  const bool dwell =
+      (control_.dwell_x_increments.value || control_.dwell_point.value != DwellPoint::Refused) &&
+      std::any_of(meaning.g.begin(), meaning.g.begin() + meaning.g_count,
+                  [](const Token* g) { return g->operand.value == 4; });
   for (const Token& token : tokens) {
     if (macro && token.operand.at >= meaning.call->operand.at) break;  // from here on: arguments
     if (owned(token)) continue;

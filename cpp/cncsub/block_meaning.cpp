@@ -37,12 +37,13 @@ void BlockReader::build(Block& block, const Tokens& tokens, bool calls) {
       tokens.size() > static_cast<std::size_t>(control_.max_words.value))
     fault = {Cause::TooManyWords, block.text, 1,
              "a block has at most " + std::to_string(control_.max_words.value) + " words"};
-  if (!fault && !names_by_p(meaning))
-    for (const Token& token : tokens)
-      if (token.letter == 'P' && token.odd && !is_cycle_step(token, meaning)) {
-        fault = odd_word(token);
-        break;
-      }
+  for (const Token& token : tokens) {
+    if (fault) break;
+    if (token.letter != 'P' || !token.odd) continue;
+    const bool name = token.wrong == Cause::TooManyDigits && names_by_p(meaning);
+    if (!name && !is_cycle_step(token, meaning) && !is_dwell_time(token, meaning))
+      fault = odd_word(token);
+  }
   if (!fault) fault = check_together(tokens, meaning);
   if (fault) return refuse(block, *fault);
   if (meaning.registered != nullptr &&
@@ -98,6 +99,18 @@ bool BlockReader::names_by_p(const Meaning& meaning) {
          meaning.jump != nullptr;
 }
 
+bool BlockReader::takes_point_in_dwell(const Token& token) const {
+  return token.letter == 'P' && token.wrong == Cause::IllegalDecimalPoint &&
+         control_.dwell_point.value != DwellPoint::Refused;
+}
+
+/// P of G04 takes a point on some controls.
+bool BlockReader::is_dwell_time(const Token& token, const Meaning& meaning) const {
+  return takes_point_in_dwell(token) &&
+         std::any_of(meaning.g.begin(), meaning.g.begin() + meaning.g_count,
+                     [](const Token* g) { return g->operand.value == 4; });
+}
+
 /// P of G74 to G76 is a length on some lathes and takes a point there. [TA 12, 13, 21]
 bool BlockReader::is_cycle_step(const Token& token, const Meaning& meaning) const {
   if (token.letter != 'P' || token.wrong != Cause::IllegalDecimalPoint ||
@@ -115,7 +128,8 @@ std::optional<Fault> BlockReader::sort(const Tokens& tokens, bool calls, Meaning
     std::optional<Fault> fault;
     const bool argument = meaning.calls_macro() && token.letter != 'P' && token.letter != 'L';
     const bool long_p = token.letter == 'P' && token.wrong == Cause::TooManyDigits;
-    if (token.odd && !argument && !long_p && !is_cycle_step(token, meaning)) return odd_word(token);
+    const bool late = long_p || takes_point_in_dwell(token);  // all words of the block decide
+    if (token.odd && !argument && !late && !is_cycle_step(token, meaning)) return odd_word(token);
     if (argument && std::fabs(token.operand.value) >= kPowersOfTen[kMostDigits])
       return odd_word(token);
     if (token.late) continue;

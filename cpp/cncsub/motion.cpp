@@ -554,7 +554,10 @@ Motion::Result Motion::dwell(BlockWords& block) {
         c.dwell_x_increments.value || c.whole_numbers.value == WholeNumbers::Increments;
     const bool milliseconds =
         letter == 'P' ? !c.dwell_p_seconds.value : increments && (w.whole & bit(letter)) != 0;
-    seconds = raw(block, letter) * (milliseconds ? 0.001 : 1);
+    seconds = raw(block, letter);
+    const bool point = letter == 'P' && ((w.whole | w.computed) & bit('P')) == 0;
+    if (point && c.dwell_point.value == DwellPoint::Cut) seconds = std::floor(seconds);
+    if (milliseconds && !(point && c.dwell_point.value == DwellPoint::Seconds)) seconds *= 0.001;
     for (const char other : c.dwell_words.value)
       if (other != letter) block.outcome.drop(bit(other));
     break;

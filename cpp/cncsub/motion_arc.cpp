@@ -1,5 +1,6 @@
 // G02 and G03: the centre from R or I J K, the checks, and the angle run through.
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "cncsub/motion_facts.hpp"
@@ -90,8 +91,15 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
   if (block.longer != 0)
     if (auto wrong = check_longer(block, written, radius)) return wrong;
   const char across = kCentreWords[static_cast<std::size_t>(plane.across)];
-  if ((named & axis_bit(plane.across)) != 0 && !c.helix.value)
-    return fault_at(kAxisNames[static_cast<std::size_t>(plane.across)], Cause::ArcAxis, block);
+  const auto outside = [&](int axis, Cause cause) {
+    return fault_at(kAxisNames[static_cast<std::size_t>(axis)], cause, block);
+  };
+  const bool helix = c.helix.value && (!facts_->lathe() || c.helix_on_lathes.value);
+  if ((named & axis_bit(plane.across)) != 0 && !helix)
+    return outside(plane.across, Cause::ArcAxis);
+  if (const std::uint32_t beyond = named & ~7u; beyond != 0)  // neither X nor Y nor Z
+    return outside(std::countr_zero(beyond),
+                   facts_->refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);
   if (!radius && block.words.has(across) && block.words[across] != 0)
     return fault_at(across, Cause::ArcAxis, block);
   bool clockwise = meaning == Meaning::Cw;

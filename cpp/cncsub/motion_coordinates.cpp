@@ -90,20 +90,29 @@ void put(double& place, double value, bool add) { place = add ? place + value : 
 
 Motion::Result Motion::set_data(BlockWords& block) {
   const NcWords& w = block.words;
-  if (!w.has('L'))
-    return facts_->lathe() ? set_tool_data(block) : Result(fault(Cause::G10Word, block));
+  const Control& c = *facts_->control;
+  if (!w.has('L')) {
+    if (facts_->lathe()) return set_tool_data(block);
+    if (!c.offsets_without_l.value || !w.has('P')) return fault(Cause::G10Word, block);
+    if (auto wrong = set_offset_data(block, 12, raw(block, 'P'))) return wrong;
+    return set_offset_data(block, 10, raw(block, 'P'));
+  }
   const int l = whole(raw(block, 'L'));
   const bool offsets = l >= 10 && l <= 13;
-  if (l != 2 && l != 20 && !offsets && l != 3 && l != 50 && l != 1)
+  const bool parameters = l == 50 || (l == 52 && c.parameters_by_l52.value);
+  if (l != 2 && l != 20 && !offsets && l != 3 && !parameters && l != 1)
     return fault(Cause::G10L, block);
-  if (l == 3 || l == 50)
+  if (l == 3 || parameters)
     return std::nullopt;  // tool life and parameters: no motion depends on them
   if (!w.has('P') && l != 2) return fault(Cause::G10Word, block);
-  const double p = w.has('P') ? raw(block, 'P') : s_.work_system;
+  double p = w.has('P') ? raw(block, 'P') : s_.work_system;
   if (offsets || l == 1) return set_offset_data(block, l, p);
   const double last = l == 2 ? 6 : static_cast<double>(tables_->extra.size());
-  if (p < (l == 2 ? 0 : 1) || p > last || p != std::floor(p))
-    return fault(l == 2 ? Cause::G10P : Cause::G10System, block);
+  if (p < (l == 2 ? 0 : 1) || p > last || p != std::floor(p)) {
+    if (l != 2 || !c.other_system_is_first.value)
+      return fault(l == 2 ? Cause::G10P : Cause::G10System, block);
+    p = 1;
+  }
   bool named = false;
   for (const char axis : kAxisNames) named = named || w.has(axis);
   if (!named && facts_->refuses(Cause::G10Axis)) return fault(Cause::G10Axis, block);

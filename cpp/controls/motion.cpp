@@ -71,6 +71,9 @@ void set_type_by_shape(Control& c, double v) { c.type_by_shape.value = v == 0; }
 void set_pocket_pass(Control& c, double v) {
   c.pocket_pass.value = v != 0 ? PocketPass::Never : PocketPass::Always;
 }
+void set_dwell_point(Control& c, double v) {
+  c.dwell_point.value = v != 0 ? DwellPoint::Seconds : DwellPoint::Cut;
+}
 void set_overrun(Control& c, double v) {
   c.one_way_overrun.value = v < 0 ? -micrometres(-v) : micrometres(v);
 }
@@ -181,6 +184,8 @@ void fanuc_rules(Control& c) {
   c.refuses = {"reference-in-cycle corner-at-offset-start groove-escape", "ALM 039, 044, 062",
                Secondary};
   c.idle_blocks = {1, "source 003, note a", SourceDocument};
+  c.helix_on_lathes = {false, "ALM 021; helices of lathes are an option", Inferred};
+  c.offsets_without_l = {true, "a repost of the 0i manual: memory A", Secondary};
   c.acute_corner = {AcuteCorner::Lines, kKnown, Inferred};
   c.chamfer_ik = {true, kKnown, Inferred};
   c.angle_words = {",A", "ALM 056 to 058: direct drawing dimension programming", Secondary};
@@ -239,6 +244,10 @@ void mitsubishi_rules(Control& c) {
       Secondary};
   c.radius_needs_travel = {true, "general knowledge; motion controller Q172, error 108", Inferred};
   c.cycle_repeats = {"L", kKnown, Inferred};
+  c.other_system_is_first = {true, "excerpts of forum posts on G10", Secondary};
+  add_effect(c, "8112", 0,
+             "a point at P of G04: 0 = what is behind it is cut, 1 = P counts seconds",
+             "excerpts of forum posts on #8112; M700V manual, 5.3 (7)", Inferred, set_dwell_point);
   c.dwell_x_increments = {true, "general knowledge; M7 p.203 writes G4 X1000 for a second",
                           Inferred};
   c.g_meanings = {"31.1=skip 31.2=skip 31.3=skip", "M7 p.552", Manual};
@@ -603,8 +612,9 @@ void gsk_980mdi(Control& c) {
       "pattern-without-cycle corner-at-offset-start corner-in-helix corner-with-call "
       "cycle-repeats-twice "
       "tap-without-lead tap-without-speed g10-axis-missing scale-negative no-spindle-speed "
-      "helix-without-travel",
-      "MDib 0013, 0014, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, 0204, 0216, "
+      "helix-without-travel helix-axis",
+      "MDib 0013, 0014, 0022, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, 0204, "
+      "0216, "
       "0218, 0230, "
       "0243, 0247, "
       "0278",
@@ -691,6 +701,7 @@ void gsk_980mdi(Control& c) {
        {Cause::G10Word, "0246", "P or L of G10 missing", "MDib 0246", Manual},
        {Cause::G10Axis, "0247", "axis of G10 missing", "MDib 0247", Manual},
        {Cause::G10Value, "0248", "R of G10 missing", "MDib 0248", Manual},
+       {Cause::HelixAxis, "0022", "axes beyond X, Y, Z in a helix", "MDib 0022", Manual},
        {Cause::HelixTravel, "0032", "a helix without travel in its plane", "MDib 0032", Manual},
        {Cause::CornerOffset, "0039", "a chamfer at the start of compensation", "MDib 0039", Manual},
        {Cause::LocalWithLength, "0046", "G52 with a length offset", "MDib 0046", Manual},
@@ -747,7 +758,10 @@ void fanuc_16i(Control& c) {
   c.negative_radius_on_lathes = {false, "16TC p.67", Manual};
 }
 
-void fanuc_0i(Control& c) { fanuc_rules(c); }
+void fanuc_0i(Control& c) {
+  fanuc_rules(c);
+  c.parameters_by_l52 = {true, kKnown, Inferred};
+}
 
 void fanuc_30i(Control& c) {
   fanuc_0i(c);

@@ -141,7 +141,6 @@ for _code in "G04 P1", "G10 P1 X1.", "G50 X1.":
 for _claim, _block, _cause in (
     ("G10 L20 has no P49", "G10 L20 P49 X1.", "g10-system-number"),
     ("G10 L10 has no P401", "G10 L10 P401 R1.", "g10-offset-number"),
-    ("G10 on a mill needs L", "G10 P1 R1.", "g10-word-missing"),
     ("G10 L10 needs R", "G10 L10 P1", "g10-value-missing"),
 ):
     refused(
