@@ -57,7 +57,7 @@ def test_every_source_of_the_engine_has_places() -> None:
     for file in sorted((ROOT / "cpp" / "cncsub").glob("machine*.cpp")):
         source = file.read_text(encoding="utf-8")
         mutants = mutants_of(file.name, source)
-        assert len(mutants) > 100
+        assert len(mutants) > 50
         assert len({mutant.applied(source) for mutant in mutants} | {source}) == len(mutants) + 1
 
 

@@ -402,7 +402,8 @@ def test_memory_is_limited(what: str) -> None:
     )
     assert run.stop is cncsub.Stop.LIMIT
     assert run.alarm is None
-    assert limit < run._core.memory < 2 * limit
+    # A long block that is broken off has done nothing, so that its moves do not count.
+    assert 0.9 * limit < run._core.memory < 2 * limit
     machine = cncsub.loads(WRITERS[what], control=CONTROL).machine(
         max_memory=2**20, max_blocks=10**9
     )

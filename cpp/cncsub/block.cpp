@@ -359,8 +359,8 @@ bool BlockReader::stray(Scanner& s, Block& block) {
     const bool wide = character == "\uFF08" || character == "\uFF09";  // full-width
     if ((wide || c == ')') && control_.open_comment.value == OpenComment::Alarm) {
       fault.cause = Cause::CommentNotClosed;
-      fault.detail = wide ? "a full-width parenthesis begins no comment"
-                          : "this parenthesis ends no comment";
+      fault.detail =
+          wide ? "a full-width parenthesis begins no comment" : "this parenthesis ends no comment";
     }
   }
   refuse(block, fault);

@@ -264,7 +264,7 @@ std::optional<Fault> BlockReader::sort_m(const Token& token, bool calls, Meaning
 /// The chamfer or corner word that the control refuses beside M98. An L is one only beside an axis
 /// word: else it is the count of the call.
 const BlockReader::Token* BlockReader::corner_with_call(const Tokens& tokens,
-                                                         const Meaning& meaning) const {
+                                                        const Meaning& meaning) const {
   if (corners_not_with_call_.empty() || meaning.call == nullptr || meaning.kind != CallKind::M98)
     return nullptr;
   const auto is_axis = [](const Token& token) {

@@ -53,7 +53,8 @@ struct Fault {
   std::uint32_t at = 0;     // byte offset in the file's text
   std::uint32_t width = 1;  // bytes; 0 = the name, number or sign that stands there
   std::string detail;
-  std::string direction = {};  // "X+", where the control may have a number for each
+  // "X+", where the control may have a number for each. Initialised, so that others may be named.
+  std::string direction = {};  // NOLINT(readability-redundant-member-init)
   Address block = kNowhere;    // the block it stands in; otherwise the one that is being executed
   char address = 0;            // of the word that is wrong, where `at` does not say it
   int code = -1;               // or that G code, ten times its number

@@ -187,7 +187,7 @@ auto* find_parameter(Parameters& parameters, std::string_view name) {
 
 std::string written(double value) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  auto* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
 }
 

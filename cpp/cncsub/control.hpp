@@ -81,7 +81,7 @@ struct AlarmEntry {
   Evidence evidence = Evidence::Inferred;
   bool printed =
       false;  // the text is the list's own words, not ours: a translation, or from memory
-  std::vector<DirectedNumber> directed = {};
+  std::vector<DirectedNumber> directed = {};  // NOLINT(readability-redundant-member-init)
 
   /// The number of a direction such as "X+", or null where it has none of its own.
   const DirectedNumber* towards(std::string_view direction) const;
@@ -203,7 +203,7 @@ struct Control {
 
 /// The answers of a control without their sources.
 struct Answers {
-#define RULE(type, name, value, meaning) type name{};
+#define RULE(type, name, value, meaning) type name{};  // NOLINT(readability-redundant-member-init)
 #include "cncsub/rules.def"
 #undef RULE
   explicit Answers(const Control& control);

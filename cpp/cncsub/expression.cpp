@@ -480,8 +480,8 @@ bool ExpressionReader::condition_behind(std::string_view logic) const {
       while (is_letter(s.peek())) ++s.at;
       value = false;
       continue;
-    } else if (c == '<' || c == '>' || c == '=') {
-      if (depth == 0 || (first == '[' && depth == 1)) return true;
+    } else if ((c == '<' || c == '>' || c == '=') && (depth == 0 || (first == '[' && depth == 1))) {
+      return true;
     }
     value = c == ']' || is_digit(c) || c == '.';
     if (is_letter(c)) {  // a function's name

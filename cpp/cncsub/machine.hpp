@@ -203,7 +203,7 @@ class Machine {
   bool call_after_move(const Motion::Outcome& outcome);
   bool do_behind_modal(Waiting waiting);
   bool wake();
-  bool call_now(std::uint32_t aux, Target target);
+  bool call_now(std::uint32_t aux, Target& target);
   bool return_now(const CallRecord& back, double p, double l);
   bool jump_now(const Statement& statement, double p);
   /// To be called before the clock, a random number or a skip signal is taken.

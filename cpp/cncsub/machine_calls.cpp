@@ -147,7 +147,7 @@ bool Machine::call(const Block& block) {
 }
 
 /// What is left of a call's block when its words are executed.
-bool Machine::call_now(std::uint32_t aux, Target target) {
+bool Machine::call_now(std::uint32_t aux, Target& target) {
   const CallRecord& record = code_->calls[aux];
   if (target.external && frame().external)
     return alarm({Cause::ExternalCallNested, record.at, record.width,

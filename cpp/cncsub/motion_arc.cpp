@@ -95,8 +95,7 @@ Motion::Result Motion::arc(BlockWords& block, Meaning meaning) {
     return fault_at(kAxisNames[static_cast<std::size_t>(axis)], cause, block);
   };
   const bool helix = c.helix.value && (!facts_->lathe() || c.helix_on_lathes.value);
-  if ((named & axis_bit(plane.across)) != 0 && !helix)
-    return outside(plane.across, Cause::ArcAxis);
+  if ((named & axis_bit(plane.across)) != 0 && !helix) return outside(plane.across, Cause::ArcAxis);
   if (const std::uint32_t beyond = named & ~7u; beyond != 0)  // neither X nor Y nor Z
     return outside(std::countr_zero(beyond),
                    facts_->refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);

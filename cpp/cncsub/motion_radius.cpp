@@ -168,7 +168,7 @@ RadiusPath::Result RadiusPath::check_direction(const Curve& curve, Piece& piece,
     const double before = sharpness({held.entered[0], held.entered[1]}, u);
     return back * std::max(before, sharpness(w, next)) > least;
   };
-  const Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
+  Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
   if (curve.line()) {
     if (cuts(-dot(stop - start, u))) return wrong;
     return std::nullopt;

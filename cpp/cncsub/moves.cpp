@@ -335,7 +335,8 @@ void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters,
     turn = turn < 1e-9 ? turn + 2 * kPi : turn;
   for (int quarter = -6; quarter <= 6; ++quarter) {
     const double t = quarter * kPi / 2, done = (t - angle) / turn;
-    if (!(done >= 0 && done <= 1)) continue;
+    const bool passed = done >= 0 && done <= 1;
+    if (!passed) continue;
     const double radius = start + (end - start) * done;
     const double pa = ca + radius * std::cos(t) / share(a),
                  pb = cb + radius * std::sin(t) / share(b);

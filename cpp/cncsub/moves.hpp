@@ -196,8 +196,8 @@ struct MoveWay {
   MoveKind kind = MoveKind::Rapid;
   const MoveState& state;
   const Axes &from, &to;
-  double path = 0;  // mm; of an arc what lies in its plane
-  double zero = 0;  // where X is 0, to which a diameter counts: a machine coordinate
+  double path = 0;   // mm; of an arc what lies in its plane
+  double zero = 0;   // where X is 0, to which a diameter counts: a machine coordinate
   double dwell = 0;  // s
 };
 /// The speed that a feed per revolution counts on: a spindle that was never told to turn counts as

@@ -98,6 +98,7 @@ std::optional<std::string> meaning(std::string_view entry) {
 std::optional<std::string> statement(std::string_view entry) {
   if (entry.ends_with('?')) entry.remove_suffix(1);
   std::vector<std::string_view> known;
+  known.reserve(static_cast<std::size_t>(StatementKind::Count));
   for (int i = 0; i < static_cast<int>(StatementKind::Count); ++i)
     known.push_back(statement_name(static_cast<StatementKind>(i)));
   return one_of("macro statement", entry, known);
@@ -177,7 +178,8 @@ std::optional<std::string> change_letters(std::string_view rule, std::string& le
   const bool marks = rule == "name_marks";
   for (const char c : text) {
     const bool letter = c >= 'A' && c <= 'Z';
-    const bool mark = c > ' ' && c < 127 && !letter && !(c >= 'a' && c <= 'z');
+    const bool small = c >= 'a' && c <= 'z';
+    const bool mark = c > ' ' && c < 127 && !letter && !small;
     if (marks ? mark : letter) continue;
     return std::string(rule) + ": '" + std::string(1, c) + "' is no " +
            (marks ? "mark: write +-_." : "address: write capital letters, as in XYZ");

@@ -135,7 +135,8 @@ void check_moves(const Machine& machine, const Options& options) {
           "the bounds hold the moves");
 }
 
-/// A text of ours: but for what it quotes in brackets no number in it is none, or less than nothing.
+/// A text of ours: but for what it quotes in brackets no number in it is none, or less than
+/// nothing.
 bool clean(const std::string& whole) {
   std::string text;
   int depth = 0;

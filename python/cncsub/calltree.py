@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from cncsub.rows import Call
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, repr=False, eq=False)
 class CallTree:
     """One call, or `count` equal calls one after the other, and the calls made in it."""
 
@@ -21,6 +21,23 @@ class CallTree:
     )  # executed in one of them, called programs included; None where it did not end
     count: int = 1
     calls: list[CallTree] = field(default_factory=list)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<CallTree: {self}, {len(self.calls)} inside>"
+
+    def __eq__(self, other: object) -> bool:
+        # Without calls inside calls: programs nest deeper than Python does.
+        if not isinstance(other, CallTree):
+            return NotImplemented
+        pairs = [(self, other)]
+        while pairs:
+            a, b = pairs.pop()
+            if (*_shape(a), a.count, len(a.calls)) != (*_shape(b), b.count, len(b.calls)):
+                return False
+            pairs.extend(zip(a.calls, b.calls))
+        return True
 
     def __str__(self) -> str:
         start = "" if self.start_n is None else f" from N{self.start_n}"

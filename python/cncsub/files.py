@@ -118,6 +118,7 @@ def read_paths(
 
 def _real(path: StrPath) -> str:
     """Where a path leads; the path itself where it leads nowhere, as do links without end."""
+    path = os.fspath(path)
     return os.path.realpath(path) if os.path.exists(path) else os.path.abspath(path)  # noqa: PTH100, PTH110
 
 

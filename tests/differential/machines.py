@@ -92,6 +92,7 @@ def _stations_of(name: str) -> Iterator[Station]:
             count_in_p=rules["program_word"] == "count-and-number",
             count_in_l=rules["count_and_l"] != "no-l",
             reflex_radius=not is_lathe or bool(rules["negative_radius_on_lathes"]),
+            plane_codes=not rules["g_codes"] or "18" in str(rules["g_codes"]).split(),
         )
         called = name if machine == own else f"{name} {machine}"
         yield Station(called, name, cncsub.Setup(machine=machine), style)

@@ -35,6 +35,7 @@ class Style:
     count_in_p: bool = False
     count_in_l: bool = True
     reflex_radius: bool = True
+    plane_codes: bool = True
     plus_number: int = 0  # keeps the subprograms of many programs in one file apart
 
 
@@ -92,7 +93,7 @@ class Speller:
             words.append(self.random.choice((f"G{code}", f"G0{code}")))
         if "absolute" in block.written and not self.style.increments_by_letter:
             words.append("G90" if block.modes.absolute else "G91")
-        if "plane" in block.written:
+        if "plane" in block.written and self.style.plane_codes:
             words.append(f"G{block.modes.plane}")
         for axis, value in block.axes.items():
             incremental = self.style.increments_by_letter and not block.modes.absolute
