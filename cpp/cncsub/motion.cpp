@@ -557,7 +557,8 @@ Motion::Result Motion::dwell(BlockWords& block) {
     seconds = raw(block, letter);
     const bool point = letter == 'P' && ((w.whole | w.computed) & bit('P')) == 0;
     if (point && c.dwell_point.value == DwellPoint::Cut) seconds = std::floor(seconds);
-    if (milliseconds && !(point && c.dwell_point.value == DwellPoint::Seconds)) seconds *= 0.001;
+    const bool counts_seconds = point && c.dwell_point.value == DwellPoint::Seconds;
+    if (milliseconds && !counts_seconds) seconds *= 0.001;
     for (const char other : c.dwell_words.value)
       if (other != letter) block.outcome.drop(bit(other));
     break;
