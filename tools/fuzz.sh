@@ -1,6 +1,6 @@
 #!/bin/sh
 # Fuzzes the engine: builds the targets under the sanitizers, writes the seeds, and runs each target for so many seconds
-# (60 without an argument): sh tools/fuzz.sh 3600. What it learned stays in build/fuzz/corpus for the next time, and an input
+# (60 without an argument): sh tools/fuzz.sh 3600. Programs are made from the seed SEED, of today's date where it is not set. What it learned stays in build/fuzz/corpus for the next time, and an input
 # that broke the engine in build/fuzz/found; `build/fuzz/cpp/fuzz/fuzz_run FILE` runs one again.
 # Needs Clang with libFuzzer; exit status 77 where there is none.
 set -eu
@@ -40,7 +40,7 @@ for target in read run; do
     grep -E 'ERROR|SUMMARY|not so:|runtime error|Test unit written|^stat::' $build/$target.log || true
 done
 echo "== whole programs, $seconds s"
-timeout $((seconds + 120)) $build/cpp/fuzz/fuzz_programs --seed "$(date +%Y%m%d)" --count 1000000000 --seconds "$seconds" \
+timeout $((seconds + 120)) $build/cpp/fuzz/fuzz_programs --seed "${SEED:-$(date +%Y%m%d)}" --count 1000000000 --seconds "$seconds" \
     $build/seeds/run >$build/programs.log 2>&1 || failed=1
 tail -n 60 $build/programs.log
 exit $failed
