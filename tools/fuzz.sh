@@ -1,7 +1,8 @@
 #!/bin/sh
 # Fuzzes the engine: builds the targets under the sanitizers, writes the seeds, and runs each target for so many seconds
-# (60 without an argument): sh tools/fuzz.sh 3600. Programs are made from the seed SEED, of today's date where it is not set. What it learned stays in build/fuzz/corpus for the next time, and an input
-# that broke the engine in build/fuzz/found; `build/fuzz/cpp/fuzz/fuzz_run FILE` runs one again.
+# (60 without an argument): sh tools/fuzz.sh 3600. What it learned stays in build/fuzz/corpus for the next time, and an input
+# that broke the engine in build/fuzz/found; `build/fuzz/cpp/fuzz/fuzz_run FILE` runs one again. Whole programs are made from
+# the number SEED, today's date where it is not set.
 # Needs Clang with libFuzzer; exit status 77 where there is none.
 set -eu
 cd "$(dirname "$0")/.."
