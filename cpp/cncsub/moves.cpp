@@ -86,6 +86,8 @@ double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint
 
 namespace {
 
+constexpr double kNoWay = 1e-9;  // mm: what rounding leaves of a point that did not move
+
 double thread_time(const MoveWay& way, double spindle, std::uint32_t diameters) {
   double along = 0, degrees = 0;
   for (int i = 0; i < kAxes; ++i) {
@@ -93,7 +95,7 @@ double thread_time(const MoveWay& way, double spindle, std::uint32_t diameters) 
     double& longest = i < 3 || i > 5 ? along : degrees;
     longest = std::max(longest, d);
   }
-  if (along == 0) along = degrees * way.state.degree;
+  if (along < kNoWay) along = degrees * way.state.degree;
   const double rate = way.state.feed * spindle;
   return rate > 0 ? along / rate * 60 : 0;
 }
@@ -262,7 +264,7 @@ struct Moves::Walk {
     }
     const bool lathe = (moves.diameters_ & 1) != 0;
     row.spindle = lathe ? spindle_at(*row.state, row.point[0]) : row.state->spindle;
-    row.feed = row.state->feed / (row.length == 0 && turns(row) ? row.state->degree : 1);
+    row.feed = row.state->feed / (row.length < kNoWay && turns(row) ? row.state->degree : 1);
     double dwell = 0;
     if (second < moves.seconds_.size() && moves.seconds_[second].row == index)
       dwell = moves.seconds_[second++].time;
