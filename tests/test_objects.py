@@ -218,6 +218,9 @@ late = Late()
     assert said == "ran limit\n"
 
 
+@pytest.mark.skipif(
+    sanitized, reason="the locks of the sanitizers do not survive a fork beside threads"
+)
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")
 def test_a_fork_while_other_threads_are_at_work_leaves_a_child_that_works() -> None:
     said = ends_well(
