@@ -225,6 +225,28 @@ def test_a_workpiece_of_a_lathe_has_diameters() -> None:
     assert run.variables[100] == 42
 
 
+def test_skips_of_a_toml_file_are_told_by_signal(tmp_path: Path) -> None:
+    file = tmp_path / "in.toml"
+    file.write_text('[skips]\n1 = [{ X = 10 }, "never"]\n2 = [0.5]\n')
+    inputs = Inputs.from_toml(file)
+    assert inputs.skips == {1: [{"X": 10}, None], 2: [0.5]}
+    with pytest.raises(
+        ValueError, match="solids\\[0\\], a plane: signal: the skip signals are 1 to 8"
+    ):
+        Inputs(workpiece=Workpiece([Plane({"X": 1}, signal=0)]))
+
+
+def test_an_alarm_gives_its_skip_signals_back() -> None:
+    text = "O1\nN10 G90 G31 X10. P2 F100\nN20 G31 X20. P2 F100\nN30 M30\n"
+    library = cncsub.loads(text, control="fanuc-0i-f")
+    setup = {"start": {"X": 0}, "limits": {"X": (-1, 12)}}
+    machine = library.machine(setup=setup, inputs={"skips": {2: [{"X": 4}, {"X": 15}]}})
+    machine.run()
+    assert machine.alarm is not None
+    assert machine.alarm.cause == "over-travel"
+    assert machine.variables[5061] == 4
+
+
 def test_told_skips_come_first_and_the_workpiece_behind_them() -> None:
     text = "O1\nN10 G90 G31 X50. F100\nN20 G31 X60.\nN30 G31 X100.\nN40 G0 X0\nN50 G31 X100.\nN60 M30\n"
     inputs = Inputs(
@@ -313,6 +335,14 @@ def test_inputs_and_workpieces_are_pickled_and_compared() -> None:
         ({"skips": [0.5, {"Q": 1}]}, ValueError, r"skips\[1\]: 'Q' is no axis"),
         ({"skips": [{"X": 1, "Y": 2}]}, ValueError, r"skips\[0\] is the coordinate of one axis"),
         ({"skips": [{"X": None}]}, ValueError, "X has no coordinate"),
+        ({"skips": {9: [1]}}, ValueError, "skips: the skip signals are 1 to 8, not 9"),
+        ({"skips": {"1": [1]}}, TypeError, "skips: a skip signal is a number 1 to 8, not '1'"),
+        ({"skips": {2: 1}}, TypeError, r"skips\[2\] is a list, not int"),
+        (
+            {"skips": {2: [0.5, 7]}},
+            ValueError,
+            r"skips\[2\]\[1\] takes a fraction .* 0 to 1, not 7",
+        ),
         ({"answers": {"G31": {1004: 1}}}, ValueError, "'G31' is no M or T code"),
         ({"answers": {"M8": {1004: 1}, "M08": {}}}, ValueError, "M8 twice"),
         ({"answers": {"M8": 1}}, TypeError, r"answers\['M8'\] maps variable numbers"),

@@ -465,7 +465,7 @@ bool Machine::words(const Block& block) {
 }
 
 /// What a G31 leaves: its position, in the variables of a control that keeps it among the commons
-/// (X Z Y of a lathe [TDi p.94]); or that nothing was met.
+/// (X Z Y and the fourth and the fifth axis of a lathe [TDi p.94]); or that nothing was met.
 void Machine::keep_skip(SkipMove skip) {
   if (skip == SkipMove::Missed) {
     trace_.missed_skips.push({executed_, pc_});
@@ -473,7 +473,7 @@ void Machine::keep_skip(SkipMove skip) {
   }
   const int first = code_->control->skip_variables.value;
   if (first <= 0) return;
-  for (int axis = 0; axis < 3; ++axis) write(first + axis, motion_.skip_position(axis));
+  for (int axis = 0; axis < 5; ++axis) write(first + axis, motion_.skip_position(axis));
 }
 
 /// M and T codes go to the machine; M00 and M01 wait for the operator.
@@ -678,16 +678,26 @@ bool Machine::jump_now(const Statement& statement, double p) {
   return true;
 }
 
+/// The next that is told of these signals. What is told of any signal comes first.
+SkipsTold Machine::take_skips(SignalMask signals) {
+  SkipsTold taken{{}, signals};
+  take_from_outside();
+  for (std::size_t i = 0; i < next_skip_.size() && taken.open != 0; ++i) {
+    const SignalMask of = i == 0 ? signals : signal_bit(static_cast<int>(i)) & signals;
+    const auto& list = options_.inputs.skips[i];
+    if (of == 0 || next_skip_[i] >= list.size()) continue;
+    taken.told.push_back(list[next_skip_[i]++]);
+    taken.open &= ~of;
+  }
+  return taken;
+}
+
 Outside Machine::outside() {
   Outside around;
   around.profile = [this](std::int64_t ns, std::int64_t nf, Profile& found) {
     return profile(ns, nf, found);
   };
-  around.skip = [this]() -> std::optional<SkipSignal> {
-    if (next_skip_ >= options_.inputs.skips.size()) return std::nullopt;
-    take_from_outside();
-    return options_.inputs.skips[next_skip_++];
-  };
+  around.skips = [this](SignalMask signals) { return take_skips(signals); };
   around.workpiece = options_.inputs.workpiece.get();
   in_block_ = 0;
   around.interrupted = [this] { return breaks_off(); };

@@ -34,8 +34,10 @@ struct Inputs {
       operator_starts;  // at M00, M01, #3006: cycle start, or not; all start when empty
   bool operator_given = false;
   std::vector<std::map<std::int32_t, double>>
-      writes;                     // variables another program writes, each time the run waits
-  std::vector<SkipSignal> skips;  // of each G31 in order; behind them the workpiece decides
+      writes;  // variables another program writes, each time the run waits
+  // Of each block that watches a signal, in order, whichever it watches (the first list), or those
+  // of one signal; behind them the workpiece decides.
+  std::array<std::vector<SkipSignal>, kSkipSignals> skips;
   std::shared_ptr<const Workpiece> workpiece;
   // What the machine's signals become when it is sent a code: 'M' 117.
   std::map<std::pair<char, std::int64_t>, std::map<std::int32_t, double>> answers;
@@ -211,6 +213,7 @@ class Machine {
     if (taken_.block != executed_) taken_ = {executed_, clock_ms_, next_skip_, random_};
   }
   void give_back();
+  SkipsTold take_skips(SignalMask signals);
   void record_block() {
     if (!block_is_step_) record_step();
   }
@@ -358,11 +361,12 @@ class Machine {
   std::int64_t waited_at_ = 0;    // which one
   double largest_word_ = 0;       // no computed word of a block reaches it
   std::uint32_t last_condition_ = kNowhere;
-  std::size_t next_write_ = 0, next_answer_ = 0, next_skip_ = 0;
+  std::size_t next_write_ = 0, next_answer_ = 0;
+  std::array<std::size_t, kSkipSignals> next_skip_{};
   struct Taken {  // what a block may take from outside before it alarms, as it was before
     std::int64_t block = -1;  // the number of blocks executed before it
     double clock_ms = 0;
-    std::size_t next_skip = 0;
+    std::array<std::size_t, kSkipSignals> next_skip{};
     std::minstd_rand random;
   } taken_;
   void tell_dropped(const Block& block, const NcWords& words);

@@ -564,7 +564,17 @@ Motion::Result Motion::dwell(BlockWords& block) {
     break;
   }
   if (seconds <= 0) return std::nullopt;
-  return wait(block, seconds);
+  return wait(block, seconds * dwell_part(block));
+}
+
+/// How much of a dwell is waited until a skip signal ends it.
+double Motion::dwell_part(const BlockWords& block) const {
+  const SignalMask signals = signals_of(block);
+  double part = 1;
+  if (signals != 0 && block.outside.skips)
+    for (const SkipSignal& told : block.outside.skips(signals).told)
+      if (told.comes == SkipSignal::Comes::AtFraction) part = std::min(part, told.value);
+  return part;
 }
 
 Fault Motion::fault(Cause cause, const BlockWords& block, std::string detail) const {

@@ -50,19 +50,33 @@ struct Profile {
   bool right_behind = false;  // the first stands right behind the cycle
 };
 
-/// What is said of the skip signal of one G31.
+/// Skip signals, a bit for each: 1 to 8, and those of G36 and G37, one for X, Y and Z each.
+using SignalMask = std::uint32_t;
+constexpr SignalMask kAnySignal = ~SignalMask{0};
+constexpr int kArrivalSignal = 9;  // of X
+constexpr int kSkipSignals = kArrivalSignal + 3;
+constexpr SignalMask signal_bit(int signal) { return SignalMask{1} << signal; }
+
+/// What is said of a skip signal on the way of one block.
 struct SkipSignal {
   enum class Comes : std::uint8_t { AtFraction, AtCoordinate, Never } comes = Comes::AtFraction;
   double value = 0;  // of the way, or in work coordinates, mm
   int axis = 0;
 };
 
+/// What is told of the signals that a block watches, and those of which nothing is left.
+struct SkipsTold {
+  std::vector<SkipSignal> told;
+  SignalMask open = 0;
+};
+
 /// What a block needs from around it.
 struct Outside {
   /// The profile that the running block names.
   std::function<std::optional<Fault>(std::int64_t ns, std::int64_t nf, Profile& profile)> profile;
-  /// The next skip signal that was told, or nothing where none is left; then the workpiece decides.
-  std::function<std::optional<SkipSignal>()> skip;
+  /// What was told of these signals for the next block that watches them; of the rest the workpiece
+  /// decides.
+  std::function<SkipsTold(SignalMask)> skips;
   const Workpiece* workpiece = nullptr;  // in machine coordinates
   /// Whether to break off a block that takes very long; or nothing.
   std::function<bool()> interrupted;
@@ -268,8 +282,13 @@ class Motion {
   // motion_skip.cpp
   Result skip(BlockWords& block);
   Result skip_feed(const BlockWords& block);
-  std::optional<double> signal_on_way(const BlockWords& block, Axes& end) const;
-  std::optional<double> touch(const Workpiece& workpiece, const Axes& end) const;
+  void hold_skip_feed();
+  SignalMask signals_of(const BlockWords& block) const;
+  double dwell_part(const BlockWords& block) const;
+  std::optional<double> signal_on_way(const BlockWords& block, SignalMask signals, Axes& end) const;
+  std::optional<double> part_of(const SkipSignal& told, const Axes& end) const;
+  std::optional<double> touch(const Workpiece& workpiece, SignalMask signals,
+                              const Axes& end) const;
   Result one_way(BlockWords& block);
   Axes linear_target(BlockWords& block, std::uint32_t& named);
   // motion_tool.cpp: tool words, lengths and radii.

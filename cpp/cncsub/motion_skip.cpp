@@ -12,7 +12,8 @@ Motion::Result Motion::skip(BlockWords& block) {
   if (named == 0) return std::nullopt;
   const double feed = s_.feed;
   if (auto wrong = skip_feed(block)) return wrong;
-  const bool touched = signal_on_way(block, end).has_value();
+  hold_skip_feed();
+  const bool touched = signal_on_way(block, signals_of(block), end).has_value();
   Piece piece = make_piece(block, MoveKind::Feed, end, named);
   piece.skip = touched ? SkipMove::Touched : SkipMove::Missed;
   if (auto wrong = move(block, piece)) return wrong;
@@ -38,36 +39,87 @@ Motion::Result Motion::skip_feed(const BlockWords& block) {
   return need_feed(block, Meaning::Line);
 }
 
-/// Where on the way the signal comes, 0 to 1; the way then ends there.
-std::optional<double> Motion::signal_on_way(const BlockWords& block, Axes& end) const {
-  constexpr double kOnTheWay = 1e-9;
+/// A control that stops at once is not let go fast. [TDi 16, TDi 17]
+void Motion::hold_skip_feed() {
+  const double most = facts_->control->max_skip_feed.value;
+  const bool turns = s_.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
+  if (most > 0 && !turns) s_.feed = std::min(s_.feed, most);
+  if (most > 0 && turns && s_.speed > 0) s_.feed = std::min(s_.feed, most / s_.speed);
+}
+
+/// The signals that G31 or G04 watches; none is no signal at all.
+SignalMask Motion::signals_of(const BlockWords& block) const {
+  const Control& c = *facts_->control;
+  const bool dwells = block.meaning(Group::OneShot) == Meaning::Dwell;
+  const char word = dwells ? 'Q' : 'P';
+  const double named = block.words.has(word) ? raw(block, word) : 0;
+  const auto bits = [&c](int number) {
+    return static_cast<SignalMask>(to_whole<int>(c.parameter(std::to_string(number)), 0, 255)) << 1;
+  };
+  switch (c.skip_signals.value) {
+    case SkipSignals::Any:
+      return dwells ? 0 : kAnySignal;
+    case SkipSignals::Numbered:
+      if (named >= 1 && named < kArrivalSignal) return signal_bit(whole(named));
+      return dwells || named != 0 ? 0 : signal_bit(1);
+    case SkipSignals::Parameters:
+      if (named >= 1 && named < 5) return bits(6201 + whole(named));
+      return bits(dwells ? 6206 : 6202);
+    case SkipSignals::Bits: {
+      if (dwells) return bits(1173);
+      if (named >= 1) return static_cast<SignalMask>(to_whole<int>(named, 1, 255)) << 1;
+      const int form = block.codes[at(Group::OneShot)].code - 310;
+      return form == 0 ? signal_bit(1) : bits(1173 + 2 * form);
+    }
+  }
+  return kAnySignal;
+}
+
+/// Where on the way the first of these signals comes, 0 to 1; the way then ends there.
+std::optional<double> Motion::signal_on_way(const BlockWords& block, SignalMask signals,
+                                            Axes& end) const {
   constexpr double kTouchPlaces = 1e6;  // to the millionth of a mm: 37, not 36.99999999999999
   const Outside& outside = block.outside;
-  const auto told = outside.skip ? outside.skip() : std::nullopt;
+  const SkipsTold told = outside.skips ? outside.skips(signals) : SkipsTold{{}, signals};
   std::optional<double> part;
-  if (!told) {
-    if (outside.workpiece != nullptr) part = touch(*outside.workpiece, end);
-  } else if (told->comes == SkipSignal::Comes::AtFraction) {
-    part = told->value;
-  } else if (told->comes == SkipSignal::Comes::AtCoordinate) {
-    const auto axis = static_cast<std::size_t>(told->axis);
-    const double from = s_.work[axis], way = end[axis] - from, to = told->value - from;
-    if (std::fabs(to) <= kOnTheWay) part = 0;
-    if (way != 0 && to / way > 0 && to / way <= 1 + kOnTheWay / std::fabs(way)) part = to / way;
-  }
+  const SkipSignal* first = nullptr;
+  for (const SkipSignal& signal : told.told)
+    if (const auto there = part_of(signal, end); there && (!part || *there < *part)) {
+      part = there;
+      first = &signal;
+    }
+  if (told.open != 0 && outside.workpiece != nullptr)
+    if (const auto there = touch(*outside.workpiece, told.open, end);
+        there && (!part || *there < *part)) {
+      part = there;
+      first = nullptr;
+    }
   if (!part) return std::nullopt;
   for (std::size_t i = 0; i < end.size(); ++i) {
     if (end[i] == s_.work[i]) continue;
     end[i] = s_.work[i] + (end[i] - s_.work[i]) * *part;
-    if (!told) end[i] = std::round(end[i] * kTouchPlaces) / kTouchPlaces;
+    if (first == nullptr) end[i] = std::round(end[i] * kTouchPlaces) / kTouchPlaces;
   }
-  if (told && told->comes == SkipSignal::Comes::AtCoordinate)
-    end[static_cast<std::size_t>(told->axis)] = told->value;
+  if (first != nullptr && first->comes == SkipSignal::Comes::AtCoordinate)
+    end[static_cast<std::size_t>(first->axis)] = first->value;
   return part;
 }
 
+/// Where on the way to `end` a signal comes that was told.
+std::optional<double> Motion::part_of(const SkipSignal& told, const Axes& end) const {
+  constexpr double kOnTheWay = 1e-9;
+  if (told.comes == SkipSignal::Comes::Never) return std::nullopt;
+  if (told.comes == SkipSignal::Comes::AtFraction) return told.value;
+  const auto axis = static_cast<std::size_t>(told.axis);
+  const double from = s_.work[axis], way = end[axis] - from, to = told.value - from;
+  if (way != 0 && to / way > 0 && to / way <= 1 + kOnTheWay / std::fabs(way)) return to / way;
+  if (std::fabs(to) <= kOnTheWay) return 0;
+  return std::nullopt;
+}
+
 /// Where the ball of the stylus touches on its way from here to a point in work coordinates.
-std::optional<double> Motion::touch(const Workpiece& workpiece, const Axes& end) const {
+std::optional<double> Motion::touch(const Workpiece& workpiece, SignalMask signals,
+                                    const Axes& end) const {
   Axes tool = s_.length + s_.tool_shift;  // from the tool's point to the machine position
   if (workpiece.length) {
     tool = {};
@@ -82,7 +134,16 @@ std::optional<double> Motion::touch(const Workpiece& workpiece, const Axes& end)
       centre[static_cast<std::size_t>(s_.length_axis)] += workpiece.stylus;
     return centre;
   };
-  return first_contact(workpiece.solids, ball(s_.work), ball(end), workpiece.stylus);
+  std::vector<Solid> touching;
+  bool bodies = false, body = false;
+  for (const Solid& solid : workpiece.solids) {
+    bodies = bodies || !solid.hole;
+    if (solid.signal != 0 && (signals & signal_bit(solid.signal)) == 0) continue;
+    body = body || !solid.hole;
+    touching.push_back(solid);
+  }
+  if (bodies && !body) return std::nullopt;  // holes in what gives another signal
+  return first_contact(touching, ball(s_.work), ball(end), workpiece.stylus);
 }
 
 Workpiece Motion::placed(Workpiece workpiece) const {

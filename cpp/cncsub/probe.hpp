@@ -19,6 +19,7 @@ struct Solid {
   static constexpr double kOpen = std::numeric_limits<double>::infinity();
 
   bool hole = false;
+  int signal = 0;             // what it touches gives this signal, 0 = any
   Point3 at{};                // on the plane, on the axis; the centre
   Point3 direction{0, 0, 1};  // out of the material; of the axis
   Point3 low{-kOpen, -kOpen, -kOpen}, high{kOpen, kOpen, kOpen};  // of a box

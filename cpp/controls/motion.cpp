@@ -184,6 +184,18 @@ void fanuc_rules(Control& c) {
   c.refuses = {"reference-in-cycle corner-at-offset-start groove-escape", "ALM 039, 044, 062",
                Secondary};
   c.idle_blocks = {1, "source 003, note a", SourceDocument};
+  c.skip_signals = {SkipSignals::Parameters, "general knowledge, multi-step skip", Inferred};
+  for (int p = 1; p <= 4; ++p) {
+    const std::string number = std::to_string(p);
+    c.parameters.push_back({std::to_string(6201 + p), static_cast<double>(1 << (p - 1)),
+                            "the skip signals of G31 P" + number + " and G04 Q" + number +
+                                ": bit 0 is SKIP, bit 7 SKIP8",
+                            "general knowledge; that each has its own signal is policy", Inferred,
+                            nullptr});
+  }
+  c.parameters.push_back({"6206", 0,
+                          "the skip signals of G04 without Q: bit 0 is SKIP, bit 7 SKIP8", kKnown,
+                          Inferred, nullptr});
   c.helix_on_lathes = {false, "ALM 021; helices of lathes are an option", Inferred};
   c.offsets_without_l = {true, "a repost of the 0i manual: memory A", Secondary};
   c.acute_corner = {AcuteCorner::Lines, kKnown, Inferred};
@@ -253,6 +265,7 @@ void mitsubishi_rules(Control& c) {
   c.g_meanings = {"31.1=skip 31.2=skip 31.3=skip", "M7 p.552", Manual};
   c.skip_own_feed = {true, "M7 p.547 (1)", Manual};
   c.max_skip_signals = {255, "M7 p.555 (2)", Manual};
+  c.skip_signals = {SkipSignals::Bits, "M7 p.552 (5), p.555 (3)", Manual};
   c.power_on_line = {true, "M7 p.534 (11): G54 X Y right after power-on alarms P62", Manual};
   c.max_profile_blocks = {100, "MZ 898, paired with P202", Secondary};
   c.small_radius = {SmallRadius::Alarm, "MZ 818, paired with P71", Secondary};
@@ -370,6 +383,8 @@ void lathe_rules(Control& c) {
 void gsk_988(Control& c, double power_on_feed) {
   lathe_rules(c);
   c.home_needed = {true, "Talm 047", Manual};
+  c.skip_signals = {SkipSignals::Numbered, "inferred from TApar 6200: SKIP, SKIP2 to SKIP4",
+                    Inferred};
   c.g_meanings = {"92.1=not-computed", "TA 19: a thread cycle, in both G code systems", Manual};
   c.unit_change = {UnitChange::Alone, "Talm 042", Manual};
   c.refuses = {
@@ -525,7 +540,10 @@ void gsk_980tdi(Control& c) {
   c.angle_words = {"Q", "TDi 13", Manual};
   c.single_pass_pattern = {false, "TDi 23.3", Manual};
   c.groove_p_diameter = {true, "TDi 23.5", Manual};
-  c.skip_variables = {997, "TDi p.94, 3.16.2: #997 to #999 are X, Z, Y", Manual};
+  c.skip_variables = {995, "TDi p.94, 3.16.2: #995 to #999 are X, Z, Y, 4th, 5th", Manual};
+  c.max_skip_signals = {6, "TDi p.93, 3.16: P is 1 to 6", Manual};
+  c.skip_signals = {SkipSignals::Numbered, "TDi p.93, 3.16; TDi 14, G04 Q", Manual};
+  c.max_skip_feed = {200, "TDi p.94, 3.16.2", Manual};
   c.drill_retract = {true, "TDi 23.9", Manual};
   c.refuses = {"cycle-plane turning-plane stroke-check-with-codes", "TDi 8 note 3; TDi 31 note 6",
                Manual};
@@ -633,6 +651,8 @@ void gsk_980mdi(Control& c) {
   c.round_words = {",R U", "MDib 0039", Manual};
   c.chamfer_length = {ChamferLength::Corner, kKnown, Inferred};
   c.helix = {true, "MDib 0032", Manual};
+  c.skip_signals = {SkipSignals::Numbered, "MDipar 5431 to 5434: P1 to P4 have one each", Manual};
+  c.max_skip_signals = {4, "MDipar 5431 to 5434", Manual};
   c.groove_p_diameter = {false, kKnown, Inferred};
   add_effect(c, "027", 0, "the largest cutting feed, mm/min, 0 = any", "MDib 0023", Manual,
              set_max_feed);

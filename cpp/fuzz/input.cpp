@@ -161,7 +161,10 @@ Inputs inputs_of(Reader& in) {
     in.list(2, [&] { values[in.variable()] = in.value(); });
     inputs.writes.push_back(std::move(values));
   });
-  in.list(4, [&] { inputs.skips.push_back({.value = in.byte() / 255.0}); });
+  in.list(4, [&] {
+    const std::size_t signal = in.byte() % inputs.skips.size();
+    inputs.skips[signal].push_back({.value = in.byte() / 255.0});
+  });
   return inputs;
 }
 

@@ -40,6 +40,7 @@ Solid solid_of(const py::dict& from) {
                 : shape == "cylinder" ? Solid::Shape::Cylinder
                                       : Solid::Shape::Sphere;
   solid.hole = get(from, "hole", false);
+  solid.signal = get(from, "signal", 0);
   solid.at = get(from, "at", solid.at);
   solid.direction = get(from, "direction", solid.direction);
   solid.low = get(from, "low", solid.low);
@@ -68,8 +69,9 @@ Inputs inputs_of(const py::dict& from) {
   inputs.date = get(from, "date", 0.0);
   inputs.time = get(from, "time", 0.0);
   if (from.contains("skips"))
-    for (const py::handle skip : from["skips"])
-      inputs.skips.push_back(skip_of(skip.cast<py::tuple>()));
+    for (const auto& [signal, skips] : from["skips"].cast<py::dict>())
+      for (const py::handle skip : skips)
+        inputs.skips.at(signal.cast<std::size_t>()).push_back(skip_of(skip.cast<py::tuple>()));
   if (from.contains("workpiece")) inputs.workpiece = workpiece_of(from["workpiece"]);
   if (from.contains("answers"))
     for (const auto& [code, values] : from["answers"].cast<py::dict>()) {

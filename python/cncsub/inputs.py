@@ -14,9 +14,10 @@ from typing import Any
 
 from cncsub.controls import did_you_mean
 from cncsub.setup import AXES, from_toml
-from cncsub.workpiece import Workpiece, workpiece_of
+from cncsub.workpiece import Workpiece, skip_signal, workpiece_of
 
 Values = Mapping[int, float | None]
+Skips = Sequence[float | Mapping[str, float] | None]
 
 LARGEST_VALUE = 1e47  # that a variable takes from a program
 ANSWERS = ("start", "stop")
@@ -35,10 +36,13 @@ class Inputs:
     program writes into variables while this one waits for them, one mapping for each time the run
     would wait; `(3, {500: 1})` is written the third time only. `None` makes a variable vacant.
     `skips`: where the first G31, the second and so on meet their skip signal: a coordinate of the
-    way, `{"X": 40.0}` (work coordinates as they are programmed), a fraction 0 to 1 of it, or `None`
-    for one that meets nothing. `workpiece`: what those behind the list touch, see `Workpiece`; a
-    G31 that nothing answers meets nothing. `answers`: what the machine does about a code it is
-    sent, signals and variables by number: `{"M117": {1004: 1}}`.
+    way, `{"X": 40.0}` (work coordinates as they are programmed), a fraction 0 to 1 of it (of its
+    time for a G04 that a signal may end), or `None` for one that meets nothing. A list counts
+    every such block, whichever signal it watches; a mapping has a list for each signal, 1 to 8:
+    `{1: [{"X": 40}], 2: [None, {"Z": -3}]}`, for P of G31 and Q of G04, and the control says which
+    signals these watch (rule `skip_signals`). `workpiece`: what those behind the list touch, see
+    `Workpiece`; a G31 that nothing answers meets nothing. `answers`: what the machine does about a
+    code it is sent, signals and variables by number: `{"M117": {1004: 1}}`.
 
     Raises `TypeError` and `ValueError` for values of another kind.
 
@@ -56,7 +60,7 @@ class Inputs:
     clock: datetime | float | None = None
     operator: Sequence[str] | None = None
     writes: Sequence[Values | tuple[int, Values]] = ()
-    skips: Sequence[float | Mapping[str, float] | None] = ()
+    skips: Skips | Mapping[int, Skips] = ()
     workpiece: Workpiece | Mapping[str, Any] | None = None
     answers: Mapping[str, Values] = field(default_factory=dict)
 
@@ -90,7 +94,7 @@ class Inputs:
             "writes": [
                 write for entry in _listed("writes", self.writes) for write in _write(entry)
             ],
-            "skips": [_skip(i, skip) for i, skip in enumerate(_listed("skips", self.skips))],
+            "skips": _skips(self.skips),
             "answers": _answers(self.answers),
             **_clock(self.clock),
         }
@@ -142,8 +146,17 @@ def _from_table(table: dict[str, Any]) -> Inputs:
             for code, answer in values["answers"].items()
         }
     if isinstance(values.get("skips"), list):
-        values["skips"] = [None if skip == "never" else skip for skip in values["skips"]]
+        values["skips"] = _never(values["skips"])
+    if isinstance(values.get("skips"), dict):
+        values["skips"] = {
+            signal: _never(skips) if isinstance(skips, list) else skips
+            for signal, skips in _numbered(values["skips"]).items()
+        }
     return _inputs_from(values)
+
+
+def _never(skips: list[Any]) -> list[Any]:
+    return [None if skip == "never" else skip for skip in skips]
 
 
 def _numbered(values: dict[str, Any]) -> dict[Any, Any]:
@@ -218,9 +231,21 @@ def _answer(answer: object) -> str:
     return str(answer)
 
 
-def _skip(place: int, skip: object) -> tuple[str, float]:
+def _skips(skips: object) -> dict[int, list[tuple[str, float]]]:
+    """What is told of each signal; 0 is any."""
+    if not isinstance(skips, Mapping):
+        return {0: [_skip(f"skips[{i}]", skip) for i, skip in enumerate(_listed("skips", skips))]}
+    return {
+        skip_signal("skips", signal): [
+            _skip(f"skips[{signal}][{i}]", skip)
+            for i, skip in enumerate(_listed(f"skips[{signal}]", told))
+        ]
+        for signal, told in skips.items()
+    }
+
+
+def _skip(where: str, skip: object) -> tuple[str, float]:
     """Where a skip signal comes: `("fraction", 0.5)`, `("X", 40.0)` or `("never", 0.0)`."""
-    where = f"skips[{place}]"
     if skip is None:
         return "never", 0.0
     if isinstance(skip, Mapping):

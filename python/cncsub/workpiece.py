@@ -13,6 +13,7 @@ from cncsub.setup import Point, work_system
 
 AXES = "XYZ"
 MOST_SOLIDS = 1000
+MOST_SIGNALS = 8
 
 Direction = str | Point
 Ends = tuple[float | None, float | None]
@@ -28,10 +29,12 @@ class Plane:
 
     at: Point
     faces: Direction = "+Z"
+    signal: int | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
         return {
             "shape": "plane",
+            "signal": _signal(where, self.signal),
             "at": _point(f"{where}: at", self.at),
             "direction": _direction(f"{where}: faces", self.faces),
         }
@@ -47,6 +50,7 @@ class Box:
 
     sides: Mapping[str, Ends]
     inside: bool = False
+    signal: int | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
         low, high = [-math.inf] * 3, [math.inf] * 3
@@ -55,6 +59,7 @@ class Box:
             low[place], high[place] = _ends(f"{where}: {axis}", ends)
         return {
             "shape": "box",
+            "signal": _signal(where, self.signal),
             "hole": _yes(f"{where}: inside", self.inside),
             "low": low,
             "high": high,
@@ -74,11 +79,13 @@ class Cylinder:
     axis: Direction = "Z"
     ends: Ends = (None, None)
     inside: bool = False
+    signal: int | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
         first, last = _ends(f"{where}: ends", self.ends)
         return {
             "shape": "cylinder",
+            "signal": _signal(where, self.signal),
             "hole": _yes(f"{where}: inside", self.inside),
             "at": _point(f"{where}: at", self.at),
             "direction": _direction(f"{where}: axis", self.axis),
@@ -95,10 +102,12 @@ class Sphere:
     at: Point
     radius: float
     inside: bool = False
+    signal: int | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
         return {
             "shape": "sphere",
+            "signal": _signal(where, self.signal),
             "hole": _yes(f"{where}: inside", self.inside),
             "at": _point(f"{where}: at", self.at),
             "radius": _positive(f"{where}: radius", self.radius),
@@ -131,7 +140,8 @@ class Workpiece:
     is when the run starts, `"G54"`: what a program does to it later does not move the workpiece.
 
     Nothing turns with rotary axes. A ball that begins inside a solid touches at once; one that only
-    grazes it, slides along it or leaves it does not.
+    grazes it, slides along it or leaves it does not. A solid with a `signal`, 1 to 8, stops those
+    blocks alone that watch this skip signal (P of G31), such as a tool setter beside the part.
 
     Raises `TypeError` and `ValueError` that name the solid.
 
@@ -186,6 +196,20 @@ def workpiece_of(workpiece: object) -> dict[str, Any]:
     if "solids" not in workpiece:
         raise ValueError("workpiece has no solids")
     return Workpiece(**workpiece).to_core()
+
+
+def skip_signal(where: str, signal: object) -> int:
+    """The number of a skip signal."""
+    if isinstance(signal, bool) or not hasattr(signal, "__index__"):
+        raise TypeError(f"{where}: a skip signal is a number 1 to {MOST_SIGNALS}, not {signal!r}")
+    number = int(signal.__index__())
+    if not 1 <= number <= MOST_SIGNALS:
+        raise ValueError(f"{where}: the skip signals are 1 to {MOST_SIGNALS}, not {signal!r}")
+    return number
+
+
+def _signal(where: str, signal: object) -> int:
+    return 0 if signal is None else skip_signal(f"{where}: signal", signal)
 
 
 def _solid(place: int, solid: object) -> dict[str, Any]:

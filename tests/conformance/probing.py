@@ -209,40 +209,41 @@ case(
     vars={100: 50, 101: 56, 102: 56, 103: 45},
 )
 case(
-    "the 980TDi keeps the position of a skip signal in #997, #998 and #999",
-    control="gsk-980tdi", source="TDi p.94, 3.16.2", evidence="maker's manual",
+    "the 980TDi keeps the position of a skip signal in #995 to #999",
+    control="gsk-980tdi", source="TDi p.94, 3.16.2: X, Z, Y, the 4th and the 5th axis",
+    evidence="maker's manual",
     setup={"start": {"X": 100, "Y": 8, "Z": 50}}, inputs={"skips": [0.5]},
-    variables={997: 1, 998: 2, 999: 3},
+    variables={995: 1, 996: 2, 997: 3, 998: 4, 999: 5},
     program="""
         O1
         N10 G98 G31 X20. Z10. F100
         N20 M30
     """,
-    vars={997: 60, 998: 30, 999: 8},
+    vars={995: 60, 996: 30, 997: 8, 998: 0, 999: 0},
 )
 case(
-    "without a signal the 980TDi leaves #997 to #999 as they were",
+    "without a signal the 980TDi leaves #995 to #999 as they were",
     control="gsk-980tdi", source="TDi p.94, 3.16.2: the signal stores it", evidence="maker's manual",
     setup={"start": {"X": 100, "Z": 50}}, inputs={"skips": []},
-    variables={997: 1, 998: 2, 999: 3},
+    variables={995: 1, 996: 2, 999: 3},
     program="""
         O1
         N10 G98 G31 X20. Z10. F100
         N20 M30
     """,
-    vars={997: 1, 998: 2, 999: 3},
+    vars={995: 1, 996: 2, 999: 3},
 )
 case(
-    "G31 leaves #1 and #997 alone where #5061 holds the position",
+    "G31 leaves #1 and #995 alone where #5061 holds the position",
     control=["gsk-988ta", "gsk-988t", "gsk-980mdi", *FANUC, *MITSUBISHI], source="TA p.55",
     evidence="secondary",
-    setup={"start": {"X": 100, "Z": 50}}, inputs={"skips": [0.5]}, variables={1: 7, 997: 1},
+    setup={"start": {"X": 100, "Z": 50}}, inputs={"skips": [0.5]}, variables={1: 7, 995: 1},
     program="""
         O1
         N10 G31 X20. Z10. F100
         N20 M30
     """,
-    vars={1: 7, 997: 1},
+    vars={1: 7, 995: 1},
 )
 for _control, _number in ("gsk-980tdi", "111"), ("gsk-980mdi", "111"):
     case(
@@ -433,7 +434,7 @@ for _signals in "P0", "P256", "P500":
         runs="N10", alarm="value-out-of-range", number="P35", at="O1 N20",
     )
 case(
-    "P of G31 names its signals, and says nothing about the way",
+    "what is told of every signal stops a G31 whatever its P",
     control=[*FANUC, *T988, "gsk-980tdi", "gsk-980mdi"], source="general knowledge, multi-step skip",
     evidence="inferred", params=MM, setup=START, inputs={"skips": [{"Z": -5}, {"Z": -7}]},
     program="""
@@ -443,6 +444,219 @@ case(
         N30 M30
     """,
     moves="F Z-5\nF Z-7",
+)
+
+NUMBERED = [*T988, "gsk-980tdi", "gsk-980mdi"]
+APART = {"skips": {1: [{"Z": -5}, {"Z": -20}], 2: [{"Z": -7}], 4: [None]}}
+APART_PROGRAM = """
+    O1
+    N10 G31 Z-10. P2 F100
+    N20 G31 Z-12. P4 F100
+    N30 G31 Z-18. F100
+    N40 G31 Z-25. P1 F100
+    N50 G31 Z-28. P2 F100
+    N60 G31 Z-30. P3 F100
+    N70 M30
+"""
+case(
+    "P of G31 names the signal that ends it, and each signal is told by itself",
+    control=NUMBERED, source="TDi p.93, 3.16; MDipar 5431 to 5434; TApar 6200",
+    evidence="secondary", setup=START, inputs=APART, program=APART_PROGRAM,
+    moves="F Z-7\nF Z-12\nF Z-18\nF Z-20\nF Z-28\nF Z-30",
+)
+case(
+    "6202 to 6205 say which signals end G31 P1 to P4",
+    control=FANUC, source="general knowledge, multi-step skip", evidence="inferred",
+    params=MM, setup=START, inputs=APART, program=APART_PROGRAM,
+    moves="F Z-7\nF Z-12\nF Z-18\nF Z-20\nF Z-28\nF Z-30",
+)
+case(
+    "a bit of 6203 more lets two signals end G31 P2, and the first of them does",
+    control=FANUC, source="general knowledge, multi-step skip", evidence="inferred",
+    params=MM | {"6203": 130}, setup=START,
+    inputs={"skips": {2: [{"Z": -7}, {"Z": -9}, None], 8: [{"Z": -4}, None, {"Z": -11}]}},
+    program="""
+        O1
+        N10 G31 Z-10. P2 F100
+        N20 G31 Z-10. P2 F100
+        N30 G31 Z-12. P2 F100
+        N40 G31 Z-15. P1 F100
+        N50 M30
+    """,
+    moves="F Z-4\nF Z-9\nF Z-11\nF Z-15",
+)
+case(
+    "a G31 P2 whose 6203 has no bit is ended by nothing",
+    control=FANUC, source="general knowledge, multi-step skip", evidence="inferred",
+    params=MM | {"6203": 0}, setup=START, inputs={"skips": [{"Z": -5}, {"Z": -7}]},
+    program="""
+        O1
+        N10 G31 Z-10. P2 F100
+        N20 G0 Z0
+        N30 G31 Z-10. P1 F100
+        N40 M30
+    """,
+    moves="F Z-10\nR Z0\nF Z-5",
+)
+case(
+    "P of G31 on a Mitsubishi is a sum: 5 is the signals 1 and 3",
+    control=MITSUBISHI, source="M7 p.555 (3)", evidence="secondary",
+    params=MM, setup=MILL | START,
+    inputs={"skips": {1: [{"X": 9}, {"X": 15}], 2: [{"X": 1}, {"X": 19}], 3: [{"X": 5}, None]}},
+    program="""
+        O1
+        N10 G90 G31 X10. P5 F100
+        N20 G31 X18. P5 F100
+        N30 G31 X17. P2 F100
+        N40 G31 X20. P2 F100
+        N50 G31 X25. F100
+        N60 M30
+    """,
+    moves="F X5\nF X15\nF X17\nF X19\nF X25",
+)
+case(
+    "G31.1, G31.2 and G31.3 watch the signals of 1175, 1177 and 1179",
+    control=MITSUBISHI, source="M7 p.552 (5)", evidence="inferred",
+    params=MM | {"1179": 5}, setup=MILL | START,
+    inputs={"skips": {1: [{"X": 4}, {"X": 25}], 2: [{"X": 15}], 3: [None]}},
+    program="""
+        O1
+        N10 G90 G31.1 X10. F100
+        N20 G31.2 X20. F100
+        N30 G31.3 X30. F100
+        N40 M30
+    """,
+    moves="F X4\nF X15\nF X25",
+)
+case(
+    "a skip signal ends G04 Q on a GSK, and G04 without Q waits its time",
+    control=NUMBERED, source="TDi 14, Q; TApar 6200", evidence="secondary",
+    setup=START, inputs={"skips": {2: [0.25, None, {"X": 1}], 1: [0.5]}},
+    program="""
+        O1
+        N10 G4 P4000 Q2
+        N20 G4 P1000
+        N30 G4 P1000 Q2
+        N40 G4 P2000 Q1
+        N50 G4 P3000 Q2
+        N60 M30
+    """,
+    moves="W 1\nW 1\nW 1\nW 1\nW 3", time=7,
+)
+case(
+    "a skip signal ends G04 Q on a FANUC, and G04 alone where 6206 has its bit",
+    control=FANUC, source="general knowledge, multi-step skip", evidence="inferred",
+    params=MM | {"6206": 4}, setup=START, inputs={"skips": {2: [0.25], 3: [0.5, 0.1]}},
+    program="""
+        O1
+        N10 G4 P4000 Q2
+        N20 G4 P2000
+        N30 G4 P1000 Q2
+        N40 G4 P1000 Q3
+        N50 M30
+    """,
+    moves="W 1\nW 1\nW 1\nW 0.1",
+)
+case(
+    "a skip signal ends G04 of a Mitsubishi where 1173 has its bit",
+    control=MITSUBISHI, source="M7 p.554", evidence="secondary",
+    params=MM | {"1173": 3}, setup=MILL | START,
+    inputs={"skips": {1: [0.5, None], 2: [None, 0.25], 3: [0, 0]}},
+    program="""
+        O1
+        N10 G4 P2000
+        N20 G4 P4000
+        N30 G4 P1000
+        N40 M30
+    """,
+    moves="W 1\nW 1\nW 1",
+)
+case(
+    "a dwell that no signal may end takes nothing of what is told",
+    control=[*FANUC, *MITSUBISHI, *NUMBERED], source="policy, scripted inputs",
+    evidence="inferred", params=MM, setup=START, inputs={"skips": [{"Z": -5}]},
+    program="""
+        O1
+        N10 G4 P1000
+        N20 G31 Z-10. F100
+        N30 M30
+    """,
+    moves="W 1\nF Z-5",
+)
+case(
+    "the 980TDi holds the feed of G31 down to 200 mm a minute",
+    control="gsk-980tdi", source="TDi p.94, 3.16.2", evidence="maker's manual",
+    setup=START, inputs={"skips": [0.5]},
+    program="""
+        O1
+        N10 G98 G31 Z-40. F600
+        N20 G1 Z-30.
+        N30 G31 Z-31. F60
+        N40 M30
+    """,
+    moves="F Z-20\nF Z-30\nF Z-31", time=6 + 1 + 1,
+)
+case(
+    "no other control holds the feed of G31 down",
+    control=[*FANUC, *MITSUBISHI, *T988, "gsk-980mdi"],
+    source="15iM p.564; M7 p.547; TA p.54", evidence="inferred",
+    params=MM, setup=MILL | START,
+    program="""
+        O1
+        N10 G31 Z-40. F2400
+        N20 M30
+    """,
+    moves="F Z-40", time=1,
+)
+for _controls, _signals in (["gsk-980tdi"], "P7"), (["gsk-980mdi"], "P5"):
+    case(
+        f"G31 {_signals} is out of range on the {_controls[0][4:]}",
+        control=_controls, source="TDi p.93: P is 1 to 6; MDipar 5431 to 5434",
+        evidence="secondary", setup=START,
+        program=f"""
+            O1
+            N10 G31 Z-10. P1 F100
+            N20 G31 Z-20. {_signals} F100
+            N30 M30
+        """,
+        runs="N10", alarm="value-out-of-range", number="012", at="O1 N20",
+    )
+case(
+    "a solid with a signal stops those G31 alone that watch it",
+    control=[*FANUC, *MITSUBISHI, "gsk-980mdi"], source="policy, scripted inputs",
+    evidence="inferred", params=MM, setup=MILL | START,
+    inputs={"workpiece": {"solids": [
+        {"box": {"X": (40, 60)}}, {"box": {"X": (20, 30)}, "signal": 2},
+        {"box": {"X": (-30, -20)}, "signal": 1},
+    ]}},
+    program="""
+        O1
+        N10 G31 X100. P2 F100
+        N20 G0 X35.
+        N30 G31 X100. P1 F100
+        N40 G0 X0
+        N50 G31 X-100. P2 F100
+        N60 G0 X0
+        N70 G31 X-100. F100
+        N80 M30
+    """,
+    moves="F X20\nR X35\nF X40\nR X0\nF X-100\nR X0\nF X-20",
+)
+case(
+    "holes in a part of one signal are no walls for another",
+    control=[*FANUC, *MITSUBISHI, "gsk-980mdi"], source="policy, scripted inputs",
+    evidence="inferred", params=MM, setup=MILL | START,
+    inputs={"workpiece": {"solids": [
+        {"box": {"X": (-60, 60)}, "signal": 2}, {"sphere": {"X": 0}, "radius": 10, "inside": True},
+    ]}},
+    program="""
+        O1
+        N10 G31 X100. P1 F100
+        N20 G0 X0
+        N30 G31 X100. P2 F100
+        N40 M30
+    """,
+    moves="F X100\nR X0\nF X10",
 )
 
 # What a stylus touches

@@ -132,8 +132,14 @@ UNPINNED = _joined(
     _all("straight_rapid power_on_stroke_check stroke_outside", MILLS, "it has no stroke check"),
     _all("longer_words", (*GSK_LATHES, *MILLS), "the control has no G45 to G48"),
     _all("skip_variables", (TE,), NO_MACROS),
-    _all("skip_own_feed max_skip_signals", (TE,), "nothing is known of its G31"),
-    _all("skip_own_feed max_skip_signals", (HNC,), "the control has no G31"),
+    _all(
+        "skip_own_feed max_skip_signals skip_signals max_skip_feed", (TE,),
+        "nothing is known of its G31",
+    ),
+    _all(
+        "skip_own_feed max_skip_signals skip_signals max_skip_feed", (HNC,),
+        "the control has no G31",
+    ),
     _all("skip_variables", (HNC,), "the control has no G31"),
     _all("one_way_overrun", (*GSK_LATHES, MDI), "the control has no G60"),
     _all("angles_on_mills", GSK_LATHES, A_LATHE),
