@@ -441,7 +441,7 @@ bool Machine::words(const Block& block) {
   words.stops = words.ends;
   for (int i = 0; i < words.m_count; ++i) {
     const int m = words.m[static_cast<std::size_t>(i)];
-    words.stops = words.stops || m == 0 || (m == 1 && options_.optional_stop) || m == 2 || m == 30;
+    words.stops = words.stops || waits_at(m) || m == 2 || m == 30;
   }
   Outside around = outside();
   if (auto fault = motion_.execute(words, static_cast<std::uint32_t>(executed_), recorded_moves(),
@@ -485,9 +485,8 @@ bool Machine::auxiliary(const NcWords& words, const Block& block) {
     const int m = words.m[static_cast<std::size_t>(i)];
     if (trace_.depth != Trace::Depth::None) trace_.m_codes.push(m);
     last_m_ = m;
-    const bool stops = m == 0 || (m == 1 && options_.optional_stop);
     answer('M', m);
-    if (stops && !wait_for_operator(m == 0 ? "M00" : "M01")) return false;
+    if (waits_at(m) && !wait_for_operator(m == 0 ? "M00" : "M01")) return false;
     if (m != 0 && m == code_->control->restart_m_code.value && stack_.size() == 1) next_ = kNowhere;
     if ((m == 2 || m == 30) && block.op != Op::EndProgram)
       next_ = kNowhere - 1;  // M#1 that ends the program

@@ -199,6 +199,8 @@ class Machine {
   bool auxiliary(const NcWords& words, const Block& block);
   void keep_skip(SkipMove skip);
   void answer(char address, std::int64_t code);
+  /// Whether the run waits for the operator at an M code.
+  bool waits_at(int m) const { return m == 0 || (m == 1 && options_.optional_stop); }
   bool wait_for_operator(const std::string& what);
   bool after_words(const Motion::Outcome& outcome);
   std::int32_t modal_after(const Motion::Outcome& outcome) const;

@@ -47,16 +47,6 @@ inline Fault broken_off(std::uint32_t at) { return {Cause::ValueOutOfRange, at, 
 constexpr double kMostCrossings = 1e8;
 inline bool is_rotary(int axis) { return axis >= 3 && axis <= 5; }
 
-/// The two axes of a plane, and the one across it. G18 is (Z, X).
-struct PlaneAxes {
-  int a, b, across;
-};
-inline PlaneAxes plane_axes(int plane) {
-  if (plane == 18) return {2, 0, 1};
-  if (plane == 19) return {1, 2, 0};
-  return {0, 1, 2};
-}
-
 inline Axes operator+(Axes a, const Axes& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
   return a;

@@ -65,9 +65,8 @@ double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
 
 double arc_length(double in_plane, int plane, const Axes& from, const Axes& to,
                   std::uint32_t diameters) {
-  const int across = plane == 17 ? 2 : plane == 18 ? 1 : 0;
   double sum = in_plane * in_plane;
-  for (const int i : {across, 6, 7, 8}) {
+  for (const int i : {plane_axes(plane).across, 6, 7, 8}) {
     const double d = (to[i] - from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
     sum += d * d;
   }
@@ -320,9 +319,9 @@ namespace {
 /// where it starts, in its own work coordinates.
 void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters, Axes& low,
                   Axes& high) {
-  const int a = row.state->plane == 17 ? 0 : row.state->plane == 18 ? 2 : 1;
-  const int b = row.state->plane == 17 ? 1 : row.state->plane == 18 ? 0 : 2;
-  const auto share = [&](int axis) { return (diameters >> axis & 1) != 0 ? 0.5 : 1.0; };
+  const PlaneAxes plane = plane_axes(row.state->plane);
+  const auto a = static_cast<std::size_t>(plane.a), b = static_cast<std::size_t>(plane.b);
+  const auto share = [&](std::size_t axis) { return (diameters >> axis & 1) != 0 ? 0.5 : 1.0; };
   const double ca = row.centre[a], cb = row.centre[b];
   const auto part = [&](const Axes& p) {
     return std::array{(p[a] - ca) * share(a), (p[b] - cb) * share(b)};

@@ -191,6 +191,16 @@ class Moves {
   std::uint32_t diameters_ = 0;
 };
 
+/// The two axes of a plane, and the one across it. G18 is (Z, X).
+struct PlaneAxes {
+  int a, b, across;
+};
+inline PlaneAxes plane_axes(int plane) {
+  if (plane == 18) return {2, 0, 1};
+  if (plane == 19) return {1, 2, 0};
+  return {0, 1, 2};
+}
+
 /// A move of the tool: from one machine position to another.
 struct MoveWay {
   MoveKind kind = MoveKind::Rapid;

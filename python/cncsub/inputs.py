@@ -13,7 +13,7 @@ from datetime import datetime
 from typing import Any
 
 from cncsub.controls import did_you_mean
-from cncsub.setup import AXES, from_toml
+from cncsub.setup import checked_axis, from_toml
 from cncsub.workpiece import Workpiece, skip_signal, workpiece_of
 
 Values = Mapping[int, float | None]
@@ -252,9 +252,7 @@ def _skip(where: str, skip: object) -> tuple[str, float]:
         if len(skip) != 1:
             raise ValueError(f'{where} is the coordinate of one axis, {{"X": 40.0}}, not {skip!r}')
         ((axis, coordinate),) = skip.items()
-        name = axis.upper() if isinstance(axis, str) else ""
-        if len(name) != 1 or name not in AXES:
-            raise ValueError(f"{where}: {axis!r} is no axis; the axes are {', '.join(AXES)}")
+        name = checked_axis(where, axis)
         value = _value(f"{where}: {name}", coordinate)
         if value is None:
             raise ValueError(f"{where}: {name} has no coordinate")

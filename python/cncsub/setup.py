@@ -88,13 +88,13 @@ class Setup:
         core: dict[str, Any] = {
             "start": _point("start", self.start),
             "work_offsets": _checked("work_offsets", self.work_offsets, work_system, _point),
-            "length_offsets": _checked("length_offsets", self.length_offsets, _offset, _number),
-            "radius_offsets": _checked("radius_offsets", self.radius_offsets, _offset, _number),
+            "length_offsets": _checked("length_offsets", self.length_offsets, _offset, checked_number),
+            "radius_offsets": _checked("radius_offsets", self.radius_offsets, _offset, checked_number),
             "tools": _checked("tools", self.tools, _offset, _tool),
             "reference": _checked("reference", self.reference, _reference, _point),
-            "rapid": _checked("rapid", self.rapid, _axis, _positive),
-            "limits": _checked("limits", self.limits, _axis, _limit),
-            "stroke_area": _checked("stroke_area", self.stroke_area, _axis, _limit),
+            "rapid": _checked("rapid", self.rapid, checked_axis, _positive),
+            "limits": _checked("limits", self.limits, checked_axis, _limit),
+            "stroke_area": _checked("stroke_area", self.stroke_area, checked_axis, _limit),
             "increment": _positive("increment", self.increment),
         }
         if self.machine is not None:
@@ -169,7 +169,7 @@ def _checked(
     return checked
 
 
-def _number(what: str, value: object) -> float:
+def checked_number(what: str, value: object) -> float:
     try:
         if isinstance(value, bool | str | bytes | bytearray):
             raise TypeError
@@ -182,13 +182,13 @@ def _number(what: str, value: object) -> float:
 
 
 def _positive(what: str, value: object) -> float:
-    number = _number(what, value)
+    number = checked_number(what, value)
     if number < SMALLEST:
         raise ValueError(f"{what} must be more than 0 (at least {SMALLEST:g}), not {value!r}")
     return number
 
 
-def _axis(what: str, axis: object) -> str:
+def checked_axis(what: str, axis: object) -> str:
     name = axis.upper() if isinstance(axis, str) else ""
     if len(name) != 1 or name not in AXES:
         raise ValueError(f"{what}: {axis!r} is no axis; the axes are {', '.join(AXES)}")
@@ -196,7 +196,7 @@ def _axis(what: str, axis: object) -> str:
 
 
 def _point(what: str, point: object) -> dict[str, float]:
-    return _checked(what, point, _axis, _number)
+    return _checked(what, point, checked_axis, checked_number)
 
 
 def work_system(what: str, name: object) -> str:
@@ -228,7 +228,7 @@ def _tool(what: str, tool: object) -> dict[str, float]:
     for key in values:
         if key not in _TOOL_KEYS:
             raise ValueError(f"{what} has no {key!r}; there are {', '.join(_TOOL_KEYS)}")
-    numbers = {key: _number(f"{what}[{key!r}]", value) for key, value in values.items()}
+    numbers = {key: checked_number(f"{what}[{key!r}]", value) for key, value in values.items()}
     if numbers.get("tip", 0) not in range(10):
         raise ValueError(f"{what}: the tip is a direction 0 to 9, not {values['tip']!r}")
     return numbers
@@ -238,7 +238,7 @@ def _limit(what: str, pair: object) -> tuple[float, float]:
     # A set has no order, and a mapping has names.
     if isinstance(pair, str | bytes | bytearray | Mapping | Set) or not hasattr(pair, "__len__"):
         raise TypeError(f"{what} is the lowest and the highest coordinate, not {pair!r}")
-    values = [_number(what, value) for value in pair]  # type: ignore[attr-defined]
+    values = [checked_number(what, value) for value in pair]  # type: ignore[attr-defined]
     if len(values) != 2:
         raise TypeError(f"{what} is the lowest and the highest coordinate, not {pair!r}")
     low, high = values

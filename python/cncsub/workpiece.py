@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from cncsub.controls import did_you_mean
-from cncsub.setup import Point, work_system
+from cncsub.setup import Point, checked_number, work_system
 
 AXES = "XYZ"
 MOST_SOLIDS = 1000
@@ -170,7 +170,7 @@ class Workpiece:
             raise ValueError(f"workpiece: {len(self.solids)} solids; {MOST_SOLIDS} are the most")
         if self.ball not in ("centre", "end"):
             raise ValueError(f"workpiece: ball is 'centre' or 'end', not {self.ball!r}")
-        stylus = _number("workpiece: stylus", self.stylus)
+        stylus = checked_number("workpiece: stylus", self.stylus)
         if stylus < 0:
             raise ValueError(f"workpiece: the radius of the stylus is not negative: {stylus:g}")
         core = {
@@ -180,7 +180,7 @@ class Workpiece:
             "system": _coordinates(self.coordinates),
         }
         if self.length is not None:
-            core["length"] = _number("workpiece: length", self.length)
+            core["length"] = checked_number("workpiece: length", self.length)
         return core
 
 
@@ -253,20 +253,8 @@ def _coordinates(name: object) -> str:
     return system
 
 
-def _number(what: str, value: object) -> float:
-    try:
-        if isinstance(value, bool | str | bytes | bytearray):
-            raise TypeError
-        number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError, OverflowError):
-        raise TypeError(f"{what} is a number, not {value!r}") from None
-    if not abs(number) < 1e9:
-        raise ValueError(f"{what} is out of range: {value!r}")
-    return number
-
-
 def _positive(what: str, value: object) -> float:
-    number = _number(what, value)
+    number = checked_number(what, value)
     if number <= 0:
         raise ValueError(f"{what} must be more than 0, not {value!r}")
     return number
@@ -294,7 +282,7 @@ def _by_axis(what: str, values: object) -> dict[str, Any]:
 
 def _point(what: str, values: object) -> list[float]:
     point = _by_axis(what, values)
-    return [_number(f"{what}: {axis}", point.get(axis, 0.0)) for axis in AXES]
+    return [checked_number(f"{what}: {axis}", point.get(axis, 0.0)) for axis in AXES]
 
 
 def _direction(what: str, way: object) -> list[float]:
@@ -322,4 +310,4 @@ def _ends(what: str, ends: object) -> tuple[float, float]:
 
 
 def _end(what: str, end: object, open_end: float) -> float:
-    return open_end if end is None or end == open_end else _number(what, end)
+    return open_end if end is None or end == open_end else checked_number(what, end)
