@@ -47,7 +47,7 @@ objects = [
     run.variables, machine.variables, run.alarm.frames, *deep.stack, cncsub.controls, cncsub.causes,
     next(iter(cncsub.causes.values())), *control.rules[:2], *list(control.parameters.values())[:2],
     *list(control.alarms.values())[:2], library.external, run.calls.tree(), *run.calls.tree(),
-    machine._core, machine._core.trace, machine._core.code, machine._core.code.programs[0], _core.text(10),
+    machine._core, machine._core.trace, machine._core.code, machine._core.code.program(0), _core.text(10),
     run.messages, run.position, run.modal,
 ]
 modules = [importlib.import_module(f"cncsub.{m.name}") for m in pkgutil.iter_modules(cncsub.__path__) if m.name != "__main__"]

@@ -213,7 +213,7 @@ std::optional<Fault> find_target(const Code& code, const CallRecord& call, Targe
   target.start = code.first_of(program, target.start_n);
   if (target.start == kNowhere)
     return fault(Cause::StartNotFound, call.start.present() ? call.start : word,
-                 "there is no N" + std::to_string(target.start_n) + " in " + program.name);
+                 "there is no N" + std::to_string(target.start_n) + " in " + code.name_of(program));
   return std::nullopt;
 }
 

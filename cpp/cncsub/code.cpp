@@ -1,6 +1,7 @@
 #include "cncsub/code.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "cncsub/scan.hpp"
@@ -34,12 +35,6 @@ std::string_view to_string(CallKind kind) {
       return "ASCII";
   }
   return "";
-}
-
-std::string name_key(std::string_view name) {
-  std::string key(name);
-  for (char& c : key) c = upper(c);
-  return key;
 }
 
 std::int64_t number_in(std::string_view name) {
@@ -105,15 +100,93 @@ std::string_view Code::text_of(const Block& block, const Program& program) const
   return view;
 }
 
-std::int32_t Code::find(std::int64_t number, bool external) const {
-  const auto& numbers = external ? external_by_number : by_number;
-  const auto found = numbers.find(number);
-  return found == numbers.end() ? kNoProgram : found->second;
+std::string Code::name_of(const Program& program) const {
+  const SourceFile& file = files[program.file];
+  if (program.name_length == Program::kOfFile) return file.stem.empty() ? "MAIN" : file.stem;
+  if (program.name_length == 0) return "MAIN";
+  const char head = file.text[program.text];
+  const bool numbered = upper(head) == 'O' || head == ':';
+  return (numbered ? "O" : "") + file.text.substr(program.name_at, program.name_length);
 }
 
-std::int32_t Code::find(const std::string& name, bool external) const {
-  const auto& names = external ? external_by_name : by_name;
-  if (const auto found = names.find(name_key(name)); found != names.end()) return found->second;
+std::string_view Code::comment_of(const Program& program) const {
+  return std::string_view(files[program.file].text)
+      .substr(program.comment_at, program.comment_length);
+}
+
+void ProgramIndex::reserve(std::size_t programs) {
+  slots_.assign(std::bit_ceil(2 * programs + 1), kNoProgram);
+}
+
+namespace {
+
+std::uint64_t hash_of(std::string_view name) {  // FNV-1a of the letters as capitals
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : name)
+    hash = (hash ^ static_cast<unsigned char>(upper(c))) * 0x100000001b3U;
+  return hash;
+}
+
+bool same_name(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return upper(x) == upper(y); });
+}
+
+std::string_view last_part(std::string_view path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+bool first_in_file(const Code& code, std::size_t program) {
+  return program == 0 || code.programs[program - 1].file != code.programs[program].file;
+}
+
+/// Whether a program answers to a number.
+auto numbered(const Code& code, std::int64_t number) {
+  return [&code, number](std::int32_t i) {
+    return code.programs[static_cast<std::size_t>(i)].number == number;
+  };
+}
+
+/// Whether a program answers to a name: its own, or the one of the file that it is the first of.
+auto named(const Code& code, std::string_view name) {
+  return [&code, name](std::int32_t i) {
+    const auto at = static_cast<std::size_t>(i);
+    const Program& program = code.programs[at];
+    return same_name(code.name_of(program), name) ||
+           (first_in_file(code, at) && same_name(last_part(code.files[program.file].name), name));
+  };
+}
+
+}  // namespace
+
+void Code::register_programs(const std::function<bool()>& over) {
+  for (auto* index : {&by_number, &by_name})
+    for (ProgramIndex& table : *index) table.reserve(programs.size() + files.size());
+  for (std::size_t i = 0; i < programs.size() && !over(); ++i) {
+    Program& program = programs[i];
+    const SourceFile& file = files[program.file];
+    const auto place = static_cast<std::int32_t>(i);
+    if (program.number >= 0)
+      program.duplicate_of = by_number[file.external].find_or_add(
+          static_cast<std::uint64_t>(program.number), numbered(*this, program.number), place);
+    ProgramIndex& names = by_name[file.external];
+    const std::string name = name_of(program);
+    const std::int32_t before = names.find_or_add(hash_of(name), named(*this, name), place);
+    if (program.number < 0) program.duplicate_of = before;
+    const std::string_view base = last_part(file.name);
+    if (first_in_file(*this, i) && !base.empty())
+      names.find_or_add(hash_of(base), named(*this, base), place);
+  }
+}
+
+std::int32_t Code::find(std::int64_t number, bool external) const {
+  return by_number[external].find(static_cast<std::uint64_t>(number), numbered(*this, number));
+}
+
+std::int32_t Code::find(std::string_view name, bool external) const {
+  const std::int32_t found = by_name[external].find(hash_of(name), named(*this, name));
+  if (found != kNoProgram) return found;
   const std::int64_t number = number_in(name);
   return number >= 0 ? find(number, external) : kNoProgram;
 }
@@ -238,7 +311,7 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
   alarm.cause = fault.cause;
   alarm.detail = fault.detail;
   if (const AlarmEntry* entry = code.control->alarm(fault.cause)) {
-    const DirectedNumber* own = entry->towards(fault.direction);
+    const DirectedNumber* own = entry->towards({fault.direction.data(), fault.direction.size()});
     alarm.number = own != nullptr ? own->number : entry->number;
     alarm.text = own != nullptr ? own->text : entry->text;
   }
@@ -247,7 +320,7 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
   const Program& program = code.programs[static_cast<std::size_t>(index)];
   const SourceFile& file = code.files[program.file];
   const Block& block = code.blocks[address];
-  alarm.program = program.name;
+  alarm.program = code.name_of(program);
   alarm.file = file.name;
   alarm.n = block.n;
   alarm.line = block.line;

@@ -17,7 +17,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "cncsub/control.hpp"
@@ -53,11 +52,10 @@ struct Fault {
   std::uint32_t at = 0;     // byte offset in the file's text
   std::uint32_t width = 1;  // bytes; 0 = the name, number or sign that stands there
   std::string detail;
-  // "X+", where the control may have a number for each. Initialised, so that others may be named.
-  std::string direction = {};  // NOLINT(readability-redundant-member-init)
-  Address block = kNowhere;    // the block it stands in; otherwise the one that is being executed
-  char address = 0;            // of the word that is wrong, where `at` does not say it
-  int code = -1;               // or that G code, ten times its number
+  Address block = kNowhere;  // the block it stands in; otherwise the one that is being executed
+  std::array<char, 2> direction{};  // "X+", where the control may have a number for each
+  char address = 0;                 // of the word that is wrong, where `at` does not say it
+  int code = -1;                    // or that G code, ten times its number
 };
 
 // ---- expressions ----
@@ -386,10 +384,15 @@ struct SequenceEntry {
   Address address;
 };
 
+/// A program of the memory. Its name and its comment stand in the text: Code::name_of, comment_of.
 struct Program {
-  std::string name;          // as written
-  std::int64_t number = -1;  // of O0023, :23, %23
-  std::string comment;
+  static constexpr std::uint32_t kOfFile = 0xffffffff;
+
+  std::int64_t number = -1;             // of O0023, :23, %23
+  std::uint32_t name_at = 0;            // in the file
+  std::uint32_t name_length = kOfFile;  // kOfFile: the file gives the name
+  std::uint32_t comment_at = 0;
+  std::uint32_t comment_length = 0;
   std::uint32_t file = 0;
   std::uint32_t line = 0;  // of its head
   std::uint32_t text = 0;  // where its text starts in the file
@@ -398,6 +401,35 @@ struct Program {
   Address last = 0;                               // one behind the last block: the EndOfRecord
   std::uint32_t first_entry = 0, last_entry = 0;  // in Code::sequence, sorted by n, then by address
   std::int32_t duplicate_of = kNoProgram;
+};
+
+/// Finds programs by what they are called: the places of programs in one table, hashed. It is given
+/// its room once.
+class ProgramIndex {
+ public:
+  void reserve(std::size_t programs);
+  /// The program that is `same` among those under this hash, kNoProgram where there is none.
+  template <class Same>
+  std::int32_t find(std::uint64_t hash, const Same& same) const {
+    return slots_.empty() ? kNoProgram : slots_[slot(hash, same)];
+  }
+  /// As find; where there is none, `program` is added.
+  template <class Same>
+  std::int32_t find_or_add(std::uint64_t hash, const Same& same, std::int32_t program) {
+    std::int32_t& found = slots_[slot(hash, same)];
+    return found == kNoProgram ? (found = program, kNoProgram) : found;
+  }
+
+ private:
+  template <class Same>
+  std::size_t slot(std::uint64_t hash, const Same& same) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = (hash * 0x9e3779b97f4a7c15U >> 32) & mask;
+    while (slots_[at] != kNoProgram && !same(slots_[at])) at = (at + 1) & mask;
+    return at;
+  }
+
+  std::vector<std::int32_t> slots_;  // a power of two, at most half of them in use
 };
 
 /// Where a variable lives.
@@ -419,7 +451,7 @@ struct Code {
   std::int32_t locals_per_level = 33;  // as a level's image counts them
   std::int32_t commons = 0;
   std::vector<SourceFile> files;
-  std::vector<Program> programs;
+  LargeVector<Program> programs;
   LargeVector<Block> blocks;
   LargeVector<Block> variants;
   LargeVector<Cell> cells;
@@ -433,8 +465,7 @@ struct Code {
   std::vector<Fault> faults;
   std::vector<Drop> drops;  // in the order of their blocks' data
   std::vector<SequenceEntry> sequence;
-  std::unordered_map<std::int64_t, std::int32_t> by_number, external_by_number;
-  std::unordered_map<std::string, std::int32_t> by_name, external_by_name;
+  std::array<ProgramIndex, 2> by_number, by_name;  // of the memory, of the external device
 
   VariablePlace place(std::int64_t number) const;
 
@@ -447,11 +478,17 @@ struct Code {
   void list_statements();
 
   std::int32_t program_at(Address address) const;
+  std::string name_of(const Program& program) const;
+  std::string_view comment_of(const Program& program) const;
   std::string_view text_of(const Block& block, const Program& program) const;
 
   /// The program of a number or name, kNoProgram where there is none.
   std::int32_t find(std::int64_t number, bool external = false) const;
-  std::int32_t find(const std::string& name, bool external = false) const;
+  std::int32_t find(std::string_view name, bool external = false) const;
+
+  /// Makes every program known by its number and its name, and the first one of a file by the
+  /// file's name; of several under one name the first counts. `over` may end it.
+  void register_programs(const std::function<bool()>& over);
 
   // The block N(n) of a program; kNowhere where there is none.
   Address first_of(const Program& program, std::int64_t n) const;
@@ -478,7 +515,6 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault);
 
 /// The key under which a program's name is found: upper case, without an extension the control
 /// gives its files.
-std::string name_key(std::string_view name);
 /// The number in O0023, %23, :23 or 23; -1 where the name is none.
 std::int64_t number_in(std::string_view name);
 

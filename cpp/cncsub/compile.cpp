@@ -105,7 +105,7 @@ class LibraryReader {
       at = line_end + 1;
     }
     // A file without a block is still a program of the memory, an empty one.
-    if (first_in_file_) begin_program(code_.files[file_].stem, -1, 0, false);
+    if (first_in_file_) begin_headless(0);
     close(static_cast<std::uint32_t>(text.size()));
   }
 
@@ -158,7 +158,7 @@ class LibraryReader {
     s.blanks();
     if (code_.control->open_comment.value == OpenComment::RestOfBlock) s.rest_of_comment();
     if (s.at == s.end && !open_comment) return;
-    if (!open_) begin_program(code_.files[file_].stem, -1, s.offset(), false);
+    if (!open_) begin_headless(s.offset());
     Block block;
     block.text = s.offset();
     block.line = line_;
@@ -194,9 +194,8 @@ class LibraryReader {
     if (code_.control->percent_programs.value && is_digit(s.peek())) {
       const Number number = scan_number(s);
       s.blanks();
-      const std::string name(start, static_cast<std::size_t>(s.at - start));
-      begin_program(trimmed(name), number.value < 1e15 ? to_whole<std::int64_t>(number.value) : -1,
-                    static_cast<std::uint32_t>(start - begin_), true);
+      begin_program(trimmed({start, static_cast<std::size_t>(s.at - start)}),
+                    number.value < 1e15 ? to_whole<std::int64_t>(number.value) : -1, start);
       title(start, s.end);
       return;
     }
@@ -253,11 +252,9 @@ class LibraryReader {
         if (number.digits > 0 || *ahead.at != '0') ++number.digits;
         number.value = number.value * 10 + (*ahead.at++ - '0');
       }
-      const std::string name =
-          "O" + std::string(digits, static_cast<std::size_t>(ahead.at - digits));
       const auto offset = static_cast<std::uint32_t>(start - begin_);
-      begin_program(name, number.digits <= 15 ? to_whole<std::int64_t>(number.value) : -1, offset,
-                    true);
+      begin_program({digits, static_cast<std::size_t>(ahead.at - digits)},
+                    number.digits <= 15 ? to_whole<std::int64_t>(number.value) : -1, start);
       title(start, s.end);
       const bool zero = number.value == 0 && !code_.control->zero_numbers.value;
       const bool large = number.value > code_.control->max_program_number.value;
@@ -282,9 +279,9 @@ class LibraryReader {
     if (c == '<' && (code_.control->named_programs.value || code_.control->bracket_names.value)) {
       const char* close_at = std::find(s.at, s.end, '>');
       if (close_at == s.end) return false;
-      const std::string name =
-          trimmed(std::string(s.at + 1, static_cast<std::size_t>(close_at - s.at - 1)));
-      begin_program(name, number_in(name), static_cast<std::uint32_t>(start - begin_), true);
+      const std::string_view name =
+          trimmed({s.at + 1, static_cast<std::size_t>(close_at - s.at - 1)});
+      begin_program(name, number_in(name), start);
       title(start, s.end);
       s.at = close_at + 1;
       return true;
@@ -292,10 +289,10 @@ class LibraryReader {
     return false;
   }
 
-  static std::string trimmed(std::string text) {
-    while (!text.empty() && is_blank(text.back())) text.pop_back();
-    const auto first = std::find_if_not(text.begin(), text.end(), is_blank);
-    return {first, text.end()};
+  static std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    return text;
   }
 
   /// The first comment of the head's line.
@@ -303,37 +300,49 @@ class LibraryReader {
     const char* open = std::find(start, end, '(');
     if (open == end) return;
     const char* close_at = std::find(open, end, ')');
-    code_.programs.back().comment.assign(open + 1, close_at);
+    Program& program = code_.programs.back();
+    program.comment_at = static_cast<std::uint32_t>(open + 1 - begin_);
+    program.comment_length = static_cast<std::uint32_t>(close_at - open - 1);
   }
 
-  void begin_program(const std::string& name, std::int64_t number, std::uint32_t offset,
-                     bool headed) {
+  /// A program that begins with its head, at `start`; its name is a part of the file's text.
+  void begin_program(std::string_view name, std::int64_t number, const char* start) {
+    const auto offset = static_cast<std::uint32_t>(start - begin_);
     if (open_) {
       const Program& before = code_.programs.back();
       const bool empty = before.first == static_cast<Address>(code_.blocks.size());
-      if (empty && code_.control->percent_programs.value && headed && before.text < offset) {
+      if (empty && code_.control->percent_programs.value && before.text < offset) {
         // An O line right before a % line only names the file.
         code_.programs.pop_back();
         open_ = false;
-      } else {
-        close(offset);
       }
     }
+    leader_possible_ = false;
     Program program;
-    program.name = name;
     program.number = number;
+    program.name_at = static_cast<std::uint32_t>(name.data() - begin_);
+    program.name_length = static_cast<std::uint32_t>(name.size());
+    open(program, offset, code_.control->file_name_wins.value);
+  }
+
+  /// A program without a head, named by its file.
+  void begin_headless(std::uint32_t offset) {
+    leader_possible_ = leader_possible_ && first_in_file_;
+    open({}, offset, true);
+  }
+
+  void open(Program program, std::uint32_t offset, bool file_gives_name) {
+    close(offset);
     const std::string& stem = code_.files[file_].stem;
-    if (first_in_file_ && !stem.empty() && (code_.control->file_name_wins.value || !headed)) {
-      program.name = stem;
+    if (first_in_file_ && !stem.empty() && file_gives_name) {
+      program.name_length = Program::kOfFile;
       program.number = number_in(stem);
     }
-    if (program.name.empty()) program.name = "MAIN";
     program.file = file_;
     program.line = line_;
     program.text = offset;
     program.first = static_cast<Address>(code_.blocks.size());
-    code_.programs.push_back(std::move(program));
-    leader_possible_ = leader_possible_ && !headed && first_in_file_;
+    code_.programs.push_back(program);
     first_in_file_ = false;
     open_ = true;
   }
@@ -522,27 +531,6 @@ void number_variables(Code& code) {
 
 constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
 
-/// Names and numbers of programs; of several under one name the first counts.
-void register_programs(Code& code, Patience& patience) {
-  for (std::size_t i = 0; i < code.programs.size() && !patience.over(kProgram); ++i) {
-    Program& program = code.programs[i];
-    const SourceFile& file = code.files[program.file];
-    const auto index = static_cast<std::int32_t>(i);
-    if (program.number >= 0) {
-      auto& numbers = file.external ? code.external_by_number : code.by_number;
-      const auto [found, added] = numbers.emplace(program.number, index);
-      if (!added) program.duplicate_of = found->second;
-    }
-    auto& names = file.external ? code.external_by_name : code.by_name;
-    const auto [found, added] = names.emplace(name_key(program.name), index);
-    if (!added && program.number < 0) program.duplicate_of = found->second;
-    const std::size_t slash = file.name.find_last_of("/\\");
-    const std::string base = slash == std::string::npos ? file.name : file.name.substr(slash + 1);
-    const bool first_in_file = i == 0 || code.programs[i - 1].file != program.file;
-    if (first_in_file && !base.empty()) names.emplace(name_key(base), index);
-  }
-}
-
 /// Calls whose operands are written as numbers are decided once.
 void resolve_calls(Code& code, std::size_t from, Patience& patience) {
   const auto resolve = [&](Block& block, std::int32_t own) {
@@ -615,7 +603,7 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
     reader.read(static_cast<std::uint32_t>(code->files.size() - 1));
     if (patience.over(kProgram)) break;
   }
-  register_programs(*code, patience);
+  code->register_programs([&patience] { return patience.over(kProgram); });
   resolve_calls(*code, 0, patience);
   if (!patience.over(0)) return code;
   free_aside(std::move(code), std::move(files));

@@ -118,12 +118,12 @@ std::vector<Frame> Machine::frames() const {
     const Program& caller = code_->programs[static_cast<std::size_t>(stack_[i - 1].program)];
     const Block& block = code_->blocks[open.called_at];
     Frame frame;
-    frame.program = caller.name;
+    frame.program = code_->name_of(caller);
     frame.n = block.n;
     frame.line = block.line;
     frame.file = code_->files[caller.file].name;
     frame.kind = std::string(to_string(open.kind));
-    frame.called = code_->programs[static_cast<std::size_t>(open.program)].name;
+    frame.called = code_->name_of(code_->programs[static_cast<std::size_t>(open.program)]);
     frame.repeat = open.repeat;
     frame.repeats = open.repeats;
     list.push_back(std::move(frame));
@@ -542,7 +542,7 @@ bool Machine::end_of_record() {
   if (typed || code_->control->missing_end.value == MissingEnd::Ends) return end(Stop::End);
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   return alarm(
-      {Cause::EndOfRecord, program.text_end, 1, program.name + " ends without M02, M30 or M99"});
+      {Cause::EndOfRecord, program.text_end, 1, code_->name_of(program) + " ends without M02, M30 or M99"});
 }
 
 // ---- M99, M97 ----
@@ -605,7 +605,7 @@ bool Machine::return_now(const CallRecord& back, double p, double l) {
       return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
                     "there is no N" +
                         std::to_string(to_whole<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
-                        caller.name});
+                        code_->name_of(caller)});
   }
   record_block();
   return leave(to, is_vacant(p));
@@ -634,7 +634,7 @@ bool Machine::return_from_main(const CallRecord& back, double p) {
     return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
                   "there is no N" +
                       std::to_string(to_whole<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
-                      program.name});
+                      code_->name_of(program)});
   record_block();
   leave_loops(to);
   pc_ = to;
@@ -670,7 +670,7 @@ bool Machine::jump_now(const Statement& statement, double p) {
     return alarm({Cause::JumpTargetNotFound, statement.p.at, statement.p.width,
                   "there is no N" +
                       std::to_string(to_whole<std::int64_t>(std::clamp(n, -1.0, 2e9))) + " in " +
-                      program.name});
+                      code_->name_of(program)});
   record_block();
   leave_loops(to);
   pc_ = to;

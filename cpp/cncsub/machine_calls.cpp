@@ -105,7 +105,7 @@ std::optional<Fault> Machine::refused(const CallRecord& record, const Target& ta
       if (rule == CallerCall::WithStart && started) continue;
       return fault(
           Cause::ProgramCallsCaller,
-          code_->programs[static_cast<std::size_t>(target.program)].name + " is open already");
+          code_->name_of(code_->programs[static_cast<std::size_t>(target.program)]) + " is open already");
     }
   }
   const int macros = macros_ + (record.macro ? 1 : 0);
@@ -461,7 +461,7 @@ std::optional<Fault> Machine::profile(std::int64_t ns, std::int64_t nf, Profile&
   const auto missing = [&](char word, std::int64_t n) {
     return Fault{.cause = Cause::PqNotFound,
                  .at = pc_,
-                 .detail = "there is no N" + std::to_string(n) + " in " + program.name,
+                 .detail = "there is no N" + std::to_string(n) + " in " + code_->name_of(program),
                  .address = word};
   };
   Address first = code_->next_of(program, ns, pc_);

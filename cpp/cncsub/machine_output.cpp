@@ -246,7 +246,7 @@ bool Machine::h_jump(const Statement& statement, std::int64_t n) {
   const Address to = n < 0 ? kNowhere : code_->jump_target(program, n, pc_);
   if (to == kNowhere)
     return alarm({Cause::JumpTargetNotFound, statement.p.at, statement.p.width,
-                  "there is no N" + std::to_string(n) + " in " + program.name});
+                  "there is no N" + std::to_string(n) + " in " + code_->name_of(program)});
   return jump_to(to);
 }
 

@@ -186,7 +186,7 @@ bool Machine::go_to(const Statement& statement) {
   if (to == kNowhere)
     return alarm({Cause::JumpTargetNotFound, statement.variable_at, statement.variable_width,
                   "there is no N" + std::to_string(n) + " in " +
-                      code_->programs[static_cast<std::size_t>(frame().program)].name});
+                      code_->name_of(code_->programs[static_cast<std::size_t>(frame().program)])});
   return jump_to(to);
 }
 

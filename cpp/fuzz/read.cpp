@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const Program& program : code->programs) {
     check_program(*code, program);
     const bool external = code->files[program.file].external;
-    const std::int32_t by_name = code->find(program.name, external);
+    const std::int32_t by_name = code->find(code->name_of(program), external);
     claim(by_name != kNoProgram || job.texts.mdi.has_value(), "a program is found by its name");
     if (program.number >= 0) code->find(program.number, external);
   }

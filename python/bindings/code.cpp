@@ -27,6 +27,37 @@ struct ProgramData {
   }
 };
 
+/// The programs that a name leads to, in their order: of the memory, or of the external device.
+template <class Row>
+py::list listed(const Code& code, bool external, const Row& row) {
+  py::list rows;
+  for (std::size_t i = 0; i < code.programs.size(); ++i) {
+    const Program& program = code.programs[i];
+    if (code.files[program.file].external == external && program.duplicate_of == kNoProgram)
+      rows.append(row(i));
+  }
+  return rows;
+}
+py::list names(const Code& code, bool external) {
+  return listed(code, external, [&](std::size_t i) { return code.name_of(code.programs[i]); });
+}
+py::list places(const Code& code, bool external) {
+  return listed(code, external, [](std::size_t i) { return i; });
+}
+
+std::vector<std::size_t> duplicates(const Code& code) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < code.programs.size(); ++i)
+    if (code.programs[i].duplicate_of != kNoProgram) found.push_back(i);
+  return found;
+}
+
+std::optional<std::size_t> first_of_memory(const Code& code) {
+  for (std::size_t i = 0; i < code.programs.size(); ++i)
+    if (!code.files[code.programs[i].file].external) return i;
+  return std::nullopt;
+}
+
 using FileRow = std::tuple<std::string, std::string, std::vector<py::object>, bool>;
 
 /// The ASCII text of a file, put together while it is read: memory that is touched once.
@@ -109,7 +140,7 @@ void add_code(py::module_& m) {
   py::class_<ProgramData>(m, "ProgramData", py::is_final())
       .def_property_readonly(
           "code", [](const ProgramData& p) { return std::const_pointer_cast<Code>(p.code); })
-      .def_property_readonly("name", [](const ProgramData& p) { return p.program().name; })
+      .def_property_readonly("name", [](const ProgramData& p) { return p.code->name_of(p.program()); })
       .def_property_readonly("file", [](const ProgramData& p) { return p.file().name; })
       .def_property_readonly("line", [](const ProgramData& p) { return p.program().line; })
       .def_property_readonly("text",
@@ -117,7 +148,7 @@ void add_code(py::module_& m) {
                                return p.file().text.substr(p.program().text,
                                                            p.program().text_end - p.program().text);
                              })
-      .def_property_readonly("comment", [](const ProgramData& p) { return p.program().comment; })
+      .def_property_readonly("comment", [](const ProgramData& p) { return p.code->comment_of(p.program()); })
       .def_property_readonly("external", [](const ProgramData& p) { return p.file().external; })
       .def_property_readonly("duplicate_of",
                              [](const ProgramData& p) { return p.program().duplicate_of; })
@@ -141,13 +172,18 @@ void add_code(py::module_& m) {
   py::class_<Code, std::shared_ptr<Code>>(m, "Code", py::is_final())
       .def_property_readonly(
           "control", [](const Code& c) { return std::const_pointer_cast<Control>(c.control); })
-      .def_property_readonly("programs",
-                             [](const std::shared_ptr<Code>& c) {
-                               py::list rows;
-                               for (std::size_t i = 0; i < c->programs.size(); ++i)
-                                 rows.append(ProgramData{c, i});
-                               return rows;
-                             })
+      .def(
+          "program",
+          [](const std::shared_ptr<Code>& c, std::size_t i) {
+            if (i >= c->programs.size()) throw py::index_error("no such program");
+            return ProgramData{c, i};
+          },
+          py::arg("index"))
+      .def("names", &names, py::arg("external") = false)
+      .def("places", &places, py::arg("external") = false)
+      .def_property_readonly("duplicates", &duplicates)
+      .def("__len__", [](const Code& c) { return c.programs.size(); })
+      .def_property_readonly("main", &first_of_memory)
       .def_property_readonly("sources",
                              [](const Code& c) {
                                py::list rows;

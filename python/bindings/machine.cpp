@@ -212,7 +212,7 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
   const Program& program = code->programs[static_cast<std::size_t>(main)];
   if (start && code->first_of(program, *start) == kNowhere)
     throw py::value_error("start: there is no block N" + std::to_string(*start) + " in " +
-                          program.name);
+                          code->name_of(program));
   const auto given = options.variables;
   const Inputs around = options.inputs;
   auto live = std::make_shared<Live>(code, main, std::move(options));
@@ -293,7 +293,7 @@ py::tuple position_in_program(Live& live) {
   const Code& code = machine->code();
   const Block& block = code.blocks[machine->address()];
   return py::make_tuple(
-      code.programs[static_cast<std::size_t>(code.program_at(machine->address()))].name,
+      code.name_of(code.programs[static_cast<std::size_t>(code.program_at(machine->address()))]),
       sequence_number(block.n), block.line);
 }
 

@@ -87,7 +87,7 @@ py::tuple step_row(const Record& record, std::size_t index) {
   const Code& code = record.code();
   const Block& block = code.blocks[step.address];
   return py::make_tuple(record.trace().first_step + static_cast<std::int64_t>(index),
-                        code.programs[static_cast<std::size_t>(code.program_at(step.address))].name,
+                        code.name_of(code.programs[static_cast<std::size_t>(code.program_at(step.address))]),
                         sequence_number(block.n), block.line, depth_of_call(record, step.call),
                         step.call, step.repeat);
 }
@@ -100,7 +100,7 @@ py::list dropped(const Record& record) {
     const Trace::Dropped& drop = record.trace().dropped[i];
     const Block& block = code.blocks[drop.address];
     const Program& program = code.programs[static_cast<std::size_t>(code.program_at(drop.address))];
-    list.append(py::make_tuple(drop.step, program.name, sequence_number(block.n), block.line,
+    list.append(py::make_tuple(drop.step, code.name_of(program), sequence_number(block.n), block.line,
                                code.files[program.file].name, drop.text));
   }
   return list;
@@ -160,7 +160,7 @@ py::tuple call_row(const Record& record, std::size_t index) {
   const CallRow& call = record.trace().calls[row];
   return py::make_tuple(record.trace().call_number(row), call.parent,
                         std::string(to_string(call.kind)),
-                        record.code().programs[static_cast<std::size_t>(call.program)].name,
+                        record.code().name_of(record.code().programs[static_cast<std::size_t>(call.program)]),
                         sequence_number(call.start_n), call.repeats, call.level, call.first_step,
                         call.last_step, call.caller_step);
 }
@@ -238,7 +238,7 @@ py::list missed_skips(const Record& record) {
   for (std::size_t i = 0; i < missed.size(); ++i) {
     const Block& block = code.blocks[missed[i].address];
     const auto program = static_cast<std::size_t>(code.program_at(missed[i].address));
-    list.append(py::make_tuple(missed[i].step, code.programs[program].name,
+    list.append(py::make_tuple(missed[i].step, code.name_of(code.programs[program]),
                                sequence_number(block.n), block.line));
   }
   return list;
@@ -309,7 +309,7 @@ std::vector<std::string> names_to(Kind last) {
 
 std::vector<std::string> program_names(const Record& record) {
   std::vector<std::string> names;
-  for (const Program& program : record.code().programs) names.push_back(program.name);
+  for (const Program& program : record.code().programs) names.push_back(record.code().name_of(program));
   return names;
 }
 

@@ -169,7 +169,13 @@ class Code:
     @property
     def control(self) -> Control: ...
     @property
-    def programs(self) -> list[ProgramData]: ...
+    def main(self) -> int | None: ...  # the first program of the memory
+    @property
+    def duplicates(self) -> list[int]: ...
+    def __len__(self) -> int: ...  # its programs
+    def program(self, index: int) -> ProgramData: ...
+    def names(self, external: bool = False) -> list[str]: ...  # what a name leads to
+    def places(self, external: bool = False) -> list[int]: ...  # of the programs of these names
     @property
     def sources(self) -> list[tuple[str, str, bytes, bool]]: ...  # name, stem, UTF-8, external
     @property

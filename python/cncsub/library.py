@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Any, TypedDict, Unpack
 
 from cncsub import _core
@@ -69,15 +70,20 @@ class Library(Mapping[str, Program]):
         self._code = code
         self._files = tuple(files)
         self._skipped = tuple(skipped)
-        self._programs = [Program(data, index) for index, data in enumerate(code.programs)]
-        self._names = [
-            p.name for p in self._programs if not p.external and p._data.duplicate_of < 0
-        ]
+        self._made: dict[int, Program] = {}  # when somebody looks: a memory may hold millions
+
+    def _program(self, index: int) -> Program:
+        made = self._made.get(index)
+        return made or self._made.setdefault(index, Program(self._code.program(index), index))
+
+    @cached_property
+    def _names(self) -> list[str]:
+        return self._code.names()
 
     # The memory.
 
     def __getitem__(self, name: str | int) -> Program:
-        return self._programs[self._find(name)]
+        return self._program(self._find(name))
 
     def __contains__(self, name: object) -> bool:
         try:
@@ -127,7 +133,8 @@ class Library(Mapping[str, Program]):
         """The program that runs when none is named: the first. `None` where there is no program at
         all.
         """
-        return next((program for program in self._programs if not program.external), None)
+        first = self._code.main
+        return None if first is None else self._program(first)
 
     @property
     def files(self) -> tuple[str, ...]:
@@ -152,13 +159,14 @@ class Library(Mapping[str, Program]):
     @property
     def external(self) -> Mapping[str, Program]:
         """The programs on the external device, by name."""
-        programs = [p for p in self._programs if p.external and p._data.duplicate_of < 0]
+        places = self._code.places(external=True)
+        programs = [self._program(place) for place in places]
         return Named("external program", lambda: {p.name: p for p in programs})
 
     @property
     def duplicates(self) -> tuple[Program, ...]:
         """Programs the control never calls, because another one of the same name counts."""
-        return tuple(program for program in self._programs if program._data.duplicate_of >= 0)
+        return tuple(self._program(index) for index in self._code.duplicates)
 
     # Running.
 
@@ -384,7 +392,7 @@ def _machine(
     """The engine with checked options; `main` is the number of the program, -1 the last."""
     return _core.machine(
         code,
-        main if main >= 0 else len(code.programs) - 1,
+        main if main >= 0 else len(code) - 1,
         mdi=_one_of("mode", mode, MODES) == "mdi",
         start=None if start is None else _whole("start, a sequence number,", start, 0),
         variables=None if variables is None else checked_variables("variables", variables),

@@ -432,9 +432,9 @@ class Machine(_Outcome):
         except TypeError:
             raise _wrong_until((name, n)) from None
         if index < 0:
-            known = did_you_mean(name, (program.name for program in code.programs))
+            known = did_you_mean(name, code.names())
             raise KeyError(f"no program {name} in the memory{known}")
-        program = code.programs[index]
+        program = code.program(index)
         for block in range(program.blocks):
             number, line, _ = program.block(block)
             if number == n:
