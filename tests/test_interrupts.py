@@ -230,6 +230,24 @@ except KeyboardInterrupt:
     assert took < SOON
 
 
+@pytest.mark.parametrize("what", ["cncsub.loads(text, control='fanuc-0i-f')", "block.words"])
+@pytest.mark.parametrize("word", ["X1", "X[1]", "A1.", "/2"])
+def test_one_long_line_is_given_up(word: str, what: str) -> None:
+    code = f"""
+text = "{word}" * 5_000_000
+block = cncsub.loads(text, control="fanuc-0i-f").main.blocks[0]
+try:
+    go()
+    while True:
+        {what}
+except KeyboardInterrupt:
+    print("raised", flush=True)
+"""
+    said, took = interrupted(code, after=0.5)
+    assert said == "raised"
+    assert took < SOON
+
+
 class Rang(Exception):  # noqa: N818
     pass
 

@@ -7,6 +7,9 @@ from __future__ import annotations
 
 import itertools
 import math
+import os
+import subprocess
+import sys
 import time
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -17,6 +20,7 @@ import pytest
 import cncsub
 
 NAMES = sorted(cncsub.controls)
+SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")
 SECONDS = 0.2  # what a run is allowed
 SLACK = 20.0  # what a block, a busy machine and a sanitizer may add to it
 
@@ -397,3 +401,24 @@ def test_every_parameter_takes_every_value_or_refuses_it() -> None:
                 assert value not in (0, 1) if "#" in name else abs(value) > 999_999_999
                 continue
             cncsub.loads("O1\nG0 X1.\nG65 P1\nM30\n", control=changed).run(max_blocks=20)
+
+
+MOST_KEPT = 110  # bytes of memory a byte of text, of the worst text there is
+SHORT_LINES = ["M98", "O1", "G65", "M99", "#", "X", "[", "G", "O{i}", "M98P1", "#1=", "N1X", "%{i}"]
+READ = """
+import resource, sys, cncsub
+text = "".join(sys.argv[1].format(i=i) + "\\n" for i in range(200_000))
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+library = cncsub.loads(text, control=sys.argv[2])
+print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) * 1024 / len(text))
+"""
+
+
+@pytest.mark.skipif(SANITIZED, reason="a sanitizer keeps memory of its own")
+@pytest.mark.parametrize("line", SHORT_LINES)
+def test_reading_keeps_no_more_than_a_hundred_times_the_text(line: str) -> None:
+    for control in ("fanuc-0i-f", "gsk-928te"):
+        done = subprocess.run(
+            [sys.executable, "-c", READ, line, control], capture_output=True, text=True, check=True
+        )
+        assert float(done.stdout) < MOST_KEPT

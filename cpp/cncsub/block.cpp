@@ -22,7 +22,8 @@ std::int64_t key(char address, std::int32_t code) {
 
 }  // namespace
 
-BlockReader::BlockReader(Code& code) : code_(code), control_(*code.control) {
+BlockReader::BlockReader(Code& code, Patience& patience)
+    : code_(code), control_(*code.control), patience_(patience) {
   for (const char c : control_.point_addresses.value)
     letters_[static_cast<unsigned char>(c)] |= kPoint;
   for (const char c : control_.minus_addresses.value)
@@ -279,6 +280,7 @@ bool BlockReader::scan_words(Scanner& s, Block& block) {
   for (;;) {
     char c = s.peek();
     if (c == '\0' && s.at == s.end) break;
+    if (patience_.over(1)) return false;
     Token token;
     token.operand.at = s.offset();
     if (c == ',') {

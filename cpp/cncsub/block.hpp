@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cncsub/code.hpp"
+#include "cncsub/patience.hpp"
 #include "cncsub/scan.hpp"
 
 namespace cncsub {
@@ -23,9 +24,9 @@ struct RegisteredCall {
 
 class BlockReader {
  public:
-  explicit BlockReader(Code& code);
+  BlockReader(Code& code, Patience& patience);
   /// Compiles what stands between the scanner and its end into `block`, whose text and line are
-  /// set.
+  /// set. Where patience is over, the block is not what its text says.
   void read(Scanner scanner, Block& block);
 
  private:
@@ -105,6 +106,7 @@ class BlockReader {
 
   Code& code_;
   const Control& control_;
+  Patience& patience_;
   Tokens tokens_;
   // Whether the block at this place has a call that takes a name.
   const char* call_file_ = nullptr;

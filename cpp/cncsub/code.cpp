@@ -122,8 +122,7 @@ namespace {
 
 std::uint64_t hash_of(std::string_view name) {  // FNV-1a of the letters as capitals
   std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : name)
-    hash = (hash ^ static_cast<unsigned char>(upper(c))) * 0x100000001b3U;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(upper(c))) * 0x100000001b3U;
   return hash;
 }
 
@@ -284,7 +283,7 @@ WordPlace whole_word(const Code& code, const Program& program, const Block& bloc
   const std::string_view text = code.text_of(block, program).substr(0, kLookedAt);
   const bool named = fault.block == kNowhere && fault.address != 0;
   if (!named && (place.at < block.text || place.at >= block.text + text.size())) return place;
-  for (const WrittenWord& word : written_words(*code.control, text)) {
+  for (const WrittenWord& word : written_words(text)) {
     const WordPlace whole{block.text + word.at, word.width};
     if (named) {
       const bool same = word.address == std::string_view(&fault.address, 1);

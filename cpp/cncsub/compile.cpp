@@ -1,6 +1,5 @@
 // Files into a library: where programs begin, their blocks, and what jumps and calls lead to.
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 #include <functional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "cncsub/block.hpp"
 #include "cncsub/call.hpp"
 #include "cncsub/code.hpp"
+#include "cncsub/patience.hpp"
 #include "cncsub/scan.hpp"
 
 namespace cncsub {
@@ -39,40 +39,12 @@ class Marks {
   char mark_ = 0;
 };
 
-/// Asks now and then, while work is done, whether to give up.
-class Patience {
- public:
-  explicit Patience(std::function<bool()> interrupted = {})
-      : interrupted_(std::move(interrupted)) {}
-
-  /// Whether the reading is to stop; `bytes` of text were worked on since the last question.
-  bool over(std::size_t bytes) {
-    worked_ += bytes;
-    if (worked_ < kBetweenLooks || !interrupted_ || over_) return over_;
-    worked_ = 0;
-    const auto now = Clock::now();
-    if (now - asked_ < kBetweenQuestions) return false;
-    over_ = interrupted_();
-    asked_ = Clock::now();
-    return over_;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kBetweenLooks = 1 << 16;
-  static constexpr std::chrono::milliseconds kBetweenQuestions{20};
-
-  std::function<bool()> interrupted_;
-  std::size_t worked_ = 0;
-  Clock::time_point asked_ = Clock::now();
-  bool over_ = false;
-};
-
 constexpr std::size_t kBlock = 8;  // what going over a block once more is worth, in bytes of text
 
 class LibraryReader {
  public:
-  LibraryReader(Code& code, Patience& patience) : code_(code), reader_(code), patience_(patience) {}
+  LibraryReader(Code& code, Patience& patience)
+      : code_(code), reader_(code, patience), patience_(patience) {}
 
   /// Stops early where patience is over.
   void read(std::uint32_t file_index) {

@@ -228,10 +228,9 @@ struct Finder {
 
 }  // namespace
 
-void point_at_word(const Control& control, const GCodes& codes, std::string_view block,
-                   std::uint32_t text, Fault& fault) {
+void point_at_word(const GCodes& codes, std::string_view block, std::uint32_t text, Fault& fault) {
   constexpr std::size_t kLookedAt = 65535;
-  const std::vector<WrittenWord> words = written_words(control, block.substr(0, kLookedAt));
+  const std::vector<WrittenWord> words = written_words(block.substr(0, kLookedAt));
   const Finder find{words, codes};
   const WrittenWord* word = fault.code >= 0      ? find.code(fault.code)
                             : fault.address != 0 ? find.address_or_like(fault.address)

@@ -10,7 +10,6 @@ namespace cncsub {
 
 /// Points a fault at the word of its block, which is written as `block` and begins at `text` in its
 /// file: at the word the fault names, else at the one its cause is about.
-void point_at_word(const Control& control, const GCodes& codes, std::string_view block,
-                   std::uint32_t text, Fault& fault);
+void point_at_word(const GCodes& codes, std::string_view block, std::uint32_t text, Fault& fault);
 
 }  // namespace cncsub

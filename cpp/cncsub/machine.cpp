@@ -541,8 +541,8 @@ bool Machine::end_of_record() {
   const bool typed = options_.mdi && stack_.size() == 1;  // what is typed in MDI needs no end
   if (typed || code_->control->missing_end.value == MissingEnd::Ends) return end(Stop::End);
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-  return alarm(
-      {Cause::EndOfRecord, program.text_end, 1, code_->name_of(program) + " ends without M02, M30 or M99"});
+  return alarm({Cause::EndOfRecord, program.text_end, 1,
+                code_->name_of(program) + " ends without M02, M30 or M99"});
 }
 
 // ---- M99, M97 ----

@@ -103,9 +103,9 @@ std::optional<Fault> Machine::refused(const CallRecord& record, const Target& ta
       if (stack_[i].program != target.program) continue;
       if (rule == CallerCall::MainRefused && i > 0) continue;
       if (rule == CallerCall::WithStart && started) continue;
-      return fault(
-          Cause::ProgramCallsCaller,
-          code_->name_of(code_->programs[static_cast<std::size_t>(target.program)]) + " is open already");
+      return fault(Cause::ProgramCallsCaller,
+                   code_->name_of(code_->programs[static_cast<std::size_t>(target.program)]) +
+                       " is open already");
     }
   }
   const int macros = macros_ + (record.macro ? 1 : 0);

@@ -595,7 +595,7 @@ Fault Motion::fault_of(int code, Cause cause, const BlockWords& block) const {
 }
 
 void Motion::point_at_word(std::string_view block, std::uint32_t text, Fault& fault) const {
-  cncsub::point_at_word(*facts_->control, facts_->codes, block, text, fault);
+  cncsub::point_at_word(facts_->codes, block, text, fault);
 }
 
 double Motion::raw(const BlockWords& block, char address) const { return block.words[address]; }

@@ -2,11 +2,10 @@
 // code.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "cncsub/control.hpp"
 
 namespace cncsub {
 
@@ -18,6 +17,19 @@ struct WrittenWord {
   std::uint32_t at = 0, width = 1;  // the bytes of the block
 };
 
-std::vector<WrittenWord> written_words(const Control& control, std::string_view block);
+/// The words of a block, one after the other.
+class WordReader {
+ public:
+  explicit WordReader(std::string_view block) : at_(block.data()), block_(block) {}
+  std::optional<WrittenWord> next();
+
+ private:
+  WrittenWord made(WrittenWord word, const char* from, const char* to) const;
+
+  const char* at_;
+  std::string_view block_;
+};
+
+std::vector<WrittenWord> written_words(std::string_view block);
 
 }  // namespace cncsub

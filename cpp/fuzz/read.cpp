@@ -20,7 +20,7 @@ void check_program(const Code& code, const Program& program) {
     claim(block.line >= line, "blocks stand in the order of their lines");
     line = block.line;
     const std::string_view text = code.text_of(block, program);
-    for (const WrittenWord& word : written_words(*code.control, text))
+    for (const WrittenWord& word : written_words(text))
       claim(text.size() >= word.text.size(), "a word is a part of its block");
     if (block.op == Op::Fault) {
       const Alarm alarm = alarm_of(code, a, code.faults[block.aux]);

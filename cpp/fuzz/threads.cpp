@@ -112,8 +112,7 @@ std::string read(const Machine& finished) {
   const Code& code = finished.code();
   for (const Program& program : code.programs)
     for (Address a = program.first; a < program.last; ++a)
-      for (const WrittenWord& word :
-           written_words(*code.control, code.text_of(code.blocks[a], program)))
+      for (const WrittenWord& word : written_words(code.text_of(code.blocks[a], program)))
         text += word.text;
   return text;
 }

@@ -140,7 +140,8 @@ void add_code(py::module_& m) {
   py::class_<ProgramData>(m, "ProgramData", py::is_final())
       .def_property_readonly(
           "code", [](const ProgramData& p) { return std::const_pointer_cast<Code>(p.code); })
-      .def_property_readonly("name", [](const ProgramData& p) { return p.code->name_of(p.program()); })
+      .def_property_readonly("name",
+                             [](const ProgramData& p) { return p.code->name_of(p.program()); })
       .def_property_readonly("file", [](const ProgramData& p) { return p.file().name; })
       .def_property_readonly("line", [](const ProgramData& p) { return p.program().line; })
       .def_property_readonly("text",
@@ -148,7 +149,8 @@ void add_code(py::module_& m) {
                                return p.file().text.substr(p.program().text,
                                                            p.program().text_end - p.program().text);
                              })
-      .def_property_readonly("comment", [](const ProgramData& p) { return p.code->comment_of(p.program()); })
+      .def_property_readonly("comment",
+                             [](const ProgramData& p) { return p.code->comment_of(p.program()); })
       .def_property_readonly("external", [](const ProgramData& p) { return p.file().external; })
       .def_property_readonly("duplicate_of",
                              [](const ProgramData& p) { return p.program().duplicate_of; })
@@ -162,11 +164,13 @@ void add_code(py::module_& m) {
            })
       .def("words", [](const ProgramData& p, std::size_t i) {
         py::list rows;
-        for (const WrittenWord& word :
-             written_words(*p.code->control, p.code->text_of(p.block(i), p.program())))
-          rows.append(py::make_tuple(word.address,
-                                     word.known ? py::object(py::float_(word.value)) : py::none(),
-                                     word.text));
+        WordReader reader(p.code->text_of(p.block(i), p.program()));
+        while (const auto word = reader.next()) {
+          rows.append(py::make_tuple(word->address,
+                                     word->known ? py::object(py::float_(word->value)) : py::none(),
+                                     word->text));
+          if (rows.size() % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+        }
         return rows;
       });
   py::class_<Code, std::shared_ptr<Code>>(m, "Code", py::is_final())

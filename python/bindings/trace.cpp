@@ -86,10 +86,11 @@ py::tuple step_row(const Record& record, std::size_t index) {
   const Trace::Step step = record.trace().steps[index];
   const Code& code = record.code();
   const Block& block = code.blocks[step.address];
-  return py::make_tuple(record.trace().first_step + static_cast<std::int64_t>(index),
-                        code.name_of(code.programs[static_cast<std::size_t>(code.program_at(step.address))]),
-                        sequence_number(block.n), block.line, depth_of_call(record, step.call),
-                        step.call, step.repeat);
+  return py::make_tuple(
+      record.trace().first_step + static_cast<std::int64_t>(index),
+      code.name_of(code.programs[static_cast<std::size_t>(code.program_at(step.address))]),
+      sequence_number(block.n), block.line, depth_of_call(record, step.call), step.call,
+      step.repeat);
 }
 
 py::list dropped(const Record& record) {
@@ -100,8 +101,8 @@ py::list dropped(const Record& record) {
     const Trace::Dropped& drop = record.trace().dropped[i];
     const Block& block = code.blocks[drop.address];
     const Program& program = code.programs[static_cast<std::size_t>(code.program_at(drop.address))];
-    list.append(py::make_tuple(drop.step, code.name_of(program), sequence_number(block.n), block.line,
-                               code.files[program.file].name, drop.text));
+    list.append(py::make_tuple(drop.step, code.name_of(program), sequence_number(block.n),
+                               block.line, code.files[program.file].name, drop.text));
   }
   return list;
 }
@@ -158,11 +159,11 @@ py::tuple call_row(const Record& record, std::size_t index) {
   const Record::Reading reading(record);
   const std::size_t row = row_of_call(record, index);
   const CallRow& call = record.trace().calls[row];
-  return py::make_tuple(record.trace().call_number(row), call.parent,
-                        std::string(to_string(call.kind)),
-                        record.code().name_of(record.code().programs[static_cast<std::size_t>(call.program)]),
-                        sequence_number(call.start_n), call.repeats, call.level, call.first_step,
-                        call.last_step, call.caller_step);
+  return py::make_tuple(
+      record.trace().call_number(row), call.parent, std::string(to_string(call.kind)),
+      record.code().name_of(record.code().programs[static_cast<std::size_t>(call.program)]),
+      sequence_number(call.start_n), call.repeats, call.level, call.first_step, call.last_step,
+      call.caller_step);
 }
 
 /// The arguments of a call, as given.
@@ -309,7 +310,8 @@ std::vector<std::string> names_to(Kind last) {
 
 std::vector<std::string> program_names(const Record& record) {
   std::vector<std::string> names;
-  for (const Program& program : record.code().programs) names.push_back(record.code().name_of(program));
+  for (const Program& program : record.code().programs)
+    names.push_back(record.code().name_of(program));
   return names;
 }
 

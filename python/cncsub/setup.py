@@ -88,8 +88,12 @@ class Setup:
         core: dict[str, Any] = {
             "start": _point("start", self.start),
             "work_offsets": _checked("work_offsets", self.work_offsets, work_system, _point),
-            "length_offsets": _checked("length_offsets", self.length_offsets, _offset, checked_number),
-            "radius_offsets": _checked("radius_offsets", self.radius_offsets, _offset, checked_number),
+            "length_offsets": _checked(
+                "length_offsets", self.length_offsets, _offset, checked_number
+            ),
+            "radius_offsets": _checked(
+                "radius_offsets", self.radius_offsets, _offset, checked_number
+            ),
             "tools": _checked("tools", self.tools, _offset, _tool),
             "reference": _checked("reference", self.reference, _reference, _point),
             "rapid": _checked("rapid", self.rapid, checked_axis, _positive),
