@@ -46,7 +46,7 @@ objects = [
     library.main.blocks[0].words[0], run.steps, run.calls, run.moves, run.steps[0], run.calls[0], run.moves[0],
     run.variables, machine.variables, run.alarm.frames, *deep.stack, cncsub.controls, cncsub.causes,
     next(iter(cncsub.causes.values())), *control.rules[:2], *list(control.parameters.values())[:2],
-    *list(control.alarms.values())[:2], library.external, run.calls.tree(), *run.calls.tree(),
+    *list(control.alarms.values())[:2], *control.variable_options.values(), library.external, run.calls.tree(), *run.calls.tree(),
     machine._core, machine._core.trace, machine._core.code, machine._core.code.program(0), _core.text(10),
     run.messages, run.position, run.modal,
 ]

@@ -66,22 +66,18 @@ Fault Code::lacking_fault(StatementKind kind, std::uint32_t at) const {
 }
 
 VariablePlace Code::place(std::int64_t number) const {
-  VariablePlace place;
-  std::int32_t base = 0;
-  for (const VariableRange& range : control->variables) {
-    const bool common = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
-    if (number >= range.first && number <= range.last) {
-      place.kind = range.kind;
-      place.range = &range;
-      const auto offset = static_cast<std::int32_t>(number) - range.first;
-      place.index = range.kind == VariableKind::Local ? static_cast<std::int32_t>(number)
-                    : common                          ? base + offset
-                                                      : offset;
-      return place;
-    }
-    if (common) base += range.last - range.first + 1;
-  }
-  return place;
+  const auto behind = std::upper_bound(
+      variables.begin(), variables.end(), number,
+      [](std::int64_t n, const PlacedRange& placed) { return n < placed.range.first; });
+  if (behind == variables.begin()) return {};
+  const auto& [range, base] = behind[-1];
+  if (number > range.last) return {};
+  const auto offset = static_cast<std::int32_t>(number) - range.first;
+  const bool common = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
+  const std::int32_t index = range.kind == VariableKind::Local ? static_cast<std::int32_t>(number)
+                             : common                          ? base + offset
+                                                               : offset;
+  return {range.kind, index, &range};
 }
 
 std::int32_t Code::program_at(Address address) const {

@@ -440,8 +440,15 @@ struct VariablePlace {
   const VariableRange* range = nullptr;  // null: there is no such variable
 };
 
+/// A range of variables, and where the first of its commons lies.
+struct PlacedRange {
+  VariableRange range;
+  std::int32_t base = 0;
+};
+
 struct Code {
   std::shared_ptr<const Control> control;
+  std::vector<PlacedRange> variables;  // by number
   bool external_device = false;
   std::bitset<10001> g_codes;  // the codes of the control, ten times each; all where it has no list
   std::bitset<16> lacking;     // kinds of statements that the control does not have, or

@@ -12,6 +12,7 @@
 #include "cncsub/code.hpp"
 #include "cncsub/patience.hpp"
 #include "cncsub/scan.hpp"
+#include "cncsub/variable_table.hpp"
 
 namespace cncsub {
 
@@ -491,11 +492,12 @@ class LibraryReader {
 };
 
 void number_variables(Code& code) {
-  for (const VariableRange& range : code.control->variables) {
+  for (const VariableRange& range : variable_ranges(*code.control)) {
     if (range.kind == VariableKind::Local) {
       code.locals = std::max(code.locals, range.last + 1);
       code.locals_per_level = range.last - range.first + 1;
     }
+    code.variables.push_back({range, code.commons});
     if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept)
       code.commons += range.last - range.first + 1;
   }

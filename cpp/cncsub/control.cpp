@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "cncsub/rule_lists.hpp"
+#include "cncsub/variable_table.hpp"
 #include "controls/controls.hpp"
 
 namespace cncsub {
@@ -64,7 +65,8 @@ std::string joined(const std::vector<Option>& list) {
 }
 
 template <class T>
-std::optional<std::string> assign([[maybe_unused]] std::string_view type, const char* name,
+std::optional<std::string> assign([[maybe_unused]] const Control& control,
+                                  [[maybe_unused]] std::string_view type, const char* name,
                                   Rule<T>& rule, const RuleValue& value) {
   if constexpr (std::is_enum_v<T>) {
     if (const auto* slug = std::get_if<std::string>(&value)) {
@@ -88,6 +90,8 @@ std::optional<std::string> assign([[maybe_unused]] std::string_view type, const 
   } else {
     const auto* text = std::get_if<std::string>(&value);
     if (text == nullptr) return std::string(name) + " is a text";
+    if (type == "Ranges") return change_commons(control, rule.value, *text);
+    if (type == "VariableOptions") return change_variable_options(control, rule.value, *text);
     return type == "Codes" ? change_list(name, rule.value, *text)
                            : change_letters(name, rule.value, *text);
   }
@@ -107,14 +111,14 @@ std::vector<RuleView> rules(const Control& control) {
 std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
                                     const RuleValue& value, const std::string& source,
                                     Evidence evidence) {
-#define RULE(type, name, default_value, meaning)            \
-  if (rule_name == #name) {                                 \
-    auto wrong = assign(#type, #name, control.name, value); \
-    if (!wrong) {                                           \
-      control.name.source = source;                         \
-      control.name.evidence = evidence;                     \
-    }                                                       \
-    return wrong;                                           \
+#define RULE(type, name, default_value, meaning)                     \
+  if (rule_name == #name) {                                          \
+    auto wrong = assign(control, #type, #name, control.name, value); \
+    if (!wrong) {                                                    \
+      control.name.source = source;                                  \
+      control.name.evidence = evidence;                              \
+    }                                                                \
+    return wrong;                                                    \
   }
 #include "cncsub/rules.def"
 #undef RULE
@@ -236,12 +240,6 @@ std::optional<std::string> Control::set_parameter(const std::string& parameter_n
   return std::nullopt;
 }
 
-const VariableRange* Control::variable(std::int64_t number) const {
-  for (const VariableRange& range : variables)
-    if (number >= range.first && number <= range.last) return &range;
-  return nullptr;
-}
-
 namespace {
 
 /// No fact is stronger than its sources are on this control, whoever wrote it down.
@@ -254,6 +252,7 @@ void judge(Control& c) {
 #undef RULE
   for (Parameter& p : c.parameters) weaken(p.source, p.evidence);
   for (VariableRange& v : c.variables) weaken(v.source, v.evidence);
+  for (VariableOption& option : c.variable_choices) weaken(option.source, option.evidence);
   for (CodeCall& call : c.code_calls) weaken(call.source, call.evidence);
   for (auto& [cause, entry] : c.alarms) weaken(entry.source, entry.evidence);
 }

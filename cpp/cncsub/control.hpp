@@ -36,8 +36,10 @@ struct Option {
 template <class Choice>
 const std::vector<Option>& options();
 
-using Letters = std::string;  // addresses, one letter each
-using Codes = std::string;    // names or codes, separated by blanks
+using Letters = std::string;          // addresses, one letter each
+using Codes = std::string;            // names or codes, separated by blanks
+using Ranges = std::string;           // of variable numbers, from - to, separated by blanks
+using VariableOptions = std::string;  // names, separated by blanks
 
 /// The source of an answer that a control's file leaves as the family has it.
 inline constexpr const char* kFamilyDefault = "family default";
@@ -100,6 +102,9 @@ struct Parameter {
   void (*effect)(Control&, double) = nullptr;
 };
 
+/// How many axes have a variable of those that `skip_variables` begins.
+inline constexpr int kSkipAxes = 5;
+
 /// What a variable number is. The engine knows the kinds; the control says at which numbers they
 /// stand.
 enum class VariableKind : std::uint8_t {
@@ -134,11 +139,14 @@ enum class VariableKind : std::uint8_t {
   ActiveLength,     // #5081...: length offset in force
   ServoError,       // #5101...
   WorkOffset,       // #5201...: 20 numbers a system, the first of them external
+  AxisWorkOffset,   // #2500...: 100 numbers an axis, the first of them external
   ExtraWorkOffset,  // #7001...: G54.1 P1...
   LengthWear,       // tool offsets
   LengthGeometry,
   RadiusWear,
   RadiusGeometry,
+  ParameterChoice,  // #100000...: which parameter #100010 reads
+  ParameterValue,   // #100010
 };
 
 enum class Access : std::uint8_t { ReadWrite, ReadOnly, WriteOnly };
@@ -149,6 +157,17 @@ struct VariableRange {
   VariableKind kind = VariableKind::Common;
   Access access = Access::ReadWrite;
   char address = 0;  // of a modal word
+  std::string source;
+  Evidence evidence = Evidence::Inferred;
+};
+
+/// Variables that a shop buys. Common ones: `commons` are all that a control with the option has;
+/// others: `variables` are what the option adds.
+struct VariableOption {
+  std::string name;     // "700-sets"
+  std::string meaning;  // the maker's name of it, or what it brings
+  Ranges commons;
+  std::vector<VariableRange> variables;
   std::string source;
   Evidence evidence = Evidence::Inferred;
 };
@@ -185,7 +204,8 @@ struct Control {
 #undef RULE
 
   std::vector<Parameter> parameters;
-  std::vector<VariableRange> variables;
+  std::vector<VariableRange> variables;  // besides the commons
+  std::vector<VariableOption> variable_choices;
   std::vector<CodeCall> code_calls;
   std::map<Cause, AlarmEntry> alarms;
   std::string user_alarm_prefix;  // "MC": #3000=1 is MC3001
@@ -198,7 +218,6 @@ struct Control {
   /// Sets a parameter of the control and lets it have its effect on the rules. Returns what is
   /// wrong with the name or the value, or nothing.
   std::optional<std::string> set_parameter(const std::string& parameter_name, double value);
-  const VariableRange* variable(std::int64_t number) const;
 };
 
 /// The answers of a control without their sources.

@@ -473,7 +473,7 @@ void Machine::keep_skip(SkipMove skip) {
   }
   const int first = code_->control->skip_variables.value;
   if (first <= 0) return;
-  for (int axis = 0; axis < 5; ++axis) write(first + axis, motion_.skip_position(axis));
+  for (int axis = 0; axis < kSkipAxes; ++axis) write(first + axis, motion_.skip_position(axis));
 }
 
 /// M and T codes go to the machine; M00 and M01 wait for the operator.

@@ -290,6 +290,7 @@ class Machine {
   bool compute(const Instruction* at, const Places& places, double& result, Trap& trap);
   std::optional<Fault> read_at(const VariablePlace& place, std::int64_t number, int level,
                                double& value) const;
+  double chosen_parameter() const;
   std::optional<Fault> system_read(const VariablePlace& place, std::int64_t number,
                                    double& value) const;
   std::optional<Fault> system_write(const VariablePlace& place, std::int64_t number, double value);

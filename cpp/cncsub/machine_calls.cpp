@@ -296,7 +296,12 @@ void Machine::open_level() {
 bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t modal) {
   const CallRecord& record = code_->calls[index];
   if (auto fault = refused(record, target)) return alarm(*fault);
-  if (record.variable > 0) write(record.variable, record.code);
+  if (record.variable > 0)
+    if (auto fault = write(record.variable, record.code)) {
+      fault->at = record.at;
+      fault->width = record.width;
+      return alarm(*fault);
+    }
   const bool by_move = modal >= 0 && !modals_[static_cast<std::size_t>(modal)].every_block;
   const Address called_at = by_move ? jumped_after_ : pc_;
   if (!by_move) {

@@ -66,7 +66,7 @@ std::uint64_t Machine::memory() const {
          (stack_.size() - 1) * (sizeof(Open) + sizeof(Frame)) +
          static_cast<std::size_t>(level_) * locals + modals_.size() * (sizeof(Modal) + locals) +
          waiting_.size() * sizeof(waiting_[0]) + loops_.size() * sizeof(Address) +
-         (system_.size() + names_.size()) * kNodeBytes;
+         (system_.size() + names_.size()) * kNodeBytes + commons_.size() * sizeof(double);
 }
 
 }  // namespace cncsub

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cncsub/machine.hpp"
+#include "cncsub/variable_table.hpp"
 
 namespace cncsub {
 
@@ -64,8 +65,8 @@ bool Machine::evaluate_long(const Expression& e, const Places& places, double& v
   std::string detail = trap.detail;
   if (trap.variable != Trap::kNoVariable) {
     const std::string name = "#" + std::to_string(trap.variable);
-    detail =
-        trap.cause == Cause::IllegalVariable ? "there is no " + name : name + " cannot be read";
+    detail = trap.cause == Cause::IllegalVariable ? no_variable(*code_->control, trap.variable)
+                                                  : name + " cannot be read";
   }
   return alarm({trap.cause, inside ? trap.at : e.at, 0, std::move(detail)});
 }

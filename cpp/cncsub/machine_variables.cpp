@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cncsub/machine.hpp"
+#include "cncsub/variable_table.hpp"
 
 namespace cncsub {
 
@@ -10,12 +11,13 @@ namespace {
 
 constexpr int kSystems = 20;  // numbers from one work coordinate system to the next
 
-Fault no_variable(std::int64_t number) {
-  return {.cause = Cause::IllegalVariable, .detail = "there is no #" + std::to_string(number)};
+Fault missing(const Code& code, std::int64_t number) {
+  return {.cause = Cause::IllegalVariable, .detail = no_variable(*code.control, number)};
 }
 
-std::optional<Fault> refused_write(const VariablePlace& place, std::int64_t number) {
-  if (place.range == nullptr) return no_variable(number);
+std::optional<Fault> refused_write(const Code& code, const VariablePlace& place,
+                                   std::int64_t number) {
+  if (place.range == nullptr) return missing(code, number);
   if (place.kind == VariableKind::Vacant)
     return Fault{.cause = Cause::VacantAssigned, .detail = "#0 is always vacant"};
   switch (place.range->access) {
@@ -30,6 +32,9 @@ std::optional<Fault> refused_write(const VariablePlace& place, std::int64_t numb
   }
   return std::nullopt;
 }
+
+/// The axis of #2500 to #2506, #2600 to #2606 and so on, from 0.
+int axis_of(const VariableRange& range) { return range.first / 100 % 10 - 5; }
 
 }  // namespace
 
@@ -53,7 +58,7 @@ std::optional<Fault> Machine::write(std::int64_t number, double value) {
 
 std::optional<Fault> Machine::read_at(const VariablePlace& place, std::int64_t number, int level,
                                       double& value) const {
-  if (place.range == nullptr) return no_variable(number);
+  if (place.range == nullptr) return missing(*code_, number);
   if (place.range->access == Access::WriteOnly)
     return Fault{.cause = Cause::VariableReadProtected,
                  .detail = "#" + std::to_string(number) + " cannot be read"};
@@ -79,7 +84,7 @@ std::optional<Fault> Machine::read_at(const VariablePlace& place, std::int64_t n
 }
 
 std::optional<Fault> Machine::unwritable(std::int64_t number) const {
-  return refused_write(code_->place(number), number);
+  return refused_write(*code_, code_->place(number), number);
 }
 
 bool Machine::can_be_vacant(std::int64_t number) const {
@@ -104,7 +109,7 @@ bool Machine::is_signal(std::int64_t number) const {
 
 std::optional<Fault> Machine::write_at(std::int64_t number, int level, double value) {
   const VariablePlace place = code_->place(number);
-  if (auto fault = refused_write(place, number)) return fault;
+  if (auto fault = refused_write(*code_, place, number)) return fault;
   switch (place.kind) {
     case VariableKind::Local:
       locals_[local_at(level, place.index)] = value;
@@ -122,6 +127,19 @@ std::optional<Fault> Machine::write_at(std::int64_t number, int level, double va
     default:
       return system_write(place, number, value);
   }
+}
+
+/// The parameter whose number was written to the first variable that chooses one; 0 where the
+/// control has none of this number, as of PRM.
+double Machine::chosen_parameter() const {
+  for (const auto& [range, base] : code_->variables)
+    if (range.kind == VariableKind::ParameterChoice) {
+      const auto chosen = system_.find(range.first);
+      const double number = chosen == system_.end() ? 0 : std::round(chosen->second);
+      if (!(std::fabs(number) < 1e9)) return 0;
+      return code_->control->parameter(std::to_string(to_whole<std::int64_t>(number)));
+    }
+  return 0;
 }
 
 std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64_t number,
@@ -194,8 +212,14 @@ std::optional<Fault> Machine::system_read(const VariablePlace& place, std::int64
     case VariableKind::WorkOffset:
       value = motion_.work_offset(index / kSystems, index % kSystems);
       break;
+    case VariableKind::AxisWorkOffset:
+      value = motion_.work_offset(index, axis_of(*place.range));
+      break;
     case VariableKind::ExtraWorkOffset:
       value = motion_.extra_offset(index / kSystems + 1, index % kSystems);
+      break;
+    case VariableKind::ParameterValue:
+      value = chosen_parameter();
       break;
     case VariableKind::LengthWear:
     case VariableKind::LengthGeometry:
@@ -226,6 +250,9 @@ std::optional<Fault> Machine::system_write(const VariablePlace& place, std::int6
       break;
     case VariableKind::WorkOffset:
       motion_.set_work_offset(index / kSystems, index % kSystems, value);
+      break;
+    case VariableKind::AxisWorkOffset:
+      motion_.set_work_offset(index, axis_of(*place.range), value);
       break;
     case VariableKind::ExtraWorkOffset:
       motion_.set_extra_offset(index / kSystems + 1, index % kSystems, value);
@@ -264,11 +291,9 @@ void Machine::reset() {
   cycles_ = 0;
   for (std::int64_t number = 0; number < code_->locals; ++number)
     if (cleared_by_reset(number)) locals_[static_cast<std::size_t>(number)] = kVacant;
-  for (const VariableRange& range : code_->control->variables)
-    if (range.kind == VariableKind::Common)
-      for (std::int32_t number = range.first; number <= range.last; ++number)
-        if (cleared_by_reset(number))
-          commons_[static_cast<std::size_t>(code_->place(number).index)] = kVacant;
+  for (const auto& [range, base] : code_->variables)
+    if (range.kind == VariableKind::Common && cleared_by_reset(range.first))
+      std::fill_n(commons_.begin() + base, range.last - range.first + 1, kVacant);
   stop_ = Stop::Running;
   alarm_.reset();
   waiting_for_.clear();
@@ -277,14 +302,12 @@ void Machine::reset() {
 
 std::map<std::int32_t, double> Machine::variables(int level) const {
   std::map<std::int32_t, double> values;
-  std::size_t commons = 0;  // those of the ranges before
-  for (const VariableRange& range : code_->control->variables) {
+  for (const auto& [range, base] : code_->variables) {
     const double* value = nullptr;
     if (range.kind == VariableKind::Local) {
       value = locals_.data() + local_at(level, range.first);
     } else if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept) {
-      value = commons_.data() + commons;
-      commons += static_cast<std::size_t>(range.last - range.first + 1);
+      value = commons_.data() + base;
     } else {
       continue;
     }

@@ -10,18 +10,6 @@ namespace {
 
 constexpr std::size_t kLongest = 200;  // an entry that is compared with the known ones
 
-std::vector<std::string_view> split(std::string_view text) {
-  std::vector<std::string_view> entries;
-  while (!text.empty()) {
-    const auto blank = std::min(text.find(' '), text.size());
-    if (blank > 0) entries.push_back(text.substr(0, blank));
-    text.remove_prefix(std::min(blank + 1, text.size()));
-  }
-  return entries;
-}
-
-std::string_view key_of(std::string_view entry) { return entry.substr(0, entry.find('=')); }
-
 /// How many letters have to be changed to make one text of the other.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -38,8 +26,19 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// `; near are ...`: the three known words that are most like this one.
-std::string near(std::string_view word, std::vector<std::string_view> known) {
+}  // namespace
+
+std::vector<std::string_view> split_entries(std::string_view text) {
+  std::vector<std::string_view> entries;
+  while (!text.empty()) {
+    const auto blank = std::min(text.find(' '), text.size());
+    if (blank > 0) entries.push_back(text.substr(0, blank));
+    text.remove_prefix(std::min(blank + 1, text.size()));
+  }
+  return entries;
+}
+
+std::string near_words(std::string_view word, std::vector<std::string_view> known) {
   word = word.substr(0, kLongest);
   std::stable_sort(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {
     return distance(word, a) < distance(word, b);
@@ -50,10 +49,14 @@ std::string near(std::string_view word, std::vector<std::string_view> known) {
   return text;
 }
 
+namespace {
+
+std::string_view key_of(std::string_view entry) { return entry.substr(0, entry.find('=')); }
+
 std::optional<std::string> one_of(std::string_view what, std::string_view word,
                                   const std::vector<std::string_view>& known) {
   if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
-  return std::string(word) + " is no " + std::string(what) + near(word, known);
+  return std::string(word) + " is no " + std::string(what) + near_words(word, known);
 }
 
 /// A code such as 54 or 54.1.
@@ -140,24 +143,28 @@ std::string_view statement_name(StatementKind kind) {
 }
 
 std::optional<std::string> change_list(std::string_view rule, std::string& list,
-                                       std::string_view text) {
+                                       std::string_view text,
+                                       const std::vector<std::string_view>& known) {
   const std::string name = std::string(rule) + ": ";
   const bool anew = text.starts_with('=');
   if (anew) text.remove_prefix(1);
   const std::string before = list;
-  std::vector<std::string_view> entries = split(anew ? std::string_view() : before);
-  for (std::string_view entry : split(text)) {
+  std::vector<std::string_view> entries = split_entries(anew ? std::string_view() : before);
+  for (std::string_view entry : split_entries(text)) {
     const bool away = entry.size() > 1 && entry[0] == '-';
     if (away) entry.remove_prefix(1);
     const auto same = [&](std::string_view other) { return same_entry(other, entry); };
     const auto found = std::find_if(entries.begin(), entries.end(), same);
     if (away) {
       if (found == entries.end())
-        return name + "there is no " + std::string(entry) + " to take away" + near(entry, entries);
+        return name + "there is no " + std::string(entry) + " to take away" +
+               near_words(entry, entries);
       entries.erase(found);
       continue;
     }
-    if (auto wrong = check_of(rule)(entry)) return name + *wrong;
+    const auto wrong = rule == "variable_options" ? one_of("option that brings them", entry, known)
+                                                  : check_of(rule)(entry);
+    if (wrong) return name + *wrong;
     if (found == entries.end())
       entries.push_back(entry);
     else

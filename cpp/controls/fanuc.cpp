@@ -271,13 +271,10 @@ constexpr Access kReadWrite = Access::ReadWrite;
 constexpr Access kReadOnly = Access::ReadOnly;
 constexpr Access kWriteOnly = Access::WriteOnly;
 
-// The numbers of a mill with tool offset memory C and eight axes. #150-#199 and #532-#999 are
-// options; they are fitted here.
+// The numbers of a mill with tool offset memory C and eight axes.
 constexpr VariableRow kVariables[] = {
     {0, 0, VariableKind::Vacant, kReadOnly, 0, kJix, Secondary},
     {1, 33, VariableKind::Local, kReadWrite, 0, kJix, Secondary},
-    {100, 199, VariableKind::Common, kReadWrite, 0, kJix, Secondary},
-    {500, 999, VariableKind::Kept, kReadWrite, 0, kJix, Secondary},
     {1000, 1015, VariableKind::Input, kReadOnly, 0, kA51, Secondary},
     {1032, 1032, VariableKind::InputWord, kReadOnly, 0, kA51, Secondary},
     {1100, 1115, VariableKind::Output, kReadWrite, 0, kKnown, Inferred},
@@ -320,8 +317,7 @@ constexpr VariableRow kVariables[] = {
     {13001, 13999, VariableKind::RadiusGeometry, kReadWrite, 0, kKnown, Inferred},
 };
 
-// What the 30i adds: the running block's modal state, 300 work systems, variables of the embedded
-// macro.
+// What the 30i adds: the running block's modal state, 300 work systems.
 constexpr VariableRow kVariables30i[] = {
     {4201, 4230, VariableKind::ActiveCode, kReadOnly, 0, kKnown, Inferred},
     {4302, 4302, VariableKind::ActiveWord, kReadOnly, 'B', kKnown, Inferred},
@@ -335,7 +331,6 @@ constexpr VariableRow kVariables30i[] = {
     {4320, 4320, VariableKind::ActiveWord, kReadOnly, 'T', kKnown, Inferred},
     {4330, 4330, VariableKind::ActiveWord, kReadOnly, 'P', kKnown, Inferred},
     {14001, 19988, VariableKind::ExtraWorkOffset, kReadWrite, 0, kKnown, Inferred},
-    {98000, 98499, VariableKind::Kept, kReadWrite, 0, kKnown, Inferred},
     // The positions once more, for more than 20 axes.
     {100001, 100050, VariableKind::BlockEnd, kReadOnly, 0, kKnown, Inferred},
     {100051, 100100, VariableKind::MachinePosition, kReadOnly, 0, kKnown, Inferred},
@@ -348,6 +343,47 @@ constexpr VariableRow kVariables30i[] = {
 void add_variable(Control& c, const VariableRow& row) {
   c.variables.push_back(
       {row.first, row.last, row.kind, row.access, row.address, row.source, row.evidence});
+}
+
+/// The commons and what else of variables is bought. The addition is fitted here.
+void variable_choices(Control& c) {
+  c.commons = {"100-199 500-999", cite({kJix, "with the addition"}), Secondary};
+  c.variable_options = {"", kPolicy, Inferred};
+  c.variable_choices = {
+      {"basic-commons",
+       "the custom macro without added common variables",
+       "100-149 500-531",
+       {},
+       kXia,
+       Secondary},
+      {"added-commons",
+       "addition of custom macro common variables",
+       "100-199 500-999",
+       {},
+       cite({kJix, "its name general knowledge"}),
+       Inferred},
+      {"commons-from-100", "common variables from #100 to #999", "100-999", {}, kKnown, Inferred},
+  };
+  VariableOption work{"work-offsets-by-axis",
+                      "the work offsets of a mill by axis, #2500 to #2806",
+                      "",
+                      {},
+                      cite({"real programs", "general knowledge"}),
+                      Inferred};
+  for (int first = 2500; first <= 2800; first += 100)
+    work.variables.push_back(
+        {first, first + 6, VariableKind::AxisWorkOffset, kReadWrite, 0, work.source, Inferred});
+  c.variable_choices.push_back(std::move(work));
+}
+
+/// The embedded macro has commons of its own.
+void embedded_macro(Control& c) {
+  c.variable_choices.push_back({"embedded-macro",
+                                "common variables #98000 to #98499",
+                                "100-199 500-999 98000-98499",
+                                {},
+                                kKnown,
+                                Inferred});
 }
 
 // ---- calls by code ----
@@ -602,6 +638,7 @@ Control fanuc_16i() {
   macro_calls(c);
   parameters_16i(c);
   for (const VariableRow& row : kVariables) add_variable(c, row);
+  variable_choices(c);
   code_calls(c, 255, 1, 97, 6, 255);
   take_list(c, fanuc_16i_alarms(), "", k16iList);
   for (const auto& [cause, source] : {std::pair{Cause::Overflow, kJix},
@@ -679,6 +716,7 @@ Control fanuc_0i_f() {
   c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD ADP PRM",
                  cite({kAli, "POW, ADP and PRM general knowledge"}), Inferred};
   domain_alarms(c, Cause::ArgumentOutOfRange);
+  embedded_macro(c);
   return c;
 }
 
@@ -700,6 +738,7 @@ Control fanuc_30i() {
       c, {"19607#2", 0, "the radius offset goes round an acute corner 0 = on lines, 1 = on an arc",
           kKnown, Inferred, nullptr});
   for (const VariableRow& row : kVariables30i) add_variable(c, row);
+  c.commons = {"100-199 500-999 98000-98499", cite({kJix, "#98000 general knowledge"}), Inferred};
   for (VariableRange& range : c.variables) {
     if (range.kind == VariableKind::Date || range.kind == VariableKind::Time)
       range.access = Access::ReadWrite;

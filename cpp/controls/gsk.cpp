@@ -276,10 +276,8 @@ void variables_988(Control& c) {
   add(0, 0, VariableKind::Vacant);
   c.variables.push_back(
       {1, 33, VariableKind::Local, Access::ReadWrite, 0, kTA + "27, arguments", kManual});
-  c.variables.push_back(
-      {100, 199, VariableKind::Common, Access::ReadWrite, 0, kTApar + "6001#6", kManual});
-  c.variables.push_back(
-      {500, 999, VariableKind::Kept, Access::ReadWrite, 0, kTApar + "6031", kManual});
+  c.commons = {"100-199 500-999", kTApar + "6001#6 and 6031", kManual};
+  c.variable_options = {"", kPolicy, kInferred};
   add(1000, 1015, VariableKind::Input);
   add(1032, 1035, VariableKind::InputWord);
   add(1100, 1115, VariableKind::Output, Access::ReadWrite);
@@ -680,10 +678,9 @@ void variables_980(Control& c) {
   const std::string stored = ": an offset of the lathe, a stored number here";
   add(0, 0, VariableKind::Vacant);
   add(1, 33, VariableKind::Local, Access::ReadWrite);
-  add(100, 199, VariableKind::Common, Access::ReadWrite);
-  add(200, 499, VariableKind::Common,
-      Access::ReadWrite);  // the manual's example of #9100 uses #205
-  add(500, 999, VariableKind::Kept, Access::ReadWrite);
+  // The manual's example of #9100 uses #205.
+  c.commons = {"100-999", table, kManual};
+  c.variable_options = {"", kPolicy, kInferred};
   add(1000, 1015, VariableKind::Input);
   add(1032, 1034, VariableKind::InputWord);
   add(1100, 1115, VariableKind::Output, Access::ReadWrite);
@@ -913,6 +910,8 @@ void no_macros_928(Control& c) {
   c.codes_not_with_modal_call = {"", "there are no macro calls", kInferred};
   const std::string none = kGeneral + ": no macro statements";
   c.statements = {"", none, kInferred};
+  c.commons = {"", none, kInferred};
+  c.variable_options = {"", none, kInferred};
   c.if_form = {IfForm::GotoThen, none, kInferred};
   c.loop_form = {LoopForm::DoEnd, none, kInferred};
   c.jumps = {false, k001 + "jumps are M97", kDocument};

@@ -168,7 +168,8 @@ void parameters(Control& c) {
 
 void variables(Control& c) {
   c.variables.push_back({0, 49, VariableKind::Local, Access::ReadWrite, 0, kH9, Secondary});
-  c.variables.push_back({50, 199, VariableKind::Common, Access::ReadWrite, 0, kH9, Secondary});
+  c.commons = {"50-199", kH9, Secondary};
+  c.variable_options = {"", kPolicy, Inferred};
   c.variables.push_back({200, 599, VariableKind::LevelImage, Access::ReadWrite, 0, kH9, Secondary});
   c.variables.push_back(
       {600, 699, VariableKind::LengthGeometry, Access::ReadWrite, 0, kH9, Secondary});

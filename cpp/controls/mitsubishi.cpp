@@ -260,8 +260,6 @@ void variables(Control& c) {
   add(0, 0, VariableKind::Vacant);
   c.variables.push_back(
       {1, 33, VariableKind::Local, Access::ReadWrite, 0, kSM + "difference (5)", kManual});
-  add(100, 199, VariableKind::Common, Access::ReadWrite);
-  add(500, 999, VariableKind::Kept, Access::ReadWrite);
   add(1000, 1031, VariableKind::Input);
   add(1032, 1035, VariableKind::InputWord);
   add(1100, 1131, VariableKind::Output, Access::ReadWrite);
@@ -296,6 +294,40 @@ void variables(Control& c) {
   add(11001, 11200, VariableKind::LengthWear, Access::ReadWrite);
   add(16001, 16200, VariableKind::RadiusGeometry, Access::ReadWrite);
   add(17001, 17200, VariableKind::RadiusWear, Access::ReadWrite);
+}
+
+/// The commons come in sets, by the number of a part system's; the names of the sets are from
+/// general knowledge.
+void variable_choices(Control& c) {
+  const std::string programs = "real programs of an M700-class machine use them; their name ";
+  c.commons = {"100-199 500-999", kGeneral + ": 600 sets", kInferred};
+  c.variable_options = {"", kPolicy, kInferred};
+  const auto sets = [&c](const char* name, const char* meaning, const char* commons,
+                         const std::string& source) {
+    c.variable_choices.push_back({name, meaning, commons, {}, source, kInferred});
+  };
+  sets("200-sets", "200 sets of common variables", "100-199 500-599", kGeneral);
+  sets("300-sets", "300 sets of common variables", "100-199 500-699", kGeneral);
+  sets("600-sets", "600 sets of common variables", "100-199 500-999", kGeneral);
+  sets("700-sets", "700 sets of common variables", "100-199 400-999", programs + kGeneral);
+  sets("8000-sets", "8000 sets of common variables", "100-199 400-999 900000-907399",
+       programs + kGeneral);
+  const auto option = [&](const char* name, const char* meaning,
+                          std::vector<VariableRange> variables) {
+    c.variable_choices.push_back(
+        {name, meaning, "", std::move(variables), programs + kGeneral, kInferred});
+  };
+  const auto range = [&](std::int32_t first, std::int32_t last, VariableKind kind,
+                         Access access = Access::ReadWrite) {
+    return VariableRange{first, last, kind, access, 0, programs + kGeneral, kInferred};
+  };
+  option(
+      "offsets-from-2201", "tool wear and radius as #2201 to #2800",
+      {range(2201, 2400, VariableKind::LengthWear), range(2401, 2600, VariableKind::RadiusGeometry),
+       range(2601, 2800, VariableKind::RadiusWear)});
+  option("parameter-reading", "parameters read by #100000 to #100010",
+         {range(100000, 100002, VariableKind::ParameterChoice),
+          range(100010, 100010, VariableKind::ParameterValue, Access::ReadOnly)});
 }
 
 /// The control registers its call codes on a screen; FANUC's parameter numbers stand for it.
@@ -385,6 +417,7 @@ Control m700() {
   macros(c);
   alarms(c);
   variables(c);
+  variable_choices(c);
   parameters(c);
   call_codes(c);
   return c;

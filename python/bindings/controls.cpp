@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "cncsub/control.hpp"
 #include "cncsub/source.hpp"
+#include "cncsub/variable_table.hpp"
 
 namespace py = pybind11;
 
@@ -12,9 +13,44 @@ namespace cncsub::bindings {
 
 namespace {
 
+constexpr const char* kReplace = R"(replace(**rules)
+
+The control with rules changed, by the names `control.rules` shows.
+
+A list takes entries (`g_meanings="68.2=neutral"`), takes them away (`"-68.2"`), or is given as a
+whole (`"= 0 1 2"`). `commons` is always given as a whole: ranges of variable numbers, and names of
+`control.variable_options`. Raises `ValueError` with the entry that is wrong and what is near it.
+
+>>> import cncsub
+>>> control = cncsub.controls["mitsubishi-m700"].replace(commons="100-199 500-999 900000-907399")
+>>> cncsub.loads("O1\n#900000=7\nM30\n", control=control).run().variables[900000]
+7.0
+>>> control.replace(commons="199-100")
+Traceback (most recent call last):
+ValueError: commons: 199-100 ends before it begins: write 100-199
+)";
+constexpr const char* kVariableOptions = R"(Variables that a shop buys, by the name of the option.
+
+Each has `meaning`, `numbers`, `fitted` (whether the control as it is set has them all), `source`,
+`evidence`, and the `rule` by which `replace` fits it: `commons`, whose options name all commons of
+a control, or `variable_options`, whose options are added.
+
+>>> import cncsub
+>>> option = cncsub.controls["mitsubishi-m700"].variable_options["700-sets"]
+>>> option.numbers, option.fitted, option.rule
+('100-199 400-999', False, 'commons')
+>>> control = cncsub.controls["fanuc-0i-f"].replace(variable_options="work-offsets-by-axis")
+>>> cncsub.loads("O1\n#2501=5\n#100=#5221\nM30\n", control=control).run().variables[100]
+5.0
+)";
+
 struct AlarmRow {
   std::string cause;
   AlarmEntry entry;
+};
+struct VariableOptionRow {
+  VariableOption option;
+  bool fitted = false;
 };
 
 py::object object_of(const RuleValue& value) {
@@ -91,6 +127,12 @@ std::shared_ptr<Control> replace(const Control& control, const py::kwargs& chang
   return changed;
 }
 
+/// The value by which a rule is set: a list is not added to the one that is there.
+py::object whole_of(const RuleView& rule) {
+  const auto* text = std::get_if<std::string>(&rule.value);
+  return text == nullptr || !rule.options.empty() ? value_of(rule) : py::str("=" + *text);
+}
+
 // A changed control is sent as its name and what was changed: the effects of parameters are code.
 py::tuple state_of(const Control& control) {
   const Control& base = base_of(control.name);
@@ -104,7 +146,7 @@ py::tuple state_of(const Control& control) {
   const auto now = rules(control), then = rules(again);
   for (std::size_t i = 0; i < now.size(); ++i)
     if (now[i].value != then[i].value || now[i].source != then[i].source)
-      changes[py::str(now[i].name)] = py::make_tuple(value_of(now[i]), now[i].source);
+      changes[py::str(now[i].name)] = py::make_tuple(whole_of(now[i]), now[i].source);
   return py::make_tuple(control.name, parameters, changes);
 }
 std::shared_ptr<Control> control_of(const py::tuple& state) {
@@ -192,6 +234,24 @@ void add_controls(py::module_& m) {
         return "<AlarmEntry " + (a.entry.number.empty() ? "" : a.entry.number + " ") + a.cause +
                ">";
       });
+  py::class_<VariableOptionRow>(m, "VariableOption", py::is_final())
+      .def_property_readonly("name", [](const VariableOptionRow& v) { return v.option.name; })
+      .def_property_readonly("meaning", [](const VariableOptionRow& v) { return v.option.meaning; })
+      .def_property_readonly("numbers",
+                             [](const VariableOptionRow& v) { return numbers_of(v.option); })
+      .def_property_readonly("rule",
+                             [](const VariableOptionRow& v) {
+                               return v.option.commons.empty() ? "variable_options" : "commons";
+                             })
+      .def_readonly("fitted", &VariableOptionRow::fitted)
+      .def_property_readonly("source", [](const VariableOptionRow& v) { return v.option.source; })
+      .def_property_readonly(
+          "evidence",
+          [](const VariableOptionRow& v) { return std::string(to_string(v.option.evidence)); })
+      .def("__repr__", [](const VariableOptionRow& v) {
+        return "<VariableOption " + v.option.name + ": " + numbers_of(v.option) +
+               (v.fitted ? ", fitted>" : ">");
+      });
   py::class_<Control, std::shared_ptr<Control>>(m, "Control", py::is_final())
       .def_readonly("name", &Control::name)
       .def_readonly("title", &Control::title)
@@ -219,19 +279,34 @@ void add_controls(py::module_& m) {
                                }
                                return rows;
                              })
-      .def("with_parameters",
-           [](const Control& c, const py::args& args, const py::kwargs& named) {
-             const bool by_name = args.empty() && named.size() == 1 && named.contains("parameters");
-             if (!by_name && (args.size() != 1 || !named.empty()))
-               throw py::type_error("with_parameters takes one mapping, such as {'6050': 70}");
-             return with_parameters(c, by_name ? py::object(named["parameters"]) : args[0]);
-           })
-      .def("replace",
-           [](const Control& c, const py::args& args, const py::kwargs& changes) {
-             if (!args.empty())
-               throw py::type_error("replace takes rules by their names: max_nesting=10");
-             return replace(c, changes);
-           })
+      .def_property_readonly(
+          "variable_options",
+          [](const Control& c) {
+            py::dict rows;
+            for (const VariableOption& option : c.variable_choices)
+              rows[py::str(option.name)] =
+                  py::cast(VariableOptionRow{option, is_fitted(c, option)});
+            return rows;
+          },
+          kVariableOptions)
+      .def(
+          "with_parameters",
+          [](const Control& c, const py::args& args, const py::kwargs& named) {
+            const bool by_name = args.empty() && named.size() == 1 && named.contains("parameters");
+            if (!by_name && (args.size() != 1 || !named.empty()))
+              throw py::type_error("with_parameters takes one mapping, such as {'6050': 70}");
+            return with_parameters(c, by_name ? py::object(named["parameters"]) : args[0]);
+          },
+          "with_parameters(parameters)\n\nThe control with parameters of its own changed, such as "
+          "{'6050': 70, '6001#5': 1}.\nRaises `ValueError` for a parameter that it does not have.")
+      .def(
+          "replace",
+          [](const Control& c, const py::args& args, const py::kwargs& changes) {
+            if (!args.empty())
+              throw py::type_error("replace takes rules by their names: max_nesting=10");
+            return replace(c, changes);
+          },
+          kReplace)
       .def("__copy__", [](const Control& c) { return std::make_shared<Control>(c); })
       .def(
           "__deepcopy__",

@@ -128,6 +128,7 @@ def sources_of(control: Control) -> list[Source]:
     """The sources that the facts of a control cite, in the order of `sources`."""
     texts = {rule.source for rule in control.rules}
     texts |= {parameter.source for parameter in control.parameters.values()}
+    texts |= {option.source for option in control.variable_options.values()}
     texts |= {alarm.source for alarm in control.alarms.values()}
     keys = {key for text in texts for key in _core.cited(text)}
     return [source for key, source in sources.items() if key in keys]

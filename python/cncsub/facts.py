@@ -94,6 +94,18 @@ def control_facts(control: cncsub.Control) -> dict[str, Any]:
             }
             for parameter in control.parameters.values()
         ],
+        "variable_options": [
+            {
+                "name": option.name,
+                "meaning": option.meaning,
+                "numbers": option.numbers,
+                "fitted": option.fitted,
+                "rule": option.rule,
+                "source": option.source,
+                "evidence": option.evidence,
+            }
+            for option in control.variable_options.values()
+        ],
         "alarms": [
             {"cause": alarm.cause, **_alarm_entry(alarm)} for alarm in control.alarms.values()
         ],

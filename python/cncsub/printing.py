@@ -118,6 +118,12 @@ def print_control(console: Console, control: cncsub.Control) -> None:
     _print_facts(console, "Rules", rules)
     parameters = ((f"{p.name} = {p.value:g}", p.meaning, p) for p in control.parameters.values())
     _print_facts(console, "Parameters", parameters)
+    options = (
+        (f"{o.rule}={o.name}{', fitted' if o.fitted else ''}", f"{o.meaning}: {o.numbers}", o)
+        for o in control.variable_options.values()
+    )
+    if control.variable_options:
+        _print_facts(console, "Variables by option", options)
     alarms = (
         (f"{_numbers(a)} {a.cause}", a.text or cncsub.causes[a.cause].meaning, a)
         for a in control.alarms.values()

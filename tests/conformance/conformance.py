@@ -51,6 +51,7 @@ class Case:
     # The run.
     mdi: str | None
     params: Mapping[str, int | float]
+    replace: Mapping[str, bool | int | str]  # rules
     setup: Mapping[str, Any] | None
     options: Mapping[str, Any]  # the keywords of `library.run` as they are
 
@@ -142,6 +143,7 @@ def case(
     mdi: str | None = None,
     start: int | None = None,
     params: Mapping[str, int | float] | None = None,
+    replace: Mapping[str, bool | int | str] | None = None,
     skip: Sequence[int] = (),
     optional_stop: bool = False,
     variables: Mapping[int, float | None] | None = None,
@@ -209,6 +211,7 @@ def case(
         encoding=encoding,
         mdi=None if mdi is None else textwrap.dedent(mdi).strip("\n"),
         params=params or {},
+        replace=replace or {},
         setup=setup,
         options={name: value for name, value in options.items() if value is not None},
         runs=None if runs is None else read_runs(runs),

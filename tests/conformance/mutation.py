@@ -40,7 +40,8 @@ def notices(case: Case, control: cncsub.Control, rule: Any) -> bool:
 def mutants(control: cncsub.Control, rule: Any) -> Iterator[cncsub.Control]:
     """The control with another value of the rule, for each value worth trying."""
     whole = "=" if isinstance(rule.value, str) and not rule.choices else ""  # a list as a whole
-    for value in other_values(rule):
+    options = [o.name for o in control.variable_options.values() if o.rule == rule.name]
+    for value in [*other_values(rule), *options]:
         try:
             yield control.replace(**{rule.name: whole + value if whole else value})
         except ValueError:

@@ -44,7 +44,9 @@ def differences(case: Case, control: cncsub.Control) -> Iterator[str]:
 
 
 def load(case: Case, control: cncsub.Control) -> cncsub.Library:
-    """The memory of the case, on the control with the parameters of the case."""
+    """The memory of the case, on the control with the rules and parameters of the case."""
+    if case.replace:
+        control = control.replace(**case.replace)
     if case.params:
         control = control.with_parameters(dict(case.params))
     external = None if case.external is None else _folder(case, "external")
