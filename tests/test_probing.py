@@ -336,7 +336,11 @@ def test_inputs_and_workpieces_are_pickled_and_compared() -> None:
         ({"skips": [{"X": 1, "Y": 2}]}, ValueError, r"skips\[0\] is the coordinate of one axis"),
         ({"skips": [{"X": None}]}, ValueError, "X has no coordinate"),
         ({"skips": {9: [1]}}, ValueError, "skips: the skip signals are 1 to 8, not 9"),
-        ({"skips": {"1": [1]}}, TypeError, "skips: a skip signal is a number 1 to 8, not '1'"),
+        (
+            {"skips": {"1": [1]}},
+            TypeError,
+            "skips: a skip signal is a number 1 to 8, or one of XAE, YAE, ZAE, not '1'",
+        ),
         ({"skips": {2: 1}}, TypeError, r"skips\[2\] is a list, not int"),
         (
             {"skips": {2: [0.5, 7]}},

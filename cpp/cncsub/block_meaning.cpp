@@ -41,7 +41,7 @@ void BlockReader::build(Block& block, const Tokens& tokens, bool calls) {
     if (fault) break;
     if (token.letter != 'P' || !token.odd) continue;
     const bool name = token.wrong == Cause::TooManyDigits && names_by_p(meaning);
-    if (!name && !is_cycle_step(token, meaning) && !is_dwell_time(token, meaning))
+    if (!name && !is_length_here(token, meaning) && !is_dwell_time(token, meaning))
       fault = odd_word(token);
   }
   if (!fault) fault = check_together(tokens, meaning);
@@ -111,16 +111,17 @@ bool BlockReader::is_dwell_time(const Token& token, const Meaning& meaning) cons
                      [](const Token* g) { return g->operand.value == 4; });
 }
 
-/// P of G74 to G76 is a length on some lathes and takes a point there. [TA 12, 13, 21]
-bool BlockReader::is_cycle_step(const Token& token, const Meaning& meaning) const {
-  if (token.letter != 'P' || token.wrong != Cause::IllegalDecimalPoint ||
-      !control_.cycle_point.value)
-    return false;
-  for (int i = 0; i < meaning.g_count; ++i)
-    if (const double code = meaning.g[static_cast<std::size_t>(i)]->operand.value;
-        code >= 74 && code <= 76)
-      return true;
-  return false;
+/// P of G74 to G76 is a length on some lathes and takes a point there, and D of G37.1 the zone of a
+/// Mitsubishi. [TA 12, 13, 21; M7 p.555]
+bool BlockReader::is_length_here(const Token& token, const Meaning& meaning) const {
+  if (token.wrong != Cause::IllegalDecimalPoint) return false;
+  const bool step = token.letter == 'P' && control_.cycle_point.value;
+  const bool zone = token.letter == 'D' && control_.measuring.value == Measuring::Words;
+  if (!step && !zone) return false;
+  return std::any_of(meaning.g.begin(), meaning.g.begin() + meaning.g_count, [&](const Token* g) {
+    const double code = g->operand.value;
+    return step ? code >= 74 && code <= 76 : code == 37.1;
+  });
 }
 
 std::optional<Fault> BlockReader::sort(const Tokens& tokens, bool calls, Meaning& meaning) const {
@@ -129,7 +130,7 @@ std::optional<Fault> BlockReader::sort(const Tokens& tokens, bool calls, Meaning
     const bool argument = meaning.calls_macro() && token.letter != 'P' && token.letter != 'L';
     const bool long_p = token.letter == 'P' && token.wrong == Cause::TooManyDigits;
     const bool late = long_p || takes_point_in_dwell(token);  // all words of the block decide
-    if (token.odd && !argument && !late && !is_cycle_step(token, meaning)) return odd_word(token);
+    if (token.odd && !argument && !late && !is_length_here(token, meaning)) return odd_word(token);
     if (argument && std::fabs(token.operand.value) >= kPowersOfTen[kMostDigits])
       return odd_word(token);
     if (token.late) continue;

@@ -256,7 +256,9 @@ Motion::Result Motion::read(BlockWords& block) const {
     if (code.meaning == Meaning::Neutral) continue;
     if (code.meaning == Meaning::None) return fault_of(written, Cause::GCodeNotAvailable, block);
     if (code.meaning == Meaning::Unknown) return fault_of(written, Cause::CodeNotKnown, block);
-    if (code.meaning == Meaning::Uncomputed) {
+    const bool unmeasured =
+        code.meaning == Meaning::MeasureTool && c.measuring.value == Measuring::None;
+    if (code.meaning == Meaning::Uncomputed || unmeasured) {
       block.uncomputed = written;
       continue;
     }
@@ -324,7 +326,9 @@ Motion::Result Motion::set_feed(const BlockWords& block) {
   if (!block.words.has('F')) return std::nullopt;
   const Control& c = *facts_->control;
   if (c.lead_apart.value && cuts_thread(block)) return std::nullopt;
-  if (c.skip_own_feed.value && block.meaning(Group::OneShot) == Meaning::Skip) return std::nullopt;
+  const Meaning once = block.meaning(Group::OneShot);
+  if (c.skip_own_feed.value && (once == Meaning::Skip || once == Meaning::MeasureTool))
+    return std::nullopt;
   return feed_of(block, s_.feed);
 }
 
@@ -396,6 +400,8 @@ Motion::Result Motion::one_shot(BlockWords& block) {
       return from_reference(block);
     case Meaning::Skip:
       return skip(block);
+    case Meaning::MeasureTool:
+      return measure_tool(block);
     case Meaning::OneWay:
       return one_way(block);
     case Meaning::Local:

@@ -290,6 +290,11 @@ class Motion {
   std::optional<double> touch(const Workpiece& workpiece, SignalMask signals,
                               const Axes& end) const;
   Result one_way(BlockWords& block);
+  // motion_measure.cpp
+  struct MeasuringMove;
+  Result measure_tool(BlockWords& block);
+  Result check_measuring(const BlockWords& block, MeasuringMove& how) const;
+  void take_measure(int axis, double off);
   Axes linear_target(BlockWords& block, std::uint32_t& named);
   // motion_tool.cpp: tool words, lengths and radii.
   Result set_tool(BlockWords& block);

@@ -28,8 +28,6 @@ constexpr GCode kShared[] = {
     {290, G::OneShot, M::FromReference},
     {300, G::OneShot, M::SecondReference},
     {310, G::OneShot, M::Skip},
-    {360, G::OneShot, M::Uncomputed},
-    {370, G::OneShot, M::Uncomputed},
     {390, G::OneShot, M::Uncomputed},
     {520, G::OneShot, M::Local},
     {530, G::OneShot, M::Machine},
@@ -76,6 +74,8 @@ constexpr GCode kShared[] = {
 };
 
 constexpr GCode kMill[] = {
+    {360, G::OneShot, M::Uncomputed},
+    {370, G::OneShot, M::MeasureTool},
     {330, G::Motion, M::Thread},
     {900, G::Distance, M::Absolute},
     {910, G::Distance, M::Incremental},
@@ -113,6 +113,8 @@ constexpr GCode kMill[] = {
 };
 
 constexpr GCode kLathe[] = {
+    {360, G::OneShot, M::MeasureTool},
+    {370, G::OneShot, M::MeasureTool},
     {340, G::Motion, M::VariableThread},
     {700, G::OneShot, M::Finish},
     {710, G::OneShot, M::RoughTurn},
@@ -175,6 +177,7 @@ constexpr Word kWords[] = {
     {"rotation-off", G::Rotation, M::RotationOff},
     {"dwell", G::OneShot, M::Dwell},
     {"skip", G::OneShot, M::Skip},
+    {"measuring", G::OneShot, M::MeasureTool},
     {"per-minute", G::Feed, M::PerMinute},
     {"per-revolution", G::Feed, M::PerRevolution},
     {"neutral", G::OneShot, M::Neutral},

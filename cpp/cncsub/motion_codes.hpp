@@ -42,7 +42,7 @@ constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
 // clang-format off
 #define CNCSUB_MEANINGS(M) \
   M(None) M(Unknown) M(Neutral) M(Uncomputed) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
-  M(FromReference) M(SecondReference) M(Skip) M(Local) M(Machine) M(SetCoordinate) \
+  M(FromReference) M(SecondReference) M(Skip) M(MeasureTool) M(Local) M(Machine) M(SetCoordinate) \
   M(ClearCoordinate) M(Lengthen) M(Shorten) M(LengthenTwice) M(ShortenTwice) M(OneWay) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
   M(PeckTurn) M(MultipleThread) M(Rapid) M(Line) M(Cw) M(Ccw) M(Thread) M(VariableThread) \
   M(TurnCycle) M(ThreadCycle) M(FaceCycle) M(TapCycle) M(ThreePoints) M(ThreePointsAbsolute) M(PlaneXY) M(PlaneZX) M(PlaneYZ) \

@@ -197,12 +197,12 @@ constexpr Conflict kConflicts[] = {
 
 /// Besides the conflicts above: what is asked where the words are carried out.
 constexpr Cause kAskedElsewhere[] = {
-    Cause::CornerHelix,       Cause::CornerOffset,  Cause::CornerWithCall, Cause::HelixAxis,
-    Cause::CycleRepeatsTwice, Cause::G10Axis,       Cause::GrooveAxis,     Cause::GrooveEscape,
-    Cause::GrooveStep,        Cause::HelixTravel,   Cause::NoSpeed,        Cause::PatternX,
-    Cause::PatternZ,          Cause::PolarCentre,   Cause::PolarCorner,    Cause::PqSame,
-    Cause::ProfileStart,      Cause::ScaleNegative, Cause::StrokeArea,     Cause::TapLead,
-    Cause::TapSpeed,          Cause::ThreadPasses};
+    Cause::CornerHelix,       Cause::CornerOffset, Cause::CornerWithCall, Cause::HelixAxis,
+    Cause::CycleRepeatsTwice, Cause::G10Axis,      Cause::GrooveAxis,     Cause::GrooveEscape,
+    Cause::GrooveStep,        Cause::HelixTravel,  Cause::MeasuringZone,  Cause::SkipPerRevolution,
+    Cause::NoSpeed,           Cause::PatternX,     Cause::PatternZ,       Cause::PolarCentre,
+    Cause::PolarCorner,       Cause::PqSame,       Cause::ProfileStart,   Cause::ScaleNegative,
+    Cause::StrokeArea,        Cause::TapLead,      Cause::TapSpeed,       Cause::ThreadPasses};
 
 std::vector<std::string_view> refusable_causes() {
   std::vector<std::string_view> slugs;

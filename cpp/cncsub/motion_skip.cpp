@@ -7,6 +7,9 @@ namespace cncsub {
 /// behind go on from there, increments too. [15iM p.564; M7 p.547]
 Motion::Result Motion::skip(BlockWords& block) {
   if (compensating()) return fault(Cause::CompensationSkip, block);
+  if (s_.modal[at(Group::Feed)].meaning == Meaning::PerRevolution &&
+      facts_->refuses(Cause::SkipPerRevolution))
+    return fault(Cause::SkipPerRevolution, block);
   std::uint32_t named = 0;
   Axes end = linear_target(block, named);
   if (named == 0) return std::nullopt;

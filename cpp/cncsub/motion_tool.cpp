@@ -35,6 +35,7 @@ Motion::Result Motion::set_tool(BlockWords& block) {
 /// G43, G44, G49 and H. A new value counts from this block on, on one axis.
 Motion::Result Motion::set_length(BlockWords& block) {
   if (facts_->lathe()) return std::nullopt;
+  if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
   const bool h = block.words.has('H');
   if (!h && !block.has(Group::Length)) return std::nullopt;
   if (h) {
@@ -96,7 +97,8 @@ Motion::Result Motion::move_by_length(BlockWords& block, const Axes& before) {
 
 Motion::Result Motion::set_radius(BlockWords& block) {
   const Control& c = *facts_->control;
-  if (block.words.has('D') && !facts_->lathe()) {
+  const bool measures = block.meaning(Group::OneShot) == Meaning::MeasureTool;  // D is its zone
+  if (block.words.has('D') && !facts_->lathe() && !measures) {
     const double number = raw(block, 'D');
     if (number < 0 || number >= static_cast<double>(tables_->radius.size()))
       return fault(Cause::RadiusOffsetNumber, block);

@@ -373,6 +373,12 @@ void parameters(Control& c) {
   c.parameters = {
       {"1174", 0, "skip_F, the feed of G31 without F, mm/min",
        kM7 + "p.547; its default " + kPolicy, kManual, nullptr},
+      {"8004", 0, "SPEED, the measuring feed of G37.1 without F, mm/min",
+       kM7 + "p.555; its default " + kPolicy, kManual, nullptr},
+      {"8005", 0, "ZONE r, how far before the point that feed begins without R, mm",
+       kM7 + "p.555; its default " + kPolicy, kManual, nullptr},
+      {"8006", 0, "ZONE d, within what distance of the point the tool arrives without D, mm",
+       kM7 + "p.555; its default " + kPolicy, kManual, nullptr},
       {"1173", 0, "dwlskp, the skip signals that end G04: bit 0 is signal 1",
        kM7 + "p.554; its default " + kPolicy, kManual, nullptr},
       {"1175", 1, "skip1, the skip signals of G31.1: bit 0 is signal 1",

@@ -140,6 +140,22 @@ void set_refused(Control& c, const std::string& cause, bool refused) {
 }
 void set_tool_with_setting(Control& c, double v) { set_refused(c, "tool-with-setting", v != 0); }
 
+void set_measuring_subtracts(Control& c, double v) { c.measuring_subtracts.value = v != 0; }
+
+/// G36 and G37 of FANUC and of the GSK 988.
+void measuring_parameters(Control& c, const char* source, Evidence evidence) {
+  const auto add = [&](const char* name, const char* meaning) {
+    c.parameters.push_back({name, 0, meaning, source, evidence, nullptr});
+  };
+  add("6241", "the measuring feed of G36 and G37, mm/min");
+  add("6251", "G36, and G37 of a mill: how far before the point the measuring feed begins, mm");
+  add("6252", "G37 of a lathe: how far before the point the measuring feed begins, mm");
+  add("6254", "G36, and G37 of a mill: within what distance of the point the tool arrives, mm");
+  add("6255", "G37 of a lathe: within what distance of the point the tool arrives, mm");
+  add_effect(c, "6210#6", 0, "what G36 and G37 measure is 0 added to the offset, 1 subtracted",
+             source, evidence, set_measuring_subtracts);
+}
+
 /// The parameters that FANUC and the GSK 988 number alike.
 void fanuc_numbers(Control& c, const char* source, Evidence evidence, double power_on_feed) {
   add_effect(c, "3402#0", 0, "at power-on 0 = G00, 1 = G01", source, evidence, set_power_on_line);
@@ -184,6 +200,9 @@ void fanuc_rules(Control& c) {
   c.refuses = {"reference-in-cycle corner-at-offset-start groove-escape", "ALM 039, 044, 062",
                Secondary};
   c.idle_blocks = {1, "source 003, note a", SourceDocument};
+  c.measuring = {Measuring::Of6241, "general knowledge; TDi 17, TApar 6241 to 6255: the same rule",
+                 Inferred};
+  measuring_parameters(c, kKnown, Inferred);
   c.skip_signals = {SkipSignals::Parameters, "general knowledge, multi-step skip", Inferred};
   for (int p = 1; p <= 4; ++p) {
     const std::string number = std::to_string(p);
@@ -262,7 +281,9 @@ void mitsubishi_rules(Control& c) {
              "excerpts of forum posts on #8112; M700V manual, 5.3 (7)", Inferred, set_dwell_point);
   c.dwell_x_increments = {true, "general knowledge; M7 p.203 writes G4 X1000 for a second",
                           Inferred};
-  c.g_meanings = {"31.1=skip 31.2=skip 31.3=skip", "M7 p.552", Manual};
+  c.g_meanings = {"31.1=skip 31.2=skip 31.3=skip 37=not-computed 37.1=measuring",
+                  "M7 p.552, p.555; G37 of a lathe: general knowledge", Manual};
+  c.measuring = {Measuring::Words, "M7 p.555", Manual};
   c.skip_own_feed = {true, "M7 p.547 (1)", Manual};
   c.max_skip_signals = {255, "M7 p.555 (2)", Manual};
   c.skip_signals = {SkipSignals::Bits, "M7 p.552 (5), p.555 (3)", Manual};
@@ -340,6 +361,11 @@ void mitsubishi_alarms(Control& c) {
        {Cause::ReferenceWithEnd, "P435", "G27 and M commands in one block", "MZ 920, paired",
         Secondary},
        {Cause::OverTravel, "M01 0007", "", "SK M01-0007", Secondary},
+       {Cause::MeasuringMissed, "P607", "TLM signal outside its range", kKnown, Inferred},
+       {Cause::MeasuringEarly, "P607", "TLM signal outside its range", kKnown, Inferred},
+       {Cause::MeasuringAxis, "P604", "TLM axis", kKnown, Inferred},
+       {Cause::MeasuringWithOffset, "P605", "H and TLM in one block", kKnown, Inferred},
+       {Cause::MeasuringOffset, "P606", "no H before TLM", kKnown, Inferred},
        {Cause::CompensationSkip, "P608", "Skip during radius compensation", "M7 p.547 (6)", Manual},
        {Cause::NoSkipFeed, "P603", "Skip speed 0", "M7 p.547 (7)", Manual}});
 }
@@ -383,6 +409,8 @@ void lathe_rules(Control& c) {
 void gsk_988(Control& c, double power_on_feed) {
   lathe_rules(c);
   c.home_needed = {true, "Talm 047", Manual};
+  c.measuring = {Measuring::Of6241, "TApar 6241 to 6255; TDi 17: the moves", Secondary};
+  measuring_parameters(c, "TApar 6210, 6241 to 6255", Manual);
   c.skip_signals = {SkipSignals::Numbered, "inferred from TApar 6200: SKIP, SKIP2 to SKIP4",
                     Inferred};
   c.g_meanings = {"92.1=not-computed", "TA 19: a thread cycle, in both G code systems", Manual};
@@ -390,8 +418,8 @@ void gsk_988(Control& c, double power_on_feed) {
   c.refuses = {
       "codes-with-rotation code-in-rotation corner-at-offset-start thread-passes cycle-plane "
       "cycle-axis turning-plane turning-axis pq-same profile-start pattern-x pattern-z "
-      "groove-step stroke-area",
-      "TA 5 notes 2 and 3; Talm 068, 121 to 161, 271", Manual};
+      "groove-step stroke-area measuring-zone skip-per-revolution",
+      "TA 5 notes 2 and 3; Talm 054, 058, 068, 121 to 161, 271", Manual};
   c.thread_starts = {true, "TA 18: L", Manual};
   c.thread_words_not_computed = {"LDE", "TA 21: L, D, E of G76", Manual};
   c.angle_words = {",A", "TApar 3405#4", Manual};
@@ -453,6 +481,16 @@ void gsk_988(Control& c, double power_on_feed) {
        {Cause::ReferenceNotHomed, "047", "G30 before the machine zero is known", "Talm 047",
         Manual},
        {Cause::ReferenceNumber, "048", "P of G30", "Talm 048", Manual},
+       {Cause::MeasuringMissed, "051", "no arrival signal in G36, G37", "Talm 051", Manual},
+       {Cause::MeasuringEarly, "051", "no arrival signal in G36, G37", "Talm 051: in the zone",
+        Inferred},
+       {Cause::MeasuringOffset, "052", "no offset number in G36, G37", "Talm 052", Manual},
+       {Cause::MeasuringWithOffset, "053", "T in G36, G37", "Talm 053", Manual},
+       {Cause::MeasuringAxis, "054", "illegal axis in G36, G37", "Talm 054", Manual},
+       {Cause::MeasuringIncremental, "054", "illegal axis in G36, G37", "Talm 054", Manual},
+       {Cause::MeasuringZone, "054", "illegal axis in G36, G37", "Talm 054", Manual},
+       {Cause::MeasuringInCompensation, "056", "G36, G37 in G41, G42", "Talm 056", Manual},
+       {Cause::SkipPerRevolution, "058", "G31 in feed per revolution", "Talm 058", Manual},
        {Cause::CompensationSkip, "059", "G31 in G41, G42", "Talm 059", Manual},
        {Cause::G10L, "061", "L of G10", "Talm 061", Manual},
        {Cause::G10P, "062", "P of G10", "Talm 062", Manual},
@@ -543,7 +581,15 @@ void gsk_980tdi(Control& c) {
   c.skip_variables = {995, "TDi p.94, 3.16.2: #995 to #999 are X, Z, Y, 4th, 5th", Manual};
   c.max_skip_signals = {6, "TDi p.93, 3.16: P is 1 to 6", Manual};
   c.skip_signals = {SkipSignals::Numbered, "TDi p.93, 3.16; TDi 14, G04 Q", Manual};
-  c.max_skip_feed = {200, "TDi p.94, 3.16.2", Manual};
+  c.max_skip_feed = {200, "TDi p.94, 3.16.2; p.96, 3.17.2", Manual};
+  c.measuring = {Measuring::Of141, "TDi 17", Manual};
+  for (const auto& [name, meaning] :
+       {std::pair{"141", "the measuring feed of G36 and G37, mm/min"},
+        {"142", "G36: how far before the point the measuring feed begins, mm"},
+        {"143", "G37: how far before the point the measuring feed begins, mm"},
+        {"144", "G36: within what distance of the point the tool arrives, mm"},
+        {"145", "G37: within what distance of the point the tool arrives, mm"}})
+    c.parameters.push_back({name, 0, meaning, "TDipar 141 to 145", Manual, nullptr});
   c.drill_retract = {true, "TDi 23.9", Manual};
   c.refuses = {"cycle-plane turning-plane stroke-check-with-codes", "TDi 8 note 3; TDi 31 note 6",
                Manual};
@@ -630,7 +676,7 @@ void gsk_980mdi(Control& c) {
       "pattern-without-cycle corner-at-offset-start corner-in-helix corner-with-call "
       "cycle-repeats-twice "
       "tap-without-lead tap-without-speed g10-axis-missing scale-negative no-spindle-speed "
-      "helix-without-travel helix-axis",
+      "helix-without-travel helix-axis measuring-zone",
       "MDib 0013, 0014, 0022, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, 0204, "
       "0216, "
       "0218, 0230, "
@@ -651,6 +697,12 @@ void gsk_980mdi(Control& c) {
   c.round_words = {",R U", "MDib 0039", Manual};
   c.chamfer_length = {ChamferLength::Corner, kKnown, Inferred};
   c.helix = {true, "MDib 0032", Manual};
+  c.measuring = {Measuring::Of5040, "MDipar 5040, 5043, 5044; TDi 17: the moves", Secondary};
+  for (const auto& [name, meaning] :
+       {std::pair{"5040", "the measuring feed of G37, mm/min"},
+        {"5043", "G37: how far before the point the measuring feed begins, mm"},
+        {"5044", "G37: within what distance of the point the tool arrives, mm"}})
+    c.parameters.push_back({name, 0, meaning, "MDipar 5040, 5043, 5044", Manual, nullptr});
   c.skip_signals = {SkipSignals::Numbered, "MDipar 5431 to 5434: P1 to P4 have one each", Manual};
   c.max_skip_signals = {4, "MDipar 5431 to 5434", Manual};
   c.groove_p_diameter = {false, kKnown, Inferred};
@@ -688,6 +740,15 @@ void gsk_980mdi(Control& c) {
        {Cause::CompensationPlane, "0030", "plane change in the compensation", "MDib 0030", Manual},
        {Cause::CornerPlane, "0031", "plane change behind a chamfer", "MDib 0031", Manual},
        {Cause::CompensationSkip, "0035", "G31 in the compensation", "MDib 0035", Manual},
+       {Cause::MeasuringMissed, "3050", "G37: no signal in the measuring zone", "MDia 3050",
+        Manual},
+       {Cause::MeasuringEarly, "3051", "signal before the measuring zone", "MDia 3051", Manual},
+       {Cause::MeasuringOffset, "3052", "G37 with the offset number 0", "MDia 3052", Manual},
+       {Cause::MeasuringZone, "0282", "G37: 5043 is not above 5044", "MDib 0282", Manual},
+       {Cause::MeasuringWithOffset, "0297", "G37 with H in one block", "MDib 0297", Manual},
+       {Cause::MeasuringIncremental, "0298", "G37 in increments", "MDib 0298", Manual},
+       {Cause::MeasuringAxis, "0299", "G37 with another axis than Z, or in another plane",
+        "MDib 0299", Manual},
        {Cause::CornerNoMove, "0036", "the block behind a chamfer", "MDib 0036", Manual},
        {Cause::CornerNextMove, "0036", "the block behind a chamfer", "MDib 0036", Manual},
        {Cause::UnitChangeLate, "0038", "G20, G21 not alone at the head", "MDib 0038", Manual},

@@ -40,9 +40,10 @@ class Inputs:
     time for a G04 that a signal may end), or `None` for one that meets nothing. A list counts
     every such block, whichever signal it watches; a mapping has a list for each signal, 1 to 8:
     `{1: [{"X": 40}], 2: [None, {"Z": -3}]}`, for P of G31 and Q of G04, and the control says which
-    signals these watch (rule `skip_signals`). `workpiece`: what those behind the list touch, see
-    `Workpiece`; a G31 that nothing answers meets nothing. `answers`: what the machine does about a
-    code it is sent, signals and variables by number: `{"M117": {1004: 1}}`.
+    signals these watch (rule `skip_signals`). G36 and G37, which measure a tool, watch `"XAE"`,
+    `"YAE"` and `"ZAE"`. `workpiece`: what those behind the list touch, see `Workpiece`; a G31 that
+    nothing answers meets nothing. `answers`: what the machine does about a code it is sent, signals
+    and variables by number: `{"M117": {1004: 1}}`.
 
     Raises `TypeError` and `ValueError` for values of another kind.
 
@@ -60,7 +61,7 @@ class Inputs:
     clock: datetime | float | None = None
     operator: Sequence[str] | None = None
     writes: Sequence[Values | tuple[int, Values]] = ()
-    skips: Skips | Mapping[int, Skips] = ()
+    skips: Skips | Mapping[int | str, Skips] = ()
     workpiece: Workpiece | Mapping[str, Any] | None = None
     answers: Mapping[str, Values] = field(default_factory=dict)
 

@@ -14,6 +14,7 @@ from cncsub.setup import Point, checked_number, work_system
 AXES = "XYZ"
 MOST_SOLIDS = 1000
 MOST_SIGNALS = 8
+ARRIVALS = ("XAE", "YAE", "ZAE")
 
 Direction = str | Point
 Ends = tuple[float | None, float | None]
@@ -29,7 +30,7 @@ class Plane:
 
     at: Point
     faces: Direction = "+Z"
-    signal: int | None = None
+    signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
         return {
@@ -50,7 +51,7 @@ class Box:
 
     sides: Mapping[str, Ends]
     inside: bool = False
-    signal: int | None = None
+    signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
         low, high = [-math.inf] * 3, [math.inf] * 3
@@ -79,7 +80,7 @@ class Cylinder:
     axis: Direction = "Z"
     ends: Ends = (None, None)
     inside: bool = False
-    signal: int | None = None
+    signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
         first, last = _ends(f"{where}: ends", self.ends)
@@ -102,7 +103,7 @@ class Sphere:
     at: Point
     radius: float
     inside: bool = False
-    signal: int | None = None
+    signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
         return {
@@ -199,9 +200,14 @@ def workpiece_of(workpiece: object) -> dict[str, Any]:
 
 
 def skip_signal(where: str, signal: object) -> int:
-    """The number of a skip signal."""
+    """The number of a skip signal; those of G36 and G37 have names."""
+    if signal in ARRIVALS:
+        return MOST_SIGNALS + 1 + ARRIVALS.index(str(signal))
     if isinstance(signal, bool) or not hasattr(signal, "__index__"):
-        raise TypeError(f"{where}: a skip signal is a number 1 to {MOST_SIGNALS}, not {signal!r}")
+        raise TypeError(
+            f"{where}: a skip signal is a number 1 to {MOST_SIGNALS}, or one of"
+            f" {', '.join(ARRIVALS)}, not {signal!r}"
+        )
     number = int(signal.__index__())
     if not 1 <= number <= MOST_SIGNALS:
         raise ValueError(f"{where}: the skip signals are 1 to {MOST_SIGNALS}, not {signal!r}")

@@ -40,7 +40,7 @@ stands("G29", "gsk-988ta gsk-988t", LATHE, alarm="no-intermediate")
 stands("G32.2", "gsk-988ta gsk-988t gsk-980tdi", LATHE, alarm="code-not-computed")
 stands("G32.3", "gsk-988ta gsk-988t gsk-980tdi", LATHE, alarm="code-not-computed")
 stands("G33", "gsk-988ta gsk-988t", LATHE, alarm="code-not-computed")
-stands("G37", "gsk-980tdi", LATHE, alarm="code-not-computed")
+stands("G37", "gsk-980tdi", LATHE, alarm="measuring-axis")
 stands("G50.2", "gsk-988ta gsk-988t gsk-980tdi", LATHE)
 stands("G50.3", "gsk-988ta gsk-988t", LATHE)
 stands("G51.2", "gsk-988ta gsk-988t gsk-980tdi", LATHE)
@@ -134,10 +134,10 @@ stands(
 stands("G36", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="code-not-computed")
 stands("G37", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="code-not-computed")
 stands(
-    "G37.1",
-    "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800 fanuc-0i-d fanuc-0i-f fanuc-30i",
-    alarm="code-not-computed",
+    "G37.1", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="measuring-axis",
+    number={m: "P604" for m in ("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800")},
 )
+stands("G37.1", "fanuc-0i-d fanuc-0i-f fanuc-30i", alarm="code-not-computed")
 stands("G37.2", "fanuc-0i-d fanuc-0i-f fanuc-30i", alarm="code-not-computed")
 stands("G37.3", "fanuc-30i", alarm="code-not-computed")
 stands("G38", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800 fanuc-0i-f fanuc-30i", alarm="code-not-computed")
@@ -989,6 +989,9 @@ stands(
     "G66 P2 G36",
     "gsk-988ta gsk-988t gsk-980tdi",
     LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+)
+stands(
+    "G66 P2 G37", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"},
 )
 stands(
     "G66 P2 G37",

@@ -20,7 +20,6 @@ for _what, _controls, _codes in (
     ("NURBS", [F16, F30, *MITSUBISHI], "G6.2"),
     ("cylindrical interpolation", [*FANUC, *MITSUBISHI], "G7.1"),
     ("cylindrical interpolation by its older code", FANUC, "G107"),
-    ("measuring of tools", FANUC, "G37"),
     ("the corner arc of compensation", FANUC, "G39"),
     ("normal direction control", [*FANUC, *MITSUBISHI], "G41.1"),
     ("a tilted plane", [F0F, F30, *MITSUBISHI], "G68.2"),
@@ -35,7 +34,6 @@ for _what, _controls, _codes in (
 for _what, _controls, _codes in (
     ("polar interpolation", [*FANUC, "gsk-988ta", "gsk-988t", "gsk-980tdi"], "G12.1"),
     ("mirroring of double turrets", [*FANUC, "gsk-988ta", "gsk-988t"], "G68"),
-    ("measuring on lathes", [*FANUC, "gsk-988ta", "gsk-988t", "gsk-980tdi"], "G36"),
     ("rigid threads", ["gsk-988ta", "gsk-988t", "gsk-980tdi"], "G32.1"),
     ("ellipses and parabolas", ["gsk-980tdi"], "G6.2"),
     ("hobbing", ["gsk-988ta", "gsk-988t"], "G51.3"),

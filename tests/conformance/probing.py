@@ -240,7 +240,7 @@ case(
     setup={"start": {"X": 100, "Z": 50}}, inputs={"skips": [0.5]}, variables={1: 7, 995: 1},
     program="""
         O1
-        N10 G31 X20. Z10. F100
+        N10 G98 G31 X20. Z10. F100
         N20 M30
     """,
     vars={1: 7, 995: 1},
@@ -304,7 +304,7 @@ case(
     evidence="secondary", params=MM, setup=START, inputs={"skips": [{"X": 0}]},
     program="""
         O1
-        N10 G31 X100. F100
+        N10 G98 G31 X100. F100
         N20 G4 P1
         N30 M30
     """,
@@ -439,7 +439,7 @@ case(
     evidence="inferred", params=MM, setup=START, inputs={"skips": [{"Z": -5}, {"Z": -7}]},
     program="""
         O1
-        N10 G31 Z-10. P4 F100
+        N10 G98 G31 Z-10. P4 F100
         N20 G31 Z-12. P1 F100
         N30 M30
     """,
@@ -450,7 +450,7 @@ NUMBERED = [*T988, "gsk-980tdi", "gsk-980mdi"]
 APART = {"skips": {1: [{"Z": -5}, {"Z": -20}], 2: [{"Z": -7}], 4: [None]}}
 APART_PROGRAM = """
     O1
-    N10 G31 Z-10. P2 F100
+    N10 G98 G31 Z-10. P2 F100
     N20 G31 Z-12. P4 F100
     N30 G31 Z-18. F100
     N40 G31 Z-25. P1 F100
@@ -578,7 +578,7 @@ case(
     program="""
         O1
         N10 G4 P1000
-        N20 G31 Z-10. F100
+        N20 G98 G31 Z-10. F100
         N30 M30
     """,
     moves="W 1\nF Z-5",

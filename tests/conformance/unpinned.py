@@ -135,11 +135,13 @@ UNPINNED = _joined(
     _all("longer_words", (*GSK_LATHES, *MILLS), "the control has no G45 to G48"),
     _all("skip_variables", (TE,), NO_MACROS),
     _all(
-        "skip_own_feed max_skip_signals skip_signals max_skip_feed", (TE,),
+        "skip_own_feed max_skip_signals skip_signals max_skip_feed measuring measuring_subtracts",
+        (TE,),
         "nothing is known of its G31",
     ),
     _all(
-        "skip_own_feed max_skip_signals skip_signals max_skip_feed", (HNC,),
+        "skip_own_feed max_skip_signals skip_signals max_skip_feed measuring measuring_subtracts",
+        (HNC,),
         "the control has no G31",
     ),
     _all("skip_variables", (HNC,), "the control has no G31"),
