@@ -27,7 +27,7 @@ def library() -> cncsub.Library:
 @pytest.mark.parametrize(
     ("parameters", "error", "words"),
     [
-        ({"6151": 1}, ValueError, "fanuc-0i-f has no parameter 6151; near are 6091, 6090, 6089"),
+        ({"6151": 1}, ValueError, "fanuc-0i-f has no parameter 6151; near are 6202, 6203, 6204"),
         ({"6151": 1}, ValueError, "`cncsub controls fanuc-0i-f` lists them"),
         ({"6001": 1}, ValueError, "no parameter 6001; near are 6001#1, 6001#3, 6001#4, 6001#5"),
         ({"6001#0": 1}, ValueError, "no parameter 6001#0; near are 6001#1"),
@@ -329,3 +329,19 @@ def test_every_function_takes_every_argument_or_refuses_it_in_words(
             said = str(error)
             assert said, number
             assert not any(raw in said for raw in RAW), (number, said)
+
+
+def test_the_part_of_a_long_line_around_the_word_is_shown() -> None:
+    text = "(" + "a" * 300 + ") G1 X1. ? (" + "b" * 300 + ")\n"
+    alarm = cncsub.loads(f"O1\n{text}M30\n", control="fanuc-0i-f").run().alarm
+    source, mark = str(alarm).splitlines()[2:4]
+    assert len(source) < 180
+    assert source[mark.index("^")] == "?"
+    assert "..." in source and source.endswith("...")
+
+
+def test_what_a_terminal_obeys_does_not_move_the_mark() -> None:
+    alarm = cncsub.loads("O1\n(\x1b\x00) G1 ?\nM30\n", control="fanuc-0i-f").run().alarm
+    source, mark = str(alarm).splitlines()[2:4]
+    assert source.endswith("| (  ) G1 ?")
+    assert source[mark.index("^")] == "?"

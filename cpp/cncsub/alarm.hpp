@@ -39,6 +39,8 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
+constexpr std::size_t kLongestSource = 4096;  // bytes of a line that an alarm shows
+
 struct Alarm {
   Cause cause{};
   std::string number;  // the control's number; empty where no source gives one

@@ -332,10 +332,10 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
     return count;
   };
   const std::size_t word_end = std::min(line_end, at + place.width);
-  alarm.source_line = text.substr(line_start, std::min<std::size_t>(line_end - line_start, 4096));
+  alarm.source_line = text.substr(line_start, std::min(line_end - line_start, kLongestSource));
   alarm.column = characters(line_start, at) + 1;
   alarm.width = std::max(1u, characters(at, word_end));
-  alarm.word = text.substr(at, std::min<std::size_t>(word_end - at, 4096));
+  alarm.word = text.substr(at, std::min(word_end - at, kLongestSource));
   while (!alarm.word.empty() && is_blank(alarm.word.back())) alarm.word.pop_back();
   if (fault.cause == Cause::EndOfRecord) alarm.word.clear();  // a word is missing there
   if (alarm.detail.starts_with("{}")) alarm.detail.replace(0, 2, alarm.word);

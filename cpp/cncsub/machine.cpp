@@ -424,16 +424,8 @@ bool Machine::decode(const Block& block, NcWords& words) {
   return true;
 }
 
-bool Machine::words(const Block& block) {
-  outcome_ = {};
-  if (block.mask == 0 && block.g_count == 0 && block.m_count == 0) {
-    if (block.n >= 0) last_n_ = block.n;
-    if (is_words(block.op)) {
-      record_step();
-      pc_ = next_;
-    }
-    return true;
-  }
+/// Decodes the words of a block, and does what they say.
+bool Machine::carry_out(const Block& block) {
   NcWords words;
   if (!decode(block, words)) return false;
   Motion::Outcome& outcome = outcome_;

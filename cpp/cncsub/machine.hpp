@@ -192,7 +192,19 @@ class Machine {
   bool alarm(const Fault& fault);
   Fault of_motion(Fault fault) const;
   bool choose(const Block& block);
-  bool words(const Block& block);
+  bool words(const Block& block) {
+    outcome_ = {};
+    const bool any = block.mask != 0 || block.g_count != 0 || block.m_count != 0;
+    return any ? carry_out(block) : no_words(block);
+  }
+  bool carry_out(const Block& block);
+  bool no_words(const Block& block) {
+    if (block.n >= 0) last_n_ = block.n;
+    if (!is_words(block.op)) return true;
+    record_step();
+    pc_ = next_;
+    return true;
+  }
   bool linear(const Block& block);
   bool round(const Block& block);
   bool decode(const Block& block, NcWords& words);
@@ -203,10 +215,14 @@ class Machine {
   bool waits_at(int m) const { return m == 0 || (m == 1 && options_.optional_stop); }
   bool wait_for_operator(const std::string& what);
   bool after_words(const Motion::Outcome& outcome);
-  std::int32_t modal_after(const Motion::Outcome& outcome) const;
+  std::int32_t modal_after(const Motion::Outcome& outcome) const {
+    return modals_.empty() ? -1 : modal_of_move(outcome);
+  }
+  std::int32_t modal_of_move(const Motion::Outcome& outcome) const;
   bool call_after_move(const Motion::Outcome& outcome);
   bool do_behind_modal(Waiting waiting);
-  bool wake();
+  bool wake() { return !wakes_ || go_on(); }
+  bool go_on();
   bool call_now(std::uint32_t aux, Target& target);
   bool return_now(const CallRecord& back, double p, double l);
   bool jump_now(const Statement& statement, double p);
@@ -260,7 +276,12 @@ class Machine {
   bool store_number(std::int64_t number, double value, const Statement& statement);
 
   // Calls.
-  bool operand(const Operand& operand, double& value);
+  bool operand(const Operand& operand, double& value) {
+    if (operand.kind == Operand::Kind::Expression) return computed(operand, value);
+    value = operand.kind == Operand::Kind::Absent ? kVacant : operand.value;
+    return true;
+  }
+  bool computed(const Operand& operand, double& value);
   bool decode_target(const CallRecord& record, Target& target);
   std::optional<Fault> refused_here(const CallRecord& record) const;
   std::optional<Fault> refused(const CallRecord& record, const Target& target) const;

@@ -15,20 +15,10 @@ constexpr std::uint32_t kManyArguments = 1 << 16;  // work for a millisecond
 
 }  // namespace
 
-bool Machine::operand(const Operand& operand, double& value) {
-  switch (operand.kind) {
-    case Operand::Kind::Absent:
-      value = kVacant;
-      return true;
-    case Operand::Kind::Constant:
-      value = operand.value;
-      return true;
-    case Operand::Kind::Expression:
-      if (!evaluate(operand.expression, value)) return false;
-      if (std::fabs(value) > kLargest)  // a vacant value compares false
-        return alarm({Cause::Overflow, operand.at, operand.width, "the result is too large"});
-      return true;
-  }
+bool Machine::computed(const Operand& operand, double& value) {
+  if (!evaluate(operand.expression, value)) return false;
+  if (std::fabs(value) > kLargest)  // a vacant value compares false
+    return alarm({Cause::Overflow, operand.at, operand.width, "the result is too large"});
   return true;
 }
 
@@ -369,8 +359,7 @@ bool Machine::enter(std::uint32_t index, const Target& target, std::int32_t moda
 }
 
 /// The modal call that follows the move of a block, -1 where none does.
-std::int32_t Machine::modal_after(const Motion::Outcome& outcome) const {
-  if (modals_.empty()) return -1;
+std::int32_t Machine::modal_of_move(const Motion::Outcome& outcome) const {
   const bool triggers =
       code_->control->modal_trigger.value == ModalTrigger::Move ? outcome.moved : outcome.axis_word;
   const auto top =
@@ -396,7 +385,7 @@ bool Machine::do_behind_modal(Waiting waiting) {
 }
 
 /// Behind a modal macro the block that waited goes on; it may return behind another one.
-bool Machine::wake() {
+bool Machine::go_on() {
   bool runs = true;
   while (wakes_ && runs) {
     wakes_ = false;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cncsub/alarm.hpp"
 
@@ -41,7 +42,32 @@ std::string place(const std::string& program, std::int64_t n) {
   return n < 0 ? name : name + " N" + std::to_string(n);
 }
 
-constexpr std::size_t kLongestLine = 160;  // of the source, as shown
+constexpr std::size_t kLongestLine = 160;  // characters of the source that are shown
+constexpr std::size_t kBefore = 80;        // of them before the word, where the line is longer
+
+/// The line with the word marked below it; of a long line the part around the word.
+std::string marked(const Alarm& alarm) {
+  std::vector<std::string> characters;
+  const std::string_view line = alarm.source_line;
+  for (std::size_t i = 0; i < line.size();) {
+    const std::size_t control = obeyed(line.substr(i));
+    std::size_t end = i + std::max<std::size_t>(control, 1);
+    while (end < line.size() && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) ++end;
+    characters.emplace_back(control == 0 ? line.substr(i, end - i) : " ");
+    i = end;
+  }
+  const std::size_t at = alarm.column - 1;
+  if (characters.empty() || at > characters.size()) return "";
+  const bool cut = characters.size() > kLongestLine;
+  const std::size_t from = cut && at > kBefore ? at - kBefore : 0;
+  const std::size_t to = cut ? std::min(from + kLongestLine, characters.size()) : characters.size();
+  std::string shown = from > 0 ? "..." : "";
+  const std::size_t mark = shown.size() + at - from;
+  for (std::size_t i = from; i < to; ++i) shown += characters[i];
+  if (to < characters.size()) shown += "...";
+  const std::size_t width = std::clamp<std::size_t>(to - at, 1, alarm.width);
+  return "\n   | " + shown + "\n   | " + std::string(mark, ' ') + std::string(width, '^');
+}
 
 }  // namespace
 
@@ -52,11 +78,7 @@ std::string message(const Alarm& alarm) {
                                        : without_controls(alarm.detail));
   text += "\n  --> " + place(alarm.program, alarm.n) + ", " + without_controls(alarm.file) + ":" +
           std::to_string(alarm.line) + ":" + std::to_string(alarm.column);
-  std::string line = without_controls(alarm.source_line);
-  if (!line.empty() && line.size() <= kLongestLine) {
-    text += "\n   | " + line;
-    text += "\n   | " + std::string(alarm.column - 1, ' ') + std::string(alarm.width, '^');
-  }
+  text += marked(alarm);
   for (const Frame& frame : alarm.frames) {
     text += "\ncalled from " + place(frame.program, frame.n) + " (" + frame.kind;
     if (frame.repeats > 1)

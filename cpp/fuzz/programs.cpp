@@ -145,10 +145,18 @@ void print(const Job& job) {
     std::printf("limits %c %.17g %.17g\n", axis, range.first, range.second);
   for (const auto& [number, value] : job.options.variables)
     std::printf("#%d = %.17g\n", number, value);
-  for (const SourceFile& file : job.texts.files)
-    std::printf("--- %s%s\n%s\n", file.name.c_str(), file.external ? " (external)" : "",
-                file.text.c_str());
-  if (job.texts.mdi) std::printf("--- MDI\n%s\n", job.texts.mdi->c_str());
+  const auto whole = [](const std::string& text) {  // a NUL does not end it
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::putchar('\n');
+  };
+  for (const SourceFile& file : job.texts.files) {
+    std::printf("--- %s%s\n", file.name.c_str(), file.external ? " (external)" : "");
+    whole(file.text);
+  }
+  if (job.texts.mdi) {
+    std::puts("--- MDI");
+    whole(*job.texts.mdi);
+  }
 }
 
 /// Leaves out what is not needed to break the law: blocks, many at a time first, then words.
