@@ -41,6 +41,13 @@ double whole(const Control& control, const Operand& operand, double value) {
   return control.call_values.value == CallValues::Cut ? std::trunc(value) : std::round(value);
 }
 
+/// A count above the largest: one with more digits than that has, where the largest is 9999.
+Cause above(double count, int most) {
+  double end = 10;
+  while (end <= most) end *= 10;
+  return count >= end ? Cause::RepeatCountDigits : Cause::IllegalRepeatCount;
+}
+
 std::optional<Fault> repeats(const Control& control, const CallRecord& call, double value,
                              Target& target) {
   const double count = whole(control, call.l, value);
@@ -63,7 +70,7 @@ std::optional<Fault> repeats(const Control& control, const CallRecord& call, dou
   }
   if (count > most) {
     if (control.too_many_repeats.value == TooManyRepeats::Alarm)
-      return fault(Cause::IllegalRepeatCount, call.l,
+      return fault(above(count, most), call.l,
                    says + "; the count is 1 to " + std::to_string(most));
     target.repeats = most;
     return std::nullopt;
@@ -118,7 +125,7 @@ std::optional<Fault> program_number(const Control& control, const CallRecord& ca
       static_cast<std::int32_t>(std::min<std::int64_t>(p / kCountBase, control.max_repeats.value));
   if (p / kCountBase > control.max_repeats.value &&
       control.too_many_repeats.value == TooManyRepeats::Alarm)
-    return fault(Cause::IllegalRepeatCount, call.p,
+    return fault(above(static_cast<double>(p / kCountBase), control.max_repeats.value), call.p,
                  says + "; the count in it is above " + std::to_string(control.max_repeats.value));
   if (target.program_number == 0 && !control.zero_numbers.value)
     return fault(Cause::ProgramNumberZero, call.p, says + "; programs are numbered from 1");

@@ -111,6 +111,8 @@ constexpr FaultWords kFaultWords[] = {
     {Cause::CycleRepeats, "K L"},
     {Cause::CycleRepeatsTwice, "L K"},
     {Cause::TapLead, "F cycle motion axis"},
+    {Cause::RigidMove, "axis motion oneshot"},
+    {Cause::DataEndFirst, "G"},
     {Cause::TapSpeed, "S cycle motion axis"},
     {Cause::Taper, "R axis"},
     {Cause::FaceTaper, "R axis"},

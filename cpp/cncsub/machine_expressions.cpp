@@ -210,6 +210,8 @@ bool Machine::compute(const Instruction* at, const Places& places, double& resul
           return fault(Cause::Overflow, "AND, OR and XOR take 32 bits");
         if (!control.negative_logic.value && (left < 0 || right < 0))
           return fault(Cause::LogicOfNegative, "the value is negative");
+        if (control.logic_of_bits.value && ((left | right) & ~std::int64_t{1}) != 0)
+          return fault(Cause::LogicOfBits, "the values of AND, OR and XOR are 0 and 1");
         a = static_cast<double>(at->op == Ins::And  ? left & right
                                 : at->op == Ins::Or ? left | right
                                                     : left ^ right);

@@ -187,6 +187,8 @@ std::optional<Cause> Machine::h_result(int code, double q, double r, std::int64_
     case 12:
     case 13:
       if (!code_->control->negative_logic.value && (q < 0 || r < 0)) return Cause::LogicOfNegative;
+      if (code_->control->logic_of_bits.value && ((bits(q) | bits(r)) & ~1) != 0)
+        return Cause::LogicOfBits;
       result = static_cast<double>(code == 11   ? bits(q) | bits(r)
                                    : code == 12 ? bits(q) & bits(r)
                                                 : bits(q) ^ bits(r));

@@ -253,6 +253,8 @@ Motion::Result Motion::read(BlockWords& block) const {
   for (int i = 0; i < block.words.g_count; ++i) {
     const int written = block.words.g[static_cast<std::size_t>(i)];
     const GCode code = facts_->codes.find(written);
+    if (written == 110 && !s_.data_set && facts_->refuses(Cause::DataEndFirst))
+      return fault_of(written, Cause::DataEndFirst, block);
     if (code.meaning == Meaning::Neutral) continue;
     if (code.meaning == Meaning::None) return fault_of(written, Cause::GCodeNotAvailable, block);
     if (code.meaning == Meaning::Unknown) return fault_of(written, Cause::CodeNotKnown, block);
@@ -363,7 +365,9 @@ Motion::Result Motion::set_spindle(const BlockWords& block) {
     const int m = block.words.m[static_cast<std::size_t>(i)];
     if (m >= 3 && m <= 5) s_.spindle = m;
     if (m == 6) s_.tool = s_.t;
+    if (m == 29) s_.rigid_waits = facts_->refuses(Cause::RigidMove);
   }
+  if (block.has(Group::Cycle)) s_.rigid_waits = false;
   return std::nullopt;
 }
 
@@ -639,12 +643,12 @@ void Motion::settle() {
   s_.line = 0;
   while (s_.line < line_codes_.size() && line_codes_[s_.line].meaning != motion) ++s_.line;
   set_seconds_per_mm();
-  s_.plain = s_.line < line_codes_.size() && !in_cycle() && !compensating() && !s_.angled.waiting &&
-             s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged &&
-             feed != Meaning::InverseTime &&
-             s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn && !turned() &&
-             facts_->limits.empty() && !checks_area() && !s_.surface && !lacks_speed() &&
-             !s_.tool_pending && !tool_waits() && facts_->control->max_feed.value == 0;
+  s_.plain =
+      s_.line < line_codes_.size() && !in_cycle() && !compensating() && !s_.angled.waiting &&
+      s_.held.corner.empty() && s_.held.radius.empty() && !s_.held.engaged &&
+      feed != Meaning::InverseTime && s_.modal[at(Group::Polar)].meaning != Meaning::PolarOn &&
+      !turned() && facts_->limits.empty() && !checks_area() && !s_.surface && !lacks_speed() &&
+      !s_.tool_pending && !tool_waits() && !s_.rigid_waits && facts_->control->max_feed.value == 0;
 }
 
 std::optional<Fault> Motion::finish(std::uint32_t step, Moves* moves) {
@@ -694,6 +698,7 @@ void Motion::reset() {
   end_cycles();
   s_.held = {};
   s_.angled = {};
+  s_.rigid_waits = s_.data_set = false;
   s_.turned = {};
   if (c.clear_local_on_reset.value) {
     s_.local = {};

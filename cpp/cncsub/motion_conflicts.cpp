@@ -90,7 +90,19 @@ struct Conflict {
   bool (*applies)(const State&, const Block&);
 };
 
+/// Whether a block moves by its axis words, outside of a canned cycle.
+bool moves_axes(const Block& b) {
+  if (b.was_cycle || b.has(Group::Cycle)) return false;
+  for (const Meaning meaning : {Meaning::Dwell, Meaning::SetData, Meaning::SetCoordinate,
+                                Meaning::ClearCoordinate, Meaning::Local})
+    if (does(b, meaning)) return false;
+  return std::any_of(kAxisNames.begin(), kAxisNames.end(),
+                     [&](char axis) { return b.words.has(axis); });
+}
+
 constexpr Conflict kConflicts[] = {
+    {Cause::RigidMove,
+     [](const State& s, const Block& b) { return s.rigid_waits && moves_axes(b); }},
     {Cause::OneShotWithMotion,
      [](const State&, const Block& b) {
        return b.has(Group::OneShot) && !does(b, Meaning::ExactStop) && b.has(Group::Motion);
@@ -197,12 +209,13 @@ constexpr Conflict kConflicts[] = {
 
 /// Besides the conflicts above: what is asked where the words are carried out.
 constexpr Cause kAskedElsewhere[] = {
-    Cause::CornerHelix,       Cause::CornerOffset, Cause::CornerWithCall, Cause::HelixAxis,
-    Cause::CycleRepeatsTwice, Cause::G10Axis,      Cause::GrooveAxis,     Cause::GrooveEscape,
-    Cause::GrooveStep,        Cause::HelixTravel,  Cause::MeasuringZone,  Cause::SkipPerRevolution,
-    Cause::NoSpeed,           Cause::PatternX,     Cause::PatternZ,       Cause::PolarCentre,
-    Cause::PolarCorner,       Cause::PqSame,       Cause::ProfileStart,   Cause::ScaleNegative,
-    Cause::StrokeArea,        Cause::TapLead,      Cause::TapSpeed,       Cause::ThreadPasses};
+    Cause::DataEndFirst,      Cause::CornerHelix,       Cause::CornerOffset, Cause::CornerWithCall,
+    Cause::HelixAxis,         Cause::CycleRepeatsTwice, Cause::G10Axis,      Cause::GrooveAxis,
+    Cause::GrooveEscape,      Cause::GrooveStep,        Cause::HelixTravel,  Cause::MeasuringZone,
+    Cause::SkipPerRevolution, Cause::NoSpeed,           Cause::PatternX,     Cause::PatternZ,
+    Cause::PolarCentre,       Cause::PolarCorner,       Cause::PqSame,       Cause::ProfileStart,
+    Cause::ScaleNegative,     Cause::StrokeArea,        Cause::TapLead,      Cause::TapSpeed,
+    Cause::ThreadPasses};
 
 std::vector<std::string_view> refusable_causes() {
   std::vector<std::string_view> slugs;

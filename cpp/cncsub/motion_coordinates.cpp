@@ -89,6 +89,7 @@ void put(double& place, double value, bool add) { place = add ? place + value : 
 }  // namespace
 
 Motion::Result Motion::set_data(BlockWords& block) {
+  s_.data_set = true;
   const NcWords& w = block.words;
   const Control& c = *facts_->control;
   if (!w.has('L')) {

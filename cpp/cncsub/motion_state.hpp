@@ -149,7 +149,9 @@ struct MotionState {
   int extra_system = 0;                                // G54.1 P
   double speed = 0, surface_speed = 0, max_speed = 0;  // S of G97, of G96, limit
   bool surface = false;
-  int spindle = 5;  // 3 4 5
+  int spindle = 5;           // 3 4 5
+  bool rigid_waits = false;  // M29 came, and its tapping cycle not yet
+  bool data_set = false;     // a G10 came
   int b = 0, h = 0, d = 0, t = 0;
   int tool = 0, tool_offset = 0;
   double lead = 0;  // of threads, where it is kept apart from the feed

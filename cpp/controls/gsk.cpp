@@ -213,6 +213,7 @@ void alarms_988(Control& c) {
   add(Cause::ValueOutOfRange, "003", range);
   add(Cause::IllegalSequenceNumber, "003", range);
   add(Cause::IllegalRepeatCount, "003", range);
+  add(Cause::RepeatCountDigits, "003", range);
   add(Cause::AddressNotUsable, "008", "illegal address");
   add(Cause::AddressGivenTwice, "010", "same address or G code of one group twice");
   add(Cause::BlockTooLong, "002", "block longer than 256 characters");
@@ -623,6 +624,7 @@ void alarms_980(Control& c) {
   add(Cause::JumpTargetNotFound, "112", target);
   add(Cause::IllegalJumpNumber, "112", target);
   add(Cause::IllegalRepeatCount, "092", "wrong count of a subprogram call");
+  add(Cause::RepeatCountDigits, "092", "wrong count of a subprogram call");
   add(Cause::NestingTooDeep, "096", "more than 4 levels of subprograms");
   add(Cause::MacroNestingTooDeep, "096", "more than 4 levels of subprograms");
   add(Cause::ProgramCallsItself, "097", "called program is the current program");
@@ -655,6 +657,7 @@ void alarms_980(Control& c) {
   add(Cause::ArcSineOutOfRange, "110", "ASIN or ACOS outside -1 to 1");
   add(Cause::ArgumentOutOfRange, "127", "not a whole number, cannot be made binary");
   add(Cause::Overflow, "043", "overflow");
+  add(Cause::LogicOfBits, "133", "operand or result of AND, OR, XOR is neither 0 nor 1");
   add(Cause::IllegalLoopNumber, "102", "DO or END number is not 1, 2, 3");
   add(Cause::MissingEnd, "103", loop);
   add(Cause::MissingDo, "103", loop);
@@ -776,6 +779,7 @@ Control gsk_980mdi() {
   Control c = gsk_980tdi();
   c.name = "gsk-980mdi";
   c.title = "GSK 980MDi mill";
+  c.logic_of_bits = {true, kMDib + "0133", kManual};
   for (const int group : {3, 4, 8, 9, 10, 11, 13, 15})
     c.variables.push_back({4000 + group, 4000 + group, VariableKind::ModalCode, Access::ReadOnly, 0,
                            kGeneral, kInferred});

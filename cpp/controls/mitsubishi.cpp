@@ -207,6 +207,7 @@ void alarms(Control& c) {
       {Cause::ReturnTargetNotFound, {"P231", "NO N-NUMBER", k004 + "M99, note 1", kDocument}},
       {Cause::JumpTargetNotFound, {"P231", "NO N-NUMBER", kMZ + "843, paired", kSecondary}},
       {Cause::IllegalRepeatCount, {"P35", "CMD-VALUE OVER", range, kManual}},
+      {Cause::RepeatCountDigits, {"P35", "CMD-VALUE OVER", range, kManual}},
       {Cause::NestingTooDeep, {"P230", "NESTING OVER", k004 + "note on levels", kDocument}},
       {Cause::IllegalMacroNumber, {"P35", "CMD-VALUE OVER", kSK + "P35", kManual}},
       {Cause::SetvnFormat, {"P292", "SETVN SNT. ERR", kMZ + "866, paired", kSecondary}},

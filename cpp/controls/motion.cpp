@@ -197,8 +197,8 @@ void fanuc_rules(Control& c) {
   c.machine = {MachineType::Mill, "the setup tells a lathe", Inferred};
   c.negative_radius = {true, "source 003, example 5", SourceDocument};
   c.machine_move = {MachineMove::Rapid, "source 003, G53; 0iMB p.228", SourceDocument};
-  c.refuses = {"reference-in-cycle corner-at-offset-start groove-escape", "ALM 039, 044, 062",
-               Secondary};
+  c.refuses = {"reference-in-cycle corner-at-offset-start groove-escape move-before-rigid-tap",
+               "ALM 039, 044, 062; 204 from general knowledge", Secondary};
   c.idle_blocks = {1, "source 003, note a", SourceDocument};
   c.measuring = {Measuring::Of6241, "general knowledge; TDi 17, TApar 6241 to 6255: the same rule",
                  Inferred};
@@ -676,8 +676,9 @@ void gsk_980mdi(Control& c) {
       "pattern-without-cycle corner-at-offset-start corner-in-helix corner-with-call "
       "cycle-repeats-twice "
       "tap-without-lead tap-without-speed g10-axis-missing scale-negative no-spindle-speed "
-      "helix-without-travel helix-axis measuring-zone",
-      "MDib 0013, 0014, 0022, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, 0204, "
+      "helix-without-travel helix-axis measuring-zone move-before-rigid-tap g11-before-g10",
+      "MDib 0013, 0014, 0022, 0029, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, "
+      "0204, "
       "0216, "
       "0218, 0230, "
       "0243, 0247, "
@@ -721,10 +722,9 @@ void gsk_980mdi(Control& c) {
   travel = {"", "", "MDia 3011 to 3020", Manual};
   int number = 3011;
   for (const char* direction : {"+", "-"})
-    for (const char* axis : {"X", "Y", "Z"})  // of the fourth and the fifth axis no name is known
-      travel.directed.push_back({std::string(axis) + direction,
-                                 std::to_string(number++ + 2 * (*direction == '-')),
-                                 "software travel limit"});
+    for (const char* axis : {"X", "Y", "Z", "A", "B"})  // the fourth is A, the fifth B [inferred]
+      travel.directed.push_back(
+          {std::string(axis) + direction, std::to_string(number++), "software travel limit"});
   add_alarms(
       c,
       {{Cause::ArcAxis, "0008", "axis outside the plane of the arc", "MDib 0008", Manual},
@@ -808,6 +808,8 @@ void gsk_980mdi(Control& c) {
         Manual},
        {Cause::TapLead, "0218", "no pitch in G74, G84", "MDib 0218", Manual},
        {Cause::NoSpeed, "0013", "no S with G95", "MDib 0013", Manual},
+       {Cause::RigidMove, "0232", "a move between M29 and G74, G84", "MDib 0232", Manual},
+       {Cause::DataEndFirst, "0029", "G11 before G10", "MDib 0029", Manual},
        {Cause::TapSpeed, "0230", "S is 0", "MDib 0230", Manual},
        {Cause::CornerHelix, "0278", "a chamfer in a helix", "MDib 0278", Manual},
        {Cause::G10L, "0244", "L of G10", "MDib 0244", Manual},

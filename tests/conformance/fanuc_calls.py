@@ -1392,7 +1392,7 @@ case(
         O2
         N30 M99
     """,
-    runs="", alarm="illegal-repeat-count", at="O1 N10",
+    runs="", alarm="repeat-count-digits", number={"fanuc-16i": "003", "fanuc-0i-d": "PS0003"}, at="O1 N10",
 )
 case(
     "L10000 is legal where L has eight digits",

@@ -143,7 +143,7 @@ case(
     "GSK 980: a count of 10000 in P is refused",
     control=FAMILY_980, source="MDib 092", evidence=MANUAL,
     program=one_call("M98 P100002002", name="O2002"),
-    runs="", alarm="illegal-repeat-count", number="092", at="O1 N10",
+    runs="", alarm="repeat-count-digits", number="092", at="O1 N10",
 )
 case(
     "GSK 980: program number 0 cannot be called",
@@ -872,7 +872,7 @@ for count in (0, 10000):
         f"GSK 980TDi: L{count} is refused",
         control=TDI, source="TDi15; number from MDib 092", evidence=MANUAL, params={"878": 1},
         files={"O1.CNC": f"O1\nN10 M98 P[CUT] L{count}\nN20 M30\n", "CUT.CNC": "N30 M99\n"},
-        main="O1", runs="", alarm="illegal-repeat-count", number="092", at="O1 N10",
+        main="O1", runs="", alarm="repeat-count-digits" if count > 9999 else "illegal-repeat-count", number="092", at="O1 N10",
     )
 case(
     "GSK 980TDi: a name of 21 characters is refused",

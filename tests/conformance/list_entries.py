@@ -86,7 +86,7 @@ stands(
 stands("G10.3", "fanuc-30i", alarm="code-not-computed")
 stands("G10.6", "fanuc-16i fanuc-0i-f fanuc-30i", alarm="code-not-computed")
 stands("G10.9", "fanuc-0i-f fanuc-30i", alarm="code-not-computed")
-stands("G11", "gsk-980mdi")
+stands("G10 L2 P1 X1.\nG11", "gsk-980mdi")
 stands("G12.4", "fanuc-30i", alarm="code-not-computed")
 stands("G13", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="code-not-computed")
 stands("G13.4", "fanuc-30i", alarm="code-not-computed")

@@ -86,11 +86,11 @@ case(
     control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi"], source="Talm 206; policy", evidence="inferred",
     program="""
         O1
-        N10 #100=0 OR 5
-        N20 #101=6 AND 0
+        N10 #100=0 OR 1
+        N20 #101=1 AND 0
         N30 M30
     """,
-    runs="N10 N20 N30", vars={100: 5, 101: 0},
+    runs="N10 N20 N30", vars={100: 1, 101: 0},
 )
 case(
     "while a modal macro call is active IF and GOTO jump",

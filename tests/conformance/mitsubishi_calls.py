@@ -107,7 +107,7 @@ case(
         O200
         N220 M99
     """,
-    runs="", alarm="illegal-repeat-count", number="P35", at="O1 N10", word="L10000",
+    runs="", alarm="repeat-count-digits", number="P35", at="O1 N10", word="L10000",
 )
 case(
     "a negative repeat count is refused on a Mitsubishi",
@@ -132,7 +132,7 @@ case(
         O200
         N220 M99
     """,
-    runs="", t=[], alarm="illegal-repeat-count", number="P35", at="O1 N10",
+    runs="", t=[], alarm="repeat-count-digits", number="P35", at="O1 N10",
 )
 case(
     "the other words of an M98 block come before the subprogram",
@@ -716,7 +716,7 @@ case(
         O200
         N210 M99
     """,
-    variables={101: 10000}, runs="", alarm="illegal-repeat-count", number="P35", at="O1 N10",
+    variables={101: 10000}, runs="", alarm="repeat-count-digits", number="P35", at="O1 N10",
     word="L#101",
 )
 case(

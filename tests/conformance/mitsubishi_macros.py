@@ -361,7 +361,7 @@ case(
         O200
         N210 M99
     """,
-    runs="", alarm="illegal-repeat-count", number="P35", at="O1 N10", word="L10000",
+    runs="", alarm="repeat-count-digits", number="P35", at="O1 N10", word="L10000",
 )
 case(
     "G65 takes a file name with its arguments",

@@ -1114,7 +1114,7 @@ case(
         O2
         N40 M99
     """,
-    runs="N10", alarm="illegal-repeat-count", at="O1 N20",
+    runs="N10", alarm="repeat-count-digits", number={F16: "003", F0D: "PS0003", F0F: "PS0003"}, at="O1 N20",
 )
 case(
     "a count of eight digits is taken on the 30i",
@@ -1139,7 +1139,7 @@ case(
         O2
         N40 M99
     """,
-    runs="N10", alarm="illegal-repeat-count", at="O1 N20",
+    runs="N10", alarm="repeat-count-digits", number="PS0003", at="O1 N20",
 )
 # Macro statements
 
@@ -1534,7 +1534,7 @@ case(
 )
 case(
     "AND takes a negative value",
-    control=[*GSK_980, *MITSUBISHI, *FANUC], source="policy; ALI", evidence="inferred",
+    control=["gsk-980tdi", *MITSUBISHI, *FANUC], source="policy; ALI", evidence="inferred",
     program="""
         O1
         N10 #100=[0-1]AND 3
@@ -1547,7 +1547,7 @@ case(
     control=[*GSK, *FANUC], source="general knowledge, priorities", evidence="inferred",
     program="""
         O1
-        N10 IF[2 EQ 2 OR 1]GOTO 30
+        N10 IF[0 EQ 1 OR 1]GOTO 30
         N20 T1
         N30 M30
     """,
@@ -2463,7 +2463,7 @@ case(
         %2
         N40 M99
     """,
-    runs="N10", alarm="illegal-repeat-count", at="%1 N20",
+    runs="N10", alarm="repeat-count-digits", at="%1 N20",
 )
 case(
     "a count of 9999 is taken on the HNC",
@@ -2487,7 +2487,7 @@ case(
         N30 M30
         N40 M99
     """,
-    runs="N10", alarm="illegal-repeat-count", at="%1 N20",
+    runs="N10", alarm="repeat-count-digits", at="%1 N20",
 )
 case(
     "a count of 9999 is taken on the GSK 928",

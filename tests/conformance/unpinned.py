@@ -60,7 +60,7 @@ UNPINNED = _joined(
     _all("if_form loop_form jumps max_loops max_constant_digits max_brackets", (TE,), NO_MACROS),
     _all("angle_unit atan_range asin_range joined_conditions", (TE,), NO_MACROS),
     _all("comparison_symbols conditions_without_brackets short_functions", (TE,), NO_MACROS),
-    _all("functions modulo vacant_address vacant_comparison negative_logic", (TE,), NO_MACROS),
+    _all("functions modulo vacant_address vacant_comparison negative_logic logic_of_bits", (TE,), NO_MACROS),
     _all("reset_clears_locals reset_clears_commons logic_binds_last", (TE,), NO_MACROS),
     _all("max_condition_length indirect_9nnn variable_names", (TE,), NO_MACROS),
     _all("max_loop_number loops_count_across_calls", (TE,), NO_MACROS),
