@@ -50,6 +50,8 @@ struct Curve {
   Point end_direction() const { return direction_at(to); }
   double length() const { return line() ? size(to - from) : std::fabs(turn) * radius(); }
 };
+/// The same way, back.
+inline Curve reversed(const Curve& c) { return {c.to, c.from, c.centre, -c.turn}; }
 Curve curve_of(const PlaneView& view, const Axes& from, const Piece& piece);
 
 /// The radius, at one of its ends, of an arc moved to its left: one to the left has its centre

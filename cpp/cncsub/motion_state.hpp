@@ -52,6 +52,8 @@ struct Held {
       radius;              // a compensated move, and behind it those that do not move in the plane
   Axes radius_from{};      // where the first of them starts
   Axes radius_to{};        // where the last compensated move in the plane ended
+  std::size_t step = 0;    // where in `radius` a low step waits for the move behind it; 0: none
+  Axes step_from{};        // where that starts
   bool moved = false;      // a move in the plane came in this block
   bool starting = false;   // that move is the start-up
   bool engaged = false;    // the tool is off the programmed path

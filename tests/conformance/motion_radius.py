@@ -156,3 +156,87 @@ for _d, _fits in (1, True), (3, False):
             }
         ),
     )
+
+# A step of some increments between two long moves has a direction that says nothing: the tool goes
+# over it from one to the other. A higher one, a corner or a groove is smaller than the tool.
+
+_LOW, _HIGH, _NARROW = "X50.003 Y0.002", "X50.03 Y0.02", "X50.002 Y0.002"
+_UP, _DOWN = ("G90 G17 G0 X-10. Y20.", "G41 D5 G1 X0 Y0 F100", "X50. Y0"), "G90 G17 G0 X110. Y20."
+_SMALL = {"source": "16iLB p.208; 30iM p.238; general knowledge", "alarm": "offset-interference"}
+for _what, _step in (
+    ("line", f"G1 {_LOW}"), ("an arc to the left", f"G3 {_LOW} R0.01"),
+    ("an arc to the right", f"G2 {_LOW} R0.01"), ("an arc with a centre", f"G2 {_LOW} I0.004 J-0.002"),
+):
+    path(
+        f"the tool goes over a step of 4 increments up to a slope: {_what}", MILLS,
+        *_UP, _step, "G1 X100. Y0.5", "G40 Y30.",
+        centre="X-10 Y20 | X0 Y5 | X49.862 Y5 | X49.907 Y5.001 | X99.950 Y5.500 | X100 Y30",
+    )
+for _what, _step in (
+    ("line", "G1 X50. Y0"), ("an arc to the right", "G2 X50. Y0 R0.01"),
+    ("an arc to the left", "G3 X50. Y0 R0.01"),
+):
+    path(
+        f"the tool goes over a step of 4 increments down from a slope: {_what}", MILLS,
+        _DOWN, "G42 D5 G1 X100. Y0.5 F100", _LOW, _step, "G1 X0", "G40 Y30.",
+        centre="X110 Y20 | X99.950 Y5.500 | X49.907 Y5.001 | X49.862 Y5 | X0 Y5 | X0 Y30",
+    )
+path(
+    "the tool goes around a step of 4 increments down no further than the slope behind it asks", MILLS,
+    *_UP, "X50.003 Y-0.002", "X100. Y0.5", "G40 Y30.",
+    centre="X-10 Y20 | X0 Y5 | X50.046 Y5 | X50.092 Y4.999 | X99.950 Y5.500 | X100 Y30",
+)
+path(
+    "the nose goes over a step of 4 increments of a lathe", GSK_LATHES,
+    "T0505", "G98 G0 Z-10. X40.", "G41 G1 Z0. X0. F100", "Z50.", "Z50.003 X0.004", "Z100. X1.",
+    "G40 X60.", setup=NOSE,
+    centre="Z-10 X40 | Z0 X10 | Z49.862 X10 | Z49.907 X10.003 | Z99.950 X11 | Z100 X60",
+)
+path(
+    "a step of 4 increments is the last compensated move where the compensation ends behind it", MILLS,
+    *_UP, _LOW, "G40 Y30.", centre="X-10 Y20 | X0 Y5 | X49.862 Y5 | X49.862 Y5 | X50.003 Y30",
+)
+path(
+    "what stands beside a step of 4 increments keeps its order", MILLS,
+    *_UP, "Z5.", _LOW, "Z9.", "X100. Y0.5", "G40 Y30.",
+    centre="X-10 Y20 | X0 Y5 | X49.862 Y5 | X49.862 Y5 Z5 | X49.907 Y5.001 Z5 | X49.907 Y5.001 Z9"
+    " | X99.950 Y5.500 Z9 | X100 Y30 Z9",
+)
+for _what, _blocks, _at in (
+    ("of 36 increments up to a steep slope", (*_UP, _HIGH, "X100. Y2.52", "G40 Y30."), 40),
+    ("of 4 increments up to a steep slope", (*_UP, _LOW, "X100. Y2.502", "G40 Y30."), 40),
+    ("of 4 increments to a steep wall", (*_UP, _LOW, "X60. Y40.", "G40 Y60."), 40),
+    ("of 3 increments in a corner", (*_UP, _NARROW, "X50.002 Y50.", "G40 X0."), 40),
+    ("of 4 increments down from a steep slope",
+     (_DOWN, "G42 D5 G1 X100. Y2.5 F100", _LOW, "X50. Y0", "X0 Y0", "G40 Y30."), 40),
+    ("of 36 increments down from a steep slope",
+     (_DOWN, "G42 D5 G1 X100. Y2.5 F100", _HIGH, "X50. Y0", "X0 Y0", "G40 Y30."), 40),
+):
+    path(
+        f"a step {_what} is one the tool does not fit into", MILLS, *_blocks,
+        **_SMALL, number=numbers(MILLS, "041", "P153", None, "0260"), at=f"O1 N{_at}",
+    )
+path(
+    "an inner arc of 4 increments that turns upwards is smaller than the tool", MILLS,
+    *_UP, f"G3 {_LOW} I0.001 J0.004", "G1 X100. Y0.5", "G40 Y30.",
+    **_SMALL | {"alarm": "offset-arc-too-small"}, number=numbers(MILLS, "041", "P153", None, "0256"),
+    at="O1 N40",
+)
+path(
+    "a groove of 3 increments of a lathe alarms between two walls", GSK_LATHES,
+    "T0505", "G98 G0 Z-10. X40.", "G41 G1 Z0. X0. F100", "Z50.", "Z50.002 X0.004", "X100.", "G40 Z0.",
+    setup=NOSE, **_SMALL, number=numbers(GSK_LATHES, None, None, "256", None), at="O1 N50",
+)
+
+# A move of one increment has no direction, but no more is it a block without a move.
+
+for _words, _way in (
+    (("X50.001", "M8"), "X49.505 Y5 | X49.506 Y5"), (("M8", "X50.001"), "X49.505 Y5 | X49.506 Y5"),
+    (("M8",), "X49.505 Y5"), (("M8", "M9"), "X50 Y5 | X49.019 Y4.903"),
+):
+    path(
+        f"the corner behind {' and '.join(_words)} is looked for while one block stands still",
+        ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f"], *_UP, *_words, "X100. Y10.", "G40 Y30.",
+        source="source 003, note a", evidence="inferred",
+        centre=f"X-10 Y20 | X0 Y5 | {_way} | X99.019 Y14.903 | X100 Y30",
+    )
