@@ -70,7 +70,9 @@ def climbs(draw: st.DrawFn) -> tuple[int, list[str]]:
     places = st.integers(-60, 60)
     height, blocks = 0, []
     for _ in range(draw(st.integers(2, 10))):
-        kind = draw(st.sampled_from(["line", "line", "arc", "corner", "rise", "other", "helix"]))
+        kind = draw(
+            st.sampled_from(["line", "line", "arc", "step", "corner", "rise", "other", "helix"])
+        )
         at = f"{a}{draw(places)}. {b}{draw(places)}."
         if kind in ("rise", "helix"):
             height += draw(st.integers(1, 9))
@@ -84,6 +86,9 @@ def climbs(draw: st.DrawFn) -> tuple[int, list[str]]:
             blocks.append(f"G91 {way} {a}{2 * middle}. {i}{middle}. {j}0. {c}1.")
             blocks.append("G90")
             height += 1
+        elif kind == "step":  # of some increments
+            way = " ".join(f"{name}{draw(st.integers(-9, 9)) / 1000}" for name in (a, b))
+            blocks += [f"G91 G1 {way}", "G90"]
         elif kind == "corner":
             cut = draw(st.sampled_from([",C1.", ",R2."]))
             blocks.append(f"G1 {at} {cut}")

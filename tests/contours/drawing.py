@@ -70,7 +70,8 @@ class Drawing:
         first, last = self.beside(one, end)[0], self.beside(two, start)[0]
         reach = self.radius * min(1.0, math.tan(abs(self.corners()[corner]) / 2))
         corners = np.stack([first, first + reach * u, last - reach * v, last])
-        return np.concatenate([corners, (corners[:-1] + corners[1:]) / 2])
+        steps = [Curve(*corners[i : i + 2]).points(PARTS) for i in range(3)]
+        return np.concatenate(steps)
 
     def crosses_itself(self) -> bool:
         """Whether curves come into the tool's way elsewhere than at their corner."""

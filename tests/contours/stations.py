@@ -67,6 +67,7 @@ class Written:
     inch: bool
     plane: int
     tip: int
+    meant: bool  # rounded, every arc still has a radius and runs through about its angle
 
     @property
     def increment(self) -> float:
@@ -99,13 +100,14 @@ class Writer:
 
     def write(self, drawing: Drawing) -> Written:
         random = self.random
-        curves, blocks = [], []
+        curves, blocks, meant = [], [], True
         at = self.rounded(drawing.curves[0].start, self.share)
         first = at
         for curve in drawing.curves:
             block, read = self.block(curve, at)
-            if np.array_equal(read.start, read.end) and read.centre is None:
+            if np.array_equal(read.start, read.end) and abs(curve.turn) < math.pi:
                 continue  # rounded away
+            meant = meant and abs(read.turn - curve.turn) < 1 and read.radius > 0
             blocks.append(block)
             curves.append(read)
             at = read.end
@@ -126,7 +128,9 @@ class Writer:
         cuts = self.station.cuts_fine_digits
         fine = self.decimals == 4 and not self.inch and (cuts or random.random() < 0.5)
         least = 1e-4 if fine else 1e-3
-        return Written(text, tuple(curves), resolution, least, self.inch, self.plane, self.tip)
+        return Written(
+            text, tuple(curves), resolution, least, self.inch, self.plane, self.tip, meant
+        )
 
     def beside(self, drawing: Drawing, place: int) -> Vector:
         """A point on the tool's side, from which it comes to an end of the contour."""

@@ -10,7 +10,7 @@ import numpy as np
 
 import cncsub
 from cncsub.tables import Moves
-from curves import Curve, distances, sweep
+from curves import Curve, Vector, distances, sweep
 from drawing import PARTS, Drawing, draw
 from stations import TIPS, Station, Writer, Written, stations
 
@@ -36,8 +36,7 @@ class Trials:
         while True:
             drawing = draw(random)
             written = Writer(random, station).write(drawing)
-            smallest = min(curve.radius for curve in written.curves) / written.resolution
-            if smallest > 5 and (drawing.tight or not drawing.crosses_itself()):
+            if written.meant and (drawing.tight or not drawing.crosses_itself()):
                 return station, drawing, written
 
     def compare(self, place: int) -> None:
@@ -98,17 +97,26 @@ def deviation(path: list[Curve], drawing: Drawing, written: Written) -> float:
     room = distances(points, printed.curves)
     # Never nearer than the radius, and not further either, but around a corner.
     worst = float(radius - room.min())
-    turns = printed.corners()
-    corners = np.array([curve.end for curve in printed.curves[:-1]])
-    to_corners = np.hypot(*(points[:, None, :] - corners[None, :, :]).transpose(2, 0, 1))
-    to_corners -= np.where(turns < -0.01, (math.sqrt(2) - 1) * radius, 0)
+    # A piece that the words cannot tell from a point has no side of its own.
+    long = tuple(curve for curve in printed.curves if curve.length > 1.5 * written.increment)
+    told = Drawing(long, radius, drawing.side)
+    beyond = np.minimum(beyond_corners(points, printed), beyond_corners(points, told))
     nearest = room.min(axis=1)
-    at_corner = to_corners.min(axis=1) < radius + 2 * written.increment
-    worst = max(worst, float(np.where(at_corner, 0, nearest - radius).max()))
+    worst = max(worst, float(np.where(beyond < 2 * written.increment, 0, nearest - radius).max()))
     # All of the offset that no other curve cuts off lies on the path.
-    for curve in printed.curves:
+    for curve in told.curves:
         beside = printed.beside(curve, PARTS)
         free = distances(beside, printed.curves).min(axis=1) > radius - 1e-9
         if free.any():
             worst = max(worst, float(distances(beside[free], path).min(axis=1).max()))
     return worst
+
+
+def beyond_corners(points: Vector, drawing: Drawing) -> Vector:
+    """How far points lie beyond where the tool goes around the nearest corner."""
+    turns = drawing.corners()
+    turns = np.where(turns > 2.9, -turns, turns)  # nearly straight back: the tool goes around
+    outside = np.clip(-turns, 0, math.pi / 2)
+    corners = np.array([curve.end for curve in drawing.curves[:-1]])
+    away = np.hypot(*(points[:, None, :] - corners[None, :, :]).transpose(2, 0, 1))
+    return np.asarray((away - drawing.radius / np.cos(outside / 2)).min(axis=1))
