@@ -236,7 +236,9 @@ std::optional<ExpressionReader::Variable> ExpressionReader::variable() {
     return refuse(Cause::ExpressionFormat, at,
                   "behind # stands a number, or an expression in brackets");
   const Number number = scan_number(s_);
-  if (number.points != 0 || number.digits > 9)
+  const bool behind = number.points == 1 && number.decimals == 0 && number.any;
+  const bool whole = number.points == 0 || (behind && code_.control->variable_point.value);
+  if (!whole || number.digits > 9)
     return refuse(Cause::IllegalVariable, at, "a variable number is a whole number");
   return Variable{to_whole<std::int64_t>(number.value), 0};
 }

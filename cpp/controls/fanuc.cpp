@@ -595,6 +595,7 @@ void macro_statements(Control& c) {
   c.modulo = {false, kKnown, Inferred};
   c.vacant_address = {VacantAddress::Ignored, cite({kXia, kJix}), Secondary};
   c.vacant_comparison = {VacantComparison::Distinguished, cite({kM7v, "TSN"}), Secondary};
+  c.variable_point = {false, kPolicy, Inferred};
   c.indirect_9nnn = {false, kKnown, Inferred};
   c.negative_logic = {true, cite({kAli, "on 32-bit whole numbers, general knowledge"}), Inferred};
   c.variable_names = {false, kKnown, Inferred};

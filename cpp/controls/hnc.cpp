@@ -118,6 +118,7 @@ void macro_statements(Control& c) {
   c.modulo = {false, kKnown, Inferred};
   c.vacant_address = {VacantAddress::Zero, kKnown, Inferred};
   c.vacant_comparison = {VacantComparison::Zero, kKnown, Inferred};
+  c.variable_point = {false, kPolicy, Inferred};
   c.indirect_9nnn = {false, kKnown, Inferred};
   c.negative_logic = {true, kNone, Inferred};
   c.variable_names = {false, kKnown, Inferred};

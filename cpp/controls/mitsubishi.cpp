@@ -140,6 +140,7 @@ void statements(Control& c) {
   c.modulo = {true, kGeneral, kInferred};
   c.vacant_address = {VacantAddress::Ignored, kGeneral, kInferred};
   c.vacant_comparison = {VacantComparison::Distinguished, kGeneral, kInferred};
+  c.variable_point = {true, "real programs: #504. in a macro of the maker", kSecondary};
   c.indirect_9nnn = {false, kGeneral, kInferred};
   c.negative_logic = {true, kPolicy, kInferred};
   c.variable_names = {true, kMZ + "866, 870, 871: SETVN", kSecondary};

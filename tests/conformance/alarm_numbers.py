@@ -29,7 +29,7 @@ for _call, _controls in (
         program=f"O1\nN10 S1\nN20 {_call}\nN30 M30\nO2\nN40 M99\n",
         runs="N10", alarm="repeat-count-digits", at="O1 N20",
         number={
-            c: fanuc("003")[c] if c in FANUC else "P35" if c in MITSUBISHI else "092" for c in _controls
+            c: fanuc("003")[c] if c in FANUC else "P35" if c in MITSUBISHI else "0092" for c in _controls
         },
     )
 case(
@@ -51,7 +51,7 @@ for _what, _line in (
         f"logic of another value than 0 and 1 is refused by the 980MDi: {_what}",
         control=MDI, source="MDib 0133", evidence="maker's manual", variables={100: 3},
         program=f"O1\nN10 S1\nN20 {_line}\nN30 M30\n",
-        runs="N10", alarm="logic-of-other-than-0-and-1", number="133", at="O1 N20",
+        runs="N10", alarm="logic-of-other-than-0-and-1", number="0133", at="O1 N20",
     )
 case(
     "logic of 0 and 1 is computed by the 980MDi",

@@ -86,7 +86,7 @@ case(
     "an address written twice alarms on the 980 and drops nothing",
     control=GSK_980, source="MDia 010", evidence="secondary",
     program="O1\nN10 G0 Z1. Z2.\nN30 M30",
-    runs="", dropped=[], alarm="address-given-twice", number="010", at="O1 N10", word="Z2.",
+    runs="", dropped=[], alarm="address-given-twice", number="0010", at="O1 N10", word="Z2.",
 )
 case(
     "of two G codes of a group the first is dropped",

@@ -1757,7 +1757,7 @@ case(
     """,
     moves_x=[1],
     alarm="program-not-found",
-    number="001",
+    number="0001",
     at="O1",
 )
 
@@ -1774,7 +1774,7 @@ case(
     """,
     moves_x=[1],
     alarm="program-calls-itself",
-    number="097",
+    number="0097",
     at="O1",
 )
 
@@ -1794,7 +1794,7 @@ case(
     """,
     moves_x=[2],
     alarm="program-calls-caller",
-    number="094",
+    number="0094",
     at="O2",
 )
 
@@ -1829,7 +1829,7 @@ case(
     """,
     moves_x=[2, 3, 4, 5],
     alarm="nesting-too-deep",
-    number="096",
+    number="0096",
     at="O5",
 )
 
@@ -1848,7 +1848,7 @@ case(
     """,
     moves_x=[],
     alarm="call-in-modal-call",
-    number="113",
+    number="0113",
     at="O1",
 )
 
@@ -1864,7 +1864,7 @@ case(
     """,
     moves_x=[],
     alarm="division-by-zero",
-    number="105",
+    number="0105",
     at="O1",
 )
 
@@ -1880,7 +1880,7 @@ case(
     """,
     moves_x=[],
     alarm="illegal-user-alarm",
-    number="126",
+    number="0126",
     at="O1",
 )
 
@@ -1896,7 +1896,7 @@ case(
     """,
     moves_x=[],
     alarm="vacant-assigned",
-    number="117",
+    number="0117",
     at="O1",
 )
 

@@ -19,9 +19,9 @@ MANUAL = "maker's manual"
 SECONDARY = "secondary"
 INFERRED = "inferred"
 
-NOT_FOUND = {TA: "083", T: "083", TDI: "001", MDI: "001"}
-NO_NUMBER = {TA: "081", T: "081", TDI: "095", MDI: "095"}
-NO_RETURN_BLOCK = {TA: "083", T: "083", TDI: "112", MDI: "112"}
+NOT_FOUND = {TA: "083", T: "083", TDI: "0001", MDI: "0001"}
+NO_NUMBER = {TA: "081", T: "081", TDI: "0095", MDI: "0095"}
+NO_RETURN_BLOCK = {TA: "083", T: "083", TDI: "0112", MDI: "0112"}
 
 
 def one_call(call, sub="N30 M99", name="O2"):
@@ -143,19 +143,19 @@ case(
     "GSK 980: a count of 10000 in P is refused",
     control=FAMILY_980, source="MDib 092", evidence=MANUAL,
     program=one_call("M98 P100002002", name="O2002"),
-    runs="", alarm="repeat-count-digits", number="092", at="O1 N10",
+    runs="", alarm="repeat-count-digits", number="0092", at="O1 N10",
 )
 case(
     "GSK 980: program number 0 cannot be called",
     control=FAMILY_980, source="MDia 095", evidence=MANUAL,
     program=one_call("M98 P0000", name="O0000"),
-    runs="", alarm="program-number-zero", number="095", at="O1 N10",
+    runs="", alarm="program-number-zero", number="0095", at="O1 N10",
 )
 case(
     "GSK 980: program number 0 cannot be called with a count either",
     control=FAMILY_980, source="MDia 095", evidence=MANUAL,
     program=one_call("M98 P20000", name="O0000"),
-    runs="", alarm="program-number-zero", number="095", at="O1 N10",
+    runs="", alarm="program-number-zero", number="0095", at="O1 N10",
 )
 case(
     "GSK 988: a minus sign at P is refused",
@@ -304,7 +304,7 @@ for code in ("G04 X1", "G54"):
         f"GSK 980MDi: {code[:3]} may not stand in the block of M98",
         control=MDI, source="MDib 051", evidence=MANUAL,
         program=one_call(f"{code} M98 P2"),
-        runs="", alarm="illegal-word-with-call", number="051", at="O1 N10",
+        runs="", alarm="illegal-word-with-call", number="0051", at="O1 N10",
     )
 
 # --- P from a variable ----------------------------------------------------------------------------
@@ -872,31 +872,31 @@ for count in (0, 10000):
         f"GSK 980TDi: L{count} is refused",
         control=TDI, source="TDi15; number from MDib 092", evidence=MANUAL, params={"878": 1},
         files={"O1.CNC": f"O1\nN10 M98 P[CUT] L{count}\nN20 M30\n", "CUT.CNC": "N30 M99\n"},
-        main="O1", runs="", alarm="repeat-count-digits" if count > 9999 else "illegal-repeat-count", number="092", at="O1 N10",
+        main="O1", runs="", alarm="repeat-count-digits" if count > 9999 else "illegal-repeat-count", number="0092", at="O1 N10",
     )
 case(
     "GSK 980TDi: a name of 21 characters is refused",
     control=TDI, source="TDi15; number from MDia 095", evidence=INFERRED, params={"878": 1},
     program=one_call(f"M98 P[{TWENTY}U]"),
-    runs="", alarm="illegal-program-name", number="095", at="O1 N10",
+    runs="", alarm="illegal-program-name", number="0095", at="O1 N10",
 )
 case(
     "GSK 980TDi: a name does not begin with a point",
     control=TDI, source="TDi15; number from MDia 095", evidence=INFERRED, params={"878": 1},
     program=one_call("M98 P[.CUT]"),
-    runs="", alarm="illegal-program-name", number="095", at="O1 N10",
+    runs="", alarm="illegal-program-name", number="0095", at="O1 N10",
 )
 case(
     "GSK 980TDi: an underscore is no character of a name",
     control=TDI, source="TDi15; number from MDia 095", evidence=INFERRED, params={"878": 1},
     program=one_call("M98 P[A_B]"),
-    runs="", alarm="illegal-program-name", number="095", at="O1 N10",
+    runs="", alarm="illegal-program-name", number="0095", at="O1 N10",
 )
 case(
     "GSK 980TDi: a name that no program has is not found",
     control=TDI, source="TDi15; number from MDia 001", evidence=INFERRED, params={"878": 1},
     program=one_call("M98 P[CUT]"),
-    runs="", alarm="named-program-not-found", number="001", at="O1 N10",
+    runs="", alarm="named-program-not-found", number="0001", at="O1 N10",
 )
 
 # --- M198: programs of the external device ----------------------------------------------------------
@@ -1156,7 +1156,7 @@ case(
     "GSK 980: a return to a number above 99999 is refused",
     control=FAMILY_980, source="MDia 112, MDib 112", evidence=MANUAL,
     program=one_call("M98 P2", "N30 M99 P100000"),
-    runs="N10", alarm="return-target-not-found", number="112", at="O2 N30",
+    runs="N10", alarm="return-target-not-found", number="0112", at="O2 N30",
 )
 for code in ("G28 U0", "G30 U0", "G53 X0", "G36 X50", "G37 Z50"):
     case(
@@ -1434,7 +1434,7 @@ case(
 case(
     "GSK 980: the fifth level of subprograms is an alarm",
     control=FAMILY_980, source="MDia 096", evidence=MANUAL,
-    program=chain([M98] * 5), runs=chain_down(4), alarm="nesting-too-deep", number="096",
+    program=chain([M98] * 5), runs=chain_down(4), alarm="nesting-too-deep", number="0096",
     at="O5 N50",
 )
 case(
@@ -1561,13 +1561,13 @@ case(
     "GSK 980: the main program cannot call itself",
     control=FAMILY_980, source="MDia 097", evidence=MANUAL,
     program="O1\nN10 M98 P20001\nN20 M30\n",
-    runs="", alarm="program-calls-itself", number="097", at="O1 N10",
+    runs="", alarm="program-calls-itself", number="0097", at="O1 N10",
 )
 case(
     "GSK 980: a subprogram cannot call itself",
     control=FAMILY_980, source="MDib 097", evidence=MANUAL,
     program=one_call("M98 P2", "N30 M98 P2\nN40 M99"),
-    runs="N10", alarm="program-calls-itself", number="097", at="O2 N30",
+    runs="N10", alarm="program-calls-itself", number="0097", at="O2 N30",
 )
 case(
     "GSK 980: a subprogram of the second level cannot call the main program",
@@ -1583,13 +1583,13 @@ case(
         N50 M98 P1
         N60 M99
     """,
-    runs="N10 N30", alarm="program-calls-caller", number="094", at="O3 N50",
+    runs="N10 N30", alarm="program-calls-caller", number="0094", at="O3 N50",
 )
 case(
     "GSK 980TDi: a program with a name cannot call itself",
     control=TDI, source="TDi15; number from MDib 097", evidence=INFERRED, params={"878": 1},
     files={"O1.CNC": "O1\nN10 M98 P[CUT]\nN20 M30\n", "CUT.CNC": "N30 M98 P[CUT]\nN40 M99\n"},
-    main="O1", runs="N10", alarm="program-calls-itself", number="097", at="CUT N30",
+    main="O1", runs="N10", alarm="program-calls-itself", number="0097", at="CUT N30",
 )
 
 # --- 980: M codes that call a subprogram ----------------------------------------------------------------
@@ -1607,19 +1607,19 @@ case(
     "GSK 980TDi: an M code behind those that call is sent to the machine",
     control=TDI, source="TDi17", evidence=MANUAL, params=M_CODES,
     program="O100\nN10 M20\nN20 M98 P9\nN25 M30\nO4\nN30 M99\n",
-    runs="N10", m=[20], calls="", alarm="program-not-found", number="001", at="O100 N20",
+    runs="N10", m=[20], calls="", alarm="program-not-found", number="0001", at="O100 N20",
 )
 case(
     "GSK 980TDi: an M code in front of those that call is sent to the machine",
     control=TDI, source="TDi17", evidence=MANUAL, params=M_CODES,
     program="O100\nN10 M16\nN20 M98 P9\nN25 M30\nO1\nN30 M99\n",
-    runs="N10", m=[16], calls="", alarm="program-not-found", number="001", at="O100 N20",
+    runs="N10", m=[16], calls="", alarm="program-not-found", number="0001", at="O100 N20",
 )
 case(
     "GSK 980TDi: an M code that calls is not sent to the machine",
     control=TDI, source="TDi17, note", evidence=MANUAL, params=M_CODES,
     program="O100\nN10 M17\nN20 M98 P9\nN25 M30\nO1\nN30 M99\n",
-    runs="N10 N30", m=[], alarm="program-not-found", number="001", at="O100 N20",
+    runs="N10 N30", m=[], alarm="program-not-found", number="0001", at="O100 N20",
 )
 case(
     "GSK 980TDi: with 91=0 no M code calls",
@@ -1631,7 +1631,7 @@ case(
     "GSK 980TDi: the program of an M code may be missing",
     control=TDI, source="TDi17; number from MDia 001", evidence=INFERRED, params=M_CODES,
     program="O100\nN10 M19\nN20 M30\nO1\nN30 M99\n",
-    runs="", alarm="program-not-found", number="001", at="O100 N10",
+    runs="", alarm="program-not-found", number="0001", at="O100 N10",
 )
 case(
     "GSK 980MDi: 6044 to 6046 register the M codes that call",
@@ -1654,13 +1654,13 @@ case(
     "GSK 980MDi: the N word must be the first of its block",
     control=MDI, source="MDia 006", evidence=MANUAL,
     program="O1\nN10 G0 X1\nG0 N20 X2\nN30 M30\n",
-    runs="N10", alarm="sequence-number-not-first", number="006", at="O1",
+    runs="N10", alarm="sequence-number-not-first", number="0006", at="O1",
 )
 case(
     "GSK 980MDi: the same address twice in a block is refused",
     control=MDI, source="MDia 010", evidence=MANUAL,
     program="O1\nN10 G0 X1\nN20 G0 X2 X3\nN30 M30\n",
-    runs="N10", alarm="address-given-twice", number="010", at="O1 N20",
+    runs="N10", alarm="address-given-twice", number="0010", at="O1 N20",
 )
 case(
     "GSK 988: with 3403#6=1 the same address twice in a block is refused",
@@ -1690,7 +1690,7 @@ case(
     "GSK 980MDi: a comment that is not closed is refused",
     control=MDI, source="MDia 041", evidence=MANUAL,
     program="O1\nN10 G0 X1\nN20 G0 X2 (SLOT\nN30 M30\n",
-    runs="N10", alarm="comment-not-closed", number="041", at="O1 N20",
+    runs="N10", alarm="comment-not-closed", number="0041", at="O1 N20",
 )
 case(
     "GSK: a call inside a comment is not made",
@@ -1721,7 +1721,7 @@ case(
     "GSK: a block longer than the control takes is refused",
     control=[TA, T, MDI], source="Talm 002; MDia 037", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 G0 X2" + " " * 300 + "Z3\nN30 M30\n",
-    runs="N10", alarm="block-too-long", number={TA: "002", T: "002", MDI: "037"}, at="O1 N20",
+    runs="N10", alarm="block-too-long", number={TA: "002", T: "002", MDI: "0037"}, at="O1 N20",
 )
 
 # --- 928: calls of a part of the same program ----------------------------------------------------------

@@ -178,13 +178,13 @@ for letter in "IJK":
         f"GSK 980: eleven {letter} are too many",
         control=FAMILY_980, source="MDia 118", evidence=MANUAL,
         program=macro_call("G65 P2" + f" {letter}1" * 11),
-        runs="", alarm="too-many-argument-sets", number="118", at="O1 N10",
+        runs="", alarm="too-many-argument-sets", number="0118", at="O1 N10",
     )
 case(
     "GSK 980: eleven I are too many for G66 too",
     control=FAMILY_980, source="MDib 118", evidence=MANUAL,
     program=macro_call("G66 P2" + " I1" * 11),
-    runs="", alarm="too-many-argument-sets", number="118", at="O1 N10",
+    runs="", alarm="too-many-argument-sets", number="0118", at="O1 N10",
 )
 case(
     "GSK 988: G is no argument",
@@ -375,13 +375,13 @@ case(
     "GSK 980: G65 calls no program above 9999",
     control=FAMILY_980, source="MDia 119", evidence=MANUAL,
     program=macro_call("G65 P10002 A1"),
-    runs="", alarm="illegal-macro-number", number="119", at="O1 N10",
+    runs="", alarm="illegal-macro-number", number="0119", at="O1 N10",
 )
 case(
     "GSK 980: G65 does not call program 0",
     control=FAMILY_980, source="MDib 119", evidence=MANUAL,
     program=macro_call("G65 P0 A1", name="O0000"),
-    runs="", alarm="illegal-macro-number", number="119", at="O1 N10",
+    runs="", alarm="illegal-macro-number", number="0119", at="O1 N10",
 )
 case(
     "GSK 988: G65 without P is refused",
@@ -399,7 +399,7 @@ case(
     "GSK: the macro of G65 may be missing",
     control=FAMILIES, source="Talm 083; MDia 001", evidence=SECONDARY,
     program=macro_call("G65 P3 A1"),
-    runs="", alarm="program-not-found", number=both("083", "001"), at="O1 N10",
+    runs="", alarm="program-not-found", number=both("083", "0001"), at="O1 N10",
 )
 case(
     "GSK 988: a macro cannot call itself",
@@ -423,7 +423,7 @@ case(
     "GSK: M99 P of a macro to a block that the caller does not have is an alarm",
     control=FAMILIES, source="source 000, note 1; Talm 083; MDia 112", evidence=SECONDARY,
     program=macro_call("G65 P2", "N40 M99 P90"),
-    runs="N10", alarm="return-target-not-found", number=both("083", "112"), at="O2 N40",
+    runs="N10", alarm="return-target-not-found", number=both("083", "0112"), at="O2 N40",
 )
 
 # --- G65: what may not share its block -------------------------------------------------------------------
@@ -452,21 +452,21 @@ for call in ("G65 P2", "G66 P2"):
         f"GSK 980: {call[:3]} must be the first word of its block",
         control=FAMILY_980, source="MDia 114", evidence=MANUAL,
         program=macro_call(f"X1 {call}"),
-        runs="", alarm="macro-call-not-first", number="114", at="O1 N10",
+        runs="", alarm="macro-call-not-first", number="0114", at="O1 N10",
     )
 for code in ("M00", "M01", "M02", "M30", "M98", "M99"):
     case(
         f"GSK 980MDi: {code} may not share a block with G65",
         control=MDI, source="MDib 116", evidence=MANUAL,
         program=macro_call(f"G65 P2 A1 {code}"),
-        runs="", alarm="m-code-with-macro-call", number="116", at="O1 N10",
+        runs="", alarm="m-code-with-macro-call", number="0116", at="O1 N10",
     )
 for code in ("G43", "G44", "G49"):
     case(
         f"GSK 980MDi: {code} may not share a block with G65",
         control=MDI, source="MDib 115", evidence=MANUAL,
         program=macro_call(f"G65 P2 A1 {code}"),
-        runs="", alarm="code-with-macro-call", number="115", at="O1 N10",
+        runs="", alarm="code-with-macro-call", number="0115", at="O1 N10",
     )
 
 # --- Nesting of macros -------------------------------------------------------------------------------
@@ -685,13 +685,13 @@ case(
     "GSK 980: M98 is refused while G66 is active",
     control=FAMILY_980, source="MDia 113", evidence=MANUAL,
     program="O1\nN10 G66 P2\nN20 G0 X50\nN30 M98 P2\nN40 M30\n" + MACRO,
-    runs="N10 N20 N90", alarm="call-in-modal-call", number="113", at="O1 N30",
+    runs="N10 N20 N90", alarm="call-in-modal-call", number="0113", at="O1 N30",
 )
 case(
     "GSK 980: M99 P is refused while G66 is active",
     control=FAMILY_980, source="MDia 113", evidence=MANUAL,
     program="O1\nN10 G66 P2\nN20 M99 P10\nN30 M30\n" + MACRO,
-    runs="N10", alarm="call-in-modal-call", number="113", at="O1 N20",
+    runs="N10", alarm="call-in-modal-call", number="0113", at="O1 N20",
 )
 case(
     "GSK 980: M98 is legal again behind G67",
@@ -710,7 +710,7 @@ for code in ("G00", "G01", "G04", "G28"):
         f"GSK 980: {code} may not share a block with G66",
         control=FAMILY_980, source="MDia 044", evidence=MANUAL,
         program=macro_call(f"G66 P2 A1 {code}"),
-        runs="", alarm="code-with-modal-call", number="044", at="O1 N10",
+        runs="", alarm="code-with-modal-call", number="0044", at="O1 N10",
     )
 case(
     "GSK 980TDi: the macro of G66 may have a name",
@@ -886,7 +886,7 @@ case(
     "GSK 980TDi: the macro of a G code may be missing",
     control=TDI, source="TDi32; number from MDia 001", evidence=INFERRED, params=G_CODES,
     program=macro_call("G101", name="O2000"),
-    runs="", alarm="program-not-found", number="001", at="O1 N10",
+    runs="", alarm="program-not-found", number="0001", at="O1 N10",
 )
 
 # --- 980TDi: G65 H, results ------------------------------------------------------------------------------
@@ -1003,19 +1003,19 @@ case(
     "GSK 980TDi: a jump to a block that is missing is an alarm",
     control=TDI, source="TDi28; number from MDia 112", evidence=INFERRED,
     program="O1\nN10 G0 X1\nN20 G65 H80 P90\nN30 M30\n",
-    runs="N10", alarm="jump-target-not-found", number="112", at="O1 N20",
+    runs="N10", alarm="jump-target-not-found", number="0112", at="O1 N20",
 )
 case(
     "GSK 980TDi: a conditional jump to a block that is missing is an alarm when it is made",
     control=TDI, source="TDi28; number from MDia 112", evidence=INFERRED,
     program="O1\nN10 G65 H84 P90 Q2 R1\nN20 G65 H84 P90 Q1 R2\nN30 M30\n",
-    runs="N10", alarm="jump-target-not-found", number="112", at="O1 N20",
+    runs="N10", alarm="jump-target-not-found", number="0112", at="O1 N20",
 )
 case(
     "GSK 980TDi: a jump does not look in other programs",
     control=TDI, source="TDi28; number from MDia 112", evidence=INFERRED,
     program="O1\nN10 G65 H80 P40\nN20 M30\nO2\nN40 M99\n",
-    runs="", alarm="jump-target-not-found", number="112", at="O1 N10",
+    runs="", alarm="jump-target-not-found", number="0112", at="O1 N10",
 )
 
 # --- 980TDi: G65 H99 and #3000, alarms of the program itself ----------------------------------------------------
@@ -1055,19 +1055,19 @@ case(
     "GSK 980: H99 P101 is outside the range",
     control=FAMILY_980, source="MDia 126", evidence=MANUAL,
     program="O1\nN10 G65 H99 P101\nN20 M30\n",
-    runs="", alarm="illegal-user-alarm", number="126", at="O1 N10",
+    runs="", alarm="illegal-user-alarm", number="0126", at="O1 N10",
 )
 case(
     "GSK 980: #3000=100 is outside the range",
     control=FAMILY_980, source="MDib 126", evidence=MANUAL,
     program="O1\nN10 #3000=100\nN20 M30\n",
-    runs="", alarm="illegal-user-alarm", number="126", at="O1 N10",
+    runs="", alarm="illegal-user-alarm", number="0126", at="O1 N10",
 )
 case(
     "GSK 980: #3000=-1 is outside the range",
     control=FAMILY_980, source="MDib 126", evidence=MANUAL,
     program="O1\nN10 #3000=-1\nN20 M30\n",
-    runs="", alarm="illegal-user-alarm", number="126", at="O1 N10",
+    runs="", alarm="illegal-user-alarm", number="0126", at="O1 N10",
 )
 case(
     "GSK 980TDi: #3000 behind a condition that is false raises nothing",
@@ -1096,39 +1096,39 @@ def fault(claim, words, cause, number, control=TDI, source=None, evidence=INFERR
 
 
 fault(
-    "G65 needs a P or an H", "A1", "h-code-missing", "122", control=FAMILY_980, evidence=MANUAL,
+    "G65 needs a P or an H", "A1", "h-code-missing", "0122", control=FAMILY_980, evidence=MANUAL,
 )
 fault(
-    "G65 alone says nothing", "", "h-code-missing", "122", control=FAMILY_980, evidence=MANUAL,
+    "G65 alone says nothing", "", "h-code-missing", "0122", control=FAMILY_980, evidence=MANUAL,
 )
 for code in ("H06", "H07", "H14", "H28", "H35", "H87", "H98"):
-    fault(f"{code} does not exist", f"{code} P#100 Q1 R1", "illegal-h-code", "124")
-fault("H01 needs Q", "H01 P#100", "h-code-operand", "125")
-fault("H02 needs R", "H02 P#100 Q1", "h-code-operand", "125")
-fault("H02 needs Q", "H02 P#100 R1", "h-code-operand", "125")
-fault("H27 needs R", "H27 P#100 Q3", "h-code-operand", "125")
-fault("H81 needs Q and R", "H81 P10", "h-code-operand", "125")
-fault("H84 needs R", "H84 P10 Q1", "h-code-operand", "125")
-fault("H02 needs P", "H02 Q1 R2", "h-code-format", "123")
-fault("H80 needs P", "H80", "h-code-format", "123")
-fault("the result of H01 goes into a variable", "H01 P100 Q1", "h-code-format", "123")
-fault("H05 by zero is refused", "H05 P#100 Q#100 R0", "division-by-zero", "105",
+    fault(f"{code} does not exist", f"{code} P#100 Q1 R1", "illegal-h-code", "0124")
+fault("H01 needs Q", "H01 P#100", "h-code-operand", "0125")
+fault("H02 needs R", "H02 P#100 Q1", "h-code-operand", "0125")
+fault("H02 needs Q", "H02 P#100 R1", "h-code-operand", "0125")
+fault("H27 needs R", "H27 P#100 Q3", "h-code-operand", "0125")
+fault("H81 needs Q and R", "H81 P10", "h-code-operand", "0125")
+fault("H84 needs R", "H84 P10 Q1", "h-code-operand", "0125")
+fault("H02 needs P", "H02 Q1 R2", "h-code-format", "0123")
+fault("H80 needs P", "H80", "h-code-format", "0123")
+fault("the result of H01 goes into a variable", "H01 P100 Q1", "h-code-format", "0123")
+fault("H05 by zero is refused", "H05 P#100 Q#100 R0", "division-by-zero", "0105",
       control=FAMILY_980, evidence=MANUAL)
-fault("H05 by a variable of zero is refused", "H05 P#100 Q1 R#150", "division-by-zero", "105")
-fault("H26 by zero is refused", "H26 P#100 Q2 R0", "division-by-zero", "105")
-fault("H23 by zero is refused", "H23 P#100 Q2 R0", "division-by-zero", "105")
-fault("H21 of a negative value is refused", "H21 P#100 Q-4", "square-root-of-negative", "108",
+fault("H05 by a variable of zero is refused", "H05 P#100 Q1 R#150", "division-by-zero", "0105")
+fault("H26 by zero is refused", "H26 P#100 Q2 R0", "division-by-zero", "0105")
+fault("H23 by zero is refused", "H23 P#100 Q2 R0", "division-by-zero", "0105")
+fault("H21 of a negative value is refused", "H21 P#100 Q-4", "square-root-of-negative", "0108",
       control=FAMILY_980, evidence=MANUAL)
-fault("H33 of 90 degrees is refused", "H33 P#100 Q1 R90", "tangent-infinite", "109")
-fault("H24 of decimals is refused", "H24 P#100 Q1.5", "argument-out-of-range", "127")
-fault("the result of H01 does not go into #0", "H01 P#0 Q1", "vacant-assigned", "117",
+fault("H33 of 90 degrees is refused", "H33 P#100 Q1 R90", "tangent-infinite", "0109")
+fault("H24 of decimals is refused", "H24 P#100 Q1.5", "argument-out-of-range", "0127")
+fault("the result of H01 does not go into #0", "H01 P#0 Q1", "vacant-assigned", "0117",
       control=FAMILY_980, evidence=MANUAL)
-fault("the result of H01 does not go into #50", "H01 P#50 Q1", "illegal-variable", "111",
+fault("the result of H01 does not go into #50", "H01 P#50 Q1", "illegal-variable", "0111",
       control=FAMILY_980, evidence=MANUAL)
 fault("the result of H01 does not go into the read-only #4001", "H01 P#4001 Q1",
-      "variable-write-protected", "120", source="MDia 120; TDi28, system variables")
+      "variable-write-protected", "0120", source="MDia 120; TDi28, system variables")
 fault("the result of H01 does not go into the read-only #5001", "H01 P#5001 Q1",
-      "variable-write-protected", "120", source="MDia 120; TDi28, system variables")
+      "variable-write-protected", "0120", source="MDia 120; TDi28, system variables")
 
 # --- Variables -------------------------------------------------------------------------------------------------
 
@@ -1187,26 +1187,26 @@ case(
     "GSK 980: #0 cannot be written",
     control=FAMILY_980, source="MDia 117; TDi28", evidence=MANUAL,
     program="O1\nN10 #100=1\nN20 #0=#100\nN30 M30\n",
-    runs="N10", alarm="vacant-assigned", number="117", at="O1 N20",
+    runs="N10", alarm="vacant-assigned", number="0117", at="O1 N20",
 )
 for n in (34, 99):
     case(
         f"GSK 980: there is no #{n}",
         control=FAMILY_980, source="MDia 111; TDi28, variables", evidence=MANUAL,
         program=f"O1\nN10 #100=1\nN20 #{n}=1\nN30 M30\n",
-        runs="N10", alarm="illegal-variable", number="111", at="O1 N20",
+        runs="N10", alarm="illegal-variable", number="0111", at="O1 N20",
     )
     case(
         f"GSK 980: #{n} cannot be read either",
         control=FAMILY_980, source="MDia 111; TDi28, variables", evidence=MANUAL,
         program=f"O1\nN10 #100=1\nN20 #100=#{n}\nN30 M30\n",
-        runs="N10", alarm="illegal-variable", number="111", at="O1 N20", vars={100: 1},
+        runs="N10", alarm="illegal-variable", number="0111", at="O1 N20", vars={100: 1},
     )
 case(
     "GSK 980TDi: #9101 is refused where #101 names no variable",
     control=TDI, source="MDia 111; TDi28", evidence=INFERRED,
     program="O1\nN10 #101=50\nN20 #9101=1\nN30 M30\n",
-    runs="N10", alarm="illegal-variable", number="111", at="O1 N20",
+    runs="N10", alarm="illegal-variable", number="0111", at="O1 N20",
 )
 case(
     "GSK 988: there is no #50",
@@ -1225,7 +1225,7 @@ for n in (4001, 5041):
         f"GSK 980TDi: #{n} is only to be read",
         control=TDI, source="TDi28, system variables; number from MDia 120", evidence=INFERRED,
         program=f"O1\nN10 #100=1\nN20 #{n}=1\nN30 M30\n",
-        runs="N10", alarm="variable-write-protected", number="120", at="O1 N20",
+        runs="N10", alarm="variable-write-protected", number="0120", at="O1 N20",
     )
 
 # --- Functions ---------------------------------------------------------------------------------------------------
@@ -1314,34 +1314,34 @@ def bad_function(claim, expression, cause, number, control=FAMILIES, **row):
     )
 
 
-bad_function("a division by zero is an alarm", "5/0", "division-by-zero", both("014", "105"))
+bad_function("a division by zero is an alarm", "5/0", "division-by-zero", both("014", "0105"))
 bad_function(
     "a division by a difference of zero is an alarm",
-    "5/[#100-3]", "division-by-zero", both("014", "105"),
+    "5/[#100-3]", "division-by-zero", both("014", "0105"),
 )
 bad_function(
     "the square root of a negative value is an alarm",
-    "SQRT[0-4]", "square-root-of-negative", both("206", "108"),
+    "SQRT[0-4]", "square-root-of-negative", both("206", "0108"),
 )
-bad_function("TAN of 90 degrees is an alarm", "TAN[90]", "tangent-infinite", both("014", "109"))
+bad_function("TAN of 90 degrees is an alarm", "TAN[90]", "tangent-infinite", both("014", "0109"))
 bad_function(
-    "LN of zero is an alarm", "LN[0]", "logarithm-of-non-positive", "107",
+    "LN of zero is an alarm", "LN[0]", "logarithm-of-non-positive", "0107",
     control=FAMILY_980, evidence=MANUAL,
 )
 bad_function(
-    "LN of a negative value is an alarm", "LN[0-1]", "logarithm-of-non-positive", "107",
+    "LN of a negative value is an alarm", "LN[0-1]", "logarithm-of-non-positive", "0107",
     control=FAMILY_980, evidence=MANUAL,
 )
 bad_function(
-    "ASIN above 1 is an alarm", "ASIN[1.01]", "arc-sine-out-of-range", "110",
+    "ASIN above 1 is an alarm", "ASIN[1.01]", "arc-sine-out-of-range", "0110",
     control=FAMILY_980, evidence=MANUAL,
 )
 bad_function(
-    "ACOS below -1 is an alarm", "ACOS[0-1.01]", "arc-sine-out-of-range", "110",
+    "ACOS below -1 is an alarm", "ACOS[0-1.01]", "arc-sine-out-of-range", "0110",
     control=FAMILY_980, evidence=MANUAL,
 )
 bad_function(
-    "BIN of decimals is an alarm", "BIN[1.5]", "argument-out-of-range", "127",
+    "BIN of decimals is an alarm", "BIN[1.5]", "argument-out-of-range", "0127",
     control=FAMILY_980, evidence=MANUAL,
 )
 bad_function(
@@ -1357,7 +1357,7 @@ for operator in ("OR", "XOR", "AND"):
         f"{operator} with a negative value is an alarm",
         f"5 {operator} [0-3]", "logic-of-negative", "217", control=FAMILY_988, source="Talm 217",
     )
-bad_function("a result above 1e308 is an alarm", "EXP[1000]", "overflow", both("221", "043"))
+bad_function("a result above 1e308 is an alarm", "EXP[1000]", "overflow", both("221", "0043"))
 bad_function(
     "with 6008#0=1 a result above 1e47 is an alarm", "EXP[110]", "overflow", "221",
     control=TA, source="Talm 221; TApar 6008", params={"6008#0": 1},
@@ -1376,19 +1376,19 @@ function(
     control=FAMILY_988, source="Talm 205", evidence=SECONDARY,
 )
 bad_function(
-    "a bracket that is not closed is an alarm", "[2+3", "bracket-not-closed", "104",
+    "a bracket that is not closed is an alarm", "[2+3", "bracket-not-closed", "0104",
     control=FAMILY_980, evidence=MANUAL,
 )
 bad_function(
-    "a bracket that is not opened is an alarm", "2+3]", "bracket-not-opened", "104",
+    "a bracket that is not opened is an alarm", "2+3]", "bracket-not-opened", "0104",
     control=FAMILY_980, evidence=MANUAL,
 )
 bad_function(
     "an operator without its second value is an alarm", "2+", "expression-format",
-    both("202", "101"),
+    both("202", "0101"),
 )
 bad_function(
-    "two operators in a row are an alarm", "2*/3", "expression-format", both("202", "101"),
+    "two operators in a row are an alarm", "2*/3", "expression-format", both("202", "0101"),
 )
 
 # --- Jumps and loops ---------------------------------------------------------------------------------------------
@@ -1472,43 +1472,43 @@ case(
     "GSK: GOTO to a number that is missing is an alarm",
     control=FAMILIES, source="Talm 213; MDia 112", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 GOTO 90\nN30 M30\n",
-    runs="N10", alarm="jump-target-not-found", number=both("213", "112"), at="O1 N20",
+    runs="N10", alarm="jump-target-not-found", number=both("213", "0112"), at="O1 N20",
 )
 case(
     "GSK: GOTO does not look in other programs",
     control=FAMILIES, source="Talm 213; MDia 112", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 GOTO 50\nN30 M30\nO2\nN50 M99\n",
-    runs="N10", alarm="jump-target-not-found", number=both("213", "112"), at="O1 N20",
+    runs="N10", alarm="jump-target-not-found", number=both("213", "0112"), at="O1 N20",
 )
 case(
     "GSK: GOTO of a subprogram does not look in its caller",
     control=FAMILIES, source="Talm 213; MDia 112", evidence=SECONDARY,
     program="O1\nN10 M98 P2\nN20 M30\nO2\nN30 GOTO 20\nN40 M99\n",
-    runs="N10", alarm="jump-target-not-found", number=both("213", "112"), at="O2 N30",
+    runs="N10", alarm="jump-target-not-found", number=both("213", "0112"), at="O2 N30",
 )
 case(
     "GSK: GOTO 0 is an alarm",
     control=FAMILIES, source="Talm 213; TDi29, GOTO; MDia 112", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 GOTO 0\nN30 M30\n",
-    runs="N10", alarm="illegal-jump-number", number=both("213", "112"), at="O1 N20",
+    runs="N10", alarm="illegal-jump-number", number=both("213", "0112"), at="O1 N20",
 )
 case(
     "GSK: GOTO 100000 is an alarm",
     control=FAMILIES, source="Talm 213; TDi29, GOTO; MDia 112", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 GOTO 100000\nN30 M30\n",
-    runs="N10", alarm="illegal-jump-number", number=both("213", "112"), at="O1 N20",
+    runs="N10", alarm="illegal-jump-number", number=both("213", "0112"), at="O1 N20",
 )
 case(
     "GSK: a variable below 1 is no target of GOTO",
     control=FAMILIES, source="Talm 213; TDi29, GOTO; MDia 112", evidence=SECONDARY,
     program="O1\nN10 #101=-5\nN20 GOTO #101\nN30 M30\n",
-    runs="N10", alarm="illegal-jump-number", number=both("213", "112"), at="O1 N20",
+    runs="N10", alarm="illegal-jump-number", number=both("213", "0112"), at="O1 N20",
 )
 case(
     "GSK: IF GOTO to a number that is missing alarms only when it jumps",
     control=FAMILIES, source="Talm 213; MDia 112", evidence=SECONDARY,
     program="O1\nN10 IF[1 EQ 2]GOTO 90\nN20 IF[1 EQ 1]GOTO 90\nN30 M30\n",
-    runs="N10", alarm="jump-target-not-found", number=both("213", "112"), at="O1 N20",
+    runs="N10", alarm="jump-target-not-found", number=both("213", "0112"), at="O1 N20",
 )
 case(
     "GSK: WHILE runs its loop while the condition is true",
@@ -1606,31 +1606,31 @@ case(
     "GSK 980TDi: DO4 is an alarm",
     control=TDI, source="TDi29, WHILE; number from MDia 102", evidence=INFERRED,
     program="O1\nN10 G0 X1\nN20 WHILE[1 EQ 2]DO4\nN30 END4\nN40 M30\n",
-    runs="N10", alarm="illegal-loop-number", number="102", at="O1 N20",
+    runs="N10", alarm="illegal-loop-number", number="0102", at="O1 N20",
 )
 case(
     "GSK: DO0 is an alarm",
     control=FAMILIES, source="Talm 211; MDia 102", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 WHILE[1 EQ 2]DO0\nN30 END0\nN40 M30\n",
-    runs="N10", alarm="illegal-loop-number", number=both("211", "102"), at="O1 N20",
+    runs="N10", alarm="illegal-loop-number", number=both("211", "0102"), at="O1 N20",
 )
 case(
     "GSK: a DO without its END is an alarm",
     control=FAMILIES, source="Talm 209; MDia 103", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 WHILE[#100 LT 3]DO1\nN30 #100=#100+1\nN40 M30\n",
-    variables={100: 0}, runs="N10", alarm="missing-end", number=both("209", "103"), at="O1 N20",
+    variables={100: 0}, runs="N10", alarm="missing-end", number=both("209", "0103"), at="O1 N20",
 )
 case(
     "GSK: an END without its DO is an alarm",
     control=FAMILIES, source="Talm 209; MDia 103", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 END1\nN30 M30\n",
-    runs="N10", alarm="missing-do", number=both("209", "103"), at="O1 N20",
+    runs="N10", alarm="missing-do", number=both("209", "0103"), at="O1 N20",
 )
 case(
     "GSK: an END of another number does not close a loop",
     control=FAMILIES, source="Talm 209; MDia 103", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 WHILE[#100 LT 3]DO1\nN30 #100=#100+1\nN40 END2\nN50 M30\n",
-    variables={100: 0}, runs="N10", alarm="missing-end", number=both("209", "103"), at="O1 N20",
+    variables={100: 0}, runs="N10", alarm="missing-end", number=both("209", "0103"), at="O1 N20",
 )
 case(
     "GSK: loops that cross are an alarm",
@@ -1644,7 +1644,7 @@ case(
         N50 END2
         N60 M30
     """,
-    variables={100: 0}, alarm="missing-end", number=both("209", "103"),
+    variables={100: 0}, alarm="missing-end", number=both("209", "0103"),
 )
 case(
     "GSK: a jump into a loop is an alarm",
@@ -1657,7 +1657,7 @@ case(
         N40 END1
         N50 M30
     """,
-    variables={100: 0}, alarm="missing-do", number=both("209", "103"),
+    variables={100: 0}, alarm="missing-do", number=both("209", "0103"),
 )
 for statement in ("GOTO 10", "IF[1 EQ 1]GOTO 10", "WHILE[1 EQ 2]DO1\nN7 END1"):
     case(
@@ -1675,13 +1675,13 @@ case(
     "GSK 980: IF without GOTO and THEN is an alarm",
     control=FAMILY_980, source="MDia 101", evidence=MANUAL,
     program="O1\nN10 G0 X1\nN20 IF[1 EQ 1]\nN30 M30\n",
-    runs="N10", alarm="if-format", number="101", at="O1 N20",
+    runs="N10", alarm="if-format", number="0101", at="O1 N20",
 )
 case(
     "GSK 980: WHILE without DO is an alarm",
     control=FAMILY_980, source="MDia 101", evidence=MANUAL,
     program="O1\nN10 G0 X1\nN20 WHILE[1 EQ 1]\nN30 END1\nN40 M30\n",
-    runs="N10", alarm="while-format", number="101", at="O1 N20",
+    runs="N10", alarm="while-format", number="0101", at="O1 N20",
 )
 case(
     "GSK: IF THEN with a false condition assigns nothing",

@@ -417,8 +417,8 @@ stands(
 
 # `codes_not_with_call`
 
-stands("G4 M98 P2", "gsk-980tdi", LATHE, alarm="illegal-word-with-call", number={"gsk-980tdi": "051"})
-stands("G54.1 M98 P2", "gsk-980mdi", alarm="illegal-word-with-call", number={"gsk-980mdi": "051"})
+stands("G4 M98 P2", "gsk-980tdi", LATHE, alarm="illegal-word-with-call", number={"gsk-980tdi": "0051"})
+stands("G54.1 M98 P2", "gsk-980mdi", alarm="illegal-word-with-call", number={"gsk-980mdi": "0051"})
 
 # `codes_not_with_macro_call`
 
@@ -893,7 +893,7 @@ stands(
 stands(
     "G66 P2 G2",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G20",
@@ -943,22 +943,22 @@ stands(
 stands(
     "G66 P2 G3",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G30",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G31",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G32",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G32.1",
@@ -978,25 +978,25 @@ stands(
 stands(
     "G66 P2 G33",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G34",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G36",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
-    "G66 P2 G37", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"},
+    "G66 P2 G37", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"},
 )
 stands(
     "G66 P2 G37",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G4",
@@ -1018,11 +1018,11 @@ stands(
     "gsk-988ta gsk-988t",
     LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212"},
 )
-stands("G66 P2 G5", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "044"})
+stands("G66 P2 G5", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "0044"})
 stands(
     "G66 P2 G50",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G50.2",
@@ -1047,12 +1047,12 @@ stands(
 stands(
     "G66 P2 G52",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G53",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G54",
@@ -1084,8 +1084,8 @@ stands(
     "gsk-988ta gsk-988t",
     LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212"},
 )
-stands("G66 P2 G6.2", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "044"})
-stands("G66 P2 G6.3", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "044"})
+stands("G66 P2 G6.2", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "0044"})
+stands("G66 P2 G6.3", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "0044"})
 stands(
     "G66 P2 G61",
     "gsk-988ta gsk-988t",
@@ -1131,8 +1131,8 @@ stands(
     "gsk-988ta gsk-988t",
     LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212"},
 )
-stands("G66 P2 G7.2", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "044"})
-stands("G66 P2 G7.3", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "044"})
+stands("G66 P2 G7.2", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "0044"})
+stands("G66 P2 G7.3", "gsk-980tdi", LATHE, alarm="code-with-modal-call", number={"gsk-980tdi": "0044"})
 stands(
     "G66 P2 G7.9",
     "gsk-988ta gsk-988t",
@@ -1141,37 +1141,37 @@ stands(
 stands(
     "G66 P2 G70",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G71",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G72",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G73",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G74",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G75",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G76",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G77",
@@ -1201,7 +1201,7 @@ stands(
 stands(
     "G66 P2 G84",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G85",
@@ -1216,7 +1216,7 @@ stands(
 stands(
     "G66 P2 G88",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G89",
@@ -1231,7 +1231,7 @@ stands(
 stands(
     "G66 P2 G90",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G91",
@@ -1241,7 +1241,7 @@ stands(
 stands(
     "G66 P2 G92",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G92.1",
@@ -1256,7 +1256,7 @@ stands(
 stands(
     "G66 P2 G94",
     "gsk-988ta gsk-988t gsk-980tdi",
-    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "044"},
+    LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212", "gsk-980tdi": "0044"},
 )
 stands(
     "G66 P2 G95",
@@ -1283,21 +1283,21 @@ stands(
     "gsk-988ta gsk-988t",
     LATHE, alarm="code-with-modal-call", number={"gsk-988ta": "212", "gsk-988t": "212"},
 )
-stands("G66 P2 G2", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G3", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G30", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G31", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G50", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G52", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G53", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G73", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G74", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G76", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G84", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G88", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G90", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G92", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
-stands("G66 P2 G94", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "044"})
+stands("G66 P2 G2", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G3", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G30", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G31", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G50", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G52", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G53", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G73", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G74", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G76", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G84", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G88", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G90", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G92", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
+stands("G66 P2 G94", "gsk-980mdi", alarm="code-with-modal-call", number={"gsk-980mdi": "0044"})
 
 # `dwell_words`
 
@@ -1316,11 +1316,11 @@ stands("G48", "hnc-21m", alarm="g-code-not-available")
 
 # `m_codes_not_with_macro_call`
 
-stands("G65 P2 M0", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "116"})
-stands("G65 P2 M1", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "116"})
-stands("G65 P2 M2", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "116"})
-stands("G65 P2 M98", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "116"})
-stands("G65 P2 M99", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "116"})
+stands("G65 P2 M0", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "0116"})
+stands("G65 P2 M1", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "0116"})
+stands("G65 P2 M2", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "0116"})
+stands("G65 P2 M98", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "0116"})
+stands("G65 P2 M99", "gsk-980tdi", LATHE, alarm="m-code-with-macro-call", number={"gsk-980tdi": "0116"})
 
 # `modal_groups`
 

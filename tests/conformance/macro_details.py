@@ -36,14 +36,14 @@ case(
         N10 G65 H77 P#200
         N20 M30
     """,
-    runs="", alarm="illegal-h-code", number="124", at="O1 N10", word="H77",
+    runs="", alarm="illegal-h-code", number="0124", at="O1 N10", word="H77",
 )
 for code in (6, 10, 14, 20, 28, 30, 35, 79, 87):
     case(
         f"H{code} is no H code",
         control=["gsk-980tdi", "gsk-980mdi"], source="TDi29, table of H codes; MDib 0124", evidence="secondary",
         program=f"O1\nN10 G65 H{code} P#200 Q1 R1\nN20 M30\n",
-        runs="", alarm="illegal-h-code", number="124", at="O1 N10", word=f"H{code}",
+        runs="", alarm="illegal-h-code", number="0124", at="O1 N10", word=f"H{code}",
     )
 case(
     "of the names that SETVN gives each is its own variable",
@@ -206,7 +206,7 @@ for text, what in ("]", "alone"), ("1+]", "behind an operator"):
         program=f"O1\nN10 T1\nN20 #100={text}\nN30 M30\n",
         runs="N10", alarm="bracket-not-opened", at="O1 N20", word="]",
         number=dict.fromkeys(FANUC, "PS1131")
-        | {"fanuc-16i": "114", "gsk-988ta": "202", "gsk-980tdi": "104", "mitsubishi-m700": "P281"},
+        | {"fanuc-16i": "114", "gsk-988ta": "202", "gsk-980tdi": "0104", "mitsubishi-m700": "P281"},
     )
 case(
     "a bracket that closes before its value is a fault of form",
@@ -516,7 +516,7 @@ case(
     source="policy: no source has it; Talm 005, MDia 003", evidence="inferred",
     program="O1\nN10 #100=1\nN20 GO 30\nN30 M30\n",
     runs="N10", alarm="address-without-value", at="O1 N20", word="G",
-    number={"gsk-988ta": "005", "gsk-988t": "005", "gsk-980tdi": "003", "gsk-980mdi": "003"},
+    number={"gsk-988ta": "005", "gsk-988t": "005", "gsk-980tdi": "0003", "gsk-980mdi": "0003"},
 )
 case(
     "a field of DPRNT whose variable has no number is no field",
@@ -583,3 +583,47 @@ case(
     """,
     runs="N10 N50", alarm="illegal-character", at="O1 N30", word="=",
 )
+
+# A decimal point behind a variable's number
+
+_POINT = "real programs: #504. in a macro of the maker"
+_POINTED = {
+    "written": ("#504.=7", {504: 7}),
+    "read": ("#100=#504.", {100: 2}),
+    "read twice in an expression": ("#100=#504.+#504.*#504.", {100: 6}),
+    "compared": ("IF[#504.EQ2]GOTO30", {504: 2}),
+    "an address's value": ("G0 X#504.", {504: 2}),
+    "an argument's value": ("G65 P2 A#504.", {100: 2}),
+    "the number of a variable": ("#100=#[#504.+502]", {100: 2}),
+    "printed": ("DPRNT[X#504.[53]]", {504: 2}),
+}
+for _use, (_text, _vars) in _POINTED.items():
+    _on = [*FANUC] if _use == "printed" else ["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", *FANUC]
+    _open = "POPEN\n" if _use == "printed" else ""
+    _program = f"O1\n{_open}N10 #504=2\nN20 {_text}\nN30 M30\nO2\nN40 #100=#1\nN50 M99"
+    case(
+        f"a Mitsubishi's variable with a point behind its number is {_use}",
+        control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
+        source=_POINT, evidence="secondary", program=_program, vars=_vars,
+    )
+    case(
+        f"no other control has a variable with a point behind its number {_use}",
+        control=_on, source="policy, nobody says", evidence="inferred", program=_program,
+        runs="N10", alarm="illegal-variable", at="O1 N20", vars={504: 2},
+        number={name: "115" if name == "fanuc-16i" else "PS0115" if name in FANUC
+                else "203" if "988" in name else "0111" for name in _on},
+    )
+case(
+    "HNC: a variable's number has no point behind it",
+    control="hnc-21m", source="policy, nobody says", evidence="inferred",
+    program="%1\nN10 #50=2\nN20 #50.=7\nN30 M30",
+    runs="N10", alarm="illegal-variable", number=None, at="%1 N20", vars={50: 2},
+)
+for _text in ("#504.0=7", "#504.5=7", "#100=#504.0", "#100=#1.5", "#504..=7"):
+    case(
+        f"a Mitsubishi's variable number has no decimals: {_text}",
+        control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
+        source=_POINT, evidence="inferred",
+        program=f"O1\nN10 #504=2\nN20 {_text}\nN30 M30",
+        runs="N10", alarm="illegal-variable", number="P241", at="O1 N20", vars={504: 2},
+    )

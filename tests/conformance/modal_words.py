@@ -59,7 +59,7 @@ for number in (4104, 4105, 4106):
         source="M700V manual, printed p.331; TDi28; REG", evidence="secondary",
         program=f"O1\nN10 #100=1\nN20 #100=#{number}\nN30 M30",
         runs="N10", alarm="illegal-variable", vars={100: 1}, at="O1 N20",
-        number={**dict.fromkeys(MITSUBISHI, "P241"), TDI: "111", MDI: "111",
+        number={**dict.fromkeys(MITSUBISHI, "P241"), TDI: "0111", MDI: "0111",
                 **dict.fromkeys(GSK_988, "203"), "fanuc-16i": "115",
                 **dict.fromkeys(FANUC[1:], "PS0115")},
     )
@@ -68,7 +68,7 @@ for number in (4003, 4008, 4010, 4013):
         f"the 980TDi has no #{number}",
         control=TDI, source="TDi28, modal information", evidence="maker's manual",
         program=f"O1\nN10 #100=1\nN20 #100=#{number}\nN30 M30",
-        runs="N10", alarm="illegal-variable", number="111", vars={100: 1}, at="O1 N20",
+        runs="N10", alarm="illegal-variable", number="0111", vars={100: 1}, at="O1 N20",
     )
 _GROUPS = "G1 G18 G91 G95 G20 G99 G64 G96"
 _READ = "\n".join(f"#{100 + g}=#{4000 + g}" for g in (1, 2, 3, 5, 6, 7, 8, 9, 10))

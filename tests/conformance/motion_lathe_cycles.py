@@ -357,7 +357,7 @@ case(
     "P of G74 takes no point on other controls", control=[TDI, *MITSUBISHI], **KNOWN,
     setup=at(36, 5), program="O1\nN10 G74 X33. Z-2. P1.5 Q7000 F50.\nN20 M30",
     runs="", alarm="illegal-decimal-point",
-    number={TDI: "012", **dict.fromkeys(MITSUBISHI, "P33")}, at="O1 N10",
+    number={TDI: "0012", **dict.fromkeys(MITSUBISHI, "P33")}, at="O1 N10",
 )
 for _controls, _thread in ((GSK_988, "P1 Q1"), ([TDI, *MITSUBISHI, *FANUC], "P1000 Q1000")):
     case(

@@ -106,7 +106,7 @@ for _block in "G4 P1.5", "G04 P1.":
         f"{_block} has a point where P takes none", [*FANUC, *GSK_988, TDI, MDI, TE],
         _block, before="G0 X0", source="ALM 007", alarm="illegal-decimal-point",
         number=on_fanuc("007") | dict.fromkeys(GSK_988, "007")
-        | {TDI: "012", MDI: "012", TE: None},
+        | {TDI: "0012", MDI: "0012", TE: None},
     )
 one("a point is refused at P of other blocks of a Mitsubishi", MITSUBISHI, "G10 L2 P1. X5.",
     alarm="illegal-decimal-point", number="P33")

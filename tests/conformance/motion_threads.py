@@ -343,7 +343,7 @@ for _words in ("L0", "L1000"):
         setup={"start": {"X": 30, "Z": 5}},
         program=f"O1\nN5 S500 M3\nN10 G92 X20 Z-20 F2 {_words}\nN30 M30",
         alarm="value-out-of-range",
-        number={"gsk-988ta": "003", "gsk-988t": "003", "gsk-980tdi": "012"}, at="O1 N10",
+        number={"gsk-988ta": "003", "gsk-988t": "003", "gsk-980tdi": "0012"}, at="O1 N10",
     )
 for _words in ("L2", "D1", "E1"):
     case(

@@ -5,9 +5,9 @@ from conformance import case
 FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 GSK_988 = ["gsk-988ta", "gsk-988t"]
 MITSUBISHI = ["mitsubishi-m700", "mitsubishi-m800"]
-DIGITS = {c: "003" if c in ("fanuc-16i", *GSK_988, "gsk-980mdi") else "PS0003" for c in
+DIGITS = {c: "003" if c in ("fanuc-16i", *GSK_988) else "0003" if c == "gsk-980mdi" else "PS0003" for c in
           (*FANUC, *GSK_988, "gsk-980mdi")} | dict.fromkeys(MITSUBISHI, "P35")
-RANGE = DIGITS | dict.fromkeys(FANUC[1:], "PS1305") | {"gsk-980mdi": "012"}
+RANGE = DIGITS | dict.fromkeys(FANUC[1:], "PS1305") | {"gsk-980mdi": "0012"}
 EVERYWHERE = list(DIGITS)
 SOURCE = "motion sheet 9, value out of range: 003, P35, 988T 003, 980MDi 012; ALM PS1305"
 NINES = "9" * 100  # a GSK takes no longer block than 255 characters
@@ -109,7 +109,7 @@ for number in ("-99999999999", "99999999999", "2147483648", "-1", "0"):
         f"H{number} is no code of a statement",
         control="gsk-980tdi", source="gsk sheet 4.5, table of H codes", evidence="secondary",
         program=f"O1\nN10 M9\nN20 G65 H{number} P#100 Q1 R1\nN30 M30", runs="N10",
-        alarm="illegal-h-code", number="124", at="O1 N20", word=f"H{number}",
+        alarm="illegal-h-code", number="0124", at="O1 N20", word=f"H{number}",
     )
 case(
     "H2 adds", control="gsk-980tdi", source="gsk sheet 4.5, table of H codes", evidence="secondary",

@@ -245,7 +245,7 @@ case(
     """,
     vars={1: 7, 995: 1},
 )
-for _control, _number in ("gsk-980tdi", "111"), ("gsk-980mdi", "111"):
+for _control, _number in ("gsk-980tdi", "0111"), ("gsk-980mdi", "0111"):
     case(
         f"no #5061 is known of the {_control[4:]}",
         control=_control, source="TDi 28, variables", evidence="maker's manual",
@@ -619,7 +619,7 @@ for _controls, _signals in (["gsk-980tdi"], "P7"), (["gsk-980mdi"], "P5"):
             N20 G31 Z-20. {_signals} F100
             N30 M30
         """,
-        runs="N10", alarm="value-out-of-range", number="012", at="O1 N20",
+        runs="N10", alarm="value-out-of-range", number="0012", at="O1 N20",
     )
 case(
     "a solid with a signal stops those G31 alone that watch it",

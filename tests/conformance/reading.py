@@ -112,7 +112,7 @@ for name, content in [("an empty file", b""), ("a file of zeros", b"\0" * 4096),
         files={"O1.NC": b"O1\nN10 M8\nN20 M30\n", "X.NC": content},
         main="O1", runs="N10 N20", m=[8],
     )
-NOT_FOUND = {**on_fanuc(76), "fanuc-16i": "078", **dict.fromkeys(GSK_988, "083"), **dict.fromkeys(GSK_980, "001"),
+NOT_FOUND = {**on_fanuc(76), "fanuc-16i": "078", **dict.fromkeys(GSK_988, "083"), **dict.fromkeys(GSK_980, "0001"),
              **dict.fromkeys(MITSUBISHI, "P232")}
 LEADER = "GED, file frame: the tape begins with its %; general knowledge"
 for _kind, _head, _number in (("O", b"O1", NOT_FOUND), ("percent", b"%1", None)):
@@ -429,7 +429,7 @@ case(
     control="gsk-980tdi", source="TDi15; MDia 001", evidence="inferred",
     files={"O0001.CNC": "O0001\nN10 M98 P[\u5916\u5706]\nN20 M30\n",
            "\u87ba\u7eb9.CNC": "N30 M99\n"},
-    params={"878": 1}, main="O1", runs="", alarm="named-program-not-found", number="001",
+    params={"878": 1}, main="O1", runs="", alarm="named-program-not-found", number="0001",
     at="O0001 N10",
 )
 case(
@@ -570,7 +570,7 @@ case(
         M9 N20
         N30 M30
     """,
-    runs="N10", m=[8], alarm="sequence-number-not-first", number="006",
+    runs="N10", m=[8], alarm="sequence-number-not-first", number="0006",
 )
 case(
     "a sequence number above 99999 is 006 on the GSK 980",
@@ -581,7 +581,7 @@ case(
         N100000 M9
         N30 M30
     """,
-    runs="N10", m=[8], alarm="illegal-sequence-number", number="006",
+    runs="N10", m=[8], alarm="illegal-sequence-number", number="0006",
 )
 
 # Block skip
@@ -782,7 +782,7 @@ for _name, _line in [("behind a word", "N20 M9)"), ("behind a comment", "N20 M9 
     case(f"a parenthesis too many {_name} is 041 on the GSK 980", control=GSK_980,
          source="MDia 041: brackets not paired", evidence="maker's manual",
          program=f"O1\nN10 M8\n{_line}\nN30 M30\n",
-         runs="N10", m=[8], alarm="comment-not-closed", number="041", at="O1 N20", word=")")
+         runs="N10", m=[8], alarm="comment-not-closed", number="0041", at="O1 N20", word=")")
 case(
     "a comment that is not closed ends with its block on FANUC",
     control=FANUC, source="GED, comments; policy for unclosed", evidence="inferred",
@@ -803,7 +803,7 @@ case(
         N20 M9 (A
         N30 M30
     """,
-    runs="N10", m=[8], alarm="comment-not-closed", number="041", at="O1 N20",
+    runs="N10", m=[8], alarm="comment-not-closed", number="0041", at="O1 N20",
 )
 case(
     "a comment in full-width parentheses is 041 on the GSK 980",
@@ -814,7 +814,7 @@ case(
         N20 M9 \uff08A\uff09
         N30 M30
     """,
-    runs="N10", m=[8], alarm="comment-not-closed", number="041", at="O1 N20",
+    runs="N10", m=[8], alarm="comment-not-closed", number="0041", at="O1 N20",
 )
 for name, encoding, text in [
     ("UTF-8 Chinese", "utf-8", "\u7c97\u52a0\u5de5"), ("GBK Chinese", "gbk", "\u7c97\u52a0\u5de5"),
@@ -1303,7 +1303,7 @@ case(
         N20 T1 T2
         N30 M30
     """,
-    runs="N10", t=[], alarm="address-given-twice", number="010", at="O1 N20",
+    runs="N10", t=[], alarm="address-given-twice", number="0010", at="O1 N20",
 )
 case(
     "an address written twice is 010 on the GSK 988 when AD2 is set",

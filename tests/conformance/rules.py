@@ -48,7 +48,7 @@ case(
         N30 M30
     """,
     runs="N99999", alarm="illegal-sequence-number",
-    number={**dict.fromkeys(GSK_988, "003"), **dict.fromkeys(GSK_980, "006"), **dict.fromkeys(MITSUBISHI, "P35"), F16: None, F0D: "PS1014"},
+    number={**dict.fromkeys(GSK_988, "003"), **dict.fromkeys(GSK_980, "0006"), **dict.fromkeys(MITSUBISHI, "P35"), F16: None, F0D: "PS1014"},
     m=[8],
 )
 case(
@@ -161,7 +161,7 @@ case(
         N20 S12345678901
         N30 M30
     """,
-    runs="N10", alarm="too-many-digits", number="003", at="O1 N20",
+    runs="N10", alarm="too-many-digits", number="0003", at="O1 N20",
 )
 case(
     "a spindle speed of 15 digits is read",
@@ -312,7 +312,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="illegal-decimal-point",
-    number={**dict.fromkeys([*GSK_988, F16], "007"), **dict.fromkeys(GSK_980, "012"), **dict.fromkeys(MITSUBISHI, "P33"), **dict.fromkeys(FANUC_PS, "PS0007")},
+    number={**dict.fromkeys([*GSK_988, F16], "007"), **dict.fromkeys(GSK_980, "0012"), **dict.fromkeys(MITSUBISHI, "P33"), **dict.fromkeys(FANUC_PS, "PS0007")},
     at="O1 N20", word="S1.",
 )
 case(
@@ -328,7 +328,7 @@ case(
         N40 M99
     """,
     runs="N10", alarm="illegal-decimal-point",
-    number={**dict.fromkeys([*GSK_988, F16], "007"), **dict.fromkeys(GSK_980, "012"), **dict.fromkeys(MITSUBISHI, "P33"), **dict.fromkeys(FANUC_PS, "PS0007")},
+    number={**dict.fromkeys([*GSK_988, F16], "007"), **dict.fromkeys(GSK_980, "0012"), **dict.fromkeys(MITSUBISHI, "P33"), **dict.fromkeys(FANUC_PS, "PS0007")},
     at="O1 N20", word="P2.",
 )
 case(
@@ -366,7 +366,7 @@ case(
         N40 M99
     """,
     runs="N10", alarm="illegal-repeat-count",
-    number={**dict.fromkeys(GSK_988, "003"), **dict.fromkeys(GSK_980, "092"), **dict.fromkeys(MITSUBISHI, "P35")},
+    number={**dict.fromkeys(GSK_988, "003"), **dict.fromkeys(GSK_980, "0092"), **dict.fromkeys(MITSUBISHI, "P35")},
     at="O1 N20",
 )
 case(
@@ -399,7 +399,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="address-without-value",
-    number={**dict.fromkeys(GSK_988, "005"), **dict.fromkeys(GSK_980, "003")}, at="O1 N20",
+    number={**dict.fromkeys(GSK_988, "005"), **dict.fromkeys(GSK_980, "0003")}, at="O1 N20",
 )
 case(
     "G without a number is G00",
@@ -432,7 +432,7 @@ case(
         %2
         N30 M99
     """,
-    runs="", alarm="program-not-found", number="001",
+    runs="", alarm="program-not-found", number="0001",
 )
 case(
     "a block of 256 characters is read",
@@ -455,7 +455,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="block-too-long",
-    number={**dict.fromkeys(GSK_988, "002"), **dict.fromkeys(GSK_980, "037")}, at="O1 N20", m=[9],
+    number={**dict.fromkeys(GSK_988, "002"), **dict.fromkeys(GSK_980, "0037")}, at="O1 N20", m=[9],
 )
 case(
     "an N behind other words is read and names nothing",
@@ -564,7 +564,7 @@ case(
         O2
         N30 M99
     """,
-    runs="", alarm="illegal-repeat-count", number="092", at="O1 N10",
+    runs="", alarm="illegal-repeat-count", number="0092", at="O1 N10",
 )
 case(
     "M99 P leaves at once, whatever passes remain",
@@ -717,7 +717,7 @@ case(
         N30 M30
         N40 M99
     """,
-    runs="N10", alarm="program-number-missing", number="095", at="O1 N20",
+    runs="N10", alarm="program-number-missing", number="0095", at="O1 N20",
 )
 case(
     "M98 with Q alone is refused on the 16i",
@@ -882,7 +882,7 @@ case(
         O2
         N40 M99
     """,
-    runs="N10", alarm="illegal-repeat-count", number="092", at="O1 N20",
+    runs="N10", alarm="illegal-repeat-count", number="0092", at="O1 N20",
 )
 case(
     "L above 9999 makes 9999 passes",
@@ -991,7 +991,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="expression-format",
-    number={MDI: "101", **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
+    number={MDI: "0101", **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
     at="O1 N20",
 )
 case(
@@ -1154,7 +1154,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="if-format",
-    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys([MELDAS, M700], "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys([MELDAS, M700], "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
     at="O1 N20",
 )
 case(
@@ -1215,7 +1215,8 @@ case(
         N30 M30
     """,
     runs="N10", alarm="too-many-digits",
-    number={**dict.fromkeys(GSK, "003"), **dict.fromkeys(MITSUBISHI, "P35"), **dict.fromkeys(FANUC_PS, "PS0003")},
+    number={name: "0003" if "980" in name else "003" for name in GSK}
+    | dict.fromkeys(MITSUBISHI, "P35") | dict.fromkeys(FANUC_PS, "PS0003"),
     at="O1 N20",
 )
 case(
@@ -1261,7 +1262,7 @@ case(
         N40 M30
     """,
     runs="N10", alarm="if-format",
-    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "101"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "0101"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
     at="O1 N20",
 )
 case(
@@ -1314,7 +1315,7 @@ case(
         N40 M30
     """,
     runs="N10", alarm="if-format",
-    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys(MITSUBISHI, "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
     at="O1 N20",
 )
 case(
@@ -1327,7 +1328,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="expression-format",
-    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P282")},
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys(MITSUBISHI, "P282")},
     at="O1 N20",
 )
 case(
@@ -1350,7 +1351,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="expression-format",
-    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "0101"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
     at="O1 N20",
 )
 case(
@@ -1373,7 +1374,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="expression-format",
-    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125"},
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125"},
     at="O1 N20",
 )
 case(
@@ -1387,7 +1388,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="expression-format",
-    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
     at="O1 N20",
 )
 case(
@@ -1414,7 +1415,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="nc-and-macro-in-block",
-    number={**dict.fromkeys(GSK_988, "212"), **dict.fromkeys(GSK_980, "114"), F16: "127"},
+    number={**dict.fromkeys(GSK_988, "212"), **dict.fromkeys(GSK_980, "0114"), F16: "127"},
     at="O1 N20",
 )
 case(
@@ -1504,7 +1505,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="statement-not-available",
-    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "101"), F16: "004"},
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "0101"), F16: "004"},
     at="O1 N20",
 )
 case(
@@ -1529,7 +1530,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="brackets-too-deep",
-    number={**dict.fromkeys(GSK_988, "205"), **dict.fromkeys(GSK_980, "104"), **dict.fromkeys(MITSUBISHI, "P280"), F16: "118", **dict.fromkeys(FANUC_PS, "PS0118")},
+    number={**dict.fromkeys(GSK_988, "205"), **dict.fromkeys(GSK_980, "0104"), **dict.fromkeys(MITSUBISHI, "P280"), F16: "118", **dict.fromkeys(FANUC_PS, "PS0118")},
     at="O1 N20",
 )
 case(
@@ -1576,7 +1577,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="illegal-loop-number",
-    number={**dict.fromkeys(GSK_988, "211"), **dict.fromkeys(GSK_980, "102"), F16: "126", **dict.fromkeys(FANUC_PS, "PS0126")},
+    number={**dict.fromkeys(GSK_988, "211"), **dict.fromkeys(GSK_980, "0102"), F16: "126", **dict.fromkeys(FANUC_PS, "PS0126")},
     at="O1 N20",
 )
 case(
@@ -1616,7 +1617,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="illegal-jump-number",
-    number={**dict.fromkeys(GSK_988, "213"), **dict.fromkeys(GSK_980, "112"), **dict.fromkeys(MITSUBISHI, "P231"), F16: "128", F0D: "PS1128"},
+    number={**dict.fromkeys(GSK_988, "213"), **dict.fromkeys(GSK_980, "0112"), **dict.fromkeys(MITSUBISHI, "P231"), F16: "128", F0D: "PS1128"},
     at="O1 N99999",
 )
 case(
@@ -1758,7 +1759,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="expression-format",
-    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "101"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", F0D: "PS1125"},
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", F0D: "PS1125"},
     at="O1 N20",
 )
 case(
@@ -1996,7 +1997,7 @@ case(
         N40 M99
     """,
     runs="N10", alarm="illegal-macro-number",
-    number={**dict.fromkeys(GSK_988, "291"), **dict.fromkeys(GSK_980, "119")}, at="O1 N20",
+    number={**dict.fromkeys(GSK_988, "291"), **dict.fromkeys(GSK_980, "0119")}, at="O1 N20",
 )
 case(
     "P of a macro call has eight digits",
@@ -2058,7 +2059,7 @@ case(
         M99
     """,
     runs="N10 N20 N30 N40", alarm="macro-nesting-too-deep",
-    number={**dict.fromkeys(GSK_980, "096"), MELDAS: "P273"}, at="O5 N50",
+    number={**dict.fromkeys(GSK_980, "0096"), MELDAS: "P273"}, at="O5 N50",
 )
 case(
     "macros do not count as subprograms on the 980",
@@ -2712,7 +2713,7 @@ case(
         O2
         N40 M99
     """,
-    runs="N10", alarm="too-many-digits", number="003", at="O1 N20",
+    runs="N10", alarm="too-many-digits", number="0003", at="O1 N20",
 )
 case(
     "P of M98 has eight digits on the HNC",
@@ -2811,7 +2812,7 @@ case(
         O2
         N40 M99
     """,
-    runs="N10", alarm="illegal-word-with-call", number="051", at="O1 N20",
+    runs="N10", alarm="illegal-word-with-call", number="0051", at="O1 N20",
 )
 case(
     "M30 may not share a block with G65 on the 980TDi",
@@ -2824,7 +2825,7 @@ case(
         O2
         N40 M99
     """,
-    runs="N10", alarm="m-code-with-macro-call", number="116", at="O1 N20",
+    runs="N10", alarm="m-code-with-macro-call", number="0116", at="O1 N20",
 )
 case(
     "in a drilling cycle of a lathe M98 may share its block with words",
@@ -2884,7 +2885,7 @@ case(
         N20 #1100=#0
         N30 M30
     """,
-    runs="N10", alarm="illegal-variable-value", number="121", at="O1 N20",
+    runs="N10", alarm="illegal-variable-value", number="0121", at="O1 N20",
 )
 case(
     "a name beyond ASCII cannot be called",

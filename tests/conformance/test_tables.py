@@ -6,8 +6,11 @@ import re
 from collections import Counter
 from pathlib import Path
 
+import pytest
+
 import cncsub
 from cncsub import _core
+from cncsub.facts import explanations
 from conformance import EVIDENCE, Case, cases, rows, topic_files
 from entries import HOW_TO_WRITE as HOW_TO_PIN
 from entries import unnoticed
@@ -67,6 +70,16 @@ def test_the_text_of_an_alarm_is_that_of_the_printed_list() -> None:
             for alarm in cncsub.controls[name].alarms.values():
                 assert not alarm.printed or alarm.text == listed[alarm.number]
                 assert alarm.printed or "general knowledge" in alarm.source
+
+
+@pytest.mark.parametrize("name", ["gsk-980tdi", "gsk-980mdi"])
+def test_the_980s_print_four_digits_as_the_later_printing_of_their_paper_does(name: str) -> None:
+    entries = cncsub.controls[name].alarms.values()
+    printed = [number for a in entries for number in (a.number, *(n for n, _ in a.directed.values()))]
+    assert [number for number in printed if number and not re.fullmatch(r"\d{4}", number)] == []
+    for asked in ("0096", "096", "96"):
+        causes = {fact["cause"] for fact in explanations(asked, [cncsub.controls[name]])}
+        assert causes == {"nesting-too-deep", "macro-nesting-too-deep"}
 
 
 def test_only_a_list_that_is_printed_is_quoted() -> None:

@@ -55,7 +55,7 @@ UNPINNED = _joined(
     _all("jumps_in_compensation", (TE, HNC), NO_JUMP),
     _all("code_cascade", (TDI, MDI, TE, HNC), NO_CODE_CALLS),
     # Macro statements
-    _all("commons", (TE,), NO_MACROS),
+    _all("commons variable_point", (TE,), NO_MACROS),
     _all("variable_options", (*GSK_LATHES, *MILLS), "no source tells of variables that are bought"),
     _all("if_form loop_form jumps max_loops max_constant_digits max_brackets", (TE,), NO_MACROS),
     _all("angle_unit atan_range asin_range joined_conditions", (TE,), NO_MACROS),

@@ -13,7 +13,7 @@ HNC = "hnc-21m"
 
 P241 = dict.fromkeys(MITSUBISHI, "P241")
 PS = {"fanuc-16i": "115", **dict.fromkeys(FANUC[1:], "PS0115")}
-NUMBERS = {**P241, **PS, **dict.fromkeys(GSK_988, "203"), **dict.fromkeys(GSK_980, "111"), HNC: None}
+NUMBERS = {**P241, **PS, **dict.fromkeys(GSK_988, "203"), **dict.fromkeys(GSK_980, "0111"), HNC: None}
 
 SETS = "general knowledge of the maker's sets; real programs use #400 and #900000"
 ADDED = "JIX; XIA; general knowledge"
