@@ -1,15 +1,8 @@
 // Radius compensation: a compensated move waits until the next one says where the tool leaves it.
-#include "cncsub/motion_geometry.hpp"
+#include "cncsub/motion_radius.hpp"
 
 namespace cncsub {
 namespace {
-
-double sign(double value) { return value > 0 ? 1 : -1; }
-
-/// To the left plus, to the right minus; a negative radius swaps the sides.
-double offset_of(const Piece& piece) { return piece.side < 0 ? piece.radius : -piece.radius; }
-
-bool is_arc(const Piece& piece) { return piece.turn != 0; }
 
 /// From one direction to another, at most half a turn.
 double angle(Point from, Point to) { return std::atan2(cross(from, to), dot(from, to)); }
@@ -17,121 +10,10 @@ double angle(Point from, Point to) { return std::atan2(cross(from, to), dot(from
 /// How far a step along one direction leads away from a line in another, 0 to 1.
 double sharpness(Point u, Point v) { return dot(u, v) < 0 ? 1 : std::fabs(cross(u, v)); }
 
-/// The direction of a tool that goes around an edge.
-Point along_edge(Point tool, Point edge, double offset) {
-  return (-1 / offset) * left(tool - edge);
-}
-
-/// How far a tool there cuts into a move, as if that had no ends.
-double cut_into(const Curve& curve, Point tool, double offset) {
-  if (curve.line())
-    return std::fabs(offset) - cross(curve.start_direction(), tool - curve.from) * sign(offset);
-  const double away = moved_radius(curve, curve.from, offset) - size(tool - curve.centre);
-  return (curve.turn > 0) == (offset > 0) ? -away : away;
-}
-
 /// So many moves wait at most because they are too short.
 constexpr std::size_t kReadAhead = 8;
 
-/// So many increments a word may be rounded by: inches are written with a digit less than they
-/// have.
-constexpr double kLowStep = 16;
-
-/// How two moves with their offsets join.
-struct Join {
-  Point leave;             // where the tool leaves the first move, from the corner
-  std::vector<Point> way;  // points in between, from the corner
-  double turn = 0;         // of the arc around the corner that leads to the only one of them
-  enum Step { None, First, Second } over = None;  // the move that is a step the tool goes over
-  Point along;                                    // its direction where it touches the step
-};
-
-/// Where the tool stops to follow `a` because it touches the end of `b`, a low step behind an
-/// inside corner, while nothing else of `b` is in its reach; nothing where it follows `b`.
-std::optional<Point> over_step(const Curve& a, const Curve& b, double offset, double least) {
-  const double height = cross(a.end_direction(), b.to - b.from) * sign(offset);
-  if (height > kLowStep * least || std::fabs(b.turn) > kPi / 2) return std::nullopt;
-  const Curve end{b.to, b.to, b.to, -sign(offset)};  // an arc without a radius
-  const auto touch = meeting(a, end, offset, least);
-  if (!touch || dot(*touch - b.to, b.end_direction()) < 0) return std::nullopt;
-  return touch;
-}
-
 }  // namespace
-
-/// The geometry of the moves at one corner, in the plane of the moves. Two points are one where the
-/// least increment cannot tell them apart: a program rounds its points and centres to it, so that
-/// what is tangent, or fits, on the drawing does so only within some increments.
-struct RadiusPath {
-  Motion& motion;
-  Moves* moves;
-  PlaneView view;
-  const Curve* behind =
-      nullptr;  // the move behind those at the corner, where one looks so far ahead
-  double least = motion.facts_->increment * (motion.g20() ? kInch / 10 : 1);
-
-  RadiusPath(Motion& m, Moves* table, int plane)
-      : motion(m), moves(table), view{plane_axes(plane), m.facts_->share(0)} {}
-
-  using Result = std::optional<Fault>;
-
-  /// A step of one increment has no direction yet.
-  bool same(Point p, Point q) const { return size(p - q) < 1.5 * least; }
-  bool same_normal(Point p, Point q) const { return size(p - q) <= least / 2; }
-
-  Result record(const Piece& piece, Point v) {
-    std::array<double, 3> vector{};
-    view.set(vector, v);
-    for (std::size_t i = 0; i < 3; ++i) vector[i] += piece.tip[i];
-    if (auto wrong = motion.record(piece, moves, vector)) return wrong;
-    motion.s_.held.vector = {v.a, v.b};
-    return std::nullopt;
-  }
-
-  static void straighten(Piece& piece) {
-    piece.turn = 0;
-    if (piece.kind != MoveKind::Rapid) piece.kind = MoveKind::Feed;
-  }
-
-  /// A bit around a corner, as a move of the piece it belongs to.
-  Result record_bit(Piece piece, const Axes& at, Point v, double turn) {
-    piece.end = at;
-    piece.corner_piece = true;
-    straighten(piece);
-    if (turn != 0) {
-      piece.turn = turn;
-      piece.kind = turn > 0 ? MoveKind::Ccw : MoveKind::Cw;
-      view.set(piece.centre, view.point(at));
-    }
-    return record(piece, v);
-  }
-
-  /// A move without a way in the plane: the tool stays beside the contour.
-  Result record_idle(Piece piece, Point v) {
-    if (is_arc(piece)) straighten(piece);
-    return record(piece, v);
-  }
-
-  /// Whether the second of two directions turns to the tool's side. On the way back along itself
-  /// the tool goes around.
-  bool inside(Point u, Point v, double offset) const {
-    return cross(u, v) * offset > 0 && !same_normal(offset * u, -offset * v);
-  }
-  Axes start_of(const Axes& from) const;
-  bool moves_in_plane(const Piece& piece, const Axes& from) const;
-  Result join(const Curve& a, const Curve& b, double offset, std::uint32_t at, Join& join) const;
-  bool join_over_step(const Curve& a, const Curve& b, double offset, Join& join) const;
-  bool join_before_step(const Curve& a, const Curve& b, double offset, Join& join) const;
-  bool is_low_step(const Piece& piece, const Curve& curve) const;
-  Result settle_step(const Curve* next);
-  void go_around(const Curve& a, const Curve& b, Point u, Point v, double offset, Join& join) const;
-  Result check_direction(const Curve& curve, Piece& piece, Point& v, Point next) const;
-  Result leave(Point v, const Join* join, Point next);
-  Result flush();
-  Result cancel(const Piece& piece, const Curve& curve);
-  Result follow(Piece& piece, const Curve& curve, Axes& from);
-  void begin_step(Piece& piece, Axes& from, Point along);
-};
 
 /// Where a move starts: at the end of the last one that the increment can tell from its start.
 Axes RadiusPath::start_of(const Axes& from) const {
@@ -176,47 +58,6 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
   go_on(reach);
   join.way.push_back(nb - reach * v);
   if (!b.line()) join.way.push_back(nb);
-}
-
-/// A step between two moves that is lower than what a word may be rounded by has a direction that
-/// says nothing: the tool goes over it, from one move to the other.
-bool RadiusPath::join_over_step(const Curve& a, const Curve& b, double offset, Join& join) const {
-  const auto go_over = [&](Join::Step step, Point touch, Point along) {
-    join.over = step;
-    join.leave = touch - a.to;
-    join.along = along;
-    return true;
-  };
-  if (const auto touch = over_step(a, b, offset, least))
-    return go_over(Join::Second, *touch, along_edge(*touch, b.to, offset));
-  const Held& held = motion.s_.held;
-  const Point before{held.entered[0], held.entered[1]};
-  if (dot(before, before) == 0 || inside(before, a.start_direction(), offset)) return false;
-  const auto touch = over_step(reversed(b), reversed(a), -offset, least);
-  const Point tool = a.from + Point{held.vector[0], held.vector[1]};
-  const double cut = cut_into(b, tool, offset);
-  if (!touch || cut > least) return false;
-  const Point along = along_edge(*touch, a.from, offset);
-  if (!inside(before, along, offset)) return go_over(Join::First, *touch, along);
-  return cut > -least && go_over(Join::First, tool, before);
-}
-
-/// Before a low step in an outside corner: the tool goes around only as far as the move behind the
-/// step asks, or straight to that where the two meet in a corner that is inside by a hair.
-bool RadiusPath::join_before_step(const Curve& a, const Curve& b, double offset, Join& join) const {
-  const Point u = a.end_direction();
-  if (inside(u, b.start_direction(), offset)) return false;
-  const auto touch = over_step(reversed(*behind), reversed(b), -offset, least);
-  if (!touch) return false;
-  const Point along = along_edge(*touch, b.from, offset);
-  if (!inside(u, along, offset)) {
-    go_around(a, {b.from, b.from + along, {}, 0}, u, along, offset, join);
-    return true;
-  }
-  if (cut_into(*behind, a.to + offset * left(u), offset) > 2 * least) return false;
-  const auto meet = meeting(a, *behind, offset, least);
-  if (meet) join.leave = *meet - a.to;
-  return meet.has_value();
 }
 
 RadiusPath::Result RadiusPath::join(const Curve& a, const Curve& b, double offset, std::uint32_t at,
@@ -366,44 +207,6 @@ RadiusPath::Result RadiusPath::follow(Piece& piece, const Curve& curve, Axes& fr
   if (auto wrong = leave(way.leave, &way, way.along)) return wrong;
   begin_step(piece, from, way.along);
   return std::nullopt;
-}
-
-/// Whether the corner before a move is better decided when the move behind it is known.
-bool RadiusPath::is_low_step(const Piece& piece, const Curve& curve) const {
-  const Held& held = motion.s_.held;
-  if (size(curve.to - curve.from) > kLowStep * least || std::fabs(curve.turn) > kPi / 2 ||
-      held.radius.empty() || held.starting)
-    return false;
-  return offset_of(held.radius.front()) * offset_of(piece) > 0;
-}
-
-/// The low step that waits follows the move before it, now that the `next` one is known.
-RadiusPath::Result RadiusPath::settle_step(const Curve* next) {
-  Held& held = motion.s_.held;
-  if (held.step == 0) return std::nullopt;
-  const auto first = held.radius.begin() + static_cast<std::ptrdiff_t>(held.step);
-  std::vector<Piece> rest(first, held.radius.end());
-  held.radius.erase(first, held.radius.end());
-  held.step = 0;
-  Axes start = held.step_from;
-  behind = next;
-  auto wrong = follow(rest.front(), curve_of(view, start, rest.front()), start);
-  behind = nullptr;
-  if (wrong) return wrong;
-  held.radius_from = start;
-  held.radius = std::move(rest);
-  return std::nullopt;
-}
-
-/// The move that the tool goes over becomes a bit of a line along which it comes to its end.
-void RadiusPath::begin_step(Piece& piece, Axes& from, Point along) {
-  Held& held = motion.s_.held;
-  const Point end = view.point(piece.end), corner = view.point(from);
-  const Point start = end - size(end - corner) * along;
-  const Point tool = corner + Point{held.vector[0], held.vector[1]};
-  straighten(piece);
-  view.set(from, start);
-  held.vector = {(tool - start).a, (tool - start).b};
 }
 
 Motion::Result Motion::flush_radius(Moves* moves) {
