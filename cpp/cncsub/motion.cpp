@@ -126,12 +126,16 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
       codes(*control, machine),
       axis_order(machine == MachineType::Mill ? "XYZABCUVW" : "XZYCABUVW"),
       diameters(machine == MachineType::Mill ? 0 : 1),
-      increment(setup.increment > 0 ? setup.increment : 0.001) {
+      increment(setup.increment > 0 ? setup.increment : 0.001),
+      chamfers(control->chamfer_words.value, lathe()),
+      rounds(control->round_words.value, lathe()),
+      angles(control->angle_words.value, lathe()) {
   number_groups(*this, control->modal_groups.value);
   rapid.fill(control->rapid_rate.value);
   fill(rapid, setup.rapid);
   for (const auto& [number, values] : setup.reference) fill(reference[number], values);
   refused = refused_causes(*control);
+  list_conflicts();
   homed = !setup.reference.empty() || !control->home_needed.value;
   for (const auto& [name, range] : setup.limits)
     if (axis_of(name) >= 0) limits.push_back({axis_of(name), range.first, range.second});
@@ -496,10 +500,7 @@ Motion::Result Motion::straight(BlockWords& block, Meaning meaning) {
 /// A corner written with C or U alone, or an angle with A, is no move of that axis.
 bool Motion::corner_address(char name) const {
   if (name != 'U' && ((name != 'C' && name != 'A') || !facts_->lathe())) return false;
-  const Control& c = *facts_->control;
-  const std::string words =
-      " " + c.chamfer_words.value + " " + c.round_words.value + " " + c.angle_words.value + " ";
-  return words.find({' ', name, ' '}) != std::string::npos;
+  return ((facts_->chamfers.mask | facts_->rounds.mask | facts_->angles.mask) & bit(name)) != 0;
 }
 
 /// The end point that the words name; the axes without a word stay.

@@ -15,17 +15,9 @@ double cosine(double degrees) { return std::cos(degrees * kPi / 180); }
 bool Motion::angle_word(const BlockWords& block, double& angle) const {
   const NcWords& w = block.words;
   const Control& c = *facts_->control;
-  const std::string names = " " + c.angle_words.value + " ";
-  const auto takes = [&](const char* name) { return names.find(name) != std::string::npos; };
   if (!facts_->lathe() && !c.angles_on_mills.value) return false;
-  int place = -1;
-  if (takes(" ,A ") && (w.mask >> kCommaA & 1) != 0)
-    place = kCommaA;
-  else if (takes(" A ") && facts_->lathe() && w.has('A') &&
-           s_.modal[at(Group::Motion)].meaning != Meaning::Rapid)
-    place = 0;
-  else if (takes(" Q ") && w.has('Q'))
-    place = 'Q' - 'A';
+  const bool rapid = s_.modal[at(Group::Motion)].meaning == Meaning::Rapid;
+  const int place = facts_->angles.find(rapid ? w.mask & ~bit('A') : w.mask);
   if (place < 0) return false;
   angle = w.value[static_cast<std::size_t>(place)];
   const bool thousandths =
@@ -90,8 +82,7 @@ Motion::Result Motion::meet_angles(BlockWords& block, Piece second, double angle
 /// without a move may stand between. [TDi 13 notes 6, 7]
 Motion::Result Motion::check_angle(const BlockWords& block, bool waited) {
   if ((block.words.mask >> kCommaA & 1) != 0) {
-    const std::string names = " " + facts_->control->angle_words.value + " ";
-    const bool taken = names.find(" ,A ") != std::string::npos &&
+    const bool taken = (facts_->angles.mask >> kCommaA & 1) != 0 &&
                        (facts_->lathe() || facts_->control->angles_on_mills.value);
     if (!taken) return fault(Cause::AddressNotUsable, block, ",A");
   }

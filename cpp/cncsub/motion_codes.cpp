@@ -203,7 +203,7 @@ std::string code_name(int code) {
   return name;
 }
 
-GCodes::GCodes(const Control& control, MachineType machine) {
+GCodes::GCodes(const Control& control, MachineType machine) : places_(kCodes) {
   const auto add = [this](const auto& list) {
     for (const GCode& entry : list) set(entry);
   };
@@ -232,17 +232,19 @@ void GCodes::keep(std::string_view list, bool complete) {
     kept.push_back(entry.code >= 0 ? entry : GCode{code, G::OneShot, M::Uncomputed});
   });
   codes_.clear();
+  std::fill(places_.begin(), places_.end(), std::uint16_t{0});
   for (const GCode& entry : kept) set(entry);
   if (complete) unlisted_ = M::None;
 }
 
 void GCodes::set(GCode entry) {
-  const auto place = std::lower_bound(codes_.begin(), codes_.end(), entry.code,
-                                      [](const GCode& a, int code) { return a.code < code; });
-  if (place != codes_.end() && place->code == entry.code)
-    *place = entry;
-  else
-    codes_.insert(place, entry);
+  if (entry.code < 0 || entry.code >= kCodes) return;
+  std::uint16_t& place = places_[static_cast<std::size_t>(entry.code)];
+  if (place == 0) {
+    codes_.push_back(entry);
+    place = static_cast<std::uint16_t>(codes_.size());
+  }
+  codes_[place - 1U] = entry;
 }
 
 /// "22=pulses 24=mirror": codes in tenths where they have a point, as in "68.1=rotation".
@@ -263,17 +265,11 @@ void GCodes::change(std::string_view text) {
   }
 }
 
-GCode GCodes::find(int code) const {
-  const auto place = std::lower_bound(codes_.begin(), codes_.end(), code,
-                                      [](const GCode& a, int wanted) { return a.code < wanted; });
-  if (place != codes_.end() && place->code == code) return *place;
-  return {-1, G::OneShot, unlisted_};
-}
-
 GCode GCodes::of(Meaning meaning) const {
+  GCode lowest;
   for (const GCode& entry : codes_)
-    if (entry.meaning == meaning) return entry;
-  return {};
+    if (entry.meaning == meaning && (lowest.code < 0 || entry.code < lowest.code)) lowest = entry;
+  return lowest;
 }
 
 }  // namespace cncsub

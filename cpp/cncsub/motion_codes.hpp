@@ -77,7 +77,11 @@ class GCodes {
   /// The meaning of a code times ten: None where the machine does not have it, Neutral where no
   /// path depends on it, Uncomputed where the engine does not know its moves, Unknown where no
   /// source says whether the control has it.
-  GCode find(int code) const;
+  GCode find(int code) const {
+    const std::size_t place =
+        code >= 0 && code < kCodes ? places_[static_cast<std::size_t>(code)] : 0;
+    return place == 0 ? GCode{-1, Group::OneShot, unlisted_} : codes_[place - 1];
+  }
   /// The code of a meaning as this machine writes it; code -1 where it has none.
   GCode of(Meaning meaning) const;
 
@@ -86,7 +90,10 @@ class GCodes {
   void keep(std::string_view list, bool complete);
   void change(std::string_view text);
 
-  std::vector<GCode> codes_;  // sorted by code
+  static constexpr int kCodes = 10001;  // ten times the largest, and one
+
+  std::vector<GCode> codes_;
+  std::vector<std::uint16_t> places_;  // of a code there, from 1
   Meaning unlisted_ = Meaning::Unknown;
 };
 

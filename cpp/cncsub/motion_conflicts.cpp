@@ -85,11 +85,6 @@ bool strange_in_rotation(const Block& b) {
   return b.meaning(Group::Motion) > Meaning::Ccw;
 }
 
-struct Conflict {
-  Cause cause;
-  bool (*applies)(const State&, const Block&);
-};
-
 /// Whether a block moves by its axis words, outside of a canned cycle.
 bool moves_axes(const Block& b) {
   if (b.was_cycle || b.has(Group::Cycle)) return false;
@@ -100,9 +95,19 @@ bool moves_axes(const Block& b) {
                      [&](char axis) { return b.words.has(axis); });
 }
 
+}  // namespace
+
+struct Conflict {
+  Cause cause;
+  bool (*applies)(const MotionState&, const BlockWords&);
+  bool of_words = false;  // a block without G codes may have it
+};
+
+namespace {
+
 constexpr Conflict kConflicts[] = {
     {Cause::RigidMove,
-     [](const State& s, const Block& b) { return s.rigid_waits && moves_axes(b); }},
+     [](const State& s, const Block& b) { return s.rigid_waits && moves_axes(b); }, true},
     {Cause::OneShotWithMotion,
      [](const State&, const Block& b) {
        return b.has(Group::OneShot) && !does(b, Meaning::ExactStop) && b.has(Group::Motion);
@@ -144,7 +149,8 @@ constexpr Conflict kConflicts[] = {
      [](const State& s, const Block& b) { return polar(s) && b.has(Group::Plane); }},
     {Cause::PolarWorkSystem,
      [](const State& s, const Block& b) { return polar(s) && b.has(Group::Work); }},
-    {Cause::PolarTool, [](const State& s, const Block& b) { return polar(s) && b.words.has('T'); }},
+    {Cause::PolarTool, [](const State& s, const Block& b) { return polar(s) && b.words.has('T'); },
+     true},
     {Cause::PolarCycle,
      [](const State& s, const Block& b) { return polar(s) && cycles(b) && s.plane != 17; }},
     {Cause::TurnedUnits,
@@ -172,7 +178,8 @@ constexpr Conflict kConflicts[] = {
        return turned(s) &&
               (b.has(Group::Work) || does(b, Meaning::Local) || does(b, Meaning::Machine));
      }},
-    {Cause::TurnedLength, [](const State& s, const Block& b) { return turned(s) && length(b); }},
+    {Cause::TurnedLength, [](const State& s, const Block& b) { return turned(s) && length(b); },
+     true},
     {Cause::TurnedData,
      [](const State& s, const Block& b) {
        return s.turned.rotation && does(b, Meaning::SetData) &&
@@ -196,9 +203,10 @@ constexpr Conflict kConflicts[] = {
     {Cause::TurningPlane,
      [](const State& s, const Block& b) {
        return turning(s, b) && (names_xz(b) || b.has(Group::Motion)) && plane(s, b) != 18;
-     }},
+     },
+     true},
     {Cause::TurningAxis,
-     [](const State& s, const Block& b) { return turning(s, b) && other_axis(b); }},
+     [](const State& s, const Block& b) { return turning(s, b) && other_axis(b); }, true},
     {Cause::PatternWithoutCycle,
      [](const State&, const Block& b) {
        return code_between(b, 140, 144) && !b.was_cycle && !cycles(b);
@@ -233,12 +241,19 @@ Causes refused_causes(const Control& control) {
   return list;
 }
 
+void MotionFacts::list_conflicts() {
+  for (const Conflict& conflict : kConflicts) {
+    if (!refuses(conflict.cause)) continue;
+    conflicts.push_back(&conflict);
+    if (conflict.of_words) conflicts_of_words.push_back(&conflict);
+  }
+}
+
 /// What may not stand together, before anything changes.
 std::optional<Fault> Motion::check_conflicts(const BlockWords& block) const {
-  if (facts_->refused.none()) return std::nullopt;
-  for (const Conflict& conflict : kConflicts)
-    if (facts_->refuses(conflict.cause) && conflict.applies(s_, block))
-      return fault(conflict.cause, block);
+  const auto& list = block.words.g_count > 0 ? facts_->conflicts : facts_->conflicts_of_words;
+  for (const Conflict* conflict : list)
+    if (conflict->applies(s_, block)) return fault(conflict->cause, block);
   return std::nullopt;
 }
 

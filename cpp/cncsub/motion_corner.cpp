@@ -3,61 +3,49 @@
 #include "cncsub/motion_geometry.hpp"
 
 namespace cncsub {
-namespace {
 
-/// The value of a word written ",C" or "L"; false where the block has none.
-bool corner_word(const NcWords& words, std::string_view name, double& value, std::uint32_t& mask) {
-  int place = -1;
-  if (name == ",C")
-    place = kCommaC;
-  else if (name == ",R")
-    place = kCommaR;
-  else if (name.size() == 1)
-    place = name[0] - 'A';
-  if (place < 0 || (words.mask >> place & 1) == 0) return false;
-  value = words.value[static_cast<std::size_t>(place)];
-  mask = 1u << place;
-  return true;
-}
-
-/// C and R without a comma are words of lathes only.
-bool any_corner_word(const NcWords& words, std::string_view names, bool lathe, double& value,
-                     std::uint32_t& mask) {
-  for (std::size_t first = 0; first < names.size();) {
-    const std::size_t blank = std::min(names.find(' ', first), names.size());
-    const std::string_view name = names.substr(first, blank - first);
-    if ((lathe || (name != "C" && name != "R")) && corner_word(words, name, value, mask))
-      return true;
-    first = blank + 1;
+CornerWords::CornerWords(std::string_view names, bool lathe) {
+  while (!names.empty()) {
+    const std::size_t blank = std::min(names.find(' '), names.size());
+    const std::string_view name = names.substr(0, blank);
+    names.remove_prefix(std::min(blank + 1, names.size()));
+    const int place = name == ",C"                                            ? kCommaC
+                      : name == ",R"                                          ? kCommaR
+                      : name == ",A"                                          ? kCommaA
+                      : name.size() != 1                                      ? -1
+                      : !lathe && (name == "A" || name == "C" || name == "R") ? -1
+                                                                              : name[0] - 'A';
+    if (place < 0) continue;
+    places.push_back(place);
+    mask |= 1u << place;
   }
-  return false;
 }
 
-}  // namespace
+int CornerWords::find(std::uint32_t words) const {
+  if ((words & mask) == 0) return -1;
+  const auto has = [&](int place) { return (words >> place & 1) != 0; };
+  return *std::find_if(places.begin(), places.end(), has);
+}
 
 Motion::Result Motion::corner_words(BlockWords& block, Piece& piece) const {
   const Control& c = *facts_->control;
-  double chamfer = 0, round = 0;
-  std::uint32_t chamfer_mask = 0, round_mask = 0;
-  const bool has_chamfer =
-      any_corner_word(block.words, c.chamfer_words.value, facts_->lathe(), chamfer, chamfer_mask);
-  bool has_round =
-      any_corner_word(block.words, c.round_words.value, facts_->lathe(), round, round_mask);
+  const int chamfer = facts_->chamfers.find(block.words.mask);
+  int round = facts_->rounds.find(block.words.mask);
   const bool arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
-  if (arc && round_mask == bit('R')) has_round = false;
-  if (!has_chamfer && !has_round) return right_angle_chamfer(block, piece);
-  const bool comma = ((chamfer_mask | round_mask) >> kCommaC) != 0;
+  if (arc && round == 'R' - 'A') round = -1;
+  if (chamfer < 0 && round < 0) return right_angle_chamfer(block, piece);
+  const bool comma = chamfer >= kCommaC || round >= kCommaC;
   if (piece.kind == MoveKind::Rapid || piece.kind == MoveKind::Thread)
     return comma ? Result(fault(Cause::CornerInRapid, block)) : std::nullopt;
   if (s_.modal[at(Group::Polar)].meaning == Meaning::PolarOn && facts_->refuses(Cause::PolarCorner))
     return fault(Cause::PolarCorner, block);
   if (block.has(Group::Radius) && facts_->refuses(Cause::CornerOffset))
     return fault(Cause::CornerOffset, block);
-  if (has_chamfer && has_round) return fault(Cause::CornerFormat, block);
-  piece.corner = has_chamfer ? 'C' : 'R';
-  double size = has_chamfer ? chamfer : round;
-  const std::uint32_t mask = has_chamfer ? chamfer_mask : round_mask;
-  if ((block.words.whole & mask) != 0 && c.whole_numbers.value == WholeNumbers::Increments)
+  if (chamfer >= 0 && round >= 0) return fault(Cause::CornerFormat, block);
+  piece.corner = chamfer >= 0 ? 'C' : 'R';
+  const int place = chamfer >= 0 ? chamfer : round;
+  double size = block.words.value[static_cast<std::size_t>(place)];
+  if ((block.words.whole >> place & 1) != 0 && c.whole_numbers.value == WholeNumbers::Increments)
     size *= facts_->increment * (g20() ? 0.1 : 1);
   piece.corner_size = size * s_.unit;
   if (piece.corner_size == 0) piece.corner = 0;

@@ -29,8 +29,9 @@ inline int whole(double value) { return to_whole<int>(value, -2'000'000'000, 2'0
 /// Whether all of these are numbers that a position, a length or a time may be.
 template <std::size_t Size>
 bool in_range(const std::array<double, Size>& values) {
-  return std::all_of(values.begin(), values.end(),
-                     [](double value) { return std::fabs(value) <= kLargest; });
+  bool all = true;  // asked of all at once, without a branch
+  for (const double value : values) all &= std::fabs(value) <= kLargest;
+  return all;
 }
 inline Fault out_of_range(std::uint32_t at) {
   return {Cause::ValueOutOfRange, at, 1, "the numbers of the move are out of range"};
@@ -60,6 +61,19 @@ inline Axes operator-(Axes a, const Axes& b) {
 using Causes = std::bitset<512>;
 Causes refused_causes(const Control& control);
 
+/// Words of a block by what they say of a corner: their places in its mask, and these as a mask.
+/// C and R without a comma are words of lathes only.
+struct CornerWords {
+  CornerWords(std::string_view names, bool lathe);
+  /// The place of the first that the block has, -1 where it has none.
+  int find(std::uint32_t words) const;
+
+  std::vector<int> places;
+  std::uint32_t mask = 0;
+};
+
+struct Conflict;  // what does not go together
+
 struct MotionFacts {
   MotionFacts(std::shared_ptr<const Control> c, const Setup& setup);
 
@@ -79,9 +93,12 @@ struct MotionFacts {
   };
   std::vector<Limit> limits;
   Causes refused;
+  std::vector<const Conflict*> conflicts, conflicts_of_words;  // those a block without G codes has
+  CornerWords chamfers, rounds, angles;
 
   /// Whether the control refuses what this cause names.
   bool refuses(Cause cause) const { return refused[static_cast<std::size_t>(cause)]; }
+  void list_conflicts();
   bool lathe() const { return machine != MachineType::Mill; }
   /// What a length of this axis counts in a path: half on a diameter axis.
   double share(int axis) const { return (diameters >> axis & 1) != 0 ? 0.5 : 1; }
