@@ -367,8 +367,6 @@ void parameters_988(Control& c) {
          k.atan_range.value = range;
          k.asin_range.value = range;
        }},
-      {"6008#0", 0, "F0C, results overflow beyond: 0 1E308, 1 1E47", kTApar + "6008#0", kManual,
-       nullptr},
       {"6008#5", 0, "TMP: 1 lets T codes call macros", kTApar + "6008#5", kManual, nullptr},
       {"6008#6", 0, "MMP: 1 lets M codes call macros", kTApar + "6008#6", kManual, nullptr},
       {"6008#7", 0, "GMP: 1 lets G codes call macros", kTApar + "6008#7", kManual, nullptr},

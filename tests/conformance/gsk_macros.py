@@ -1359,12 +1359,12 @@ for operator in ("OR", "XOR", "AND"):
     )
 bad_function("a result above 1e308 is an alarm", "EXP[1000]", "overflow", both("221", "0043"))
 bad_function(
-    "with 6008#0=1 a result above 1e47 is an alarm", "EXP[110]", "overflow", "221",
-    control=TA, source="Talm 221; TApar 6008", params={"6008#0": 1},
+    "a result above 1e47 is no value of a variable", "EXP[110]", "overflow", "221",
+    control=TA, source="Talm 221; TApar 6008#0, its value 1",
 )
 case(
-    "GSK 988TA: with 6008#0=0 a result above 1e47 is legal",
-    control=TA, source="Talm 221; TApar 6008", evidence=MANUAL, params={"6008#0": 0},
+    "GSK 988TA: inside an expression a result above 1e47 is legal",
+    control=TA, source="Talm 221; TApar 6008#0, its value 0", evidence=MANUAL,
     program="O1\nN10 #100=LN[EXP[110]]\nN20 M30\n", runs="N10 N20", vars={100: 110},
 )
 bad_function(
