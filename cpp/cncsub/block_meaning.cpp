@@ -33,9 +33,9 @@ void BlockReader::build(Block& block, const Tokens& tokens, bool calls) {
     if (tokens[i].letter == '/') return build_slash(block, tokens, i, calls);
   Meaning meaning;
   auto fault = sort(tokens, calls, meaning);
-  if (!fault && control_.max_words.value > 0 && !meaning.calls_macro() &&
-      tokens.size() > static_cast<std::size_t>(control_.max_words.value))
-    fault = {Cause::TooManyWords, block.text, 1,
+  const auto most = static_cast<std::size_t>(std::max(0, control_.max_words.value));
+  if (!fault && most > 0 && !meaning.calls_macro() && tokens.size() > most)
+    fault = {Cause::TooManyWords, tokens[most].operand.at, tokens[most].operand.width,
              "a block has at most " + std::to_string(control_.max_words.value) + " words"};
   for (const Token& token : tokens) {
     if (fault) break;

@@ -264,4 +264,10 @@ void point_at_word(const GCodes& codes, std::string_view block, std::uint32_t te
                     : word->width;
 }
 
+std::vector<std::string_view> causes_with_words() {
+  std::vector<std::string_view> slugs;
+  for (const FaultWords& entry : kFaultWords) slugs.push_back(info(entry.cause).slug);
+  return slugs;
+}
+
 }  // namespace cncsub

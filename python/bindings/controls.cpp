@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "cncsub/control.hpp"
+#include "cncsub/fault_words.hpp"
 #include "cncsub/source.hpp"
 #include "cncsub/variable_table.hpp"
 
@@ -185,6 +186,11 @@ void add_controls(py::module_& m) {
     std::vector<std::string> keys;
     for (const Source* source : cited(text)) keys.emplace_back(source->key);
     return keys;
+  });
+  m.def("causes_with_words", [] {
+    std::vector<std::string> slugs;
+    for (const std::string_view slug : causes_with_words()) slugs.emplace_back(slug);
+    return slugs;
   });
   m.def("strongest", [](const std::string& text, const std::string& control) {
     return std::string(to_string(strongest(text, control)));

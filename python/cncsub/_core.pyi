@@ -19,6 +19,9 @@ def sources() -> list[tuple[str, str, str, str, str]]:
 def cited(text: str) -> list[str]:
     """The keys of the sources that a text cites, each once."""
 
+def causes_with_words() -> list[str]:
+    """The causes of alarms that point at a word of their own."""
+
 def strongest(text: str, control: str) -> str:
     """The strongest evidence that a fact with this source may carry on a control."""
 

@@ -1,9 +1,32 @@
 """What stands in the lists of a control and no other row needs: codes, letters, marks, one by one."""
 
+import re
+
+import cncsub
 from conformance import case
 
 MILL = {"machine": "mill", "start": {"X": 0, "Y": 0, "Z": 10}, "radius_offsets": {1: 3}}
 LATHE = {"machine": "lathe-a", "start": {"X": 40, "Z": 10}}
+
+
+LISTS = {
+    "code-with-macro-call": "codes_not_with_macro_call",
+    "m-code-with-macro-call": "m_codes_not_with_macro_call",
+    "code-with-modal-call": "codes_not_with_modal_call",
+    "illegal-word-with-call": "codes_not_with_call",
+    "named-program-not-found": "name_marks",
+}
+
+
+def listed(control, block, alarm):
+    """The rule of a control whose list has what the block shows."""
+    written = re.sub(r"(?s).*\n(N[0-9]+ )?", "", block)
+    name = LISTS.get(alarm)
+    if name is None and re.match(r"[A-Z]-[0-9]", written):
+        name = "minus_addresses"
+    elif name is None and re.match(r"[A-FH-Z][0-9]*\.", written):
+        name = "point_addresses"
+    return next(rule for rule in cncsub.controls[control].rules if rule.name == (name or "g_codes"))
 
 
 def stands(block, controls, setup=MILL, alarm=None, number=None, **outcome):
@@ -13,7 +36,8 @@ def stands(block, controls, setup=MILL, alarm=None, number=None, **outcome):
     where = f"{'a lathe' if setup is LATHE else 'a mill'} of {controls[0]} and {len(controls) - 1} more"
     case(
         f"{' / '.join(block.split(chr(10)))} {what} on {where}",
-        control=controls, source="general knowledge: the list of the control", evidence="inferred",
+        control=controls, source={c: listed(c, block, alarm).source for c in controls},
+        evidence={c: str(listed(c, block, alarm).evidence) for c in controls},
         setup=setup, program=f"O1\nN10 {block}\nN30 M30\nO2\nN40 M99\n", alarm=alarm,
         number=number and {name: number.get(name) for name in controls},
         **outcome,

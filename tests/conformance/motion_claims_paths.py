@@ -60,8 +60,8 @@ moves(
 )
 moves(
     "more than a hundred words in a block are 011 on the 980MDi", MDI,
-    "G0 X1", "S1" * 101, source="MDib 0011", evidence="maker's manual",
-    runs="N10", alarm="too-many-words", number="0011", at="O1 N20",
+    "G0 X1", "S1" * 100 + "M5M6", source="MDib 0011", evidence="maker's manual",
+    runs="N10", alarm="too-many-words", number="0011", at="O1 N20", word="M5",
 )
 moves(
     "a G without a number is G00 on a Mitsubishi", MITSUBISHI,

@@ -87,7 +87,7 @@ case(
     runs="N10 N20 (N40 N50)*200 N30", final_work="X19999999.8",
 )
 case(
-    "a scale of a scale leads out of the range of numbers and is refused",
+    "a scale written over a scale replaces it, however often, and the moves end well",
     control=["fanuc-0i-f", "fanuc-30i"], source=SOURCE, evidence="inferred",
     setup={"machine": "mill"},
     program="""

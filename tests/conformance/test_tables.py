@@ -117,6 +117,17 @@ def test_every_rule_has_a_meaning_and_a_source() -> None:
     assert silent == []
 
 
+def test_every_motion_alarm_of_a_row_names_its_word() -> None:
+    """A row that alarms for a cause with a word of its own says which word is under the caret."""
+    causes = set(_core.causes_with_words())
+    lacking = [
+        str(row)
+        for row in rows()
+        if row.case.alarm in causes and row.case.word_on(row.control) is None
+    ]
+    assert lacking == [], "say word=, or name the word in words.json"
+
+
 def test_every_rule_is_pinned() -> None:
     """Change any rule of any control, and the row that pins it has to notice."""
     pins = read_pins()
