@@ -1,6 +1,8 @@
 // Radius compensation of low steps: moves of some increments, whose direction rounding made. Such a
 // step waits for the move behind it. Where the tool touches it only at an end, the step decides no
 // corner: the tool goes over it, from the move before it to the one behind it.
+#include <algorithm>
+
 #include "cncsub/motion_radius.hpp"
 
 namespace cncsub {
@@ -17,12 +19,13 @@ Point along_edge(Point tool, Point edge, double offset) {
   return (-1 / offset) * left(tool - edge);
 }
 
-/// How far a tool there cuts into a move, as if that had no ends.
+/// How far a tool beside the start of a move cuts into it: not into what an arc would be before it.
 double cut_into(const Curve& curve, Point tool, double offset) {
-  if (curve.line())
-    return std::fabs(offset) - cross(curve.start_direction(), tool - curve.from) * sign(offset);
+  const double line =
+      std::fabs(offset) - cross(curve.start_direction(), tool - curve.from) * sign(offset);
+  if (curve.line()) return line;
   const double away = moved_radius(curve, curve.from, offset) - size(tool - curve.centre);
-  return (curve.turn > 0) == (offset > 0) ? -away : away;
+  return std::min(line, (curve.turn > 0) == (offset > 0) ? -away : away);
 }
 
 /// Where the tool stops to follow `a` because it touches the end of `b`, a low step behind an
@@ -32,7 +35,7 @@ std::optional<Point> over_step(const Curve& a, const Curve& b, double offset, do
   if (height > kLowStep * least || std::fabs(b.turn) > kPi / 2) return std::nullopt;
   const Curve end{b.to, b.to, b.to, -sign(offset)};  // an arc without a radius
   const auto touch = meeting(a, end, offset, least);
-  if (!touch || dot(*touch - b.to, b.end_direction()) < 0) return std::nullopt;
+  if (!touch || dot(*touch - b.to, b.end_direction()) < -least) return std::nullopt;
   return touch;
 }
 

@@ -193,6 +193,21 @@ path(
     centre="Z-10 X40 | Z0 X10 | Z49.862 X10 | Z49.907 X10.003 | Z99.950 X11 | Z100 X60",
 )
 path(
+    "an inner arc begins where the tool comes over a step of 4 increments in an acute corner", MILLS,
+    "G90 G17 G0 X-20. Y0", "G42 D5 G1 X-10.846 Y15.088 F100", "X0 Y0", "X0.003 Y0.003",
+    "G2 X11.992 Y-4.188 I3.912 J-8.077", "G1 X30. Y-40.", "G40 X50.",
+    centre="X-20 Y0 | X-14.906 Y12.170 | X-1.565 Y-6.389 | X2.252 Y-4.464 | X7.486 Y-6.356"
+    " | X7.505 Y-6.395 | X25.533 Y-42.246 | X50 Y-40",
+)
+path(
+    "an outer arc of 10 increments whose end the tool touches within an increment is gone over", MILLS,
+    "G90 G17 G0 X-54.648 Y-30.941", "G41 D1 G1 X-55.606 Y-32.014 F100", "X-51.561 Y-50.8",
+    "G2 X-51.553 Y-50.807 I-0.006 J-0.014", "G1 X-35.696 Y-84.943", "X-20.375 Y-67.89",
+    "G40 X-20.629 Y-66.584", setup=MILL | {"radius_offsets": {1: 0.2}},
+    centre="X-54.648 Y-30.941 | X-55.411 Y-31.972 | X-51.374 Y-50.717 | X-51.373 Y-50.720"
+    " | X-35.642 Y-84.584 | X-20.524 Y-67.756 | X-20.629 Y-66.584",
+)
+path(
     "a step of 4 increments is the last compensated move where the compensation ends behind it", MILLS,
     *_UP, _LOW, "G40 Y30.", centre="X-10 Y20 | X0 Y5 | X49.862 Y5 | X49.862 Y5 | X50.003 Y30",
 )
