@@ -133,7 +133,7 @@ def arc_of(random: Random, radius: float, side: int) -> tuple[float, float]:
     if random.random() < 0.03:
         return 1e5, random.choice([1, -1]) * random.uniform(1e-5, 1e-3)
     if random.random() < 0.5:
-        size = random.choice([10 ** random.uniform(-2, 0), random.uniform(0.1, 60)])
+        size = random.choice([10 ** random.uniform(-3, 0), random.uniform(0.1, 60)])
         return size, -side * turn
     more = [0.0, 10 ** random.uniform(-4, 0), random.uniform(0, 20), random.uniform(0, 20)]
     return radius + random.choice(more), side * turn
@@ -177,7 +177,7 @@ def draw(random: Random) -> Drawing:
         for _ in range(random.randint(0, 5)):
             pen.ahead += turn_of(random, side, random.choice(JOINTS))
             if random.random() < 0.5:
-                pen.line(10 ** random.uniform(-2, 0.5) if fine else random.uniform(0.5, 40))
+                pen.line(10 ** random.uniform(-3, 0.5) if fine else random.uniform(0.5, 40))
             else:
                 pen.arc(*arc_of(random, radius, side))
         pen.ahead += turn_of(random, side, random.choice(JOINTS))

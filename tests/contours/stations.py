@@ -74,6 +74,15 @@ class Written:
         """What neither the words nor the control can tell apart, in mm."""
         return max(self.resolution, self.least * (INCH / 10 if self.inch else 1))
 
+    def told(self) -> tuple[Curve, ...]:
+        """The curves whose ends can be told apart, and full circles."""
+        apart = 1.5 * self.increment
+        return tuple(
+            curve
+            for curve in self.curves
+            if np.hypot(*(curve.end - curve.start)) > apart or abs(curve.turn) > math.pi
+        )
+
 
 class Writer:
     def __init__(self, random: Random, station: Station) -> None:

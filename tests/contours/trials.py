@@ -98,8 +98,7 @@ def deviation(path: list[Curve], drawing: Drawing, written: Written) -> float:
     # Never nearer than the radius, and not further either, but around a corner.
     worst = float(radius - room.min())
     # A piece that the words cannot tell from a point has no side of its own.
-    long = tuple(curve for curve in printed.curves if curve.length > 1.5 * written.increment)
-    told = Drawing(long, radius, drawing.side)
+    told = Drawing(written.told(), radius, drawing.side)
     beyond = np.minimum(beyond_corners(points, printed), beyond_corners(points, told))
     nearest = room.min(axis=1)
     worst = max(worst, float(np.where(beyond < 2 * written.increment, 0, nearest - radius).max()))
