@@ -442,6 +442,14 @@ bool BlockReader::scan_value(Scanner& s, Block& block, Token& token) {
   if (is_letter(c)) {
     Scanner ahead = s;
     ahead.at = letter_at;
+    if (const auto lacking = code_.lacks(StatementKind::Brackets, operand.at)) {  // ABS[1], AX[1]
+      while (is_letter(ahead.peek())) ++ahead.at;
+      if (ahead.peek() == '[') {
+        refuse(block, *lacking);
+        return false;
+      }
+      ahead.at = letter_at;
+    }
     for (const std::string_view word :
          {"IF", "WHILE", "GOTO", "DO", "END", "WH", "DPRNT", "POPEN", "PCLOS"}) {
       Scanner probe = ahead;

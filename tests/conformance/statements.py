@@ -109,6 +109,13 @@ for _text in ("#100EQ7AND#100EQ7", "3EQ#100AND3EQ3"):
         runs="N10", alarm="if-format", at="O1 N20",
         number={"fanuc-16i": "114", **dict.fromkeys(FANUC[1:], "PS1137")},
     )
+for _word in "AX[1]=1", "ABS[1]", "PRM[1]", "G1 X5. SQRT[4]":
+    case(
+        f"the GSK 928TE has no functions: {_word}", control="gsk-928te",
+        source="source 001 names none; general knowledge", evidence="inferred",
+        program=f"%1\nN10 M8\nN20 {_word}\nN30 M30\n",
+        runs="N10", alarm="statement-not-available", number=None, at="%1 N20",
+    )
 for _text in ("#100AND3EQ3", "3EQ#100AND3", "[#100AND3]EQ3"):
     case(
         f"AND binds before a comparison on these controls too: {_text}",
