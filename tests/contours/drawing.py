@@ -36,9 +36,11 @@ class Drawing:
         around = self.curves[max(0, place - near) : place + near + 1]
         return np.asarray(distances(points, around).min(axis=1))
 
-    def fits(self, slack: float) -> bool | None:
-        """Whether the tool reaches a bit of every curve; None: within `slack` it may or may not."""
-        clear: bool | None = True
+    def fits(self, slack: float, blur: float = 0.0) -> bool | None:
+        """Whether the tool reaches a bit of every curve; None: within `slack` it may or may not,
+        nor may it fit into an arc whose radius is larger by less than `blur`."""
+        inner = [c.radius for c in self.curves if c.centre is not None and c.turn * self.side > 0]
+        clear: bool | None = None if inner and min(inner) < self.radius + blur else True
         for place, curve in enumerate(self.curves):
             parts = PARTS
             missing = self.radius - self.room(place, parts)

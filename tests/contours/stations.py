@@ -74,6 +74,12 @@ class Written:
         """What neither the words nor the control can tell apart, in mm."""
         return max(self.resolution, self.least * (INCH / 10 if self.inch else 1))
 
+    @property
+    def blur(self) -> float:
+        """What words that are coarser than the control's increment leave open, in mm."""
+        taken = self.least * (INCH / 10 if self.inch else 1)
+        return self.resolution if self.resolution > 1.5 * taken else 0.0
+
     def told(self) -> tuple[Curve, ...]:
         """The curves whose ends can be told apart, and full circles."""
         apart = 1.5 * self.increment

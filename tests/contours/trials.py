@@ -42,7 +42,7 @@ class Trials:
     def compare(self, place: int) -> None:
         station, drawing, written = self.contour(place)
         self.runs[str(station)] += 1
-        fits = drawing.fits(2.5 * written.increment)
+        fits = drawing.fits(2.5 * written.increment, written.blur)
         run = self.run(station, drawing, written)
         fault = ""
         if run.alarm is not None:
