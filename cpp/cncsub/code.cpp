@@ -65,19 +65,35 @@ Fault Code::lacking_fault(StatementKind kind, std::uint32_t at) const {
   return {Cause::StatementNotAvailable, at, 1, "this control has no " + name};
 }
 
-VariablePlace Code::place(std::int64_t number) const {
-  const auto behind = std::upper_bound(
-      variables.begin(), variables.end(), number,
-      [](std::int64_t n, const PlacedRange& placed) { return n < placed.range.first; });
-  if (behind == variables.begin()) return {};
-  const auto& [range, base] = behind[-1];
-  if (number > range.last) return {};
+namespace {
+
+VariablePlace placed(const PlacedRange& of, std::int64_t number) {
+  const auto& [range, base] = of;
   const auto offset = static_cast<std::int32_t>(number) - range.first;
   const bool common = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
   const std::int32_t index = range.kind == VariableKind::Local ? static_cast<std::int32_t>(number)
                              : common                          ? base + offset
                                                                : offset;
   return {range.kind, index, &range};
+}
+
+}  // namespace
+
+VariablePlace Code::place(std::int64_t number) const {
+  // Locals and commons are the first ranges, and what programs use most: they are met one by one.
+  auto from = variables.begin();
+  for (int i = 0; i < 4 && from != variables.end() && from->range.first <= number; ++i) {
+    if (number <= from->range.last) break;
+    ++from;
+  }
+  if (from != variables.end() && number >= from->range.first && number <= from->range.last)
+    return placed(*from, number);
+  const auto behind = std::upper_bound(
+      from, variables.end(), number,
+      [](std::int64_t n, const PlacedRange& placed) { return n < placed.range.first; });
+  if (behind == variables.begin()) return {};
+  if (number > behind[-1].range.last) return {};
+  return placed(behind[-1], number);
 }
 
 std::int32_t Code::program_at(Address address) const {
