@@ -561,6 +561,20 @@ bool Machine::return_from_call(const Block& block) {
   return return_now(back, p, l) && wake();
 }
 
+/// A computed sequence number; -1, which no block has, where the value is none.
+std::int64_t Machine::number_of(double value) {
+  const double n = is_vacant(value) ? -1 : std::round(value);
+  return to_whole<std::int64_t>(std::clamp(n, -1.0, 2e9));
+}
+
+Fault Machine::no_block(Cause cause, const Operand& word, double value,
+                        const Program& program) const {
+  const double n = is_vacant(value) ? -1 : std::clamp(std::round(value), -1e9, 2e9);
+  return {cause, word.at, word.width,
+          "there is no N" + std::to_string(to_whole<std::int64_t>(n)) + " in " +
+              code_->name_of(program)};
+}
+
 /// What is left of a return's block when its words are executed.
 bool Machine::return_now(const CallRecord& back, double p, double l) {
   if (stack_.size() == 1) return return_from_main(back, p);
@@ -590,14 +604,8 @@ bool Machine::return_now(const CallRecord& back, double p, double l) {
   if (!is_vacant(p)) {
     const Program& caller =
         code_->programs[static_cast<std::size_t>(stack_[stack_.size() - 2].program)];
-    const double n = std::round(p);
-    to = n >= 0 && n < 2e9 ? code_->return_target(caller, to_whole<std::int64_t>(n), open.called_at)
-                           : kNowhere;
-    if (to == kNowhere)
-      return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
-                    "there is no N" +
-                        std::to_string(to_whole<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
-                        code_->name_of(caller)});
+    to = code_->return_target(caller, number_of(p), open.called_at);
+    if (to == kNowhere) return alarm(no_block(Cause::ReturnTargetNotFound, back.p, p, caller));
   }
   record_block();
   return leave(to, is_vacant(p));
@@ -619,14 +627,8 @@ bool Machine::return_from_main(const CallRecord& back, double p) {
     return restart_main();
   }
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-  const double n = std::round(p);
-  const Address to =
-      n >= 0 && n < 2e9 ? code_->first_of(program, to_whole<std::int64_t>(n)) : kNowhere;
-  if (to == kNowhere)
-    return alarm({Cause::ReturnTargetNotFound, back.p.at, back.p.width,
-                  "there is no N" +
-                      std::to_string(to_whole<std::int64_t>(std::clamp(n, -1e9, 2e9))) + " in " +
-                      code_->name_of(program)});
+  const Address to = code_->first_of(program, number_of(p));
+  if (to == kNowhere) return alarm(no_block(Cause::ReturnTargetNotFound, back.p, p, program));
   record_block();
   leave_loops(to);
   pc_ = to;
@@ -655,14 +657,8 @@ bool Machine::jump(const Block& block) {
 
 bool Machine::jump_now(const Statement& statement, double p) {
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
-  const double n = is_vacant(p) ? -1 : std::round(p);
-  const Address to =
-      n >= 0 && n < 2e9 ? code_->first_of(program, to_whole<std::int64_t>(n)) : kNowhere;
-  if (to == kNowhere)
-    return alarm({Cause::JumpTargetNotFound, statement.p.at, statement.p.width,
-                  "there is no N" +
-                      std::to_string(to_whole<std::int64_t>(std::clamp(n, -1.0, 2e9))) + " in " +
-                      code_->name_of(program)});
+  const Address to = code_->first_of(program, number_of(p));
+  if (to == kNowhere) return alarm(no_block(Cause::JumpTargetNotFound, statement.p, p, program));
   record_block();
   leave_loops(to);
   pc_ = to;

@@ -224,6 +224,8 @@ class Machine {
   bool wake() { return !wakes_ || go_on(); }
   bool go_on();
   bool call_now(std::uint32_t aux, Target& target);
+  static std::int64_t number_of(double value);
+  Fault no_block(Cause cause, const Operand& word, double value, const Program& program) const;
   bool return_now(const CallRecord& back, double p, double l);
   bool jump_now(const Statement& statement, double p);
   /// To be called before the clock, a random number or a skip signal is taken.
