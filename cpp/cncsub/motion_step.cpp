@@ -36,6 +36,7 @@ std::optional<Point> over_step(const Curve& a, const Curve& b, double offset, do
   const Curve end{b.to, b.to, b.to, -sign(offset)};  // an arc without a radius
   const auto touch = meeting(a, end, offset, least);
   if (!touch || dot(*touch - b.to, b.end_direction()) < -least) return std::nullopt;
+  if (dot(*touch - b.to, a.end_direction()) > least) return std::nullopt;  // it has passed by it
   return touch;
 }
 

@@ -4,7 +4,8 @@
     python tests/contours --show 17 --seed 1
 
 Lines and arcs that are tangent, nearly tangent, or meet in outside and inside corners, pieces of some
-increments among them, written in mm and inch with three and four decimals, for mills in three planes and lathes with noses and tips.
+increments among them, written in mm and inch with three and four decimals, for mills in three planes
+and lathes with noses and tips.
 Where the tool fits there is no alarm and its centre keeps within two increments of an offset that
 is computed apart from the engine; where it does not fit the control says so.
 """
