@@ -11,6 +11,7 @@ namespace {
 /// So many increments a word may be rounded by: inches are written with a digit less than they
 /// have.
 constexpr double kLowStep = 16;
+constexpr double kShortStep = 64;  // its length, in increments
 
 double sign(double value) { return value > 0 ? 1 : -1; }
 
@@ -45,7 +46,7 @@ std::optional<Point> over_step(const Curve& a, const Curve& b, double offset, do
 /// Whether the corner before a move is better decided when the move behind it is known.
 bool RadiusPath::is_low_step(const Piece& piece, const Curve& curve) const {
   const Held& held = motion.s_.held;
-  if (size(curve.to - curve.from) > kLowStep * least || std::fabs(curve.turn) > kPi / 2 ||
+  if (size(curve.to - curve.from) > kShortStep * least || std::fabs(curve.turn) > kPi / 2 ||
       held.radius.empty() || held.starting)
     return false;
   return offset_of(held.radius.front()) * offset_of(piece) > 0;

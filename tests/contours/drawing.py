@@ -133,7 +133,7 @@ def arc_of(random: Random, radius: float, side: int) -> tuple[float, float]:
     """A radius and the angle that an arc runs through."""
     turn = math.radians(random.choice([random.uniform(2, 60), random.uniform(20, 350), 90, 180]))
     if random.random() < 0.03:
-        return 1e5, random.choice([1, -1]) * random.uniform(1e-5, 1e-3)
+        return 9e3, random.choice([1, -1]) * random.uniform(1e-4, 1e-2)
     if random.random() < 0.5:
         size = random.choice([10 ** random.uniform(-3, 0), random.uniform(0.1, 60)])
         return size, -side * turn
