@@ -49,6 +49,7 @@ for _what, _line in (
 ):
     case(
         f"logic of another value than 0 and 1 is refused by the 980MDi: {_what}",
+        pins="negative_logic logic_of_bits",
         control=MDI, source="MDib 0133", evidence="maker's manual", variables={100: 3},
         program=f"O1\nN10 S1\nN20 {_line}\nN30 M30\n",
         runs="N10", alarm="logic-of-other-than-0-and-1", number="0133", at="O1 N20",
@@ -68,6 +69,7 @@ case(
 )
 case(
     "logic goes bit by bit elsewhere",
+    pins="logic_of_bits",
     control=[TDI, *T988, *FANUC, *MITSUBISHI], source="TDi 29, 3.29.1: bit by bit; JIX",
     evidence="inferred",
     program="O1\nN10 #101=6 AND 3\nN20 #102=6 OR 3\nN30 #103=6 XOR 3\nN40 M30\n",

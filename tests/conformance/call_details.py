@@ -35,6 +35,7 @@ case(
 )
 case(
     "zeros in front do not make a program's number longer",
+    pins="max_words program_word",
     control=["fanuc-0i-f", "gsk-988ta"], source="general knowledge", evidence="inferred",
     program="""
         O1
@@ -47,6 +48,7 @@ case(
 )
 case(
     "P[...] of a dwell is an expression, no name",
+    pins="max_words g_codes statements dwell_words dwell_p_seconds",
     control=["gsk-988ta", "gsk-988t", "gsk-980tdi"], source="TDi29; policy", evidence="inferred",
     program="""
         O1
@@ -57,6 +59,7 @@ case(
 )
 case(
     "zeros in front of P count as a repeat count beside L",
+    pins="program_word count_and_l",
     control=["gsk-988ta", "gsk-988t"], source="source 000, words L and Q (3); policy", evidence="inferred",
     program="""
         O1
@@ -69,6 +72,7 @@ case(
 )
 case(
     "beside L all of P is the number, its zeros too",
+    pins="program_word",
     control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"], source="general knowledge, P beside L", evidence="inferred",
     program="""
         O1
@@ -140,6 +144,7 @@ for word, cause, fanuc, mitsubishi in [
     )
 case(
     "a call may start at N0",
+    pins="zero_numbers start_word",
     control="gsk-988ta", source="source 000, words L and Q; policy", evidence="inferred",
     program="""
         O1
@@ -154,6 +159,7 @@ case(
 )
 case(
     "an end that is missing is missed behind the last block",
+    pins="missing_end",
     control=["fanuc-30i", "gsk-988ta"], source="policy", evidence="inferred",
     program="O1\nN10 T1\nN20 T2\n",
     runs="N10 N20", alarm="end-of-record", at="O1", word="",

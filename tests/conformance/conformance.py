@@ -39,6 +39,7 @@ class Case:
     controls: tuple[str, ...]
     source: str | Mapping[str, str]
     evidence: Mapping[str, str]  # of each control: as stated, but no stronger than its source there
+    pins: tuple[str, ...]  # rules of which another value makes the row fail
     topic: str
     line: int
 
@@ -135,6 +136,7 @@ def case(
     control: str | Sequence[str],
     source: str | Mapping[str, str],
     evidence: str | Mapping[str, str] | None = None,
+    pins: str = "",
     program: Text | None = None,
     files: Mapping[str, Text] | None = None,
     external: Mapping[str, Text] | None = None,
@@ -184,7 +186,9 @@ def case(
     language of `moves.py`; `centre` the end points of the tool centre, separated by `|`; `moves_x`
     the X end points alone. The expectations `after_reset` are of what M02, M30 and the reset key
     leave. `tree` is the calls as a tree, `M98:O2(G65:O3 G66:O4)`, each behind what it was called
-    by; `frames` the open calls of an alarm, innermost first: `O2 N50 G65 < O1 N10 M98`. Without `evidence` the source has to be one of the source documents.
+    by; `frames` the open calls of an alarm, innermost first: `O2 N50 G65 < O1 N10 M98`. `pins` are
+    the rules of which another value makes the row fail (`mutation.py`). Without `evidence` the
+    source has to be one of the source documents.
     """
     caller = sys._getframe(1)
     controls = (control,) if isinstance(control, str) else tuple(control)
@@ -203,6 +207,7 @@ def case(
         controls=controls,
         source=source,
         evidence={name: _evidence(source, evidence, name) for name in controls},
+        pins=tuple(pins.split()),
         topic=Path(caller.f_code.co_filename).stem,
         line=caller.f_lineno,
         program=None if program is None else as_program(program),

@@ -19,12 +19,14 @@ case(
 )
 case(
     "HNC: of three M codes the last two count",
+    pins="m_codes_per_block m_codes_alarm",
     control=HNC, source="source 003 shows two; general knowledge", evidence="inferred",
     program="%1\nN10 M8 M6 M3\nN20 M30",
     runs="N10 N20", m=[6, 3], dropped=["M8"],
 )
 case(
     "two M codes in a block alarm on the 988 while 3404#7 is 0",
+    pins="m_codes_alarm",
     control=GSK_988, source="Talm 012: see 3404#7", evidence="secondary",
     program="O1\nN10 M8\nN20 M3 M9\nN30 M30",
     runs="N10", m=[8], alarm="illegal-m-combination", number="012", at="O1 N20", word="M9",

@@ -127,6 +127,7 @@ case(
 )
 case(
     "a run may start at a sequence number",
+    pins="statements",
     control=ALL, source="K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -150,6 +151,7 @@ case(
 )
 case(
     "a name may hold digits, minus, plus, underscore and point",
+    pins="name_marks",
     control=LATE, source="K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -231,6 +233,7 @@ case(
 )
 case(
     "a name of 33 characters is a format error",
+    pins="max_name_length",
     control=LATE, source="ALM PS0311; K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -665,6 +668,7 @@ case(
 )
 case(
     "nine digits at P are too many on the 16i",
+    pins="max_program_digits",
     control="fanuc-16i", source="K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -779,6 +783,7 @@ case(
 )
 case(
     "27 words make a block with too many words",
+    pins="max_words",
     control=ALL, source="ALM PS5006", evidence="secondary",
     program="""
         O1
@@ -821,6 +826,7 @@ case(
 )
 case(
     "M98 and a machine M code cannot share a block",
+    pins="m_codes_alone",
     control=ALL, source="ALM PS5016; K-H list", evidence="inferred",
     program="""
         O1
@@ -930,6 +936,7 @@ case(
 )
 case(
     "a main program that runs into its end alarms",
+    pins="missing_end",
     control=ALL, source="ALM PS5010", evidence="secondary",
     program="""
         %
@@ -1132,6 +1139,7 @@ case(
 )
 case(
     "a count of 9999 in P is legal",
+    pins="max_program_digits",
     control=ALL, source="ROB", evidence="secondary",
     program="""
         O1
@@ -1246,6 +1254,7 @@ case(
 )
 case(
     "a variable at P is rounded to a whole number",
+    pins="call_values",
     control=ALL, source="SIN, JIX", evidence="secondary",
     program="""
         O1
@@ -1261,6 +1270,7 @@ case(
 )
 case(
     "a vacant P is no P",
+    pins="omitted_program",
     control=ALL, source="XIA, JIX; K-H 076", evidence="inferred",
     program="""
         O1
@@ -1310,6 +1320,7 @@ case(
 )
 case(
     "L0 calls once",
+    pins="zero_repeats",
     control=ALL, source="policy", evidence="inferred",
     program="""
         O1
@@ -1720,6 +1731,7 @@ case(
 )
 case(
     "M98 takes no new local variables",
+    pins="call_passes_words",
     control=ALL, source="PB304", evidence="maker's manual",
     program="""
         O1
@@ -1810,6 +1822,7 @@ case(
 
 case(
     "a program may call itself while levels are left",
+    pins="self_call max_nesting",
     control=ALL, source="MC52, GED; K-H depth", evidence="inferred",
     program="""
         O1
@@ -1839,6 +1852,7 @@ case(
 )
 case(
     "the eleventh level of M98 alarms at the call",
+    pins="max_nesting",
     control=NEW, source="ALM PS0077; K-H depth", evidence="inferred",
     program="""
         O1
@@ -1935,6 +1949,7 @@ case(
 )
 case(
     "four M98 levels and four macro levels fit together on the 16i, a fifth M98 level does not",
+    pins="nesting_counts_macros",
     control="fanuc-16i", source="PB304, RW; K-H 077", evidence="inferred",
     program="""
         O1
@@ -1952,6 +1967,7 @@ case(
 )
 case(
     "macro calls do not use up M98 levels",
+    pins="nesting_counts_macros",
     control=NEW, source="PB304; K-H depth", evidence="inferred",
     program="""
         O1
@@ -2064,6 +2080,7 @@ case(
 )
 case(
     "M98 with an axis word in a canned cycle alarms",
+    pins="words_with_call_in_cycle",
     control=NEW, source="ALM PS5329", evidence="secondary",
     program="""
         O1
@@ -2205,6 +2222,7 @@ case(
 )
 case(
     "M99 at the end of an MDI program starts it over",
+    pins="main_return",
     control=ALL, source="K-M general knowledge", evidence="inferred",
     program="""
         O2
@@ -2859,6 +2877,7 @@ case(
 
 case(
     "M99 L0 drops the repeats that are left on the later FANUC controls",
+    pins="return_with_l",
     control=NEW, source="ALM PS1093 names L as legal; K-L general knowledge", evidence="inferred",
     program="""
         O1
@@ -2951,6 +2970,7 @@ case(
 
 case(
     "M198 calls a program of the external device",
+    pins="external_calls",
     control=ALL, source="CL198", evidence="secondary",
     program="""
         O1

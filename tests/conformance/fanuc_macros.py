@@ -176,6 +176,7 @@ case(
 )
 case(
     "G65 without P names no program",
+    pins="h_codes",
     control=ALL, source="K-H 076; ALM PS0076", evidence="secondary",
     program="""
         O1
@@ -285,6 +286,7 @@ case(
 )
 case(
     "a word before G65 is refused",
+    pins="words_before_macro_call",
     control=ALL, source="policy; X-65, PMI39; ALM PS0129", evidence="inferred",
     program="""
         O1
@@ -649,6 +651,7 @@ case(
 
 case(
     "the mixture of source 002 leaves the later word in #7",
+    pins="argument_sets",
     control=ALL, source="source 002, mixed assignment", evidence="source document",
     program="""
         O1
@@ -880,6 +883,7 @@ case(
 
 case(
     "without a point X Y Z count in thousandths of a millimetre",
+    pins="whole_numbers",
     control=ALL, source="PB304; K-M table", evidence="maker's manual",
     program="""
         O1
@@ -1169,6 +1173,7 @@ case(
 )
 case(
     "macro levels deeper than four do not exist on the 16i",
+    pins="max_macro_nesting",
     control="fanuc-16i", source="PB304; K-L number", evidence="inferred",
     program="""
         O1
@@ -1185,6 +1190,7 @@ case(
 )
 case(
     "macro levels deeper than five do not exist",
+    pins="max_macro_nesting",
     control=NEW, source="ALM PS0122; K-H depth", evidence="inferred",
     program="""
         O1
@@ -1469,6 +1475,7 @@ case(
 )
 case(
     "of two modal calls a move calls the later one",
+    pins="calls_in_modal",
     control=ALL, source="NCT p.171, M7V; K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -1764,6 +1771,7 @@ for controls, count, number in [("fanuc-16i", 3, "122"), (NEW, 5, "PS0122")]:
     )
 case(
     "the 16i has no G66.1",
+    pins="g_codes_complete",
     control="fanuc-16i", source="K-M general knowledge", evidence="inferred",
     program="""
         O1
@@ -1934,6 +1942,7 @@ case(
 )
 case(
     "without parameter 6050 G199 is no call, and no G code either",
+    pins="g_codes_complete",
     control=ALL, source="source 002; ALM PS0010", evidence="inferred",
     program="""
         O1
@@ -2123,6 +2132,7 @@ case(
 )
 case(
     "T inside O9000 is the real T code",
+    pins="code_cascade",
     control=ALL, source="PMI39; K-H general knowledge", evidence="maker's manual",
     program="""
         O1
@@ -2521,6 +2531,7 @@ case(
 )
 case(
     "an M code before GOTO alarms",
+    pins="bare_g",
     control=ALL, source="ALM PS0127; K-H 127", evidence="secondary",
     program="""
         O1
@@ -2897,6 +2908,7 @@ case(
 )
 case(
     "a result beyond the range of numbers alarms",
+    pins="max_constant_digits",
     control=ALL, source="JIX; ALM PS0111", evidence="secondary",
     program="""
         O1
@@ -4481,6 +4493,7 @@ case(
 )
 case(
     "loops may be nested three deep",
+    pins="max_loop_number max_loops",
     control=ALL, source="ISO; X-GO", evidence="secondary",
     program="""
         O1

@@ -1240,6 +1240,7 @@ case(
 
 case(
     "four levels of M98 and four of G65 are eight legal levels on the 16i (F223)",
+    pins="max_total_nesting",
     control="fanuc-16i",
     source="RW; PB304; MC52",
     evidence="secondary",

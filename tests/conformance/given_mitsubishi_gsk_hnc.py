@@ -7,6 +7,7 @@ from conformance import case
 
 case(
     "H200 starts the subprogram at N200 (MIT-003)",
+    pins="whole_numbers",
     control="mitsubishi-m700",
     source="source 004, H",
     evidence="source document",
@@ -62,6 +63,7 @@ case(
 
 case(
     "M98 H100 without a P calls its own program on the M700, and M99 returns behind it (MIT-009)",
+    pins="omitted_program",
     control="mitsubishi-m700",
     source="IMD, P omitted; general knowledge of the M700V manuals",
     evidence="inferred",
@@ -96,6 +98,7 @@ case(
 
 case(
     "a bare M98 jumps to the head of its program on the MELDAS of source 004 (MIT-012)",
+    pins="whole_numbers omitted_program",
     control="mitsubishi-meldas",
     source="source 004, P, H and L omitted",
     evidence="source document",
@@ -150,6 +153,7 @@ case(
 
 case(
     "eight nested levels are legal on the M700 (MIT-017)",
+    pins="max_nesting max_total_nesting",
     control="mitsubishi-m700",
     source="SM 13.9 (6); MZ 842",
     evidence="maker's manual",
@@ -245,6 +249,7 @@ case(
 
 case(
     "four levels are legal and the fifth alarms on the MELDAS of source 004 (MIT-019)",
+    pins="program_word max_nesting max_total_nesting",
     control="mitsubishi-meldas",
     source="source 004, P230",
     evidence="source document",
@@ -540,6 +545,7 @@ case(
 
 case(
     "four macro levels on five of M98 are one level too many (MIT-106)",
+    pins="nesting_counts_macros",
     control="mitsubishi-m700",
     source="SM 13.9 (6); MZ 842",
     evidence="maker's manual",
@@ -819,6 +825,7 @@ case(
 
 case(
     "ten levels are legal on the M800 (MIT-126)",
+    pins="whole_numbers program_word max_nesting max_total_nesting",
     control="mitsubishi-m800",
     source="CW; general knowledge of the M800 manuals",
     evidence="inferred",
@@ -871,6 +878,7 @@ case(
 
 case(
     "P21006 runs O1006 twice on the 988TA (TA-001)",
+    pins="whole_numbers refuses",
     control="gsk-988ta",
     source="TA28 p.7; source 000, P",
     evidence="maker's manual",
@@ -941,6 +949,7 @@ case(
 
 case(
     "Q5 starts the subprogram at N5 (TA-006)",
+    pins="point_addresses minus_addresses",
     control="gsk-988ta",
     source="TA28 p.3, figure; source 000, words L and Q (1)",
     evidence="maker's manual",
@@ -977,6 +986,7 @@ case(
 
 case(
     "Q without a P is looked for in the program that runs, not in the main program (TA-010)",
+    pins="omitted_program self_call max_total_nesting",
     control="gsk-988ta",
     source="TA28 p.4, figure",
     evidence="maker's manual",
@@ -1000,6 +1010,7 @@ case(
 
 case(
     "P[O0023] L3 runs the standard program O0023 three times (TA-011)",
+    pins="bracket_names",
     control="gsk-988ta",
     source="source 000, P, form 2",
     evidence="source document",
@@ -1053,6 +1064,7 @@ case(
 
 case(
     "P#100 with 21006.7 runs O1006 twice (TA-015)",
+    pins="call_values",
     control="gsk-988ta",
     source="source 000, P (2)",
     evidence="source document",
@@ -1070,6 +1082,7 @@ case(
 
 case(
     "P#100 with a value of nine digits alarms (TA-016)",
+    pins="max_program_digits",
     control="gsk-988ta",
     source="source 000, P (2); the number 003: Talm 003 of the 988T",
     evidence="inferred",
@@ -1122,6 +1135,7 @@ case(
 
 case(
     "twelve levels are legal on the 988TA (TA-019)",
+    pins="max_nesting",
     control="gsk-988ta",
     source="source 000, M98",
     evidence="source document",
@@ -1249,6 +1263,7 @@ case(
 
 case(
     "M99 P99 alarms where the caller has no N99 (TA-022)",
+    pins="return_with_p",
     control="gsk-988ta",
     source="source 000, note 1; Talm 083 of the 988T",
     evidence="secondary",
@@ -1288,6 +1303,7 @@ case(
 
 case(
     "of two N7 around the call M99 P7 takes the one behind it (TA-025)",
+    pins="return_search jumps",
     control="gsk-988ta",
     source="source 000, note 2 (3)",
     evidence="source document",
@@ -1325,6 +1341,7 @@ case(
 
 case(
     "a call in MDI alarms on the 988T (TA-028)",
+    pins="whole_numbers mdi_calls",
     control="gsk-988t",
     source="Talm 085",
     evidence="maker's manual",
@@ -1344,6 +1361,7 @@ case(
 
 case(
     "a call from a subprogram called in MDI alarms on the 988TA (TA-029)",
+    pins="mdi_calls",
     control="gsk-988ta",
     source="source 000, note 4; Talm 085 of the 988T",
     evidence="secondary",
@@ -1367,6 +1385,7 @@ case(
 
 case(
     "a program that calls itself without Q alarms on the 988T (TA-030)",
+    pins="self_call",
     control="gsk-988t",
     source="Talm 084",
     evidence="maker's manual",
@@ -1384,6 +1403,7 @@ case(
 
 case(
     "G65 P[T123] L2 runs the program named T123 twice with its argument (TA-032)",
+    pins="macro_calls",
     control="gsk-988ta",
     source="TA27",
     evidence="maker's manual",
@@ -1422,6 +1442,7 @@ case(
 
 case(
     "G67 without G66 alarms on the 988TA (TA-036)",
+    pins="cancel_alone",
     control="gsk-988ta",
     source="Talm 218 of the 988T",
     evidence="secondary",
@@ -1464,6 +1485,7 @@ case(
 
 case(
     "macro calls count among the twelve levels of the 988TA (TA-042)",
+    pins="nesting_counts_macros max_macro_nesting",
     control="gsk-988ta",
     source="source 000, M98",
     evidence="source document",
@@ -1531,6 +1553,7 @@ case(
 
 case(
     "P12002 runs O2002 once (TD-001)",
+    pins="whole_numbers program_word",
     control="gsk-980tdi",
     source="TDi15",
     evidence="maker's manual",
@@ -1564,6 +1587,7 @@ case(
 
 case(
     "a program may have a Chinese name (TD-005)",
+    pins="bracket_names",
     control="gsk-980tdi",
     source="TDi15",
     evidence="maker's manual",
@@ -1584,6 +1608,7 @@ case(
 
 case(
     "H01, H02 and H84 make a loop (TD-006)",
+    pins="macro_calls",
     control="gsk-980tdi",
     source="TDi28, H table",
     evidence="maker's manual",
@@ -1616,6 +1641,7 @@ case(
 
 case(
     "H99 P15 stops with the alarm 5915 (TD-008)",
+    pins="h99_offset",
     control="gsk-980tdi",
     source="TDi28, H table",
     evidence="maker's manual",
@@ -1763,6 +1789,7 @@ case(
 
 case(
     "a program that calls itself alarms on the 980TDi (TD-016)",
+    pins="self_call",
     control="gsk-980tdi",
     source="MDia 097 of the 980MDi",
     evidence="secondary",
@@ -1972,6 +1999,7 @@ case(
 
 case(
     "the part between M98 and M97 runs five times and is then jumped over (928-001)",
+    pins="whole_numbers",
     control="gsk-928te",
     source="source 001, method 1",
     evidence="source document",
@@ -2168,6 +2196,7 @@ case(
 
 case(
     "a subprogram reads the global variable of its caller (HNC-001)",
+    pins="statements",
     control="hnc-21m",
     source="HD",
     evidence="secondary",
@@ -2187,6 +2216,7 @@ case(
 
 case(
     "M98 puts A, B and X of its block into #0, #1 and #23 (HNC-002)",
+    pins="whole_numbers call_passes_words",
     control="hnc-21m",
     source="general knowledge of the Century Star manuals",
     evidence="inferred",
@@ -2244,6 +2274,7 @@ case(
 
 case(
     "WHILE takes an expression without brackets (HNC-006)",
+    pins="loop_form",
     control="hnc-21m",
     source="HD",
     evidence="secondary",
@@ -2261,6 +2292,7 @@ case(
 
 case(
     "nine levels are legal on the HNC-21 (HNC-007)",
+    pins="max_nesting max_total_nesting",
     control="hnc-21m",
     source="HS",
     evidence="secondary",
@@ -2360,6 +2392,7 @@ case(
 
 case(
     "G22 counts X in pulses of a thousandth of a millimetre (HNC-012)",
+    pins="g_meanings",
     control="hnc-21m",
     source="source 003, G20 G21 G22; the size of the pulse: general knowledge of the Century Star manuals",
     evidence="source document",

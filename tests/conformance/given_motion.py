@@ -84,6 +84,7 @@ case(
 
 case(
     "a negative R takes the long way round (M006)",
+    pins="minus_addresses",
     control=["fanuc-0i-f", "fanuc-16i", "hnc-21m"],
     source="source 003, example 5",
     evidence="source document",
@@ -206,6 +207,7 @@ case(
 
 case(
     "two G92 and G91 moves lead to the places of the lesson's figure (M015)",
+    pins="g_codes",
     control=["fanuc-0i-f", "hnc-21m"],
     source="source 003, example of figure 3",
     evidence="source document",
@@ -278,6 +280,7 @@ case(
 
 case(
     "an inner arc of radius 5 is too small for a tool of radius 6 (M020)",
+    pins="minus_addresses g_codes round_words",
     control=["fanuc-16i", "fanuc-30i", "mitsubishi-m700", "gsk-980mdi"],
     source="source 003, O10; MDib 0256; 041 and P153: general knowledge",
     evidence="secondary",
@@ -336,6 +339,7 @@ case(
 
 case(
     "the five passes of method 1 lower the tool by 4 mm of diameter each (M023)",
+    pins="minus_addresses g_codes program_word max_feed round_words",
     control="gsk-928te",
     source="source 001, method 1",
     evidence="source document",
@@ -1257,6 +1261,7 @@ case(
 
 case(
     "a plane change in polar mode alarms on the 980MDi (M136)",
+    pins="refuses",
     control="gsk-980mdi",
     source="MDib 0186",
     evidence="maker's manual",
@@ -1313,6 +1318,7 @@ case(
 
 case(
     "a dwell of the HNC-21 counts P in seconds (M140)",
+    pins="dwell_p_seconds",
     control="hnc-21m",
     source="source 003, G04; general knowledge",
     evidence="source document",
@@ -1708,6 +1714,7 @@ case(
 
 case(
     "an arc in the block of G40 alarms (M217)",
+    pins="max_feed",
     control=["fanuc-16i", "fanuc-30i", "mitsubishi-m700", "gsk-980mdi", "gsk-988t"],
     source="15iM p.402; M7 p.194; MDib 0259; Talm 252",
     evidence="maker's manual",
@@ -1827,6 +1834,7 @@ case(
 
 case(
     "a GOTO while the radius offset is on alarms on the 980MDi (M226)",
+    pins="jumps_in_compensation",
     control="gsk-980mdi",
     source="MDib 0100",
     evidence="maker's manual",
@@ -2176,6 +2184,7 @@ case(
 
 case(
     "G83 of the HNC-21 takes a negative Q and the clearance from K (M324)",
+    pins="peck_words",
     control="hnc-21m",
     source="general knowledge",
     evidence="inferred",
@@ -2226,6 +2235,7 @@ case(
 
 case(
     "a cycle with L0 alarms on the 980MDi (M326)",
+    pins="cycle_repeats",
     control="gsk-980mdi",
     source="MDib 0203",
     evidence="maker's manual",
@@ -2301,6 +2311,7 @@ case(
 
 case(
     "X and Z absolute, U and W incremental, and mixed, lead to the same place (M402)",
+    pins="minus_addresses",
     control=["gsk-980tdi", "fanuc-0i-d"],
     source="TDi 2, example",
     evidence="maker's manual",
@@ -2341,6 +2352,7 @@ case(
 
 case(
     "the manual's arc with R has its centre where the figure shows it (M405)",
+    pins="point_addresses",
     control="gsk-980tdi",
     source="TDi 4, example, figure 3-9",
     evidence="maker's manual",
@@ -2399,6 +2411,7 @@ case(
 
 case(
     "a negative R alarms on a FANUC lathe (M409)",
+    pins="negative_radius_on_lathes",
     control="fanuc-16i",
     source="16TC p.67; the number: general knowledge",
     evidence="inferred",
@@ -2416,6 +2429,7 @@ case(
 
 case(
     "a lathe arc whose R is smaller than half of the chord alarms (M411)",
+    pins="minus_addresses refuses",
     control=["gsk-980tdi", "gsk-988t"],
     source="TDi 4 note 3; Talm 035 with TApar 3403#4",
     evidence="maker's manual",
@@ -2467,6 +2481,7 @@ case(
 
 case(
     "G50 sets the coordinate and leaves the tool where it is (M414)",
+    pins="set_coordinate_alarms",
     control=["gsk-980tdi", "gsk-988ta", "fanuc-0i-d"],
     source="TDi 18, figure 3-54",
     evidence="maker's manual",
@@ -2579,6 +2594,7 @@ case(
 
 case(
     "the manual's taper thread runs in two cuts (M420)",
+    pins="thread_needs_spindle",
     control="gsk-980tdi",
     source="TDi 24.1, O0009",
     evidence="maker's manual",
@@ -2610,6 +2626,7 @@ case(
 
 case(
     "G90 of a lathe goes in, cuts, comes out and goes back (M421)",
+    pins="max_feed",
     control=["gsk-980tdi", "gsk-988ta", "fanuc-0i-d"],
     source="TDi 22.1; TA 6",
     evidence="maker's manual",
@@ -2936,6 +2953,7 @@ case(
 
 case(
     "G71 with a sequence number that does not exist alarms (M438)",
+    pins="point_addresses",
     control=["gsk-988t", "fanuc-16i", "fanuc-30i"],
     source="Talm 134; ALM PS0063",
     evidence="maker's manual",
@@ -3163,6 +3181,7 @@ case(
 
 case(
     "a corner longer than its line alarms (M504)",
+    pins="chamfer_words",
     control=["fanuc-16i", "fanuc-30i", "mitsubishi-m700", "gsk-980mdi", "gsk-988t"],
     source="ALM PS0055; MZ 913, paired with P383; MDib 0271; Talm 275",
     evidence="secondary",
@@ -3228,6 +3247,7 @@ case(
 
 case(
     "L is the line of a corner and D its radius on the 980TDi (M508)",
+    pins="chamfer_words chamfer_length",
     control="gsk-980tdi",
     source="TDi 11; TDipar 181",
     evidence="maker's manual",
@@ -3251,6 +3271,7 @@ case(
 
 case(
     "G91 of a subprogram holds in the main program (M521)",
+    pins="program_word",
     control=["fanuc-16i", "fanuc-30i", "mitsubishi-m700", "gsk-980mdi", "hnc-21m"],
     source="source 003, note 5 (1)",
     evidence="source document",
@@ -3392,6 +3413,7 @@ case(
 
 case(
     "the tool word of the 980TDi shifts the coordinate by its offset (M531)",
+    pins="set_coordinate_without_tool",
     control="gsk-980tdi",
     source="TDi 18, table",
     evidence="maker's manual",
@@ -3514,6 +3536,7 @@ case(
 
 case(
     "a rotation of 400 degrees alarms on the 980MDi (M542)",
+    pins="rotation_words",
     control="gsk-980mdi",
     source="MDib 0156",
     evidence="maker's manual",

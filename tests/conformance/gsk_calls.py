@@ -101,6 +101,7 @@ case(
 )
 case(
     "GSK: the largest count in P is 9999",
+    pins="max_program_digits max_repeats",
     control=FAMILIES, source="source 000, word P, format 1 (1); TDi15", evidence=SOURCE,
     program=one_call("M98 P99990002"),
     runs="N10 N30*9999 N20",
@@ -141,12 +142,14 @@ case(
 )
 case(
     "GSK 980: a count of 10000 in P is refused",
+    pins="too_many_repeats",
     control=FAMILY_980, source="MDib 092", evidence=MANUAL,
     program=one_call("M98 P100002002", name="O2002"),
     runs="", alarm="repeat-count-digits", number="0092", at="O1 N10",
 )
 case(
     "GSK 980: program number 0 cannot be called",
+    pins="zero_numbers",
     control=FAMILY_980, source="MDia 095", evidence=MANUAL,
     program=one_call("M98 P0000", name="O0000"),
     runs="", alarm="program-number-zero", number="0095", at="O1 N10",
@@ -171,6 +174,7 @@ case(
 )
 case(
     "GSK: M98 without P is refused",
+    pins="omitted_program",
     control=FAMILIES, source="source 000, note 5; Talm 081; MDia 095", evidence=SOURCE,
     program=one_call("M98"),
     runs="", alarm="program-number-missing", number=NO_NUMBER, at="O1 N10",
@@ -227,6 +231,7 @@ case(
 )
 case(
     "GSK: a faulty call that is never reached raises nothing",
+    pins="jumps",
     control=FAMILIES, source="policy: a control reads a block when it reaches it", evidence=INFERRED,
     program="""
         O1
@@ -247,6 +252,7 @@ case(
 )
 case(
     "GSK: the M code of an M98 block is sent before the call",
+    pins="m_codes_per_block m_codes_alone",
     control=FAMILIES, source="source 000, M98, function", evidence=SOURCE,
     program="""
         O1
@@ -302,6 +308,7 @@ case(
 for code in ("G04 X1", "G54"):
     case(
         f"GSK 980MDi: {code[:3]} may not stand in the block of M98",
+        pins="codes_not_with_call",
         control=MDI, source="MDib 051", evidence=MANUAL,
         program=one_call(f"{code} M98 P2"),
         runs="", alarm="illegal-word-with-call", number="0051", at="O1 N10",
@@ -323,6 +330,7 @@ case(
 )
 case(
     "GSK 988TA: P#100 takes eight digits",
+    pins="max_program_number",
     control=TA, source="source 000, word P, format 1 (2)", evidence=SOURCE,
     program=assigned_call("#100=99999999", "M98 P#100", name="O9999"),
     runs="N5 N10 N30*9999 N20",
@@ -389,6 +397,7 @@ case(
 )
 case(
     "GSK 988TA: the variable of P[#100] is read anew at each call",
+    pins="if_form max_condition_length",
     control=TA, source="source 000, word P, format 2 (1)", evidence=SOURCE,
     program="""
         O1
@@ -445,6 +454,7 @@ case(
 )
 case(
     "GSK 988TA: an L above 9999 is held at 9999",
+    pins="too_many_repeats",
     control=TA, source="source 000, M198 (3), taken for M98", evidence=INFERRED,
     program=one_call("M98 P2 L10000"),
     runs="N10 N30*9999 N20",
@@ -457,6 +467,7 @@ case(
 )
 case(
     "GSK 988TA: L0 is refused",
+    pins="zero_repeats",
     control=TA, source="source 000, words L and Q (2); number from Talm 003", evidence=INFERRED,
     program=one_call("M98 P2 L0"),
     runs="", alarm="illegal-repeat-count", number="003", at="O1 N10", word="L0",
@@ -724,12 +735,14 @@ case(
 )
 case(
     "GSK 988: a subprogram cannot call the main program without Q",
+    pins="caller_call",
     control=FAMILY_988, source="Talm 084", evidence=SECONDARY,
     program=one_call("M98 P2", "N30 M98 P1\nN40 M99"),
     runs="N10", alarm="program-calls-caller", number="084", at="O2 N30",
 )
 case(
     "GSK 988: a subprogram cannot call its caller's caller without Q",
+    pins="max_total_nesting",
     control=FAMILY_988, source="Talm 084", evidence=SECONDARY,
     program="""
         O1
@@ -777,6 +790,7 @@ case(
 for name in ("T0045", "A+B", "A-B", "A_B", "A.B", "SIDE-2.V1"):
     case(
         f"GSK 988TA: {name} is a program name",
+        pins="name_marks",
         control=TA, source="source 000, word P, format 2 (1); TA27", evidence=SOURCE,
         files={"O1.CNC": f"O1\nN10 M98 P[{name}] L2\nN20 M30\n", f"{name}.CNC": "N30 M99\n"},
         main="O1", runs="N10 N30*2 N20", calls=f"M98:{name}",
@@ -842,6 +856,7 @@ TWENTY = "ABCDEFGHIJKLMNOPQRST"
 for name in ("CUT", "CUT-1", "A+B", "O.012", TWENTY):
     case(
         f"GSK 980TDi: with 878=1 a program may be named {name}",
+        pins="name_marks max_name_length",
         control=TDI, source="TDi15", evidence=MANUAL, params={"878": 1},
         files={"O1.CNC": f"O1\nN10 M98 P[{name}]\nN20 M30\n", f"{name}.CNC": "N30 M99\n"},
         main="O1", runs="N10 N30 N20", calls=f"M98:{name}",
@@ -907,7 +922,7 @@ def device_call(claim, call, **row):
     memory = f"O1\nN10 {call}\nN20 M30\n"
     device = {"O2.CNC": "O2\nN40 G0 X4\nN50 G0 X5\nN60 M99\n", "T2.CNC": "N70 M99\n"}
     row = {"source": "source 000, M198", "evidence": SOURCE, **row}
-    case(claim, control=TA, program=memory, external=device, **row)
+    case(claim, pins="external_calls", control=TA, program=memory, external=device, **row)
 
 
 device_call(
@@ -1019,6 +1034,7 @@ case(
 )
 case(
     "GSK: M99 P skips the blocks between the call and its target",
+    pins="return_with_p",
     control=FAMILIES, source="source 000, M99", evidence=SOURCE,
     program="""
         O1009
@@ -1062,6 +1078,7 @@ case(
 )
 case(
     "GSK: M99 P names a block of the caller, not of the main program",
+    pins="max_total_nesting",
     control=FAMILIES, source="source 000, M99", evidence=SOURCE,
     program="""
         O1
@@ -1161,12 +1178,14 @@ case(
 for code in ("G28 U0", "G30 U0", "G53 X0", "G36 X50", "G37 Z50"):
     case(
         f"GSK 988: {code[:3]} may not stand in the block of M99",
+        pins="codes_not_with_return",
         control=FAMILY_988, source="Talm 030", evidence=SECONDARY,
         program=one_call("M98 P2", f"N30 {code} M99"),
         runs="N10", alarm="illegal-word-with-return", number="030", at="O2 N30",
     )
 case(
     "GSK: M99 of a main program starts it anew",
+    pins="main_return",
     control=FAMILIES, source="source 000, M99; K", evidence=SOURCE,
     program="O1\nN10 G0 X1\nN20 M99\n",
     max_cycles=3, runs="(N10 N20)*3", stop="cycles",
@@ -1209,6 +1228,7 @@ case(
 )
 case(
     "GSK 988: a main program without an end is an alarm",
+    pins="missing_end",
     control=FAMILY_988, source="Talm 019", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 G0 X2\n",
     runs="N10 N20", alarm="end-of-record", number="019",
@@ -1388,6 +1408,7 @@ M98, G65 = "M98 P{}", "G65 P{}"
 
 case(
     "GSK 988: twelve levels of subprograms are legal",
+    pins="max_nesting",
     control=FAMILY_988, source="source 000, nesting; Talm 082", evidence=SOURCE,
     program=chain([M98] * 12), runs=chain_through(12), calls=" ".join(f"M98:O{k}" for k in range(2, 14)),
 )
@@ -1399,11 +1420,13 @@ case(
 )
 case(
     "GSK 988: eight subprograms and four macros are twelve levels",
+    pins="max_macro_nesting macro_calls",
     control=FAMILY_988, source="source 000, nesting, macros included", evidence=SOURCE,
     program=chain([M98] * 8 + [G65] * 4), runs=chain_through(12),
 )
 case(
     "GSK 988: a subprogram as thirteenth level above macros is an alarm",
+    pins="nesting_counts_macros",
     control=FAMILY_988, source="source 000, nesting, macros included; Talm 082", evidence=SOURCE,
     program=chain([G65] * 4 + [M98] * 9), runs=chain_down(12), alarm="nesting-too-deep",
     number="082", at="O13 N130",
@@ -1428,6 +1451,7 @@ case(
 )
 case(
     "GSK 980: four levels of subprograms are legal",
+    pins="max_nesting",
     control=FAMILY_980, source="MDia 096", evidence=MANUAL,
     program=chain([M98] * 4), runs=chain_through(4), calls="M98:O2 M98:O3 M98:O4 M98:O5",
 )
@@ -1550,6 +1574,7 @@ case(
 )
 case(
     "GSK 980: MDI refuses M98",
+    pins="mdi_calls",
     control=FAMILY_980, source="K, M98 is not valid in MDI", evidence=INFERRED,
     program="O2\nN20 M99\n", mdi="N5 M98 P2",
     runs="", alarm="call-in-mdi", calls="",
@@ -1559,6 +1584,7 @@ case(
 
 case(
     "GSK 980: the main program cannot call itself",
+    pins="self_call",
     control=FAMILY_980, source="MDia 097", evidence=MANUAL,
     program="O1\nN10 M98 P20001\nN20 M30\n",
     runs="", alarm="program-calls-itself", number="0097", at="O1 N10",
@@ -1571,6 +1597,7 @@ case(
 )
 case(
     "GSK 980: a subprogram of the second level cannot call the main program",
+    pins="caller_call",
     control=FAMILY_980, source="MDia 094", evidence=MANUAL,
     program="""
         O1
@@ -1712,6 +1739,7 @@ case(
 )
 case(
     "GSK: a G code that the control does not have is refused",
+    pins="g_codes_complete",
     control=FAMILIES, source="Talm 009; MDib 0002", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nN20 G999\nN30 M30\n",
     runs="N10", alarm="g-code-not-available",
@@ -1737,6 +1765,7 @@ def part_chain(levels):
 
 case(
     "GSK 928: the first method of the manual: M97 leads round the part inside the main program",
+    pins="self_call",
     control=TE, source="source 001, example, first listing", evidence=SOURCE,
     program="""
         %1
@@ -1789,6 +1818,7 @@ case(
 )
 case(
     "GSK 928: the first method without its M97 runs the part once more and ends at its M99",
+    pins="main_return",
     control=TE, source="source 001, example, note on M97", evidence=SOURCE,
     program="""
         %1
@@ -1873,6 +1903,7 @@ case(
 )
 case(
     "GSK 928: calls may be nested",
+    pins="max_total_nesting",
     control=TE, source="source 001, nesting", evidence=SOURCE,
     program="""
         %1
@@ -1954,6 +1985,7 @@ case(
 )
 case(
     "GSK 928: M20 starts the program anew",
+    pins="m_codes_per_block restart_m_code",
     control=TE, source="K, M20", evidence=INFERRED,
     program="%1\nN0010 G0 X1\nN0020 M20\nN0030 G0 X3\n",
     max_cycles=2, runs="(N10 N20)*2", stop="cycles",
@@ -1993,6 +2025,7 @@ case(
 )
 case(
     "GSK 928: eighteen levels are legal",
+    pins="max_nesting",
     control=TE, source="source 001, nesting", evidence=SOURCE,
     program=part_chain(18),
     runs=" ".join(
@@ -2041,6 +2074,7 @@ case(
 )
 case(
     "GSK 928: M98 without P is an alarm",
+    pins="omitted_program",
     control=TE, source="source 001; no number is known", evidence=INFERRED,
     program="%1\nN0010 G0 X1\nN0020 M98 L2\nN0030 M02\n",
     runs="N10", alarm="program-number-missing", at="%1 N20",

@@ -57,6 +57,7 @@ TRIPLES = " ".join(f"{letter}{4 + 3 * k + i}" for k in range(10) for i, letter i
 
 case(
     "GSK: each letter of argument I sets the variable of the manual's table",
+    pins="whole_numbers macro_calls",
     control=FAMILIES, source="TA27, argument I; TDi28, argument I", evidence=MANUAL,
     program=macro_call(f"G65 P2 {LETTERS}"),
     runs="N10 N30 N20", calls="G65:O2",
@@ -70,6 +71,7 @@ case(
 )
 case(
     "GSK: ten triples of I, J and K set #4 to #33",
+    pins="argument_sets",
     control=FAMILIES, source="TA27, argument II; TDi28, argument II", evidence=MANUAL,
     program=macro_call(f"G65 P2 {TRIPLES}"),
     runs="N10 N30 N20", arguments={k: k for k in range(4, 34)},
@@ -118,6 +120,7 @@ case(
 )
 case(
     "GSK: an argument may be a variable",
+    pins="statements",
     control=FAMILIES, source="TA27; TDi28", evidence=INFERRED,
     program=macro_call("G65 P2 A#100 B-#100"),
     variables={100: 7.5}, runs="N10 N30 N20", arguments={1: 7.5, 2: -7.5},
@@ -136,6 +139,7 @@ case(
 )
 case(
     "GSK 988TA: X1, Y1, Z1, X2, Y2 and Z2 set #27 to #32",
+    pins="numbered_axis_arguments",
     control=TA, source="TA27, argument I; the form X1= is general knowledge", evidence=INFERRED,
     program=macro_call("G65 P2 X1=27.5 Y1=28.5 Z1=29.5 X2=30.5 Y2=31.5 Z2=32.5"),
     runs="N10 N30 N20",
@@ -188,6 +192,7 @@ case(
 )
 case(
     "GSK 988: G is no argument",
+    pins="codes_not_with_macro_call",
     control=FAMILY_988, source="TA27, argument I; Talm 212", evidence=SECONDARY,
     program=macro_call("G65 P2 A1 G1"),
     runs="", alarm="code-with-macro-call", number="212", at="O1 N10",
@@ -232,12 +237,14 @@ case(
 )
 case(
     "GSK 980: M98 does not change the level of the local variables",
+    pins="call_passes_words",
     control=FAMILY_980, source="TDi28, difference of G65 and M98 (2)", evidence=MANUAL,
     program="O1\nN10 #1=5\nN20 M98 P2\nN30 M30\nO2\nN40 #1=#1+1\nN50 M99\n",
     runs="N10 N20 N40 N50 N30", vars={1: 6},
 )
 case(
     "GSK 988: M98 opens no level of local variables",
+    pins="call_passes_words",
     control=FAMILY_988, source="TA27, note 4", evidence=INFERRED,
     program="O1\nN10 #1=5\nN20 M98 P2\nN30 M30\nO2\nN40 #1=#1+1\nN50 M99\n",
     runs="N10 N20 N40 N50 N30", vars={1: 6},
@@ -253,6 +260,7 @@ case(
 
 case(
     "GSK: G65 repeats L times",
+    pins="max_macro_digits",
     control=FAMILIES, source="TA27; TDi28, example G65 P1200 L2", evidence=MANUAL,
     program=macro_call("G65 P1200 L2", name="O1200"),
     runs="N10 N30*2 N20", calls="G65:O1200",
@@ -385,6 +393,7 @@ case(
 )
 case(
     "GSK 988: G65 without P is refused",
+    pins="h_codes",
     control=FAMILY_988, source="Talm 081", evidence=SECONDARY,
     program=macro_call("G65 A1"),
     runs="", alarm="program-number-missing", number="081", at="O1 N10",
@@ -431,6 +440,7 @@ case(
 for words in ("G0 X1", "M3", "G1"):
     case(
         f"GSK 988: {words} and G65 may not share a block",
+        pins="words_before_macro_call",
         control=FAMILY_988, source="TA27, note 3; Talm 212", evidence=SECONDARY,
         program=macro_call(f"{words} G65 P2"),
         runs="", alarm="macro-call-not-first", number="212", at="O1 N10",
@@ -443,6 +453,7 @@ case(
 )
 case(
     "GSK 988TA: the N of a macro call must stand first",
+    pins="sequence_number_first late_sequence_numbers",
     control=TA, source="TA27, note 6", evidence=MANUAL,
     program="O1\nN10 G0 X1\nG65 P2 N20\nN30 M30\nO2\nN40 M99\n",
     runs="N10", alarm="sequence-number-not-first", at="O1 N20",
@@ -450,6 +461,7 @@ case(
 for call in ("G65 P2", "G66 P2"):
     case(
         f"GSK 980: {call[:3]} must be the first word of its block",
+        pins="words_before_macro_call",
         control=FAMILY_980, source="MDia 114", evidence=MANUAL,
         program=macro_call(f"X1 {call}"),
         runs="", alarm="macro-call-not-first", number="0114", at="O1 N10",
@@ -457,6 +469,7 @@ for call in ("G65 P2", "G66 P2"):
 for code in ("M00", "M01", "M02", "M30", "M98", "M99"):
     case(
         f"GSK 980MDi: {code} may not share a block with G65",
+        pins="m_codes_not_with_macro_call",
         control=MDI, source="MDib 116", evidence=MANUAL,
         program=macro_call(f"G65 P2 A1 {code}"),
         runs="", alarm="m-code-with-macro-call", number="0116", at="O1 N10",
@@ -464,6 +477,7 @@ for code in ("M00", "M01", "M02", "M30", "M98", "M99"):
 for code in ("G43", "G44", "G49"):
     case(
         f"GSK 980MDi: {code} may not share a block with G65",
+        pins="codes_not_with_macro_call",
         control=MDI, source="MDib 115", evidence=MANUAL,
         program=macro_call(f"G65 P2 A1 {code}"),
         runs="", alarm="code-with-macro-call", number="0115", at="O1 N10",
@@ -475,6 +489,7 @@ M98, G65 = "M98 P{}", "G65 P{}"
 
 case(
     "GSK: four levels of macros are legal",
+    pins="max_macro_nesting",
     control=FAMILIES, source="TA27, note 2; TDi28, nesting", evidence=MANUAL,
     program=chain([G65] * 4), runs=chain_through(4), calls="G65:O2 G65:O3 G65:O4 G65:O5",
 )
@@ -558,6 +573,7 @@ case(
 )
 case(
     "GSK: G66 passes its arguments at each call",
+    pins="modal_locals",
     control=FAMILIES, source="TA27, G66 note 4; TDi28, G66 (3)", evidence=MANUAL,
     program="""
         O1
@@ -598,6 +614,7 @@ case(
 for words in ("M3", "S500", "M5", "G0 U0 W0", "#100=1"):
     case(
         f"GSK 988: a block of {words} does not call the macro of G66",
+        pins="modal_trigger",
         control=FAMILY_988, source="TA27, G66 example and note 3", evidence=MANUAL,
         program=f"O1\nN10 G66 P2\nN20 {words}\nN30 G67\nN40 M30\n" + MACRO,
         runs="N10 N20 N30 N40", calls="",
@@ -641,6 +658,7 @@ case(
 for call in ("M98 P2", "G65 P2", "G66 P2"):
     case(
         f"GSK 988: {call[:3]} is refused while G66 is active",
+        pins="calls_in_modal",
         control=FAMILY_988, source="TA27, G66 note 1; Talm 204", evidence=SECONDARY,
         program=f"O1\nN10 G66 P2\nN20 {call}\nN30 G67\nN40 M30\n" + MACRO,
         runs="N10", alarm="call-in-modal-call", number="204", at="O1 N20",
@@ -683,6 +701,7 @@ case(
 )
 case(
     "GSK 980: M98 is refused while G66 is active",
+    pins="calls_in_modal",
     control=FAMILY_980, source="MDia 113", evidence=MANUAL,
     program="O1\nN10 G66 P2\nN20 G0 X50\nN30 M98 P2\nN40 M30\n" + MACRO,
     runs="N10 N20 N90", alarm="call-in-modal-call", number="0113", at="O1 N30",
@@ -897,6 +916,7 @@ def result(claim, words, value, **row):
     row = {"source": "TDi28, table of G65 H", "evidence": MANUAL, **row}
     case(
         f"GSK 980TDi: {claim}",
+        pins="h_codes",
         control=TDI, program=f"O1\nN10 G65 {words}\nN20 M30\n",
         variables={100: 3, 101: 12, 102: -4.5}, runs="N10 N20", vars={100: value}, **row,
     )
@@ -1053,6 +1073,7 @@ case(
 )
 case(
     "GSK 980: H99 P101 is outside the range",
+    pins="h_codes",
     control=FAMILY_980, source="MDia 126", evidence=MANUAL,
     program="O1\nN10 G65 H99 P101\nN20 M30\n",
     runs="", alarm="illegal-user-alarm", number="0126", at="O1 N10",
@@ -1236,6 +1257,7 @@ def function(claim, expression, value, control=FAMILIES, **row):
     row = {"source": "TDi29, arithmetic", "evidence": MANUAL, **row}
     case(
         f"GSK: {claim}",
+        pins="angle_unit functions",
         control=control, program=f"O1\nN10 #100={expression}\nN20 M30\n",
         variables={101: -1.2}, runs="N10 N20", vars={100: value}, **row,
     )
@@ -1309,6 +1331,7 @@ def bad_function(claim, expression, cause, number, control=FAMILIES, **row):
     row = {"source": f"MDia {number}", "evidence": SECONDARY, **row}
     case(
         f"GSK: {claim}",
+        pins="max_brackets negative_logic",
         control=control, program=f"O1\nN10 #100=3\nN20 #100={expression}\nN30 M30\n",
         runs="N10", alarm=cause, number=number, at="O1 N20", vars={100: 3}, **row,
     )
@@ -1404,6 +1427,7 @@ for word, sign, less, equal, greater in (
     for operator, control in ((word, FAMILIES), (sign, [TDI])):
         case(
             f"GSK: {operator} compares less, equal and greater as its table says",
+            pins="if_form max_condition_length",
             control=control, source="TDi29, conditions", evidence=MANUAL,
             program=f"""
                 O1
@@ -1444,6 +1468,7 @@ case(
 )
 case(
     "GSK: GOTO reaches N99999",
+    pins="max_sequence_number max_jump_number",
     control=FAMILIES, source="Talm 213; TDi29, GOTO", evidence=MANUAL,
     program="O1\nN10 GOTO 99999\nN20 G0 X1\nN99999 M30\n", runs="N10 N99999",
 )
@@ -1512,6 +1537,7 @@ case(
 )
 case(
     "GSK: WHILE runs its loop while the condition is true",
+    pins="loop_form",
     control=FAMILIES, source="TDi29, WHILE", evidence=MANUAL,
     program="O1\nN10 WHILE[#100 LT 3]DO1\nN20 #100=#100+1\nN30 END1\nN40 M30\n",
     variables={100: 0}, runs="(N10 N20 N30)*3 N10 N40", vars={100: 3},
@@ -1539,6 +1565,7 @@ case(
 )
 case(
     "GSK: three loops inside each other are legal",
+    pins="max_loop_number max_loops",
     control=FAMILIES, source="TDi29, WHILE", evidence=MANUAL,
     program="""
         O1
@@ -1662,6 +1689,7 @@ case(
 for statement in ("GOTO 10", "IF[1 EQ 1]GOTO 10", "WHILE[1 EQ 2]DO1\nN7 END1"):
     case(
         f"GSK 988: {statement[:8].rstrip()} is refused in MDI",
+        pins="jumps_in_mdi",
         control=FAMILY_988, source="Talm 208", evidence=SECONDARY,
         program="O1\nN10 M30\n", mdi=f"N5 G0 X1\nN6 {statement}",
         runs="N5", alarm="jump-in-mdi", number="208",

@@ -110,6 +110,7 @@ case(
 )
 case(
     "HNC: M98 without P is refused",
+    pins="omitted_program",
     control=HNC, source="general knowledge, M98 without P", evidence="inferred",
     program="""
         %1
@@ -208,6 +209,7 @@ case(
 
 case(
     "HNC: M99 in the main program starts it over",
+    pins="main_return",
     control=HNC, source="general knowledge; source 003, M99 in the main program",
     evidence="inferred",
     program="""
@@ -231,6 +233,7 @@ case(
 )
 case(
     "HNC: M99 P in a subprogram is refused",
+    pins="return_with_p",
     control=HNC, source="general knowledge, M99 P not supported (weak)", evidence="inferred",
     program="""
         %1
@@ -290,6 +293,7 @@ case(
 )
 case(
     "HNC: a main program without M30, M02 or M99 is refused at its end",
+    pins="missing_end",
     control=HNC, source="general knowledge, file ends without M30, M02 or M99",
     evidence="inferred",
     program="""
@@ -342,6 +346,7 @@ case(
 )
 case(
     "HNC: a program that calls itself goes nine levels deep",
+    pins="self_call",
     control=HNC, source="HS, MAX_PROG_NUM 9", evidence="inferred",
     program="""
         %1
@@ -660,6 +665,7 @@ case(
 )
 case(
     "HNC: nine IF inside each other are legal",
+    pins="max_ifs",
     control=HNC, source="HS, MAX_NEST_NUM 9", evidence="inferred",
     program="%1\n" + "".join(f"N{k} IF #50 EQ 1\n" for k in range(1, 10)) + "N20 S1\n"
     + "ENDIF\n" * 9 + "N30 M30\n",
@@ -776,6 +782,7 @@ case(
 )
 case(
     "HNC: a tenth WHILE inside is refused",
+    pins="max_loops",
     control=HNC, source="HS, MAX_NEST_NUM 9", evidence="inferred",
     program="%1\n" + "".join(f"N{k} WHILE #50 EQ 1\n" for k in range(1, 11)) + "N20 #50=2\n"
     + "ENDW\n" * 10 + "N30 M30\n",
@@ -885,6 +892,7 @@ case(
 )
 case(
     "HNC: there is no GOTO",
+    pins="jumps",
     control=HNC, source="general knowledge, no GOTO in HNC-21", evidence="inferred",
     program="""
         %1
@@ -914,6 +922,7 @@ for claim, text, value in [
 ]:
     case(
         f"HNC expressions: {claim}, {text} is {value}",
+        pins="angle_unit",
         control=HNC, source="H9, constants; general knowledge, functions", evidence="inferred",
         program=f"""
             %1

@@ -104,6 +104,7 @@ case(
 )
 case(
     "a program that guards a signal raises its own alarm where the signal is off",
+    pins="user_alarm_offset",
     control=ALL, source="GED, #3000; MZ 979; general knowledge, interface inputs",
     evidence="inferred",
     program="""
@@ -273,6 +274,7 @@ for stops, text in [("M00", "M00"), ("M01 with its switch on", "M01")]:
     """
     case(
         f"where nobody asks the operator, cycle start follows {stops}",
+        pins="restart_m_code",
         control=ALL, source=OPERATOR, evidence="inferred", program=TWO_STOPS, optional_stop=True,
         runs="N10 N20 N30 N40",
     )

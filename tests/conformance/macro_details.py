@@ -19,6 +19,7 @@ case(
 )
 case(
     "SQR and RND stand for SQRT and ROUND",
+    pins="statements functions",
     control=MITSUBISHI, source="general knowledge", evidence="inferred",
     program="""
         O1
@@ -94,6 +95,7 @@ case(
 )
 case(
     "while a modal macro call is active IF and GOTO jump",
+    pins="if_form jumps max_condition_length macro_calls",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta"], source="general knowledge, G66", evidence="inferred",
     program="""
         O1
@@ -112,6 +114,7 @@ case(
 )
 case(
     "while a modal macro call is active loops run",
+    pins="loop_form",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta"], source="general knowledge, G66", evidence="inferred",
     program="""
         O1
@@ -144,6 +147,7 @@ case(
 EVERY_BLOCK = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 case(
     "under G66.1 macro statements, calls and the end of the program are what they are",
+    pins="calls_in_modal",
     control=EVERY_BLOCK, source="general knowledge, G66.1", evidence="inferred",
     program="""
         O1
@@ -164,6 +168,7 @@ case(
 )
 case(
     "under G66.1 every letter has its variable",
+    pins="modal_every_block",
     control=EVERY_BLOCK, source="general knowledge, G66.1", evidence="inferred",
     params={"3401#0": 1},
     program="""
@@ -338,6 +343,7 @@ case(
 )
 case(
     "the cosine of an angle beyond one turn, and of one below zero",
+    pins="angle_unit functions",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta"], source="general knowledge, COS", evidence="inferred",
     program="""
         O1
@@ -350,6 +356,7 @@ case(
 )
 case(
     "NOT turns a condition round",
+    pins="if_form",
     control="hnc-21m", source="general knowledge, NOT", evidence="inferred",
     program="""
         %1
@@ -366,6 +373,7 @@ case(
 )
 case(
     "AR asks for a local variable: a common one is refused",
+    pins="functions",
     control="hnc-21m", source="general knowledge, AR", evidence="inferred",
     program="%1\nN10 T1\nN20 #50=AR[#500]\nN30 M30\n",
     runs="N10", alarm="illegal-variable", at="%1 N20",
@@ -397,6 +405,7 @@ case(
 )
 case(
     "H80 jumps in no program of MDI",
+    pins="jumps_in_mdi",
     control=["gsk-980tdi", "gsk-980mdi"], source="policy, jumps in MDI", evidence="inferred",
     program="O1\nN10 M30\n", mdi="G65 H80 P10",
     runs="", alarm="jump-in-mdi",
@@ -512,6 +521,7 @@ case(
 )
 case(
     "only where the control knows short names GO is GOTO",
+    pins="bare_g short_functions",
     control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi"],
     source="policy: no source has it; Talm 005, MDia 003", evidence="inferred",
     program="O1\nN10 #100=1\nN20 GO 30\nN30 M30\n",
@@ -546,6 +556,7 @@ case(
 )
 case(
     "an M code beside a straight move is sent and the move is made",
+    pins="max_feed",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta", "hnc-21m"], source="general knowledge", evidence="inferred",
     program="O1\nN10 G1 X10. F100 M8\nN20 M30\n",
     runs="N10 N20", m=[8], moves_x=[10],
@@ -572,6 +583,7 @@ case(
 )
 case(
     "there are two arguments of X with a number: X3= is none",
+    pins="numbered_axis_arguments",
     control=["gsk-988ta", "gsk-988t"], source="TA27, argument I; general knowledge", evidence="inferred",
     program="""
         O1
@@ -603,11 +615,13 @@ for _use, (_text, _vars) in _POINTED.items():
     _program = f"O1\n{_open}N10 #504=2\nN20 {_text}\nN30 M30\nO2\nN40 #100=#1\nN50 M99"
     case(
         f"a Mitsubishi's variable with a point behind its number is {_use}",
+        pins="variable_point",
         control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
         source=_POINT, evidence="secondary", program=_program, vars=_vars,
     )
     case(
         f"no other control has a variable with a point behind its number {_use}",
+        pins="variable_point",
         control=_on, source="policy, nobody says", evidence="inferred", program=_program,
         runs="N10", alarm="illegal-variable", at="O1 N20", vars={504: 2},
         number={name: "115" if name == "fanuc-16i" else "PS0115" if name in FANUC
@@ -615,6 +629,7 @@ for _use, (_text, _vars) in _POINTED.items():
     )
 case(
     "HNC: a variable's number has no point behind it",
+    pins="variable_point",
     control="hnc-21m", source="policy, nobody says", evidence="inferred",
     program="%1\nN10 #50=2\nN20 #50.=7\nN30 M30",
     runs="N10", alarm="illegal-variable", number=None, at="%1 N20", vars={50: 2},

@@ -37,6 +37,7 @@ for _controls, _params, _source in MILLS:
     _evidence = "inferred" if _controls == FANUC else "secondary"
     case(
         f"G37 adds to the length how far off the tool arrives, on a mill of {name(_controls)}",
+        pins="measuring measuring_subtracts",
         control=_controls, source=_source, evidence=_evidence, params=_params, setup=MILL,
         inputs={"skips": {"ZAE": [{"Z": 12}, {"Z": 9.5}], 1: [{"Z": 11}]}},
         program="""
@@ -170,6 +171,7 @@ for _controls, _params, _source in LATHES:
     _evidence = {"gsk-980tdi": "maker's manual", "gsk-988ta": "secondary"}.get(_controls[0], "inferred")
     case(
         f"G36 measures X and G37 Z of a tool, on a lathe of {name(_controls)}",
+        pins="measuring measuring_subtracts",
         control=_controls, source=_source, evidence=_evidence, params=_params, setup=LATHE,
         inputs={"skips": {"XAE": [{"X": 201.5}], "ZAE": [{"Z": 94}]}},
         program="""
@@ -254,6 +256,7 @@ case(
 
 case(
     "G37.1 measures from R before the point, within D of it, at F; the length counts at once",
+    pins="measuring measuring_subtracts",
     control=MITSUBISHI, source="M7 p.555", evidence="secondary", params=OF_8004,
     setup=MILL, inputs={"skips": {1: [{"Z": 12}, {"Z": 8}], "ZAE": [{"Z": 10}]}},
     program="""

@@ -61,6 +61,7 @@ case(
 )
 case(
     "L may stand in front of P",
+    pins="start_word",
     control=EVERY, source="source 004, M98 P_ H_ L_", evidence="inferred",
     program="""
         O1
@@ -87,6 +88,7 @@ case(
 )
 case(
     "9999 repeats are allowed on a Mitsubishi",
+    pins="max_repeats",
     control=EVERY, source="source 004, at most 9999 times", evidence="source document",
     program="""
         O1
@@ -99,6 +101,7 @@ case(
 )
 case(
     "10000 repeats are refused on a Mitsubishi",
+    pins="too_many_repeats",
     control=EVERY, source="source 004, at most 9999 times; SK P35", evidence="inferred",
     program="""
         O1
@@ -111,6 +114,7 @@ case(
 )
 case(
     "a negative repeat count is refused on a Mitsubishi",
+    pins="minus_addresses",
     control=EVERY, source="SK P35; general knowledge", evidence="inferred",
     program="""
         O1
@@ -177,6 +181,7 @@ case(
 )
 case(
     "a subprogram shares the local variables of its Mitsubishi caller",
+    pins="call_passes_words",
     control=EVERY, source="SM, differences of M98 and G65 (5)", evidence="maker's manual",
     program="""
         O1
@@ -290,6 +295,7 @@ case(
 )
 case(
     "a program number of eight nines is callable",
+    pins="max_program_number max_program_digits",
     control=EVERY, source="IMD, P", evidence="secondary",
     program="""
         O1
@@ -392,6 +398,7 @@ case(
 )
 case(
     "N0 is refused as a sequence number",
+    pins="zero_numbers",
     control=EVERY, source="MZ 811; general knowledge P37", evidence="inferred",
     program="""
         O1
@@ -593,6 +600,7 @@ case(
 
 case(
     "L0 leaves the call out and the next block follows",
+    pins="zero_repeats",
     control=EVERY, source="source 004, note 3", evidence="source document",
     program="""
         O1
@@ -661,6 +669,7 @@ case(
 )
 case(
     "P from a variable is rounded to the nearest number",
+    pins="call_values",
     control=EVERY, source="general knowledge, P#100", evidence="inferred",
     program="""
         O1
@@ -787,6 +796,7 @@ case(
 )
 case(
     "MELDAS: no frame is open after an M98 that jumps, so M99 starts the main program over",
+    pins="main_return",
     control=MELDAS, source="source 004, P omitted", evidence="inferred",
     program="""
         O1
@@ -947,6 +957,7 @@ case(
 
 case(
     "from the M700 on M98 H without P calls its own program and M99 comes back",
+    pins="omitted_program",
     control=NEWER, source="IMD, P omitted", evidence="secondary",
     program="""
         O1
@@ -1047,6 +1058,7 @@ case(
 )
 case(
     "a program that calls its own number with H runs its part and comes back",
+    pins="self_call",
     control=EVERY, source="source 004, P and H", evidence="inferred",
     program="""
         O1
@@ -1261,6 +1273,7 @@ case(
 )
 case(
     "M99 in a main program starts it over without end",
+    pins="main_return",
     control=EVERY, source="source 004, M99 in the main program", evidence="source document",
     program="""
         O1
@@ -1341,6 +1354,7 @@ case(
 )
 case(
     "a Mitsubishi M99 L0 returns at once whatever repeats are left",
+    pins="return_with_l",
     control=EVERY, source="OB, M99 L; engine decision", evidence="inferred",
     program="""
         O1
@@ -1408,6 +1422,7 @@ case(
 )
 case(
     "a Mitsubishi main program without M02, M30 or M99 is P36",
+    pins="missing_end",
     control=EVERY, source="SK P36", evidence="secondary",
     program="""
         O1
@@ -1480,6 +1495,7 @@ case(
 )
 case(
     "MELDAS: a macro over four subprograms is P230",
+    pins="nesting_counts_macros",
     control=MELDAS, source="SM (6); source 004, note on levels", evidence="inferred",
     program=chain(5).replace("N5 M98 P6", "N5 G65 P6"),
     runs=way_in(4), alarm="nesting-too-deep", number="P230", at="O5 N5",
@@ -1522,6 +1538,7 @@ case(
 
 case(
     "M198 runs the program of the external device",
+    pins="external_calls",
     control=NEWER, source="CW, M198", evidence="secondary",
     program="""
         O1
@@ -1684,6 +1701,7 @@ case(
 )
 case(
     "M198 of a file name looks for the file on the device",
+    pins="name_marks",
     control=NEWER, source="CW, M198; IMD", evidence="inferred",
     program="""
         O1
@@ -1717,6 +1735,7 @@ case(
 )
 case(
     "M98 with ,D1 takes the program from the device",
+    pins="device_word",
     control=NEWER, source="IMD, ,D", evidence="inferred",
     program="""
         O1
@@ -1841,6 +1860,7 @@ case(
 )
 case(
     "a file name of 32 characters is callable",
+    pins="max_name_length",
     control=NEWER, source="IMD, 32 characters with the extension", evidence="secondary",
     files={"O1.NC": "O1\nN10 M98 <ABCDEFGHIJKLMNOPQRSTUVWXYZ012.NC>\nN20 M30\n",
            "ABCDEFGHIJKLMNOPQRSTUVWXYZ012.NC": "N210 M99\n"},
@@ -1878,6 +1898,7 @@ case(
 )
 case(
     "from the M700 on the file's name is called and not the O inside",
+    pins="file_name_wins",
     control=NEWER, source="IMD2", evidence="secondary",
     files={"O1.NC": "O1\nN10 M98 P200\nN20 M30\n", "200.NC": "O300\nN310 M99\n"},
     main="O1", runs="N10 N310 N20",
@@ -1897,6 +1918,7 @@ case(
 )
 case(
     "MELDAS calls by the O inside the file",
+    pins="file_name_wins",
     control=MELDAS, source="general knowledge", evidence="inferred",
     files={"O1.NC": "O1\nN10 M98 P300\nN20 M30\n", "200.NC": "O300\nN310 M99\n"},
     main="O1", runs="N10 N310 N20", calls="M98:O300",

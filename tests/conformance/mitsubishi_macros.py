@@ -103,6 +103,7 @@ case(
 )
 case(
     "a second I, J, K group goes on with #7, #8 and #9",
+    pins="argument_sets",
     control=EVERY, source="general knowledge, argument II", evidence="inferred",
     program="""
         O1
@@ -271,6 +272,7 @@ case(
 )
 case(
     "H of a G65 block is an argument and no start block",
+    pins="h_codes",
     control=EVERY, source="SM, differences of M98 and G65 (2)", evidence="maker's manual",
     program="""
         O1
@@ -296,6 +298,7 @@ case(
 )
 case(
     "words in front of G65 are ordinary words",
+    pins="words_before_macro_call",
     control=EVERY, source="general knowledge, arguments follow G65", evidence="inferred",
     program="""
         O1
@@ -405,6 +408,7 @@ case(
 
 case(
     "four macros inside each other are legal",
+    pins="max_macro_nesting",
     control=EVERY, source="SM (6)", evidence="maker's manual",
     program="O1\nN1 G65 P2\nN101 M30\n" + macro_chain(4),
     runs="N1 N2 N3 N4 N5 N105 N104 N103 N102 N101",
@@ -465,6 +469,7 @@ case(
 )
 case(
     "M800: a fourth macro over seven subprograms is P230",
+    pins="nesting_counts_macros",
     control=M800, source="SM (6); general knowledge, total 10", evidence="inferred",
     program="O1\nN1 M98 P2\nN101 M30\n"
     + "".join(f"O{k}\nN{k} M98 P{k + 1}\nN{100 + k} M99\n" for k in range(2, 8))
@@ -775,6 +780,7 @@ case(
 )
 case(
     "inside a macro that a G code called, a calling G code is the plain code",
+    pins="g_codes_complete code_cascade",
     control=EVERY, source="general knowledge, G-code call", evidence="inferred",
     program="""
         O1
@@ -1278,6 +1284,7 @@ case(
 )
 case(
     "M800: ten IF blocks inside each other are legal",
+    pins="max_ifs",
     control=M800, source="general knowledge, IF nesting 10", evidence="inferred",
     program="O1\n" + "".join(f"N{k} IF[1 EQ 1]THEN\n" for k in range(1, 11)) + "N20 S1\n"
     + "ENDIF\n" * 10 + "N30 M30\n",
@@ -1321,6 +1328,7 @@ case(
 )
 case(
     "DO127 is a loop like any other",
+    pins="max_loop_number",
     control=EVERY, source="general knowledge, m 1 to 127", evidence="inferred",
     program="""
         O1
@@ -1456,6 +1464,7 @@ case(
 )
 case(
     "27 loops inside each other are legal",
+    pins="max_loops",
     control=EVERY, source="MZ 867", evidence="secondary",
     program="O1\n" + loops(27, "N90 S1\n") + "N99 M30\n",
     runs=" ".join(f"N{k}" for k in range(1, 28)) + " N90 "
@@ -1470,6 +1479,7 @@ case(
 )
 case(
     "loops that are open in the caller count with those of the subprogram",
+    pins="loops_count_across_calls",
     control=EVERY, source="general knowledge, 27 over the calling chain", evidence="inferred",
     program="O1\n" + loops(27, "N90 M98 P200\n") + "N99 M30\n"
     "O200\nN210 WHILE[#150 LT 1]DO1\n#150=1\nN220 END1\nN230 M99\n",
@@ -1898,6 +1908,7 @@ case(
 )
 case(
     "SETVN gives two variables their names",
+    pins="variable_names",
     control=EVERY, source="MZ 866; general knowledge, SETVN", evidence="inferred",
     program="""
         O1

@@ -235,6 +235,7 @@ for _controls, _most, _number, _source, _evidence in (
         case(
             f"{_count} modal calls {'are too many' if _fails else 'may be active'} where {_most} are the most, "
             f"and G67 takes them away one by one on {_controls if isinstance(_controls, str) else _controls[0]}",
+            pins="max_modal_calls",
             control=_controls, source=_source, evidence=_evidence,
             program=f"O1\nN1 G66 P2\n{_moves}{_cancels}N700 M30\n{_macros}",
             runs=_runs[: _runs.rindex(" N", 0, _runs.rindex(" N"))] if _fails

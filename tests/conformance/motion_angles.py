@@ -29,6 +29,7 @@ def both(claim, *blocks, moves, setup=LATHE):
             text = text.replace(",C", "L").replace(",R", "D")
         case(
             f"{claim}, by {name}", control=controls, **tags, setup=setup, params=params,
+            pins="point_addresses round_words angle_words",
             program=f"O1\nN5 G98 S100 M3 F100.\n{text}\nN90 M30", moves=moves,
         )
 
@@ -82,6 +83,7 @@ case(
 )
 case(
     "an angle of a mill counts from the first axis of its plane", control=MITSUBISHI,
+    pins="angles_on_mills",
     source="general knowledge, linear angle command", evidence="inferred",
     setup={"machine": "mill"},
     program="O1\nN10 G90 G1 X10. ,A45. F100.\nN20 G1 ,A90.\nN30 X0 Y30. ,A180.\nN40 M30",
@@ -126,6 +128,7 @@ for _controls, _setup, _number in (
 ):
     case(
         f"{', '.join(_controls)}: ,A is no word here", control=_controls,
+        pins="point_addresses angle_words angles_on_mills",
         source="policy: no wrong move without a word", evidence="inferred", setup=_setup,
         program="O1\nN5 S100 M3\nN10 G1 X40. ,A150. F100.\nN20 M30", alarm="address-not-usable",
         number=_number, at="O1 N10",

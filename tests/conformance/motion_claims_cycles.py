@@ -37,6 +37,7 @@ for _claim, _blocks, _time in (
 ):
     case(
         _claim, control=LATHES, source="TDi 25; FANUC: general knowledge", evidence="inferred",
+        pins="g_meanings",
         setup=LATHE | _AT, program=lines("M3", *_blocks, "G99 G1 Z-10. F0.1"), time=_time,
     )
 case(
@@ -46,16 +47,19 @@ case(
 )
 case(
     "X of a dwell counts milliseconds without a point, seconds with one", control=MITSUBISHI,
+    pins="dwell_words dwell_x_increments",
     source="general knowledge; M7 p.203: G4 X1000", evidence="inferred",
     program=lines("G4 X1000", "G4 X2.", "G4 P500"), time=3.5,
 )
 case(
     "X of a dwell counts seconds without a point too", control=[*GSK_988, TDI, MDI, "gsk-928te", HNC],
+    pins="dwell_words dwell_x_increments",
     source="TDi 14; source 003, G04", evidence="maker's manual",
     program=lines("G4 X2", "G4 X1."), time=3,
 )
 case(
     "a drilling cycle is repeated 99 times at the most", control=GSK_988, source="TA 24; Talm 181",
+    pins="cycle_repeats max_cycle_repeats",
     evidence="maker's manual", setup=LATHE | _AT,
     program=lines("G99 M3 S500 F0.1", "G83 Z-5. R-2. K100"), alarm="cycle-repeats", number="181",
 )
@@ -91,6 +95,7 @@ case(
 )
 case(
     "X of a dwell without a point counts milliseconds on a FANUC", control=FANUC, **KNOWN,
+    pins="dwell_words",
     setup=MILL, program=lines("G4 X2500", "G4 X2.5"), moves="W 2.5\nW 2.5",
 )
 case(
@@ -114,15 +119,18 @@ for _controls, _claim, _of in (
 # Radius offset
 case(
     "G41 without a D ever given offsets nothing", control=[*FANUC, MDI, HNC], **KNOWN, setup=D,
+    pins="power_on_incremental missing_radius_offset",
     program=lines("G41 G1 X10. Y10. F100", "Y50."), centre="X10 Y10 | X10 Y50",
 )
 case(
     "a start-up ends on its own D, whatever the D of the next block", control=MILLS,
+    pins="power_on_incremental round_words",
     source="15iM p.402", evidence="secondary", setup=D,
     program=lines("G41 G1 X10. Y10. D1 F100", "Y50. D2", "X60."), centre="X5 Y10 | X7 Y53 | X60 Y53",
 )
 case(
     "G41 without a D ever given alarms on a Mitsubishi", control=MITSUBISHI,
+    pins="missing_radius_offset",
     source="MZ 839, paired with P170", **ALARMS, setup=D,
     program=lines("G41 G1 X10. Y10. F100", "Y50."),
     alarm="radius-offset-number", number="P170", at="O1 N10",
@@ -145,6 +153,7 @@ case(
 )
 case(
     "the start-up of type B goes around an acute corner",
+    pins="power_on_incremental acute_corner",
     control=[*FANUC, TA], source="16MC p.293; the way: general knowledge", evidence="inferred",
     setup=D, params={"5003#0": 1},
     program=lines("G17 G41 G1 X20. Y0 D1 F100", "X0 Y-30.", "X-20."),
@@ -196,6 +205,7 @@ for _stop in ("M00", "M01"):
 # Length offset, tools
 case(
     "G43 without an axis moves Z by the offset at once, G49 back", control=MILLS, **KNOWN, setup=H,
+    pins="length_type",
     program=lines("G0 Z5.", "G43 H1", "G49"), centre="Z5 | Z15 | Z5",
 )
 case(
@@ -219,6 +229,7 @@ for _code in ("G3 X10 R5 F100", "G31 Z5 F100", "G92 Z5"):
     )
 case(
     "with 5002#0 = 0 the last digit of T names the offset", control=TA, source="TApar 5002#0",
+    pins="machine",
     evidence="maker's manual", params={"5002#0": 0}, setup={"tools": {1: {"X": 1, "Z": 2}}},
     program=lines("G0 X0 Z0", "T11", "X10 Z10"), final_machine="X11 Z12",
 )
@@ -229,6 +240,7 @@ for _tip, _x, _z in (
 ):
     case(
         f"a nose with tip {_tip} leads its imaginary point beside the contour",
+        pins="tool_offset_digits",
         control=LATHES, source="TDi 8; FANUC: general knowledge", evidence="inferred",
         setup=LATHE | {"start": {"X": 100, "Z": 10}, "tools": {1: {"R": 2, "tip": _tip}}},
         program=lines("M3 S100 T0101", "G42 G1 X90. Z0 F0.2", "Z-20.", "X100."),
@@ -257,6 +269,7 @@ for _claim, _blocks, _moves in (
     )
 case(
     "G33 ends a cycle", control=[*FANUC, *MITSUBISHI], **KNOWN, setup=_MILL,
+    pins="g_meanings",
     program=lines("G0 Z20.", "M3 S100", _FIRST, "G33 Z-20. F1."),
     moves=f"R Z20\n{_HOLE}T Z-20",
 )
@@ -285,6 +298,7 @@ for _code, _wait, _up in (
 ):
     case(
         f"{_code} comes out of its hole as it should", control=[*FANUC, *MITSUBISHI, MDI], **KNOWN,
+        pins="dwell_p_seconds",
         setup=_MILL, program=lines("M3 S500", f"G98 {_code} X10. Z-5. R2. P500 F100"),
         moves=f"R X10\nR Z2\nF Z-5\n{_wait}{_up}",
     )
@@ -311,6 +325,7 @@ case(
 )
 case(
     "behind G71 the 988 runs what stands before its profile, and the profile", control=GSK_988,
+    pins="contour_behind",
     source="TA 8", evidence="maker's manual", setup=LATHE | {"start": {"X": 24, "Z": 2}},
     program="O1\nN10 G98 F100\nN20 G71 U2. R1.\nN30 G71 P50 Q60 U0 W0\nN40 M8\n"
     "N50 G1 X20.\nN60 Z-10.\nN90 M30",
@@ -318,6 +333,7 @@ case(
 )
 case(
     "behind G71 the run goes on behind the profile, wherever it stands", control=[*FANUC, TDI],
+    pins="contour_behind",
     source="TDi 23.1; FANUC: general knowledge", evidence="inferred", setup=LATHE | {"start": {"X": 24, "Z": 2}},
     program="O1\nN10 G98 F100\nN20 G71 U2. R1.\nN30 G71 P50 Q60 U0 W0\nN40 M8\n"
     "N50 G1 X20.\nN60 Z-10.\nN90 M30",
@@ -395,6 +411,7 @@ for _back, _modes in ((0, {"motion": "G01", "feed_mode": "G98"}),
                       (1, {"motion": "G00", "feed_mode": "G99"})):
     case(
         f"3402#6 = {_back} says what M30 leaves of the modal codes of the 988TA", control=TA,
+        pins="power_on_line power_on_per_minute",
         source="TApar 3402#6", evidence="maker's manual", params={"3402#6": _back},
         program=lines("G98 G1 X1 F77"), modal_after_reset=_modes,
     )

@@ -34,6 +34,7 @@ def program(*blocks):
 def moves(claim, controls, *blocks, source="general knowledge", evidence="inferred", **keywords):
     case(
         claim, control=controls, source=source, evidence=evidence, program=program(*blocks),
+        pins="max_words repeated_address no_radius radius_needs_travel max_rotation rotation_words",
         **keywords,
     )
 

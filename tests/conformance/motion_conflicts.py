@@ -21,6 +21,7 @@ def refused(claim, control, first, second, cause, number, source, setup=MILL, ev
     evidence = evidence or ("maker's manual" if source.startswith(("MDib", "TA")) else "secondary")
     case(
         claim, control=control, source=source, evidence=evidence, setup=setup,
+        pins="max_extra_systems",
         program=f"O1\nN10 {first}\nN20 {second}\nN30 M30",
         runs="N10", alarm=cause, number=number, at="O1 N20",
     )
@@ -30,6 +31,7 @@ def taken(claim, control, first, second, setup=MILL):
     """The second block runs behind the first."""
     case(
         claim, control=control, source="no alarm is known", evidence="inferred", setup=setup,
+        pins="refuses set_coordinate_alarms",
         program=f"O1\nN10 {first}\nN20 {second}\nN30 M30",
         runs="N10 N20 N30",
     )
@@ -187,6 +189,7 @@ for _code in "G98 G1 X10 F100", "G69.1", "G18", "G80":
     taken(f"{_code} may stand in a rotation of the 988", GSK_988, "G68.1 X0 Z0 R30", _code, LATHE)
 case(
     "a chamfer in the block of G41 alarms on the 988",
+    pins="chamfer_words",
     control=GSK_988, source="Talm 271", evidence="secondary", setup=LATHE,
     program="O1\nN10 G0 X0\nN20 G41 G01 X10 F100 ,C1\nN30 Z-10\nN40 M30",
     runs="N10", alarm="corner-at-offset-start", number="271", at="O1 N20",

@@ -15,12 +15,14 @@ def on_fanuc(number):
 
 case(
     "I behind a move along Z is a chamfer towards X, K behind one along X a chamfer towards Z",
+    pins="chamfer_ik",
     control=FANUC, **KNOWN, setup=AT,
     program="O1\nN10 G1 Z-20. I3. F0.2\nN20 X50. K-2.\nN30 Z-40.\nN40 M30",
     moves="F Z-17\nF X26 Z-20\nF X46 Z-20\nF X50 Z-22\nF Z-40",
 )
 case(
     "I and K are no chamfer", control=OTHERS, **KNOWN, setup=AT,
+    pins="chamfer_ik",
     program="O1\nN10 G97 S100 G1 Z-20. I3. F0.2\nN20 X50. K-2.\nN30 Z-40.\nN40 M30",
     moves="F Z-20\nF X50\nF Z-40",
 )

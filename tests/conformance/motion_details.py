@@ -160,6 +160,7 @@ case(
 )
 case(
     "on the 980TDi G33 taps: in and out again",
+    pins="g_meanings",
     control="gsk-980tdi", source="TDi 24.5", evidence="maker's manual",
     program="""
         O1
@@ -176,6 +177,7 @@ case(
 )
 case(
     "G54 to G59 beside G50 of a lathe select nothing",
+    pins="machine",
     control="gsk-980tdi", source="TDi 21 note 6", evidence="maker's manual",
     setup={"work_offsets": {"G55": {"X": 10, "Z": 20}}},
     program="""
@@ -189,6 +191,7 @@ case(
 )
 case(
     "G87 of a lathe drills along X",
+    pins="drill_retract",
     control="gsk-988ta", source="TA 24", evidence="maker's manual",
     program="""
         O1
@@ -298,6 +301,7 @@ case(
 )
 case(
     "an arc whose end lies a hair beside its start, and as far round, is a whole circle",
+    pins="arc_tolerance",
     control=["gsk-988ta", "mitsubishi-m700"], source="general knowledge: the radii differ within the tolerance",
     evidence="inferred", setup=MILL,
     program="""
@@ -399,6 +403,7 @@ case(
 )
 case(
     "an arc of the profile stops only the cuts that cross it",
+    pins="escape",
     control=["gsk-988ta", "gsk-980tdi"], source="TDi 23.1; TA 8; geometry", evidence="inferred",
     # At X18 the arc lies sqrt(25 - 1) behind its centre at X20 Z-10.
     program="""
@@ -494,6 +499,7 @@ case(
 )
 case(
     "a block without a position drills no hole",
+    pins="machine drill_retract",
     control=["gsk-988ta", "gsk-988t"], source="TA 24; policy", evidence="inferred",
     program="""
         O1
@@ -553,6 +559,7 @@ case(
 )
 case(
     "a feed per revolution without a speed alarms",
+    pins="machine",
     control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800", "gsk-980mdi"],
     source="general knowledge, P132; MDib 0013", evidence="inferred",
     program="""

@@ -168,7 +168,7 @@ NO_F = {
 
 
 def never_given(claim, program, control, alarm="no-feed", numbers=_NUMBERS, **more):
-    case(claim, control=control, alarm=alarm, number={c: numbers[c] for c in control},
+    case(claim, pins="power_on_feed", control=control, alarm=alarm, number={c: numbers[c] for c in control},
          program=program, **{**NO_F, **more})
 
 

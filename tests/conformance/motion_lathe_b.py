@@ -24,6 +24,7 @@ for _claim, _program, _moves in (
     _text = f"O1\n{_program}\nN90 M30"
     case(
         f"with 3401#6 {_claim}", control=TA, **TAPAR, setup=AT, params={"3401#6": 1},
+        pins="power_on_incremental thread_chamfer",
         program=_text, moves=_moves,
     )
     case(f"in system B {_claim}", control=FANUC, **KNOWN, setup=B, program=_text, moves=_moves)

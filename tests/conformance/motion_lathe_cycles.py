@@ -31,6 +31,7 @@ def alarms(claim, control, blocks, cause, number, where, source, **more):
 
 case(
     "G74 of the 980TDi: P and R are diameters, the last column and the last peck take the rest",
+    pins="cycle_increments groove_p_diameter",
     control=TDI, source="TDi 23.5", evidence="maker's manual", setup=at(36, 5),
     program="O1\nN10 G74 R0.5\nN20 G74 X32 Z-2 P3000 Q5000 R1 F50\nN30 M30",
     moves="""
@@ -56,6 +57,7 @@ case(
 )
 case(
     "G74 of the 988: P and R are radii",
+    pins="cycle_increments cycle_point groove_p_diameter",
     control=GSK_988, source="TA 12", evidence="maker's manual", setup=at(36, 5),
     program="O1\nN10 G74 R0.5\nN20 G74 X33 Z-2 P1.5 Q7 R0.5 F50\nN30 M30",
     moves="F Z-2\nR X37\nR Z5\nR X33\nF Z-2\nR X34\nR Z5\nR X36",
@@ -63,6 +65,7 @@ case(
 for _code, _block in (("G74", "G74 X30 P3000 Q5000 F50"), ("G75", "G75 Z-20 P3000 Q5000 F50")):
     case(
         f"{_code} without the axis it pecks along is not done",
+        pins="refuses",
         control=[TDI, TA, *FANUC] if _code == "G75" else [TDI, TA, T, *FANUC],
         source="TDi 23.5, 23.6; TA 12, 13", evidence="maker's manual", setup=at(36, 5),
         program=f"O1\nN10 {_block}\nN20 M30", runs="N10 N20", moves="none",
@@ -149,6 +152,7 @@ for _controls, _number, _most in (
         case(
             f"a profile of {_most + _more} blocks "
             f"{'alarms' if _ends else 'is cut'} on {_controls[0]}",
+            pins="max_profile_blocks",
             control=_controls, source="Talm 137; MZ 898, paired with P202; TDi 23.1 note 9",
             evidence="secondary", setup=at(50, 2), program=_program, alarm=_ends,
             number=_number if _ends else None,
@@ -162,6 +166,7 @@ for _controls, _number in ((GSK_988, "129"), (FANUC, on_fanuc("067"))):
     )
 case(
     "a profile that turns back is cut where nothing checks it",
+    pins="profile_monotone",
     control=[TDI, *GSK_988], source="TDi 23.1: K; TA 8: 5102#1", evidence="maker's manual",
     setup=at(50, 2),
     program="O1\nN10 G71 U15 R1\nN15 G71 P20 Q50 U0 W0 F1\nN20 G0 X20\nN30 G1 Z-20\n"
@@ -187,6 +192,7 @@ for _control, _most, _number in ((TA, 30, "140"), (T, 10, "140"), (TDI, 20, None
         )
         case(
             f"{_pockets} pockets are {'cut' if _pockets == _most else 'too many'} on {_control}",
+            pins="max_pockets",
             control=_control, source="Talm 140; TA 8; TDi 23.1", evidence="secondary",
             setup=at(50, 2),
             program=f"O1\nN10 G71 P20 Q999 U0 W0 F1\nN20 G0 X20 Z0\n{_walls}\nN999 X50\nN1000 M30",
@@ -249,6 +255,7 @@ case(
 )
 case(
     "G76 with K and no P has no height of the thread while 0001#1 is 0",
+    pins="one_block_cycles",
     control=FANUC, source="ALM 062", evidence="secondary", setup=at(30, 5),
     program="O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. K1. D1000 F2. A60\nN30 M30",
     runs="N10", alarm="thread-height", number=on_fanuc("062/317"), at="O1 N20",
@@ -259,6 +266,7 @@ case(
 _DEEP = at(50, 0)
 case(
     "G83 of the 980TDi: R is the retract of a peck", control=TDI, source="TDi 23.9",
+    pins="drill_full_retract drill_retract",
     evidence="maker's manual", setup=_DEEP,
     program="O1\nN10 G98 G83 X50 Z-12 Q5000 R2 F100\nN20 M30",
     moves="R X50\nF Z-5\nR Z-3\nF Z-10\nR Z-8\nF Z-12\nR Z0",
@@ -300,6 +308,7 @@ case(
 )
 case(
     "P of G74 takes no point on a FANUC", control=FANUC, source="general knowledge",
+    pins="cycle_point",
     evidence="inferred", setup=at(36, 5),
     program="O1\nN10 G74 X33. Z-2. P1.5 Q7000 F50.\nN20 M30",
     runs="", alarm="illegal-decimal-point", number=on_fanuc("007"), at="O1 N10",
@@ -314,6 +323,7 @@ for _controls, _thread, _groove in (
 ):
     case(
         f"G76 alone has one finishing pass, no angle, no least cut, no allowance: {_thread}",
+        pins="cycle_increments thread_chamfer thread_passes thread_least_cut thread_allowance",
         control=_controls, **KNOWN, setup=at(30, 5),
         program=f"O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. {_thread} F2.\nN30 M30",
         moves="".join(
@@ -324,24 +334,28 @@ for _controls, _thread, _groove in (
     )
     case(
         f"G74 {_groove} alone retracts by nothing", control=_controls, **KNOWN, setup=SLOW,
+        pins="groove_retract",
         program=f"O1\nN10 G98 G74 Z-7. {_groove} F60.\nN20 M30",
         moves="F Z-1\nR Z-1\nF Z-7\nR Z5", time=732,
     )
 for _controls, _time in ((GSK_988, 9), ([*MITSUBISHI, *FANUC], 12)):
     case(
         f"a boring cycle takes {_time} s of feed", control=_controls,
+        pins="g_codes bore_return",
         source="TA 26; general knowledge", evidence="inferred",
         setup=at(50, 0) | {"rapid": {"X": 900000, "Z": 900000}},
         program="O1\nN10 G98 G85 Z-10. F100.\nN20 M30", moves="F Z-10\nF Z0", time=_time,
     )
 case(
     "two pockets are cut", control=[*MITSUBISHI, *FANUC], **KNOWN, setup=at(50, 2),
+    pins="max_profile_blocks max_pockets",
     program="O1\nN10 G71 U15. R1.\nN15 G71 P20 Q70 U0 W0 F1.\nN20 G0 X20. Z0\nN30 G1 X30. Z-1.\n"
             "N40 X20. Z-2.\nN50 X30. Z-3.\nN60 X20. Z-4.\nN70 X50.\nN80 M30",
     runs="N10 N15 N80",
 )
 case(
     "P of two digits in G76 names no passes and no run-out: there is one pass, and none",
+    pins="refuses thread_digits_apart",
     control=[*MITSUBISHI, *FANUC], **KNOWN, setup=at(30, 5),
     program="O1\nN10 G97 S60 M3\nN15 G76 P020500 Q0 R0\nN20 G76 P00\n"
             "N30 G76 X18. Z-20. P1000 Q1000 F2.\nN40 M30",
@@ -349,12 +363,14 @@ case(
 )
 case(
     "G76 in one block is no thread of other controls", control=[TDI, *MITSUBISHI], **KNOWN,
+    pins="one_block_cycles",
     setup=at(30, 5),
     program="O1\nN10 G97 S60 M3\nN20 G76 X18. Z-20. K1. D1000 F2. A60\nN30 M30",
     runs="N10", alarm="thread-height", number=None, at="O1 N20",
 )
 case(
     "P of G74 takes no point on other controls", control=[TDI, *MITSUBISHI], **KNOWN,
+    pins="cycle_point",
     setup=at(36, 5), program="O1\nN10 G74 X33. Z-2. P1.5 Q7000 F50.\nN20 M30",
     runs="", alarm="illegal-decimal-point",
     number={TDI: "0012", **dict.fromkeys(MITSUBISHI, "P33")}, at="O1 N10",
@@ -362,6 +378,7 @@ case(
 for _controls, _thread in ((GSK_988, "P1 Q1"), ([TDI, *MITSUBISHI, *FANUC], "P1000 Q1000")):
     case(
         f"G76 alone goes straight in: {_thread}",
+        pins="thread_angle",
         control=_controls,
         **KNOWN,
         setup=at(30, 5),

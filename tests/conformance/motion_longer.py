@@ -21,6 +21,7 @@ for _code, _plus, _minus in (("G45", 1010, 990), ("G46", 990, 1010),
                              ("G47", 1020, 980), ("G48", 980, 1020)):
     case(
         f"{_code} changes the length of a move by the offset of D, whatever its direction",
+        pins="longer_words",
         control=MILLS, **M7, setup=D1,
         program=program(f"{_code} X1000. D1", f"{_code} X-1000.", f"{_code} X1000. D3",
                         f"{_code} X-1000."),
@@ -115,6 +116,7 @@ case(
 )
 case(
     "H names no offset of G45", control=FANUC, **KNOWN, setup=D1,
+    pins="longer_words",
     program=program("D1 X1.", "G45 X9. H1"), moves="F X1\nF X20",
 )
 case(
@@ -128,6 +130,7 @@ case(
 )
 case(
     "G60 goes to its point in rapid", control=[*MILLS, "hnc-21m"], **KNOWN,
+    pins="one_way_overrun",
     setup={"machine": "mill"}, program=program("G60 X10. Y5.", "X5."), moves="R X10 Y5\nF X15",
 )
 for _parameter, _controls in (("5440", FANUC), ("8209", MITSUBISHI)):

@@ -85,6 +85,7 @@ case(
 )
 case(
     "a thread alarms when M3 has no speed",
+    pins="thread_needs_spindle",
     control=["gsk-988ta", "gsk-988t"], source="Talm 102", evidence="secondary",
     program="O1\nN10 G0 X20 Z5\nN20 M3\nN30 G32 Z-10 F1\nN40 M30\n",
     runs="N10 N20", alarm="spindle-stopped", number="102", at="O1 N30",

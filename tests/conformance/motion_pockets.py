@@ -69,6 +69,7 @@ FEED, RAPID = POCKETS.replace("{out}", "F"), POCKETS.replace("{out}", "R")
 
 case(
     "a profile with pockets is cut pocket by pocket", control="gsk-980tdi", **TDI, setup=LATHE,
+    pins="pocket_pass",
     program=program(), moves=FEED + HOME,
 )
 case(
@@ -81,6 +82,7 @@ case(
 )
 case(
     "behind the pockets the whole profile is cut once more", control=FANUC + MITSUBISHI, **KNOWN,
+    pins="escape pocket_pass",
     setup=LATHE, program=program(), moves=RAPID + PASS,
 )
 case(
@@ -89,6 +91,7 @@ case(
 )
 case(
     "a profile with pockets is cut pocket by pocket, and once more as a whole", control=TA, **TA8,
+    pins="escape pocket_pass",
     setup=LATHE, program=program(), moves=FEED + PASS,
 )
 case(
@@ -97,6 +100,7 @@ case(
 )
 case(
     "the shape decides that there are pockets, though the first block names X alone", control=TA,
+    pins="type_by_shape",
     **TA8, setup=LATHE, program=program(first="N20 G0 X50."), moves=FEED + PASS,
 )
 case(
@@ -107,12 +111,14 @@ case(
 )
 case(
     "X alone in the first block allows no pockets", control=FANUC, source="ALM 064",
+    pins="profile_monotone type_by_shape",
     evidence="secondary", setup=LATHE, program=program(first="N20 G0 X50."),
     alarm="profile-not-monotone",
     number={F16: "064", **dict.fromkeys(FANUC_PS, "PS0064")},
 )
 case(
     "a first block with X alone makes no pockets, whatever the shape",
+    pins="profile_monotone type_by_shape",
     control=["gsk-980tdi", *MITSUBISHI], **KNOWN, setup=LATHE,
     program=program("K1", first="N20 G0 X50."), alarm="profile-not-monotone",
     number={"gsk-980tdi": None, **dict.fromkeys(MITSUBISHI, "P203")},

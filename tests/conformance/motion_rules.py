@@ -37,6 +37,7 @@ def numbers(controls, fanuc=None, mitsubishi=None, gsk_988=None, mdi=None):
 
 case(
     "U is an axis of its own on a control that is a mill by itself",
+    pins="machine",
     control=[*MITSUBISHI, *FANUC, HNC], **KNOWN,
     program="""
         O1
@@ -48,6 +49,7 @@ case(
 )
 case(
     "U is an increment of X on a control that is a lathe by itself",
+    pins="machine",
     control=GSK_LATHES, source="TDi 2; source 001: U-4", evidence="maker's manual",
     program="""
         O1
@@ -71,6 +73,7 @@ case(
 )
 case(
     "#4014 is the work system",
+    pins="modal_groups",
     control=[*GSK_988, TDI, MDI, *FANUC], source="REG; general knowledge", evidence="inferred",
     program="""
         O1
@@ -82,6 +85,7 @@ case(
 )
 case(
     "#4012 is the work system on a Mitsubishi",
+    pins="modal_groups",
     control=MITSUBISHI, **KNOWN,
     program="""
         O1
@@ -94,6 +98,7 @@ case(
 for machine, controls in ("mill", [MDI, *FANUC, HNC]), ("lathe-a", GSK_LATHES):
     case(
         f"a control of a {machine} wakes up in G00",
+        pins="power_on_line",
         control=controls, source="TApar 3402#0; TDi 2; general knowledge", evidence="inferred",
         setup={"machine": machine},
         program="""
@@ -105,6 +110,7 @@ for machine, controls in ("mill", [MDI, *FANUC, HNC]), ("lathe-a", GSK_LATHES):
     )
 case(
     "the control wakes up in G01",
+    pins="power_on_line",
     control=MITSUBISHI, source="M7 p.534 (11); general knowledge", evidence="inferred",
     setup=MILL,
     program="""
@@ -128,6 +134,7 @@ for machine, controls in ("mill", MILLS), ("lathe-b", [*MITSUBISHI, *FANUC]):
     )
 case(
     "a lathe wakes up with feed per revolution",
+    pins="power_on_per_minute",
     control=[*GSK_988, *FANUC], source="TApar 3402#4; general knowledge", evidence="inferred",
     setup=LATHE,
     program="""
@@ -140,6 +147,7 @@ case(
 )
 case(
     "a lathe wakes up with feed per minute",
+    pins="power_on_per_minute",
     control=[TDI, TE, *MITSUBISHI], source="TDi 26; source 001: F80, F500; general knowledge",
     evidence="inferred", setup=LATHE,
     program="""
@@ -152,6 +160,7 @@ case(
 )
 case(
     "the feed at power-on is that of 1411",
+    pins="power_on_feed",
     control=TA, source="TApar 1411", evidence="maker's manual", setup=LATHE,
     program="""
         O1
@@ -163,6 +172,7 @@ case(
 _no_feed = [T, MDI, *MITSUBISHI, *FANUC]
 case(
     "a cut before any F alarms",
+    pins="power_on_feed",
     control=_no_feed, source="ALM 011; M7 p.52; Talm 021; MDib 0023", evidence="secondary",
     program="""
         O1
@@ -186,6 +196,7 @@ case(
 for machine, controls in ("mill", MILLS), ("lathe-a", GSK_LATHES):
     case(
         f"an axis of a {machine} without a rate of its own goes 10000 mm in a minute",
+        pins="max_digits rapid_rate",
         control=controls, **POLICY, setup={"machine": machine},
         program="""
             O1
@@ -220,6 +231,7 @@ case(
 )
 case(
     "P of G04 counts milliseconds",
+    pins="dwell_p_seconds",
     control=[*GSK_LATHES, MDI, *MITSUBISHI, *FANUC], source="TDi 14; general knowledge",
     evidence="inferred",
     program="""
@@ -242,6 +254,7 @@ case(
 )
 case(
     "a thread is cut though no block has started the spindle",
+    pins="thread_needs_spindle",
     control=[*MITSUBISHI, *FANUC], **POLICY, setup=LATHE,
     program="""
         O1
@@ -333,6 +346,7 @@ case(
 
 case(
     "radii that differ are not checked while the tolerance is 0",
+    pins="arc_tolerance",
     control=[MDI, *FANUC, HNC], source="TApar 3410; 16TC p.67", evidence="maker's manual",
     setup=MILL,
     program="""
@@ -344,6 +358,7 @@ case(
 )
 case(
     "radii that differ are not checked on a lathe while the tolerance is 0",
+    pins="arc_tolerance",
     control=GSK_LATHES, source="TApar 3410; TDi 4 note 5", evidence="maker's manual", setup=LATHE,
     program="""
         O1
@@ -354,6 +369,7 @@ case(
 )
 case(
     "radii that differ by more than a tenth of a millimetre alarm on a Mitsubishi",
+    pins="cuts_fine_digits arc_tolerance",
     control=MITSUBISHI, source="MZ 817, paired; M7 p.194", evidence="secondary", setup=MILL,
     program="""
         O1
@@ -379,6 +395,7 @@ for machine, controls, words in (
 ):
     case(
         f"a circle around its own start moves nothing on a {machine}",
+        pins="arc_centre_needed",
         control=controls, **POLICY, setup={"machine": machine},
         program=f"""
             O1
@@ -390,6 +407,7 @@ for machine, controls, words in (
     )
 case(
     "a centre on the start point alarms on the 980MDi",
+    pins="arc_centre_needed",
     control=MDI, source="MDib 0021", evidence="maker's manual",
     program="""
         O1
@@ -402,6 +420,7 @@ case(
 for machine, controls, word in ("mill", FANUC, "Y"), ("lathe-a", GSK_988, "Z"):
     case(
         f"an arc of a {machine} without R and centre is a line",
+        pins="no_radius",
         control=controls, source="TApar 3403#5; general knowledge",
         evidence="inferred", setup={"machine": machine},
         program=f"""
@@ -414,6 +433,7 @@ for machine, controls, word in ("mill", FANUC, "Y"), ("lathe-a", GSK_988, "Z"):
 _arc = [MDI, *MITSUBISHI, HNC]
 case(
     "an arc without R and centre alarms",
+    pins="no_radius",
     control=_arc, source="MDib 0021; general knowledge", evidence="inferred", setup=MILL,
     program="""
         O1
@@ -425,6 +445,7 @@ case(
 )
 case(
     "an arc of a lathe without R and centre alarms",
+    pins="no_radius",
     control=[TDI, TE], source="TDi 4 note 1; general knowledge", evidence="inferred", setup=LATHE,
     program="""
         O1
@@ -436,6 +457,7 @@ case(
 )
 case(
     "a radius that is too small by less than the tolerance makes a half circle",
+    pins="small_radius",
     control=FANUC, source="TApar 3403#4; general knowledge", evidence="inferred", setup=MILL,
     params={"3410": 1},
     program="""
@@ -447,6 +469,7 @@ case(
 )
 case(
     "a radius that is too small by less than the tolerance makes a half circle on the 988",
+    pins="small_radius",
     control=GSK_988, source="TApar 3403#4", evidence="maker's manual", setup=LATHE,
     params={"3410": 1},
     program="""
@@ -458,6 +481,7 @@ case(
 )
 case(
     "a radius that is too small alarms also inside the tolerance",
+    pins="small_radius",
     control=_arc, source="MZ 818, paired; MDib 0018; general knowledge", evidence="inferred",
     setup=MILL,
     program="""
@@ -471,6 +495,7 @@ case(
 )
 case(
     "a radius that is too small alarms also inside the tolerance of the 980TDi and the 928",
+    pins="small_radius",
     control=[TDI, TE], source="TDi 4 note 3; general knowledge", evidence="inferred", setup=LATHE,
     program="""
         O1
@@ -483,6 +508,7 @@ case(
 )
 case(
     "a negative R takes the long way round on every mill",
+    pins="negative_radius",
     control=MILLS, source="source 003, R; general knowledge", evidence="inferred", setup=MILL,
     program="""
         O1
@@ -493,6 +519,7 @@ case(
 )
 case(
     "a negative R takes the long way round on a lathe",
+    pins="negative_radius negative_radius_on_lathes",
     control=[*GSK_LATHES, *MITSUBISHI, *FANUC_PS], source="TDi 4 note 7; general knowledge",
     evidence="inferred", setup=LATHE,
     program="""
@@ -504,6 +531,7 @@ case(
 )
 case(
     "a third axis goes along with the angle of an arc",
+    pins="helix",
     control=MILLS, source="source 003, G02 and G03; general knowledge", evidence="inferred",
     setup=MILL,
     program="""
@@ -515,6 +543,7 @@ case(
 )
 case(
     "an axis across the plane of an arc alarms on a lathe without helices",
+    pins="helix",
     control=[*GSK_988, TDI], source="Talm 033; general knowledge", evidence="inferred", setup=LATHE,
     program="""
         O1
@@ -541,6 +570,7 @@ for machine, controls in ("mill", [MDI, *FANUC, HNC]), ("lathe-a", GSK_LATHES):
 
 case(
     "an arc with R that ends where it starts alarms on a Mitsubishi",
+    pins="radius_needs_travel",
     control=MITSUBISHI, source="general knowledge; error 108 of the motion controller Q172",
     evidence="inferred", setup=MILL,
     program="""
@@ -556,6 +586,7 @@ case(
 
 case(
     "G20 behind a move changes the unit from there on",
+    pins="unit_change",
     control=[*MITSUBISHI, *FANUC], source="30i p.226; general knowledge", evidence="inferred",
     setup=MILL,
     program="""
@@ -569,6 +600,7 @@ case(
 )
 case(
     "G20 behind a move changes the unit of a lathe from there on",
+    pins="unit_change",
     control=TDI, **POLICY, setup=LATHE,
     program="""
         O1
@@ -581,6 +613,7 @@ case(
 )
 case(
     "G20 behind a move alarms on the HNC",
+    pins="unit_change",
     control=HNC, source="source 003, G20 G21 G22", evidence="source document",
     program="""
         O1
@@ -593,6 +626,7 @@ case(
 _late = [*GSK_988, MDI]
 case(
     "G20 behind a move alarms",
+    pins="unit_change",
     control=_late, source="Talm 042; MDib 0038", evidence="secondary",
     program="""
         O1
@@ -605,6 +639,7 @@ case(
 )
 case(
     "G53 is rapid whatever the mode",
+    pins="machine_move",
     control=[*GSK_988, TDI, MDI, *FANUC, HNC], source="source 003, G53; TDi 20", evidence="inferred",
     setup=HOMED,
     program="""
@@ -617,6 +652,7 @@ case(
 )
 case(
     "G53 follows the mode on a Mitsubishi",
+    pins="machine_move",
     control=MITSUBISHI, source="M7 p.520 (4)-(8)", evidence="maker's manual", setup=HOMED,
     program="""
         O1
@@ -628,6 +664,7 @@ case(
 )
 case(
     "G53 goes to machine coordinates though the setup names no reference point",
+    pins="home_needed",
     control=[TDI, *MITSUBISHI, *FANUC, HNC], **POLICY,
     program="""
         O1
@@ -639,6 +676,7 @@ case(
 _home = [*GSK_988, MDI]
 case(
     "G30 alarms where the setup names no reference point",
+    pins="home_needed",
     control=_home, source="Talm 047; MDib 0069", evidence="secondary",
     program="""
         O1
@@ -767,6 +805,7 @@ case(
 )
 case(
     "G50 gives a lathe the coordinates that are written",
+    pins="set_coordinate_alarms",
     control=LATHES, source="TDi 18; TApar 1202#2; general knowledge", evidence="inferred",
     setup=LATHE,
     program="""
@@ -778,6 +817,7 @@ case(
 )
 case(
     "there is no G54.1 P49",
+    pins="max_extra_systems",
     control=[*MITSUBISHI, *FANUC], source="general knowledge, P1 to P48", evidence="inferred",
     program="""
         O1
@@ -790,6 +830,7 @@ case(
 _length = [*MITSUBISHI, *FANUC, HNC]
 case(
     "there is no H401",
+    pins="max_offset_number",
     control=_length, source="ALM 030; MZ 839, paired; general knowledge", evidence="inferred",
     setup=MILL,
     program="""
@@ -802,6 +843,7 @@ case(
 )
 case(
     "there is no H33 on the 980MDi",
+    pins="max_offset_number",
     control=MDI, source="MDib 0016", evidence="maker's manual",
     program="""
         O1
@@ -825,6 +867,7 @@ case(
 )
 case(
     "G10 knows no tool offset 401 on a lathe",
+    pins="max_offset_number",
     control=TURNING, source="Talm 062; ALM 031; general knowledge",
     evidence="inferred", setup=LATHE,
     program="""
@@ -930,6 +973,7 @@ case(
 for name, code in {"G28": "G28 X0", "a plane change": "G17 G18"}.items():
     case(
         f"{name} may stand in a rotation",
+        pins="max_rotation",
         control=[*FANUC, HNC] if code == "G17 G18" else [*MITSUBISHI, *FANUC, HNC], **POLICY, setup=MILL,
         program=f"""
             O1
@@ -964,6 +1008,7 @@ case(
 _turn = [MDI, *FANUC]
 case(
     "an angle of rotation over 360 degrees alarms",
+    pins="max_rotation",
     control=_turn, source="MDib 0156; general knowledge", evidence="inferred", setup=MILL,
     program="""
         O1
@@ -1010,6 +1055,7 @@ case(
 
 case(
     "P of G51 counts thousandths",
+    pins="scale_thousandths",
     control=[MDI, *MITSUBISHI, *FANUC], **KNOWN, setup=MILL,
     program="""
         O1
@@ -1021,6 +1067,7 @@ case(
 )
 case(
     "P of G51 is the factor itself on the HNC-21",
+    pins="scale_thousandths",
     control=HNC, **KNOWN, setup=MILL,
     program="""
         O1
@@ -1035,6 +1082,7 @@ case(
 
 case(
     "a start-up of type A ends on the normal of the next move, also at an outside corner",
+    pins="start_up",
     control=MILLS, source="M7 p.188; 5003#0; general knowledge", evidence="inferred", setup=RADIUS,
     program="""
         O1
@@ -1047,6 +1095,7 @@ case(
 )
 case(
     "a start-up of type A ends on the normal of the next move on a lathe",
+    pins="start_up",
     control=[*GSK_988, TDI], **KNOWN, setup=NOSE,
     program="""
         O1
@@ -1060,6 +1109,7 @@ case(
 )
 case(
     "around an acute corner the tool goes by lines",
+    pins="acute_corner",
     control=MILLS, source="general knowledge", evidence="inferred", setup=RADIUS,
     program="""
         O1
@@ -1073,6 +1123,7 @@ case(
 )
 case(
     "around an acute corner the tool of a lathe goes by lines",
+    pins="acute_corner",
     control=[*GSK_988, TDI], source="TDipar 002#5; general knowledge", evidence="inferred", setup=NOSE,
     program="""
         O1
@@ -1089,6 +1140,7 @@ for count, controls in (2, [F16, F0D, F0F, HNC]), (4, [*MITSUBISHI, F30]):
     idle = "".join(f"\n        N{30 + i} M{10 + i}" for i in range(count))
     case(
         f"{count} blocks without a move let one move end and the next begin on its own normal",
+        pins="idle_blocks idle_blocks_alarm",
         control=controls, source="source 003, note a; M7 p.191, 202, 203; 30iM p.166",
         evidence="inferred", setup=RADIUS,
         program=f"""
@@ -1103,6 +1155,7 @@ for count, controls in (2, [F16, F0D, F0F, HNC]), (4, [*MITSUBISHI, F30]):
     )
 case(
     "two blocks without a move let one move of a lathe end and the next begin on its own normal",
+    pins="idle_blocks idle_blocks_alarm",
     control=[*GSK_988, TDI], **POLICY, setup=NOSE,
     program="""
         O1
@@ -1120,6 +1173,7 @@ case(
 _many = "".join(f"\n        N{30 + i} M{10 + i}" for i in range(11))
 case(
     "eleven blocks without a move alarm on the 980MDi",
+    pins="idle_blocks idle_blocks_alarm",
     control=MDI, source="MDib 0263; the count: general knowledge", evidence="inferred", setup=RADIUS,
     program=f"""
         O1
@@ -1133,6 +1187,7 @@ case(
 )
 case(
     "GOTO may stand in radius compensation",
+    pins="jumps_in_compensation",
     control=[*MITSUBISHI, *FANUC], **POLICY, setup=RADIUS,
     program="""
         O1
@@ -1147,6 +1202,7 @@ case(
 )
 case(
     "GOTO may stand in radius compensation of a lathe",
+    pins="jumps_in_compensation",
     control=[*GSK_988, TDI], **POLICY, setup=NOSE,
     program="""
         O1
@@ -1303,6 +1359,7 @@ case(
 for letter, controls in ("K", [MDI, *FANUC]), ("L", [MDI, *MITSUBISHI, HNC]):
     case(
         f"{letter} repeats a canned cycle",
+        pins="cycle_repeats max_cycle_repeats",
         control=controls, source="MDib 0204; general knowledge", evidence="inferred", setup=MILL,
         program=f"""
             O1
@@ -1324,6 +1381,7 @@ case(
 for letter, controls in ("K", FANUC), ("L", [*MITSUBISHI, HNC]):
     case(
         f"{letter}0 stores the data of a canned cycle and drills nothing",
+        pins="zero_cycle_repeats",
         control=controls, **KNOWN, setup=MILL,
         program=f"""
             O1
@@ -1335,6 +1393,7 @@ for letter, controls in ("K", FANUC), ("L", [*MITSUBISHI, HNC]):
     )
 case(
     "K0 alarms in a drilling cycle of the 988",
+    pins="zero_cycle_repeats",
     control=GSK_988, source="Talm 181", evidence="secondary", setup=LATHE,
     program="""
         O1
@@ -1346,6 +1405,7 @@ case(
 )
 case(
     "L0 alarms in a canned cycle of the 980MDi",
+    pins="zero_cycle_repeats",
     control=MDI, source="MDib 0203", evidence="maker's manual",
     program="""
         O1
@@ -1358,6 +1418,7 @@ case(
 for code, seconds in ("G73", 66.066), ("G83", 66.198):
     case(
         f"{code} draws back by half a millimetre where no parameter says otherwise, whatever K is",
+        pins="peck_words peck_retract peck_clearance drill_retract",
         control=[MDI, *MITSUBISHI, *FANUC], **POLICY, setup=MILL,
         program=f"""
             O1
@@ -1368,6 +1429,7 @@ for code, seconds in ("G73", 66.066), ("G83", 66.198):
     )
     case(
         f"{code} of the HNC without K draws back by half a millimetre",
+        pins="peck_retract peck_clearance drill_retract",
         control=HNC, **POLICY, setup=MILL,
         program=f"""
             O1
@@ -1379,6 +1441,7 @@ for code, seconds in ("G73", 66.066), ("G83", 66.198):
 for q, controls in ("Q4", GSK_988), ("Q4000", [*MITSUBISHI, *FANUC]):
     case(
         f"a pecking cycle of a lathe with {q} draws back by half a millimetre, whatever K is",
+        pins="peck_words peck_retract drill_full_retract drill_retract",
         control=controls, source="TA 24, 5101#2; TDi 23.9; the half millimetre: policy",
         evidence="inferred", setup=LATHE,
         program=f"""
@@ -1391,6 +1454,7 @@ for q, controls in ("Q4", GSK_988), ("Q4000", [*MITSUBISHI, *FANUC]):
 _peck = [MDI, *MITSUBISHI, *FANUC, HNC]
 case(
     "a pecking cycle without Q alarms",
+    pins="peck_needed",
     control=_peck, source="ALM 045; general knowledge", evidence="inferred", setup=MILL,
     program="""
         O1
@@ -1426,6 +1490,7 @@ case(
 TOOL = LATHE | {"tools": {1: {"X": 1, "Z": 0}}}
 case(
     "a tool offset is a shift of the coordinates and moves nothing",
+    pins="tool_offset tool_offset_digits",
     control=[*GSK_LATHES, *MITSUBISHI, *FANUC],
     source="TApar 5002#4; TDipar 003#4; general knowledge", evidence="inferred", setup=TOOL,
     program="""
@@ -1437,6 +1502,7 @@ case(
 )
 case(
     "G50 sets the coordinates of the point with the tool offset in it",
+    pins="set_coordinate_without_tool",
     control=[*GSK_988, TE, *MITSUBISHI, *FANUC], **KNOWN, setup=TOOL,
     program="""
         O1
@@ -1462,6 +1528,7 @@ case(
 
 case(
     ",C is the distance of a chamfer from its corner",
+    pins="chamfer_words chamfer_length",
     control=MILLS, **KNOWN, setup=MILL,
     program="""
         O1
@@ -1484,6 +1551,7 @@ case(
 )
 case(
     ",C is the distance of a lathe's chamfer from its corner",
+    pins="chamfer_words chamfer_length",
     control=[*GSK_988, TE, *MITSUBISHI, *FANUC], source="TApar 3405#4; general knowledge", evidence="inferred",
     setup=LATHE,
     program="""
@@ -1531,6 +1599,7 @@ for kind, controls in ("F", [*GSK_988, TDI]), ("R", [*MITSUBISHI, *FANUC]):
     name = "at feed" if kind == "F" else "rapid"
     case(
         f"G71 cuts a millimetre deep and leaves the cut by half a millimetre, {name}",
+        pins="rough_depth rough_escape",
         control=controls, source="TDi 23.1 step 4; TA 8; ROB p.48; the amounts: policy",
         evidence="inferred", setup=LATHE | {"start": {"X": 20, "Z": 2}},
         program="""
@@ -1554,6 +1623,7 @@ for kind, controls in ("F", [*GSK_988, TDI]), ("R", [*MITSUBISHI, *FANUC]):
 _lathe = [*GSK_988, *MITSUBISHI, *FANUC]
 case(
     "G73 R1 is one pass",
+    pins="single_pass_pattern",
     control=[*GSK_988, *MITSUBISHI, *FANUC], **KNOWN,
     setup=LATHE | {"start": {"X": 20, "Z": 2}},
     program="""
@@ -1568,6 +1638,7 @@ case(
 )
 case(
     "G73 R1 is two passes on the 980TDi",
+    pins="single_pass_pattern",
     control=TDI, source="TDi 23.3", evidence="maker's manual",
     setup=LATHE | {"start": {"X": 20, "Z": 2}},
     program="""
@@ -1605,6 +1676,7 @@ case(
 for letter, controls in ("P3000", [*MITSUBISHI, *FANUC]), ("P3", GSK_988):
     case(
         f"P of G75 is a radius: {letter} is 6 mm of diameter",
+        pins="groove_p_diameter",
         control=controls, source="TA 12, 13; general knowledge", evidence="inferred",
         setup=LATHE | {"start": {"X": 20, "Z": 0}},
         program=f"""
@@ -1661,6 +1733,7 @@ for claim, end, behind in (
 ):
     case(
         claim, control=end, source="TDi 23.1; TA 8; general knowledge", evidence="inferred", setup=PROFILE,
+        pins="contour_behind",
         program="O1\nN10 G71 P20 Q30 U0 W0 F10.\nN15 M8\nN20 G0 X10.\nN30 G1 Z-10.\nN50 M30",
         runs=behind,
     )
@@ -1696,6 +1769,7 @@ for height, controls in ("P1 Q1", GSK_988), ("P1000 Q200", [*MITSUBISHI, *FANUC]
 for machine, controls in ("mill", [MDI, HNC]), ("lathe-a", TURNING):
     case(
         f"the reset of a {machine} leaves the modal codes as they are",
+        pins="clear_on_reset",
         control=controls, source="TApar 3402#6; general knowledge", evidence="inferred",
         setup={"machine": machine},
         program="""
@@ -1707,6 +1781,7 @@ for machine, controls in ("mill", [MDI, HNC]), ("lathe-a", TURNING):
     )
 case(
     "reset ends G52",
+    pins="clear_local_on_reset",
     control=[TDI, MDI, *MITSUBISHI, HNC], source="TDipar 181; general knowledge",
     evidence="inferred",
     program="""
@@ -1718,6 +1793,7 @@ case(
 )
 case(
     "reset leaves G52 as it is while 1202#3 is 0",
+    pins="clear_local_on_reset",
     control=[*GSK_988, *FANUC], source="TApar 1202#3; general knowledge", evidence="inferred",
     program="""
         O1

@@ -20,6 +20,8 @@ def one(claim, control, block, *, before="G90 G0 X0", source="general knowledge"
     alarms = "alarm" in expected
     case(
         claim, control=control, source=source, evidence=evidence, setup=setup,
+        pins="helix_on_lathes dwell_point"
+        " other_system_is_first parameters_by_l52 offsets_without_l",
         program=f"O1\nN10 {before}\nN20 {block}\nN30 M30",
         runs="N10" if alarms else "N10 N20 N30", **({"at": "O1 N20"} if alarms else {}), **expected,
     )
@@ -60,6 +62,7 @@ one(
 for _words, _length in ("P1 R5.", 5), ("P1 R-2.5", -2.5):
     case(
         f"G10 {_words} of a mill sets the length of H1", control=FANUC,
+        pins="offsets_without_l",
         source="a repost of the 0i manual, memory A", evidence="secondary", setup=MILL,
         program=f"O1\nN10 G90 G10 {_words}\nN20 G43 H1 G0 Z10.\nN30 M30",
         runs="N10 N20 N30", final_machine=f"Z{10 + _length}",

@@ -168,6 +168,7 @@ case(
 )
 case(
     "HNC: G68 turns by P around X and Y",
+    pins="max_rotation rotation_words",
     control="hnc-21m", source="added.md: HNC-21M", evidence="inferred", params=MM, setup=MILL,
     program="""
         %1

@@ -22,6 +22,7 @@ def stops(claim, *blocks, at, controls=MILLS, setup=MILL, area=BOX, params=None,
     controls = [controls] if isinstance(controls, str) else controls
     case(
         claim, control=controls, **tags, setup=setup, params=params,
+        pins="straight_rapid power_on_stroke_check stroke_outside",
         program=program(*blocks, area=area), alarm="over-travel", at=at,
         number={name: "M01 0007" if name in MITSUBISHI else None for name in controls},
     )
@@ -30,6 +31,7 @@ def stops(claim, *blocks, at, controls=MILLS, setup=MILL, area=BOX, params=None,
 def passes(claim, *blocks, moves, controls=MILLS, setup=MILL, area=BOX, params=None, tags=KNOWN):
     case(
         claim, control=controls, **tags, setup=setup, params=params,
+        pins="power_on_stroke_check stroke_outside",
         program=program(*blocks, area=area), moves=moves,
     )
 

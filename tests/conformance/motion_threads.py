@@ -20,6 +20,7 @@ def thread(claim, control, block, moves, *, start=(65, 5), source="TDi 24.9", **
     evidence = more.pop("evidence", "maker's manual")
     case(
         claim, control=control, source=source, evidence=evidence, setup=at(*start),
+        pins="run_out_words lead_growth",
         program=f"O1\nN10 G97 S60 M3\nN20 {block}\nN30 M30", moves=moves, **more,
     )
 
@@ -157,12 +158,14 @@ for _control, _number in (([TA, T], "039"), ([TDI], None)):
 for _control, _number in ((GSK_988, "038"), ([TDI], None)):
     case(
         f"a thread before any lead alarms on {' and '.join(_control)}, whatever the feed is",
+        pins="lead_apart",
         control=_control, source="Talm 038; TDi 24.1", evidence="secondary", setup=at(20, 0),
         program="O1\nN10 G97 S60 M3\nN20 G98 G1 Z-1 F100\nN30 G32 Z-20\nN40 M30",
         runs="N10 N20", alarm="thread-lead", number=_number, at="O1 N30",
     )
 case(
     "a thread takes the feed in force as its lead",
+    pins="lead_apart",
     control=OTHERS, source="general knowledge", evidence="inferred", setup=at(20, 0),
     program="O1\nN10 G97 S60 M3 G99\nN20 G1 Z-1. F0.5\nN30 G32 Z-3.\nN40 M30",
     moves="F Z-1\nT Z-3", time=6,
@@ -222,6 +225,7 @@ _PLAIN = "R X18 Z5\nT X18 Z-20\nR X30\nR Z5\n"
 def multiple(claim, control, first, second, moves, **more):
     case(
         claim, control=control, setup=at(30, 5),
+        pins="one_block_cycles thread_digits_apart",
         source=more.pop("source", "TDi 24.12; TA 21"),
         evidence=more.pop("evidence", "maker's manual"),
         program=f"O1\nN10 G97 S60 M3\nN20 {first}\nN30 {second}\nN40 M30", moves=moves, **more,
@@ -293,6 +297,7 @@ for _what, (_first, _second, _cause, _number) in _DATA.items():
     )
 case(
     "G76 with no finishing passes alarms on the 988",
+    pins="thread_digits_apart",
     control=GSK_988, source="Talm 161", evidence="secondary", setup=at(30, 5),
     program="O1\nN10 G97 S60 M3\nN20 G76 P560 Q0 R0\nN30 M30",
     runs="N10", alarm="thread-passes", number="161", at="O1 N20",
@@ -324,12 +329,14 @@ GSK_STARTS = ["gsk-988ta", "gsk-988t", "gsk-980tdi"]
 STARTS = {"source": "TDi 24.9, TA 18: L", "evidence": "maker's manual"}
 case(
     "a thread of two starts is cut twice, also in the blocks behind", control=GSK_STARTS, **STARTS,
+    pins="thread_starts",
     setup={"start": {"X": 30, "Z": 5}},
     program="O1\nN5 S500 M3\nN10 G92 X20 Z-20 F2 L2\nN20 X19\nN30 M30",
     moves="R X20\nT Z-20\nR X30\nR Z5\n" * 2 + "R X19\nT Z-20\nR X30\nR Z5\n" * 2,
 )
 case(
     "a thread has one start where L does not count them",
+    pins="thread_starts",
     control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "mitsubishi-meldas",
              "mitsubishi-m700", "mitsubishi-m800"],
     source="general knowledge", evidence="inferred",
@@ -348,12 +355,14 @@ for _words in ("L0", "L1000"):
 for _words in ("L2", "D1", "E1"):
     case(
         f"G76 with {_words}: where its passes lie is not computed", control=GSK_STARTS[:2],
+        pins="thread_words_not_computed",
         source="TA 21", evidence="maker's manual", setup={"start": {"X": 30, "Z": 5}},
         program=f"O1\nN5 S500 M3\nN10 G76 P020060 Q0.1 R0.1 {_words}\nN20 M30",
         alarm="code-not-computed", at="O1 N10",
     )
 case(
     "L, D and E are no words of G76",
+    pins="thread_words_not_computed",
     control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "mitsubishi-meldas",
              "mitsubishi-m700", "mitsubishi-m800", "gsk-980tdi"],
     source="general knowledge", evidence="inferred",

@@ -148,12 +148,14 @@ for _codes, _controls, _numbers in (
 for _codes in ("G22", "G26", "G27", "G29", "G33", "G80"):
     case(
         f"{_codes} of the 928TE is its own, and not computed", control="gsk-928te",
+        pins="g_meanings",
         source="general knowledge: a loop, returns to points, a thread", evidence="inferred",
         setup=LATHE, program=block(_codes, "", "U"), alarm="code-not-computed", at="O1 N20",
     )
 for _codes in ("G10", "G20", "G28", "G31", "G53", "G54", "G60", "G71", "G92", "G5.1", "G123"):
     case(
         f"nobody says whether the 928TE has {_codes}", control="gsk-928te", **POLICY, setup=LATHE,
+        pins="g_codes_complete",
         program=block(_codes, "", "U"), alarm="code-not-known", at="O1 N20",
     )
 for _codes in ("G65 P2 A1.", "G66 P2", "G67"):
@@ -165,12 +167,14 @@ for _codes in ("G65 P2 A1.", "G66 P2", "G67"):
 for _codes in ("G0", "G1", "G2 R10", "G3 R10", "G4 D1", "G96 S100", "G97 S100", "G98", "G99"):
     case(
         f"the 928TE runs {_codes}", control="gsk-928te",
+        pins="refuses",
         source="source 001; 928Ti; general knowledge", evidence="inferred", setup=LATHE,
         program=f"N10 G98 G1 F100\nN20 {_codes} X2 Z1\nN30 M30", runs="N10 N20 N30",
     )
 for _codes in ("G7", "G11", "G12", "G34", "G65 P2"):
     case(
         f"{_codes} is a code of the HNC-21M that is not computed", control="hnc-21m", **KNOWN,
+        pins="macro_calls",
         setup=MILL, program=block(_codes), alarm="code-not-computed", at="O1 N20",
     )
 for _codes in ("G10", "G15", "G16", "G31", "G66", "G67", "G96"):
@@ -181,5 +185,6 @@ for _codes in ("G10", "G15", "G16", "G31", "G66", "G67", "G96"):
 for _codes in ("G8", "G30", "G33", "G36", "G51.1", "G54.1 P1", "G93", "G97", "G345"):
     case(
         f"nobody says whether the HNC-21M has {_codes}", control="hnc-21m", **POLICY, setup=MILL,
+        pins="g_codes_complete",
         program=block(_codes), alarm="code-not-known", at="O1 N20",
     )

@@ -1,35 +1,41 @@
-"""Changes one rule of a control at a time, and finds a row that notices.
+"""Changes one rule of a control at a time: a row that pins the rule has to fail.
 
-`pins.json` names that row for every rule of every control. The test of it runs these rows alone;
-`python tests/conformance/mutation.py` searches all rows and writes the file anew, which takes a
-minute or two. A rule that no row can notice on a control stands in `unpinned.py`, with the reason.
+A row says what it pins, `pins="zero_repeats"`. For every rule of every control there is one;
+`python tests/conformance/mutation.py` says for the rules that have none which rows could. A rule
+that no row can notice on a control stands in `unpinned.py`, with the reason.
 """
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import cncsub
 from conformance import Case, rows
 from outcome import differences
+from unpinned import UNPINNED
 
-FILE = Path(__file__).parent / "pins.json"
-HOW_TO_WRITE = "python tests/conformance/mutation.py writes pins.json anew"
+HOW_TO_FIND = "python tests/conformance/mutation.py names rows that could"
 
 # From this rule on the rules are about moves; no row notices them without looking at moves.
 FIRST_MOTION_RULE = "machine"
 
-# Control, rule, and the claim of the row that notices.
-Pins = dict[str, dict[str, str]]
+
+def pinning(control: str, rule: str) -> list[Case]:
+    """The rows of a control that say that they pin a rule."""
+    return [row.case for row in rows() if row.control == control and rule in row.case.pins]
 
 
-def read_pins() -> Pins:
-    pins: Pins = json.loads(FILE.read_text(encoding="utf-8"))
-    return pins
+def unpinned() -> list[tuple[str, Any]]:
+    """The rules, by control, that no row which says so notices."""
+    return [
+        (name, rule)
+        for name, control in cncsub.controls.items()
+        for rule in control.rules
+        if name not in UNPINNED.get(rule.name, {})
+        and not any(notices(case, control, rule) for case in pinning(name, rule.name))
+    ]
 
 
 def notices(case: Case, control: cncsub.Control, rule: Any) -> bool:
@@ -84,57 +90,22 @@ def is_about_moves(control: cncsub.Control, rule: Any) -> bool:
     return names.index(rule.name) >= names.index(FIRST_MOTION_RULE)
 
 
-def find_pins() -> Pins:
-    """Search all rows; a rule that no row notices is left out."""
-    cases = {
-        name: [row.case for row in rows() if row.control == name and passes(row.case, control)]
-        for name, control in cncsub.controls.items()
-    }
-    places = {name: place for place, name in enumerate(_rule_names())}
-    pins: Pins = {name: {} for name in cncsub.controls}
-    for name in places:
-        tried_first: list[str] = []
-        for control in cncsub.controls.values():
-            found = _find(name, control, cases[control.name], tried_first)
-            if found is not None:
-                pins[control.name][name] = found.claim
-                tried_first[:0] = [found.claim, found.topic]
-    return pins
-
-
-def _rule_names() -> list[str]:
-    return [rule.name for rule in next(iter(cncsub.controls.values())).rules]
-
-
-def _find(
-    name: str, control: cncsub.Control, cases: list[Case], tried_first: list[str]
-) -> Case | None:
-    """A rule means the same on every control: the row, then the topic, that noticed it elsewhere
-    is likely to notice it here too.
-    """
-    rule = next(rule for rule in control.rules if rule.name == name)
+def could_pin(control: cncsub.Control, rule: Any) -> Iterator[Case]:
+    """The rows that notice the rule; those of its topic elsewhere first."""
+    cases = [row.case for row in rows() if row.control == control.name]
     if is_about_moves(control, rule):
         cases = [case for case in cases if case.wants_moves or "motion" in case.topic]
-
-    def rank(case: Case) -> tuple[int, int]:
-        return _place(tried_first, case.claim), _place(tried_first, case.topic)
-
-    changed = list(mutants(control, rule))
-    for case in sorted(cases, key=rank):
-        if any(not passes(case, mutant) for mutant in changed):
-            return case
-    return None
-
-
-def _place(names: list[str], name: str) -> int:
-    return names.index(name) if name in names else len(names)
+    topics = {row.case.topic for row in rows() if rule.name in row.case.pins}
+    for case in sorted(cases, key=lambda case: case.topic not in topics):
+        if passes(case, control) and notices(case, control, rule):
+            yield case
 
 
 def main() -> None:
-    pins = find_pins()
-    FILE.write_text(json.dumps(pins, indent=1, ensure_ascii=True) + "\n", encoding="utf-8")
-    count = sum(map(len, pins.values()))
-    print(f"{count} pins of {len(_rule_names()) * len(pins)} rules", file=sys.stderr)
+    for name, rule in unpinned():
+        found = next(could_pin(cncsub.controls[name], rule), None)
+        place = "no row" if found is None else f"{found.topic}.py:{found.line}: {found.claim}"
+        print(f"{name}: {rule.name}: {place}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -210,6 +210,7 @@ case(
 )
 case(
     "the 980TDi keeps the position of a skip signal in #995 to #999",
+    pins="skip_variables",
     control="gsk-980tdi", source="TDi p.94, 3.16.2: X, Z, Y, the 4th and the 5th axis",
     evidence="maker's manual",
     setup={"start": {"X": 100, "Y": 8, "Z": 50}}, inputs={"skips": [0.5]},
@@ -235,6 +236,7 @@ case(
 )
 case(
     "G31 leaves #1 and #995 alone where #5061 holds the position",
+    pins="skip_variables",
     control=["gsk-988ta", "gsk-988t", "gsk-980mdi", *FANUC, *MITSUBISHI], source="TA p.55",
     evidence="secondary",
     setup={"start": {"X": 100, "Z": 50}}, inputs={"skips": [0.5]}, variables={1: 7, 995: 1},
@@ -341,6 +343,7 @@ case(
 
 case(
     "F of G31 on a Mitsubishi is of its block alone",
+    pins="skip_own_feed",
     control=MITSUBISHI, source="M7 p.547 (1): the F modal is not updated", evidence="secondary",
     params=MM, setup=MILL | START,
     program="""
@@ -355,6 +358,7 @@ case(
 )
 case(
     "F of G31 holds for the blocks behind it",
+    pins="skip_own_feed",
     control=[*FANUC, "gsk-980mdi"], source="15iM p.564: F in or before the block; general knowledge",
     evidence="inferred", params=MM, setup=START,
     program="""
@@ -369,6 +373,7 @@ case(
 )
 case(
     "F of G31 holds for the blocks behind it on a lathe",
+    pins="skip_own_feed",
     control=[*T988, "gsk-980tdi"], source="TA p.54 and TDi p.93: as G01", evidence="secondary",
     setup={"start": {"X": 0, "Z": 0}},
     program="""
@@ -423,6 +428,7 @@ for _code, _parameter in ("G31", "1174"), ("G31.1", "1176"), ("G31.2", "1178"), 
 for _signals in "P0", "P256", "P500":
     case(
         f"{_signals} of G31 is out of range on a Mitsubishi",
+        pins="max_skip_signals",
         control=MITSUBISHI, source="M7 p.555 (2), (5)", evidence="secondary",
         params=MM, setup=MILL | START,
         program=f"""
@@ -435,6 +441,7 @@ for _signals in "P0", "P256", "P500":
     )
 case(
     "what is told of every signal stops a G31 whatever its P",
+    pins="max_skip_signals",
     control=[*FANUC, *T988, "gsk-980tdi", "gsk-980mdi"], source="general knowledge, multi-step skip",
     evidence="inferred", params=MM, setup=START, inputs={"skips": [{"Z": -5}, {"Z": -7}]},
     program="""
@@ -460,12 +467,14 @@ APART_PROGRAM = """
 """
 case(
     "P of G31 names the signal that ends it, and each signal is told by itself",
+    pins="skip_signals",
     control=NUMBERED, source="TDi p.93, 3.16; MDipar 5431 to 5434; TApar 6200",
     evidence="secondary", setup=START, inputs=APART, program=APART_PROGRAM,
     moves="F Z-7\nF Z-12\nF Z-18\nF Z-20\nF Z-28\nF Z-30",
 )
 case(
     "6202 to 6205 say which signals end G31 P1 to P4",
+    pins="skip_signals",
     control=FANUC, source="general knowledge, multi-step skip", evidence="inferred",
     params=MM, setup=START, inputs=APART, program=APART_PROGRAM,
     moves="F Z-7\nF Z-12\nF Z-18\nF Z-20\nF Z-28\nF Z-30",
@@ -500,6 +509,7 @@ case(
 )
 case(
     "P of G31 on a Mitsubishi is a sum: 5 is the signals 1 and 3",
+    pins="skip_signals",
     control=MITSUBISHI, source="M7 p.555 (3)", evidence="secondary",
     params=MM, setup=MILL | START,
     inputs={"skips": {1: [{"X": 9}, {"X": 15}], 2: [{"X": 1}, {"X": 19}], 3: [{"X": 5}, None]}},
@@ -585,6 +595,7 @@ case(
 )
 case(
     "the 980TDi holds the feed of G31 down to 200 mm a minute",
+    pins="max_skip_feed",
     control="gsk-980tdi", source="TDi p.94, 3.16.2", evidence="maker's manual",
     setup=START, inputs={"skips": [0.5]},
     program="""
@@ -598,6 +609,7 @@ case(
 )
 case(
     "no other control holds the feed of G31 down",
+    pins="max_skip_feed",
     control=[*FANUC, *MITSUBISHI, *T988, "gsk-980mdi"],
     source="15iM p.564; M7 p.547; TA p.54", evidence="inferred",
     params=MM, setup=MILL | START,
@@ -611,6 +623,7 @@ case(
 for _controls, _signals in (["gsk-980tdi"], "P7"), (["gsk-980mdi"], "P5"):
     case(
         f"G31 {_signals} is out of range on the {_controls[0][4:]}",
+        pins="max_skip_signals",
         control=_controls, source="TDi p.93: P is 1 to 6; MDipar 5431 to 5434",
         evidence="secondary", setup=START,
         program=f"""

@@ -57,6 +57,7 @@ case(
 )
 case(
     "two blocks may stand on one line with a semicolon between",
+    pins="semicolon",
     control=WITH_O, source="PB155, EOB", evidence="inferred",
     program="O1;N10 M8;N20 M9;N30 M30;",
     runs="N10 N20 N30", m=[8, 9],
@@ -75,6 +76,7 @@ case(
 )
 case(
     "on HNC the text behind a semicolon is a comment and no block",
+    pins="semicolon",
     control=HNC, source="HD, comments", evidence="secondary",
     files={"O1": b"%1\nN10 M8 ; N15 M3 ; N16 M4\nN20 M9;\nN30 M30\n"},
     runs="N10 N20 N30", m=[8, 9],
@@ -172,6 +174,7 @@ case(
 )
 case(
     "a program that only has its O is at its end at once on FANUC",
+    pins="percent_programs",
     control=FANUC, source="ALM 5010, END OF RECORD", evidence="inferred",
     program="""
         O1
@@ -182,6 +185,7 @@ case(
 )
 case(
     "a program that only has its O is at its end at once on a Mitsubishi",
+    pins="percent_programs",
     control=MITSUBISHI, source="SK P36", evidence="inferred",
     program="""
         O1
@@ -192,6 +196,7 @@ case(
 )
 case(
     "a program that only has its O is at its end at once on the GSK 988",
+    pins="percent_programs",
     control=GSK_988, source="Talm 19", evidence="inferred",
     program="""
         O1
@@ -405,6 +410,7 @@ case(
 )
 case(
     "the 988TA takes no Chinese letters in a name",
+    pins="wide_names",
     control="gsk-988ta", source="source 000, other characters alarm", evidence="source document",
     files={"O0001.CNC": "O0001\nN10 M98 P[\u87ba\u7eb9]\nN20 M30\n",
            "\u87ba\u7eb9.CNC": "N30 M99\n"},
@@ -412,6 +418,7 @@ case(
 )
 case(
     "the 980TDi calls a file with a Chinese name",
+    pins="wide_names",
     control="gsk-980tdi", source="TDi15", evidence="maker's manual",
     files={"O0001.CNC": "O0001\nN10 M98 P[\u5916\u5706] L2\nN20 M30\n",
            "\u5916\u5706.CNC": "N30 M99\n"},
@@ -440,6 +447,7 @@ case(
 )
 case(
     "the O in a file counts and not the file's name on FANUC and GSK",
+    pins="file_name_wins",
     control=FANUC + GSK_988 + GSK_980, source=POLICY, evidence="inferred",
     files={"O0001.NC": "O0001\nN10 M98 P22\nN20 M30\n", "PART7.NC": "O0022\nN30 M99\n"},
     main="O1", runs="N10 N30 N20",
@@ -563,6 +571,7 @@ case(
 )
 case(
     "a sequence number behind another word is 006 on the GSK 980",
+    pins="sequence_number_first",
     control=GSK_980, source="MDia 006", evidence="maker's manual",
     program="""
         O1
@@ -796,6 +805,7 @@ case(
 )
 case(
     "a comment that is not closed is 041 on the GSK 980",
+    pins="open_comment",
     control=GSK_980, source="MDia 041", evidence="maker's manual",
     program="""
         O1
@@ -991,6 +1001,7 @@ for text, meaning, value in [
 ]:
     case(
         f"X{text} is read as {meaning} on FANUC",
+        pins="cuts_fine_digits",
         control=FANUC, source="general knowledge, decimal point and least increment",
         evidence="inferred",
         program=f"""
@@ -1198,6 +1209,7 @@ case(
 )
 case(
     "a character that HNC does not know stops at its block",
+    pins="file_name_wins",
     control=HNC, source=FORM, evidence="inferred",
     files={"O1": b"%1\nN10 M9\nN20 M8 !\nN30 M30\n"},
     runs="N10", m=[9], alarm="illegal-character", number=None, at="%1 N20",
@@ -1296,6 +1308,7 @@ case(
 )
 case(
     "an address written twice is 010 on the GSK 980",
+    pins="repeated_address",
     control=GSK_980, source="MDia 010", evidence="maker's manual",
     program="""
         O1

@@ -14,6 +14,7 @@ HNC, TE = "hnc-21m", "gsk-928te"
 
 case(
     "a name in angle brackets heads no program",
+    pins="named_programs max_block_length bracket_names",
     control=[MDI, MELDAS, F16, F0D], source="general knowledge, program names",
     evidence="inferred",
     program="""
@@ -27,6 +28,7 @@ case(
 )
 case(
     "the highest program number is 9999",
+    pins="max_program_number",
     control=[T, *GSK_980, F16, F0D], source="general knowledge, four digits", evidence="inferred",
     program="""
         O1
@@ -39,6 +41,7 @@ case(
 )
 case(
     "a sequence number has five digits and not six",
+    pins="max_sequence_number max_block_length m_codes_per_block",
     control=[*GSK, *MITSUBISHI, F16, F0D],
     source="PB155; Talm 003; MDia 006; SK P35; general knowledge", evidence="inferred",
     program="""
@@ -53,6 +56,7 @@ case(
 )
 case(
     "N0 names a block as any number does",
+    pins="max_block_length",
     control=[*GSK_988, *FANUC], source="policy", evidence="inferred",
     program="""
         O1
@@ -64,6 +68,7 @@ case(
 )
 case(
     "N0 is read and its block runs",
+    pins="zero_numbers m_codes_per_block",
     control=[*GSK_988, *FANUC], source="policy", evidence="inferred",
     program="""
         O1
@@ -74,6 +79,7 @@ case(
 )
 case(
     "an N behind other words is read",
+    pins="sequence_number_first late_sequence_numbers",
     control=[T, *FANUC], source="policy", evidence="inferred",
     program="""
         O1
@@ -85,6 +91,7 @@ case(
 )
 case(
     "GOTO finds no N that stands behind other words",
+    pins="late_sequence_numbers",
     control=MITSUBISHI, source="general knowledge, N at the head; MZ 843", evidence="inferred",
     program="""
         O1
@@ -98,6 +105,7 @@ case(
 )
 case(
     "a spindle speed of 8 digits is read",
+    pins="max_digits",
     control=[*GSK_988, F16, F0D], source="general knowledge, 8 digits", evidence="inferred",
     program="""
         O1
@@ -121,6 +129,7 @@ case(
 )
 case(
     "a spindle speed of 9 digits is read",
+    pins="max_digits",
     control=[F0F, F30], source="general knowledge, 9 digits", evidence="inferred",
     program="""
         O1
@@ -143,6 +152,7 @@ case(
 )
 case(
     "a spindle speed of 10 digits is read",
+    pins="max_digits",
     control=GSK_980, source="general knowledge, 10 digits", evidence="inferred",
     program="""
         O1
@@ -165,6 +175,7 @@ case(
 )
 case(
     "a spindle speed of 15 digits is read",
+    pins="max_digits",
     control=MITSUBISHI, source="general knowledge, 15 digits", evidence="inferred",
     program="""
         O1
@@ -187,6 +198,7 @@ case(
 )
 case(
     "a slash inside a block drops the rest of it",
+    pins="block_skip",
     control=[*GSK_988, *FANUC], source="general knowledge, block skip", evidence="inferred",
     program="""
         O1
@@ -198,6 +210,7 @@ case(
 )
 case(
     "a slash inside a block is refused",
+    pins="block_skip",
     control=[*GSK_980, *MITSUBISHI], source="general knowledge, block skip at the head only",
     evidence="inferred",
     program="""
@@ -211,6 +224,7 @@ case(
 )
 case(
     "a comment that is not closed reaches to the end of its block",
+    pins="open_comment",
     control=[*GSK_988, *MITSUBISHI, *FANUC], source="policy; GED", evidence="inferred",
     program="""
         O1
@@ -371,6 +385,7 @@ case(
 )
 case(
     "of two M codes the last counts",
+    pins="m_codes_alarm",
     control=[*GSK_980, *FANUC], source="general knowledge, 3404#7", evidence="inferred",
     program="""
         O1
@@ -381,6 +396,7 @@ case(
 )
 case(
     "of five M codes the last four count on a Mitsubishi",
+    pins="m_codes_per_block m_codes_alarm",
     control=MITSUBISHI, source="general knowledge, M codes", evidence="inferred",
     program="""
         O1
@@ -403,6 +419,7 @@ case(
 )
 case(
     "G without a number is G00",
+    pins="bare_g",
     control=MITSUBISHI, source="general knowledge, G alone", evidence="inferred",
     program="""
         O1
@@ -414,6 +431,7 @@ case(
 )
 case(
     "a program without its end alarms",
+    pins="missing_end",
     control=GSK_980, source="MDia; policy", evidence="inferred",
     program="""
         O1
@@ -424,6 +442,7 @@ case(
 )
 case(
     "% with a number heads no program on the 980",
+    pins="percent_programs",
     control=GSK_980, source="general knowledge, O heads a program", evidence="inferred",
     program="""
         O1
@@ -436,6 +455,7 @@ case(
 )
 case(
     "a block of 256 characters is read",
+    pins="max_block_length",
     control=GSK, source="Talm 002; MDia 037", evidence="inferred",
     program="""
         O1
@@ -459,6 +479,7 @@ case(
 )
 case(
     "an N behind other words is read and names nothing",
+    pins="sequence_number_first",
     control=MITSUBISHI, source="general knowledge, N at the head", evidence="inferred",
     program="""
         O1
@@ -481,6 +502,7 @@ case(
 )
 case(
     "sequence numbers have eight digits and not nine",
+    pins="max_sequence_number",
     control=[F0F, F30], source="ALM PS1128; general knowledge", evidence="inferred",
     program="""
         O1
@@ -495,6 +517,7 @@ case(
 
 case(
     "M1 without its switch does not start the program over",
+    pins="restart_m_code",
     control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, M01", evidence="inferred",
     program="""
         O1
@@ -505,6 +528,7 @@ case(
 )
 case(
     "M97 is no jump but a code for the machine",
+    pins="jump_m97",
     control=[*GSK, *MITSUBISHI, *FANUC], source="TApar 6003#4; general knowledge",
     evidence="inferred",
     program="""
@@ -517,6 +541,7 @@ case(
 )
 case(
     ",D names no device",
+    pins="device_word",
     control=[*GSK, MELDAS, *FANUC], source="general knowledge, device words", evidence="inferred",
     program="""
         O1
@@ -532,6 +557,7 @@ case(
 )
 case(
     "eight digits of P with four zeros in front are one call",
+    pins="zero_count_alarms",
     control=[*GSK_988, *FANUC], source="policy; PB304", evidence="inferred",
     program="""
         O1
@@ -556,6 +582,7 @@ case(
 )
 case(
     "a count of zeros in P is refused on the 980",
+    pins="zero_count_alarms",
     control=GSK_980, source="MDia 092", evidence="inferred",
     program="""
         O1
@@ -581,6 +608,7 @@ case(
 )
 case(
     "M99 L0 is M99",
+    pins="count_and_l return_with_l",
     control=[*GSK_988, F16], source="policy", evidence="inferred",
     program="""
         O1
@@ -593,6 +621,7 @@ case(
 )
 case(
     "M99 L0 is M99 on the 980",
+    pins="return_with_l",
     control=GSK_980, source="policy", evidence="inferred",
     program="""
         O1
@@ -605,6 +634,7 @@ case(
 )
 case(
     "other words may stand beside M99 while a modal call is active",
+    pins="return_alone_in_modal",
     control=[*GSK, *MITSUBISHI, F16], source="policy", evidence="inferred",
     program="""
         O1
@@ -619,6 +649,7 @@ case(
 )
 case(
     "other words beside M99 alarm while a modal call is active",
+    pins="return_alone_in_modal",
     control=FANUC_PS, source="ALM PS1093", evidence="secondary",
     program="""
         O1
@@ -633,6 +664,7 @@ case(
 )
 case(
     "G54 may share a block with M98",
+    pins="codes_not_with_call",
     control=[*GSK_988, *MITSUBISHI, *FANUC], source="PMI39; SM 3; source 000, words L and Q (5)",
     evidence="inferred",
     program="""
@@ -659,6 +691,7 @@ case(
 )
 case(
     "G28 may share a block with M99",
+    pins="codes_not_with_return",
     control=[MDI, *MITSUBISHI, *FANUC], source="K-H, words before M99", evidence="inferred",
     program="""
         O1
@@ -671,6 +704,7 @@ case(
 )
 case(
     "G53 may share a block with M99 on the 980TDi",
+    pins="codes_not_with_return",
     control=TDI, source="policy", evidence="inferred",
     program="""
         O1
@@ -683,6 +717,7 @@ case(
 )
 case(
     "a P in M98 that is not whole is cut",
+    pins="call_values",
     control=GSK, source="source 000, word P; policy", evidence="inferred",
     program="""
         O1
@@ -733,6 +768,7 @@ case(
 )
 case(
     "Q of M98 starts at its block",
+    pins="start_word",
     control=T, source="source 000, words L and Q (1)", evidence="inferred",
     program="""
         O1
@@ -746,6 +782,7 @@ case(
 )
 case(
     "Q of M98 starts nothing: the call begins at the head",
+    pins="start_word",
     control=[*GSK_980, F16], source="general knowledge, M98 without a start word",
     evidence="inferred",
     program="""
@@ -760,6 +797,7 @@ case(
 )
 case(
     "H of M98 starts nothing: the call begins at the head",
+    pins="start_word",
     control=[*GSK, *FANUC], source="general knowledge, M98 without H", evidence="inferred",
     program="""
         O1
@@ -825,6 +863,7 @@ case(
 )
 case(
     "a subprogram may call the program that called it",
+    pins="caller_call",
     control=[*MITSUBISHI, *FANUC], source="ALM PS0077; SM", evidence="inferred",
     program="""
         O1
@@ -860,6 +899,7 @@ case(
 )
 case(
     "L0 is no count",
+    pins="zero_repeats",
     control=GSK_988, source="source 000, words L and Q (2)", evidence="source document",
     program="""
         O1
@@ -873,6 +913,7 @@ case(
 )
 case(
     "L0 of a macro call is no count on the 980",
+    pins="zero_repeats",
     control=GSK_980, source="TDi28, L 1 to 9999; MDia 092", evidence="inferred",
     program="""
         O1
@@ -886,6 +927,7 @@ case(
 )
 case(
     "L above 9999 makes 9999 passes",
+    pins="too_many_repeats",
     control=GSK_988, source="source 000, M198 (3); TA28", evidence="inferred",
     program="""
         O1
@@ -912,6 +954,7 @@ case(
 )
 case(
     "an L beside a plain P of the 980 counts nothing",
+    pins="count_and_l",
     control=GSK_980, source="TDi15, M98: L only with P[name]", evidence="inferred",
     program="""
         O1
@@ -924,6 +967,7 @@ case(
 )
 case(
     "M198 is a code for the machine",
+    pins="external_calls",
     control=[*GSK_980, MELDAS], source="general knowledge, no external calls",
     evidence="inferred",
     program="""
@@ -935,6 +979,7 @@ case(
 )
 case(
     "M198 calls from the external device on the 988T",
+    pins="external_calls",
     control=T, source="source 000, M198", evidence="inferred",
     program="""
         O1
@@ -945,6 +990,7 @@ case(
 )
 case(
     "M99 P takes the nearest block behind the call",
+    pins="return_search",
     control=T, source="source 000, note 2", evidence="inferred",
     program="""
         O1
@@ -960,6 +1006,7 @@ case(
 )
 case(
     "M99 P takes the first block from the head",
+    pins="return_search return_with_p",
     control=[*GSK_980, *MITSUBISHI, *FANUC], source="policy, GED", evidence="inferred",
     program="""
         O1
@@ -976,12 +1023,14 @@ case(
 )
 case(
     "P[NAME] calls a program by its name on the 988T",
+    pins="bracket_names name_marks",
     control=T, source="source 000, word P, format 2", evidence="inferred",
     files={"O0001.CNC": "O0001\nN10 M98 P[T+1-A_B.C]\nN20 M30\n", "T+1-A_B.C.CNC": "N30 M99\n"},
     main="O0001", runs="N10 N30 N20",
 )
 case(
     "P[NAME] is no call on this control",
+    pins="bracket_names",
     control=[MDI, *MITSUBISHI, *FANUC], source="general knowledge, no names in brackets",
     evidence="inferred",
     program="""
@@ -996,6 +1045,7 @@ case(
 )
 case(
     "a name of 32 characters can be called in brackets",
+    pins="max_name_length",
     control=GSK_988, source="policy", evidence="inferred",
     files={"O0001.CNC": "O0001\nN10 M98 P[AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA]\nN20 M30\n", "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA.CNC": "N30 M99\n"},
     main="O0001", runs="N10 N30 N20",
@@ -1008,12 +1058,14 @@ case(
 )
 case(
     "a Chinese name cannot be called on the 988",
+    pins="wide_names",
     control=GSK_988, source="source 000, word P, format 2 (1)", evidence="source document",
     files={"O0001.CNC": "O0001\nN10 M98 P[\u5916\u5706]\nN20 M30\n"}, main="O0001", runs="",
     alarm="illegal-program-name", at="O0001 N10",
 )
 case(
     "a called program may call in MDI",
+    pins="mdi_calls",
     control=[*MITSUBISHI, *FANUC], source="IMD; general knowledge", evidence="inferred",
     program="""
         O2
@@ -1026,6 +1078,7 @@ case(
 )
 case(
     "an M code may stand beside M98",
+    pins="m_codes_alone",
     control=[*GSK_988, *MITSUBISHI], source="policy; SM 3", evidence="inferred",
     program="""
         O1
@@ -1038,6 +1091,7 @@ case(
 )
 case(
     "in a canned cycle M98 may share its block with words",
+    pins="words_with_call_in_cycle",
     control=[MDI, *MITSUBISHI, F16], source="general knowledge; no alarm known",
     evidence="inferred",
     program="""
@@ -1053,6 +1107,7 @@ case(
 )
 case(
     "the highest program number is 99999999",
+    pins="max_program_number count_and_l",
     control=[F0F, F30], source="general knowledge, 8 digits", evidence="inferred",
     program="""
         O1
@@ -1079,6 +1134,7 @@ case(
 )
 case(
     "a P of five digits with an L names a number that these controls do not have",
+    pins="count_and_l",
     control=[F16, F0D], source="general knowledge, L with P", evidence="inferred",
     program="""
         O1
@@ -1105,6 +1161,7 @@ case(
 )
 case(
     "a count of 10000 is refused",
+    pins="max_repeats too_many_repeats",
     control=[F16, F0D, F0F], source="ROB; general knowledge", evidence="inferred",
     program="""
         O1
@@ -1118,6 +1175,7 @@ case(
 )
 case(
     "a count of eight digits is taken on the 30i",
+    pins="max_repeats",
     control=F30, source="general knowledge, 8 digits", evidence="inferred",
     program="""
         O1
@@ -1130,6 +1188,7 @@ case(
 )
 case(
     "a count of nine digits is refused on the 30i",
+    pins="too_many_repeats",
     control=F30, source="general knowledge, 8 digits", evidence="inferred",
     program="""
         O1
@@ -1159,6 +1218,7 @@ case(
 )
 case(
     "GOTO takes the next block of that number",
+    pins="jump_search",
     control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, search order",
     evidence="inferred",
     program="""
@@ -1174,6 +1234,7 @@ case(
 )
 case(
     "three open loops do not count in a called program",
+    pins="loops_count_across_calls",
     control=[*GSK, *FANUC], source="general knowledge, loops belong to their program",
     evidence="inferred",
     program="""
@@ -1197,6 +1258,7 @@ case(
 )
 case(
     "twelve digits are read in a statement",
+    pins="max_constant_digits",
     control=[*GSK, *MITSUBISHI, *FANUC_PS], source="policy", evidence="inferred",
     program="""
         O1
@@ -1221,6 +1283,7 @@ case(
 )
 case(
     "ATAN counts a full turn",
+    pins="atan_range",
     control=[*GSK, *MITSUBISHI, *FANUC], source="TApar 6004#0; TDi29; ALI; general knowledge",
     evidence="inferred",
     program="""
@@ -1232,6 +1295,7 @@ case(
 )
 case(
     "ASIN of a negative value lies behind 180",
+    pins="asin_range",
     control=[*GSK_988, MDI, *FANUC], source="TApar 6004#0; ALI; general knowledge",
     evidence="inferred",
     program="""
@@ -1243,6 +1307,7 @@ case(
 )
 case(
     "ASIN of a negative value is negative",
+    pins="asin_range",
     control=[TDI, *MITSUBISHI], source="TDi29; general knowledge", evidence="inferred",
     program="""
         O1
@@ -1253,6 +1318,7 @@ case(
 )
 case(
     "two conditions cannot be joined",
+    pins="joined_conditions",
     control=[*GSK, *FANUC], source="policy; general knowledge 6006#0", evidence="inferred",
     program="""
         O1
@@ -1267,6 +1333,7 @@ case(
 )
 case(
     "two conditions can be joined",
+    pins="joined_conditions",
     control=MITSUBISHI, source="general knowledge, AND in conditions", evidence="inferred",
     program="""
         O1
@@ -1279,6 +1346,7 @@ case(
 )
 case(
     "== is no operator",
+    pins="comparison_symbols",
     control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge, condition operators",
     evidence="inferred",
     program="""
@@ -1294,6 +1362,7 @@ case(
 )
 case(
     "== stands for EQ on the 980",
+    pins="comparison_symbols",
     control=GSK_980, source="TDi29", evidence="inferred",
     program="""
         O1
@@ -1306,6 +1375,7 @@ case(
 )
 case(
     "a condition stands in brackets",
+    pins="conditions_without_brackets",
     control=[*GSK, *MITSUBISHI, *FANUC], source="TA27; X-GO; MZ 864", evidence="inferred",
     program="""
         O1
@@ -1320,6 +1390,7 @@ case(
 )
 case(
     "two letters are no function",
+    pins="short_functions",
     control=[*GSK, *MITSUBISHI], source="general knowledge, function names", evidence="inferred",
     program="""
         O1
@@ -1407,6 +1478,7 @@ case(
 )
 case(
     "MOD is no operator",
+    pins="modulo",
     control=[*GSK, F16], source="general knowledge, MOD", evidence="inferred",
     program="""
         O1
@@ -1420,6 +1492,7 @@ case(
 )
 case(
     "MOD is the rest of a division",
+    pins="modulo",
     control=[*MITSUBISHI, *FANUC_PS], source="general knowledge, MOD", evidence="inferred",
     program="""
         O1
@@ -1430,6 +1503,7 @@ case(
 )
 case(
     "a word with a vacant variable is left out",
+    pins="vacant_address",
     control=[*GSK_988, *MITSUBISHI, *FANUC], source="XIA, JIX; general knowledge",
     evidence="inferred",
     program="""
@@ -1441,6 +1515,7 @@ case(
 )
 case(
     "a word with a vacant variable is 0",
+    pins="vacant_address",
     control=GSK_980, source="TDi28", evidence="inferred",
     program="""
         O1
@@ -1451,6 +1526,7 @@ case(
 )
 case(
     "a vacant variable does not equal 0",
+    pins="vacant_comparison",
     control=[*GSK_988, *MITSUBISHI, *FANUC], source="M7V; general knowledge", evidence="inferred",
     program="""
         O1
@@ -1462,6 +1538,7 @@ case(
 )
 case(
     "a vacant variable equals 0 on the 980",
+    pins="vacant_comparison",
     control=GSK_980, source="TDi28", evidence="inferred",
     program="""
         O1
@@ -1473,6 +1550,7 @@ case(
 )
 case(
     "#9100 is no variable",
+    pins="indirect_9nnn",
     control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge, variables",
     evidence="inferred",
     program="""
@@ -1487,6 +1565,7 @@ case(
 )
 case(
     "#9100 reads the variable that #100 names",
+    pins="indirect_9nnn",
     control=GSK_980, source="TDi28", evidence="inferred",
     program="""
         O1
@@ -1497,6 +1576,7 @@ case(
 )
 case(
     "SETVN does not exist",
+    pins="variable_names",
     control=[*GSK, F16], source="general knowledge, no variable names", evidence="inferred",
     program="""
         O1
@@ -1510,6 +1590,7 @@ case(
 )
 case(
     "five brackets inside each other are read",
+    pins="max_brackets",
     control=[*GSK, *MITSUBISHI, *FANUC], source="Talm 205; MDia 104; MZ 858; X-NUL",
     evidence="inferred",
     program="""
@@ -1535,6 +1616,7 @@ case(
 )
 case(
     "AND takes a negative value",
+    pins="negative_logic",
     control=["gsk-980tdi", *MITSUBISHI, *FANUC], source="policy; ALI", evidence="inferred",
     program="""
         O1
@@ -1545,6 +1627,7 @@ case(
 )
 case(
     "OR binds like plus",
+    pins="logic_binds_last",
     control=[*GSK, *FANUC], source="general knowledge, priorities", evidence="inferred",
     program="""
         O1
@@ -1556,6 +1639,7 @@ case(
 )
 case(
     "OR binds weaker than a comparison",
+    pins="logic_binds_last",
     control=MITSUBISHI, source="general knowledge, priorities", evidence="inferred",
     program="""
         O1
@@ -1608,6 +1692,7 @@ case(
 )
 case(
     "GOTO takes five digits and not six",
+    pins="max_jump_number",
     control=[*GSK, *MITSUBISHI, F16, F0D], source="Talm 213; MDia 112; X-GO; general knowledge",
     evidence="inferred",
     program="""
@@ -1622,6 +1707,7 @@ case(
 )
 case(
     "GOTO may stand in MDI",
+    pins="jumps_in_mdi",
     control=MITSUBISHI, source="MZ 869: tape only; general knowledge", evidence="inferred",
     program="""
         O2
@@ -1631,6 +1717,7 @@ case(
 )
 case(
     "GOTO may not stand in MDI",
+    pins="jumps_in_mdi",
     control=[*GSK, *FANUC], source="Talm 208; ALM PS0123; policy", evidence="inferred",
     program="""
         O2
@@ -1642,6 +1729,7 @@ case(
 )
 case(
     "a program may raise alarm 200 and not 201",
+    pins="user_alarm_last",
     control=[*GSK_988, *FANUC], source="general knowledge, #3000", evidence="inferred",
     program="""
         O1
@@ -1653,6 +1741,7 @@ case(
 )
 case(
     "a program may raise alarm 200",
+    pins="user_alarm_offset",
     control=[*GSK_988, *FANUC], source="general knowledge, #3000", evidence="inferred",
     program="""
         O1
@@ -1665,6 +1754,7 @@ case(
 )
 case(
     "a program may raise alarm 99 on the 980",
+    pins="user_alarm_offset user_alarm_last",
     control=GSK_980, source="TDi28, #3000", evidence="inferred",
     program="""
         O1
@@ -1675,6 +1765,7 @@ case(
 )
 case(
     "a program may raise alarm 9999 on a Mitsubishi",
+    pins="user_alarm_last",
     control=MITSUBISHI, source="general knowledge, #3000", evidence="inferred",
     program="""
         O1
@@ -1696,6 +1787,7 @@ case(
 )
 case(
     "GOTO takes eight digits",
+    pins="max_jump_number",
     control=[F0F, F30], source="ALM PS1128", evidence="secondary",
     program="""
         O1
@@ -1718,6 +1810,7 @@ case(
 )
 case(
     "two letters of a function suffice",
+    pins="short_functions",
     control=FANUC, source="K-H, two letters", evidence="inferred",
     program="""
         O1
@@ -1728,6 +1821,7 @@ case(
 )
 case(
     "SETVN gives names",
+    pins="variable_names",
     control=FANUC_PS, source="ALM PS1139; K-M syntax", evidence="inferred",
     program="""
         O1
@@ -1777,6 +1871,7 @@ case(
 
 case(
     "M30 is an argument of a macro call",
+    pins="m_codes_not_with_macro_call",
     control=[*GSK_988, *MITSUBISHI, *FANUC],
     source="source 002, argument I; TA27; general knowledge", evidence="inferred",
     program="""
@@ -1791,6 +1886,7 @@ case(
 )
 case(
     "G66.1 does not exist",
+    pins="modal_every_block",
     control=[*GSK, F16], source="general knowledge, G66.1", evidence="inferred",
     program="""
         O1
@@ -1806,6 +1902,7 @@ case(
 )
 case(
     "of an argument given twice the last counts",
+    pins="repeated_argument",
     control=[*GSK, *MITSUBISHI, *FANUC], source="TA27; PB304; general knowledge",
     evidence="inferred",
     program="""
@@ -1820,6 +1917,7 @@ case(
 )
 case(
     "two modal calls stack: behind a move the last runs, and its own move calls the first",
+    pins="modal_calls_stack",
     control=[*MITSUBISHI, *FANUC], source="NCT; M7V; general knowledge", evidence="inferred",
     program="""
         O1
@@ -1837,6 +1935,7 @@ case(
 )
 case(
     "two modal calls stack on the 980: one G67 leaves the first",
+    pins="modal_calls_stack",
     control=GSK_980, source="general knowledge, nested G66", evidence="inferred",
     program="""
         O1
@@ -1888,6 +1987,7 @@ case(
 )
 case(
     "a modal macro gets its arguments again at each call",
+    pins="modal_locals",
     control=[*GSK, *MITSUBISHI], source="TA27, G66; TDi28, G66; general knowledge",
     evidence="inferred",
     program="""
@@ -1906,6 +2006,7 @@ case(
 )
 case(
     "what a modal macro leaves in #1 is there at its next call",
+    pins="modal_locals",
     control=FANUC, source="K-H, G66", evidence="inferred",
     program="""
         O1
@@ -1923,6 +2024,7 @@ case(
 )
 case(
     "a block that writes an axis and does not move it calls on the 980",
+    pins="modal_trigger",
     control=GSK_980, source="TDi28, G66 (3)", evidence="inferred",
     program="""
         O1
@@ -1936,6 +2038,7 @@ case(
 )
 case(
     "a block that writes an axis and does not move it calls nothing",
+    pins="modal_trigger",
     control=[*GSK_988, *MITSUBISHI, *FANUC], source="TA27, G66; M7V; general knowledge",
     evidence="inferred",
     program="""
@@ -1950,6 +2053,7 @@ case(
 )
 case(
     "G67 without a modal call to cancel is nothing",
+    pins="cancel_alone",
     control=[*GSK_980, F16], source="general knowledge, G67", evidence="inferred",
     program="""
         O1
@@ -1960,6 +2064,7 @@ case(
 )
 case(
     "G67 without a modal call to cancel is refused",
+    pins="cancel_alone",
     control=[*GSK_988, *MITSUBISHI, *FANUC_PS], source="Talm 218; MZ 857; ALM PS1100",
     evidence="inferred",
     program="""
@@ -2001,6 +2106,7 @@ case(
 )
 case(
     "P of a macro call has eight digits",
+    pins="max_macro_digits",
     control=[*MITSUBISHI, F30, F0F], source="IMD, P; general knowledge", evidence="inferred",
     program="""
         O1
@@ -2063,6 +2169,7 @@ case(
 )
 case(
     "macros do not count as subprograms on the 980",
+    pins="nesting_counts_macros",
     control=GSK_980, source="general knowledge, nesting", evidence="inferred",
     program="""
         O1
@@ -2087,6 +2194,7 @@ case(
 )
 case(
     "H99 raises alarm 5900 and the number in P",
+    pins="h99_offset",
     control=MDI, source="TDi28, H99", evidence="inferred",
     program="""
         O1
@@ -2097,6 +2205,7 @@ case(
 )
 case(
     "G17 may not share a block with G66",
+    pins="codes_not_with_modal_call",
     control=GSK_988, source="TA27, note 6; Talm 212", evidence="inferred",
     program="""
         O1
@@ -2110,6 +2219,7 @@ case(
 )
 case(
     "G97 is no argument of G66",
+    pins="codes_not_with_modal_call",
     control=GSK_980, source="MDia 044: groups 00 and 01 only; general knowledge",
     evidence="inferred",
     program="""
@@ -2124,6 +2234,7 @@ case(
 )
 case(
     "G04 is no argument of G66",
+    pins="codes_not_with_modal_call",
     control=[*MITSUBISHI, *FANUC], source="ALM PS0129; general knowledge", evidence="inferred",
     program="""
         O1
@@ -2139,6 +2250,7 @@ case(
 )
 case(
     "G43 is no argument of G65",
+    pins="codes_not_with_macro_call",
     control=[*MITSUBISHI, *FANUC], source="ALM PS0129; general knowledge", evidence="inferred",
     program="""
         O1
@@ -2166,6 +2278,7 @@ case(
 )
 case(
     "X1= is no argument",
+    pins="numbered_axis_arguments",
     control=[*GSK_980, *MITSUBISHI, *FANUC], source="general knowledge, arguments",
     evidence="inferred",
     program="""
@@ -2193,6 +2306,7 @@ case(
 )
 case(
     "P of a macro call has no nine digits",
+    pins="max_macro_digits",
     control=FANUC, source="general knowledge, 8 digits", evidence="inferred",
     program="""
         O1
@@ -2218,6 +2332,7 @@ case(
 
 case(
     "N0 is read on the HNC and the GSK 928",
+    pins="zero_numbers max_block_length",
     control=[HNC, TE], source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2228,6 +2343,7 @@ case(
 )
 case(
     "an N behind other words is read on the HNC and the GSK 928",
+    pins="sequence_number_first",
     control=[HNC, TE], source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2239,6 +2355,7 @@ case(
 )
 case(
     "eight digits are read on the HNC and the GSK 928",
+    pins="max_digits",
     control=[HNC, TE], source="general knowledge, 8 digits", evidence="inferred",
     program="""
         %1
@@ -2250,6 +2367,7 @@ case(
 )
 case(
     "nine digits are refused on the HNC and the GSK 928",
+    pins="percent_programs",
     control=[HNC, TE], source="general knowledge, 8 digits", evidence="inferred",
     program="""
         %1
@@ -2261,6 +2379,7 @@ case(
 )
 case(
     "a slash inside a block is refused on the HNC and the GSK 928",
+    pins="block_skip",
     control=[HNC, TE], source="general knowledge, block skip", evidence="inferred",
     program="""
         %1
@@ -2282,6 +2401,7 @@ case(
 )
 case(
     "a comment that is not closed reaches to the end of its block on the HNC and the GSK 928",
+    pins="open_comment",
     control=[HNC, TE], source="policy", evidence="inferred",
     program="""
         %1
@@ -2363,6 +2483,7 @@ case(
 )
 case(
     "of two M codes the last counts on the GSK 928",
+    pins="m_codes_alarm",
     control=TE, source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2373,6 +2494,7 @@ case(
 )
 case(
     "G without a number is refused on the HNC and the GSK 928",
+    pins="bare_g",
     control=[HNC, TE], source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2384,6 +2506,7 @@ case(
 )
 case(
     "a sequence number has four digits on the GSK 928",
+    pins="max_sequence_number",
     control=TE, source="source 001, N of four digits", evidence="inferred",
     program="""
         %1
@@ -2398,6 +2521,7 @@ case(
 
 case(
     "an M code may stand beside M98 on the HNC",
+    pins="m_codes_alone",
     control=HNC, source="policy", evidence="inferred",
     program="""
         %1
@@ -2410,6 +2534,7 @@ case(
 )
 case(
     "an M code may stand beside M98 on the GSK 928",
+    pins="m_codes_alone",
     control=TE, source="policy", evidence="inferred",
     program="""
         %1
@@ -2421,6 +2546,7 @@ case(
 )
 case(
     "H starts nothing on the HNC: the call begins at the head",
+    pins="start_word",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %1
@@ -2434,6 +2560,7 @@ case(
 )
 case(
     "a subprogram may call its caller on the HNC",
+    pins="caller_call conditions_without_brackets",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %1
@@ -2455,6 +2582,7 @@ case(
 )
 case(
     "a count of 10000 is refused on the HNC",
+    pins="max_repeats too_many_repeats",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %1
@@ -2480,6 +2608,7 @@ case(
 )
 case(
     "a count of 10000 is refused on the GSK 928",
+    pins="max_repeats too_many_repeats",
     control=TE, source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2503,6 +2632,7 @@ case(
 )
 case(
     "L0 calls once on the HNC",
+    pins="zero_repeats",
     control=HNC, source="policy", evidence="inferred",
     program="""
         %1
@@ -2515,6 +2645,7 @@ case(
 )
 case(
     "L0 calls once on the GSK 928",
+    pins="zero_repeats",
     control=TE, source="policy", evidence="inferred",
     program="""
         %1
@@ -2526,6 +2657,7 @@ case(
 )
 case(
     "M198 is a code for the machine on the HNC and the GSK 928",
+    pins="external_calls",
     control=[HNC, TE], source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2536,6 +2668,7 @@ case(
 )
 case(
     ",D names no device on the HNC and the GSK 928",
+    pins="device_word",
     control=[HNC, TE], source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2548,6 +2681,7 @@ case(
 )
 case(
     "M97 is no jump but a code for the machine on the HNC",
+    pins="jump_m97",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %1
@@ -2559,6 +2693,7 @@ case(
 )
 case(
     "a called program may call in MDI on the HNC",
+    pins="mdi_calls",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %2
@@ -2571,6 +2706,7 @@ case(
 )
 case(
     "M99 L0 is M99 on the HNC",
+    pins="return_with_l",
     control=HNC, source="policy", evidence="inferred",
     program="""
         %1
@@ -2583,6 +2719,7 @@ case(
 )
 case(
     "M99 L0 is M99 on the GSK 928",
+    pins="return_with_l",
     control=TE, source="policy", evidence="inferred",
     program="""
         %1
@@ -2594,6 +2731,7 @@ case(
 )
 case(
     "a P in M98 is rounded on the HNC",
+    pins="call_values",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %1
@@ -2612,6 +2750,7 @@ case(
 
 case(
     "reset makes locals and commons vacant",
+    pins="reset_clears_locals reset_clears_commons",
     control=[*GSK_988, *FANUC], source="TA27, parameters 6001#6 and 6001#7; CW-G",
     evidence="secondary",
     program="""
@@ -2624,6 +2763,7 @@ case(
 )
 case(
     "reset makes locals vacant and leaves commons",
+    pins="reset_clears_locals reset_clears_commons",
     control=[*GSK_980, *MITSUBISHI], source="policy", evidence="inferred",
     program="""
         O1
@@ -2635,6 +2775,7 @@ case(
 )
 case(
     "reset makes locals vacant and leaves commons on the HNC",
+    pins="reset_clears_locals reset_clears_commons",
     control=HNC, source="policy", evidence="inferred",
     program="""
         %1
@@ -2649,6 +2790,7 @@ case(
 
 case(
     "a run may start at an N that stands behind other words",
+    pins="late_sequence_numbers",
     control=[HNC, TE], source="policy", evidence="inferred",
     program="""
         O1
@@ -2660,6 +2802,7 @@ case(
 )
 case(
     "digits finer than the least increment are kept",
+    pins="cuts_fine_digits",
     control=[*GSK_988, TDI, TE], source="policy", evidence="inferred",
     program="""
         O1
@@ -2673,6 +2816,7 @@ case(
 )
 case(
     "digits finer than the least increment are kept on a mill",
+    pins="cuts_fine_digits",
     control=[MDI, HNC], source="policy", evidence="inferred",
     program="""
         O1
@@ -2686,6 +2830,7 @@ case(
 )
 case(
     "a program of the GSK 928 without its end alarms",
+    pins="missing_end",
     control=TE, source="policy", evidence="inferred",
     program="""
         N10 M8
@@ -2695,6 +2840,7 @@ case(
 )
 case(
     "a semicolon ends a block on the GSK 928",
+    pins="semicolon",
     control=TE, source="policy", evidence="inferred",
     program="""
         N10 M8;N20 M9
@@ -2704,6 +2850,7 @@ case(
 )
 case(
     "P of M98 has no eleven digits on the 980",
+    pins="max_program_digits",
     control=GSK_980, source="general knowledge, count and number", evidence="inferred",
     program="""
         O1
@@ -2717,6 +2864,7 @@ case(
 )
 case(
     "P of M98 has eight digits on the HNC",
+    pins="max_program_digits",
     control=HNC, source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2728,6 +2876,7 @@ case(
 )
 case(
     "a sequence number of nine digits is refused on the HNC",
+    pins="max_sequence_number",
     control=HNC, source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2750,6 +2899,7 @@ case(
 )
 case(
     "there are no calls in MDI on the GSK 928",
+    pins="mdi_calls",
     control=TE, source="policy", evidence="inferred",
     program="""
         N40 M8
@@ -2759,6 +2909,7 @@ case(
 )
 case(
     "M99 takes no P on the GSK 928",
+    pins="return_with_p",
     control=TE, source="source 001, M99", evidence="inferred",
     program="""
         N10 M98 P40
@@ -2769,6 +2920,7 @@ case(
 )
 case(
     "M1 without its switch starts nothing over on the HNC",
+    pins="restart_m_code",
     control=HNC, source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2779,6 +2931,7 @@ case(
 )
 case(
     "G28 may share a block with M99 on the HNC",
+    pins="codes_not_with_return",
     control=HNC, source="policy", evidence="inferred",
     program="""
         %1
@@ -2791,6 +2944,7 @@ case(
 )
 case(
     "G54 may share a block with M98 on the HNC",
+    pins="codes_not_with_call",
     control=HNC, source="policy", evidence="inferred",
     program="""
         %1
@@ -2803,6 +2957,7 @@ case(
 )
 case(
     "G54 may not share a block with M98 on the 980TDi",
+    pins="codes_not_with_call",
     control=TDI, source="MDib 0051; of the 980MDi", evidence="inferred",
     program="""
         O1
@@ -2816,6 +2971,7 @@ case(
 )
 case(
     "M30 may not share a block with G65 on the 980TDi",
+    pins="m_codes_not_with_macro_call",
     control=TDI, source="MDib 0116; of the 980MDi", evidence="inferred",
     program="""
         O1
@@ -2829,6 +2985,7 @@ case(
 )
 case(
     "in a drilling cycle of a lathe M98 may share its block with words",
+    pins="words_with_call_in_cycle",
     control=[*GSK_988, TDI], source="policy", evidence="inferred",
     program="""
         O1
@@ -2842,6 +2999,7 @@ case(
 )
 case(
     "in a canned cycle M98 may share its block with words on the HNC",
+    pins="words_with_call_in_cycle",
     control=HNC, source="policy", evidence="inferred",
     program="""
         %1
@@ -2855,6 +3013,7 @@ case(
 )
 case(
     "M97 takes the first block of its number from the head",
+    pins="jump_m97",
     control=TE, source="policy", evidence="inferred",
     program="""
         N20 M8
@@ -2866,6 +3025,7 @@ case(
 )
 case(
     "a vacant value written to a system variable counts as 0",
+    pins="vacant_system_writes",
     control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge", evidence="inferred",
     program="""
         O1
@@ -2878,6 +3038,7 @@ case(
 )
 case(
     "a vacant value cannot be written to a system variable of the 980",
+    pins="vacant_system_writes",
     control=GSK_980, source="MDia 121", evidence="secondary",
     program="""
         O1
@@ -2889,6 +3050,7 @@ case(
 )
 case(
     "a name beyond ASCII cannot be called",
+    pins="named_programs wide_names",
     control=[M700, M800, F0F, F30], source="general knowledge, letters of names",
     evidence="inferred",
     program="""
@@ -2902,6 +3064,7 @@ case(
 )
 case(
     "a name in angle brackets is no block of the HNC and the GSK 928",
+    pins="named_programs bracket_names",
     control=[HNC, TE], source="general knowledge", evidence="inferred",
     program="""
         %1
@@ -2913,11 +3076,13 @@ case(
 )
 case(
     "the head names a program of the GSK 928, whatever its file is called",
+    pins="file_name_wins",
     control=TE, source="policy", evidence="inferred",
     files={"PART.CNC": "%1\nN10 M30\n"}, main="%1", runs="N10",
 )
 case(
     "a code inside a program that an M code called may call again on the 988",
+    pins="code_cascade",
     control=GSK_988, source="policy", evidence="inferred", params={"6008#6": 1, "6080": 50, "6081": 51},
     program="""
         O1
@@ -2933,6 +3098,7 @@ case(
 )
 case(
     "fifteen calls of both kinds may be open",
+    pins="max_total_nesting",
     control=FANUC_PS, source="general knowledge, 10 subprograms and 5 macros", evidence="inferred",
     program="O1\nN10 M98 P2\nN20 M30\n"
     + "".join(f"O{i}\nM98 P{i + 1}\nM99\n" for i in range(2, 11))
@@ -2957,6 +3123,7 @@ case(
 for text, value in {"123456789012": 123456789012, "ATAN[-1]": -0.785398, "[" * 64 + "1" + "]" * 64: 1, "ATAN2[-1,-1]": -2.356194, "-5 AND 3": 3}.items():
     case(
         f"{text[:12]}{'...' * (len(text) > 12)} is an expression of the HNC",
+        pins="max_constant_digits max_brackets negative_logic logic_of_bits",
         control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
         program=f"%1\nN10 #50={text}\nN30 M30",
         vars={50: value},
@@ -2969,6 +3136,7 @@ for claim, text, cause in (
 ):
     case(
         claim, control=HNC, source="general knowledge of the Century Star manuals",
+        pins="short_functions modulo",
         evidence="inferred", program=f"%1\nN10 M8\nN20 #50={text}\nN30 M30",
         runs="N10", alarm=cause, at="%1 N20",
     )
@@ -2978,11 +3146,13 @@ for claim, condition, cause in (
 ):
     case(
         claim, control=HNC, source="general knowledge of the Century Star manuals",
+        pins="max_condition_length comparison_symbols",
         evidence="inferred", program=f"%1\nN10 M8\nN20 IF {condition}\nN25 ENDIF\nN30 M30",
         runs="N10", alarm=cause, at="%1 N20",
     )
 case(
     "a vacant variable is 0 in a condition of the HNC",
+    pins="vacant_comparison",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %1
@@ -2995,6 +3165,7 @@ case(
 )
 case(
     "a word with a vacant variable is 0 on the HNC",
+    pins="vacant_address",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %1
@@ -3005,6 +3176,7 @@ case(
 )
 case(
     "AND binds weaker than a comparison on the HNC",
+    pins="joined_conditions logic_binds_last",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="""
         %1

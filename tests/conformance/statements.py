@@ -22,6 +22,7 @@ for _text in (
 ):
     case(
         f"the 928TE, which has no macro statements, refuses {_text}", control=TE,
+        pins="statements",
         source="general knowledge: no macro statements", evidence="inferred", program=block(_text),
         runs="N10", alarm="statement-not-available", number=None, at="O1 N20",
     )
@@ -62,6 +63,7 @@ for _text in ("DO1", "END1"):
 def condition(text, true, controls, source, evidence):
     case(
         f"{text} is {'true' if true else 'false'} where logic of numbers binds first",
+        pins="logic_of_numbers",
         control=controls, source=source, evidence=evidence,
         program=f"O1\nN10 #100=7\nN15 #101=2\nN20 IF[{text}]GOTO40\nN30 M8\nN40 M30\n",
         runs="N10 N15 N20 " + ("N40" if true else "N30 N40"),
@@ -124,6 +126,7 @@ for _text in ("#100AND3EQ3", "3EQ#100AND3", "[#100AND3]EQ3"):
     )
 case(
     "AND of numbers binds last on the HNC: a condition is missing before it", control=HNC, **KNOWN,
+    pins="logic_of_numbers",
     program="%1\nN10 #50=7\nN20 IF #50 AND 3 EQ 3\nN30 M8\nN40 ENDIF\nN50 M30\n",
     runs="N10", alarm="if-format", at="%1 N20",
 )

@@ -14,7 +14,7 @@ from cncsub.facts import explanations
 from conformance import EVIDENCE, Case, cases, rows, topic_files
 from entries import HOW_TO_WRITE as HOW_TO_PIN
 from entries import unnoticed
-from mutation import HOW_TO_WRITE, notices, read_pins
+from mutation import HOW_TO_FIND, notices, pinning, unpinned
 from outcome import execute, load
 from unpinned import UNPINNED
 
@@ -129,22 +129,27 @@ def test_every_motion_alarm_of_a_row_names_its_word() -> None:
 
 
 def test_every_rule_is_pinned() -> None:
-    """Change any rule of any control, and the row that pins it has to notice."""
-    pins = read_pins()
-    by_place = {(row.control, row.case.claim): row.case for row in rows()}
-    missing, idle = [], []
-    for name, control in cncsub.controls.items():
-        for rule in control.rules:
-            claim = pins.get(name, {}).get(rule.name)
-            if claim is None:
-                if name not in UNPINNED.get(rule.name, {}):
-                    missing.append(f"{name}: {rule.name}")
-                continue
-            case = by_place.get((name, claim))
-            if case is None or not notices(case, control, rule):
-                idle.append(f"{name}: {rule.name}: {claim}")
-    assert idle == [], f"{HOW_TO_WRITE}; these rows pin nothing:\n{chr(10).join(idle)}"
-    assert missing == [], f"{HOW_TO_WRITE}; no row is known for:\n{chr(10).join(missing)}"
+    """Change any rule of any control, and a row that says that it pins it has to notice."""
+    missing = [f"{control}: {rule.name}" for control, rule in unpinned()]
+    assert missing == [], f"{HOW_TO_FIND}; no row that pins it notices\n{chr(10).join(missing)}"
+
+
+def test_a_row_notices_what_it_pins() -> None:
+    """On one of its controls at least: a rule may be inert beside others of a control. Of rows that
+    a loop writes, one.
+    """
+    rules = {n: {r.name: r for r in c.rules} for n, c in cncsub.controls.items()}
+    written: dict[tuple[str, int, str], list[tuple[Case, str]]] = {}
+    for row in rows():
+        for name in row.case.pins:
+            place = (row.case.topic, row.case.line, name)
+            written.setdefault(place, []).append((row.case, row.control))
+    idle = [
+        f"{topic}.py:{line}: {name}"
+        for (topic, line, name), those in written.items()
+        if not any(notices(case, cncsub.controls[c], rules[c][name]) for case, c in those)
+    ]
+    assert idle == []
 
 
 def test_every_entry_of_every_list_is_pinned() -> None:
@@ -152,17 +157,27 @@ def test_every_entry_of_every_list_is_pinned() -> None:
     assert unnoticed() == [], HOW_TO_PIN
 
 
-def test_what_is_unpinned_is_pinned_nowhere_else() -> None:
-    pins = read_pins()
-    both = [
-        f"{control}: {rule}"
-        for rule, reasons in UNPINNED.items()
-        for control in reasons
-        if rule in pins.get(control, {})
-    ]
+def test_what_is_unpinned_is_noticed_nowhere() -> None:
     known = {rule.name for control in cncsub.controls.values() for rule in control.rules}
-    assert both == []
     assert set(UNPINNED) <= known
+    noticed = [
+        f"{control}: {rule.name}: {case.claim}"
+        for control, reasons in _reasons().items()
+        for rule in cncsub.controls[control].rules
+        if rule.name in reasons
+        for case in pinning(control, rule.name)
+        if notices(case, cncsub.controls[control], rule)
+    ]
+    assert noticed == []
+
+
+def _reasons() -> dict[str, set[str]]:
+    """By control, the rules that no row can notice there."""
+    by_control: dict[str, set[str]] = {}
+    for rule, controls in UNPINNED.items():
+        for control in controls:
+            by_control.setdefault(control, set()).add(rule)
+    return by_control
 
 
 def _line_of(case: Case, alarm: cncsub.Alarm) -> str | None:

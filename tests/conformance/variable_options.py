@@ -28,17 +28,20 @@ def numbers(controls: Sequence[str]) -> dict[str, str | None]:
 _STANDARD = "O1\nN10 #100=1\nN20 #199=2\nN30 #500=3\nN40 #999=4\nN50 M30"
 case(
     "#100 to #199 and #500 to #999 are commons without a word about options",
+    pins="commons",
     control=[*GSK_988, *MITSUBISHI, *FANUC], source=f"TApar 6001#6 and 6031; JIX; {SETS}",
     evidence="inferred", program=_STANDARD, vars={100: 1, 199: 2, 500: 3, 999: 4},
 )
 case(
     "GSK 980: #100 to #999 are commons in one piece",
+    pins="commons",
     control=GSK_980, source="TDi28, variables", evidence="maker's manual",
     program="O1\nN10 #100=1\nN20 #200=2\nN30 #499=3\nN40 #999=4\nN50 M30",
     vars={100: 1, 200: 2, 499: 3, 999: 4},
 )
 case(
     "HNC-21M: #50 to #199 are its global variables",
+    pins="commons",
     control=HNC, source="H9", evidence="secondary",
     program="%1\nN10 #50=1\nN20 #199=2\nN30 M30", vars={50: 1, 199: 2},
 )
@@ -233,6 +236,7 @@ for _n in (2499, 2507, 2600, 2607, 2701, 2806, 2807):
     _fitted = _n in (2499, 2507, 2607, 2807)
     case(
         f"#{_n} is {'not there beside' if _fitted else 'not there without'} work offsets by axis",
+        pins="variable_options",
         control=FANUC, source=_AXES, evidence="inferred", replace=BY_AXIS if _fitted else {},
         program=f"O1\nN10 #100=1\nN20 #{_n}=2\nN30 M30",
         runs="N10", alarm="illegal-variable", number=PS, at="O1 N20", word=f"#{_n}", vars={100: 1},
@@ -261,6 +265,7 @@ for _n in (2201, 2401, 2601, 2800, 2801):
     _fitted = _n == 2801
     case(
         f"#{_n} is {'not there beside' if _fitted else 'not there without'} offsets from #2201",
+        pins="variable_options",
         control=MITSUBISHI, source=_WEAR, evidence="inferred", replace=FROM_2201 if _fitted else {},
         program=f"O1\nN10 #100=1\nN20 #101=#{_n}\nN30 M30",
         runs="N10", alarm="illegal-variable", number=P241, at="O1 N20", vars={100: 1},
