@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -265,6 +266,47 @@ def test_what_another_signal_raises_goes_on_to_the_caller() -> None:
         with pytest.raises(Rang):
             machine.run()
         assert machine.stop is cncsub.Stop.INTERRUPTED
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, old)
+
+
+# What goes over all rows of a table.
+LOOKS: dict[str, Callable[[cncsub.Run], object]] = {
+    "columns of the moves": lambda run: run.moves._fetch(["time", "length", "mx"]),
+    "axes that few moves name": lambda run: [run.moves._fetch(["c"]) for _ in range(20)],
+    "whole numbers": lambda run: run.moves._fetch(["kind", "tool", "plane", "d", "h"]),
+    "columns of the steps": lambda run: run.steps._fetch(["line", "n", "depth"] * 5),
+    "columns of the calls": lambda run: run.calls._fetch(["kind", "level", "repeats"] * 20),
+    "bounds": lambda run: run.moves.bounds,
+    "length": lambda run: run._core.trace.path_length,
+    "messages": lambda run: run._core.trace.messages,
+}
+
+
+@pytest.fixture(scope="module")
+def long_run() -> cncsub.Run:
+    text = "O1\nG1 F1 C9.\nN1 M8\nDPRNT[A]\nG2 X1. I1.\nX2. I1.\nM98 P2\nGOTO1\nO2\nM99\n"
+    return cncsub.loads(text, control="fanuc-0i-f").run(max_blocks=4_000_000)
+
+
+@pytest.mark.parametrize("name", LOOKS)
+def test_a_look_at_very_many_rows_is_given_up(name: str, long_run: cncsub.Run) -> None:
+    def ring(*_: object) -> None:
+        raise Rang
+
+    look = LOOKS[name]
+    look(long_run)  # NumPy is imported, not while the clock runs
+    begun = time.monotonic()
+    look(long_run)
+    whole = time.monotonic() - begun
+    old = signal.signal(signal.SIGALRM, ring)
+    try:
+        begun = time.monotonic()
+        signal.setitimer(signal.ITIMER_REAL, whole / 10)
+        with pytest.raises(Rang):
+            look(long_run)
+        assert time.monotonic() - begun < 0.6 * whole + 0.05
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, old)

@@ -9,7 +9,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+
+import cncsub
 
 sanitized = "libasan" in os.environ.get("LD_PRELOAD", "")
 
@@ -318,3 +321,11 @@ def test_without_memory_python_raises_in(name: str) -> None:
             or "SystemError" in said
             or "OSError" in said
         ), (room, said)
+
+
+def test_a_column_that_is_asked_for_twice_is_made_once() -> None:
+    text = "O1\nG1 F1\nN1 X1.\nX2.\nGOTO1\n"
+    run = cncsub.loads(text, control="fanuc-0i-f").run(max_blocks=100_000)
+    columns = run.moves._core.move_columns(["time", "x", "time", "kind", "x", "kind"])
+    assert list(columns) == ["time", "x", "kind"]
+    assert all(np.array_equal(columns[name], run.moves.column(name)) for name in columns)

@@ -288,10 +288,18 @@ MoveRow Moves::row(std::size_t index) const {
 }
 
 template <class Use>
-void Moves::walk(Use&& use) const {
+void Moves::each_row(Patience* patience, Use&& use) const {
+  for (std::size_t i = 0; i < rows_;) {
+    for (const std::size_t end = std::min(rows_, i + Chunk::kRows); i < end; ++i) use(i);
+    if (patience != nullptr && patience->over(sizeof(Chunk))) return;
+  }
+}
+
+template <class Use>
+void Moves::walk(Patience* patience, Use&& use) const {
   Walk walk{*this};
   walk.from = start_;
-  for (std::size_t i = 0; i < rows_; ++i) use(i, walk.next(i));
+  each_row(patience, [&](std::size_t i) { use(i, walk.next(i)); });
 }
 
 std::string Moves::axes() const {
@@ -301,15 +309,15 @@ std::string Moves::axes() const {
   return names;
 }
 
-double Moves::length() const {
+double Moves::length(Patience* patience) const {
   double sum = 0;
-  walk([&](std::size_t, const MoveRow& row) { sum += row.length; });
+  walk(patience, [&](std::size_t, const MoveRow& row) { sum += row.length; });
   return sum;
 }
 
-double Moves::time() const {
+double Moves::time(Patience* patience) const {
   double sum = 0;
-  walk([&](std::size_t, const MoveRow& row) { sum += row.time; });
+  walk(patience, [&](std::size_t, const MoveRow& row) { sum += row.time; });
   return sum;
 }
 
@@ -348,7 +356,7 @@ void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters,
 
 }  // namespace
 
-Moves::Bounds Moves::bounds() const {
+Moves::Bounds Moves::bounds(Patience* patience) const {
   Bounds bounds;
   bounds.low.fill(kNone);
   bounds.high.fill(kNone);
@@ -356,7 +364,7 @@ Moves::Bounds Moves::bounds() const {
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
   Axes base = start_;  // where the row starts, without a radius offset
-  walk([&](std::size_t, const MoveRow& row) {
+  walk(patience, [&](std::size_t, const MoveRow& row) {
     const Axes& offset = offsets_[row.state->offset];
     for (int i = 0; i < kAxes; ++i) {
       low[i] = std::min(low[i], row.point[i]);
@@ -375,14 +383,15 @@ Moves::Bounds Moves::bounds() const {
 }
 
 /// A column that stands in the chunks: the programmed point.
-bool Moves::plain_column(std::string_view name, double* out) const {
+bool Moves::plain_column(std::string_view name, double* out, Patience* patience) const {
   const int axis = name.size() == 1 ? axis_of(name[0]) : -1;
   if (axis < 0) return false;
   if (axis >= 3) {
-    for (std::size_t i = 0; i < rows_; ++i) out[i] = point(i)[static_cast<std::size_t>(axis)];
+    each_row(patience, [&](std::size_t i) { out[i] = point(i)[static_cast<std::size_t>(axis)]; });
     return true;
   }
   for (std::size_t done = 0; done < rows_; done += Chunk::kRows) {
+    if (patience != nullptr && patience->over(sizeof(Chunk))) break;
     const Chunk& chunk = chunks_[done / Chunk::kRows];
     const double* from = axis == 0 ? chunk.x : axis == 1 ? chunk.y : chunk.z;
     std::copy_n(from, std::min(Chunk::kRows, rows_ - done), out + done);
@@ -415,29 +424,28 @@ Derived derived(std::string_view name) {
 
 }  // namespace
 
-bool Moves::columns(const std::vector<std::string>& names, const std::vector<double*>& out) const {
+bool Moves::columns(const std::vector<std::string>& names, const std::vector<double*>& out,
+                    Patience* patience) const {
   std::vector<Derived> follow;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (plain_column(names[i], out[i])) continue;
+    if (plain_column(names[i], out[i], patience)) continue;
     follow.push_back(derived(names[i]));
     if (follow.back().value == nullptr) return false;
     follow.back().out = out[i];
   }
   if (follow.empty()) return true;
-  walk([&](std::size_t i, const MoveRow& row) {
+  walk(patience, [&](std::size_t i, const MoveRow& row) {
     for (const Derived& column : follow) column.out[i] = column.value(row, column.axis);
   });
   return true;
 }
 
 template <class Whole>
-bool Moves::column(std::string_view name, Whole* out) const {
+bool Moves::column(std::string_view name, Whole* out, Patience* patience) const {
   const auto fill = [&](auto value) {
-    for (std::size_t i = 0; i < rows_; ++i) {
-      const Chunk& chunk = chunks_[i / Chunk::kRows];
-      const std::size_t place = i % Chunk::kRows;
-      out[i] = static_cast<Whole>(value(chunk, place, i));
-    }
+    each_row(patience, [&](std::size_t i) {
+      out[i] = static_cast<Whole>(value(chunks_[i / Chunk::kRows], i % Chunk::kRows, i));
+    });
     return true;
   };
   const auto state = [&](auto field) {
@@ -463,8 +471,8 @@ bool Moves::column(std::string_view name, Whole* out) const {
   return false;
 }
 
-template bool Moves::column(std::string_view name, std::int32_t* out) const;
-template bool Moves::column(std::string_view name, std::int64_t* out) const;
+template bool Moves::column(std::string_view name, std::int32_t* out, Patience*) const;
+template bool Moves::column(std::string_view name, std::int64_t* out, Patience*) const;
 
 std::size_t Moves::bytes() const {
   std::size_t sum = chunks_.size() * sizeof(Chunk) + states_.bytes() + offsets_.bytes() +

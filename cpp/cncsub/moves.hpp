@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cncsub/column.hpp"
+#include "cncsub/patience.hpp"
 
 namespace cncsub {
 
@@ -69,18 +70,20 @@ class Moves {
   MoveRow row(std::size_t index) const;
   /// The axes that moves named, X Y Z first.
   std::string axes() const;
-  double length() const;
-  double time() const;
+  // What goes over all moves asks `patience` now and then; given up, it leaves the rest undone.
+  double length(Patience* patience = nullptr) const;
+  double time(Patience* patience = nullptr) const;
   struct Bounds {
     Axes low, high;  // work coordinates; NaN on an axis no move named
   };
-  Bounds bounds() const;
+  Bounds bounds(Patience* patience = nullptr) const;
   /// Writes whole columns, each to its place, in one pass over the moves: x y z a b c u v w, mx my
   /// mz ma ..., cx cy cz, feed, spindle, length, time. False where a name is another one.
-  bool columns(const std::vector<std::string>& names, const std::vector<double*>& out) const;
+  bool columns(const std::vector<std::string>& names, const std::vector<double*>& out,
+               Patience* patience = nullptr) const;
   /// move, step, kind, plane, tool, h, d, feed_mode, skip.
   template <class Whole>
-  bool column(std::string_view name, Whole* out) const;
+  bool column(std::string_view name, Whole* out, Patience* patience = nullptr) const;
   std::size_t bytes() const;
 
   // What the motion engine writes.
@@ -169,11 +172,13 @@ class Moves {
   };
 
   void grow();
-  bool plain_column(std::string_view name, double* out) const;
+  bool plain_column(std::string_view name, double* out, Patience* patience) const;
+  template <class Use>
+  void each_row(Patience* patience, Use&& use) const;
   void push_extras(const Axes& point);
   Axes point(std::size_t row) const;
   template <class Use>
-  void walk(Use&& use) const;
+  void walk(Patience* patience, Use&& use) const;
 
   Chunks<Chunk> chunks_;
   Room room_;

@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "cncsub/patience.hpp"
+
 namespace cncsub::bindings {
 
 /// The GIL is given away for as long as this lives.
@@ -43,5 +45,17 @@ class Away {
 
   PyThreadState* state_;
 };
+
+/// Does what may take long without the GIL; it asks the patience it is given. Ctrl-C is let in, and
+/// is an exception behind it.
+template <class Job>
+void work_away(Job&& job) {
+  {
+    Away away;
+    Patience patience([&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); });
+    std::forward<Job>(job)(patience);
+  }
+  if (PyErr_Occurred() != nullptr) throw pybind11::error_already_set();
+}
 
 }  // namespace cncsub::bindings

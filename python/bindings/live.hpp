@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cncsub/machine.hpp"
+#include "gil.hpp"
 
 namespace cncsub::bindings {
 
@@ -77,7 +78,10 @@ class Record {
   /// Seconds of all moves.
   double time() const {
     const Reading reading(*this);
-    return live_ ? live_->machine.motion().time() : trace_->moves.time();
+    if (live_) return live_->machine.motion().time();
+    double time = 0;
+    work_away([&](Patience& patience) { time = trace_->moves.time(&patience); });
+    return time;
   }
 
   /// Nothing is recorded while this lives.

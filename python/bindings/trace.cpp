@@ -33,13 +33,13 @@ template <class T, class Value>
 py::object step_array(const Record& record, Value&& value) {
   const auto& steps = record.trace().steps;
   const Array<T> array(steps.size());
-  {
-    const Away away;
+  work_away([&](Patience& patience) {
     T* out = array.data;
     steps.for_each_run([&](const Trace::Step* rows, std::size_t count) {
+      if (patience.over(count * sizeof(Trace::Step))) return;
       for (std::size_t i = 0; i < count; ++i) *out++ = static_cast<T>(value(rows[i]));
     });
-  }
+  });
   return array.object;
 }
 
@@ -111,17 +111,17 @@ template <class T, class Value>
 py::object call_array(const Record& record, Value&& value) {
   const Trace& trace = record.trace();
   const Array<T> array(trace.ended_calls());
-  {
-    const Away away;
+  work_away([&](Patience& patience) {
     T* out = array.data;
     auto later = trace.unfinished.begin();
     for (std::size_t row = 0; row < trace.calls.size(); ++row) {
+      if (patience.over(sizeof(CallRow))) return;
       if (later != trace.unfinished.end() && *later == row)
         ++later;
       else
         *out++ = static_cast<T>(value(trace.calls[row], row));
     }
-  }
+  });
   return array.object;
 }
 
@@ -188,9 +188,9 @@ py::object whole_move_column(const Record& record, const std::string& name) {
   const Moves& moves = record.trace().moves;
   const Array<Whole> array(moves.size());
   Whole* const out = array.data;
-  {
-    const Away away;
-    moves.column(name, out);
+  work_away([&](Patience& patience) {
+    moves.column(name, out, &patience);
+    if (patience.over(0)) return;
     if constexpr (sizeof(Whole) == 8) {
       if (name == "step")
         for (std::size_t i = 0; i < moves.size(); ++i)
@@ -198,7 +198,7 @@ py::object whole_move_column(const Record& record, const std::string& name) {
       if (name == "move")
         for (std::size_t i = 0; i < moves.size(); ++i) out[i] += record.trace().first_move;
     }
-  }
+  });
   return array.object;
 }
 
@@ -210,6 +210,7 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
   std::vector<std::string> lengths;
   std::vector<double*> places;
   for (const std::string& name : names) {
+    if (columns.contains(name)) continue;  // its array is being filled
     if (is_whole(name)) {
       const bool texts = name == "kind" || name == "feed_mode" || name == "skip";
       columns[py::str(name)] = texts ? whole_move_column<std::int32_t>(record, name)
@@ -222,10 +223,7 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
     columns[py::str(name)] = array.object;
   }
   bool known = false;
-  {
-    const Away away;
-    known = moves.columns(lengths, places);
-  }
+  work_away([&](Patience& patience) { known = moves.columns(lengths, places, &patience); });
   if (!known) throw py::key_error("no such column");
   return columns;
 }
@@ -282,7 +280,8 @@ py::dict bounds_of(const Record& record) {
   const Record::Reading reading(record);
   py::dict bounds;
   const Moves& moves = record.trace().moves;
-  const Moves::Bounds box = moves.bounds();
+  Moves::Bounds box;
+  work_away([&](Patience& patience) { box = moves.bounds(&patience); });
   for (const char axis : moves.axes()) {
     const auto place = kAxisNames.find(axis);
     if (!std::isnan(box.low[place]))
@@ -292,12 +291,21 @@ py::dict bounds_of(const Record& record) {
 }
 
 template <class T>
-std::vector<T> listed(const Record& record, const Column<T>& column) {
+py::list listed(const Record& record, const Column<T>& column) {
   const Record::Reading reading(record);
-  std::vector<T> list;
-  list.reserve(column.size());
-  for (std::size_t i = 0; i < column.size(); ++i) list.push_back(column[i]);
+  py::list list;
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    list.append(py::cast(column[i]));
+    if (i % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
   return list;
+}
+
+double path_length(const Record& record) {
+  const Record::Reading reading(record);
+  double length = 0;
+  work_away([&](Patience& patience) { length = record.trace().moves.length(&patience); });
+  return length;
 }
 
 template <class Kind>
@@ -347,8 +355,7 @@ void add_trace(py::module_& m) {
       .def_property_readonly("move_kinds", [](const Record&) { return names_to(MoveKind::Dwell); })
       .def_property_readonly("skip_names", [](const Record&) { return names_to(SkipMove::Missed); })
       .def_property_readonly("move_axes", &move_axes)
-      .def_property_readonly("path_length",
-                             size([](const Trace& trace) { return trace.moves.length(); }))
+      .def_property_readonly("path_length", &path_length)
       .def_property_readonly("time", &Record::time)
       .def_property_readonly("bounds", &bounds_of)
       .def_property_readonly(
