@@ -337,7 +337,8 @@ def test_the_part_of_a_long_line_around_the_word_is_shown() -> None:
     source, mark = str(alarm).splitlines()[2:4]
     assert len(source) < 180
     assert source[mark.index("^")] == "?"
-    assert "..." in source and source.endswith("...")
+    assert "..." in source
+    assert source.endswith("...")
 
 
 def test_what_a_terminal_obeys_does_not_move_the_mark() -> None:

@@ -121,11 +121,11 @@ std::optional<Fault> program_number(const Control& control, const CallRecord& ca
     }
   }
   target.program_number = p % kCountBase;
+  const std::int64_t count = p / kCountBase;
   target.repeats =
-      static_cast<std::int32_t>(std::min<std::int64_t>(p / kCountBase, control.max_repeats.value));
-  if (p / kCountBase > control.max_repeats.value &&
-      control.too_many_repeats.value == TooManyRepeats::Alarm)
-    return fault(above(static_cast<double>(p / kCountBase), control.max_repeats.value), call.p,
+      static_cast<std::int32_t>(std::min<std::int64_t>(count, control.max_repeats.value));
+  if (count > control.max_repeats.value && control.too_many_repeats.value == TooManyRepeats::Alarm)
+    return fault(above(static_cast<double>(count), control.max_repeats.value), call.p,
                  says + "; the count in it is above " + std::to_string(control.max_repeats.value));
   if (target.program_number == 0 && !control.zero_numbers.value)
     return fault(Cause::ProgramNumberZero, call.p, says + "; programs are numbered from 1");

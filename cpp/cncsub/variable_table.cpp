@@ -29,9 +29,8 @@ std::string written(const Span& span) {
 
 std::optional<std::int32_t> number_in_full(std::string_view text) {
   std::int32_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, number);
-  const bool fine = read.ec == std::errc() && read.ptr == end && number >= 0;
+  const auto read = std::from_chars(text.begin(), text.end(), number);
+  const bool fine = read.ec == std::errc() && read.ptr == text.end() && number >= 0;
   return fine && number <= kLargestNumber ? std::optional(number) : std::nullopt;
 }
 
@@ -152,7 +151,7 @@ std::optional<std::string> change_commons(const Control& control, Ranges& list,
       continue;
     }
     if (auto wrong = wrong_entry(control, entry)) return "commons: " + *wrong;
-    given.push_back(*span_of(entry));
+    if (const auto span = span_of(entry)) given.push_back(*span);
   }
   if (auto wrong = overlap(given)) return "commons: " + *wrong;
   spans.insert(spans.end(), given.begin(), given.end());

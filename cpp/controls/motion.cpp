@@ -207,8 +207,11 @@ void fanuc_rules(Control& c) {
   for (int p = 1; p <= 4; ++p) {
     const std::string number = std::to_string(p);
     c.parameters.push_back({std::to_string(6201 + p), static_cast<double>(1 << (p - 1)),
-                            "the skip signals of G31 P" + number + " and G04 Q" + number +
-                                ": bit 0 is SKIP, bit 7 SKIP8",
+                            std::string("the skip signals of G31 P")
+                                .append(number)
+                                .append(" and G04 Q")
+                                .append(number)
+                                .append(": bit 0 is SKIP, bit 7 SKIP8"),
                             "general knowledge; that each has its own signal is policy", Inferred,
                             nullptr});
   }

@@ -159,7 +159,7 @@ stands("G36", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="code-n
 stands("G37", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="code-not-computed")
 stands(
     "G37.1", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="measuring-axis",
-    number={m: "P604" for m in ("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800")},
+    number=dict.fromkeys(("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"), "P604"),
 )
 stands("G37.1", "fanuc-0i-d fanuc-0i-f fanuc-30i", alarm="code-not-computed")
 stands("G37.2", "fanuc-0i-d fanuc-0i-f fanuc-30i", alarm="code-not-computed")
