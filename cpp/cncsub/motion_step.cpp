@@ -98,6 +98,8 @@ bool RadiusPath::join_over_step(const Curve& a, const Curve& b, double offset, J
 bool RadiusPath::join_before_step(const Curve& a, const Curve& b, double offset, Join& join) const {
   const Point u = a.end_direction();
   if (inside(u, b.start_direction(), offset)) return false;
+  const Point v = b.end_direction(), w = behind->start_direction();
+  if (!inside(v, w, offset) || same_normal(offset * v, offset * w)) return false;
   const auto touch = over_step(reversed(*behind), reversed(b), -offset, least);
   if (!touch) return false;
   const Point along = along_edge(*touch, b.from, offset);
