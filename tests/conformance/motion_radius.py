@@ -208,6 +208,14 @@ path(
     " | X-35.642 Y-84.584 | X-20.524 Y-67.756 | X-20.629 Y-66.584",
 )
 path(
+    "an inner arc of 45 increments between two outside corners begins on its own circle", MILLS,
+    "G90 G17 G0 X25. Y10.", "G41 D1 G1 X27. Y3.9 F100", "X24.841 Y-28.821",
+    "G3 X24.798 Y-28.806 I-0.089 J-0.185", "G1 X12.332 Y-25.867", "G40 X0",
+    setup=MILL | {"radius_offsets": {1: 0.2}},
+    centre="X25 Y10 | X27.200 Y3.887 | X25.027 Y-29.034 | X24.935 Y-29.088 | X24.754 Y-29.001"
+    " | X24.753 Y-29.001 | X24.753 Y-29.001 | X12.286 Y-26.062 | X0 Y-25.867",
+)
+path(
     "a step of 4 increments is the last compensated move where the compensation ends behind it", MILLS,
     *_UP, _LOW, "G40 Y30.", centre="X-10 Y20 | X0 Y5 | X49.862 Y5 | X49.862 Y5 | X50.003 Y30",
 )
