@@ -8,7 +8,7 @@
 
 #include "cncsub/rule_lists.hpp"
 #include "cncsub/variable_table.hpp"
-#include "controls/controls.hpp"
+#include "controls/facts.hpp"
 
 namespace cncsub {
 

@@ -64,7 +64,7 @@ def test_no_row_is_stronger_than_its_source_is_on_the_control() -> None:
 
 def test_the_text_of_an_alarm_is_that_of_the_printed_list() -> None:
     """One list for each that is printed: number and text stand in it together."""
-    for file, own in (("alarms_fanuc_30i.def", ("fanuc-30i", "fanuc-0i-f", "fanuc-0i-d")),):
+    for file, own in (("fanuc/alarms_30i.def", ("fanuc-30i", "fanuc-0i-f", "fanuc-0i-d")),):
         listed = dict(re.findall(r'LISTED\("(\w+)", "(.*?)"[,)]', (LISTS / file).read_text()))
         for name in own:
             for alarm in cncsub.controls[name].alarms.values():

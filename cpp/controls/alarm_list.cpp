@@ -1,5 +1,5 @@
 // Alarm lists as data, one for each that is printed.
-#include "controls/controls.hpp"
+#include "controls/facts.hpp"
 
 namespace cncsub {
 
@@ -12,7 +12,7 @@ const std::vector<ListedAlarm>& fanuc_16i_alarms() {
   using enum Cause;
   using Row = ListedAlarm::Row;
   static const std::vector<ListedAlarm> list = {
-#include "controls/alarms_fanuc_16i.def"
+#include "controls/fanuc/alarms_16i.def"
   };
   return list;
 }
@@ -21,7 +21,7 @@ const std::vector<ListedAlarm>& fanuc_30i_alarms() {
   using enum Cause;
   using Row = ListedAlarm::Row;
   static const std::vector<ListedAlarm> list = {
-#include "controls/alarms_fanuc_30i.def"
+#include "controls/fanuc/alarms_30i.def"
   };
   return list;
 }

@@ -1,6 +1,6 @@
 // The GSK controls: 988TA (the control of source 000) and 988T, 980TDi and 980MDi, 928TE (the
 // control of source 001).
-#include "controls/controls.hpp"
+#include "controls/facts.hpp"
 
 namespace cncsub {
 

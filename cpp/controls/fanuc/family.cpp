@@ -2,7 +2,7 @@
 // The keys of the sources stand in sources.def.
 #include <initializer_list>
 
-#include "controls/controls.hpp"
+#include "controls/facts.hpp"
 
 namespace cncsub {
 namespace {

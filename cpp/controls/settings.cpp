@@ -3,7 +3,7 @@
 #include <initializer_list>
 
 #include "cncsub/number.hpp"
-#include "controls/controls.hpp"
+#include "controls/facts.hpp"
 
 namespace cncsub {
 namespace {

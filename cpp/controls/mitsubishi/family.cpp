@@ -1,5 +1,5 @@
 // The Mitsubishi controls: MELDAS before the M700 (the control of source 004), M700 and M800.
-#include "controls/controls.hpp"
+#include "controls/facts.hpp"
 
 namespace cncsub {
 

@@ -2,7 +2,7 @@
 // The keys of the sources stand in sources.def.
 // The HNC-21 shows its alarms as sentences; no source gives a number or the exact words, so it has
 // no alarm table.
-#include "controls/controls.hpp"
+#include "controls/facts.hpp"
 
 namespace cncsub {
 namespace {
