@@ -282,7 +282,7 @@ def test_a_number_is_found_however_it_is_written() -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["run", "{job}/good.nc"], "which control? Give -c and one of gsk-988ta"),
+        (["run", "{job}/good.nc"], "which control? Give -c and one of fanuc-0i-d"),
         (["run", "{job}/good.nc", "-c", "fanuc-0if"], "near are fanuc-0i-f"),
         (["run", "{job}/god.nc", "-c", CONTROL], "good.nc"),
         (["run", "-c", CONTROL], "which program?"),

@@ -48,22 +48,30 @@ def run(library: cncsub.Library) -> cncsub.Run:
 # ---- controls and causes ----
 
 
-def test_the_controls_are_listed_in_order() -> None:
-    assert list(cncsub.controls) == [
-        "gsk-988ta",
-        "gsk-988t",
-        "gsk-980tdi",
-        "gsk-980mdi",
-        "gsk-928te",
-        "mitsubishi-meldas",
-        "mitsubishi-m700",
-        "mitsubishi-m800",
-        "fanuc-16i",
+def test_the_controls_are_listed_by_maker_and_name() -> None:
+    names = list(cncsub.controls)
+    assert names == sorted(names)
+    assert set(names) >= {
         "fanuc-0i-d",
         "fanuc-0i-f",
+        "fanuc-16i",
         "fanuc-30i",
+        "gsk-928te",
+        "gsk-980mdi",
+        "gsk-980tdi",
+        "gsk-988t",
+        "gsk-988ta",
         "hnc-21m",
-    ]
+        "mitsubishi-m700",
+        "mitsubishi-m800",
+        "mitsubishi-meldas",
+    }
+
+
+def test_a_control_is_a_file_that_names_it() -> None:
+    makers = Path(__file__).parent.parent / "cpp/controls"
+    files = [f for f in makers.glob("*/*.cpp") if not f.stem.startswith("family")]
+    assert {f"{f.parent.name}-{f.stem}".replace("_", "-") for f in files} == set(cncsub.controls)
 
 
 def test_an_unknown_control_is_told_with_what_is_near() -> None:
@@ -71,7 +79,7 @@ def test_an_unknown_control_is_told_with_what_is_near() -> None:
         cncsub.controls["fanuc-0if"]
     with pytest.raises(ValueError, match="near are.*fanuc-0i-f"):
         cncsub.loads("O1", control="Fanuc-0IF")
-    with pytest.raises(ValueError, match="there are gsk-988ta"):
+    with pytest.raises(ValueError, match="there are fanuc-0i-d"):
         cncsub.loads("O1", control="???")
     with pytest.raises(TypeError, match="control is a name"):
         cncsub.loads("O1", control=30)  # type: ignore[arg-type]

@@ -262,14 +262,13 @@ void judge(Control& c) {
 const std::vector<Control>& all_controls() {
   static const auto& list = *new const std::vector<Control>([] {
     std::vector<Control> all;
-    const auto take = [&](std::vector<Control> maker, void (*add_motion)(std::vector<Control>&)) {
-      add_motion(maker);
-      for (Control& control : maker) judge(all.emplace_back(std::move(control)));
+    const auto take = [&all](std::string_view name, Control control) {
+      control.name = name;
+      judge(all.emplace_back(std::move(control)));
     };
-    take(gsk_controls(), add_gsk_motion);
-    take(mitsubishi_controls(), add_mitsubishi_motion);
-    take(fanuc_controls(), add_fanuc_motion);
-    take(hnc_controls(), add_hnc_motion);
+#define CONTROL(function, name) take(name, function());
+#include "controls/list.def"
+#undef CONTROL
     return all;
   }());
   return list;

@@ -252,7 +252,8 @@ std::optional<std::string> set_rule(Control& control, const std::string& rule_na
                                     const std::string& source = "set by the caller",
                                     Evidence evidence = Evidence::Inferred);
 
-/// All controls, in listing order. Each of cpp/controls/*.cpp adds the controls of one maker.
+/// All controls, by maker and name. Each is a function in a file of its own,
+/// cpp/controls/<maker>/<control>.cpp.
 const std::vector<Control>& all_controls();
 
 }  // namespace cncsub

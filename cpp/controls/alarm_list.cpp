@@ -1,36 +1,6 @@
-// Alarm lists as data, one for each that is printed.
-#include "controls/facts.hpp"
+#include "controls/alarm_list.hpp"
 
 namespace cncsub {
-
-#define LISTED(number, text, ...) {Row::Listed, number, text, {__VA_ARGS__}, ""},
-#define ASSUMED(number, ...) {Row::Assumed, number, "", {__VA_ARGS__}, ""},
-#define MEANT(number, text, ...) {Row::Meant, number, text, {__VA_ARGS__}, ""},
-#define DIRECTED(number, text, cause, direction) {Row::Directed, number, text, {cause}, direction},
-
-const std::vector<ListedAlarm>& fanuc_16i_alarms() {
-  using enum Cause;
-  using Row = ListedAlarm::Row;
-  static const std::vector<ListedAlarm> list = {
-#include "controls/fanuc/alarms_16i.def"
-  };
-  return list;
-}
-
-const std::vector<ListedAlarm>& fanuc_30i_alarms() {
-  using enum Cause;
-  using Row = ListedAlarm::Row;
-  static const std::vector<ListedAlarm> list = {
-#include "controls/fanuc/alarms_30i.def"
-  };
-  return list;
-}
-
-#undef LISTED
-#undef ASSUMED
-#undef MEANT
-#undef DIRECTED
-
 namespace {
 
 /// The number as the list prints it: PS0078 is 0078.

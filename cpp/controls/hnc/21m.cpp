@@ -3,6 +3,7 @@
 // The HNC-21 shows its alarms as sentences; no source gives a number or the exact words, so it has
 // no alarm table.
 #include "controls/facts.hpp"
+#include "controls/settings.hpp"
 
 namespace cncsub {
 namespace {
@@ -12,7 +13,6 @@ using enum Evidence;
 constexpr const char* kH9 = "H9";
 constexpr const char* kHd = "HD";
 constexpr const char* kHs = "HS";
-constexpr const char* kKnown = "general knowledge";
 constexpr const char* kUnsure = "general knowledge, unsure";
 constexpr const char* kPolicy = "policy, nobody says";
 constexpr const char* kNone = "general knowledge: the HNC-21 has nothing this could apply to";
@@ -180,9 +180,35 @@ void variables(Control& c) {
   c.variables.push_back({800, 899, VariableKind::Kept, Access::ReadWrite, 0, kH9, Secondary});
 }
 
+void motion(Control& c) {
+  c.g_meanings = {
+      "22=pulses 24=mirror 25=mirror-off 7=not-computed 11=not-computed 12=not-computed "
+      "34=not-computed 65=not-computed 10=none 15=none 16=none 31=none 96=none 45=none 46=none "
+      "47=none 48=none",
+      "source 003, G22; the others from general knowledge", SourceDocument};
+  c.power_on_line = {false, "inferred from source 003, typical example: Z5 before any F", Inferred};
+  c.dwell_p_seconds = {true, "source 003, G04", SourceDocument};
+  c.no_radius = {NoRadius::Alarm, kKnown, Inferred};
+  c.cycle_repeats = {"L", kKnown, Inferred};
+  c.peck_words = {PeckWords::K, kKnown, Inferred};
+  c.scale_thousandths = {false, kKnown, Inferred};
+  c.machine_move = {MachineMove::Rapid, "source 003, G53", SourceDocument};
+  c.unit_change = {UnitChange::AtHead, "source 003, G20 G21 G22, and its typical example",
+                   SourceDocument};
+  c.rotation_words = {"P", kKnown, Inferred};
+  add_effect(c, "3402#0", 0, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred,
+             set_power_on_line);
+  add_effect(c, "3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a line, 1 = an alarm",
+             kKnown, Inferred, set_no_radius);
+  add_effect(c, "3410", 0,
+             "stands for: how far the radii of an arc may differ, mm, 0 = not checked", kKnown,
+             Inferred, set_tolerance);
+}
+
+}  // namespace
+
 Control hnc_21m() {
   Control c;
-  c.name = "hnc-21m";
   c.title = "Huazhong HNC-21M";
   reading(c);
   calls_and_returns(c);
@@ -190,11 +216,9 @@ Control hnc_21m() {
   macro_calls(c);
   parameters(c);
   variables(c);
+
+  motion(c);
   return c;
 }
-
-}  // namespace
-
-std::vector<Control> hnc_controls() { return {hnc_21m()}; }
 
 }  // namespace cncsub

@@ -1,28 +1,8 @@
-// The Mitsubishi controls: MELDAS before the M700 (the control of source 004), M700 and M800.
-#include "controls/facts.hpp"
+// The rules, variables and parameters that the Mitsubishi controls share.
+#include "controls/mitsubishi/family.hpp"
 
-namespace cncsub {
-
+namespace cncsub::mitsubishi {
 namespace {
-
-// Where the facts come from: keys of sources.def.
-const std::string k004 = "source 004, ";
-const std::string kSM = "SM, ";
-const std::string kM7 = "M7 ";
-const std::string kSK = "SK ";
-const std::string kIMD = "IMD, ";
-const std::string kIMD2 = "IMD2, ";
-const std::string kCW = "CW, ";
-const std::string kOB = "OB, ";
-const std::string kMZ = "MZ ";
-const std::string kGeneral = "general knowledge";
-// A default, to be changed where a machine is known to differ.
-const std::string kPolicy = "policy: nobody says";
-
-constexpr Evidence kDocument = Evidence::SourceDocument;
-constexpr Evidence kManual = Evidence::Manual;
-constexpr Evidence kSecondary = Evidence::Secondary;
-constexpr Evidence kInferred = Evidence::Inferred;
 
 // Milling and turning codes together, since a library may be run on either machine.
 const std::string kGCodes =
@@ -37,231 +17,155 @@ const std::string kGCodes =
     "107 112 113 114.1 114.2 114.3 115 116 117 118 119 120.1 121 122 160";
 
 void reading(Control& c) {
-  c.semicolon = {Semicolon::EndOfBlock, k004 + "form of M98", kDocument};
-  c.percent_programs = {false, kGeneral + ": % is the end of record", kInferred};
-  c.named_programs = {true, kIMD + "<file name>", kSecondary};
-  c.file_name_wins = {true, kIMD2 + "the O word is a label", kSecondary};
-  c.max_program_number = {99999999, kIMD + "P has eight digits", kSecondary};
-  c.max_sequence_number = {99999, kIMD + "H from 1 to 99999", kSecondary};
-  c.zero_numbers = {false, kMZ + "811: zero as program or sequence number", kSecondary};
+  c.semicolon = {Semicolon::EndOfBlock, k004 + "form of M98", SourceDocument};
+  c.percent_programs = {false, kGeneral + ": % is the end of record", Inferred};
+  c.named_programs = {true, kIMD + "<file name>", Secondary};
+  c.file_name_wins = {true, kIMD2 + "the O word is a label", Secondary};
+  c.max_program_number = {99999999, kIMD + "P has eight digits", Secondary};
+  c.max_sequence_number = {99999, kIMD + "H from 1 to 99999", Secondary};
+  c.zero_numbers = {false, kMZ + "811: zero as program or sequence number", Secondary};
   c.sequence_number_first = {false, kGeneral + ": only a target must have its N at the head",
-                             kInferred};
-  c.cuts_fine_digits = {false, kPolicy, kInferred};
+                             Inferred};
+  c.cuts_fine_digits = {false, kPolicy, Inferred};
   c.late_sequence_numbers = {
-      false, kGeneral + ": the N of a target stands at the head of its block", kInferred};
-  c.max_words = {0, kPolicy, kInferred};
-  c.max_block_length = {0, kPolicy, kInferred};
+      false, kGeneral + ": the N of a target stands at the head of its block", Inferred};
+  c.max_words = {0, kPolicy, Inferred};
+  c.max_block_length = {0, kPolicy, Inferred};
   c.max_digits = {15, kPolicy + "; ranges are checked address by address, " + kSK + "P35",
-                  kInferred};
+                  Inferred};
   c.block_skip = {BlockSkip::HeadOnly, kGeneral + ": before or behind N, elsewhere by a parameter",
-                  kInferred};
+                  Inferred};
   c.repeated_address = {RepeatedAddress::LastWins, kGeneral + "; a parameter may change it",
-                        kInferred};
-  c.open_comment = {OpenComment::RestOfBlock, kPolicy, kInferred};
+                        Inferred};
+  c.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
   c.point_addresses = {"ABCEFIJKQRUVWXYZ", kGeneral + ": P, H, L, N, O and D are whole numbers",
-                       kInferred};
+                       Inferred};
   c.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ", kGeneral + "; a negative L is a value out of range",
-                       kInferred};
+                       Inferred};
   c.whole_numbers = {WholeNumbers::Millimetres,
-                     "inferred from the worked examples, which count in millimetres", kInferred};
-  c.missing_end = {MissingEnd::Alarm, kSK + "P36", kManual};
-  c.m_codes_per_block = {4, kGeneral, kInferred};
-  c.m_codes_alarm = {false, kGeneral, kInferred};
-  c.m_codes_alone = {false, kGeneral, kInferred};
-  c.bare_g = {true, kM7 + "p.45: G without a number is G00", kManual};
-  c.g_codes = {kGCodes, kGeneral + "; " + kM7 + "for the milling groups", kInferred};
+                     "inferred from the worked examples, which count in millimetres", Inferred};
+  c.missing_end = {MissingEnd::Alarm, kSK + "P36", Manual};
+  c.m_codes_per_block = {4, kGeneral, Inferred};
+  c.m_codes_alarm = {false, kGeneral, Inferred};
+  c.m_codes_alone = {false, kGeneral, Inferred};
+  c.bare_g = {true, kM7 + "p.45: G without a number is G00", Manual};
+  c.g_codes = {kGCodes, kGeneral + "; " + kM7 + "for the milling groups", Inferred};
 }
 
 void calling(Control& c) {
-  c.name_marks = {"+-_.", kPolicy, kInferred};
-  c.return_alone_in_modal = {false, kPolicy, kInferred};
-  c.program_word = {ProgramWord::Number, kIMD + "P is the program number", kSecondary};
-  c.max_program_digits = {8, kIMD + "P has eight digits", kSecondary};
-  c.count_and_l = {CountAndL::AllNumber, kIMD + "P holds no count", kSecondary};
-  c.bracket_names = {false, kIMD + "names stand in < >", kSecondary};
-  c.wide_names = {false, kGeneral, kInferred};
-  c.max_name_length = {32, kIMD + "32 characters with the extension", kSecondary};
-  c.call_values = {CallValues::Rounded, kGeneral, kInferred};
-  c.zero_count_alarms = {false, kIMD + "P holds no count", kSecondary};
+  c.name_marks = {"+-_.", kPolicy, Inferred};
+  c.return_alone_in_modal = {false, kPolicy, Inferred};
+  c.program_word = {ProgramWord::Number, kIMD + "P is the program number", Secondary};
+  c.max_program_digits = {8, kIMD + "P has eight digits", Secondary};
+  c.count_and_l = {CountAndL::AllNumber, kIMD + "P holds no count", Secondary};
+  c.bracket_names = {false, kIMD + "names stand in < >", Secondary};
+  c.wide_names = {false, kGeneral, Inferred};
+  c.max_name_length = {32, kIMD + "32 characters with the extension", Secondary};
+  c.call_values = {CallValues::Rounded, kGeneral, Inferred};
+  c.zero_count_alarms = {false, kIMD + "P holds no count", Secondary};
   c.omitted_program = {OmittedProgram::Own, kIMD + "P omitted: subroutine of the same program",
-                       kSecondary};
-  c.start_word = {StartWord::H, k004 + "H", kDocument};
-  c.self_call = {SelfCall::Allowed, "inferred from IMD, P omitted", kInferred};
-  c.caller_call = {CallerCall::Allowed, kGeneral + ": only the levels count", kInferred};
-  c.max_repeats = {9999, k004 + "at most 9999 times", kDocument};
-  c.zero_repeats = {ZeroRepeats::Skip, k004 + "note 3, L0", kDocument};
-  c.too_many_repeats = {TooManyRepeats::Alarm, kSK + "P35", kManual};
-  c.max_nesting = {8, kSM + "difference (6): eight levels combined", kManual};
-  c.nesting_counts_macros = {true, kSM + "difference (6): eight levels combined", kManual};
-  c.max_macro_nesting = {4, kSM + "difference (6): four levels of G65, G66, G66.1", kManual};
-  c.max_total_nesting = {0, kSM + "difference (6): max_nesting counts both kinds", kManual};
-  c.mdi_calls = {MdiCalls::Allowed, kIMD + "P omitted: memory and MDI", kSecondary};
-  c.external_calls = {true, kCW + "M198", kSecondary};
-  c.device_word = {true, kIMD + ",D from 0 to 4", kSecondary};
-  c.return_search = {ReturnSearch::FromHead, kPolicy, kInferred};
-  c.return_with_p = {ReturnWithP::LastPass, kPolicy, kInferred};
-  c.return_with_l = {ReturnWithL::ReplacesCount, kOB + "M99 L", kSecondary};
-  c.main_return = {MainReturn::Restarts, k004 + "M99 in the main program", kDocument};
-  c.jump_m97 = {false, kGeneral + ": M96 and M97 are macro interrupts", kInferred};
-  c.restart_m_code = {0, kGeneral, kInferred};
-  c.calls_in_modal = {CallsInModal::Allowed, kGeneral, kInferred};
-  c.codes_not_with_return = {"", kPolicy, kInferred};
-  c.codes_not_with_call = {"", kPolicy, kInferred};
-  c.words_with_call_in_cycle = {true, kGeneral, kInferred};
+                       Secondary};
+  c.start_word = {StartWord::H, k004 + "H", SourceDocument};
+  c.self_call = {SelfCall::Allowed, "inferred from IMD, P omitted", Inferred};
+  c.caller_call = {CallerCall::Allowed, kGeneral + ": only the levels count", Inferred};
+  c.max_repeats = {9999, k004 + "at most 9999 times", SourceDocument};
+  c.zero_repeats = {ZeroRepeats::Skip, k004 + "note 3, L0", SourceDocument};
+  c.too_many_repeats = {TooManyRepeats::Alarm, kSK + "P35", Manual};
+  c.max_nesting = {8, kSM + "difference (6): eight levels combined", Manual};
+  c.nesting_counts_macros = {true, kSM + "difference (6): eight levels combined", Manual};
+  c.max_macro_nesting = {4, kSM + "difference (6): four levels of G65, G66, G66.1", Manual};
+  c.max_total_nesting = {0, kSM + "difference (6): max_nesting counts both kinds", Manual};
+  c.mdi_calls = {MdiCalls::Allowed, kIMD + "P omitted: memory and MDI", Secondary};
+  c.external_calls = {true, kCW + "M198", Secondary};
+  c.device_word = {true, kIMD + ",D from 0 to 4", Secondary};
+  c.return_search = {ReturnSearch::FromHead, kPolicy, Inferred};
+  c.return_with_p = {ReturnWithP::LastPass, kPolicy, Inferred};
+  c.return_with_l = {ReturnWithL::ReplacesCount, kOB + "M99 L", Secondary};
+  c.main_return = {MainReturn::Restarts, k004 + "M99 in the main program", SourceDocument};
+  c.jump_m97 = {false, kGeneral + ": M96 and M97 are macro interrupts", Inferred};
+  c.restart_m_code = {0, kGeneral, Inferred};
+  c.calls_in_modal = {CallsInModal::Allowed, kGeneral, Inferred};
+  c.codes_not_with_return = {"", kPolicy, Inferred};
+  c.codes_not_with_call = {"", kPolicy, Inferred};
+  c.words_with_call_in_cycle = {true, kGeneral, Inferred};
 }
 
 void statements(Control& c) {
-  c.reset_clears_locals = {true, kPolicy, kInferred};
-  c.reset_clears_commons = {false, kPolicy, kInferred};
-  c.vacant_system_writes = {true, kPolicy, kInferred};
-  c.max_constant_digits = {12, kPolicy, kInferred};
-  c.max_condition_length = {0, kPolicy, kInferred};
-  c.if_form = {IfForm::GotoThen, kGeneral + "; a single IF THEN, to be verified", kInferred};
-  c.loop_form = {LoopForm::DoEnd, kMZ + "865, 868", kSecondary};
-  c.jumps = {true, kMZ + "864: IF and GOTO", kSecondary};
-  c.jumps_in_mdi = {true, kGeneral + ": only tape and DNC refuse them", kInferred};
-  c.jump_search = {JumpSearch::ForwardThenHead, kGeneral, kInferred};
-  c.max_jump_number = {99999, kIMD + "sequence numbers from 1 to 99999", kSecondary};
-  c.max_loop_number = {127, kGeneral, kInferred};
-  c.max_loops = {27, kMZ + "867: more than 27", kSecondary};
-  c.loops_count_across_calls = {true, kGeneral, kInferred};
-  c.max_ifs = {10, kGeneral + ": without effect where IF has no blocks", kInferred};
-  c.max_brackets = {5, kMZ + "858: more than five", kSecondary};
-  c.angle_unit = {AngleUnit::Degrees, kGeneral, kInferred};
-  c.atan_range = {AngleRange::FullTurn, kPolicy, kInferred};
-  c.asin_range = {AngleRange::Signed, kGeneral + ": #1273 bit 0 is 0", kInferred};
+  c.reset_clears_locals = {true, kPolicy, Inferred};
+  c.reset_clears_commons = {false, kPolicy, Inferred};
+  c.vacant_system_writes = {true, kPolicy, Inferred};
+  c.max_constant_digits = {12, kPolicy, Inferred};
+  c.max_condition_length = {0, kPolicy, Inferred};
+  c.if_form = {IfForm::GotoThen, kGeneral + "; a single IF THEN, to be verified", Inferred};
+  c.loop_form = {LoopForm::DoEnd, kMZ + "865, 868", Secondary};
+  c.jumps = {true, kMZ + "864: IF and GOTO", Secondary};
+  c.jumps_in_mdi = {true, kGeneral + ": only tape and DNC refuse them", Inferred};
+  c.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
+  c.max_jump_number = {99999, kIMD + "sequence numbers from 1 to 99999", Secondary};
+  c.max_loop_number = {127, kGeneral, Inferred};
+  c.max_loops = {27, kMZ + "867: more than 27", Secondary};
+  c.loops_count_across_calls = {true, kGeneral, Inferred};
+  c.max_ifs = {10, kGeneral + ": without effect where IF has no blocks", Inferred};
+  c.max_brackets = {5, kMZ + "858: more than five", Secondary};
+  c.angle_unit = {AngleUnit::Degrees, kGeneral, Inferred};
+  c.atan_range = {AngleRange::FullTurn, kPolicy, Inferred};
+  c.asin_range = {AngleRange::Signed, kGeneral + ": #1273 bit 0 is 0", Inferred};
   c.joined_conditions = {true, kGeneral + ": AND, OR and XOR rank behind the comparisons",
-                         kInferred};
-  c.comparison_symbols = {false, kGeneral, kInferred};
-  c.conditions_without_brackets = {false, kMZ + "864: the form of IF", kSecondary};
-  c.short_functions = {false, kGeneral + ": names of their own (RND) instead", kInferred};
+                         Inferred};
+  c.comparison_symbols = {false, kGeneral, Inferred};
+  c.conditions_without_brackets = {false, kMZ + "864: the form of IF", Secondary};
+  c.short_functions = {false, kGeneral + ": names of their own (RND) instead", Inferred};
   c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT SQR ABS ROUND RND FIX FUP LN EXP BIN BCD",
-                 kGeneral, kInferred};
-  c.modulo = {true, kGeneral, kInferred};
-  c.vacant_address = {VacantAddress::Ignored, kGeneral, kInferred};
-  c.vacant_comparison = {VacantComparison::Distinguished, kGeneral, kInferred};
-  c.variable_point = {true, "real programs: #504. in a macro of the maker", kSecondary};
-  c.indirect_9nnn = {false, kGeneral, kInferred};
-  c.negative_logic = {true, kPolicy, kInferred};
-  c.variable_names = {true, kMZ + "866, 870, 871: SETVN", kSecondary};
+                 kGeneral, Inferred};
+  c.modulo = {true, kGeneral, Inferred};
+  c.vacant_address = {VacantAddress::Ignored, kGeneral, Inferred};
+  c.vacant_comparison = {VacantComparison::Distinguished, kGeneral, Inferred};
+  c.variable_point = {true, "real programs: #504. in a macro of the maker", Secondary};
+  c.indirect_9nnn = {false, kGeneral, Inferred};
+  c.negative_logic = {true, kPolicy, Inferred};
+  c.variable_names = {true, kMZ + "866, 870, 871: SETVN", Secondary};
   c.statements = {"# [ IF WHILE DO DPRNT BPRNT? POPEN PCLOS", kGeneral + "; of BPRNT nobody says",
-                  kInferred};
+                  Inferred};
   c.logic_of_numbers = {true, "added.md: IF[#120AND3EQ3] in programs of a machine; " + kGeneral,
-                        kInferred};
+                        Inferred};
   c.logic_binds_last = {true, kGeneral + ": functions, * / MOD, + -, comparisons, AND, OR XOR",
-                        kInferred};
+                        Inferred};
 }
 
 void macros(Control& c) {
-  c.codes_not_with_macro_call = {"", kPolicy, kInferred};
-  c.m_codes_not_with_macro_call = {"", kPolicy, kInferred};
-  c.codes_not_with_modal_call = {"", kPolicy, kInferred};
-  c.macro_calls = {true, kSM + "differences of M98 and G65", kManual};
-  c.modal_every_block = {true, kSM + "difference (6) names G66.1", kManual};
-  c.max_macro_digits = {8, kIMD + "P has eight digits", kSecondary};
-  c.argument_sets = {ArgumentSets::ByOrder, kGeneral + ": ten groups of I, J, K", kInferred};
-  c.numbered_axis_arguments = {false, kGeneral, kInferred};
-  c.call_passes_words = {false, kSM + "difference (1): only G65 takes arguments", kManual};
-  c.words_before_macro_call = {WordsBeforeMacroCall::Ordinary, kGeneral, kInferred};
-  c.repeated_argument = {RepeatedAddress::LastWins, kGeneral, kInferred};
-  c.modal_locals = {ModalLocals::Rewritten, kPolicy, kInferred};
+  c.codes_not_with_macro_call = {"", kPolicy, Inferred};
+  c.m_codes_not_with_macro_call = {"", kPolicy, Inferred};
+  c.codes_not_with_modal_call = {"", kPolicy, Inferred};
+  c.macro_calls = {true, kSM + "differences of M98 and G65", Manual};
+  c.modal_every_block = {true, kSM + "difference (6) names G66.1", Manual};
+  c.max_macro_digits = {8, kIMD + "P has eight digits", Secondary};
+  c.argument_sets = {ArgumentSets::ByOrder, kGeneral + ": ten groups of I, J, K", Inferred};
+  c.numbered_axis_arguments = {false, kGeneral, Inferred};
+  c.call_passes_words = {false, kSM + "difference (1): only G65 takes arguments", Manual};
+  c.words_before_macro_call = {WordsBeforeMacroCall::Ordinary, kGeneral, Inferred};
+  c.repeated_argument = {RepeatedAddress::LastWins, kGeneral, Inferred};
+  c.modal_locals = {ModalLocals::Rewritten, kPolicy, Inferred};
   c.modal_trigger = {ModalTrigger::Move, kGeneral + ": after every block with axis movement",
-                     kInferred};
-  c.modal_calls_stack = {true, kGeneral, kInferred};
-  c.max_modal_calls = {4, kSM + "difference (6): four levels of G65, G66, G66.1", kManual};
-  c.cancel_alone = {CancelAlone::Alarm, kMZ + "857", kSecondary};
-  c.h_codes = {false, kGeneral, kInferred};
+                     Inferred};
+  c.modal_calls_stack = {true, kGeneral, Inferred};
+  c.max_modal_calls = {4, kSM + "difference (6): four levels of G65, G66, G66.1", Manual};
+  c.cancel_alone = {CancelAlone::Alarm, kMZ + "857", Secondary};
+  c.h_codes = {false, kGeneral, Inferred};
   c.code_cascade = {CodeCascade::OtherKind,
-                    kGeneral + ": no G-code call inside a macro called by a G code", kInferred};
-  c.user_alarm_offset = {0, kGeneral + ": P277 shows n itself", kInferred};
-  c.user_alarm_last = {9999, kGeneral, kInferred};
-  c.h99_offset = {0, kGeneral + ": there is no G65 H", kInferred};
-}
-
-/// The P numbers. P10 to P40 are listed, P230 to P232 are in source 004, all others were paired to
-/// Mazak's list.
-void alarms(Control& c) {
-  const std::string format = kSK + "P33";
-  const std::string range = kSK + "P35";
-  c.alarms = {
-      {Cause::IllegalCharacter, {"P32", "ADDRESS ERROR", "inferred from SK P32", kInferred}},
-      {Cause::AddressWithoutValue, {"P33", "FORMAT ERROR", format, kManual}},
-      {Cause::ValueWithoutAddress, {"P33", "FORMAT ERROR", format, kManual}},
-      {Cause::IllegalMinusSign, {"P35", "CMD-VALUE OVER", "inferred from SK P35", kInferred}},
-      {Cause::IllegalDecimalPoint, {"P33", "FORMAT ERROR", "inferred from SK P33", kInferred}},
-      {Cause::TooManyDigits, {"P35", "CMD-VALUE OVER", range, kManual}},
-      {Cause::ValueOutOfRange, {"P35", "CMD-VALUE OVER", range, kManual}},
-      {Cause::AddressNotUsable, {"P32", "ADDRESS ERROR", kSK + "P32", kManual}},
-      {Cause::IllegalSequenceNumber, {"P35", "CMD-VALUE OVER", range, kManual}},
-      {Cause::ProgramNumberZero,
-       {"P37", "PROG. NO. ZERO", kMZ + "811; number from general knowledge", kSecondary}},
-      {Cause::GCodeNotAvailable, {"P34", "G-CODE ERROR", kSK + "P34", kManual}},
-      {Cause::ProgramNumberMissing, {"P296", "NO ADR (MACRO)", kMZ + "893, paired", kSecondary}},
-      {Cause::IllegalProgramNumber, {"P35", "CMD-VALUE OVER", range, kManual}},
-      {Cause::IllegalProgramName,
-       {"P232", "NO PROGRAM No.", kGeneral + ": name longer than 32 characters", kInferred}},
-      {Cause::ProgramNotFound, {"P232", "NO PROGRAM No.", k004 + "note 1", kDocument}},
-      {Cause::NamedProgramNotFound, {"P232", "NO PROGRAM No.", k004 + "note 1", kDocument}},
-      {Cause::ExternalProgramNotFound,
-       {"P232", "NO PROGRAM No.", k004 + "note 1, carried over to M198", kInferred}},
-      {Cause::StartNotFound, {"P231", "NO N-NUMBER", k004 + "note 2", kDocument}},
-      {Cause::ReturnTargetNotFound, {"P231", "NO N-NUMBER", k004 + "M99, note 1", kDocument}},
-      {Cause::JumpTargetNotFound, {"P231", "NO N-NUMBER", kMZ + "843, paired", kSecondary}},
-      {Cause::IllegalRepeatCount, {"P35", "CMD-VALUE OVER", range, kManual}},
-      {Cause::RepeatCountDigits, {"P35", "CMD-VALUE OVER", range, kManual}},
-      {Cause::NestingTooDeep, {"P230", "NESTING OVER", k004 + "note on levels", kDocument}},
-      {Cause::IllegalMacroNumber, {"P35", "CMD-VALUE OVER", kSK + "P35", kManual}},
-      {Cause::SetvnFormat, {"P292", "SETVN SNT. ERR", kMZ + "866, paired", kSecondary}},
-      {Cause::ModalCallsTooMany, {"P273", "MACRO OVERCALL", kMZ + "855, paired", kSecondary}},
-      {Cause::MacroNestingTooDeep, {"P273", "MACRO OVERCALL", kMZ + "855, paired", kSecondary}},
-      {Cause::ExternalCallNested,
-       {"P230", "NESTING OVER", kMZ + "842; CW, nested M198", kSecondary}},
-      {Cause::EndOfRecord, {"P36", "PROGRAM END ERR", kSK + "P36", kManual}},
-      {Cause::NcAndMacroInBlock, {"P272", "MACRO ILL.", kMZ + "854, paired", kSecondary}},
-      {Cause::StatementFormat, {"P33", "FORMAT ERROR", "inferred from SK P33", kInferred}},
-      {Cause::ExpressionFormat, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
-      {Cause::MissingEquals, {"P242", "EQL. SYM. MSSG.", kMZ + "847, paired", kSecondary}},
-      {Cause::MissingComma, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
-      {Cause::BracketNotOpened, {"P281", "[, ] ILLEGAL", kMZ + "859, paired", kSecondary}},
-      {Cause::BracketNotClosed, {"P281", "[, ] ILLEGAL", kMZ + "859, paired", kSecondary}},
-      {Cause::BracketsTooDeep, {"P280", "EXC. [, ]", kMZ + "858, paired", kSecondary}},
-      {Cause::IfFormat, {"P290", "IF SNT. ERROR", kMZ + "864, paired", kSecondary}},
-      {Cause::WhileFormat, {"P291", "WHILE SNT. ERR", kMZ + "865, paired", kSecondary}},
-      {Cause::IllegalVariable, {"P241", "NO VARI NUMBER", kMZ + "846, paired", kSecondary}},
-      {Cause::VariableWriteProtected, {"P243", "VARIABLE ERR.", kGeneral, kInferred}},
-      {Cause::VariableReadProtected, {"P243", "VARIABLE ERR.", kGeneral, kInferred}},
-      {Cause::VacantAssigned, {"P243", "VARIABLE ERR.", kGeneral, kInferred}},
-      {Cause::IllegalVariableName, {"P300", "VAR. NAME ERROR", kMZ + "870, paired", kSecondary}},
-      {Cause::DivisionByZero, {"P283", "DIVIDE BY ZERO", kMZ + "861, paired", kSecondary}},
-      {Cause::SquareRootOfNegative, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
-      {Cause::LogarithmOfNonPositive, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
-      {Cause::TangentInfinite, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
-      {Cause::ArcSineOutOfRange, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
-      {Cause::ArgumentOutOfRange, {"P282", "CALC. IMPOSS", kMZ + "860, paired", kSecondary}},
-      {Cause::Overflow, {"P285", "OVERFLOW VALUE", kMZ + "863, paired", kSecondary}},
-      {Cause::IllegalJumpNumber, {"P231", "NO N-NUMBER", kMZ + "843, paired", kSecondary}},
-      {Cause::IllegalLoopNumber, {"P291", "WHILE SNT. ERR", "inferred from MZ 865", kInferred}},
-      {Cause::MissingEnd, {"P294", "DO-END MMC.", kMZ + "868, paired", kSecondary}},
-      {Cause::MissingDo, {"P294", "DO-END MMC.", kMZ + "868, paired", kSecondary}},
-      {Cause::LoopsTooDeep, {"P293", "DO-END EXCESS", kMZ + "867, paired", kSecondary}},
-      {Cause::JumpInMdi,
-       {"P295", "WHILE/GOTO TPE", kMZ + "869, paired; said of tape and DNC", kSecondary}},
-      {Cause::IllegalArgument, {"P33", "FORMAT ERROR", "inferred from SK P33", kInferred}},
-      {Cause::TooManyArgumentSets, {"P275", "MACRO ARG. EX.", kMZ + "856, paired", kSecondary}},
-      {Cause::ModalCallMissing, {"P276", "CALL CANCEL", kMZ + "857, paired", kSecondary}},
-      {Cause::UserAlarm, {"P277", "MACRO ALM MESG", kMZ + "979, paired", kSecondary}},
-  };
-  c.user_alarm_number = "P277";
+                    kGeneral + ": no G-code call inside a macro called by a G code", Inferred};
+  c.user_alarm_offset = {0, kGeneral + ": P277 shows n itself", Inferred};
+  c.user_alarm_last = {9999, kGeneral, Inferred};
+  c.h99_offset = {0, kGeneral + ": there is no G65 H", Inferred};
 }
 
 void variables(Control& c) {
   const auto add = [&c](std::int32_t first, std::int32_t last, VariableKind kind,
                         Access access = Access::ReadOnly, char address = 0) {
-    c.variables.push_back({first, last, kind, access, address, kGeneral, kInferred});
+    c.variables.push_back({first, last, kind, access, address, kGeneral, Inferred});
   };
   add(0, 0, VariableKind::Vacant);
   c.variables.push_back(
-      {1, 33, VariableKind::Local, Access::ReadWrite, 0, kSM + "difference (5)", kManual});
+      {1, 33, VariableKind::Local, Access::ReadWrite, 0, kSM + "difference (5)", Manual});
   add(1000, 1031, VariableKind::Input);
   add(1032, 1035, VariableKind::InputWord);
   add(1100, 1131, VariableKind::Output, Access::ReadWrite);
@@ -283,7 +187,7 @@ void variables(Control& c) {
     for (const auto& [first, kind] :
          {std::pair{number, VariableKind::ModalWord}, {number + 200, VariableKind::ActiveWord}})
       c.variables.push_back(
-          {first, first, kind, Access::ReadOnly, address, kM7 + "printed p.331", kManual});
+          {first, first, kind, Access::ReadOnly, address, kM7 + "printed p.331", Manual});
   }
   add(5001, 5008, VariableKind::BlockEnd);
   add(5021, 5028, VariableKind::MachinePosition);
@@ -302,11 +206,11 @@ void variables(Control& c) {
 /// general knowledge.
 void variable_choices(Control& c) {
   const std::string programs = "real programs of an M700-class machine use them; their name ";
-  c.commons = {"100-199 500-999", kGeneral + ": 600 sets", kInferred};
-  c.variable_options = {"", kPolicy, kInferred};
+  c.commons = {"100-199 500-999", kGeneral + ": 600 sets", Inferred};
+  c.variable_options = {"", kPolicy, Inferred};
   const auto sets = [&c](const char* name, const char* meaning, const char* commons,
                          const std::string& source) {
-    c.variable_choices.push_back({name, meaning, commons, {}, source, kInferred});
+    c.variable_choices.push_back({name, meaning, commons, {}, source, Inferred});
   };
   sets("200-sets", "200 sets of common variables", "100-199 500-599", kGeneral);
   sets("300-sets", "300 sets of common variables", "100-199 500-699", kGeneral);
@@ -317,11 +221,11 @@ void variable_choices(Control& c) {
   const auto option = [&](const char* name, const char* meaning,
                           std::vector<VariableRange> variables) {
     c.variable_choices.push_back(
-        {name, meaning, "", std::move(variables), programs + kGeneral, kInferred});
+        {name, meaning, "", std::move(variables), programs + kGeneral, Inferred});
   };
   const auto range = [&](std::int32_t first, std::int32_t last, VariableKind kind,
                          Access access = Access::ReadWrite) {
-    return VariableRange{first, last, kind, access, 0, programs + kGeneral, kInferred};
+    return VariableRange{first, last, kind, access, 0, programs + kGeneral, Inferred};
   };
   option(
       "offsets-from-2201", "tool wear and radius as #2201 to #2800",
@@ -341,7 +245,7 @@ void call_codes(Control& c) {
       c.parameters.push_back(
           {std::to_string(parameter + i), 0,
            std::string(1, address) + " code that calls O" + std::to_string(program + i), screen,
-           kInferred, nullptr});
+           Inferred, nullptr});
     CodeCall call;
     call.form = CodeCall::Form::List;
     call.address = address;
@@ -352,13 +256,13 @@ void call_codes(Control& c) {
     call.first_code = 1;
     if (address == 'M') call.refused = "1 2 30 96 97 98 99 198";
     call.source = kGeneral + ": ten codes; " + screen;
-    call.evidence = kInferred;
+    call.evidence = Inferred;
     c.code_calls.push_back(call);
   };
   list('G', CodeCallKind::Macro, 6050, 9010, 10);
   list('M', CodeCallKind::Subprogram, 6071, 9001, 9);
   list('M', CodeCallKind::Macro, 6080, 9020, 10);
-  c.parameters.push_back({"6001#5", 0, "1: T codes call O9000", screen, kInferred, nullptr});
+  c.parameters.push_back({"6001#5", 0, "1: T codes call O9000", screen, Inferred, nullptr});
   CodeCall tool;
   tool.form = CodeCall::Form::Switch;
   tool.address = 'T';
@@ -367,103 +271,68 @@ void call_codes(Control& c) {
   tool.enable = "6001#5";
   tool.variable = 149;
   tool.source = kGeneral + ": T calls one program; " + screen;
-  tool.evidence = kInferred;
+  tool.evidence = Inferred;
   c.code_calls.push_back(tool);
 }
 
 void parameters(Control& c) {
   c.parameters = {
       {"1174", 0, "skip_F, the feed of G31 without F, mm/min",
-       kM7 + "p.547; its default " + kPolicy, kManual, nullptr},
+       kM7 + "p.547; its default " + kPolicy, Manual, nullptr},
       {"8004", 0, "SPEED, the measuring feed of G37.1 without F, mm/min",
-       kM7 + "p.555; its default " + kPolicy, kManual, nullptr},
+       kM7 + "p.555; its default " + kPolicy, Manual, nullptr},
       {"8005", 0, "ZONE r, how far before the point that feed begins without R, mm",
-       kM7 + "p.555; its default " + kPolicy, kManual, nullptr},
+       kM7 + "p.555; its default " + kPolicy, Manual, nullptr},
       {"8006", 0, "ZONE d, within what distance of the point the tool arrives without D, mm",
-       kM7 + "p.555; its default " + kPolicy, kManual, nullptr},
+       kM7 + "p.555; its default " + kPolicy, Manual, nullptr},
       {"1173", 0, "dwlskp, the skip signals that end G04: bit 0 is signal 1",
-       kM7 + "p.554; its default " + kPolicy, kManual, nullptr},
+       kM7 + "p.554; its default " + kPolicy, Manual, nullptr},
       {"1175", 1, "skip1, the skip signals of G31.1: bit 0 is signal 1",
-       kM7 + "p.552; its number and its default from " + kGeneral, kInferred, nullptr},
+       kM7 + "p.552; its number and its default from " + kGeneral, Inferred, nullptr},
       {"1177", 2, "skip2, the skip signals of G31.2: bit 0 is signal 1",
-       kM7 + "p.552; its number and its default from " + kGeneral, kInferred, nullptr},
+       kM7 + "p.552; its number and its default from " + kGeneral, Inferred, nullptr},
       {"1179", 4, "skip3, the skip signals of G31.3: bit 0 is signal 1",
-       kM7 + "p.552; its number and its default from " + kGeneral, kInferred, nullptr},
+       kM7 + "p.552; its number and its default from " + kGeneral, Inferred, nullptr},
       {"1176", 0, "skip1f, the feed of G31.1 without F, mm/min",
-       kM7 + "p.552; its default " + kPolicy, kManual, nullptr},
+       kM7 + "p.552; its default " + kPolicy, Manual, nullptr},
       {"1178", 0, "skip2f, the feed of G31.2 without F, mm/min",
-       kM7 + "p.552; its default " + kPolicy, kManual, nullptr},
+       kM7 + "p.552; its default " + kPolicy, Manual, nullptr},
       {"1180", 0, "skip3f, the feed of G31.3 without F, mm/min",
-       kM7 + "p.552; its default " + kPolicy, kManual, nullptr},
+       kM7 + "p.552; its default " + kPolicy, Manual, nullptr},
       {"3401#0", 1, "lengths without a point: 0 least increments, 1 millimetres",
-       "inferred from the worked examples; FANUC's number stands for the control's own", kInferred,
+       "inferred from the worked examples; FANUC's number stands for the control's own", Inferred,
        [](Control& k, double value) {
          k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
        }},
       {"3402#0", 1, "power-on: 0 in G00, 1 in G01",
        kM7 + "p.534 (11): the first move is a G01; FANUC's number stands for the control's own",
-       kManual, nullptr},
+       Manual, nullptr},
       {"3403#5", 1, "an arc without R, I, J, K: 0 a straight line, 1 an alarm",
-       kGeneral + ": P33; FANUC's number stands for the control's own", kInferred, nullptr},
+       kGeneral + ": P33; FANUC's number stands for the control's own", Inferred, nullptr},
       {"3410", 0.1, "how far the radii of an arc's start and end may differ, 0 = any",
-       kM7 + "p.194; stands for #1084 RadErr, its value from general knowledge", kInferred,
-       nullptr},
+       kM7 + "p.194; stands for #1084 RadErr, its value from general knowledge", Inferred, nullptr},
       {"5114", 0, "return of G73", kGeneral + "; FANUC's number stands for the control's own",
-       kInferred, nullptr},
+       Inferred, nullptr},
       {"5115", 0, "clearance of G83", kGeneral + "; FANUC's number stands for the control's own",
-       kInferred, nullptr},
+       Inferred, nullptr},
   };
-}
-
-Control m700() {
-  Control c;
-  c.name = "mitsubishi-m700";
-  c.title = "Mitsubishi M700, M70, E70, C70";
-  reading(c);
-  calling(c);
-  statements(c);
-  macros(c);
-  alarms(c);
-  variables(c);
-  variable_choices(c);
-  parameters(c);
-  call_codes(c);
-  return c;
-}
-
-/// The control of source 004: four levels, M98 without P jumps; no file names, no devices.
-Control meldas() {
-  Control c = m700();
-  c.name = "mitsubishi-meldas";
-  c.if_form = {IfForm::GotoOnly, kGeneral + ": IF THEN came with the M700", kInferred};
-  c.title = "Mitsubishi MELDAS before the M700";
-  c.max_nesting = {4, k004 + "note on levels", kDocument};
-  c.nesting_counts_macros = {
-      true, "inferred from source 004, note on levels, and SM, difference (6)", kInferred};
-  c.omitted_program = {OmittedProgram::Jump, k004 + "P omitted; P, H and L omitted", kDocument};
-  c.named_programs = {false, kGeneral + ": file names came with the M700", kInferred};
-  c.file_name_wins = {false, kGeneral + ": file names came with the M700", kInferred};
-  c.external_calls = {false, kGeneral + ": no M198", kInferred};
-  c.device_word = {false, kGeneral + ": ,D came with the M700", kInferred};
-  return c;
-}
-
-/// Ten levels, and IF blocks with ELSE and ENDIF.
-Control m800() {
-  Control c = m700();
-  c.name = "mitsubishi-m800";
-  c.title = "Mitsubishi M800, M80, E80";
-  c.max_nesting = {10, kCW + "ten levels", kSecondary};
-  c.nesting_counts_macros = {true, kGeneral, kInferred};
-  c.if_form = {IfForm::ThenBlocks, kGeneral, kInferred};
-  c.max_ifs = {10, kGeneral + ": P288", kInferred};
-  c.alarms[Cause::IfTooDeep] = {"P288", "IF EXCEEDED", kGeneral, kInferred};
-  c.alarms[Cause::IfWithoutEnd] = {"P289", "IF/ENDIF MISMATCH", kGeneral, kInferred};
-  return c;
 }
 
 }  // namespace
 
-std::vector<Control> mitsubishi_controls() { return {meldas(), m700(), m800()}; }
+Control family() {
+  Control c;
+  reading(c);
+  calling(c);
+  statements(c);
+  macros(c);
+  add_family_alarms(c);
+  variables(c);
+  variable_choices(c);
+  parameters(c);
+  call_codes(c);
+  add_family_motion(c);
+  return c;
+}
 
-}  // namespace cncsub
+}  // namespace cncsub::mitsubishi

@@ -1,0 +1,48 @@
+// What the GSK controls share: the 988s, the 980s, and the lathes among them.
+#pragma once
+
+#include "controls/alarm_list.hpp"
+#include "controls/facts.hpp"
+#include "controls/settings.hpp"
+
+namespace cncsub::gsk {
+
+using enum Evidence;
+
+// Keys of sources.def.
+inline const std::string k000 = "source 000, ";
+inline const std::string k001 = "source 001, ";
+inline const std::string kTA = "TA";
+inline const std::string kTApar = "TApar ";
+inline const std::string kTalm = "Talm ";
+inline const std::string kTDi = "TDi";
+inline const std::string kTDipar = "TDipar ";
+inline const std::string kMDia = "MDia ";
+inline const std::string kMDib = "MDib ";
+inline const std::string kMDipar = "MDipar ";
+inline const std::string kT928 = "928T1, ";
+inline const std::string kGeneral = "general knowledge";
+// A default, to be changed where a machine is known to differ.
+inline const std::string kPolicy = "policy: nobody says";
+inline const std::string kStands = "FANUC's number stands for the control's own";
+
+/// The 988TA and the 988T.
+Control family_988();
+void add_988_motion(Control& c);
+void add_988_alarms(Control& c);
+
+/// The 980TDi and the 980MDi: reading, calls, macros; their motion is of a lathe and of a mill.
+Control family_980();
+void add_980_alarms(Control& c);
+
+/// Motion as the lathes have it.
+void add_lathe_motion(Control& c);
+
+/// #4102 to #4120: the modal words of the block before.
+void modal_words(Control& c, const std::string& addresses, const std::string& source,
+                 Evidence evidence);
+
+CodeCall code_call(CodeCall::Form form, char address, CodeCallKind kind, std::int32_t parameter,
+                   std::int32_t program, std::int32_t count);
+
+}  // namespace cncsub::gsk

@@ -1,0 +1,225 @@
+// The rules, variables and parameters that the GSK 980TDi and 980MDi share.
+#include "controls/gsk/family.hpp"
+
+namespace cncsub::gsk {
+namespace {
+
+void read_980(Control& c) {
+  c.semicolon = {Semicolon::EndOfBlock, kTDi + "15 1.1.1: a block ends with ;", Manual};
+  c.percent_programs = {false, kTDi + "15 1.1.1: O and four digits, or a name", Manual};
+  c.named_programs = {false, kTDi + "15 1.1.1: a name is the name of a file", Manual};
+  c.file_name_wins = {false, kPolicy + ": an O word in the file names the program", Inferred};
+  c.max_program_number = {9999, kTDi + "15 1.1.1", Manual};
+  c.max_sequence_number = {99999, kMDib + "0112: 0 to 99999", Manual};
+  c.zero_numbers = {false, kMDia + "095: O0000 cannot be called", Manual};
+  c.sequence_number_first = {true, kMDia + "006", Manual};
+  c.cuts_fine_digits = {false, kPolicy, Inferred};
+  c.late_sequence_numbers = {true, kPolicy, Inferred};
+  c.max_words = {100, kMDia + "011", Manual};
+  c.max_block_length = {256, kMDia + "037", Manual};
+  c.max_digits = {10, kMDia + "003: a word has at most 11 characters", Manual};
+  c.block_skip = {BlockSkip::HeadOnly, kGeneral, Inferred};
+  c.repeated_address = {RepeatedAddress::Alarm, kMDia + "010", Manual};
+  c.open_comment = {OpenComment::Alarm, kMDia + "041", Manual};
+  c.point_addresses = {"ABCDEFHIJKLQRUVWXYZ",
+                       kTDi + "11: L and D are lengths; the others from general knowledge",
+                       Inferred};
+  c.minus_addresses = {
+      "ABCDEFHIJKLPQRSUVWXYZ",
+      kTDi + "14: a negative time is none; MDib 0140: a negative scale; MDib 0092: L", Manual};
+  c.whole_numbers = {WholeNumbers::Millimetres, "inferred from the examples of the manual",
+                     Inferred};
+  c.missing_end = {MissingEnd::Alarm, kPolicy, Inferred};
+  c.m_codes_per_block = {1, kGeneral, Inferred};
+  c.m_codes_alarm = {false, kGeneral, Inferred};
+  c.m_codes_alone = {false, kPolicy, Inferred};
+  c.bare_g = {false, kMDia + "003: a word has at least two characters", Manual};
+}
+
+void call_980(Control& c) {
+  c.name_marks = {"+-.", kTDi + "15", Manual};
+  c.return_alone_in_modal = {false, kPolicy, Inferred};
+  c.program_word = {ProgramWord::CountAndNumber, kTDi + "15 1.1.7, format 1", Manual};
+  c.max_program_digits = {10, "inferred from MDib 0092: a count above 9999 is read, and alarms",
+                          Inferred};
+  c.count_and_l = {CountAndL::NoL, kTDi + "15 1.1.7: L goes with P[] only", Manual};
+  c.bracket_names = {true, kTDi + "15 1.1.7, format 2: 878 = 1", Manual};
+  c.wide_names = {true, kTDi + "15 1.1.1: names may be Chinese", Manual};
+  c.max_name_length = {20, kTDi + "15 1.1.1", Manual};
+  c.call_values = {CallValues::Cut, kPolicy + "; as on the 988TA", Inferred};
+  c.zero_count_alarms = {true, "inferred from MDib 0092: a count less than 1", Inferred};
+  c.omitted_program = {OmittedProgram::Alarm, kMDia + "095", Manual};
+  c.start_word = {StartWord::None, kTDi + "15 1.1.7 has no Q", Manual};
+  c.self_call = {SelfCall::Refused, kMDia + "097", Manual};
+  c.caller_call = {CallerCall::MainRefused, kMDia + "094", Manual};
+  c.max_repeats = {9999, kTDi + "15 1.1.7", Manual};
+  c.zero_repeats = {ZeroRepeats::Alarm, kMDib + "0092: less than 1", Manual};
+  c.too_many_repeats = {TooManyRepeats::Alarm, kMDib + "0092: more than 9999", Manual};
+  c.max_nesting = {4, kMDia + "096", Manual};
+  c.nesting_counts_macros = {false, kPolicy, Inferred};
+  c.max_macro_nesting = {4, kTDi + "28 3.28.3.1: four levels", Manual};
+  c.max_total_nesting = {0, kPolicy, Inferred};
+  c.mdi_calls = {MdiCalls::Refused, kGeneral + "; MDib 0098 refuses M9000 to M9999", Inferred};
+  c.external_calls = {false, kGeneral, Inferred};
+  c.device_word = {false, kGeneral, Inferred};
+  c.return_search = {ReturnSearch::FromHead, kPolicy, Inferred};
+  c.return_with_p = {ReturnWithP::AtOnce, kPolicy, Inferred};
+  c.return_with_l = {ReturnWithL::Ignored, kPolicy, Inferred};
+  c.main_return = {MainReturn::Restarts, kGeneral, Inferred};
+  c.jump_m97 = {false, kGeneral, Inferred};
+  c.restart_m_code = {0, kGeneral, Inferred};
+  c.calls_in_modal = {CallsInModal::EndModal, kTDi + "28 3.28.3.2, note 4; MDia 113", Manual};
+  c.codes_not_with_return = {"", kPolicy, Inferred};
+  c.codes_not_with_call = {"4 54 54.1", kMDib + "0051", Manual};
+  c.words_with_call_in_cycle = {true, kPolicy, Inferred};
+}
+
+void statements_980(Control& c) {
+  c.reset_clears_locals = {true, kPolicy, Inferred};
+  c.reset_clears_commons = {false, kPolicy, Inferred};
+  c.vacant_system_writes = {false, kMDia + "121", Manual};
+  c.max_constant_digits = {12, kPolicy, Inferred};
+  c.max_condition_length = {0, kPolicy, Inferred};
+  c.statements = {"# [ IF WHILE DO DPRNT? BPRNT? POPEN? PCLOS?", kTDi + "29 3.29.2", Manual};
+  c.if_form = {IfForm::GotoThen, kTDi + "29 3.29.2 (2)", Manual};
+  c.loop_form = {LoopForm::DoEnd, kTDi + "29 3.29.2 (3)", Manual};
+  c.jumps = {true, kTDi + "29 3.29.2 (1)", Manual};
+  c.jumps_in_mdi = {false, kPolicy, Inferred};
+  c.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
+  c.max_jump_number = {99999, kTDi + "29 3.29.2 (1)", Manual};
+  c.max_loop_number = {3, kTDi + "29 3.29.2 (3)", Manual};
+  c.max_loops = {3, "inferred from TDi29: three numbers", Inferred};
+  c.loops_count_across_calls = {false, kGeneral, Inferred};
+  c.max_ifs = {10, kPolicy + "; without effect where IF has no blocks", Inferred};
+  c.max_brackets = {5, kGeneral, Inferred};
+  c.angle_unit = {AngleUnit::Degrees, kTDi + "29, note 1", Manual};
+  c.atan_range = {AngleRange::FullTurn, kTDi + "29, note 4: 180#7 NAT = 0", Manual};
+  c.asin_range = {AngleRange::Signed, kTDi + "29, note 2: 180#7 NAT = 0", Manual};
+  c.joined_conditions = {false, kTDi + "29: a condition compares two values", Manual};
+  c.comparison_symbols = {true, kTDi + "29, conditions", Manual};
+  c.conditions_without_brackets = {false, kTDi + "29, conditions", Manual};
+  c.short_functions = {false, kTDi + "29, table of functions", Manual};
+  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP BIN BCD RAND SRAND",
+                 kTDi + "29, table of functions", Manual};
+  c.modulo = {false, kTDi + "29, table of functions", Manual};
+  c.vacant_address = {VacantAddress::Zero, kTDi + "28, vacant variables (1)", Manual};
+  c.vacant_comparison = {VacantComparison::Zero, kTDi + "28, vacant variables (3)", Manual};
+  c.variable_point = {false, kPolicy, Inferred};
+  c.indirect_9nnn = {true, kTDi + "28, variables (2)", Manual};
+  c.negative_logic = {true, kPolicy, Inferred};
+  c.variable_names = {false, kPolicy, Inferred};
+  c.logic_binds_last = {false, kGeneral, Inferred};
+}
+
+void macros_980(Control& c) {
+  c.codes_not_with_macro_call = {"43 44 49", kMDib + "115", Manual};
+  c.m_codes_not_with_macro_call = {"0 1 2 30 98 99", kMDib + "116", Manual};
+  c.codes_not_with_modal_call = {
+      "0 1 2 3 4 5 6.2 6.3 7.2 7.3 28 30 31 32 33 34 36 37 50 52 53 70 71 72 73 74 75 76 84 88 90 "
+      "92 94",
+      kMDia + "044", Manual};
+  c.macro_calls = {true, kTDi + "28 3.28.3", Manual};
+  c.modal_every_block = {false, kTDi + "28 3.28.3 names G65, G66 and G67", Manual};
+  c.max_macro_digits = {4, kTDi + "28 3.28.3.1: at most four digits", Manual};
+  c.argument_sets = {ArgumentSets::PerLetter, kTDi + "28 3.28.3.1, example of O9010", Manual};
+  c.numbered_axis_arguments = {false, kTDi + "28 3.28.3.1, arguments I", Manual};
+  c.call_passes_words = {false, kTDi + "28 3.28.3 (1): M98 passes nothing", Manual};
+  c.words_before_macro_call = {WordsBeforeMacroCall::Alarm, kTDi + "28 3.28.3 (3); MDia 114",
+                               Manual};
+  c.repeated_argument = {RepeatedAddress::LastWins, kTDi + "28 3.28.3.1: the last counts", Manual};
+  c.modal_locals = {ModalLocals::Rewritten, kTDi + "28 3.28.3.2, note 3", Manual};
+  c.modal_trigger = {ModalTrigger::AxisWord,
+                     kTDi + "28 3.28.3.2, note 2: blocks with G00, G01, G02, G03, G05", Manual};
+  c.modal_calls_stack = {true, kTDi + "28 3.28.3.2: four levels of G66", Manual};
+  c.max_modal_calls = {4, kTDi + "28 3.28.3.2: four levels of G66", Manual};
+  c.cancel_alone = {CancelAlone::Ignored, kPolicy, Inferred};
+  c.h_codes = {true, kTDi + "28 3.28.2", Manual};
+  c.code_cascade = {CodeCascade::None, kPolicy, Inferred};
+  c.user_alarm_offset = {5900, kTDi + "28, #3000", Manual};
+  c.user_alarm_last = {99, kTDi + "28, #3000: 5900 to 5999", Manual};
+  c.h99_offset = {5900, kTDi + "28, G65 H99", Manual};
+  c.user_alarm_digits = 4;
+}
+
+void variables_980(Control& c) {
+  const std::string table = kTDi + "28, variables";
+  const auto add = [&](std::int32_t first, std::int32_t last, VariableKind kind,
+                       Access access = Access::ReadOnly, const std::string& note = "") {
+    c.variables.push_back({first, last, kind, access, 0, table + note, Manual});
+  };
+  const std::string stored = ": an offset of the lathe, a stored number here";
+  add(0, 0, VariableKind::Vacant);
+  add(1, 33, VariableKind::Local, Access::ReadWrite);
+  // The manual's example of #9100 uses #205.
+  c.commons = {"100-999", table, Manual};
+  c.variable_options = {"", kPolicy, Inferred};
+  add(1000, 1015, VariableKind::Input);
+  add(1032, 1034, VariableKind::InputWord);
+  add(1100, 1115, VariableKind::Output, Access::ReadWrite);
+  add(1132, 1134, VariableKind::OutputWord, Access::ReadWrite);
+  add(2001, 2032, VariableKind::Kept, Access::ReadWrite, stored);
+  add(2101, 2132, VariableKind::Kept, Access::ReadWrite, stored);
+  add(2201, 2232, VariableKind::RadiusWear, Access::ReadWrite);
+  add(2301, 2332, VariableKind::Kept, Access::ReadWrite, stored);
+  add(2401, 2432, VariableKind::Kept, Access::ReadWrite, stored);
+  add(2451, 2482, VariableKind::Kept, Access::ReadWrite, stored);
+  add(2501, 2502, VariableKind::Kept, Access::ReadWrite, stored);
+  add(2701, 2732, VariableKind::Kept, Access::ReadWrite, stored);
+  add(2801, 2832, VariableKind::Kept, Access::ReadWrite, stored);
+  add(2901, 2932, VariableKind::RadiusGeometry, Access::ReadWrite);
+  add(3000, 3000, VariableKind::UserAlarm, Access::WriteOnly);
+  add(3001, 3001, VariableKind::Milliseconds, Access::ReadOnly, ": the control counts in seconds");
+  add(3002, 3002, VariableKind::Hours, Access::ReadWrite, ": the control counts in seconds");
+  add(3011, 3011, VariableKind::Date, Access::ReadWrite);
+  add(3012, 3012, VariableKind::Time, Access::ReadWrite);
+  add(3901, 3902, VariableKind::PartsCount, Access::ReadWrite);
+  for (const int group : {1, 2, 5, 6, 7, 12, 14, 16})
+    add(4000 + group, 4000 + group, VariableKind::ModalCode);
+  modal_words(c, "FMNOST", table, Manual);
+  add(5001, 5005, VariableKind::BlockEnd);
+  add(5021, 5025, VariableKind::MachinePosition);
+  add(5041, 5045, VariableKind::WorkPosition);
+  add(5201, 5325, VariableKind::WorkOffset);
+}
+
+void parameters_980(Control& c) {
+  c.parameters = {
+      {"86", 0, "how many G codes call macros, 0 = none", kTDi + "32", Manual, nullptr},
+      {"87", 0, "the first G code that calls a macro", kTDi + "32", Manual, nullptr},
+      {"88", 0, "the program that the first G code calls", kTDi + "32", Manual, nullptr},
+      {"3401#0", 1, "lengths without a point: 0 least increments, 1 millimetres",
+       "inferred from the examples of the manual; " + kStands, Inferred,
+       [](Control& k, double value) {
+         k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
+       }},
+      {"3402#0", 0, "power-on: 0 in G00, 1 in G01", kTDi + "2: G00; " + kStands, Inferred, nullptr},
+      {"3403#4", 1, "radius too small for the end point: 0 a half circle, 1 an alarm",
+       kTDi + "4, note 3; " + kStands, Inferred, nullptr},
+      {"3403#5", 1, "an arc without R, I, K: 0 a straight line, 1 an alarm",
+       kTDi + "4, note 1; " + kStands, Inferred, nullptr},
+      {"5114", 0, "return of the fast peck cycle", kStands, Inferred, nullptr},
+      {"5115", 0, "clearance of the peck cycle", kStands, Inferred, nullptr},
+  };
+}
+
+}  // namespace
+
+Control family_980() {
+  Control c;
+  read_980(c);
+  call_980(c);
+  statements_980(c);
+  macros_980(c);
+  add_980_alarms(c);
+  variables_980(c);
+  parameters_980(c);
+  CodeCall macro = code_call(CodeCall::Form::Range, 'G', CodeCallKind::Macro, 87, 88, 86);
+  macro.own_codes = false;
+  macro.last_code = 9999;
+  macro.source = kTDi + "32";
+  macro.evidence = Manual;
+  c.code_calls = {macro};
+  return c;
+}
+
+}  // namespace cncsub::gsk

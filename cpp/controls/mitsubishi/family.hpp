@@ -1,0 +1,33 @@
+// What the Mitsubishi controls share.
+#pragma once
+
+#include "controls/alarm_list.hpp"
+#include "controls/facts.hpp"
+#include "controls/settings.hpp"
+
+namespace cncsub::mitsubishi {
+
+using enum Evidence;
+
+// Keys of sources.def.
+inline const std::string k004 = "source 004, ";
+inline const std::string kSM = "SM, ";
+inline const std::string kM7 = "M7 ";
+inline const std::string kSK = "SK ";
+inline const std::string kIMD = "IMD, ";
+inline const std::string kIMD2 = "IMD2, ";
+inline const std::string kCW = "CW, ";
+inline const std::string kOB = "OB, ";
+inline const std::string kMZ = "MZ ";
+inline const std::string kGeneral = "general knowledge";
+// A default, to be changed where a machine is known to differ.
+inline const std::string kPolicy = "policy: nobody says";
+
+/// The M700, from which the others differ.
+Control family();
+
+// The parts of the family that have files of their own.
+void add_family_alarms(Control& c);
+void add_family_motion(Control& c);
+
+}  // namespace cncsub::mitsubishi
