@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPlainLength = 200;
 constexpr std::string_view kLengths =
-    "ABCIJKQRUVWXYZ";  // a whole number counts in increments where the control says so
+    "ABCHIJKQRUVWXYZ";  // a whole number counts in increments where the control says so
 
 std::int64_t key(char address, std::int32_t code) {
   return (static_cast<std::int64_t>(address) << 32) | code;

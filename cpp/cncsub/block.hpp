@@ -82,6 +82,7 @@ class BlockReader {
   static bool names_by_p(const Meaning& meaning);
   bool takes_point_in_dwell(const Token& token) const;
   bool is_dwell_time(const Token& token, const Meaning& meaning) const;
+  static bool may_be_increment(const Token& token);
   bool is_length_here(const Token& token, const Meaning& meaning) const;
   std::optional<Fault> sort(const Tokens& tokens, bool calls, Meaning& meaning) const;
   std::optional<Fault> sort_g(const Token& token, bool calls, Meaning& meaning) const;

@@ -85,6 +85,7 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
     const bool counts =
         dwell || (letters_[static_cast<unsigned char>(token.letter)] & kLength) != 0;
     whole = token.operand.whole && counts ? whole | mark : whole & ~mark;
+    if (may_be_increment(token)) whole |= 1u << kPointedH;
   }
   block.data = static_cast<std::uint32_t>(code_.cells.size());
   block.mask = mask;

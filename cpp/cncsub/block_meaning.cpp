@@ -39,6 +39,8 @@ void BlockReader::build(Block& block, const Tokens& tokens, bool calls) {
              "a block has at most " + std::to_string(control_.max_words.value) + " words"};
   for (const Token& token : tokens) {
     if (fault) break;
+    const bool start = may_be_increment(token) && meaning.call != nullptr && !meaning.calls_macro();
+    if (start) fault = odd_word(token);
     if (token.letter != 'P' || !token.odd) continue;
     const bool name = token.wrong == Cause::TooManyDigits && names_by_p(meaning);
     if (!name && !is_length_here(token, meaning) && !is_dwell_time(token, meaning))
@@ -111,6 +113,11 @@ bool BlockReader::is_dwell_time(const Token& token, const Meaning& meaning) cons
                      [](const Token* g) { return g->operand.value == 4; });
 }
 
+/// H may be an increment of C, which takes a point: the machine that runs the block decides.
+bool BlockReader::may_be_increment(const Token& token) {
+  return token.letter == 'H' && !token.comma && token.wrong == Cause::IllegalDecimalPoint;
+}
+
 /// P of G74 to G76 is a length on some lathes and takes a point there, and D of G37.1 the zone of a
 /// Mitsubishi. [TA 12, 13, 21; M7 p.555]
 bool BlockReader::is_length_here(const Token& token, const Meaning& meaning) const {
@@ -129,7 +136,8 @@ std::optional<Fault> BlockReader::sort(const Tokens& tokens, bool calls, Meaning
     std::optional<Fault> fault;
     const bool argument = meaning.calls_macro() && token.letter != 'P' && token.letter != 'L';
     const bool long_p = token.letter == 'P' && token.wrong == Cause::TooManyDigits;
-    const bool late = long_p || takes_point_in_dwell(token);  // all words of the block decide
+    const bool late = long_p || takes_point_in_dwell(token) ||
+                      may_be_increment(token);  // all words of the block decide
     if (token.odd && !argument && !late && !is_length_here(token, meaning)) return odd_word(token);
     if (argument && std::fabs(token.operand.value) >= kPowersOfTen[kMostDigits])
       return odd_word(token);

@@ -275,17 +275,53 @@ struct WordPlace {
   std::uint32_t at, width;
 };
 
-bool in_name(char c) { return is_letter(upper(c)) || is_digit(c) || c == '.' || c == '_'; }
+bool in_name(char c) { return is_letter(upper(c)) || c == '_'; }
+bool in_number(char c) { return is_digit(c) || c == '.'; }
 
-/// The name, number or variable of a macro statement that a place lies in.
+/// An operator ends where a number begins: 1EQ2 are three words, DO1 is one.
+bool is_operator(std::string_view name) {
+  std::string word;
+  for (const char c : name) word += upper(c);
+  return std::string_view(" EQ NE GT GE LT LE AND OR XOR MOD ").find(' ' + word + ' ') !=
+         std::string_view::npos;
+}
+
+/// Behind the # at `from`: its number, or its expression as far as that is closed.
+std::size_t end_of_variable(std::string_view text, std::size_t from) {
+  std::size_t to = from;
+  while (to < text.size() && (text[to] == '#' || is_blank(text[to]))) ++to;
+  if (to < text.size() && is_digit(text[to])) {
+    while (to < text.size() && is_digit(text[to])) ++to;
+    return to;
+  }
+  if (to == text.size() || text[to] != '[') return from + 1;
+  for (int open = 0; to < text.size(); ++to) {
+    open += text[to] == '[' ? 1 : text[to] == ']' ? -1 : 0;
+    if (open == 0) return to + 1;
+  }
+  return from + 1;
+}
+
+/// The name, number, variable or numbered word (DO1) of a macro statement that a place lies in.
 WordPlace whole_token(std::string_view text, WordPlace place) {
-  std::uint32_t from = place.at, to = place.at + place.width;
-  if (to > text.size()) return place;
-  if (text[to - 1] == '#' && to < text.size() && is_digit(text[to])) ++to;
-  while (to < text.size() && in_name(text[to - 1]) && in_name(text[to])) ++to;
-  while (from > 0 && in_name(text[from]) && in_name(text[from - 1])) --from;
-  if (from > 0 && is_digit(text[from]) && text[from - 1] == '#') --from;
-  return {from, to - from};
+  std::size_t first = place.at, last = first + place.width;
+  if (place.width == 0 || last > text.size()) return place;
+  const auto token = [](std::size_t from, std::size_t to) {
+    return WordPlace{static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to - from)};
+  };
+  if (text[first] == '#') return token(first, std::max(last, end_of_variable(text, first)));
+  const bool name = in_name(text[first]);
+  if (!name && !in_number(text[first])) return place;
+  while (!name && first > 0 && in_number(text[first - 1])) --first;
+  std::size_t number = first;  // where the letters end
+  while (first > 0 && in_name(text[first - 1])) --first;
+  while (number < text.size() && in_name(text[number])) ++number;
+  last = std::max(last, number);
+  while (last < text.size() && in_number(text[last])) ++last;
+  if (is_operator(text.substr(first, number - first)))
+    return name ? token(first, number) : token(number, last);
+  if (!name && first == number && first > 0 && text[first - 1] == '#') --first;
+  return token(first, last);
 }
 
 /// The bytes of the whole word that a fault points into.
@@ -308,7 +344,6 @@ WordPlace whole_word(const Code& code, const Program& program, const Block& bloc
     if (!is_letter(head) && head != ',' && head != '<' && head != '#') return place;
     const bool statement = word.address.empty() || word.address == "#";
     if (!statement) return {whole.at, std::max(whole.width, place.at + place.width - whole.at)};
-    if (fault.width == 1) return place;  // a sign, or a letter that is no name
     const WordPlace token = whole_token(text, {place.at - block.text, place.width});
     return {token.at + block.text, token.width};
   }

@@ -204,7 +204,7 @@ union Cell {
   struct {
     std::uint32_t
         expressions;      // of a block's extra cell: the addresses whose cell is an expression
-    std::uint32_t whole;  // and those whose number has no point
+    std::uint32_t whole;  // and those whose number has no point; and kPointedH
   } extra;
   std::uint64_t expression;
 };
@@ -212,6 +212,7 @@ union Cell {
 // Addresses in a block's mask: bit 0 is A, bit 25 Z; then the two-character addresses.
 constexpr int kCommaC = 26, kCommaR = 27, kCommaA = 28, kCommaD = 29;
 constexpr int kAddresses = 30;
+constexpr int kPointedH = 30;  // no address, a mark: H has a point that only an increment takes
 constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
 
 /// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G
@@ -242,7 +243,7 @@ struct Block {
 /// The words of a block, ready to be executed.
 struct NcWords {
   std::uint32_t mask = 0;
-  std::uint32_t whole = 0;     // written as a number without a point
+  std::uint32_t whole = 0;     // written as a number without a point; and kPointedH
   std::uint32_t computed = 0;  // came from a variable or an expression
   std::array<double, kAddresses> value{};
   std::array<int, 12> g{};  // ten times the code: G54.1 is 541

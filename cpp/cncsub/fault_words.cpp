@@ -97,6 +97,7 @@ constexpr FaultWords kFaultWords[] = {
     {Cause::CompensationArcEnd, "I J K axis motion"},
     {Cause::CompensationSkip, "oneshot"},
     {Cause::SkipPerRevolution, "oneshot"},
+    {Cause::NoSkipFeed, "F oneshot"},
     {Cause::MeasuringMissed, "oneshot"},
     {Cause::MeasuringEarly, "oneshot"},
     {Cause::MeasuringOffset, "oneshot"},

@@ -283,6 +283,8 @@ Motion::Result Motion::read(BlockWords& block) const {
 /// What may not stand together, before anything changes.
 Motion::Result Motion::check(const BlockWords& block) const {
   const Control& c = *facts_->control;
+  if ((block.words.whole >> kPointedH & 1) != 0 && facts_->machine != MachineType::LatheA)
+    return fault_at('H', Cause::IllegalDecimalPoint, block, "H takes no decimal point");
   if (block.has(Group::Units) && c.unit_change.value != UnitChange::Anywhere) {
     const bool shares = c.unit_change.value == UnitChange::Alone && block.words.g_count > 1;
     if (s_.moved_before || shares || (block.words.mask & ~bit('N')) != 0)

@@ -171,6 +171,7 @@ double Motion::scaled(char address, double value) const {
 }
 
 double Motion::increment(char address) const {
+  if (address == 'H') return facts_->machine == MachineType::LatheA ? facts_->increment : 0;
   constexpr std::string_view kLengths = "ABCIJKQRUVWXYZ";
   if (kLengths.find(address) == std::string_view::npos) return 0;
   return facts_->increment * (g20() && address > 'C' ? 0.1 : 1);

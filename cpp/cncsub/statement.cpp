@@ -42,8 +42,11 @@ bool StatementReader::keyword(std::string_view word) {
 }
 
 /// Refuses a statement that the control does not have, or of which nobody says whether it has it.
-bool StatementReader::lacks(StatementKind kind) {
-  auto wrong = code_.lacks(kind, block_.text);
+bool StatementReader::lacks(StatementKind kind, std::uint32_t at, std::string_view name) {
+  auto wrong = code_.lacks(kind, at);
+  if (wrong && !name.empty())
+    wrong->detail.replace(wrong->detail.size() - statement_name(kind).size(), std::string::npos,
+                          name);
   if (wrong) refuse(*wrong);
   return wrong.has_value();
 }
@@ -82,7 +85,7 @@ bool StatementReader::read() {
   const Control& control = *code_.control;
   const char c = s_.peek();
   if (c == '#') {
-    if (!lacks(StatementKind::Variables)) assignment(false);
+    if (!lacks(StatementKind::Variables, s_.offset())) assignment(false);
     return true;
   }
   if (c == '[' && control.variable_names.value) {  // [#NAME] = 5
@@ -115,27 +118,27 @@ bool StatementReader::read() {
     return true;
   }
   if (s_.take_word("IF")) {
-    if (!lacks(StatementKind::If)) if_statement();
+    if (!lacks(StatementKind::If, statement.at)) if_statement();
   } else if (keyword("WHILE")) {
-    if (!lacks(StatementKind::While)) while_statement();
+    if (!lacks(StatementKind::While, statement.at)) while_statement();
   } else if (keyword("GOTO")) {
     jump(Op::Goto, statement);
   } else if (s_.take_word("DO")) {
-    if (!lacks(StatementKind::Do)) loop(Op::Do, statement);
+    if (!lacks(StatementKind::Do, statement.at)) loop(Op::Do, statement);
   } else if (keyword("END")) {
-    if (!lacks(StatementKind::While)) loop(Op::EndDo, statement);
+    if (!lacks(StatementKind::Do, statement.at, "END")) loop(Op::EndDo, statement);
   } else if (keyword("DPRNT")) {
-    if (!lacks(StatementKind::Dprnt)) print(false);
+    if (!lacks(StatementKind::Dprnt, statement.at)) print(false);
   } else if (keyword("BPRNT")) {
-    if (!lacks(StatementKind::Bprnt)) print(true);
+    if (!lacks(StatementKind::Bprnt, statement.at)) print(true);
   } else if (keyword("POPEN")) {
-    if (!lacks(StatementKind::Popen) && at_end(Cause::NcAndMacroInBlock))
+    if (!lacks(StatementKind::Popen, statement.at) && at_end(Cause::NcAndMacroInBlock))
       block_.op = Op::OpenOutput;
   } else if (keyword("PCLOS")) {
-    if (!lacks(StatementKind::Pclos) && at_end(Cause::NcAndMacroInBlock))
+    if (!lacks(StatementKind::Pclos, statement.at) && at_end(Cause::NcAndMacroInBlock))
       block_.op = Op::CloseOutput;
   } else if (keyword("SETVN")) {
-    name_variables();
+    name_variables(statement);
   } else {
     return false;
   }
@@ -396,9 +399,7 @@ bool StatementReader::print_field(Print& print) {
 }
 
 /// SETVN 510[TOOLNO, WORKNO].
-void StatementReader::name_variables() {
-  Statement statement;
-  statement.at = s_.offset();
+void StatementReader::name_variables(Statement statement) {
   if (!code_.control->variable_names.value)
     return refuse(Cause::StatementNotAvailable, statement.at, 5, "this control has no SETVN");
   const Number first = scan_number(s_);

@@ -78,7 +78,8 @@ class StatementReader {
 
  private:
   bool keyword(std::string_view word);
-  bool lacks(StatementKind kind);
+  /// `name`: what of the kind is written, where that is not what the kind is called.
+  bool lacks(StatementKind kind, std::uint32_t at, std::string_view name = {});
   void assignment(bool bracketed);
   void if_statement();
   void then_statement(Statement& statement);
@@ -87,7 +88,7 @@ class StatementReader {
   void jump(Op op, Statement statement);
   void print(bool binary);
   bool print_field(Print& print);
-  void name_variables();
+  void name_variables(Statement statement);
   void finish(Op op, Statement statement);
   bool starts_assignment() const;
   bool at_end(Cause otherwise);

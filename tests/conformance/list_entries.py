@@ -136,16 +136,19 @@ stands("G30.6", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="code
 stands("G31.1", "fanuc-16i", alarm="code-not-computed")
 stands(
     "G31.1 Z5.", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="no-skip-feed",
+    word="G31.1",
     number=dict.fromkeys(("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"), "P603"),
 )
 stands("G31.2", "fanuc-16i", alarm="code-not-computed")
 stands(
     "G31.2 Z5.", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="no-skip-feed",
+    word="G31.2",
     number=dict.fromkeys(("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"), "P603"),
 )
 stands("G31.3", "fanuc-16i", alarm="code-not-computed")
 stands(
     "G31.3 Z5.", "mitsubishi-meldas mitsubishi-m700 mitsubishi-m800", alarm="no-skip-feed",
+    word="G31.3",
     number=dict.fromkeys(("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"), "P603"),
 )
 stands("G31.8", "fanuc-16i fanuc-0i-d fanuc-0i-f fanuc-30i", alarm="code-not-computed")

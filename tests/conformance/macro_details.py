@@ -232,14 +232,14 @@ case(
 LATER = ["fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 for text, cause, number, word in [
     ("#100=--1", "expression-format", "PS1125", "-"),
-    ("#100=1.5.2", "illegal-decimal-point", "PS0007", "1"),
-    ("#1.5=1", "illegal-variable", "PS0115", "1"),
-    ("#100=#1.5", "illegal-variable", "PS0115", "1"),
+    ("#100=1.5.2", "illegal-decimal-point", "PS0007", "1.5.2"),
+    ("#1.5=1", "illegal-variable", "PS0115", "#1.5"),
+    ("#100=#1.5", "illegal-variable", "PS0115", "#1.5"),
     ("#100=1]", "bracket-not-opened", "PS1131", "]"),
     ("IF[1]GOTO 30", "if-format", "PS1137", "["),
-    ("IF[1 EQ 2 EQ 3]GOTO 30", "if-format", "PS1137", "E"),
-    ("IF[[1 EQ 2] EQ 3]GOTO 30", "if-format", "PS1137", "E"),
-    ("IF[1 EQ 1]THEN G0 X1.", "if-format", "PS1137", "G"),
+    ("IF[1 EQ 2 EQ 3]GOTO 30", "if-format", "PS1137", "EQ"),
+    ("IF[[1 EQ 2] EQ 3]GOTO 30", "if-format", "PS1137", "EQ"),
+    ("IF[1 EQ 1]THEN G0 X1.", "if-format", "PS1137", "G0"),
     ("G0 X1. ]", "bracket-not-opened", "PS1131", "]"),
     ("G0 O#1", "address-not-usable", "PS0009", "O#1"),
     ("G0 X1. O5", "address-not-usable", "PS0009", "O5"),
@@ -525,7 +525,7 @@ case(
     control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi"],
     source="policy: no source has it; Talm 005, MDia 003", evidence="inferred",
     program="O1\nN10 #100=1\nN20 GO 30\nN30 M30\n",
-    runs="N10", alarm="address-without-value", at="O1 N20", word="G",
+    runs="N10", alarm="address-without-value", at="O1 N20", word="GO",
     number={"gsk-988ta": "005", "gsk-988t": "005", "gsk-980tdi": "0003", "gsk-980mdi": "0003"},
 )
 case(

@@ -74,3 +74,46 @@ case(
     number={F30: "OT0501", "gsk-988t": None},
     at="O1 N20", word="W-70.",
 )
+
+for _before in ("G98", "G17 G40 G80", "M8 G94"):
+    case(
+        f"a G31 without a feed is named where {_before} stands before it", control=[M7],
+        source="M7 p.550", evidence="maker's manual",
+        program=f"O1\nN10 G0 X0\nN20 {_before} G31 X10.\nN30 M30", runs="N10", alarm="no-skip-feed",
+        number="P603", at="O1 N20", word="G31",
+    )
+case(
+    "a G31 with the feed in its block runs behind other G codes", control=[M7],
+    source="M7 p.550", evidence="maker's manual",
+    program="O1\nN10 G0 X0\nN20 G98 G31 X10. F100\nN30 M30", runs="N10 N20 N30",
+)
+# A statement's fault names a whole word: a variable, a function, a keyword with its number.
+for _block, _cause, _numbers, _word in (
+    ("#2=#[9000000]", "illegal-variable", ("115", "PS0115"), "#[9000000]"),
+    ("#2=5+#[#1+[3*9000000]]", "illegal-variable", ("115", "PS0115"), "#[#1+[3*9000000]]"),
+    ("IF[#9000000EQ1]GOTO30", "illegal-variable", ("115", "PS0115"), "#9000000"),
+    ("#2=ABCD[2]", "expression-format", ("125", "PS1125"), "ABCD"),
+    ("#2=1+ABCD", "expression-format", ("125", "PS1125"), "ABCD"),
+    ("IF[1EQ1]THEN G1", "if-format", ("114", "PS1137"), "G1"),
+    ("IF[1EQ1]M30", "if-format", ("114", "PS1137"), "M30"),
+    ("M8 #2=SQRT[4]", "nc-and-macro-in-block", ("127", "PS0127"), "#2"),
+    ("#2=1 DPRNT[A]", "nc-and-macro-in-block", ("127", "PS0127"), "DPRNT"),
+    ("DO4", "illegal-loop-number", ("126", "PS0126"), "DO4"),
+    ("GOTO1.5", "illegal-decimal-point", ("007", "PS0007"), "GOTO1.5"),
+    ("IF[1EQ1]GOTO77", "jump-target-not-found", ("128", "PS0128"), "GOTO77"),
+    ("IF[1EQ1]GOTO 77", "jump-target-not-found", ("128", "PS0128"), "77"),
+    ("END3", "missing-do", ("124", "PS1124"), "END3"),
+):
+    case(
+        f"the fault of {_block} is its {_word}", control=MILLS, **RULE,
+        program=f"O1\nN10 G0 X0\nN20 {_block}\nN30 M30", runs="N10", alarm=_cause, at="O1 N20",
+        number=dict(zip(MILLS, _numbers, strict=True)), word=_word,
+    )
+for _block in (
+    "#2=#[500]", "IF[#500EQ1]GOTO30", "IF[1EQ1]THEN#2=1", "#2=ABS[2]", "GOTO30",
+    "IF[1EQ1]GOTO30", "IF[1EQ0]GOTO 77",
+):
+    case(
+        f"no fault is in {_block}", control=MILLS, **RULE,
+        program=f"O1\nN10 G0 X0\nN20 {_block}\nN30 M30", runs="N10 N20 N30",
+    )

@@ -41,3 +41,35 @@ case(
     "with 3401#6 U and W are no increments of X and Z", control=TA, **TAPAR, setup=AT,
     params={"3401#6": 1}, program="O1\nN10 G94 G1 W-5. F100.\nN20 M30", final_machine="Z2",
 )
+
+# H of system A counts C from where it is: there a point is no fault.
+A_LATHES = ["fanuc-16i", "fanuc-0i-f", "fanuc-30i", "mitsubishi-m700"]
+POINT = {"fanuc-16i": "007", "fanuc-0i-f": "PS0007", "fanuc-30i": "PS0007", "mitsubishi-m700": "P33"}
+TURN = {"source": "1.3: U W H V are the increments of system A", "evidence": "inferred"}
+for _word, _c in (("H60.", 60), ("H-60.5", -60.5), ("H.5", 0.5), ("H#1", 12.5)):
+    case(
+        f"{_word} moves C by {_c} degrees on a lathe with system A", control=A_LATHES, **TURN,
+        setup={"machine": "lathe-a"}, program=f"O1\nN10 #1=12.5\nN20 G0 {_word}\nN25 #100=#5004\nN30 M30",
+        vars={100: _c},
+    )
+for _machine in ("mill", "lathe-b"):
+    case(
+        f"H takes no point on a {_machine}, where it is a number", control=A_LATHES, **TURN,
+        setup={"machine": _machine}, program="O1\nN10 G0 X1.\nN20 M8 G0 Z0 H60.\nN30 M30",
+        runs="N10", alarm="illegal-decimal-point", number=POINT, at="O1 N20", word="H60.",
+    )
+    case(
+        f"H without a point is a number on a {_machine}", control=A_LATHES, **TURN,
+        setup={"machine": _machine}, program="O1\nN10 G0 X1.\nN20 M8 G0 Z0 H6\nN30 M30",
+        runs="N10 N20 N30",
+    )
+case(
+    "H of a call takes no point on a lathe with system A either", control="mitsubishi-m700", **TURN,
+    setup={"machine": "lathe-a"}, program="O1\nN10 M98 P2 H30.\nN20 M30\nO2\nN30 M99", runs="",
+    alarm="illegal-decimal-point", number="P33", at="O1 N10", word="H30.",
+)
+case(
+    "H without a point counts least increments of C, and digits finer than those are cut off",
+    control=["fanuc-16i", "fanuc-0i-f", "fanuc-30i"], **TURN, setup={"machine": "lathe-a"},
+    program="O1\nN10 G0 H60\nN20 H1.2349\nN25 #100=#5004\nN30 M30", vars={100: 1.294},
+)

@@ -397,7 +397,7 @@ for _code, _parameter in ("G31", "1174"), ("G31.1", "1176"), ("G31.2", "1178"), 
             N30 {_code} X30.
             N40 M30
         """,
-        runs="N10 N20", alarm="no-skip-feed", number="P603", at="O1 N30",
+        runs="N10 N20", alarm="no-skip-feed", number="P603", at="O1 N30", word=_code,
     )
     case(
         f"{_parameter} is the feed of {_code} without F",

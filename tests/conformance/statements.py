@@ -55,7 +55,7 @@ for _text in ("DO1", "END1"):
     case(
         f"the HNC, whose loops end with ENDW, has no {_text}", control=HNC, source="HD",
         evidence="secondary", program=block(_text), runs="N10",
-        alarm="statement-not-available" if _text == "DO1" else "illegal-loop-number", at="O1 N20",
+        alarm="statement-not-available", number=None, at="O1 N20", word=_text,
     )
 
 # Logic

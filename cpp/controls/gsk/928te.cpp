@@ -23,7 +23,7 @@ void read_928(Control& c) {
   c.block_skip = {BlockSkip::HeadOnly, kGeneral, Inferred};
   c.repeated_address = {RepeatedAddress::LastWins, kPolicy, Inferred};
   c.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
-  c.point_addresses = {"ABCDEFHIJKQRUVWXYZ", kGeneral, Inferred};
+  c.point_addresses = {"ABCDEFIJKQRUVWXYZ", kGeneral, Inferred};
   c.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ", kGeneral + "; a negative L is a value out of range",
                        Inferred};
   c.whole_numbers = {WholeNumbers::Millimetres, k001 + "Fig. 3-1", SourceDocument};

@@ -21,7 +21,7 @@ void read_980(Control& c) {
   c.block_skip = {BlockSkip::HeadOnly, kGeneral, Inferred};
   c.repeated_address = {RepeatedAddress::Alarm, kMDia + "010", Manual};
   c.open_comment = {OpenComment::Alarm, kMDia + "041", Manual};
-  c.point_addresses = {"ABCDEFHIJKLQRUVWXYZ",
+  c.point_addresses = {"ABCDEFIJKLQRUVWXYZ",
                        kTDi + "11: L and D are lengths; the others from general knowledge",
                        Inferred};
   c.minus_addresses = {

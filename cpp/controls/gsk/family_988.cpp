@@ -29,7 +29,7 @@ void read_988(Control& c) {
   c.block_skip = {BlockSkip::Anywhere, kGeneral, Inferred};
   c.repeated_address = {RepeatedAddress::LastWins, kTApar + "3403#6 AD2 = 0", Manual};
   c.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
-  c.point_addresses = {"ABCDEFHIJKQRUVWXYZ", kGeneral, Inferred};
+  c.point_addresses = {"ABCDEFIJKQRUVWXYZ", kGeneral, Inferred};
   c.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ",
                        kGeneral + "; a negative L is a value out of range, TA27", Inferred};
   c.whole_numbers = {WholeNumbers::Millimetres, "inferred from the examples of TA28", Inferred};
