@@ -343,8 +343,9 @@ Motion::Result Motion::set_feed(const BlockWords& block) {
 /// F of a block as a feed.
 Motion::Result Motion::feed_of(const BlockWords& block, double& feed) const {
   const double value = raw(block, 'F');
-  double unit = s_.unit;
-  if ((block.words.whole & bit('F')) != 0 &&
+  const bool times = s_.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
+  double unit = times ? 1 : s_.unit;  // times a minute have no unit of length
+  if (!times && (block.words.whole & bit('F')) != 0 &&
       facts_->control->whole_numbers.value == WholeNumbers::Increments)
     unit *= feed_increment();
   const int most = facts_->control->max_feed.value;

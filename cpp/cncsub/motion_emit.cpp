@@ -13,7 +13,6 @@ MoveState Motion::move_state() const {
   state.spindle = s_.surface ? s_.surface_speed : s_.speed;
   state.max_spindle = s_.max_speed;
   state.surface = s_.surface;
-  state.degree = g20() ? kInch : 1;
   state.tool = s_.tool;
   state.h = s_.h;
   state.d = s_.d;
@@ -22,6 +21,7 @@ MoveState Motion::move_state() const {
   state.feed_mode = mode == Meaning::PerRevolution ? FeedMode::PerRevolution
                     : mode == Meaning::InverseTime ? FeedMode::InverseTime
                                                    : FeedMode::PerMinute;
+  state.degree = g20() && mode != Meaning::InverseTime ? kInch : 1;
   return state;
 }
 

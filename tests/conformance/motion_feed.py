@@ -362,3 +362,27 @@ case(
     """,
     runs="N10 N20 N30 N40", moves="R Z5\nR Z1\nF Z-5\nF Z1\nR Z5",
 )
+
+INVERSE = ["fanuc-16i", "fanuc-0i-f", "fanuc-30i", "mitsubishi-m700", "mitsubishi-m800"]
+for _units, _move in (
+    ("G20", "X1."), ("G20", "A90."), ("G20", "X1. A90."), ("G21", "X1."), ("G21", "A90."),
+    ("G20", "X1. Y1. Z3."),
+):
+    case(
+        f"F of G93 counts moves a minute in {_units} too: {_move}", control=INVERSE,
+        source="general knowledge: G93 F is 1/min", evidence="inferred",
+        program=f"O1\nN10 {_units}\nN20 G93 G1 {_move} F2.\nN30 #100=#4109\nN40 M30",
+        time=30, vars={100: 2},
+    )
+case(
+    "an inverse time that was never given alarms in inches too", control=INVERSE,
+    source="ALM 011; M7 p.52", evidence="inferred",
+    program="O1\nN10 G20\nN20 G93 G1 X1.\nN30 M30", runs="N10", alarm="no-feed", at="O1 N20",
+    number={c: "P62" if c[0] == "m" else "011" if c == "fanuc-16i" else "PS0011" for c in INVERSE},
+    word="G1",
+)
+case(
+    "F of G94 counts inches a minute", control=INVERSE,
+    source="general knowledge: G94", evidence="inferred",
+    program="O1\nN10 G20\nN20 G94 G1 X1. F2.\nN30 #100=#4109\nN40 M30", time=30, vars={100: 2},
+)
