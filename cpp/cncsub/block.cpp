@@ -217,11 +217,39 @@ void BlockReader::read(Scanner s, Block& block) {
     return refuse(block, {Cause::BlockTooLong, start, 1,
                           "a block has at most " + std::to_string(control_.max_block_length.value) +
                               " characters"});
+  if (control_.conditional_return.value && s.peek() == '[') return conditional_return(s, block);
   StatementReader statement(code_, s, block);
   if (statement.read()) return;
   tokens_.clear();
   if (!scan_words(s, block)) return;
   build(block, tokens_, true);
+}
+
+/// `[#1 LT 10] M99 P10`: M99 is kept as a block of its own, as what stands behind THEN is.
+void BlockReader::conditional_return(Scanner s, Block& block) {
+  Statement statement;
+  statement.at = s.offset();
+  ExpressionReader reader(code_, s);
+  const auto condition = reader.condition();
+  if (!condition) return refuse(block, reader.fault());
+  statement.expression = *condition;
+  statement.width = s.offset() - statement.at;
+  Block back = block;
+  tokens_.clear();
+  if (scan_words(s, back)) build(back, tokens_, true);
+  if (back.op == Op::Fault) {
+    block.op = Op::Fault;
+    block.aux = back.aux;
+    return;
+  }
+  if (back.op != Op::Return)
+    return refuse(block, {Cause::StatementFormat, statement.at, statement.width,
+                          "a condition at the head of a block stands before M99"});
+  statement.then = static_cast<std::uint32_t>(code_.variants.size());
+  code_.variants.push_back(back);
+  block.op = Op::IfThen;
+  block.aux = static_cast<std::uint32_t>(code_.statements.size());
+  code_.statements.push_back(statement);
 }
 
 /// Block-skip slashes and the sequence number. False where the block is faulty.

@@ -47,6 +47,7 @@ class BlockReader {
   bool plain(const Scanner& s, Block& block);
   static void mark_move(Block& block, int g);
   bool head(Scanner& s, Block& block);
+  void conditional_return(Scanner s, Block& block);
   void skip_slash(Scanner& s, std::uint16_t& mask);
   bool sequence_number(Scanner& s, Block& block);
   bool scan_words(Scanner& s, Block& block);

@@ -57,7 +57,9 @@ void BlockReader::write_words(Block& block, const Tokens& tokens, const Meaning&
     if ((meaning.back != nullptr || meaning.jump != nullptr) &&
         (token.letter == 'P' || token.letter == 'L'))
       return true;
-    if (meaning.kind != CallKind::M98 && meaning.kind != CallKind::M198) return false;
+    if (meaning.kind != CallKind::M98 && meaning.kind != CallKind::M198 &&
+        meaning.kind != CallKind::M97)
+      return false;
     if (!sub) return false;
     if (token.letter == 'P' || token.letter == 'L' || token.letter == 'Q') return true;
     return token.letter == 'H' && control_.start_word.value == StartWord::H;

@@ -201,10 +201,11 @@ std::optional<Fault> BlockReader::sort_g(const Token& token, bool calls, Meaning
   }
   if (control_.macro_calls.value) {
     if (code10 == 650) return call(CallKind::G65, CodeCallKind::Macro, nullptr), std::nullopt;
-    if (code10 == 660) return call(CallKind::G66, CodeCallKind::Modal, nullptr), std::nullopt;
+    if (code10 == 660 && control_.modal_calls.value)
+      return call(CallKind::G66, CodeCallKind::Modal, nullptr), std::nullopt;
     if (code10 == 661 && control_.modal_every_block.value)
       return call(CallKind::G661, CodeCallKind::ModalEveryBlock, nullptr), std::nullopt;
-    if (code10 == 670) {
+    if (code10 == 670 && control_.modal_calls.value) {
       meaning.cancel = &token;
       return std::nullopt;
     }
@@ -249,6 +250,8 @@ std::optional<Fault> BlockReader::sort_m(const Token& token, bool calls, Meaning
       }
     }
     if (code == 98) return call(CallKind::M98, CodeCallKind::Subprogram, nullptr), std::nullopt;
+    if (control_.local_call_m_code.value > 0 && code == control_.local_call_m_code.value)
+      return call(CallKind::M97, CodeCallKind::Subprogram, nullptr), std::nullopt;
     if (code == external_m_ && control_.external_calls.value)
       return call(CallKind::M198, CodeCallKind::Subprogram, nullptr), std::nullopt;
     if (code == 99) {

@@ -161,17 +161,19 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call,
     return std::nullopt;
   }
   if (!call.name.empty()) return std::nullopt;
+  const bool local = call.kind == CallKind::M97;
   if (given(call.p, operands.p)) {
-    if (control.program_word.value == ProgramWord::SequenceNumber && !call.macro) {
+    if (local || (control.program_word.value == ProgramWord::SequenceNumber && !call.macro)) {
+      const double n = whole(control, call.p, operands.p);
+      if (n < 0) return fault(Cause::IllegalSequenceNumber, call.p, named(call.p, "P", operands.p));
       target.program = own;
-      target.start_n =
-          to_whole<std::int32_t>(std::clamp(whole(control, call.p, operands.p), -1.0, 2e9));
+      target.start_n = to_whole<std::int32_t>(std::min(n, 2e9));
       return std::nullopt;
     }
     return program_number(control, call, operands.p, count_in_l, target);
   }
   const bool start = target.start_n >= 0;
-  if (!call.macro) {
+  if (!call.macro && !local) {
     switch (control.omitted_program.value) {
       case OmittedProgram::Alarm:
         break;

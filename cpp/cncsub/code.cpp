@@ -15,6 +15,8 @@ std::string_view to_string(CallKind kind) {
       return "M98";
     case CallKind::M198:
       return "M198";
+    case CallKind::M97:
+      return "M97";
     case CallKind::G65:
       return "G65";
     case CallKind::G66:
@@ -73,7 +75,7 @@ VariablePlace placed(const PlacedRange& of, std::int64_t number) {
   const bool common = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
   const std::int32_t index = range.kind == VariableKind::Local ? static_cast<std::int32_t>(number)
                              : common                          ? base + offset
-                                                               : offset;
+                                                               : offset + range.from;
   return {range.kind, index, &range};
 }
 

@@ -261,6 +261,7 @@ struct NcWords {
 enum class CallKind : std::uint8_t {
   M98,
   M198,
+  M97,  // of the own program
   G65,
   G66,
   G661,
@@ -276,6 +277,7 @@ inline bool is_macro(CallKind kind, CodeCallKind code) {
   switch (kind) {
     case CallKind::M98:
     case CallKind::M198:
+    case CallKind::M97:
       return false;
     case CallKind::G65:
     case CallKind::G66:

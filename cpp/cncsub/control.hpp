@@ -159,6 +159,9 @@ struct VariableRange {
   char address = 0;  // of a modal word
   std::string source;
   Evidence evidence = Evidence::Inferred;
+  // Of commons that are other names of commons: what the first one is. Of a kind whose numbers
+  // begin before these: how many are missing.
+  std::int32_t from = 0;
 };
 
 /// Variables that a shop buys. Common ones: `commons` are all that a control with the option has;

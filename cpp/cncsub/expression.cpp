@@ -156,8 +156,15 @@ bool ExpressionReader::grow() {
 }
 
 /// From here on the value is a number: a vacant variable counts as 0.
+/// A comparison leaves 1 or 0, which is a number where the control says so.
+bool ExpressionReader::is_number(Value& value) const {
+  if (value.type == Type::Condition && code_.control->conditions_are_values.value)
+    value.type = Type::Number;
+  return value.type == Type::Number;
+}
+
 bool ExpressionReader::arithmetic(Value& value) {
-  if (value.type != Type::Number) {
+  if (!is_number(value)) {
     refuse(Cause::ExpressionFormat, s_.offset(), "the result of a comparison is not a number");
     return false;
   }
@@ -174,9 +181,9 @@ std::optional<std::uint32_t> ExpressionReader::number() {
   const auto first = static_cast<std::uint32_t>(code_.instructions.size());
   s_.blanks();
   const std::uint32_t at = s_.offset();
-  const auto value = expression();
+  auto value = expression();
   if (!value) return std::nullopt;
-  if (value->type != Type::Number)
+  if (!is_number(*value))
     return refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
   return finish(first, at);
 }
@@ -194,7 +201,7 @@ std::optional<std::uint32_t> ExpressionReader::word_value(char address) {
     return refuse(wrong->cause, at, wrong->detail);
   auto value = variable ? variable_value() : bracket();
   if (!value) return std::nullopt;
-  if (value->type != Type::Number)
+  if (!is_number(*value))
     return refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
   if (negative)
     emit(Ins::Negate, at);  // of a vacant variable it stays vacant: X-#1 is no word then
@@ -214,7 +221,8 @@ std::optional<std::uint32_t> ExpressionReader::condition() {
   if (most > 0 && s_.offset() - at > static_cast<std::uint32_t>(most))
     return refuse(Cause::ExpressionFormat, at,
                   "a condition has at most " + std::to_string(most) + " characters");
-  if (bare && value->type == Type::Number) {  // WHILE TRUE
+  const bool any = bare || code_.control->conditions_are_values.value;
+  if (any && value->type == Type::Number) {  // WHILE TRUE
     arithmetic(*value);
     value->type = Type::Condition;
   }
@@ -550,7 +558,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::apply(Ins op, std::uint
   if (comparison) {
     const bool tells = code_.control->vacant_comparison.value == VacantComparison::Distinguished &&
                        (op == Ins::Equal || op == Ins::NotEqual);
-    if (left.type != Type::Number || right.type != Type::Number)
+    if (!is_number(left) || !is_number(right))
       return refuse(Cause::ExpressionFormat, at, "a comparison compares two values");
     if (!tells && (!arithmetic(left) || !arithmetic(right))) return std::nullopt;
     emit(op, at);

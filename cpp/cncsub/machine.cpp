@@ -577,8 +577,10 @@ Fault Machine::no_block(Cause cause, const Operand& word, double value,
 
 /// What is left of a return's block when its words are executed.
 bool Machine::return_now(const CallRecord& back, double p, double l) {
-  if (stack_.size() == 1) return return_from_main(back, p);
   const Control& control = *code_->control;
+  if (!is_vacant(p) && control.return_with_p.value == ReturnWithP::OwnProgram)
+    return go_on_at(back, p);
+  if (stack_.size() == 1) return return_from_main(back, p);
   Open& open = frame();
   std::int32_t repeats = open.repeats;
   if (!is_vacant(l) && control.return_with_l.value == ReturnWithL::ReplacesCount)
@@ -622,10 +624,13 @@ bool Machine::return_from_main(const CallRecord& back, double p) {
     case MainReturn::Restarts:
       break;
   }
-  if (is_vacant(p)) {
-    record_block();
-    return restart_main();
-  }
+  if (!is_vacant(p)) return go_on_at(back, p);
+  record_block();
+  return restart_main();
+}
+
+/// M99 P in the main program, and wherever it names a block of its own program.
+bool Machine::go_on_at(const CallRecord& back, double p) {
   const Program& program = code_->programs[static_cast<std::size_t>(frame().program)];
   const Address to = code_->first_of(program, number_of(p));
   if (to == kNowhere) return alarm(no_block(Cause::ReturnTargetNotFound, back.p, p, program));

@@ -243,6 +243,7 @@ class Machine {
   bool cancel_modal(const Block& block);
   bool every_block(const Block& block);
   bool return_from_call(const Block& block);
+  bool go_on_at(const CallRecord& back, double p);
   bool return_from_main(const CallRecord& back, double p);
   bool jump(const Block& block);
   bool end_program(const Block& block);

@@ -163,6 +163,7 @@ struct Word {
   std::string_view word;
   Group group;
   Meaning meaning;
+  std::int16_t system = 0;
 };
 constexpr Word kWords[] = {
     {"ignored", G::OneShot, M::Ignored},
@@ -184,6 +185,27 @@ constexpr Word kWords[] = {
     {"not-computed", G::OneShot, M::Uncomputed},
     {"three-points", G::Motion, M::ThreePoints},
     {"three-points-absolute", G::Motion, M::ThreePointsAbsolute},
+    {"extra-system", G::Work, M::WorkExtra},
+    {"extra-system-1", G::Work, M::WorkExtra, 1},
+    {"extra-system-2", G::Work, M::WorkExtra, 2},
+    {"extra-system-3", G::Work, M::WorkExtra, 3},
+    {"extra-system-4", G::Work, M::WorkExtra, 4},
+    {"extra-system-5", G::Work, M::WorkExtra, 5},
+    {"extra-system-6", G::Work, M::WorkExtra, 6},
+    {"extra-system-7", G::Work, M::WorkExtra, 7},
+    {"extra-system-8", G::Work, M::WorkExtra, 8},
+    {"extra-system-9", G::Work, M::WorkExtra, 9},
+    {"extra-system-10", G::Work, M::WorkExtra, 10},
+    {"extra-system-11", G::Work, M::WorkExtra, 11},
+    {"extra-system-12", G::Work, M::WorkExtra, 12},
+    {"extra-system-13", G::Work, M::WorkExtra, 13},
+    {"extra-system-14", G::Work, M::WorkExtra, 14},
+    {"extra-system-15", G::Work, M::WorkExtra, 15},
+    {"extra-system-16", G::Work, M::WorkExtra, 16},
+    {"extra-system-17", G::Work, M::WorkExtra, 17},
+    {"extra-system-18", G::Work, M::WorkExtra, 18},
+    {"extra-system-19", G::Work, M::WorkExtra, 19},
+    {"extra-system-20", G::Work, M::WorkExtra, 20},
     {"none", G::OneShot, M::None},
     {"unknown", G::OneShot, M::Unknown},
 };
@@ -261,7 +283,7 @@ void GCodes::change(std::string_view text) {
     if (std::isnan(code) || code < 0 || code > 1000) continue;
     for (const Word& word : kWords)
       if (word.word == item.substr(equals + 1))
-        set({to_whole<std::int16_t>(code * 10 + 0.5), word.group, word.meaning});
+        set({to_whole<std::int16_t>(code * 10 + 0.5), word.group, word.meaning, word.system});
   }
 }
 

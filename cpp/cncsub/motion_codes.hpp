@@ -66,6 +66,7 @@ struct GCode {
   std::int16_t code = -1;  // ten times the number
   Group group = Group::OneShot;
   Meaning meaning = Meaning::None;
+  std::int16_t system = 0;  // the extra work system that the code itself names, 0 = P does
 };
 
 /// "G54.1" of 541.

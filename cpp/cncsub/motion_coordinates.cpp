@@ -27,7 +27,8 @@ Motion::Result Motion::select_work(BlockWords& block) {
     return std::nullopt;
   int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
   if (meaning == Meaning::WorkExtra) {
-    const double p = block.words.has('P') ? raw(block, 'P') : 1;
+    const int own = block.codes[at(Group::Work)].system;
+    const double p = own > 0 ? own : block.words.has('P') ? raw(block, 'P') : 1;
     if (p < 1 || p > static_cast<double>(tables_->extra.size()))
       return fault(Cause::WorkSystem, block);
     s_.extra_system = to_whole<int>(p);

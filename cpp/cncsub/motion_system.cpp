@@ -200,7 +200,8 @@ std::vector<std::pair<std::string, std::string>> Motion::modal() const {
     const int code = s_.modal[at(group)].code;
     if (code < 0) continue;
     std::string text = code_name(code);
-    if (group == Group::Work && s_.work_system == 0) text += " P" + std::to_string(s_.extra_system);
+    if (group == Group::Work && s_.work_system == 0 && s_.modal[at(group)].system == 0)
+      text += " P" + std::to_string(s_.extra_system);
     list.emplace_back(name, text);
   }
   for (const char word : {'F', 'S', 'T', 'H', 'D'})

@@ -47,6 +47,7 @@ class ExpressionReader {
   std::optional<Value> apply(Ins op, std::uint32_t at, Value left, Value right);
   std::optional<Ins> take_operator(int level, bool of_number, bool compared);
   bool condition_behind(std::string_view logic) const;
+  bool is_number(Value& value) const;
   bool arithmetic(Value& value);
   bool open();
   bool close();

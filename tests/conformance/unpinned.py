@@ -4,9 +4,10 @@ TA, T, TDI, MDI, TE = "gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", "gsk-
 MITSUBISHI = ("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800")
 F16, F0D, F0F, F30 = FANUC = ("fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i")
 HNC = "hnc-21m"
+HAAS = "haas-ngc"
 GSK_LATHES = (TA, T, TDI, TE)
-MILLS = (MDI, HNC)
-EVERY = (*GSK_LATHES, MDI, *MITSUBISHI, *FANUC, HNC)
+MILLS = (MDI, HNC, HAAS)
+EVERY = (*GSK_LATHES, MDI, *MITSUBISHI, *FANUC, HNC, HAAS)
 
 NO_MACROS = "the control has no macro statements"
 NO_MACRO_CALLS = "the control has no macro calls"
