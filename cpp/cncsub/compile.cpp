@@ -498,13 +498,12 @@ void number_variables(Code& code) {
       code.locals_per_level = range.last - range.first + 1;
     }
     code.variables.push_back({range, code.commons});
-    if (range.from > 0) continue;
+    if (is_alias(range)) continue;
     if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept)
       code.commons += range.last - range.first + 1;
   }
   for (PlacedRange& placed : code.variables)
-    if (placed.range.from > 0 && placed.range.kind == VariableKind::Kept)
-      placed.base = code.place(placed.range.from).index;
+    if (is_alias(placed.range)) placed.base = code.place(placed.range.from).index;
 }
 
 constexpr std::size_t kProgram = 64;  // what giving a program its names is worth

@@ -304,7 +304,7 @@ std::map<std::int32_t, double> Machine::variables(int level) const {
   std::map<std::int32_t, double> values;
   for (const auto& [range, base] : code_->variables) {
     const double* value = nullptr;
-    if (range.from > 0) continue;
+    if (is_alias(range)) continue;
     if (range.kind == VariableKind::Local) {
       value = locals_.data() + local_at(level, range.first);
     } else if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept) {

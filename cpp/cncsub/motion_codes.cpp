@@ -241,6 +241,8 @@ GCodes::GCodes(const Control& control, MachineType machine) : places_(kCodes) {
   if (!control.g_codes.value.empty()) keep(control.g_codes.value, control.g_codes_complete.value);
   if (!control.macro_calls.value)
     for (const std::int16_t code : {650, 660, 661, 670}) set({code, G::OneShot, M::None});
+  if (!control.modal_calls.value)
+    for (const std::int16_t code : {660, 661, 670}) set({code, G::OneShot, M::None});
   change(control.g_meanings.value);
 }
 

@@ -190,9 +190,36 @@ Ranges numbers_of(const VariableOption& option) {
   return list_of(spans);
 }
 
+bool is_alias(const VariableRange& range) {
+  return range.from > 0 && range.kind == VariableKind::Kept;
+}
+
+namespace {
+
+/// Of names of commons those whose commons the control has.
+void add_alias(std::vector<VariableRange>& ranges, const VariableRange& alias,
+               const std::vector<Span>& commons) {
+  for (const Span& span : commons) {
+    VariableRange part = alias;
+    part.from = std::max(alias.from, span.first);
+    const std::int32_t last = std::min(alias.from + (alias.last - alias.first), span.last);
+    part.first = alias.first + (part.from - alias.from);
+    part.last = part.first + (last - part.from);
+    if (part.first <= part.last) ranges.push_back(part);
+  }
+}
+
+}  // namespace
+
 std::vector<VariableRange> variable_ranges(const Control& control) {
-  std::vector<VariableRange> ranges = control.variables;
-  for (const Span& span : spans_of(control.commons.value)) {
+  std::vector<VariableRange> ranges;
+  const std::vector<Span> commons = spans_of(control.commons.value);
+  for (const VariableRange& range : control.variables)
+    if (is_alias(range))
+      add_alias(ranges, range, commons);
+    else
+      ranges.push_back(range);
+  for (const Span& span : commons) {
     const auto add = [&](std::int32_t first, std::int32_t last, VariableKind kind) {
       VariableRange range;
       range.first = first;

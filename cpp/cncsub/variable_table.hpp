@@ -31,6 +31,9 @@ bool is_fitted(const Control& control, const VariableOption& option);
 /// What the option brings, as the rule `commons` is written.
 Ranges numbers_of(const VariableOption& option);
 
+/// Whether these are other names of commons.
+bool is_alias(const VariableRange& range);
+
 /// Every range that the control has, by number.
 std::vector<VariableRange> variable_ranges(const Control& control);
 

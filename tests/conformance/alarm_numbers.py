@@ -70,7 +70,7 @@ case(
 case(
     "logic goes bit by bit elsewhere",
     pins="logic_of_bits",
-    control=[TDI, *T988, *FANUC, *MITSUBISHI], source="TDi 29, 3.29.1: bit by bit; JIX",
+    control=[TDI, *T988, *FANUC, *MITSUBISHI, "haas-ngc"], source="TDi 29, 3.29.1: bit by bit; JIX",
     evidence="inferred",
     program="O1\nN10 #101=6 AND 3\nN20 #102=6 OR 3\nN30 #103=6 XOR 3\nN40 M30\n",
     vars={101: 2, 102: 7, 103: 5},

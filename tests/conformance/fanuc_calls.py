@@ -1255,7 +1255,7 @@ case(
 case(
     "a variable at P is rounded to a whole number",
     pins="call_values",
-    control=ALL, source="SIN, JIX", evidence="secondary",
+    control=[*ALL, "haas-ngc"], source="SIN, JIX", evidence="secondary",
     program="""
         O1
         N10 #100=2.5
@@ -1271,7 +1271,7 @@ case(
 case(
     "a vacant P is no P",
     pins="omitted_program",
-    control=ALL, source="XIA, JIX; K-H 076", evidence="inferred",
+    control=[*ALL, "haas-ngc"], source="XIA, JIX; K-H 076", evidence="inferred",
     program="""
         O1
         N10 M98 P#100
@@ -1279,7 +1279,7 @@ case(
         O2
         N30 M99
     """,
-    runs="", alarm="program-number-missing", number=numbers("076", "PS0076"), at="O1 N10",
+    runs="", alarm="program-number-missing", number={**numbers("076", "PS0076"), "haas-ngc": "313"}, at="O1 N10",
 )
 case(
     "a variable at P that names a missing program alarms",
@@ -1321,7 +1321,7 @@ case(
 case(
     "L0 calls once",
     pins="zero_repeats",
-    control=ALL, source="policy", evidence="inferred",
+    control=[*ALL, "haas-ngc"], source="policy", evidence="inferred",
     program="""
         O1
         N10 M98 P2 L0

@@ -2532,14 +2532,14 @@ case(
 case(
     "an M code before GOTO alarms",
     pins="bare_g",
-    control=ALL, source="ALM PS0127; K-H 127", evidence="secondary",
+    control=[*ALL, "haas-ngc"], source="ALM PS0127; K-H 127", evidence="secondary",
     program="""
         O1
         N10 M3 GOTO30
         N20 M4
         N30 M30
     """,
-    runs="", alarm="nc-and-macro-in-block", number=numbers("127", "PS0127"), at="O1 N10", m=[],
+    runs="", alarm="nc-and-macro-in-block", number={**numbers("127", "PS0127"), "haas-ngc": None}, at="O1 N10", m=[],
 )
 case(
     "an axis word before IF alarms",
@@ -4494,7 +4494,7 @@ case(
 case(
     "loops may be nested three deep",
     pins="max_loop_number max_loops",
-    control=ALL, source="ISO; X-GO", evidence="secondary",
+    control=[*ALL, "haas-ngc"], source="ISO; X-GO", evidence="secondary",
     program="""
         O1
         N10 WHILE[#1 LT 2]DO1

@@ -1469,7 +1469,7 @@ case(
 case(
     "GSK: GOTO reaches N99999",
     pins="max_sequence_number max_jump_number",
-    control=FAMILIES, source="Talm 213; TDi29, GOTO", evidence=MANUAL,
+    control=[*FAMILIES, "haas-ngc"], source="Talm 213; TDi29, GOTO", evidence=MANUAL,
     program="O1\nN10 GOTO 99999\nN20 G0 X1\nN99999 M30\n", runs="N10 N99999",
 )
 case(

@@ -344,7 +344,7 @@ case(
 case(
     "the cosine of an angle beyond one turn, and of one below zero",
     pins="angle_unit functions",
-    control=[*FANUC, *MITSUBISHI, "gsk-988ta"], source="general knowledge, COS", evidence="inferred",
+    control=[*FANUC, *MITSUBISHI, "gsk-988ta", "haas-ngc"], source="general knowledge, COS", evidence="inferred",
     program="""
         O1
         N10 #100=COS[400.5]
@@ -557,7 +557,7 @@ case(
 case(
     "an M code beside a straight move is sent and the move is made",
     pins="max_feed",
-    control=[*FANUC, *MITSUBISHI, "gsk-988ta", "hnc-21m"], source="general knowledge", evidence="inferred",
+    control=[*FANUC, *MITSUBISHI, "gsk-988ta", "hnc-21m", "haas-ngc"], source="general knowledge", evidence="inferred",
     program="O1\nN10 G1 X10. F100 M8\nN20 M30\n",
     runs="N10 N20", m=[8], moves_x=[10],
 )

@@ -102,7 +102,7 @@ case(
 case(
     "10000 repeats are refused on a Mitsubishi",
     pins="too_many_repeats",
-    control=EVERY, source="source 004, at most 9999 times; SK P35", evidence="inferred",
+    control=[*EVERY, "haas-ngc"], source="source 004, at most 9999 times; SK P35", evidence="inferred",
     program="""
         O1
         N10 M98 P200 L10000
@@ -110,7 +110,7 @@ case(
         O200
         N220 M99
     """,
-    runs="", alarm="repeat-count-digits", number="P35", at="O1 N10", word="L10000",
+    runs="", alarm="repeat-count-digits", number=dict.fromkeys(EVERY, "P35") | {"haas-ngc": None}, at="O1 N10", word="L10000",
 )
 case(
     "a negative repeat count is refused on a Mitsubishi",

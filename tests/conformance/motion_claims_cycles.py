@@ -118,12 +118,12 @@ for _controls, _claim, _of in (
 
 # Radius offset
 case(
-    "G41 without a D ever given offsets nothing", control=[*FANUC, MDI, HNC], **KNOWN, setup=D,
+    "G41 without a D ever given offsets nothing", control=[*FANUC, MDI, HNC, "haas-ngc"], **KNOWN, setup=D,
     pins="power_on_incremental missing_radius_offset",
     program=lines("G41 G1 X10. Y10. F100", "Y50."), centre="X10 Y10 | X10 Y50",
 )
 case(
-    "a start-up ends on its own D, whatever the D of the next block", control=MILLS,
+    "a start-up ends on its own D, whatever the D of the next block", control=[*MILLS, "haas-ngc"],
     pins="power_on_incremental round_words",
     source="15iM p.402", evidence="secondary", setup=D,
     program=lines("G41 G1 X10. Y10. D1 F100", "Y50. D2", "X60."), centre="X5 Y10 | X7 Y53 | X60 Y53",
@@ -204,7 +204,7 @@ for _stop in ("M00", "M01"):
 
 # Length offset, tools
 case(
-    "G43 without an axis moves Z by the offset at once, G49 back", control=MILLS, **KNOWN, setup=H,
+    "G43 without an axis moves Z by the offset at once, G49 back", control=[*MILLS, "haas-ngc"], **KNOWN, setup=H,
     pins="length_type",
     program=lines("G0 Z5.", "G43 H1", "G49"), centre="Z5 | Z15 | Z5",
 )

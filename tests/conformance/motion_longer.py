@@ -129,7 +129,7 @@ case(
     at="O1 N20",
 )
 case(
-    "G60 goes to its point in rapid", control=[*MILLS, "hnc-21m"], **KNOWN,
+    "G60 goes to its point in rapid", control=[*MILLS, "hnc-21m", "haas-ngc"], **KNOWN,
     pins="one_way_overrun",
     setup={"machine": "mill"}, program=program("G60 X10. Y5.", "X5."), moves="R X10 Y5\nF X15",
 )

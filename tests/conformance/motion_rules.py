@@ -8,6 +8,7 @@ MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
 F16, F0D, F0F, F30 = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 FANUC_PS = FANUC[1:]
 HNC = "hnc-21m"
+HAAS = "haas-ngc"
 GSK_LATHES = [*GSK_988, TDI, TE]
 
 MILLS = [MDI, *MITSUBISHI, *FANUC, HNC]
@@ -74,7 +75,7 @@ case(
 case(
     "#4014 is the work system",
     pins="modal_groups",
-    control=[*GSK_988, TDI, MDI, *FANUC], source="REG; general knowledge", evidence="inferred",
+    control=[*GSK_988, TDI, MDI, *FANUC, "haas-ngc"], source="REG; general knowledge", evidence="inferred",
     program="""
         O1
         N10 G55
@@ -193,7 +194,7 @@ case(
     """,
     runs="N10", alarm="no-feed", number="021", at="O1 N20",
 )
-for machine, controls in ("mill", MILLS), ("lathe-a", GSK_LATHES):
+for machine, controls in ("mill", [*MILLS, HAAS]), ("lathe-a", GSK_LATHES):
     case(
         f"an axis of a {machine} without a rate of its own goes 10000 mm in a minute",
         pins="max_digits rapid_rate",
@@ -347,7 +348,7 @@ case(
 case(
     "radii that differ are not checked while the tolerance is 0",
     pins="arc_tolerance",
-    control=[MDI, *FANUC, HNC], source="TApar 3410; 16TC p.67", evidence="maker's manual",
+    control=[MDI, *FANUC, HNC, "haas-ngc"], source="TApar 3410; 16TC p.67", evidence="maker's manual",
     setup=MILL,
     program="""
         O1
@@ -391,7 +392,7 @@ case(
     moves="CCW X-10 Y10.099 C X-10 Y0",
 )
 for machine, controls, words in (
-    ("mill", [*MITSUBISHI, *FANUC, HNC], "I0 J0"), ("lathe-a", GSK_LATHES, "I0 K0"),
+    ("mill", [*MITSUBISHI, *FANUC, HNC, HAAS], "I0 J0"), ("lathe-a", GSK_LATHES, "I0 K0"),
 ):
     case(
         f"a circle around its own start moves nothing on a {machine}",
@@ -434,14 +435,14 @@ _arc = [MDI, *MITSUBISHI, HNC]
 case(
     "an arc without R and centre alarms",
     pins="no_radius",
-    control=_arc, source="MDib 0021; general knowledge", evidence="inferred", setup=MILL,
+    control=[*_arc, "haas-ngc"], source="MDib 0021; general knowledge", evidence="inferred", setup=MILL,
     program="""
         O1
         N10 G0 Z1.
         N20 G2 X10. Y10. F100
         N30 M30
     """,
-    runs="N10", alarm="no-radius", number=numbers(_arc, None, "P33", None, "0021"), at="O1 N20",
+    runs="N10", alarm="no-radius", number={**numbers(_arc, None, "P33", None, "0021"), "haas-ngc": None}, at="O1 N20",
 )
 case(
     "an arc of a lathe without R and centre alarms",
@@ -520,7 +521,7 @@ case(
 case(
     "a negative R takes the long way round on a lathe",
     pins="negative_radius negative_radius_on_lathes",
-    control=[*GSK_LATHES, *MITSUBISHI, *FANUC_PS], source="TDi 4 note 7; general knowledge",
+    control=[*GSK_LATHES, *MITSUBISHI, *FANUC_PS, "haas-ngc"], source="TDi 4 note 7; general knowledge",
     evidence="inferred", setup=LATHE,
     program="""
         O1
@@ -532,7 +533,7 @@ case(
 case(
     "a third axis goes along with the angle of an arc",
     pins="helix",
-    control=MILLS, source="source 003, G02 and G03; general knowledge", evidence="inferred",
+    control=[*MILLS, "haas-ngc"], source="source 003, G02 and G03; general knowledge", evidence="inferred",
     setup=MILL,
     program="""
         O1
@@ -587,7 +588,7 @@ case(
 case(
     "G20 behind a move changes the unit from there on",
     pins="unit_change",
-    control=[*MITSUBISHI, *FANUC], source="30i p.226; general knowledge", evidence="inferred",
+    control=[*MITSUBISHI, *FANUC, "haas-ngc"], source="30i p.226; general knowledge", evidence="inferred",
     setup=MILL,
     program="""
         O1
@@ -640,7 +641,7 @@ case(
 case(
     "G53 is rapid whatever the mode",
     pins="machine_move",
-    control=[*GSK_988, TDI, MDI, *FANUC, HNC], source="source 003, G53; TDi 20", evidence="inferred",
+    control=[*GSK_988, TDI, MDI, *FANUC, HNC, "haas-ngc"], source="source 003, G53; TDi 20", evidence="inferred",
     setup=HOMED,
     program="""
         O1
@@ -665,7 +666,7 @@ case(
 case(
     "G53 goes to machine coordinates though the setup names no reference point",
     pins="home_needed",
-    control=[TDI, *MITSUBISHI, *FANUC, HNC], **POLICY,
+    control=[TDI, *MITSUBISHI, *FANUC, HNC, "haas-ngc"], **POLICY,
     program="""
         O1
         N10 G0 G53 Z-10.
@@ -1068,7 +1069,7 @@ case(
 case(
     "P of G51 is the factor itself on the HNC-21",
     pins="scale_thousandths",
-    control=HNC, **KNOWN, setup=MILL,
+    control=[HNC, "haas-ngc"], **KNOWN, setup=MILL,
     program="""
         O1
         N10 G51 X0 Y0 Z0 P2
@@ -1083,7 +1084,7 @@ case(
 case(
     "a start-up of type A ends on the normal of the next move, also at an outside corner",
     pins="start_up",
-    control=MILLS, source="M7 p.188; 5003#0; general knowledge", evidence="inferred", setup=RADIUS,
+    control=[*MILLS, "haas-ngc"], source="M7 p.188; 5003#0; general knowledge", evidence="inferred", setup=RADIUS,
     program="""
         O1
         N10 G41 G1 X10. D1 F100
@@ -1110,7 +1111,7 @@ case(
 case(
     "around an acute corner the tool goes by lines",
     pins="acute_corner",
-    control=MILLS, source="general knowledge", evidence="inferred", setup=RADIUS,
+    control=[*MILLS, "haas-ngc"], source="general knowledge", evidence="inferred", setup=RADIUS,
     program="""
         O1
         N10 G41 G1 Y10. D1 F100
@@ -1136,7 +1137,7 @@ case(
     """,
     centre="X24 Z0 | X24 Z22 | X20 Z22.8284 | X-2.8284 Z11.4142 | X0 Z0",
 )
-for count, controls in (2, [F16, F0D, F0F, HNC]), (4, [*MITSUBISHI, F30]):
+for count, controls in (2, [F16, F0D, F0F, HNC, HAAS]), (4, [*MITSUBISHI, F30]):
     idle = "".join(f"\n        N{30 + i} M{10 + i}" for i in range(count))
     case(
         f"{count} blocks without a move let one move end and the next begin on its own normal",
@@ -1188,7 +1189,7 @@ case(
 case(
     "GOTO may stand in radius compensation",
     pins="jumps_in_compensation",
-    control=[*MITSUBISHI, *FANUC], **POLICY, setup=RADIUS,
+    control=[*MITSUBISHI, *FANUC, "haas-ngc"], **POLICY, setup=RADIUS,
     program="""
         O1
         N10 G41 G1 Y10. D1 F100
@@ -1356,7 +1357,7 @@ case(
 
 # Canned cycles
 
-for letter, controls in ("K", [MDI, *FANUC]), ("L", [MDI, *MITSUBISHI, HNC]):
+for letter, controls in ("K", [MDI, *FANUC]), ("L", [MDI, *MITSUBISHI, HNC, HAAS]):
     case(
         f"{letter} repeats a canned cycle",
         pins="cycle_repeats max_cycle_repeats",
@@ -1378,7 +1379,7 @@ case(
     """,
     moves="F Z-5\nR Z0\nF Z-5\nR Z0",
 )
-for letter, controls in ("K", FANUC), ("L", [*MITSUBISHI, HNC]):
+for letter, controls in ("K", FANUC), ("L", [*MITSUBISHI, HNC, HAAS]):
     case(
         f"{letter}0 stores the data of a canned cycle and drills nothing",
         pins="zero_cycle_repeats",
@@ -1419,7 +1420,7 @@ for code, seconds in ("G73", 66.066), ("G83", 66.198):
     case(
         f"{code} draws back by half a millimetre where no parameter says otherwise, whatever K is",
         pins="peck_words peck_retract peck_clearance drill_retract",
-        control=[MDI, *MITSUBISHI, *FANUC], **POLICY, setup=MILL,
+        control=[MDI, *MITSUBISHI, *FANUC, HAAS], **POLICY, setup=MILL,
         program=f"""
             O1
             N10 G90 {code} Z-10. R0 Q4. K1 F10.
@@ -1455,14 +1456,14 @@ _peck = [MDI, *MITSUBISHI, *FANUC, HNC]
 case(
     "a pecking cycle without Q alarms",
     pins="peck_needed",
-    control=_peck, source="ALM 045; general knowledge", evidence="inferred", setup=MILL,
+    control=[*_peck, "haas-ngc"], source="ALM 045; general knowledge", evidence="inferred", setup=MILL,
     program="""
         O1
         N10 G0 Z1.
         N20 G90 G83 X5. Z-10. R0 F100.
         N30 M30
     """,
-    runs="N10", alarm="no-peck", number=numbers(_peck, "045"), at="O1 N20",
+    runs="N10", alarm="no-peck", number={**numbers(_peck, "045"), "haas-ngc": None}, at="O1 N20",
 )
 case(
     "R of a drilling cycle is a plane that counts from the start",
@@ -1552,7 +1553,7 @@ case(
 case(
     ",C is the distance of a lathe's chamfer from its corner",
     pins="chamfer_words chamfer_length",
-    control=[*GSK_988, TE, *MITSUBISHI, *FANUC], source="TApar 3405#4; general knowledge", evidence="inferred",
+    control=[*GSK_988, TE, *MITSUBISHI, *FANUC, "haas-ngc"], source="TApar 3405#4; general knowledge", evidence="inferred",
     setup=LATHE,
     program="""
         O1
@@ -1766,7 +1767,7 @@ for height, controls in ("P1 Q1", GSK_988), ("P1000 Q200", [*MITSUBISHI, *FANUC]
 
 # Reset
 
-for machine, controls in ("mill", [MDI, HNC]), ("lathe-a", TURNING):
+for machine, controls in ("mill", [MDI, HNC, HAAS]), ("lathe-a", TURNING):
     case(
         f"the reset of a {machine} leaves the modal codes as they are",
         pins="clear_on_reset",

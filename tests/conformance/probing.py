@@ -237,7 +237,7 @@ case(
 case(
     "G31 leaves #1 and #995 alone where #5061 holds the position",
     pins="skip_variables",
-    control=["gsk-988ta", "gsk-988t", "gsk-980mdi", *FANUC, *MITSUBISHI], source="TA p.55",
+    control=["gsk-988ta", "gsk-988t", "gsk-980mdi", *FANUC, *MITSUBISHI, "haas-ngc"], source="TA p.55",
     evidence="secondary",
     setup={"start": {"X": 100, "Z": 50}}, inputs={"skips": [0.5]}, variables={1: 7, 995: 1},
     program="""
@@ -374,7 +374,7 @@ case(
 case(
     "F of G31 holds for the blocks behind it on a lathe",
     pins="skip_own_feed",
-    control=[*T988, "gsk-980tdi"], source="TA p.54 and TDi p.93: as G01", evidence="secondary",
+    control=[*T988, "gsk-980tdi", "haas-ngc"], source="TA p.54 and TDi p.93: as G01", evidence="secondary",
     setup={"start": {"X": 0, "Z": 0}},
     program="""
         O1

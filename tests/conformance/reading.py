@@ -58,7 +58,7 @@ case(
 case(
     "two blocks may stand on one line with a semicolon between",
     pins="semicolon",
-    control=WITH_O, source="PB155, EOB", evidence="inferred",
+    control=[*WITH_O, "haas-ngc"], source="PB155, EOB", evidence="inferred",
     program="O1;N10 M8;N20 M9;N30 M30;",
     runs="N10 N20 N30", m=[8, 9],
 )
@@ -175,13 +175,13 @@ case(
 case(
     "a program that only has its O is at its end at once on FANUC",
     pins="percent_programs",
-    control=FANUC, source="ALM 5010, END OF RECORD", evidence="inferred",
+    control=[*FANUC, "haas-ngc"], source="ALM 5010, END OF RECORD", evidence="inferred",
     program="""
         O1
         O2
         N10 M30
     """,
-    main="O1", runs="", alarm="end-of-record", number=on_fanuc(5010),
+    main="O1", runs="", alarm="end-of-record", number={**on_fanuc(5010), "haas-ngc": "312"},
 )
 case(
     "a program that only has its O is at its end at once on a Mitsubishi",
@@ -448,7 +448,7 @@ case(
 case(
     "the O in a file counts and not the file's name on FANUC and GSK",
     pins="file_name_wins",
-    control=FANUC + GSK_988 + GSK_980, source=POLICY, evidence="inferred",
+    control=[*FANUC + GSK_988 + GSK_980, "haas-ngc"], source=POLICY, evidence="inferred",
     files={"O0001.NC": "O0001\nN10 M98 P22\nN20 M30\n", "PART7.NC": "O0022\nN30 M99\n"},
     main="O1", runs="N10 N30 N20",
 )

@@ -15,7 +15,7 @@ HNC, TE = "hnc-21m", "gsk-928te"
 case(
     "a name in angle brackets heads no program",
     pins="named_programs max_block_length bracket_names",
-    control=[MDI, MELDAS, F16, F0D], source="general knowledge, program names",
+    control=[MDI, MELDAS, F16, F0D, "haas-ngc"], source="general knowledge, program names",
     evidence="inferred",
     program="""
         O1
@@ -24,7 +24,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="illegal-character",
-    number={MDI: None, MELDAS: "P32", F16: "009", F0D: "PS0009"}, at="O1",
+    number={MDI: None, MELDAS: "P32", F16: "009", F0D: "PS0009", "haas-ngc": None}, at="O1",
 )
 case(
     "the highest program number is 9999",
@@ -69,7 +69,7 @@ case(
 case(
     "N0 is read and its block runs",
     pins="zero_numbers m_codes_per_block",
-    control=[*GSK_988, *FANUC], source="policy", evidence="inferred",
+    control=[*GSK_988, *FANUC, "haas-ngc"], source="policy", evidence="inferred",
     program="""
         O1
         N0 M8
@@ -80,7 +80,7 @@ case(
 case(
     "an N behind other words is read",
     pins="sequence_number_first late_sequence_numbers",
-    control=[T, *FANUC], source="policy", evidence="inferred",
+    control=[T, *FANUC, "haas-ngc"], source="policy", evidence="inferred",
     program="""
         O1
         N10 M8
@@ -199,7 +199,7 @@ case(
 case(
     "a slash inside a block drops the rest of it",
     pins="block_skip",
-    control=[*GSK_988, *FANUC], source="general knowledge, block skip", evidence="inferred",
+    control=[*GSK_988, *FANUC, "haas-ngc"], source="general knowledge, block skip", evidence="inferred",
     program="""
         O1
         N10 M8
@@ -225,7 +225,7 @@ case(
 case(
     "a comment that is not closed reaches to the end of its block",
     pins="open_comment",
-    control=[*GSK_988, *MITSUBISHI, *FANUC], source="policy; GED", evidence="inferred",
+    control=[*GSK_988, *MITSUBISHI, *FANUC, "haas-ngc"], source="policy; GED", evidence="inferred",
     program="""
         O1
         N10 M8
@@ -518,7 +518,7 @@ case(
 case(
     "M1 without its switch does not start the program over",
     pins="restart_m_code",
-    control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, M01", evidence="inferred",
+    control=[*GSK, *MITSUBISHI, *FANUC, "haas-ngc"], source="general knowledge, M01", evidence="inferred",
     program="""
         O1
         N10 M1
@@ -542,7 +542,7 @@ case(
 case(
     ",D names no device",
     pins="device_word",
-    control=[*GSK, MELDAS, *FANUC], source="general knowledge, device words", evidence="inferred",
+    control=[*GSK, MELDAS, *FANUC, "haas-ngc"], source="general knowledge, device words", evidence="inferred",
     program="""
         O1
         N10 M8
@@ -552,7 +552,7 @@ case(
         N40 M99
     """,
     runs="N10", alarm="address-not-usable",
-    number={**dict.fromkeys(GSK_988, "008"), **dict.fromkeys(GSK_980, None), MELDAS: "P32", F16: "009", **dict.fromkeys(FANUC_PS, "PS0009")},
+    number={**dict.fromkeys(GSK_988, "008"), **dict.fromkeys(GSK_980, None), MELDAS: "P32", F16: "009", **dict.fromkeys(FANUC_PS, "PS0009"), "haas-ngc": None},
     at="O1 N20",
 )
 case(
@@ -609,7 +609,7 @@ case(
 case(
     "M99 L0 is M99",
     pins="count_and_l return_with_l",
-    control=[*GSK_988, F16], source="policy", evidence="inferred",
+    control=[*GSK_988, F16, "haas-ngc"], source="policy", evidence="inferred",
     program="""
         O1
         N10 M98 P2 L3
@@ -665,7 +665,7 @@ case(
 case(
     "G54 may share a block with M98",
     pins="codes_not_with_call",
-    control=[*GSK_988, *MITSUBISHI, *FANUC], source="PMI39; SM 3; source 000, words L and Q (5)",
+    control=[*GSK_988, *MITSUBISHI, *FANUC, "haas-ngc"], source="PMI39; SM 3; source 000, words L and Q (5)",
     evidence="inferred",
     program="""
         O1
@@ -692,7 +692,7 @@ case(
 case(
     "G28 may share a block with M99",
     pins="codes_not_with_return",
-    control=[MDI, *MITSUBISHI, *FANUC], source="K-H, words before M99", evidence="inferred",
+    control=[MDI, *MITSUBISHI, *FANUC, "haas-ngc"], source="K-H, words before M99", evidence="inferred",
     program="""
         O1
         N10 M98 P2
@@ -798,7 +798,7 @@ case(
 case(
     "H of M98 starts nothing: the call begins at the head",
     pins="start_word",
-    control=[*GSK, *FANUC], source="general knowledge, M98 without H", evidence="inferred",
+    control=[*GSK, *FANUC, "haas-ngc"], source="general knowledge, M98 without H", evidence="inferred",
     program="""
         O1
         N10 M98 P2 H20
@@ -864,7 +864,7 @@ case(
 case(
     "a subprogram may call the program that called it",
     pins="caller_call",
-    control=[*MITSUBISHI, *FANUC], source="ALM PS0077; SM", evidence="inferred",
+    control=[*MITSUBISHI, *FANUC, "haas-ngc"], source="ALM PS0077; SM", evidence="inferred",
     program="""
         O1
         N10 #100=#100+1
@@ -968,7 +968,7 @@ case(
 case(
     "M198 is a code for the machine",
     pins="external_calls",
-    control=[*GSK_980, MELDAS], source="general knowledge, no external calls",
+    control=[*GSK_980, MELDAS, "haas-ngc"], source="general knowledge, no external calls",
     evidence="inferred",
     program="""
         O1
@@ -1031,7 +1031,7 @@ case(
 case(
     "P[NAME] is no call on this control",
     pins="bracket_names",
-    control=[MDI, *MITSUBISHI, *FANUC], source="general knowledge, no names in brackets",
+    control=[MDI, *MITSUBISHI, *FANUC, "haas-ngc"], source="general knowledge, no names in brackets",
     evidence="inferred",
     program="""
         O1
@@ -1040,7 +1040,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="expression-format",
-    number={MDI: "0101", **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125")},
+    number={MDI: "0101", **dict.fromkeys(MITSUBISHI, "P282"), F16: "125", **dict.fromkeys(FANUC_PS, "PS1125"), "haas-ngc": None},
     at="O1 N20",
 )
 case(
@@ -1066,7 +1066,7 @@ case(
 case(
     "a called program may call in MDI",
     pins="mdi_calls",
-    control=[*MITSUBISHI, *FANUC], source="IMD; general knowledge", evidence="inferred",
+    control=[*MITSUBISHI, *FANUC, "haas-ngc"], source="IMD; general knowledge", evidence="inferred",
     program="""
         O2
         N20 M98 P3
@@ -1079,7 +1079,7 @@ case(
 case(
     "an M code may stand beside M98",
     pins="m_codes_alone",
-    control=[*GSK_988, *MITSUBISHI], source="policy; SM 3", evidence="inferred",
+    control=[*GSK_988, *MITSUBISHI, "haas-ngc"], source="policy; SM 3", evidence="inferred",
     program="""
         O1
         N10 M8 M98 P2
@@ -1092,7 +1092,7 @@ case(
 case(
     "in a canned cycle M98 may share its block with words",
     pins="words_with_call_in_cycle",
-    control=[MDI, *MITSUBISHI, F16], source="general knowledge; no alarm known",
+    control=[MDI, *MITSUBISHI, F16, "haas-ngc"], source="general knowledge; no alarm known",
     evidence="inferred",
     program="""
         O1
@@ -1219,7 +1219,7 @@ case(
 case(
     "GOTO takes the next block of that number",
     pins="jump_search",
-    control=[*GSK, *MITSUBISHI, *FANUC], source="general knowledge, search order",
+    control=[*GSK, *MITSUBISHI, *FANUC, "haas-ngc"], source="general knowledge, search order",
     evidence="inferred",
     program="""
         O1
@@ -1259,7 +1259,7 @@ case(
 case(
     "twelve digits are read in a statement",
     pins="max_constant_digits",
-    control=[*GSK, *MITSUBISHI, *FANUC_PS], source="policy", evidence="inferred",
+    control=[*GSK, *MITSUBISHI, *FANUC_PS, "haas-ngc"], source="policy", evidence="inferred",
     program="""
         O1
         N10 #100=123456789012
@@ -1284,7 +1284,7 @@ case(
 case(
     "ATAN counts a full turn",
     pins="atan_range",
-    control=[*GSK, *MITSUBISHI, *FANUC], source="TApar 6004#0; TDi29; ALI; general knowledge",
+    control=[*GSK, *MITSUBISHI, *FANUC, "haas-ngc"], source="TApar 6004#0; TDi29; ALI; general knowledge",
     evidence="inferred",
     program="""
         O1
@@ -1296,7 +1296,7 @@ case(
 case(
     "ASIN of a negative value lies behind 180",
     pins="asin_range",
-    control=[*GSK_988, MDI, *FANUC], source="TApar 6004#0; ALI; general knowledge",
+    control=[*GSK_988, MDI, *FANUC, "haas-ngc"], source="TApar 6004#0; ALI; general knowledge",
     evidence="inferred",
     program="""
         O1
@@ -1347,7 +1347,7 @@ case(
 case(
     "== is no operator",
     pins="comparison_symbols",
-    control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge, condition operators",
+    control=[*GSK_988, *MITSUBISHI, *FANUC, "haas-ngc"], source="general knowledge, condition operators",
     evidence="inferred",
     program="""
         O1
@@ -1357,7 +1357,7 @@ case(
         N40 M30
     """,
     runs="N10", alarm="if-format",
-    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(MITSUBISHI, "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(MITSUBISHI, "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137"), "haas-ngc": "516"},
     at="O1 N20",
 )
 case(
@@ -1376,7 +1376,7 @@ case(
 case(
     "a condition stands in brackets",
     pins="conditions_without_brackets",
-    control=[*GSK, *MITSUBISHI, *FANUC], source="TA27; X-GO; MZ 864", evidence="inferred",
+    control=[*GSK, *MITSUBISHI, *FANUC, "haas-ngc"], source="TA27; X-GO; MZ 864", evidence="inferred",
     program="""
         O1
         N10 T1
@@ -1385,13 +1385,13 @@ case(
         N40 M30
     """,
     runs="N10", alarm="if-format",
-    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys(MITSUBISHI, "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137")},
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys(MITSUBISHI, "P290"), F16: "114", **dict.fromkeys(FANUC_PS, "PS1137"), "haas-ngc": "516"},
     at="O1 N20",
 )
 case(
     "two letters are no function",
     pins="short_functions",
-    control=[*GSK, *MITSUBISHI], source="general knowledge, function names", evidence="inferred",
+    control=[*GSK, *MITSUBISHI, "haas-ngc"], source="general knowledge, function names", evidence="inferred",
     program="""
         O1
         N10 T1
@@ -1399,7 +1399,7 @@ case(
         N30 M30
     """,
     runs="N10", alarm="expression-format",
-    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys(MITSUBISHI, "P282")},
+    number={**dict.fromkeys(GSK_988, "202"), **dict.fromkeys(GSK_980, "0101"), **dict.fromkeys(MITSUBISHI, "P282"), "haas-ngc": None},
     at="O1 N20",
 )
 case(
@@ -1493,7 +1493,7 @@ case(
 case(
     "MOD is the rest of a division",
     pins="modulo",
-    control=[*MITSUBISHI, *FANUC_PS], source="general knowledge, MOD", evidence="inferred",
+    control=[*MITSUBISHI, *FANUC_PS, "haas-ngc"], source="general knowledge, MOD", evidence="inferred",
     program="""
         O1
         N10 #100=7 MOD 4
@@ -1504,7 +1504,7 @@ case(
 case(
     "a word with a vacant variable is left out",
     pins="vacant_address",
-    control=[*GSK_988, *MITSUBISHI, *FANUC], source="XIA, JIX; general knowledge",
+    control=[*GSK_988, *MITSUBISHI, *FANUC, "haas-ngc"], source="XIA, JIX; general knowledge",
     evidence="inferred",
     program="""
         O1
@@ -1527,7 +1527,7 @@ case(
 case(
     "a vacant variable does not equal 0",
     pins="vacant_comparison",
-    control=[*GSK_988, *MITSUBISHI, *FANUC], source="M7V; general knowledge", evidence="inferred",
+    control=[*GSK_988, *MITSUBISHI, *FANUC, "haas-ngc"], source="M7V; general knowledge", evidence="inferred",
     program="""
         O1
         N10 IF[#1 EQ 0]GOTO 30
@@ -1577,7 +1577,7 @@ case(
 case(
     "SETVN does not exist",
     pins="variable_names",
-    control=[*GSK, F16], source="general knowledge, no variable names", evidence="inferred",
+    control=[*GSK, F16, "haas-ngc"], source="general knowledge, no variable names", evidence="inferred",
     program="""
         O1
         N10 T1
@@ -1585,13 +1585,13 @@ case(
         N30 M30
     """,
     runs="N10", alarm="statement-not-available",
-    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "0101"), F16: "004"},
+    number={**dict.fromkeys(GSK_988, "201"), **dict.fromkeys(GSK_980, "0101"), F16: "004", "haas-ngc": None},
     at="O1 N20",
 )
 case(
     "five brackets inside each other are read",
     pins="max_brackets",
-    control=[*GSK, *MITSUBISHI, *FANUC], source="Talm 205; MDia 104; MZ 858; X-NUL",
+    control=[*GSK, *MITSUBISHI, *FANUC, "haas-ngc"], source="Talm 205; MDia 104; MZ 858; X-NUL",
     evidence="inferred",
     program="""
         O1
@@ -1617,7 +1617,7 @@ case(
 case(
     "AND takes a negative value",
     pins="negative_logic",
-    control=["gsk-980tdi", *MITSUBISHI, *FANUC], source="policy; ALI", evidence="inferred",
+    control=["gsk-980tdi", *MITSUBISHI, *FANUC, "haas-ngc"], source="policy; ALI", evidence="inferred",
     program="""
         O1
         N10 #100=[0-1]AND 3
@@ -1628,7 +1628,7 @@ case(
 case(
     "OR binds like plus",
     pins="logic_binds_last",
-    control=[*GSK, *FANUC], source="general knowledge, priorities", evidence="inferred",
+    control=[*GSK, *FANUC, "haas-ngc"], source="general knowledge, priorities", evidence="inferred",
     program="""
         O1
         N10 IF[0 EQ 1 OR 1]GOTO 30
@@ -1718,13 +1718,13 @@ case(
 case(
     "GOTO may not stand in MDI",
     pins="jumps_in_mdi",
-    control=[*GSK, *FANUC], source="Talm 208; ALM PS0123; policy", evidence="inferred",
+    control=[*GSK, *FANUC, "haas-ngc"], source="Talm 208; ALM PS0123; policy", evidence="inferred",
     program="""
         O2
         N20 M99
     """,
     mdi="N5 T1\nN6 GOTO 8\nN7 T1\nN8 T2", runs="N5", alarm="jump-in-mdi",
-    number={**dict.fromkeys(GSK_988, "208"), **dict.fromkeys(GSK_980, None), F16: "123", **dict.fromkeys(FANUC_PS, "PS0123")},
+    number={**dict.fromkeys(GSK_988, "208"), **dict.fromkeys(GSK_980, None), F16: "123", **dict.fromkeys(FANUC_PS, "PS0123"), "haas-ngc": None},
     t=[1],
 )
 case(
@@ -1872,7 +1872,7 @@ case(
 case(
     "M30 is an argument of a macro call",
     pins="m_codes_not_with_macro_call",
-    control=[*GSK_988, *MITSUBISHI, *FANUC],
+    control=[*GSK_988, *MITSUBISHI, *FANUC, "haas-ngc"],
     source="source 002, argument I; TA27; general knowledge", evidence="inferred",
     program="""
         O1
@@ -1903,7 +1903,7 @@ case(
 case(
     "of an argument given twice the last counts",
     pins="repeated_argument",
-    control=[*GSK, *MITSUBISHI, *FANUC], source="TA27; PB304; general knowledge",
+    control=[*GSK, *MITSUBISHI, *FANUC, "haas-ngc"], source="TA27; PB304; general knowledge",
     evidence="inferred",
     program="""
         O1
@@ -2279,7 +2279,7 @@ case(
 case(
     "X1= is no argument",
     pins="numbered_axis_arguments",
-    control=[*GSK_980, *MITSUBISHI, *FANUC], source="general knowledge, arguments",
+    control=[*GSK_980, *MITSUBISHI, *FANUC, "haas-ngc"], source="general knowledge, arguments",
     evidence="inferred",
     program="""
         O1
@@ -2290,7 +2290,7 @@ case(
         N40 M99
     """,
     runs="N10", alarm="illegal-character",
-    number={**dict.fromkeys(GSK_980, None), **dict.fromkeys(MITSUBISHI, "P32"), F16: "009", **dict.fromkeys(FANUC_PS, "PS0009")},
+    number={**dict.fromkeys(GSK_980, None), **dict.fromkeys(MITSUBISHI, "P32"), F16: "009", **dict.fromkeys(FANUC_PS, "PS0009"), "haas-ngc": None},
     at="O1 N20",
 )
 case(
@@ -2764,7 +2764,7 @@ case(
 case(
     "reset makes locals vacant and leaves commons",
     pins="reset_clears_locals reset_clears_commons",
-    control=[*GSK_980, *MITSUBISHI], source="policy", evidence="inferred",
+    control=[*GSK_980, *MITSUBISHI, "haas-ngc"], source="policy", evidence="inferred",
     program="""
         O1
         N10 #1=5
@@ -2817,7 +2817,7 @@ case(
 case(
     "digits finer than the least increment are kept on a mill",
     pins="cuts_fine_digits",
-    control=[MDI, HNC], source="policy", evidence="inferred",
+    control=[MDI, HNC, "haas-ngc"], source="policy", evidence="inferred",
     program="""
         O1
         N10 G91 G0 X1.0009
@@ -3026,7 +3026,7 @@ case(
 case(
     "a vacant value written to a system variable counts as 0",
     pins="vacant_system_writes",
-    control=[*GSK_988, *MITSUBISHI, *FANUC], source="general knowledge", evidence="inferred",
+    control=[*GSK_988, *MITSUBISHI, *FANUC, "haas-ngc"], source="general knowledge", evidence="inferred",
     program="""
         O1
         N10 #5221=5

@@ -13,6 +13,7 @@ NO_MACROS = "the control has no macro statements"
 NO_MACRO_CALLS = "the control has no macro calls"
 NO_NAMES = "the control calls no programs by name"
 NO_COUNT = "P of M98 holds no count on this control"
+NO_MODAL_CALLS = "the control has no G66"
 NO_IF_BLOCKS = "the control has no IF blocks"
 NO_JUMP = "the control has no GOTO, and M99 takes no P"
 NO_CODE_CALLS = "no parameter of the control makes a code call a program"
@@ -108,7 +109,8 @@ UNPINNED = _joined(
     _all("thread_needs_spindle lead_apart run_out_words", (HNC,), "no thread of it is computed"),
     _all("power_on_per_minute", MILLS, "a mill wakes up with feed per minute"),
     _all("thread_needs_spindle", (MDI,), "the control cuts no threads"),
-    _all("negative_radius_on_lathes set_coordinate_alarms", MILLS, A_MILL),
+    _all("negative_radius_on_lathes", (MDI, HNC), A_MILL),
+    _all("set_coordinate_alarms", MILLS, A_MILL),
     _all("tool_offset tool_offset_digits set_coordinate_without_tool", MILLS, A_MILL),
     _all("escape rough_depth rough_escape single_pass_pattern", MILLS, A_MILL),
     _all("cycle_increments groove_p_diameter profile_monotone contour_behind", MILLS, A_MILL),
@@ -151,4 +153,22 @@ UNPINNED = _joined(
     _all("angles_on_mills", MILLS, "the control knows no angles"),
     _all("angle_words type_by_shape pocket_pass", MILLS, A_MILL),
     _all("thread_starts thread_words_not_computed", MILLS, A_MILL),
+    _all("modal_calls", (TE, HNC), NO_MACRO_CALLS),
+    _all("conditions_are_values conditional_return", (TE,), NO_MACROS),
+    _all("conditions_are_values", (HNC,), "its conditions take values anyway"),
+    # Haas
+    _all("count_and_l zero_count_alarms", (HAAS,), NO_COUNT),
+    _all("name_marks wide_names max_name_length", (HAAS,), NO_NAMES),
+    _all("jump_m97 return_search", (HAAS,), "M97 calls there, and M99 P stays in its own program"),
+    _all("calls_in_modal return_alone_in_modal codes_not_with_modal_call", (HAAS,), NO_MODAL_CALLS),
+    _all("modal_locals modal_trigger max_modal_calls", (HAAS,), NO_MODAL_CALLS),
+    _all("modal_calls_stack cancel_alone", (HAAS,), NO_MODAL_CALLS),
+    _all("max_ifs", (HAAS,), NO_IF_BLOCKS),
+    _all("logic_of_numbers", (HAAS,), "logic binds like * and + there anyway"),
+    _all("h99_offset", (HAAS,), NO_H_CODES),
+    _all("reset_clears_commons", (HAAS,), "all of its commons are kept at power-off"),
+    _all("dwell_x_increments", (HAAS,), "X is no time of G04 there"),
+    _all("helix_on_lathes", (HAAS,), A_MILL),
+    _all("skip_signals measuring measuring_subtracts", (HAAS,), "its other signals and its G37 are not computed"),
+    _all("thread_needs_spindle lead_apart run_out_words", (HAAS,), "the control cuts no threads"),
 )
