@@ -61,8 +61,8 @@ def test_the_controls_are_listed_by_maker_and_name() -> None:
         "gsk-980tdi",
         "gsk-988t",
         "gsk-988ta",
+        "haas-ngc",
         "hnc-21m",
-<<<<<<< HEAD
         "mitsubishi-m700",
         "mitsubishi-m800",
         "mitsubishi-meldas",
@@ -73,10 +73,6 @@ def test_a_control_is_a_file_that_names_it() -> None:
     makers = Path(__file__).parent.parent / "cpp/controls"
     files = [f for f in makers.glob("*/*.cpp") if not f.stem.startswith("family")]
     assert {f"{f.parent.name}-{f.stem}".replace("_", "-") for f in files} == set(cncsub.controls)
-=======
-        "haas-ngc",
-    ]
->>>>>>> 2b160cf (Haas NGC: local calls, M99 P in the running program, conditional M99, conditions of any value, names of variables)
 
 
 def test_an_unknown_control_is_told_with_what_is_near() -> None:

@@ -407,7 +407,7 @@ for system in range(2, 20):
         control=HAAS, source="H96 p.113; general knowledge of the Haas mill", evidence="inferred",
         program=f"O1\nN10 #{6981 + 20 * system}=5.\nN20 G0 G{109 + system} X1.\nN30 #1=#5021\nN40 M30", vars={1: 6},
     )
-for block in "DO1", "BPRNT[#1[53]]":
+for block in ("BPRNT[#1[53]]",):
     case(
         f"no source says whether the Haas has {block[:2]}", **KNOWN,
         program=f"O1\nN10 {block}\nN20 M30", runs="", alarm="statement-not-known", at="O1 N10",

@@ -45,7 +45,7 @@ void calls_and_returns(Control& c) {
 
 void macros(Control& c) {
   c.commons = {"10000-10999", "ZAP, Haas system variables", Secondary};
-  c.statements = {"# [ IF WHILE DO? DPRNT BPRNT? POPEN PCLOS", kHaas, Inferred};
+  c.statements = {"# [ IF WHILE DO DPRNT BPRNT? POPEN PCLOS", kHaas, Inferred};
   c.if_form = {IfForm::GotoThen, "HDIY, IF [#10000 LT 10] GOTO10", Manual};
   c.conditions_are_values = {true, "HDIY: 0 is false, what is not 0 is true", Manual};
   c.joined_conditions = {true, "HDIY: Boolean operators in conditions", Manual};
