@@ -8,7 +8,7 @@
 
 namespace cncsub {
 
-enum class Cause : std::uint8_t {
+enum class Cause : std::uint16_t {
 #define CAUSE(name, slug, meaning, cure) name,
 #include "cncsub/causes.def"
 #undef CAUSE

@@ -114,6 +114,7 @@ constexpr FaultWords kFaultWords[] = {
     {Cause::TapLead, "F cycle motion axis"},
     {Cause::RigidMove, "axis motion oneshot"},
     {Cause::DataEndFirst, "G"},
+    {Cause::RigidSpeed, "S cycle motion axis"},
     {Cause::TapSpeed, "S cycle motion axis"},
     {Cause::Taper, "R axis"},
     {Cause::FaceTaper, "R axis"},

@@ -374,7 +374,7 @@ Motion::Result Motion::set_spindle(const BlockWords& block) {
     if (m == 6) s_.tool = s_.t;
     if (m == 29) s_.rigid_waits = facts_->refuses(Cause::RigidMove);
   }
-  if (block.has(Group::Cycle)) s_.rigid_waits = false;
+  if (block.has(Group::Cycle)) s_.rigid = std::exchange(s_.rigid_waits, false);
   return std::nullopt;
 }
 

@@ -222,8 +222,8 @@ constexpr Cause kAskedElsewhere[] = {
     Cause::GrooveEscape,      Cause::GrooveStep,        Cause::HelixTravel,  Cause::MeasuringZone,
     Cause::SkipPerRevolution, Cause::NoSpeed,           Cause::PatternX,     Cause::PatternZ,
     Cause::PolarCentre,       Cause::PolarCorner,       Cause::PqSame,       Cause::ProfileStart,
-    Cause::ScaleNegative,     Cause::StrokeArea,        Cause::TapLead,      Cause::TapSpeed,
-    Cause::ThreadPasses};
+    Cause::RigidSpeed,        Cause::ScaleNegative,     Cause::StrokeArea,   Cause::TapLead,
+    Cause::TapSpeed,          Cause::ThreadPasses};
 
 std::vector<std::string_view> refusable_causes() {
   std::vector<std::string_view> slugs;

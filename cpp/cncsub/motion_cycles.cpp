@@ -69,6 +69,8 @@ Motion::Result Motion::cycle_words(BlockWords& block, int& repeats) {
 
 Motion::Result Motion::check_tap(const BlockWords& block) const {
   if (s_.cycle.cycle != Meaning::Tap && s_.cycle.cycle != Meaning::LeftTap) return std::nullopt;
+  if (s_.speed <= 0 && s_.rigid && facts_->refuses(Cause::RigidSpeed))
+    return fault(Cause::RigidSpeed, block);
   if (s_.speed <= 0 && facts_->refuses(Cause::TapSpeed)) return fault(Cause::TapSpeed, block);
   if (s_.feed <= 0 && facts_->refuses(Cause::TapLead)) return fault(Cause::TapLead, block);
   return std::nullopt;

@@ -153,6 +153,7 @@ struct MotionState {
   bool surface = false;
   int spindle = 5;           // 3 4 5
   bool rigid_waits = false;  // M29 came, and its tapping cycle not yet
+  bool rigid = false;        // the cycle in force came behind M29
   bool data_set = false;     // a G10 came
   int b = 0, h = 0, d = 0, t = 0;
   int tool = 0, tool_offset = 0;

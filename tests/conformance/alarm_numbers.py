@@ -94,6 +94,35 @@ for _move in "G0 X20.", "X20.", "G1 X20. F100", "G53 Z0", "G28 Z50.":
         runs="N10 N20", alarm="move-before-rigid-tap", at="O1 N30",
         number={**fanuc("204"), MDI: "0232"},
     )
+for _what, _speed, _rest in (
+    ("of M29 with S0", "M29 S0", "G84"), ("of S0 in the cycle", "M29", "S0 G84"),
+    ("of S0 before M29 and a dwell", "S0 M29", "G4 P100\nN30 G84"),
+):
+    case(
+        f"rigid tapping {_what} has no speed",
+        control=FANUC, source="added facts, PS0200", evidence="secondary",
+        params=MM, setup=MILL,
+        program=f"O1\nN10 G90 G0 X10. F100\nN20 {_speed}\nN30 {_rest} X10. Z-5. R2. F500\nN50 M30\n"
+        .replace("N30 G4", "N25 G4"),
+        runs="N10 N20 N25" if "G4" in _rest else "N10 N20",
+        alarm="rigid-tap-without-speed", at="O1 N30", number=fanuc("200"),
+        word="S0" if _rest.startswith("S0") else "G84",
+    )
+case(
+    "tapping without M29 needs no speed before, and a speed between M29 and its cycle counts",
+    control=FANUC, source="added facts, PS0200", evidence="secondary", params=MM, setup=MILL,
+    program="""
+        O1
+        N10 G90 G0 X10. S0 F100
+        N20 G84 Z-5. R2. F500
+        N30 G80
+        N40 M29
+        N50 G84 X10. Z-5. R2. F500 S300
+        N60 G80
+        N70 M30
+    """,
+    runs="N10 N20 N30 N40 N50 N60 N70",
+)
 case(
     "M29 with a move in its block, a dwell behind it and its cycle then is no fault",
     control=[MDI, *FANUC], source="MDib 0232; added facts, PS0204", evidence="secondary",

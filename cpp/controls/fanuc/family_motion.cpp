@@ -7,8 +7,10 @@ void add_family_motion(Control& c) {
   c.machine = {MachineType::Mill, "the setup tells a lathe", Inferred};
   c.negative_radius = {true, "source 003, example 5", SourceDocument};
   c.machine_move = {MachineMove::Rapid, "source 003, G53; 0iMB p.228", SourceDocument};
-  c.refuses = {"reference-in-cycle corner-at-offset-start groove-escape move-before-rigid-tap",
-               "ALM 039, 044, 062; 204 from general knowledge", Secondary};
+  c.refuses = {
+      "reference-in-cycle corner-at-offset-start groove-escape move-before-rigid-tap "
+      "rigid-tap-without-speed",
+      "ALM 039, 044, 062; 200 and 204 from general knowledge", Secondary};
   c.idle_blocks = {1, "source 003, note a", SourceDocument};
   c.measuring = {Measuring::Of6241, "general knowledge; TDi 17, TApar 6241 to 6255: the same rule",
                  Inferred};
