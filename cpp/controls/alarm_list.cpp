@@ -1,40 +1,68 @@
 #include "controls/alarm_list.hpp"
 
+#include <algorithm>
+
 namespace cncsub {
 namespace {
+
+using Row = ListedAlarm::Row;
 
 /// The number as the list prints it: PS0078 is 0078.
 std::string bare(const std::string& number) {
   return number.substr(std::min(number.find_first_of("0123456789"), number.size()));
 }
 
+std::string text_of(const AlarmList& list, const char* number) {
+  for (const ListedAlarm& row : list.rows)
+    if (row.row == Row::Listed && std::string_view(row.number) == number) return row.text;
+  return "";
+}
+
+/// The source of numbers by direction: those of the list from the first to the last, or memory.
+std::string directed_source(const AlarmList& list) {
+  if (!list.memory.empty()) return list.memory;
+  std::string first, last;
+  for (const ListedAlarm& row : list.rows) {
+    if (row.row != Row::Directed) continue;
+    if (first.empty()) first = bare(row.number);
+    last = bare(row.number);
+  }
+  return list.key + " " + first + " to " + last;
+}
+
+AlarmEntry entry_of(const AlarmList& list, const ListedAlarm& row) {
+  const std::string at = list.key.empty() ? list.memory : list.key + " " + bare(row.number);
+  switch (row.row) {
+    case Row::Listed:
+      return {row.number, row.text, at, list.evidence, list.printed};
+    case Row::Assumed:
+      return {row.number, text_of(list, row.number),
+              at + " has the number; that it is raised here is inferred", Evidence::Inferred,
+              list.printed};
+    case Row::Meant:
+      return {row.number, row.text, list.memory, Evidence::Inferred};
+    case Row::Directed:
+      return {"", "", directed_source(list),
+              list.memory.empty() ? list.evidence : Evidence::Inferred};
+    case Row::From:
+      return {row.number, row.text, row.source, row.evidence};
+  }
+  return {};
+}
+
 }  // namespace
 
-void take_list(Control& control, const std::vector<ListedAlarm>& list, const std::string& key,
-               const std::string& memory) {
-  using enum ListedAlarm::Row;
-  const auto text_of = [&list](const char* number) -> std::string {
-    for (const ListedAlarm& row : list)
-      if (row.row == Listed && std::string_view(row.number) == number) return row.text;
-    return "";
-  };
-  const bool printed = !key.empty();
-  for (const ListedAlarm& row : list) {
-    const std::string at = printed ? key + " " + bare(row.number) : memory;
+void take_list(Control& control, const AlarmList& list,
+               std::initializer_list<std::string_view> only) {
+  for (const ListedAlarm& row : list.rows) {
+    if (only.size() != 0 && std::find(only.begin(), only.end(), row.number) == only.end()) continue;
     for (const Cause cause : row.causes) {
       AlarmEntry& entry = control.alarms[cause];
-      if (row.row == Listed)
-        entry = {row.number, row.text, at, printed ? Evidence::Secondary : Evidence::Inferred,
-                 printed};
-      else if (row.row == Assumed)
-        entry = {row.number, text_of(row.number),
-                 at + " has the number; that it is raised here is inferred", Evidence::Inferred,
-                 printed};
-      else if (row.row == Meant)
-        entry = {row.number, row.text, memory, Evidence::Inferred};
-      else
-        entry = {"", "", memory, Evidence::Inferred, false, std::move(entry.directed)};
-      if (row.row == Directed) entry.directed.push_back({row.direction, row.number, row.text});
+      std::vector<DirectedNumber> directed = std::move(entry.directed);
+      entry = entry_of(list, row);
+      if (row.row != Row::Directed) continue;
+      entry.directed = std::move(directed);
+      entry.directed.push_back({row.direction, row.number, row.text});
     }
   }
 }

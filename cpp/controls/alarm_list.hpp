@@ -1,32 +1,50 @@
-// Alarm lists as data, one for each that is printed: a file of rows for each.
+// Alarm lists as data: for each list that is printed a file alarms_<list>.def beside its control.
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cncsub/control.hpp"
 
 namespace cncsub {
 
-/// A row of an alarm list: a number and its text as printed, and the causes that show it.
+/// A row of an alarm list: a number and its text, and the causes that show it.
 struct ListedAlarm {
-  enum class Row : std::uint8_t { Listed, Assumed, Meant, Directed } row = Row::Listed;
+  enum class Row : std::uint8_t { Listed, Assumed, Meant, Directed, From } row = Row::Listed;
   const char* number = "";
   const char* text = "";
   std::vector<Cause> causes;
-  const char* direction = "";
+  const char* direction = "";  // of a Directed row
+  const char* source = "";     // of a From row, and its evidence
+  Evidence evidence = Evidence::Inferred;
 };
 
-// The rows of a file alarms_<list>.def, between braces where Cause's enumerators are in use.
-#define LISTED(number, text, ...) {ListedAlarm::Row::Listed, number, text, {__VA_ARGS__}, ""},
-#define ASSUMED(number, ...) {ListedAlarm::Row::Assumed, number, "", {__VA_ARGS__}, ""},
-#define MEANT(number, text, ...) {ListedAlarm::Row::Meant, number, text, {__VA_ARGS__}, ""},
+struct AlarmList {
+  std::string key;     // of sources.def; empty where no list was found and the rows are from memory
+  Evidence evidence;   // of what the list has
+  bool printed;        // the texts are the list's own words, not ours
+  std::string memory;  // the source of what it has not; empty where it has everything
+  std::vector<ListedAlarm> rows;
+};
+
+// The rows of a file, between braces where the enumerators of Cause are in use:
+//   a number, its text, the causes that the list's words cover;
+//   a number of the list, causes that show it too, as far as is known;
+//   a number whose text the list has wrong: it repeats a neighbour's; the text is from memory;
+//   one number a direction of an axis ("X+", or "-" of any);
+//   a number with a source of its own.
+#define LISTED(number, text, ...) {ListedAlarm::Row::Listed, number, text, {__VA_ARGS__}},
+#define ASSUMED(number, ...) {ListedAlarm::Row::Assumed, number, "", {__VA_ARGS__}},
+#define MEANT(number, text, ...) {ListedAlarm::Row::Meant, number, text, {__VA_ARGS__}},
 #define DIRECTED(number, text, cause, direction) \
   {ListedAlarm::Row::Directed, number, text, {cause}, direction},
+#define FROM(number, text, source, evidence, ...) \
+  {ListedAlarm::Row::From, number, text, {__VA_ARGS__}, "", source, Evidence::evidence},
 
-/// Gives a control the alarms of a list. Without a key of a source the list is from memory, and no
-/// text of it is printed anywhere.
-void take_list(Control& control, const std::vector<ListedAlarm>& list, const std::string& key,
-               const std::string& memory);
+/// Gives a control the alarms of a list, or only those of some numbers.
+void take_list(Control& control, const AlarmList& list,
+               std::initializer_list<std::string_view> only = {});
 
 }  // namespace cncsub

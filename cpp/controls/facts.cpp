@@ -26,9 +26,4 @@ std::int32_t modal_word_number(char address) {
   }
 }
 
-void add_alarms(Control& c, std::initializer_list<AlarmRow> rows) {
-  for (const AlarmRow& row : rows)
-    c.alarms.insert({row.cause, {row.number, row.text, row.source, row.evidence}});
-}
-
 }  // namespace cncsub

@@ -26,15 +26,4 @@ std::string cite(std::initializer_list<const char*> sources);
 /// p.331; TDi28 3.28.1.3, F to T; REG]
 std::int32_t modal_word_number(char address);
 
-struct AlarmRow {
-  Cause cause;
-  const char* number;
-  const char* text;
-  const char* source;
-  Evidence evidence;
-};
-
-/// Gives causes that have no alarm yet theirs.
-void add_alarms(Control& c, std::initializer_list<AlarmRow> rows);
-
 }  // namespace cncsub

@@ -18,11 +18,15 @@ constexpr const char* kCodes0iD =
     "98 99 107 112 113 150 "
     "151 152 160 161 250 251";
 
-const std::vector<ListedAlarm>& alarms_30i() {
+const AlarmList& alarms_30i() {
   using enum Cause;
-  static const std::vector<ListedAlarm> list = {
+  static const AlarmList list = {kAlm,
+                                 Secondary,
+                                 true,
+                                 "general knowledge of the 30i alarm list",
+                                 {
 #include "controls/fanuc/alarms_30i.def"
-  };
+                                 }};
   return list;
 }
 
@@ -71,7 +75,7 @@ Control fanuc_0i_d() {
                     [](Control& k, double v) { k.joined_conditions.value = v != 0; }});
 
   code_calls(c, 9999, 3, 99999999, 3, 99999999);
-  take_list(c, alarms_30i(), kAlm, k30iList);
+  take_list(c, alarms_30i());
   domain_alarms(c, Cause::Overflow);
   c.user_alarm_prefix = "MC";
   c.user_alarm_digits = 4;

@@ -21,13 +21,15 @@ constexpr const char* kCodes16i =
     "107 112 113 150 151 152 "
     "160 161 250 251";
 
-constexpr const char* k16iList = "general knowledge of the 16i alarm list";
-
-const std::vector<ListedAlarm>& alarms_16i() {
+const AlarmList& alarms_16i() {
   using enum Cause;
-  static const std::vector<ListedAlarm> list = {
+  static const AlarmList list = {"",
+                                 Inferred,
+                                 false,
+                                 "general knowledge of the 16i alarm list",
+                                 {
 #include "controls/fanuc/alarms_16i.def"
-  };
+                                 }};
   return list;
 }
 
@@ -39,7 +41,7 @@ Control fanuc_16i() {
   c.g_codes = {kCodes16i, cite({kReg, kCncs, "the rest general knowledge"}), Inferred};
   c.negative_radius_on_lathes = {false, "16TC p.67", Manual};
   code_calls(c, 255, 1, 97, 6, 255);
-  take_list(c, alarms_16i(), "", k16iList);
+  take_list(c, alarms_16i());
   for (const auto& [cause, source] : {std::pair{Cause::Overflow, kJix},
                                       {Cause::LogarithmOfNonPositive, kAli},
                                       {Cause::ArcSineOutOfRange, kAli}}) {

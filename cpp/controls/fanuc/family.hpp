@@ -47,7 +47,6 @@ inline constexpr const char* kRw = "RW";
 inline constexpr const char* kNct = "NCT";
 inline constexpr const char* kM7v = "M7V";
 inline constexpr const char* kPolicy = "policy, nobody says";
-inline constexpr const char* k30iList = "general knowledge of the 30i alarm list";
 
 /// What the 16i and everything behind it have: calls, macros, motion, parameters, variables.
 Control family();

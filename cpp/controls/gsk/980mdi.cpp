@@ -14,116 +14,6 @@ const std::string kMDiCodes =
     "73 74 76 80 81 82 83 84 85 86 87 88 89 90 91 92 94 95 96 97 98 99 107 "
     "110 112 113 114 115 116 117 126 127 132 133 134 135 136 137 138 139 140 141 142 143 144";
 
-void alarms(Control& c) {
-  AlarmEntry& travel = c.alarms[Cause::OverTravel];
-  travel = {"", "", "MDia 3011 to 3020", Manual};
-  int number = 3011;
-  for (const char* direction : {"+", "-"})
-    for (const char* axis : {"X", "Y", "Z", "A", "B"})  // the fourth is A, the fifth B [inferred]
-      travel.directed.push_back(
-          {std::string(axis) + direction, std::to_string(number++), "software travel limit"});
-  add_alarms(
-      c,
-      {{Cause::ArcAxis, "0008", "axis outside the plane of the arc", "MDib 0008", Manual},
-       {Cause::OneShotWithMotion, "0014", "codes of groups 00 and 01 in one block", "MDib 0014",
-        Manual},
-       {Cause::OffsetNumber, "0016", "H outside 0 to 32", "MDib 0016", Manual},
-       {Cause::RadiusTolerance, "0018", "the radii of an arc differ", "MDib 0018", Manual},
-       {Cause::RadiusTooSmall, "0018", "the radii of an arc differ", "MDib 0018", Manual},
-       {Cause::RadiusOffsetNumber, "0020", "D outside its range", "MDib 0020", Manual},
-       {Cause::NoRadius, "0021", "I, J, K of G02, G03", "MDib 0021", Manual},
-       {Cause::NoFeed, "0023", "F wrong or over 027", "MDib 0023", Manual},
-       {Cause::FeedOutOfRange, "0023", "F wrong or over 027", "MDib 0023", Manual},
-       {Cause::CompensationPlane, "0030", "plane change in the compensation", "MDib 0030", Manual},
-       {Cause::CornerPlane, "0031", "plane change behind a chamfer", "MDib 0031", Manual},
-       {Cause::CompensationSkip, "0035", "G31 in the compensation", "MDib 0035", Manual},
-       {Cause::MeasuringMissed, "3050", "G37: no signal in the measuring zone", "MDia 3050",
-        Manual},
-       {Cause::MeasuringEarly, "3051", "signal before the measuring zone", "MDia 3051", Manual},
-       {Cause::MeasuringOffset, "3052", "G37 with the offset number 0", "MDia 3052", Manual},
-       {Cause::MeasuringZone, "0282", "G37: 5043 is not above 5044", "MDib 0282", Manual},
-       {Cause::MeasuringWithOffset, "0297", "G37 with H in one block", "MDib 0297", Manual},
-       {Cause::MeasuringIncremental, "0298", "G37 in increments", "MDib 0298", Manual},
-       {Cause::MeasuringAxis, "0299", "G37 with another axis than Z, or in another plane",
-        "MDib 0299", Manual},
-       {Cause::CornerNoMove, "0036", "the block behind a chamfer", "MDib 0036", Manual},
-       {Cause::CornerNextMove, "0036", "the block behind a chamfer", "MDib 0036", Manual},
-       {Cause::UnitChangeLate, "0038", "G20, G21 not alone at the head", "MDib 0038", Manual},
-       {Cause::LengthWithMotion, "0042", "length offset with G02 G03 G04 G31 G92", "MDib 0042",
-        Manual},
-       {Cause::NoIntermediate, "0068", "G29 without G28", "MDib 0068", Manual},
-       {Cause::ReferenceNotHomed, "0069", "G30 before the machine zero is known", "MDib 0069",
-        Manual},
-       {Cause::CornerFormat, "0093", "chamfer words combined", "MDib 0093", Manual},
-       {Cause::CornerWithCall, "0093", "M98 with a chamfer", "MDib 0093", Manual},
-       {Cause::ReturnInCompensation, "0099", "a jump in the compensation", "MDib 0099", Manual},
-       {Cause::JumpInCompensation, "0100", "a jump in the compensation", "MDib 0100", Manual},
-       {Cause::ReferenceInRotation, "0152", "G28 to G30 in rotation or mirror", "MDib 0152",
-        Manual},
-       {Cause::RotationPlane, "0154", "plane change in rotation", "MDib 0154", Manual},
-       {Cause::TurnedInCompensation, "0155", "rotation or mirror in the compensation", "MDib 0155",
-        Manual},
-       {Cause::RotationAngle, "0156", "angle over 360", "MDib 0156", Manual},
-       {Cause::ScaleZero, "0158", "scale 0", "MDib 0158", Manual},
-       {Cause::MachineMoveInCycle, "0165", "G53 in a fixed cycle", "MDib 0165", Manual},
-       {Cause::NotHomed, "0166", "G53 before the machine zero is known", "MDib 0166", Manual},
-       {Cause::PolarCentre, "0176", "I, J, K in polar coordinates", "MDib 0176", Manual},
-       {Cause::PolarPlane, "0186", "plane change in polar coordinates", "MDib 0186", Manual},
-       {Cause::PolarWorkSystem, "0187", "G54 to G59 in polar coordinates", "MDib 0187", Manual},
-       {Cause::CycleRepeats, "0203", "repeat count 0", "MDib 0203", Manual},
-       {Cause::G10P, "0238", "P of G10", "MDib 0238", Manual},
-       {Cause::G10System, "0239", "P of G10 L20 outside 1 to 48", "MDib 0239", Manual},
-       {Cause::WorkSystem, "0240", "P of G54.1 outside 1 to 48", "MDib 0240", Manual},
-       {Cause::G10Offset, "0242", "P of an offset outside 1 to 32", "MDib 0242", Manual},
-       {Cause::TurnedData, "0243", "G10 of a work system in rotation", "MDib 0243", Manual},
-       {Cause::G10Word, "0246", "P or L of G10 missing", "MDib 0246", Manual},
-       {Cause::G10Axis, "0247", "axis of G10 missing", "MDib 0247", Manual},
-       {Cause::G10Value, "0248", "R of G10 missing", "MDib 0248", Manual},
-       {Cause::HelixAxis, "0022", "axes beyond X, Y, Z in a helix", "MDib 0022", Manual},
-       {Cause::HelixTravel, "0032", "a helix without travel in its plane", "MDib 0032", Manual},
-       {Cause::CornerOffset, "0039", "a chamfer at the start of compensation", "MDib 0039", Manual},
-       {Cause::LocalWithLength, "0046", "G52 with a length offset", "MDib 0046", Manual},
-       {Cause::ScaleNegative, "0140", "P of scaling negative", "MDib 0140", Manual},
-       {Cause::TurnedLength, "0149", "H in mirror, scaling, rotation", "MDib 0149", Manual},
-       {Cause::TurnedWithCodes, "0150", "other codes in the block of mirror, scaling, rotation",
-        "MDib 0150", Manual},
-       {Cause::TurnedCoordinate, "0151", "G92 in mirror, scaling, rotation", "MDib 0151", Manual},
-       {Cause::TurnedWorkSystem, "0153", "G52 to G59 in mirror, scaling, rotation", "MDib 0153",
-        Manual},
-       {Cause::TurnedPlane, "0154", "plane change in mirror, scaling", "MDib 0154", Manual},
-       {Cause::TurnedMirror, "0159", "mirror in scaling or rotation", "MDib 0159", Manual},
-       {Cause::RotatedCycle, "0160", "rotation in a cycle outside G17", "MDib 0160", Manual},
-       {Cause::TurnedUnits, "0161", "G20, G21 in polar, mirror, rotation, scaling", "MDib 0161",
-        Manual},
-       {Cause::TurnedCycle, "0162", "G110 to G144 in mirror, scaling, rotation", "MDib 0162",
-        Manual},
-       {Cause::PolarCycle, "0163", "G16 with a cycle outside G17", "MDib 0163", Manual},
-       {Cause::PolarCorner, "0185", "a chamfer in polar coordinates", "MDib 0185", Manual},
-       {Cause::PolarTool, "0188", "a tool change in polar coordinates", "MDib 0188", Manual},
-       {Cause::CycleRepeatsTwice, "0204", "L and K in a cycle", "MDib 0204", Manual},
-       {Cause::PatternWithoutCycle, "0216", "G140 to G144 without a drilling code", "MDib 0216",
-        Manual},
-       {Cause::TapLead, "0218", "no pitch in G74, G84", "MDib 0218", Manual},
-       {Cause::NoSpeed, "0013", "no S with G95", "MDib 0013", Manual},
-       {Cause::RigidMove, "0232", "a move between M29 and G74, G84", "MDib 0232", Manual},
-       {Cause::DataEndFirst, "0029", "G11 before G10", "MDib 0029", Manual},
-       {Cause::TapSpeed, "0230", "S is 0", "MDib 0230", Manual},
-       {Cause::CornerHelix, "0278", "a chamfer in a helix", "MDib 0278", Manual},
-       {Cause::G10L, "0244", "L of G10", "MDib 0244", Manual},
-       {Cause::CompensationArcStart, "0254", "an arc starts on its centre", "MDib 0254", Manual},
-       {Cause::CompensationArcEnd, "0255", "an arc ends on its centre", "MDib 0255", Manual},
-       {Cause::CompensationArcTooSmall, "0256", "inner arc smaller than the radius", "MDib 0256",
-        Manual},
-       {Cause::CompensationNoIntersection, "0257", "no intersection", "MDib 0257", Manual},
-       {Cause::CompensationArc, "0258", "start of the compensation in an arc", "MDib 0258", Manual},
-       {Cause::CompensationEndArc, "0259", "end of the compensation in an arc", "MDib 0259",
-        Manual},
-       {Cause::CompensationInterference, "0260", "interference", "MDib 0260", Manual},
-       {Cause::CompensationIdle, "0263", "too many blocks without a move", "MDib 0263", Manual},
-       {Cause::CornerTooShort, "0271", "the move is shorter than the chamfer", "MDib 0271",
-        Manual}});
-}
-
 }  // namespace
 
 /// Like the 980TDi: no names, M-code calls at 6044, the length offsets of a mill, G codes of a
@@ -227,7 +117,7 @@ Control gsk_980mdi() {
              kKnown, Inferred, set_peck_retract);
   add_effect(c, "5115", 0, "the clearance of G83, mm; FANUC's number stands for the control's own",
              kKnown, Inferred, set_peck_clearance);
-  alarms(c);
+  take_list(c, alarms_980mdi_b());
   return c;
 }
 

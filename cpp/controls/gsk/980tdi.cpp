@@ -121,6 +121,10 @@ Control gsk_980tdi() {
              set_acute_corner);
   add_effect(c, "181#0", 0, "L is 0 the length of the chamfer, 1 its distance from the corner",
              "TDipar 181#0", Manual, set_chamfer_length);
+  // Numbers of the mill's list that are no lathe's.
+  for (const Cause cause :
+       {Cause::OverTravel, Cause::MeasuringMissed, Cause::MeasuringEarly, Cause::MeasuringOffset})
+    c.alarms.erase(cause);
   return c;
 }
 

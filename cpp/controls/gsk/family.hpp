@@ -29,11 +29,12 @@ inline const std::string kStands = "FANUC's number stands for the control's own"
 /// The 988TA and the 988T.
 Control family_988();
 void add_988_motion(Control& c);
-void add_988_alarms(Control& c);
 
 /// The 980TDi and the 980MDi: reading, calls, macros; their motion is of a lathe and of a mill.
 Control family_980();
-void add_980_alarms(Control& c);
+
+/// The 980MDi's paper on alarms; its manual's list is the family's.
+const AlarmList& alarms_980mdi_b();
 
 /// Motion as the lathes have it.
 void add_lathe_motion(Control& c);

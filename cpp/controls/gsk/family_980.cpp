@@ -202,7 +202,31 @@ void parameters_980(Control& c) {
   };
 }
 
+const AlarmList& alarms_980mdi_a() {
+  using enum Cause;
+  static const AlarmList list = {"MDia",
+                                 Manual,
+                                 false,
+                                 "",
+                                 {
+#include "controls/gsk/alarms_980mdi_a.def"
+                                 }};
+  return list;
+}
+
 }  // namespace
+
+const AlarmList& alarms_980mdi_b() {
+  using enum Cause;
+  static const AlarmList list = {"MDib",
+                                 Manual,
+                                 false,
+                                 "",
+                                 {
+#include "controls/gsk/alarms_980mdi_b.def"
+                                 }};
+  return list;
+}
 
 Control family_980() {
   Control c;
@@ -210,7 +234,8 @@ Control family_980() {
   call_980(c);
   statements_980(c);
   macros_980(c);
-  add_980_alarms(c);
+  take_list(c, alarms_980mdi_a());
+  take_list(c, alarms_980mdi_b(), {"0002", "0051"});
   variables_980(c);
   parameters_980(c);
   CodeCall macro = code_call(CodeCall::Form::Range, 'G', CodeCallKind::Macro, 87, 88, 86);

@@ -273,6 +273,18 @@ void code_calls_988(Control& c) {
   list('G', 6090, 9030, "6008#7", 500, 599, "");
 }
 
+const AlarmList& alarms_988t() {
+  using enum Cause;
+  static const AlarmList list = {"Talm",
+                                 Manual,
+                                 false,
+                                 "",
+                                 {
+#include "controls/gsk/alarms_988t.def"
+                                 }};
+  return list;
+}
+
 }  // namespace
 
 Control family_988() {
@@ -281,7 +293,7 @@ Control family_988() {
   call_988(c);
   statements_988(c);
   macros_988(c);
-  add_988_alarms(c);
+  take_list(c, alarms_988t());
   c.alarms[Cause::IllegalMacroNumber] = {"291", "P[#] has more than 4 digits", "TA27", Manual};
   variables_988(c);
   parameters_988(c);

@@ -318,6 +318,18 @@ void parameters(Control& c) {
   };
 }
 
+const AlarmList& alarms_m700() {
+  using enum Cause;
+  static const AlarmList list = {"",
+                                 Inferred,
+                                 false,
+                                 "",
+                                 {
+#include "controls/mitsubishi/alarms_m700.def"
+                                 }};
+  return list;
+}
+
 }  // namespace
 
 Control family() {
@@ -326,7 +338,8 @@ Control family() {
   calling(c);
   statements(c);
   macros(c);
-  add_family_alarms(c);
+  take_list(c, alarms_m700());
+  c.user_alarm_number = "P277";
   variables(c);
   variable_choices(c);
   parameters(c);

@@ -26,8 +26,7 @@ inline const std::string kPolicy = "policy: nobody says";
 /// The M700, from which the others differ.
 Control family();
 
-// The parts of the family that have files of their own.
-void add_family_alarms(Control& c);
+/// Has a file of its own.
 void add_family_motion(Control& c);
 
 }  // namespace cncsub::mitsubishi
