@@ -257,6 +257,17 @@ void judge(Control& c) {
   for (auto& [cause, entry] : c.alarms) weaken(entry.source, entry.evidence);
 }
 
+/// In the order of their numbers and bits.
+void sort_parameters(Control& c) {
+  const auto place = [](const Parameter& p) {
+    const auto name = ParameterName::read(p.name).value_or(ParameterName());
+    return std::pair(name.number, name.bit);
+  };
+  std::stable_sort(
+      c.parameters.begin(), c.parameters.end(),
+      [&place](const Parameter& a, const Parameter& b) { return place(a) < place(b); });
+}
+
 }  // namespace
 
 const std::vector<Control>& all_controls() {
@@ -264,6 +275,7 @@ const std::vector<Control>& all_controls() {
     std::vector<Control> all;
     const auto take = [&all](std::string_view name, Control control) {
       control.name = name;
+      sort_parameters(control);
       judge(all.emplace_back(std::move(control)));
     };
 #define CONTROL(function, name) take(name, function());

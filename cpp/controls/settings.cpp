@@ -25,16 +25,17 @@ void set_refused(Control& c, const std::string& cause, bool refused) {
 
 }  // namespace
 
-void add_effect(Control& c, const char* name, double value, const char* meaning, const char* source,
-                Evidence evidence, void (*effect)(Control&, double)) {
-  auto p = std::find_if(c.parameters.begin(), c.parameters.end(),
-                        [name](const Parameter& known) { return known.name == name; });
-  if (p == c.parameters.end())
-    p = c.parameters.insert(p, {name, value, meaning, source, evidence, nullptr});
-  p->effect = effect;
+void add_parameter(Control& c, const Parameter& parameter) {
+  c.parameters.push_back(parameter);
+  if (parameter.effect == nullptr) return;
   const Answers before(c);
-  effect(c, p->value);
-  follow(c, before, "parameter " + p->name + " as delivered: " + p->source, p->evidence);
+  parameter.effect(c, parameter.value);
+  follow(c, before, "parameter " + parameter.name + " as delivered: " + parameter.source,
+         parameter.evidence);
+}
+
+void add_parameters(Control& c, std::initializer_list<Parameter> parameters) {
+  for (const Parameter& parameter : parameters) add_parameter(c, parameter);
 }
 
 void set_tolerance(Control& c, double v) { c.arc_tolerance.value = micrometres(v); }
@@ -132,41 +133,8 @@ void measuring_parameters(Control& c, const char* source, Evidence evidence) {
   add("6252", "G37 of a lathe: how far before the point the measuring feed begins, mm");
   add("6254", "G36, and G37 of a mill: within what distance of the point the tool arrives, mm");
   add("6255", "G37 of a lathe: within what distance of the point the tool arrives, mm");
-  add_effect(c, "6210#6", 0, "what G36 and G37 measure is 0 added to the offset, 1 subtracted",
-             source, evidence, set_measuring_subtracts);
-}
-
-void fanuc_numbers(Control& c, const char* source, Evidence evidence) {
-  add_effect(c, "3402#0", 0, "at power-on 0 = G00, 1 = G01", source, evidence, set_power_on_line);
-  add_effect(c, "3402#3", 0, "at power-on 0 = G90, 1 = G91", source, evidence,
-             set_power_on_incremental);
-  add_effect(c, "3402#4", 0, "lathes at power-on 0 = feed per revolution, 1 = per minute", source,
-             evidence, set_power_on_per_minute);
-  add_effect(c, "3402#6", 0, "at reset and M30 0 = modal codes stay, 1 = those of power-on", source,
-             evidence, set_clear_on_reset);
-  add_effect(c, "3403#4", 0, "R too small: 0 = a half circle inside the tolerance, 1 = alarm",
-             source, evidence, set_small_radius);
-  add_effect(c, "3403#5", 0, "an arc without R, I, J, K: 0 = a line, 1 = alarm", source, evidence,
-             set_no_radius);
-  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked", source,
-             evidence, set_tolerance);
-  add_effect(c, "5003#0", 0, "the start-up of the radius offset: 0 = type A, 1 = type B", source,
-             evidence, set_start_up);
-  add_effect(c, "5114", 0, "the retract of the fast pecking cycle, mm", source, evidence,
-             set_peck_retract);
-  add_effect(c, "5115", 0, "the clearance of the pecking cycle, mm", source, evidence,
-             set_peck_clearance);
-  add_effect(c, "5132", 0, "the depth of cut of G71 and G72, mm", source, evidence,
-             set_rough_depth);
-  add_effect(c, "5133", 0, "the escape of G71 and G72, mm", source, evidence, set_rough_escape);
-  add_effect(c, "5130", 0, "the run-out of G92 and G76, tenths of the lead", source, evidence,
-             set_thread_chamfer);
-  add_effect(c, "5139", 0, "the retract of G74 and G75, mm", source, evidence, set_groove_retract);
-  add_effect(c, "5140", 0, "the least cut of G76, mm", source, evidence, set_thread_least_cut);
-  add_effect(c, "5141", 0, "the finishing allowance of G76, mm", source, evidence,
-             set_thread_allowance);
-  add_effect(c, "5142", 1, "the finishing passes of G76", source, evidence, set_thread_passes);
-  add_effect(c, "5143", 0, "the angle of G76, degrees", source, evidence, set_thread_angle);
+  add_parameter(c, {"6210#6", 0, "what G36 and G37 measure is 0 added to the offset, 1 subtracted",
+                    source, evidence, set_measuring_subtracts});
 }
 
 }  // namespace cncsub

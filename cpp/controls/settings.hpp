@@ -1,14 +1,15 @@
 // What the settings of controls do: a parameter's value becomes rules.
 #pragma once
 
+#include <initializer_list>
+
 #include "cncsub/control.hpp"
 
 namespace cncsub {
 
-/// Gives a parameter its effect; one the control's own list already has keeps its value and its
-/// source. What it sets comes from it.
-void add_effect(Control& c, const char* name, double value, const char* meaning, const char* source,
-                Evidence evidence, void (*effect)(Control&, double));
+/// Adds a parameter and lets it have its effect on the rules: what its value sets comes from it.
+void add_parameter(Control& c, const Parameter& parameter);
+void add_parameters(Control& c, std::initializer_list<Parameter> parameters);
 
 void set_tolerance(Control& c, double v);
 void set_power_on_line(Control& c, double v);
@@ -59,8 +60,5 @@ void set_measuring_subtracts(Control& c, double v);
 
 /// G36 and G37 of FANUC and of the GSK 988.
 void measuring_parameters(Control& c, const char* source, Evidence evidence);
-
-/// The parameters that FANUC and the GSK 988 number alike.
-void fanuc_numbers(Control& c, const char* source, Evidence evidence);
 
 }  // namespace cncsub

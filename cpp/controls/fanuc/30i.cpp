@@ -62,9 +62,9 @@ Control fanuc_30i() {
                     kAlm, Secondary, [](Control& k, double v) {
                       k.main_return.value = v != 0 ? MainReturn::Alarm : MainReturn::Restarts;
                     }});
-  add_effect(c, "19607#2", 0,
-             "the radius offset goes round an acute corner 0 = on lines, 1 = on an arc", kKnown,
-             Inferred, set_acute_corner);
+  add_parameter(
+      c, {"19607#2", 0, "the radius offset goes round an acute corner 0 = on lines, 1 = on an arc",
+          kKnown, Inferred, set_acute_corner});
   c.idle_blocks = {3, "30iM p.166, 15iM p.419", Manual};
   for (const VariableRow& row : kVariables30i) add_variable(c, row);
   c.commons = {"100-199 500-999 98000-98499", cite({kJix, "#98000 general knowledge"}), Inferred};

@@ -56,15 +56,6 @@ void add_family_parameters(Control& c);
 void add_family_variables(Control& c);
 void add_family_motion(Control& c);
 
-struct ParameterRow {
-  const char* name;
-  double value;
-  const char* meaning;
-  const char* source;
-  Evidence evidence;
-  void (*effect)(Control&, double);
-};
-
 struct VariableRow {
   int first;
   int last;
@@ -79,7 +70,6 @@ inline constexpr Access kReadWrite = Access::ReadWrite;
 inline constexpr Access kReadOnly = Access::ReadOnly;
 inline constexpr Access kWriteOnly = Access::WriteOnly;
 
-void add_parameter(Control& c, const ParameterRow& row);
 void add_variable(Control& c, const VariableRow& row);
 
 /// The codes that call programs. G and M codes may be registered inside the given limits.

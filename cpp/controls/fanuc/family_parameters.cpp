@@ -4,6 +4,15 @@
 namespace cncsub::fanuc {
 namespace {
 
+struct ParameterRow {
+  const char* name;
+  double value;
+  const char* meaning;
+  const char* source;
+  Evidence evidence;
+  void (*effect)(Control&, double);
+};
+
 // Calls, returns and macros. All are 0 as delivered as far as this table knows.
 constexpr ParameterRow kParameters[] = {
     {"0000#0", 0, "TVC: 1 = the number of characters of a block is checked (TV check)", kAlm,
@@ -116,52 +125,19 @@ constexpr ParameterRow kParameters[] = {
 
 // Motion and modal state.
 constexpr ParameterRow kMotionParameters[] = {
-    {"0001#1", 0, "FCV: 1 = cycles in the one-block form of the Series 10/11/15", kKnown, Inferred,
-     nullptr},
     {"1201#2", 0, "ZCL: 1 = the reference point return ends the local coordinate system", kKnown,
      Inferred, nullptr},
-    {"1202#3", 0, "RLC: 1 = reset ends the local coordinate system", kKnown, Inferred, nullptr},
     {"1240", 0, "the first reference point, machine coordinates", kKnown, Inferred, nullptr},
     {"1241", 0, "the second reference point, machine coordinates", kKnown, Inferred, nullptr},
     {"1242", 0, "the third reference point, machine coordinates", kKnown, Inferred, nullptr},
     {"1243", 0, "the fourth reference point, machine coordinates", kKnown, Inferred, nullptr},
-    {"1401#1", 0, "LRP: G00 moves 0 = each axis at its own rate, 1 = on a straight line", k30i,
-     Manual, nullptr},
-    {"1411", 0, "the feed in force at power-on, 0 = none", kKnown, Inferred, nullptr},
-    {"3402#0", 0, "G01: at power-on 0 = G00, 1 = G01", kKnown, Inferred, nullptr},
     {"3402#1", 0, "G18: 1 = G18 at power-on (mills)", kKnown, Inferred, nullptr},
     {"3402#2", 0, "G19: 1 = G19 at power-on (mills)", kKnown, Inferred, nullptr},
-    {"3402#3", 0, "G91: at power-on 0 = G90, 1 = G91", kKnown, Inferred, nullptr},
-    {"3402#4", 0, "FPM: lathes at power-on 0 = feed per revolution, 1 = feed per minute", kKnown,
-     Inferred, nullptr},
-    {"3402#6", 0,
-     "CLR: reset, M02 and M30 0 = keep the modal codes, 1 = go back to the power-on state", kKnown,
-     Inferred, nullptr},
-    {"3402#7", 0, "G23: at power-on 0 = G22, 1 = G23", kKnown, Inferred, nullptr},
-    {"3403#4", 0,
-     "RER: an arc whose radius is too small: 0 = a half circle inside the tolerance of 3410, 1 = "
-     "alarm",
-     kKnown, Inferred, nullptr},
-    {"3403#5", 0, "CIR: an arc without R, I, J and K: 0 = a straight line, 1 = alarm", kKnown,
-     Inferred, nullptr},
-    {"3405#4", 0, "CCR: 1 = C and R make corners without a comma (lathes)", kKnown, Inferred,
-     nullptr},
     {"3406", 0, "with CLR, the groups of G codes that reset does not change, first byte", kKnown,
      Inferred, nullptr},
     {"3407", 0, "with CLR, the groups of G codes that reset does not change, second byte", kKnown,
      Inferred, nullptr},
-    {"3410", 0, "how much the radius of an arc's end may differ from its start's, 0 = not checked",
-     k16Tc, Manual, nullptr},
-    {"5001#0", 0, "TLC: 1 = the length offset works on the axis named in the block (type C)",
-     kKnown, Inferred, nullptr},
-    {"5001#1", 0, "TLB: 1 = the length offset works on the axis normal to the plane (type B)",
-     kKnown, Inferred, nullptr},
-    {"5003#0", 0, "SUP: the start-up of the radius offset is 0 = type A, 1 = type B", k16Mc, Manual,
-     nullptr},
     {"5004#2", 0, "ODI: D is 0 = a radius, 1 = a diameter", kKnown, Inferred, nullptr},
-    {"5114", 0, "the retract d of G73, mm", k30iM, Manual, nullptr},
-    {"5115", 0, "the clearance d of G83, mm", k30iM, Manual, nullptr},
-    {"5130", 0, "the run-out of a thread cycle", kKnown, Inferred, nullptr},
 };
 
 /// Parameters of the same meaning: one a code, or one a buffering stop.
@@ -173,12 +149,9 @@ void add_parameters(Control& c, int first, int last, const char* meaning, const 
 
 }  // namespace
 
-void add_parameter(Control& c, const ParameterRow& row) {
-  c.parameters.push_back({row.name, row.value, row.meaning, row.source, row.evidence, row.effect});
-}
-
 void add_family_parameters(Control& c) {
-  for (const ParameterRow& row : kParameters) add_parameter(c, row);
+  for (const ParameterRow& row : kParameters)
+    add_parameter(c, {row.name, row.value, row.meaning, row.source, row.evidence, row.effect});
   add_parameters(c, 3411, 3420, "an M code that stops the reading ahead", kTb35, Manual);
   add_parameters(c, 3421, 3432, "a limit of a range of M codes that stop the reading ahead", kTb35,
                  Manual);
@@ -189,7 +162,8 @@ void add_family_parameters(Control& c) {
                  kSource002, SourceDocument);
   add_parameters(c, 6080, 6089, "an M code that calls a macro: 6080 O9020 to 6089 O9029",
                  kSource002, SourceDocument);
-  for (const ParameterRow& row : kMotionParameters) add_parameter(c, row);
+  for (const ParameterRow& row : kMotionParameters)
+    add_parameter(c, {row.name, row.value, row.meaning, row.source, row.evidence, row.effect});
 }
 
 }  // namespace cncsub::fanuc

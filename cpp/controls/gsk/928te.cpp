@@ -155,9 +155,6 @@ Control gsk_928te() {
        [](Control& k, double value) {
          k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
        }},
-      {"3402#0", 0, "power-on: 0 in G00, 1 in G01", kGeneral + "; " + kStands, Inferred, nullptr},
-      {"3410", 0, "how far the radii of an arc's start and end may differ, 0 = any", kStands,
-       Inferred, nullptr},
   };
 
   add_lathe_motion(c);
@@ -169,11 +166,10 @@ Control gsk_928te() {
       "80=not-computed",
       "general knowledge: G22 to G80 is a loop, G26, G27 and G29 return to points", Inferred};
   c.dwell_words = {"PXUD", "928Ti: G4 D1 is a second", Secondary};
-  add_effect(c, "3402#0", 0,
-             "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
-             Inferred, set_power_on_line);
-  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked", kKnown,
-             Inferred, set_tolerance);
+  add_parameter(c, {"3402#0", 0, "power-on: 0 in G00, 1 in G01", kGeneral + "; " + kStands,
+                    Inferred, set_power_on_line});
+  add_parameter(c, {"3410", 0, "how far the radii of an arc's start and end may differ, 0 = any",
+                    kStands, Inferred, set_tolerance});
   return c;
 }
 

@@ -35,24 +35,26 @@ Control gsk_980mdi() {
       kMDia + "093: L and U are lengths of a chamfer; the others from general knowledge", Inferred};
   c.atan_range = {AngleRange::FullTurn, kMDipar + "520#7 = 0", Manual};
   c.asin_range = {AngleRange::FullTurn, kMDipar + "520#7 = 0", Manual};
-  c.parameters.push_back(
-      {"520#7", 0, "ATAN and ASIN: 0 gives 0 to 360 and 90 to 270, 1 -180 to 180 and -90 to 90",
-       kMDipar + "520#7", Manual, [](Control& k, double value) {
-         const AngleRange range = value != 0 ? AngleRange::Signed : AngleRange::FullTurn;
-         k.atan_range.value = range;
-         k.asin_range.value = range;
-       }});
-  c.parameters.push_back(
-      {"027", 0, "the largest cutting feed, 0 = any", kMDib + "0023", Manual, nullptr});
-  c.parameters.push_back({"3410", 0,
-                          "how far the radii of an arc's start and end may differ, 0 = any",
-                          kMDipar + "3410", Manual, nullptr});
-  c.parameters.push_back(
-      {"6044", 0, "the first M code that calls a subprogram", kMDipar + "6044", Manual, nullptr});
-  c.parameters.push_back(
-      {"6045", 0, "the program that the first M code calls", kMDipar + "6045", Manual, nullptr});
-  c.parameters.push_back({"6046", 0, "how many M codes call subprograms, 0 = none",
-                          kMDipar + "6046", Manual, nullptr});
+  add_parameters(
+      c,
+      {
+          {"520#7", 0, "ATAN and ASIN: 0 gives 0 to 360 and 90 to 270, 1 -180 to 180 and -90 to 90",
+           kMDipar + "520#7", Manual,
+           [](Control& k, double value) {
+             const AngleRange range = value != 0 ? AngleRange::Signed : AngleRange::FullTurn;
+             k.atan_range.value = range;
+             k.asin_range.value = range;
+           }},
+          {"6044", 0, "the first M code that calls a subprogram", kMDipar + "6044", Manual,
+           nullptr},
+          {"6045", 0, "the program that the first M code calls", kMDipar + "6045", Manual, nullptr},
+          {"6046", 0, "how many M codes call subprograms, 0 = none", kMDipar + "6046", Manual,
+           nullptr},
+          {"3403#4", 1, "radius too small for the end point: 0 a half circle, 1 an alarm",
+           kTDi + "4, note 3; " + kStands, Inferred, nullptr},
+          {"3403#5", 1, "an arc without R, I, K: 0 a straight line, 1 an alarm",
+           kTDi + "4, note 1; " + kStands, Inferred, nullptr},
+      });
   CodeCall subprogram =
       code_call(CodeCall::Form::Range, 'M', CodeCallKind::Subprogram, 6044, 6045, 6046);
   subprogram.first_code = 3;
@@ -106,17 +108,16 @@ Control gsk_980mdi() {
   c.skip_signals = {SkipSignals::Numbered, "MDipar 5431 to 5434: P1 to P4 have one each", Manual};
   c.max_skip_signals = {4, "MDipar 5431 to 5434", Manual};
   c.groove_p_diameter = {false, kKnown, Inferred};
-  add_effect(c, "027", 0, "the largest cutting feed, mm/min, 0 = any", "MDib 0023", Manual,
-             set_max_feed);
-  add_effect(c, "3402#0", 0,
-             "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
-             Inferred, set_power_on_line);
-  add_effect(c, "3410", 0, "how far the radii of an arc may differ, mm, 0 = not checked",
-             "MDib 0018", Manual, set_tolerance);
-  add_effect(c, "5114", 0, "the retract of G73, mm; FANUC's number stands for the control's own",
-             kKnown, Inferred, set_peck_retract);
-  add_effect(c, "5115", 0, "the clearance of G83, mm; FANUC's number stands for the control's own",
-             kKnown, Inferred, set_peck_clearance);
+  add_parameter(
+      c, {"027", 0, "the largest cutting feed, 0 = any", kMDib + "0023", Manual, set_max_feed});
+  add_parameter(c, {"3402#0", 0, "power-on: 0 in G00, 1 in G01", kTDi + "2: G00; " + kStands,
+                    Inferred, set_power_on_line});
+  add_parameter(c, {"3410", 0, "how far the radii of an arc's start and end may differ, 0 = any",
+                    kMDipar + "3410", Manual, set_tolerance});
+  add_parameter(c,
+                {"5114", 0, "return of the fast peck cycle", kStands, Inferred, set_peck_retract});
+  add_parameter(c,
+                {"5115", 0, "clearance of the peck cycle", kStands, Inferred, set_peck_clearance});
   take_list(c, alarms_980mdi_b());
   return c;
 }

@@ -19,24 +19,22 @@ Control gsk_980tdi() {
   Control c = family_980();
   c.title = "GSK 980TDi lathe";
   c.g_codes = {kTDiCodes, kTDi + "2 to TDi37, titles", Manual};
-  for (Parameter& p : std::vector<Parameter>{
-           {"001#0", 0, "input unit: 0 millimetres, 1 inches", kTDipar + "1", Manual, nullptr},
-           {"89", 0, "the first M code that calls a subprogram", kTDi + "17", Manual, nullptr},
-           {"90", 0, "the program that the first M code calls", kTDi + "17", Manual, nullptr},
-           {"91", 0, "how many M codes call subprograms, 0 = none", kTDi + "17", Manual, nullptr},
-           {"180#7", 0,
-            "ATAN and ASIN: 0 gives 0 to 360 and -90 to 90, 1 -180 to 180 and 90 to 270",
-            kTDi + "29, notes 2 and 4", Manual,
-            [](Control& k, double value) {
-              k.atan_range.value = value != 0 ? AngleRange::Signed : AngleRange::FullTurn;
-              k.asin_range.value = value != 0 ? AngleRange::FullTurn : AngleRange::Signed;
-            }},
-           {"878", 1, "program names of any kind: 0 no, 1 yes",
-            kTDi + "15 1.1.2; set here, so that P[name] works", Manual,
-            [](Control& k, double value) { k.bracket_names.value = value != 0; }},
-           {"3410", 0, "how far the radii of an arc's start and end may differ, 0 = any",
-            kTDipar + "154 in its place; " + kStands, Inferred, nullptr}})
-    c.parameters.push_back(std::move(p));
+  add_parameters(
+      c, {{"001#0", 0, "input unit: 0 millimetres, 1 inches", kTDipar + "1", Manual, nullptr},
+          {"89", 0, "the first M code that calls a subprogram", kTDi + "17", Manual, nullptr},
+          {"90", 0, "the program that the first M code calls", kTDi + "17", Manual, nullptr},
+          {"91", 0, "how many M codes call subprograms, 0 = none", kTDi + "17", Manual, nullptr},
+          {"180#7", 0, "ATAN and ASIN: 0 gives 0 to 360 and -90 to 90, 1 -180 to 180 and 90 to 270",
+           kTDi + "29, notes 2 and 4", Manual,
+           [](Control& k, double value) {
+             k.atan_range.value = value != 0 ? AngleRange::Signed : AngleRange::FullTurn;
+             k.asin_range.value = value != 0 ? AngleRange::FullTurn : AngleRange::Signed;
+           }},
+          {"878", 1, "program names of any kind: 0 no, 1 yes",
+           kTDi + "15 1.1.2; set here, so that P[name] works", Manual,
+           [](Control& k, double value) { k.bracket_names.value = value != 0; }},
+          {"5114", 0, "return of the fast peck cycle", kStands, Inferred, nullptr},
+          {"5115", 0, "clearance of the peck cycle", kStands, Inferred, nullptr}});
   CodeCall subprogram = code_call(CodeCall::Form::Range, 'M', CodeCallKind::Subprogram, 89, 90, 91);
   subprogram.first_code = 3;
   subprogram.last_code = 8999;
@@ -79,49 +77,48 @@ Control gsk_980tdi() {
   c.run_out_words = {RunOutWords::Equal, "TDi 24.1, 24.9", Manual};
   c.thread_digits_apart = {true, "TDi 24.12 note 4", Manual};
   c.thread_starts = {true, "TDi 24.9: L", Manual};
-  add_effect(c, "019", 0, "the run-out of G92 and G76, tenths of the lead", "TDipar 019", Manual,
-             set_thread_chamfer);
-  add_effect(c, "056", 0, "the retract of G74 and G75, mm", "TDi 23.5: parameter 056", Manual,
-             set_groove_retract);
-  add_effect(c, "057", 1, "the finishing passes of G76", "TDi 24.12: parameter 057", Manual,
-             set_thread_passes);
-  add_effect(c, "058", 0, "the angle of G76, degrees", "TDi 24.12: parameter 058", Manual,
-             set_thread_angle);
-  add_effect(c, "059", 0, "the least cut of G76, mm", "TDi 24.12: parameter 059", Manual,
-             set_thread_least_cut);
-  add_effect(c, "060", 0, "the finishing allowance of G76, mm", "TDi 24.12: parameter 060", Manual,
-             set_thread_allowance);
+  add_parameter(c, {"019", 0, "the run-out of G92 and G76, tenths of the lead", "TDipar 019",
+                    Manual, set_thread_chamfer});
+  add_parameter(c, {"056", 0, "the retract of G74 and G75, mm", "TDi 23.5: parameter 056", Manual,
+                    set_groove_retract});
+  add_parameter(c, {"057", 1, "the finishing passes of G76", "TDi 24.12: parameter 057", Manual,
+                    set_thread_passes});
+  add_parameter(c, {"058", 0, "the angle of G76, degrees", "TDi 24.12: parameter 058", Manual,
+                    set_thread_angle});
+  add_parameter(c, {"059", 0, "the least cut of G76, mm", "TDi 24.12: parameter 059", Manual,
+                    set_thread_least_cut});
+  add_parameter(c, {"060", 0, "the finishing allowance of G76, mm", "TDi 24.12: parameter 060",
+                    Manual, set_thread_allowance});
   c.helix = {false, kKnown, Inferred};
-  add_effect(c, "3402#0", 0,
-             "at power-on 0 = G00, 1 = G01; FANUC's number stands for the control's own", kKnown,
-             Inferred, set_power_on_line);
-  add_effect(c, "3403#4", 1, "R too small: 0 = a half circle, 1 = alarm; FANUC's number",
-             "TDi 4 note 3", Manual, set_small_radius);
-  add_effect(c, "3403#5", 1, "an arc without R, I, K: 0 = a line, 1 = alarm; FANUC's number",
-             "TDi 4 note 1", Manual, set_no_radius);
-  add_effect(c, "3410", 0,
-             "how far the radii of an arc may differ, mm; FANUC's number stands for 154", kKnown,
-             Inferred, set_tolerance);
-  add_effect(c, "001#7", 0, "G00 goes 0 = each axis at its own rate, 1 = on a straight line",
-             "TDipar 001#7", Manual, set_straight_rapid);
-  add_effect(c, "182#7", 0,
-             "P and Q of cycles and of angles count 0 least increments, 1 mm, degrees",
-             "TDipar 182#7", Manual, set_cycle_millimetres);
-  add_effect(c, "172#2", 0, "forbidden is 0 = the inside, 1 = the outside of the area of G22",
-             "TDi 31", Manual, set_stroke_outside);
-  add_effect(c, "154", 0, "how far the radii of an arc may differ, mm, 0 = not checked",
-             "TDipar 154", Manual, set_tolerance);
-  add_effect(c, "030", 0, "the feed at power-on", "TDipar 030", Manual, set_power_on_feed);
-  add_effect(c, "051", 0, "the depth of cut of G71 and G72, mm", "TDipar 051", Manual,
-             set_rough_depth);
-  add_effect(c, "052", 0, "the escape of G71 and G72, mm", "TDipar 052", Manual, set_rough_escape);
-  add_effect(c, "003#4", 0, "a tool offset is 0 a shift of the coordinates, 1 a motion",
-             "TDipar 003#4", Manual, set_tool_motion);
-  add_effect(c, "002#5", 0, "around an acute corner 0 lines, 1 an arc", "TDipar 002#5", Manual,
-             set_acute_corner);
-  add_effect(c, "181#0", 0, "L is 0 the length of the chamfer, 1 its distance from the corner",
-             "TDipar 181#0", Manual, set_chamfer_length);
-  // Numbers of the mill's list that are no lathe's.
+  add_parameter(c, {"3402#0", 0, "power-on: 0 in G00, 1 in G01", kTDi + "2: G00; " + kStands,
+                    Inferred, set_power_on_line});
+  add_parameter(c, {"3403#4", 1, "radius too small for the end point: 0 a half circle, 1 an alarm",
+                    kTDi + "4, note 3; " + kStands, Inferred, set_small_radius});
+  add_parameter(c, {"3403#5", 1, "an arc without R, I, K: 0 a straight line, 1 an alarm",
+                    kTDi + "4, note 1; " + kStands, Inferred, set_no_radius});
+  add_parameter(c, {"3410", 0, "how far the radii of an arc's start and end may differ, 0 = any",
+                    kTDipar + "154 in its place; " + kStands, Inferred, set_tolerance});
+  add_parameter(c, {"001#7", 0, "G00 goes 0 = each axis at its own rate, 1 = on a straight line",
+                    "TDipar 001#7", Manual, set_straight_rapid});
+  add_parameter(
+      c, {"182#7", 0, "P and Q of cycles and of angles count 0 least increments, 1 mm, degrees",
+          "TDipar 182#7", Manual, set_cycle_millimetres});
+  add_parameter(c, {"172#2", 0, "forbidden is 0 = the inside, 1 = the outside of the area of G22",
+                    "TDi 31", Manual, set_stroke_outside});
+  add_parameter(c, {"154", 0, "how far the radii of an arc may differ, mm, 0 = not checked",
+                    "TDipar 154", Manual, set_tolerance});
+  add_parameter(c, {"030", 0, "the feed at power-on", "TDipar 030", Manual, set_power_on_feed});
+  add_parameter(
+      c, {"051", 0, "the depth of cut of G71 and G72, mm", "TDipar 051", Manual, set_rough_depth});
+  add_parameter(
+      c, {"052", 0, "the escape of G71 and G72, mm", "TDipar 052", Manual, set_rough_escape});
+  add_parameter(c, {"003#4", 0, "a tool offset is 0 a shift of the coordinates, 1 a motion",
+                    "TDipar 003#4", Manual, set_tool_motion});
+  add_parameter(c, {"002#5", 0, "around an acute corner 0 lines, 1 an arc", "TDipar 002#5", Manual,
+                    set_acute_corner});
+  add_parameter(c, {"181#0", 0, "L is 0 the length of the chamfer, 1 its distance from the corner",
+                    "TDipar 181#0", Manual, set_chamfer_length});
+  // What the list has of mills and of travel is not known of the lathe.
   for (const Cause cause :
        {Cause::OverTravel, Cause::MeasuringMissed, Cause::MeasuringEarly, Cause::MeasuringOffset})
     c.alarms.erase(cause);

@@ -21,7 +21,7 @@ Control gsk_988t() {
   c.refuses = {c.refuses.value + " groove-axis groove-escape", c.refuses.source + ", 154, 157",
                Manual};
   // A feed must be commanded. [Talm 021]
-  add_effect(c, "1411", 0, "the feed at power-on", "TApar", Manual, set_power_on_feed);
+  add_parameter(c, {"1411", 0, "the feed at power-on", "TApar", Manual, set_power_on_feed});
   return c;
 }
 

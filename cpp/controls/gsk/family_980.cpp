@@ -192,13 +192,6 @@ void parameters_980(Control& c) {
        [](Control& k, double value) {
          k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
        }},
-      {"3402#0", 0, "power-on: 0 in G00, 1 in G01", kTDi + "2: G00; " + kStands, Inferred, nullptr},
-      {"3403#4", 1, "radius too small for the end point: 0 a half circle, 1 an alarm",
-       kTDi + "4, note 3; " + kStands, Inferred, nullptr},
-      {"3403#5", 1, "an arc without R, I, K: 0 a straight line, 1 an alarm",
-       kTDi + "4, note 1; " + kStands, Inferred, nullptr},
-      {"5114", 0, "return of the fast peck cycle", kStands, Inferred, nullptr},
-      {"5115", 0, "clearance of the peck cycle", kStands, Inferred, nullptr},
   };
 }
 

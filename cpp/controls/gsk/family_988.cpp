@@ -185,19 +185,6 @@ void parameters_988(Control& c) {
        [](Control& k, double value) {
          k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
        }},
-      {"3401#1", 0, "CPQ, unit of P and Q of cycles: 0 millimetres, 1 least increments",
-       kTApar + "3401#1", Manual, nullptr},
-      {"3401#6", 0, "GSB, G code system: 0 A, 1 B", kTApar + "3401#6", Manual, nullptr},
-      {"3402#0", 0, "G01, power-on: 0 in G00, 1 in G01", kTApar + "3402#0", Manual, nullptr},
-      {"3402#3", 0, "G91, power-on: 0 in G90, 1 in G91", kTApar + "3402#3", Manual, nullptr},
-      {"3402#4", 0, "FPM, power-on: 0 feed per revolution, 1 per minute", kTApar + "3402#4", Manual,
-       nullptr},
-      {"3402#6", 0, "CLR, M30 and reset: 0 keep the modal codes, 1 go to the power-on state",
-       kTApar + "3402#6", Manual, nullptr},
-      {"3403#4", 0, "RER, radius too small for the end point: 0 a half circle, 1 an alarm",
-       kTApar + "3403#4", Manual, nullptr},
-      {"3403#5", 0, "CIR, an arc without R, I, J, K: 0 a straight line, 1 an alarm",
-       kTApar + "3403#5", Manual, nullptr},
       {"3403#6", 0, "AD2, an address or a G group twice in a block: 0 the last counts, 1 an alarm",
        kTApar + "3403#6", Manual,
        [](Control& k, double value) {
@@ -212,17 +199,6 @@ void parameters_988(Control& c) {
        }},
       {"3404#7", 0, "M3B, M codes in a block: 0 one, 1 three", kTApar + "3404#7", Manual,
        [](Control& k, double value) { k.m_codes_per_block.value = value != 0 ? 3 : 1; }},
-      {"3410", 0, "how far the radii of an arc's start and end may differ, 0 = any",
-       kTApar + "3410", Manual, nullptr},
-      {"5101#2", 0, "RTR, G83 and G87: 0 short retract, 1 full retract", kTApar + "5101#2", Manual,
-       nullptr},
-      {"5102#1", 0, "MRC, G71 to G73: 1 checks that the profile is monotone", kTApar + "5102#1",
-       Manual, nullptr},
-      {"5114", 0, "return of the fast peck cycle", kTApar + "5114", Manual, nullptr},
-      {"5115", 0, "clearance of the peck cycle", kTApar + "5115", Manual, nullptr},
-      {"5130", 0, "thread run-out, tenths of the lead", kTApar + "5130", Manual, nullptr},
-      {"5132", 0, "depth of cut of G71 and G72", kTApar + "5132", Manual, nullptr},
-      {"5133", 0, "retract of G71 and G72", kTApar + "5133", Manual, nullptr},
       {"6000#0", 0, "G67 without G66: 0 an alarm, 1 ignored", kTApar + "6000#0", Manual,
        [](Control& k, double value) {
          k.cancel_alone.value = value != 0 ? CancelAlone::Ignored : CancelAlone::Alarm;

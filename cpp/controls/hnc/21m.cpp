@@ -156,15 +156,6 @@ void parameters(Control& c) {
        Inferred, [](Control& k, double v) {
          k.whole_numbers.value = v != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
        }});
-  c.parameters.push_back({"3402#0", 0, "stands for: at power-on 0 = G00, 1 = G01",
-                          "inferred from source 003, typical example: Z5 before any F", Inferred,
-                          nullptr});
-  c.parameters.push_back(
-      {"3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a straight line, 1 = an alarm",
-       kUnsure, Inferred, nullptr});
-  c.parameters.push_back(
-      {"3410", 0, "stands for: how much the radius of an arc's end may differ, 0 = not checked",
-       kPolicy, Inferred, nullptr});
 }
 
 void variables(Control& c) {
@@ -196,13 +187,15 @@ void motion(Control& c) {
   c.unit_change = {UnitChange::AtHead, "source 003, G20 G21 G22, and its typical example",
                    SourceDocument};
   c.rotation_words = {"P", kKnown, Inferred};
-  add_effect(c, "3402#0", 0, "stands for: at power-on 0 = G00, 1 = G01", kKnown, Inferred,
-             set_power_on_line);
-  add_effect(c, "3403#5", 1, "stands for: an arc without R, I, J and K is 0 = a line, 1 = an alarm",
-             kKnown, Inferred, set_no_radius);
-  add_effect(c, "3410", 0,
-             "stands for: how far the radii of an arc may differ, mm, 0 = not checked", kKnown,
-             Inferred, set_tolerance);
+  add_parameter(c, {"3402#0", 0, "stands for: at power-on 0 = G00, 1 = G01",
+                    "inferred from source 003, typical example: Z5 before any F", Inferred,
+                    set_power_on_line});
+  add_parameter(c, {"3403#5", 1,
+                    "stands for: an arc without R, I, J and K is 0 = a straight line, 1 = an alarm",
+                    kUnsure, Inferred, set_no_radius});
+  add_parameter(
+      c, {"3410", 0, "stands for: how much the radius of an arc's end may differ, 0 = not checked",
+          kPolicy, Inferred, set_tolerance});
 }
 
 }  // namespace

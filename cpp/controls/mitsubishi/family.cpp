@@ -304,17 +304,6 @@ void parameters(Control& c) {
        [](Control& k, double value) {
          k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
        }},
-      {"3402#0", 1, "power-on: 0 in G00, 1 in G01",
-       kM7 + "p.534 (11): the first move is a G01; FANUC's number stands for the control's own",
-       Manual, nullptr},
-      {"3403#5", 1, "an arc without R, I, J, K: 0 a straight line, 1 an alarm",
-       kGeneral + ": P33; FANUC's number stands for the control's own", Inferred, nullptr},
-      {"3410", 0.1, "how far the radii of an arc's start and end may differ, 0 = any",
-       kM7 + "p.194; stands for #1084 RadErr, its value from general knowledge", Inferred, nullptr},
-      {"5114", 0, "return of G73", kGeneral + "; FANUC's number stands for the control's own",
-       Inferred, nullptr},
-      {"5115", 0, "clearance of G83", kGeneral + "; FANUC's number stands for the control's own",
-       Inferred, nullptr},
   };
 }
 
