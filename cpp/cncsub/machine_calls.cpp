@@ -57,9 +57,8 @@ std::optional<Fault> Machine::refused_here(const CallRecord& record) const {
                                                        : "a call from MDI");
   }
   const bool by_name = record.kind == CallKind::M98 || record.kind == CallKind::M198 ||
-                       record.kind == CallKind::M97 ||
-                       record.kind == CallKind::G65 || record.kind == CallKind::G66 ||
-                       record.kind == CallKind::G661;
+                       record.kind == CallKind::M97 || record.kind == CallKind::G65 ||
+                       record.kind == CallKind::G66 || record.kind == CallKind::G661;
   if (!modals_.empty() && by_name) {
     switch (control.calls_in_modal.value) {
       case CallsInModal::Allowed:

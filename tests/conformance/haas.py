@@ -385,7 +385,8 @@ case(
 
 # The entries of its lists, one by one
 
-for number in "9 17 18 21 31 42 44 50 56 57 58 59 61 64 69 74 76 82 84 85 86 89 93 94 95 99 187".split():
+_RUNS = "9 17 18 21 31 42 44 50 56 57 58 59 61 64 69 74 76 82 84 85 86 89 93 94 95 99 187"
+for number in _RUNS.split():
     case(
         f"G{number} is a code of the Haas that runs", **KNOWN,
         program=f"O1\nN10 G{number}\nN20 M30", runs="N10 N20",
@@ -394,7 +395,8 @@ case(
     "G29 without G28 before alarms on the Haas", **KNOWN,
     program="O1\nN10 G29 X5.\nN20 M30", runs="", alarm="no-intermediate", at="O1 N10", word="G29",
 )
-for word in "A1. B1. D1. E1. H1. J1. K1. U1. V1. W1. A-1 B-1 C-1 E-1 J-1 K-1 Q-1 S-1 U-1 V-1 W-1".split():
+_WORDS = "A1. B1. D1. E1. H1. J1. K1. U1. V1. W1. A-1 B-1 C-1 E-1 J-1 K-1 Q-1 S-1 U-1 V-1 W-1"
+for word in _WORDS.split():
     case(f"{word} is a word of the Haas", **KNOWN, program=f"O1\nN10 {word}\nN20 M30", runs="N10 N20")
 for word, alarm in ("D-1", "radius-offset-number"), ("F-1", "feed-out-of-range"), ("H-1", "offset-number"):
     case(

@@ -138,16 +138,17 @@ void settings(Control& c) {
       [](Control& k, double v) { k.start_up.value = v != 0 ? StartUp::TypeB : StartUp::TypeA; });
   add("56", 0, "M30 brings back the G codes of power-on: 0 = no, 1 = yes",
       [](Control& k, double v) { k.clear_on_reset.value = v != 0; });
-  add("85", 0.05, "how far a corner may be rounded, mm; no path is drawn otherwise for it", nullptr);
+  add("85", 0.05, "how far a corner may be rounded, mm; no path is drawn otherwise for it",
+      nullptr);
   add("162", 0, "a number without a point counts 0 = least increments, 1 = mm, inches or degrees",
       [](Control& k, double v) {
         k.whole_numbers.value = v != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
       });
   using Form = CodeCall::Form;
-  c.code_calls = {{Form::List, 'M', CodeCallKind::Subprogram, 9000, 9000, 10, "", 0, 1, 999, "",
-                   kHaas, Inferred},
-                  {Form::List, 'G', CodeCallKind::Macro, 9010, 9010, 10, "", 0, 1, 999, "", kHaas,
-                   Inferred}};
+  c.code_calls = {
+      {Form::List, 'M', CodeCallKind::Subprogram, 9000, 9000, 10, "", 0, 1, 999, "", kHaas,
+       Inferred},
+      {Form::List, 'G', CodeCallKind::Macro, 9010, 9010, 10, "", 0, 1, 999, "", kHaas, Inferred}};
   for (int program = 9000; program < 9020; ++program)
     c.parameters.push_back({std::to_string(program), 0,
                             std::string("the ") + (program < 9010 ? "M" : "G") +
