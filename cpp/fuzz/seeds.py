@@ -19,6 +19,7 @@ from typing import Any
 
 import cncsub
 from cncsub.files import decode
+from cncsub.workpiece import skip_signal
 
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "conformance"))
@@ -91,8 +92,13 @@ def write_inputs(out: Writer, inputs: Mapping[str, Any]) -> None:
     writes = [w if isinstance(w, Mapping) else w[1] for w in inputs.get("writes", ())]
     for write in out.each(writes, 4):
         out.values(write, 2)
-    for skip in out.each(inputs.get("skips", ()), 4):
-        out.byte(round(skip * 255) if isinstance(skip, int | float) else 255)
+    skips = inputs.get("skips", ())
+    told = [(0, skip) for skip in skips]  # of any signal
+    if isinstance(skips, Mapping):
+        told = [(skip_signal("skips", of), skip) for of, those in skips.items() for skip in those]
+    for signal, skip in out.each(told, 4):
+        out.byte(signal)
+        out.byte(round(skip * 255) if isinstance(skip, int | float) and 0 <= skip <= 1 else 255)
 
 
 def work_system(name: str) -> int:
