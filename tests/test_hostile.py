@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import random
 
 import pytest
@@ -187,3 +188,22 @@ def test_bytes_that_are_no_program_are_read():
     letters = "OGNMPXYZIJKRFL#[]()=/;,.-+*0123456789 \n%<>IFWHILEDOENDGOTOTHEN\0\x7f\u00e9"
     for _ in range(100):
         ends("O1\n" + "".join(chance.choices(letters, k=500)), chance.choice(NAMES))
+
+
+ENDS = [
+    "M#1 G67", "G66 P2 M#1", "G65 P2 M#1", "M#1 M98 P2", "M#1 M99", "G66.1 P2 M#1", "M98 P2 M#1",
+    "M#1 M97 P9",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", sorted(cncsub.controls))
+def test_a_computed_code_that_ends_or_restarts_stands_beside_calls(name: str) -> None:
+    control = cncsub.controls[name].replace(restart_m_code=77)
+    for block, code, modal in itertools.product(ENDS, (2, 30, 77), ("", "G66 P2\n")):
+        text = f"O1\n#1={code}\n{modal}N9 {block}\nX1. M98 P3\nM30\nO2\nM99\nO3\n{block}\nM99\n"
+        library = cncsub.loads(text, control=control)
+        run = library.run(max_blocks=50, max_cycles=3)
+        machine = library.machine(max_blocks=50, max_cycles=3)
+        while machine.step():
+            pass
+        assert machine.stop == run.stop

@@ -453,7 +453,9 @@ bool Machine::carry_out(const Block& block) {
   if (block.n >= 0) last_n_ = block.n;
   if (outcome.moved || words.m_count > 0 || words.has('T') || words.g_count > 0) ++changes_;
   if (is_words(block.op)) return after_words(outcome);
-  return true;
+  if (next_ != kEnd) return true;
+  record_step();  // M#1 beside a call, a return or a jump ends the program before it
+  return end(Stop::End);
 }
 
 /// What a G31 leaves: its position, in the variables of a control that keeps it among the commons
@@ -479,9 +481,8 @@ bool Machine::auxiliary(const NcWords& words, const Block& block) {
     last_m_ = m;
     answer('M', m);
     if (waits_at(m) && !wait_for_operator(m == 0 ? "M00" : "M01")) return false;
-    if (m != 0 && m == code_->control->restart_m_code.value && stack_.size() == 1) next_ = kNowhere;
-    if ((m == 2 || m == 30) && block.op != Op::EndProgram)
-      next_ = kNowhere - 1;  // M#1 that ends the program
+    if (m != 0 && m == code_->control->restart_m_code.value && stack_.size() == 1) next_ = kRestart;
+    if ((m == 2 || m == 30) && block.op != Op::EndProgram) next_ = kEnd;
   }
   return true;
 }
@@ -503,21 +504,27 @@ bool Machine::wait_for_operator(const std::string& what) {
     return true;
   waiting_for_ = "cycle start after " + what;
   record_step();
-  pc_ = next_;
-  return end(Stop::Waiting);
+  return go_to(next_) && end(Stop::Waiting);
 }
 
 bool Machine::after_words(const Motion::Outcome& outcome) {
   record_step();
   jumped_after_ = pc_;
-  if (next_ == kNowhere) return restart_main();
-  if (next_ == kNowhere - 1) return end(Stop::End);
+  if (next_ == kRestart || next_ == kEnd) return go_to(next_);
   if (outcome.behind != kNowhere) {
     leave_loops(outcome.behind);
     next_ = outcome.behind;
   }
   pc_ = next_;
   return call_after_move(outcome);
+}
+
+/// The block that is executed next, or what an M code of the block makes of it.
+bool Machine::go_to(Address next) {
+  if (next == kRestart) return restart_main();
+  if (next == kEnd) return end(Stop::End);
+  pc_ = next;
+  return true;
 }
 
 bool Machine::end_program(const Block& block) {

@@ -215,6 +215,10 @@ class Machine {
   bool waits_at(int m) const { return m == 0 || (m == 1 && options_.optional_stop); }
   bool wait_for_operator(const std::string& what);
   bool after_words(const Motion::Outcome& outcome);
+  // Where a block goes on, besides the addresses of blocks: an M code of it starts the main program
+  // over, or M#1 ends it.
+  static constexpr Address kRestart = kNowhere, kEnd = kNowhere - 1;
+  bool go_to(Address next);
   std::int32_t modal_after(const Motion::Outcome& outcome) const {
     return modals_.empty() ? -1 : modal_of_move(outcome);
   }

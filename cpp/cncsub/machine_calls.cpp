@@ -196,8 +196,7 @@ bool Machine::modal_call(const Block& block) {
   modals_.push_back(std::move(modal));
   ++changes_;
   record_step();
-  pc_ = next_;
-  return true;
+  return go_to(next_);
 }
 
 bool Machine::cancel_modal(const Block& block) {
@@ -210,8 +209,7 @@ bool Machine::cancel_modal(const Block& block) {
   if (!modals_.empty() && frame().modal < 0) modals_.pop_back();
   ++changes_;
   record_step();
-  pc_ = next_;
-  return true;
+  return go_to(next_);
 }
 
 /// G66.1: the words of the block are the arguments.
@@ -439,12 +437,11 @@ bool Machine::leave(Address to, bool goes_on) {
   (open.macro ? macros_ : subprograms_) -= 1;
   loops_.resize(open.loops);
   stack_.pop_back();
-  pc_ = to;
   if (open.interrupts) {
     wakes_ = goes_on;
     if (!goes_on) waiting_.pop_back();
   }
-  return true;
+  return go_to(to);
 }
 
 /// The profile from N(ns) to N(nf) of the running program. Of several it is the one that stands

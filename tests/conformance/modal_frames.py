@@ -244,3 +244,10 @@ for _controls, _most, _number, _source, _evidence in (
             at=f"O{_count} N{10 * (_count - 1)}" if _fails else None,
             frames=f"O1 N{500 + _count - 1} G66" if _fails else None,
         )
+
+for _block, _m in ("M#1 G67", 30), ("M#1 G67", 2), ("G67 M#1", 30):
+    case(
+        f"a computed M{_m} in {_block} ends the program like one that is written",
+        control="fanuc-16i", source="general knowledge", evidence="inferred",
+        program=f"O1\nN10 #1={_m}\nN20 {_block}\nN30 M8\nN40 M30\n", runs="N10 N20", m=[_m],
+    )
