@@ -25,6 +25,12 @@ def printed(script: str, *arguments: str, given: str = "") -> str:
     return done.stdout
 
 
+def test_every_kind_of_block_runs_to_its_end() -> None:
+    table = printed("kinds.py", "--blocks", "200", "--rounds", "1")
+    assert len(table.splitlines()) > 30
+    assert "| G90 G1 |" in table
+
+
 def test_the_benchmark_prints_its_tables(tmp_path: Path) -> None:
     readme = tmp_path / "README.md"
     readme.write_text("before\n<!-- benchmark -->\nold\n<!-- end of benchmark -->\nbehind\n")

@@ -86,7 +86,7 @@ def test_an_alarm_is_printed_whole_and_is_status_1(job: Path) -> None:
     [
         ([], 0, "the cycles are used up (--max-cycles), after 2 blocks"),
         (["--max-cycles", "3"], 0, "after 6 blocks"),
-        (["--max-cycles", "9", "--max-blocks", "5"], 1, "the limit of blocks or memory is reached"),
+        (["--max-cycles", "9", "--max-blocks", "5"], 4, "the limit of blocks or memory is reached"),
     ],
 )
 def test_the_exit_status_says_whether_it_ran_to_its_end(
@@ -97,11 +97,11 @@ def test_the_exit_status_says_whether_it_ran_to_its_end(
     assert words in done.out
 
 
-def test_a_run_that_waits_is_status_1_and_says_for_what(tmp_path: Path) -> None:
+def test_a_run_that_waits_is_status_3_and_says_for_what(tmp_path: Path) -> None:
     file = tmp_path / "O1.nc"
     file.write_text("N10 IF[#500 EQ #0]GOTO10\nN20 M30\n")
     done = Done("run", file, "-c", CONTROL)
-    assert done.status == 1
+    assert done.status == 3
     assert "stopped: waiting for" in done.out
     assert Done("run", file, "-c", CONTROL, "--set", "500=1").status == 0
 
@@ -245,6 +245,8 @@ def test_the_controls_are_listed() -> None:
 def test_a_control_is_shown_with_rules_parameters_and_alarms(name: str) -> None:
     control = cncsub.controls[name]
     out = Done("controls", name).out
+    for rule in control.rules:
+        assert all(f"{entry} [{source};" in out for entry, (source, _) in rule.sources.items())
     assert all(f"  {rule.name} = " in out for rule in control.rules)
     assert all(parameter in out for parameter in control.parameters)
     assert all(alarm.cause in out for alarm in control.alarms.values())
@@ -392,7 +394,7 @@ def test_moves_are_written_while_the_program_runs(job: Path) -> None:
         "run", job / "long.nc", "-c", CONTROL, "--format", "parquet", "--output", file,
         "--max-blocks", "200001",
     )  # fmt: skip
-    assert done.status == 1
+    assert done.status == 4
     assert "200,001 blocks" in done.error
 
     from pyarrow import parquet

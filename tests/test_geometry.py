@@ -385,7 +385,7 @@ def backwards(edges: list[Edge]) -> list[Edge]:
         ("fanuc-0i-f", {}),
         ("fanuc-16i", {"5003#0": 1}),
         ("fanuc-30i", {"19607#2": 1}),
-        ("mitsubishi-m700", {"3402#0": 0}),
+        ("mitsubishi-m700", {"1084": 0.1}),
         ("hnc-21m", {}),
     ],
     ids=["type A", "type B", "arcs around corners", "Mitsubishi", "HNC"],

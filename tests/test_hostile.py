@@ -198,7 +198,7 @@ ENDS = [
 
 @pytest.mark.parametrize("name", sorted(cncsub.controls))
 def test_a_computed_code_that_ends_or_restarts_stands_beside_calls(name: str) -> None:
-    control = cncsub.controls[name].replace(restart_m_code=77)
+    control = cncsub.controls[name].replace(roles="M77=start-over")
     for block, code, modal in itertools.product(ENDS, (2, 30, 77), ("", "G66 P2\n")):
         text = f"O1\n#1={code}\n{modal}N9 {block}\nX1. M98 P3\nM30\nO2\nM99\nO3\n{block}\nM99\n"
         library = cncsub.loads(text, control=control)

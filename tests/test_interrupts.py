@@ -156,7 +156,7 @@ def test_the_command_line_ends_without_a_traceback(tmp_path: Path) -> None:
     time.sleep(1.5)
     child.send_signal(signal.SIGINT)
     out, err = child.communicate(timeout=30)
-    assert child.returncode == 1
+    assert child.returncode == 130
     assert "Traceback" not in out + err
 
 

@@ -54,6 +54,7 @@ def check(library: cncsub.Library, max_blocks: int = 300) -> None:
 
 @given(st.binary(max_size=400), controls)
 @example(b"", "fanuc-0i-f")
+@example(b"\x80", "linuxcnc")
 @example(b"\0" * 1000, "gsk-988ta")
 @example(b"(", "mitsubishi-m700")
 @example(b"O1\n" * 50, "hnc-21m")

@@ -72,7 +72,8 @@ def test_the_controls_are_listed_by_maker_and_name() -> None:
 def test_a_control_is_a_file_that_names_it() -> None:
     makers = Path(__file__).parent.parent / "cpp/controls"
     files = [f for f in makers.glob("*/*.cpp") if not f.stem.startswith("family")]
-    assert {f"{f.parent.name}-{f.stem}".replace("_", "-") for f in files} == set(cncsub.controls)
+    names = {f.stem if f.stem == f.parent.name else f"{f.parent.name}-{f.stem}" for f in files}
+    assert {name.replace("_", "-") for name in names} == set(cncsub.controls)
 
 
 def test_an_unknown_control_is_told_with_what_is_near() -> None:

@@ -20,7 +20,7 @@ NAMES = sorted(cncsub.controls)
 ANY = dict(
     max_brackets=999999999, max_nesting=999999999, max_macro_nesting=999999999, max_loops=999999999,
     max_ifs=999999999, max_total_nesting=0, max_condition_length=0, self_call="allowed",
-    modal_calls_stack=True, max_profile_blocks=0, max_pockets=0, max_constant_digits=99,
+    second_modal_call="stacks", max_profile_blocks=0, max_pockets=0, max_constant_digits=99,
 )
 def runs(text, stops=("end", "alarm"), **options):
     "Runs a text on every control, with its own limits and with none, as a mill and as a lathe."

@@ -193,7 +193,8 @@ def test_what_a_control_is_made_of_prints_itself() -> None:
     control = cncsub.controls[CONTROL]
     assert repr(control.parameters["3410"]).startswith("<Parameter 3410 = 0: how much the radius")
     assert repr(control.alarms["program-not-found"]) == "<AlarmEntry PS0076 program-not-found>"
-    assert repr(control.rules[0]) == "<Rule semicolon = 'end-of-block'>"
+    semicolon = next(rule for rule in control.rules if rule.name == "semicolon")
+    assert repr(semicolon) == "<Rule semicolon = 'end-of-block'>"
 
 
 # ---- mappings ----
@@ -268,3 +269,10 @@ def test_a_variable_that_is_not_there_is_named(control: str, text: str) -> None:
     assert alarm is not None
     assert alarm.cause == "illegal-variable"
     assert "there is no #5000" in alarm.detail
+
+
+def test_a_tool_and_its_change_in_one_block() -> None:
+    """T1 M06 changes to tool 1, as the printed example of a mill has it [source 003]."""
+    for block in ("T1 M06", "M06 T1", "T1 M06 S500", "G90 T1 M06", "G54 G80 T1 M06"):
+        run = cncsub.loads(f"O1\n{block}\nG0 X1.\nM30", control="fanuc-0i-f").run()
+        assert run.moves.tool.tolist() == [1], block

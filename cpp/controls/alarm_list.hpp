@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cncsub/control.hpp"
+#include "cncsub/control/control.hpp"
 
 namespace cncsub {
 

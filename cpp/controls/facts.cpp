@@ -1,6 +1,36 @@
 #include "controls/facts.hpp"
 
+#include <string_view>
+#include <utility>
+
+#include "cncsub/control/source.hpp"
+
 namespace cncsub {
+
+const std::vector<Control>& all_controls() {
+  static const auto& list = *new const std::vector<Control>([] {
+    std::vector<Control> all;
+    const auto take = [&all](std::string_view name, Control control) {
+      control.name = name;
+      complete(all.emplace_back(std::move(control)));
+    };
+#define CONTROL(function, name) take(name, function());
+#include "controls/list.def"
+#undef CONTROL
+    return all;
+  }());
+  return list;
+}
+
+const std::vector<Source>& all_sources() {
+  static const std::vector<Source> sources = {
+#define SOURCE(key, title, address, about, evidence) \
+  {key, title, address, about, Evidence::evidence},
+#include "controls/sources.def"
+#undef SOURCE
+  };
+  return sources;
+}
 
 std::string cite(std::initializer_list<const char*> sources) {
   std::string text;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cncsub/control.hpp"
+#include "cncsub/control/control.hpp"
 
 namespace cncsub {
 

@@ -397,7 +397,9 @@ Job Generator::make(std::uint64_t seed, std::uint64_t number) const {
   if (!from_seed) {
     job.texts = {};
     job.texts.files.push_back(
-        {"F1", "F1", writer.program(job.control->percent_programs.value), false});
+        {"F1", "F1",
+         writer.program(job.control->reading.program_heads.value.has(ProgramHead::Percent)),
+         false});
     return job;
   }
   for (SourceFile& file : job.texts.files) file.text = writer.mutated(file.text);

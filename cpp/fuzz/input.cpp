@@ -9,6 +9,8 @@
 #include <limits>
 #include <map>
 
+#include "cncsub/dialect/library.hpp"
+
 namespace cncsub::fuzz {
 
 namespace {

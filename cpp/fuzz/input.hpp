@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "cncsub/machine.hpp"
+#include "cncsub/machine/machine.hpp"
 
 namespace cncsub::fuzz {
 

@@ -24,22 +24,23 @@ bool same_values(const std::map<std::int32_t, double>& a, const std::map<std::in
 void same_stop(const Machine& a, const Machine& b) {
   claim(a.stop() == b.stop(), "both stop for the same reason");
   claim(a.blocks() == b.blocks(), "both execute the same number of blocks");
-  claim(a.waiting_for() == b.waiting_for(), "both wait for the same thing");
+  claim(a.state().waiting_for == b.state().waiting_for, "both wait for the same thing");
   claim(a.alarm().has_value() == b.alarm().has_value(), "both alarm");
   if (a.alarm()) claim(message(*a.alarm()) == message(*b.alarm()), "both give the same alarm");
   claim(a.frames().size() == b.frames().size(), "both have the same calls open");
-  claim(a.level() == b.level() && a.address() == b.address(), "both stand at the same block");
+  claim(a.state().level == b.state().level && a.state().pc == b.state().pc,
+        "both stand at the same block");
 }
 
 void same_state(const Machine& a, const Machine& b) {
-  for (int level = 0; level <= a.level(); level += std::max(1, a.level()))
+  for (int level = 0; level <= a.state().level; level += std::max(1, a.state().level))
     claim(same_values(a.variables(level), b.variables(level)), "both have the same variables");
-  const auto at = a.motion().position(), other = b.motion().position();
+  const auto at = position(a.motion().view()), other = position(b.motion().view());
   claim(at.size() == other.size(), "both have the same axes");
   for (std::size_t i = 0; i < at.size(); ++i)
     claim(at[i].first == other[i].first && same(at[i].second, other[i].second),
           "both stand at the same point");
-  claim(a.motion().modal() == b.motion().modal(), "both have the same modal state");
+  claim(modal(a.motion().view()) == modal(b.motion().view()), "both have the same modal state");
   claim(same(a.motion().time(), b.motion().time()), "both took the same time");
 }
 
@@ -96,7 +97,7 @@ void check_moves(const Machine& machine, const Options& options) {
   const Moves& moves = machine.trace().moves;
   if (moves.size() == 0 || moves.size() > kMostCompared) return;
   const bool lathe = options.setup.machine.empty()
-                         ? machine.code().control->machine.value != MachineType::Mill
+                         ? machine.code().control->motion.machine.value != MachineType::Mill
                          : options.setup.machine != "mill";
   MoveRow before = moves.row(0);
   double time = 0;
@@ -182,7 +183,7 @@ void check(const Machine& machine, const Options& options) {
     claim(call.first_argument + std::size_t{call.arguments} <= machine.trace().arguments.size(),
           "a call has its arguments");
   }
-  for (const auto& [axis, value] : machine.motion().position())
+  for (const auto& [axis, value] : position(machine.motion().view()))
     claim(std::isfinite(value), "a position is a number");
   claim(machine.motion().time() >= 0, "time goes on");
   check_moves(machine, options);
@@ -261,10 +262,10 @@ void other_depths(const std::shared_ptr<const Code>& code, std::int32_t main, Op
 
 void write_by_hand(Machine& machine, const Job& job) {
   for (const auto& [number, value] : job.by_hand) {
-    machine.write(number, value);
+    machine.write(number, machine.state().level, value);
     double read = 0;
-    machine.read(number, read);
-    machine.read_at(number, 0, read);
+    machine.read(number, machine.state().level, read);
+    machine.read(number, 0, read);
   }
 }
 

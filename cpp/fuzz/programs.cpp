@@ -27,7 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr unsigned kPatience = 20;  // seconds for one program
+constexpr unsigned kInterruptCheck = 20;  // seconds for one program
 constexpr int kMostFound = 10;
 
 struct Arguments {
@@ -111,7 +111,7 @@ bool survives(bool quiet, Work&& work) {
 bool holds(const Job& job, const std::string& claim) {
   shared()->claim[0] = 0;
   const bool well = survives(true, [&] {
-    alarm(kPatience);
+    alarm(kInterruptCheck);
     try_all_ways(job);
   });
   return well || claim != shared()->claim;
@@ -217,7 +217,7 @@ int run(const Arguments& arguments) {
     shared()->claim[0] = 0;
     const bool well = survives(false, [&] {
       for (; number < last && (arguments.seconds == 0 || passed() < arguments.seconds); ++number) {
-        alarm(kPatience);
+        alarm(kInterruptCheck);
         try_all_ways(generator.make(arguments.seed, number));
       }
     });
@@ -230,7 +230,7 @@ int run(const Arguments& arguments) {
     shorten(job, std::string(shared()->claim));
     print(job);
     survives(false, [&] {
-      alarm(kPatience);
+      alarm(kInterruptCheck);
       try_all_ways(job);
     });
     ++number;

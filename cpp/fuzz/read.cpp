@@ -1,6 +1,6 @@
 // Fuzzes reading: any bytes, as files of the memory and of the external device or as a text typed
 // in MDI, become a library on any control, and everything that can be asked of a library is asked.
-#include "cncsub/words.hpp"
+#include "cncsub/text/words.hpp"
 #include "input.hpp"
 
 namespace cncsub::fuzz {
@@ -20,7 +20,7 @@ void check_program(const Code& code, const Program& program) {
     claim(block.line >= line, "blocks stand in the order of their lines");
     line = block.line;
     const std::string_view text = code.text_of(block, program);
-    for (const WrittenWord& word : written_words(text))
+    for (const WrittenWord& word : written_words(code.read_word, text))
       claim(text.size() >= word.text.size(), "a word is a part of its block");
     if (block.op == Op::Fault) {
       const Alarm alarm = alarm_of(code, a, code.faults[block.aux]);

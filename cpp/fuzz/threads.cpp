@@ -7,8 +7,9 @@
 #include <thread>
 #include <vector>
 
-#include "cncsub/machine.hpp"
-#include "cncsub/words.hpp"
+#include "cncsub/dialect/library.hpp"
+#include "cncsub/machine/machine.hpp"
+#include "cncsub/text/words.hpp"
 
 namespace {
 
@@ -69,9 +70,9 @@ std::string outcome(const Machine& machine) {
   if (machine.alarm()) text += ' ' + message(*machine.alarm());
   for (const auto& [number, value] : machine.variables(0))
     text += " #" + std::to_string(number) + '=' + std::to_string(value);
-  for (const auto& [axis, value] : machine.motion().position())
+  for (const auto& [axis, value] : position(machine.motion().view()))
     text += ' ' + axis + std::to_string(value);
-  for (const auto& [group, code] : machine.motion().modal()) text += ' ' + group + ' ' + code;
+  for (const auto& [group, code] : modal(machine.motion().view())) text += ' ' + group + ' ' + code;
   const Moves& moves = machine.trace().moves;
   text += ' ' + std::to_string(moves.size()) + ' ' + std::to_string(moves.time());
   return text;
@@ -112,7 +113,8 @@ std::string read(const Machine& finished) {
   const Code& code = finished.code();
   for (const Program& program : code.programs)
     for (Address a = program.first; a < program.last; ++a)
-      for (const WrittenWord& word : written_words(code.text_of(code.blocks[a], program)))
+      for (const WrittenWord& word :
+           written_words(code.read_word, code.text_of(code.blocks[a], program)))
         text += word.text;
   return text;
 }

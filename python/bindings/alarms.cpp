@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bindings.hpp"
-#include "cncsub/alarm.hpp"
+#include "cncsub/control/alarm.hpp"
 
 namespace py = pybind11;
 

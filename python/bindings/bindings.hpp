@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "cncsub/code.hpp"
+#include "cncsub/code/code.hpp"
 
 namespace cncsub::bindings {
 

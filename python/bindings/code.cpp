@@ -1,4 +1,4 @@
-#include "cncsub/code.hpp"
+#include "cncsub/code/code.hpp"
 
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
@@ -6,7 +6,8 @@
 #include <algorithm>
 
 #include "bindings.hpp"
-#include "cncsub/words.hpp"
+#include "cncsub/dialect/library.hpp"
+#include "cncsub/text/words.hpp"
 #include "gil.hpp"
 
 namespace py = pybind11;
@@ -164,8 +165,9 @@ void add_code(py::module_& m) {
            })
       .def("words", [](const ProgramData& p, std::size_t i) {
         py::list rows;
-        WordReader reader(p.code->text_of(p.block(i), p.program()));
-        while (const auto word = reader.next()) {
+        const std::string_view text = p.code->text_of(p.block(i), p.program());
+        std::size_t from = 0;
+        while (const auto word = p.code->read_word(text, from)) {
           rows.append(py::make_tuple(word->address,
                                      word->known ? py::object(py::float_(word->value)) : py::none(),
                                      word->text));

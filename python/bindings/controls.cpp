@@ -3,10 +3,10 @@
 #include <limits>
 
 #include "bindings.hpp"
-#include "cncsub/control.hpp"
-#include "cncsub/fault_words.hpp"
-#include "cncsub/source.hpp"
-#include "cncsub/variable_table.hpp"
+#include "cncsub/code/fault_words.hpp"
+#include "cncsub/control/control.hpp"
+#include "cncsub/control/source.hpp"
+#include "cncsub/control/variable_table.hpp"
 
 namespace py = pybind11;
 
@@ -134,6 +134,14 @@ py::object whole_of(const RuleView& rule) {
   return text == nullptr || !rule.options.empty() ? value_of(rule) : py::str("=" + *text);
 }
 
+/// The entries of a list or a set that have a source of their own: entry -> (source, evidence).
+py::dict entries_of(const RuleView& rule) {
+  py::dict rows;
+  for (const EntrySource& told : rule.entries)
+    rows[py::str(told.entry)] = py::make_tuple(told.source, std::string(to_string(told.evidence)));
+  return rows;
+}
+
 // A changed control is sent as its name and what was changed: the effects of parameters are code.
 py::tuple state_of(const Control& control) {
   const Control& base = base_of(control.name);
@@ -146,20 +154,34 @@ py::tuple state_of(const Control& control) {
     }
   const auto now = rules(control), then = rules(again);
   for (std::size_t i = 0; i < now.size(); ++i)
-    if (now[i].value != then[i].value || now[i].source != then[i].source)
-      changes[py::str(now[i].name)] = py::make_tuple(whole_of(now[i]), now[i].source);
+    if (now[i].value != then[i].value || now[i].source != then[i].source ||
+        now[i].entries != then[i].entries)
+      changes[py::str(now[i].name)] =
+          py::make_tuple(whole_of(now[i]), now[i].source, entries_of(now[i]));
   return py::make_tuple(control.name, parameters, changes);
 }
+Evidence evidence_of(const std::string& text) {
+  for (const Evidence evidence : {Evidence::SourceDocument, Evidence::Manual, Evidence::Secondary})
+    if (text == to_string(evidence)) return evidence;
+  return Evidence::Inferred;
+}
+
 std::shared_ptr<Control> control_of(const py::tuple& state) {
   if (state.size() != 3) throw py::value_error("this is no Control");
   const Control& base = base_of(state[0].cast<std::string>());
   auto control = with_parameters(base, state[1]);
   for (const auto& [key, change] : py::dict(state[2])) {
-    const auto pair = change.cast<py::tuple>();
-    if (pair.size() != 2) throw py::value_error("this is no Control");
-    if (auto wrong = set_rule(*control, key.cast<std::string>(), rule_value(pair[0]),
-                              pair[1].cast<std::string>()))
+    const auto told = change.cast<py::tuple>();
+    if (told.size() != 3) throw py::value_error("this is no Control");
+    if (auto wrong = set_rule(*control, key.cast<std::string>(), rule_value(told[0]),
+                              told[1].cast<std::string>()))
       throw py::value_error(*wrong);
+    std::vector<EntrySource> entries;
+    for (const auto& [entry, origin] : py::dict(told[2])) {
+      const auto pair = origin.cast<std::pair<std::string, std::string>>();
+      entries.push_back({entry.cast<std::string>(), pair.first, evidence_of(pair.second)});
+    }
+    tell_entries(*control, key.cast<std::string>(), entries);
   }
   return control;
 }
@@ -197,6 +219,7 @@ void add_controls(py::module_& m) {
   });
   py::class_<RuleView>(m, "Rule", py::is_final())
       .def_readonly("name", &RuleView::name)
+      .def_readonly("group", &RuleView::group)
       .def_readonly("meaning", &RuleView::meaning)
       .def_readonly("source", &RuleView::source)
       .def_property_readonly("value", &value_of)
@@ -205,8 +228,14 @@ void add_controls(py::module_& m) {
                              [](const RuleView& r) { return std::string(to_string(r.evidence)); })
       .def_property_readonly("choices",
                              [](const RuleView& r) { return texts(r.options, &Option::slug); })
+      .def_property_readonly("entries",
+                             [](const RuleView& r) { return texts(r.members, &Option::slug); })
       .def_property_readonly("examples",
-                             [](const RuleView& r) { return texts(r.options, &Option::example); })
+                             [](const RuleView& r) {
+                               return texts(r.options.empty() ? r.members : r.options,
+                                            &Option::example);
+                             })
+      .def_property_readonly("sources", &entries_of)
       .def("__repr__", [](const RuleView& r) {
         return "<Rule " + r.name + " = " + py::repr(value_of(r)).cast<std::string>() + ">";
       });
@@ -217,6 +246,18 @@ void add_controls(py::module_& m) {
       .def_readonly("source", &Parameter::source)
       .def_property_readonly("evidence",
                              [](const Parameter& p) { return std::string(to_string(p.evidence)); })
+      .def_property_readonly("rule",
+                             [](const Parameter& p) {
+                               return p.sets.empty() ? py::object(py::none())
+                                                     : py::str(p.sets.front().rule);
+                             })
+      .def_property_readonly("rules",
+                             [](const Parameter& p) {
+                               py::tuple names(p.sets.size());
+                               for (std::size_t i = 0; i < p.sets.size(); ++i)
+                                 names[i] = p.sets[i].rule;
+                               return names;
+                             })
       .def("__repr__", [](const Parameter& p) {
         return "<Parameter " + p.name + " = " + written(p.value) + ": " + p.meaning + ">";
       });

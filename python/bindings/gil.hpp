@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "cncsub/patience.hpp"
+#include "cncsub/text/interrupt_check.hpp"
 
 namespace cncsub::bindings {
 
@@ -46,14 +46,15 @@ class Away {
   PyThreadState* state_;
 };
 
-/// Does what may take long without the GIL; it asks the patience it is given. Ctrl-C is let in, and
-/// is an exception behind it.
+/// Does what may take long without the GIL; it asks the interrupt it is given. Ctrl-C is let in,
+/// and is an exception behind it.
 template <class Job>
 void work_away(Job&& job) {
   {
     Away away;
-    Patience patience([&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); });
-    std::forward<Job>(job)(patience);
+    InterruptCheck interrupt(
+        [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); });
+    std::forward<Job>(job)(interrupt);
   }
   if (PyErr_Occurred() != nullptr) throw pybind11::error_already_set();
 }

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cncsub/machine.hpp"
+#include "cncsub/machine/machine.hpp"
 #include "gil.hpp"
 
 namespace cncsub::bindings {
@@ -80,7 +80,7 @@ class Record {
     const Reading reading(*this);
     if (live_) return live_->machine.motion().time();
     double time = 0;
-    work_away([&](Patience& patience) { time = trace_->moves.time(&patience); });
+    work_away([&](InterruptCheck& interrupt) { time = trace_->moves.time(&interrupt); });
     return time;
   }
 

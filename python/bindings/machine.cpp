@@ -1,182 +1,20 @@
-#include "cncsub/machine.hpp"
+#include "cncsub/machine/machine.hpp"
 
 #include <pybind11/stl.h>
 
 #include <cmath>
 
 #include "bindings.hpp"
+#include "cncsub/machine/variables.hpp"
 #include "gil.hpp"
 #include "live.hpp"
+#include "options.hpp"
 
 namespace py = pybind11;
 
 namespace cncsub::bindings {
 
 namespace {
-
-template <class T>
-T get(const py::dict& from, const char* key, T otherwise) {
-  return from.contains(key) ? from[key].cast<T>() : otherwise;
-}
-
-double number_or_vacant(const py::handle& value) {
-  return value.is_none() ? kVacant : value.cast<double>();
-}
-
-/// ("fraction", 0.5), ("never",) or an axis with its coordinate, ("X", 40.0).
-SkipSignal skip_of(const py::tuple& from) {
-  const auto kind = from[0].cast<std::string>();
-  if (kind == "never") return {SkipSignal::Comes::Never};
-  const auto value = from[1].cast<double>();
-  if (kind == "fraction") return {SkipSignal::Comes::AtFraction, value};
-  return {SkipSignal::Comes::AtCoordinate, value, static_cast<int>(kAxisNames.find(kind[0]))};
-}
-
-Solid solid_of(const py::dict& from) {
-  Solid solid;
-  const auto shape = from["shape"].cast<std::string>();
-  solid.shape = shape == "plane"      ? Solid::Shape::Plane
-                : shape == "box"      ? Solid::Shape::Box
-                : shape == "cylinder" ? Solid::Shape::Cylinder
-                                      : Solid::Shape::Sphere;
-  solid.hole = get(from, "hole", false);
-  solid.signal = get(from, "signal", 0);
-  solid.at = get(from, "at", solid.at);
-  solid.direction = get(from, "direction", solid.direction);
-  solid.low = get(from, "low", solid.low);
-  solid.high = get(from, "high", solid.high);
-  solid.radius = get(from, "radius", 0.0);
-  solid.first = get(from, "first", solid.first);
-  solid.last = get(from, "last", solid.last);
-  return solid;
-}
-
-std::shared_ptr<const Workpiece> workpiece_of(const py::dict& from) {
-  auto workpiece = std::make_shared<Workpiece>();
-  for (const py::handle solid : from["solids"])
-    workpiece->solids.push_back(solid_of(solid.cast<py::dict>()));
-  workpiece->stylus = get(from, "stylus", 0.0);
-  workpiece->by_end = get(from, "by_end", false);
-  if (from.contains("length")) workpiece->length = from["length"].cast<double>();
-  workpiece->system = get(from, "system", workpiece->system);
-  return workpiece;
-}
-
-Inputs inputs_of(const py::dict& from) {
-  Inputs inputs;
-  inputs.signals = get(from, "signals", inputs.signals);
-  inputs.clock_ms = get(from, "clock_ms", 0.0);
-  inputs.date = get(from, "date", 0.0);
-  inputs.time = get(from, "time", 0.0);
-  if (from.contains("skips"))
-    for (const auto& [signal, skips] : from["skips"].cast<py::dict>())
-      for (const py::handle skip : skips)
-        inputs.skips.at(signal.cast<std::size_t>()).push_back(skip_of(skip.cast<py::tuple>()));
-  if (from.contains("workpiece")) inputs.workpiece = workpiece_of(from["workpiece"]);
-  if (from.contains("answers"))
-    for (const auto& [code, values] : from["answers"].cast<py::dict>()) {
-      const auto name = code.cast<std::string>();
-      for (const auto& [number, value] : values.cast<py::dict>())
-        inputs.answers[{name[0], std::stoll(name.substr(1))}][number.cast<std::int32_t>()] =
-            number_or_vacant(value);
-    }
-  if (from.contains("operator") && !from["operator"].is_none()) {
-    inputs.operator_given = true;
-    for (const py::handle answer : from["operator"])
-      inputs.operator_starts.push_back(answer.cast<std::string>() == "start");
-  }
-  if (from.contains("writes"))
-    for (const py::handle write : from["writes"]) {
-      std::map<std::int32_t, double> values;
-      for (const auto& [number, value] : write.cast<py::dict>())
-        values[number.cast<std::int32_t>()] = number_or_vacant(value);
-      inputs.writes.push_back(std::move(values));
-    }
-  return inputs;
-}
-
-char axis_of(const std::string& name) { return name.empty() ? ' ' : name[0]; }
-
-std::map<char, double> axes_of(const py::handle& from) {
-  std::map<char, double> axes;
-  for (const auto& [axis, value] : from.cast<py::dict>())
-    axes[axis_of(axis.cast<std::string>())] = value.cast<double>();
-  return axes;
-}
-
-Setup setup_of(const py::dict& from) {
-  Setup setup;
-  setup.machine = get(from, "machine", std::string());
-  setup.increment = get(from, "increment", 0.001);
-  if (from.contains("start")) setup.start = axes_of(from["start"]);
-  if (from.contains("rapid")) setup.rapid = axes_of(from["rapid"]);
-  if (from.contains("work_offsets"))
-    for (const auto& [name, axes] : from["work_offsets"].cast<py::dict>())
-      setup.work_offsets[name.cast<std::string>()] = axes_of(axes);
-  if (from.contains("reference"))
-    for (const auto& [number, axes] : from["reference"].cast<py::dict>())
-      setup.reference[number.cast<int>()] = axes_of(axes);
-  setup.length_offsets = get(from, "length_offsets", setup.length_offsets);
-  setup.radius_offsets = get(from, "radius_offsets", setup.radius_offsets);
-  if (from.contains("limits"))
-    for (const auto& [axis, limits] : from["limits"].cast<py::dict>())
-      setup.limits[axis_of(axis.cast<std::string>())] = limits.cast<std::pair<double, double>>();
-  if (from.contains("stroke_area"))
-    for (const auto& [axis, range] : from["stroke_area"].cast<py::dict>())
-      setup.area[axis_of(axis.cast<std::string>())] = range.cast<std::pair<double, double>>();
-  if (from.contains("tools"))
-    for (const auto& [number, values] : from["tools"].cast<py::dict>()) {
-      Setup::Tool tool;
-      for (const auto& [key, value] : values.cast<py::dict>()) {
-        const auto name = key.cast<std::string>();
-        if (name == "tip")
-          tool.tip = to_whole<int>(value.cast<double>());
-        else if (name == "R")
-          tool.radius = value.cast<double>();
-        else
-          tool.values[axis_of(name)] = value.cast<double>();
-      }
-      setup.tools[number.cast<int>()] = tool;
-    }
-  return setup;
-}
-
-Trace::Depth depth_of(const std::string& name) {
-  if (name == "none") return Trace::Depth::None;
-  if (name == "calls") return Trace::Depth::Calls;
-  if (name == "blocks") return Trace::Depth::Blocks;
-  if (name == "moves") return Trace::Depth::Moves;
-  throw py::value_error("trace is 'none', 'calls', 'blocks' or 'moves', not '" + name + "'");
-}
-
-/// G54.1 P49 is a work coordinate system of some controls only.
-void check_systems(const Control& control, const Options& options) {
-  const std::int32_t most = control.max_extra_systems.value;
-  const Setup& setup = options.setup;
-  const auto check = [&](const std::string& field, const std::string& name) {
-    if (const auto p = name.find('P');
-        p != std::string::npos && std::stol(name.substr(p + 1)) > most)
-      throw py::value_error(field + ": " + control.name + " has no " + name +
-                            (most > 0 ? "; the last is G54.1 P" + std::to_string(most) : ""));
-  };
-  if (options.inputs.workpiece) check("coordinates", options.inputs.workpiece->system);
-  for (const auto& [name, values] : setup.work_offsets) check("work_offsets", name);
-}
-
-/// The numbers in the inputs must be those of signals, and of variables that can be written.
-void check_inputs(const Machine& machine, const Inputs& inputs) {
-  for (const auto& [number, value] : inputs.signals)
-    if (!machine.is_signal(number))
-      throw py::value_error("signals: #" + std::to_string(number) + " is no signal on " +
-                            machine.code().control->name);
-  const auto check = [&](const char* field, const std::map<std::int32_t, double>& values) {
-    for (const auto& [number, value] : values)
-      if (auto fault = machine.unwritable(number); fault && !machine.is_signal(number))
-        throw py::value_error(field + (": " + fault->detail));
-  };
-  for (const auto& write : inputs.writes) check("writes", write);
-  for (const auto& [code, values] : inputs.answers) check("answers", values);
-}
 
 std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32_t main, bool mdi,
                                    std::optional<std::int64_t> start,
@@ -217,9 +55,9 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
   const Inputs around = options.inputs;
   auto live = std::make_shared<Live>(code, main, std::move(options));
   for (const auto& [number, value] : given)
-    if (auto fault = live->machine.write(number, value))
+    if (auto fault = live->machine.write(number, 0, value))
       throw py::value_error("variables: " + fault->detail);
-  check_inputs(live->machine, around);
+  check_inputs(*code, around);
   return live;
 }
 
@@ -252,8 +90,8 @@ void run(Live& live, const std::optional<std::pair<std::int64_t, std::int64_t>>&
       if (m.blocks() == first) return false;
       if (until->first < 0) return m.depth() <= until->second;
       const Code& code = m.code();
-      return code.program_at(m.address()) == until->first &&
-             code.blocks[m.address()].line == until->second;
+      return code.program_at(m.state().pc) == until->first &&
+             code.blocks[m.state().pc].line == until->second;
     };
   run_released(*machine, pause);
 }
@@ -291,10 +129,10 @@ py::tuple stack_of(Live& live) {
 py::tuple position_in_program(Live& live) {
   const Look machine(live);
   const Code& code = machine->code();
-  const Block& block = code.blocks[machine->address()];
-  return py::make_tuple(
-      code.name_of(code.programs[static_cast<std::size_t>(code.program_at(machine->address()))]),
-      sequence_number(block.n), block.line);
+  const Address address = machine->state().pc;
+  const Block& block = code.blocks[address];
+  return py::make_tuple(code.name_of(code.program_at(address)), sequence_number(block.n),
+                        block.line);
 }
 
 template <class Pairs>
@@ -307,47 +145,48 @@ py::dict dict_of(const Pairs& pairs) {
 void raise(const Fault& fault) { throw py::key_error(fault.detail); }
 
 int level_or_present(const Machine& machine, int level) {
-  if (level > machine.level()) throw py::index_error("no such level");
-  return level < 0 ? machine.level() : level;
+  const int present = machine.state().level;
+  if (level > present) throw py::index_error("no such level");
+  return level < 0 ? present : level;
 }
 
 py::object get_variable(Live& live, std::int64_t number, int level) {
   const Look machine(live);
   double value = 0;
-  if (auto fault = machine->read_at(number, level_or_present(*machine, level), value))
-    raise(*fault);
+  if (auto fault = machine->read(number, level_or_present(*machine, level), value)) raise(*fault);
   return value_or_none(value);
 }
 
 void set_variable(Live& live, std::int64_t number, std::optional<double> value, int level) {
   const Work machine(live);
   if (auto fault =
-          machine->write_at(number, level_or_present(*machine, level), value.value_or(kVacant)))
+          machine->write(number, level_or_present(*machine, level), value.value_or(kVacant)))
     raise(*fault);
 }
 
 double get_signal(Live& live, std::int64_t number) {
   const Look machine(live);
-  if (!machine->is_signal(number))
+  if (!is_signal(machine->code(), number))
     throw py::key_error("#" + std::to_string(number) + " is no signal on " +
                         machine->code().control->name);
-  const auto found = machine->signals().find(static_cast<std::int32_t>(number));
-  return found == machine->signals().end() ? 0 : found->second;
+  const auto& signals = machine->state().signals;
+  const auto found = signals.find(static_cast<std::int32_t>(number));
+  return found == signals.end() ? 0 : found->second;
 }
 
 void set_signal(Live& live, std::int32_t number, double value) {
   const Work machine(live);
-  if (!machine->is_signal(number))
+  if (!is_signal(machine->code(), number))
     throw py::key_error("#" + std::to_string(number) + " is no signal on " +
                         machine->code().control->name);
   machine->set_from_outside(number, value);
 }
 
-}  // namespace
+using Class = py::class_<Live, std::shared_ptr<Live>>;
 
-void add_machine(py::module_& m) {
-  py::class_<Live, std::shared_ptr<Live>>(m, "Machine", py::is_final())
-      .def("run", &run, py::arg("until") = py::none())
+/// What a machine does, and where it stands.
+void add_run(Class& machine) {
+  machine.def("run", &run, py::arg("until") = py::none())
       .def("run_blocks", &run_blocks, py::arg("blocks"))
       .def("step", &step)
       .def("copy", [](Live& live) { return std::make_shared<Live>(*Look(live)); })
@@ -364,7 +203,8 @@ void add_machine(py::module_& m) {
                                return std::const_pointer_cast<Code>(live.machine.shared_code());
                              })
       .def_property_readonly("stop", &stop_of)
-      .def_property_readonly("waiting_for", [](Live& live) { return Look(live)->waiting_for(); })
+      .def_property_readonly("waiting_for",
+                             [](Live& live) { return Look(live)->state().waiting_for; })
       .def_property_readonly("alarm", &alarm_of)
       .def_property_readonly("stack", &stack_of)
       .def_property_readonly("position_in_program", &position_in_program)
@@ -377,6 +217,16 @@ void add_machine(py::module_& m) {
                                return names;
                              })
       .def_property_readonly("memory", [](Live& live) { return Look(live)->memory(); })
+      .def("reset", [](Live& live) { Work(live)->reset(); })
+      .def_property_readonly(
+          "position", [](Live& live) { return dict_of(position(Look(live)->motion().view())); })
+      .def_property_readonly(
+          "modal", [](Live& live) { return dict_of(modal(Look(live)->motion().view())); });
+}
+
+/// Its variables and signals.
+void add_variables(Class& machine) {
+  machine
       .def(
           "variables",
           [](Live& live, int level) {
@@ -389,21 +239,27 @@ void add_machine(py::module_& m) {
            py::arg("level") = -1)
       .def(
           "can_be_vacant",
-          [](Live& live, std::int64_t number) { return Look(live)->can_be_vacant(number); },
+          [](Live& live, std::int64_t number) { return can_be_vacant(Look(live)->code(), number); },
           py::arg("number"))
-      .def_property_readonly("signals", [](Live& live) { return dict_of(Look(live)->signals()); })
+      .def_property_readonly("signals",
+                             [](Live& live) { return dict_of(Look(live)->state().signals); })
       .def("get_signal", &get_signal, py::arg("number"))
       .def("set_signal", &set_signal, py::arg("number"), py::arg("value"))
-      .def("reset", [](Live& live) { Work(live)->reset(); })
       .def(
           "cleared_by_reset",
-          [](Live& live, std::int64_t number) { return Look(live)->cleared_by_reset(number); },
+          [](Live& live, std::int64_t number) {
+            return cleared_by_reset(Look(live)->code(), number);
+          },
           py::arg("number"))
-      .def_property_readonly("level", [](Live& live) { return Look(live)->level(); })
-      .def_property_readonly("position",
-                             [](Live& live) { return dict_of(Look(live)->motion().position()); })
-      .def_property_readonly("modal",
-                             [](Live& live) { return dict_of(Look(live)->motion().modal()); });
+      .def_property_readonly("level", [](Live& live) { return Look(live)->state().level; });
+}
+
+}  // namespace
+
+void add_machine(py::module_& m) {
+  Class machine(m, "Machine", py::is_final());
+  add_run(machine);
+  add_variables(machine);
   m.def("machine", &make_machine, py::arg("code"), py::arg("main"), py::kw_only(),
         py::arg("mdi") = false, py::arg("start") = py::none(), py::arg("variables") = py::none(),
         py::arg("block_skip") = std::vector<int>{}, py::arg("optional_stop") = false,

@@ -1,5 +1,5 @@
 // The tables of a run, of a machine that is still at work, or of a part of a stream.
-#include "cncsub/trace.hpp"
+#include "cncsub/trace/trace.hpp"
 
 #include <pybind11/stl.h>
 
@@ -33,10 +33,10 @@ template <class T, class Value>
 py::object step_array(const Record& record, Value&& value) {
   const auto& steps = record.trace().steps;
   const Array<T> array(steps.size());
-  work_away([&](Patience& patience) {
+  work_away([&](InterruptCheck& interrupt) {
     T* out = array.data;
     steps.for_each_run([&](const Trace::Step* rows, std::size_t count) {
-      if (patience.over(count * sizeof(Trace::Step))) return;
+      if (interrupt.requested(count * sizeof(Trace::Step))) return;
       for (std::size_t i = 0; i < count; ++i) *out++ = static_cast<T>(value(rows[i]));
     });
   });
@@ -86,11 +86,9 @@ py::tuple step_row(const Record& record, std::size_t index) {
   const Trace::Step step = record.trace().steps[index];
   const Code& code = record.code();
   const Block& block = code.blocks[step.address];
-  return py::make_tuple(
-      record.trace().first_step + static_cast<std::int64_t>(index),
-      code.name_of(code.programs[static_cast<std::size_t>(code.program_at(step.address))]),
-      sequence_number(block.n), block.line, depth_of_call(record, step.call), step.call,
-      step.repeat);
+  return py::make_tuple(record.trace().first_step + static_cast<std::int64_t>(index),
+                        code.name_of(code.program_at(step.address)), sequence_number(block.n),
+                        block.line, depth_of_call(record, step.call), step.call, step.repeat);
 }
 
 py::list dropped(const Record& record) {
@@ -111,11 +109,11 @@ template <class T, class Value>
 py::object call_array(const Record& record, Value&& value) {
   const Trace& trace = record.trace();
   const Array<T> array(trace.ended_calls());
-  work_away([&](Patience& patience) {
+  work_away([&](InterruptCheck& interrupt) {
     T* out = array.data;
     auto later = trace.unfinished.begin();
     for (std::size_t row = 0; row < trace.calls.size(); ++row) {
-      if (patience.over(sizeof(CallRow))) return;
+      if (interrupt.requested(sizeof(CallRow))) return;
       if (later != trace.unfinished.end() && *later == row)
         ++later;
       else
@@ -159,11 +157,10 @@ py::tuple call_row(const Record& record, std::size_t index) {
   const Record::Reading reading(record);
   const std::size_t row = row_of_call(record, index);
   const CallRow& call = record.trace().calls[row];
-  return py::make_tuple(
-      record.trace().call_number(row), call.parent, std::string(to_string(call.kind)),
-      record.code().name_of(record.code().programs[static_cast<std::size_t>(call.program)]),
-      sequence_number(call.start_n), call.repeats, call.level, call.first_step, call.last_step,
-      call.caller_step);
+  return py::make_tuple(record.trace().call_number(row), call.parent,
+                        std::string(to_string(call.kind)), record.code().name_of(call.program),
+                        sequence_number(call.start_n), call.repeats, call.level, call.first_step,
+                        call.last_step, call.caller_step);
 }
 
 /// The arguments of a call, as given.
@@ -188,9 +185,9 @@ py::object whole_move_column(const Record& record, const std::string& name) {
   const Moves& moves = record.trace().moves;
   const Array<Whole> array(moves.size());
   Whole* const out = array.data;
-  work_away([&](Patience& patience) {
-    moves.column(name, out, &patience);
-    if (patience.over(0)) return;
+  work_away([&](InterruptCheck& interrupt) {
+    moves.column(name, out, &interrupt);
+    if (interrupt.requested(0)) return;
     if constexpr (sizeof(Whole) == 8) {
       if (name == "step")
         for (std::size_t i = 0; i < moves.size(); ++i)
@@ -223,7 +220,7 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
     columns[py::str(name)] = array.object;
   }
   bool known = false;
-  work_away([&](Patience& patience) { known = moves.columns(lengths, places, &patience); });
+  work_away([&](InterruptCheck& interrupt) { known = moves.columns(lengths, places, &interrupt); });
   if (!known) throw py::key_error("no such column");
   return columns;
 }
@@ -236,8 +233,7 @@ py::list missed_skips(const Record& record) {
   const auto& missed = record.trace().missed_skips;
   for (std::size_t i = 0; i < missed.size(); ++i) {
     const Block& block = code.blocks[missed[i].address];
-    const auto program = static_cast<std::size_t>(code.program_at(missed[i].address));
-    list.append(py::make_tuple(missed[i].step, code.name_of(code.programs[program]),
+    list.append(py::make_tuple(missed[i].step, code.name_of(code.program_at(missed[i].address)),
                                sequence_number(block.n), block.line));
   }
   return list;
@@ -281,7 +277,7 @@ py::dict bounds_of(const Record& record) {
   py::dict bounds;
   const Moves& moves = record.trace().moves;
   Moves::Bounds box;
-  work_away([&](Patience& patience) { box = moves.bounds(&patience); });
+  work_away([&](InterruptCheck& interrupt) { box = moves.bounds(&interrupt); });
   for (const char axis : moves.axes()) {
     const auto place = kAxisNames.find(axis);
     if (!std::isnan(box.low[place]))
@@ -304,7 +300,7 @@ py::list listed(const Record& record, const Column<T>& column) {
 double path_length(const Record& record) {
   const Record::Reading reading(record);
   double length = 0;
-  work_away([&](Patience& patience) { length = record.trace().moves.length(&patience); });
+  work_away([&](InterruptCheck& interrupt) { length = record.trace().moves.length(&interrupt); });
   return length;
 }
 

@@ -1,7 +1,8 @@
 """The command line: `cncsub run`, `tree`, `controls`, `explain`.
 
-Exit status: 0 where the program ran to its end (or used up its cycles), 1 for an alarm and every
-other stop, 2 for wrong use, which is told in one line.
+Exit status: 0 where the program ran to its end (or used up its cycles), 1 for an alarm, 2 for wrong
+use, which is told in one line, 3 where the run waits for an input nobody gave, 4 at a limit, 130
+for Ctrl-C.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ class OneLineGroup(typer.core.TyperGroup):
             status = super().main(*args, **options)
             sys.stdout.flush()
         except (typer.Abort, KeyboardInterrupt):
-            sys.exit(1)
+            sys.exit(130)
         except BrokenPipeError:
             # Whoever read the output has enough; nothing is left to write at the end.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -376,8 +377,18 @@ def _assignment(
         ) from None
 
 
+STATUS = {
+    cncsub.Stop.END: 0,
+    cncsub.Stop.CYCLES: 0,
+    cncsub.Stop.ALARM: 1,
+    cncsub.Stop.WAITING: 3,
+    cncsub.Stop.LIMIT: 4,
+    cncsub.Stop.INTERRUPTED: 130,
+}
+
+
 def _status(run: cncsub.Run | cncsub.Stream) -> int:
-    return 0 if run.stop in (cncsub.Stop.END, cncsub.Stop.CYCLES) else 1
+    return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
 
 
 # ---- writing ----

@@ -78,9 +78,13 @@ def control_facts(control: cncsub.Control) -> dict[str, Any]:
                 "name": rule.name,
                 "value": rule.value,
                 "meaning": rule.meaning,
-                "choices": list(rule.choices),
+                "choices": list(rule.choices or rule.entries),
                 "source": rule.source,
                 "evidence": rule.evidence,
+                "sources": {
+                    entry: {"source": source, "evidence": evidence}
+                    for entry, (source, evidence) in rule.sources.items()
+                },
             }
             for rule in control.rules
         ],
@@ -89,6 +93,7 @@ def control_facts(control: cncsub.Control) -> dict[str, Any]:
                 "name": parameter.name,
                 "value": parameter.value,
                 "meaning": parameter.meaning,
+                "rules": list(parameter.rules),
                 "source": parameter.source,
                 "evidence": parameter.evidence,
             }

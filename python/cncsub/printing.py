@@ -116,7 +116,14 @@ def print_control(console: Console, control: cncsub.Control) -> None:
     console.print(Text(f"{control.title} ({control.name})", style="bold"))
     rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
     _print_facts(console, "Rules", rules)
-    parameters = ((f"{p.name} = {p.value:g}", p.meaning, p) for p in control.parameters.values())
+    parameters = (
+        (
+            f"{p.name} = {p.value:g}",
+            "; sets ".join(filter(None, [p.meaning, ", ".join(p.rules)])),
+            p,
+        )
+        for p in control.parameters.values()
+    )
     _print_facts(console, "Parameters", parameters)
     options = (
         (f"{o.rule}={o.name}{', fitted' if o.fitted else ''}", f"{o.meaning}: {o.numbers}", o)
@@ -151,6 +158,9 @@ def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, A
     for head, text, fact in facts:
         console.print(Text.assemble((f"  {head}", "cyan"), f": {text}"))
         console.print(Text(f"      [{fact.source}; {fact.evidence}]", style="dim"))
+        for entry, (source, evidence) in getattr(fact, "sources", {}).items():
+            there = "" if entry in str(fact.value).split() else "not "
+            console.print(Text(f"      {there}{entry} [{source}; {evidence}]", style="dim"))
 
 
 def _value(value: bool | int | str) -> str:

@@ -1,14 +1,14 @@
 """The rows of the conformance tables: what a row says and how it is written.
 
-A topic file beside this one calls `case` once per claim; `rows()` reads all of them. What a row
-says is compared with the engine in `outcome.py`.
+The topics stand in folders, a folder for each family of controls and `shared` for what several
+families say: a file calls `case` once per claim, and `rows()` reads all files. What a row says is
+compared with the engine in `outcome.py`.
 """
 
 from __future__ import annotations
 
 import functools
 import importlib.util
-import json
 import re
 import sys
 import textwrap
@@ -25,6 +25,7 @@ EVIDENCE = ("source document", "maker's manual", "secondary", "inferred")
 STOPS = ("end", "alarm", "cycles", "limit", "waiting")
 
 Text = str | bytes
+UNKNOWN = "unknown"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,7 +41,7 @@ class Case:
     source: str | Mapping[str, str]
     evidence: Mapping[str, str]  # of each control: as stated, but no stronger than its source there
     pins: tuple[str, ...]  # rules of which another value makes the row fail
-    topic: str
+    topic: str  # the file in its folder: fanuc/m98
     line: int
 
     # The memory: one text, or a folder of files. `external` is the folder of the external device.
@@ -62,7 +63,7 @@ class Case:
     alarm: str | None
     number: str | Mapping[str, str | None] | None
     at: str | None
-    word: str | None
+    word: str | Mapping[str, str] | None
     variables: Mapping[int, float | None]
     m: Sequence[int] | None
     t: Sequence[int] | None
@@ -86,14 +87,21 @@ class Case:
         return self.source if isinstance(self.source, str) else self.source[control]
 
     def number_on(self, control: str) -> str | None:
-        return self.number[control] if isinstance(self.number, Mapping) else self.number
+        """The number of the alarm, `UNKNOWN` on a control of which the row does not tell."""
+        if isinstance(self.number, Mapping):
+            return self.number.get(control, UNKNOWN)
+        return self.number
 
     def word_on(self, control: str) -> str | None:
-        """The word under the caret, as the row says it or the table of words beside the rows."""
-        if self.word is not None:
-            return self.word
-        word = words().get(self.claim)
-        return word.get(control) if isinstance(word, dict) else word
+        """The word under the caret."""
+        return self.word.get(control) if isinstance(self.word, Mapping) else self.word
+
+    @property
+    def says_what_happened(self) -> bool:
+        said = (self.runs, self.m, self.t, self.messages, self.dropped, self.calls, self.tree)
+        said += (self.arguments, self.final_work)
+        some = any(expectation is not None for expectation in said)
+        return some or bool(self.variables) or self.wants_moves or self.resets
 
     @property
     def resets(self) -> bool:
@@ -104,17 +112,6 @@ class Case:
     def wants_moves(self) -> bool:
         motion = (self.moves, self.moves_x, self.centre, self.final_machine, self.time)
         return any(expectation is not None for expectation in motion)
-
-
-@functools.cache
-def words() -> Mapping[str, str | dict[str, str]]:
-    """By claim, the word that each motion alarm of the rows points at (by control where it differs):
-    read once through, so that each is the word that is wrong, or the code that lacks one.
-    """
-    table: Mapping[str, str | dict[str, str]] = json.loads(
-        (FOLDER / "words.json").read_text(encoding="utf-8")
-    )
-    return table
 
 
 class Row(NamedTuple):
@@ -158,7 +155,7 @@ def case(
     alarm: str | None = None,
     number: str | Mapping[str, str | None] | None = None,
     at: str | None = None,
-    word: str | None = None,
+    word: str | Mapping[str, str] | None = None,
     vars: Mapping[int, float | None] | None = None,
     m: Sequence[int] | None = None,
     t: Sequence[int] | None = None,
@@ -188,7 +185,8 @@ def case(
     leave. `tree` is the calls as a tree, `M98:O2(G65:O3 G66:O4)`, each behind what it was called
     by; `frames` the open calls of an alarm, innermost first: `O2 N50 G65 < O1 N10 M98`. `pins` are
     the rules of which another value makes the row fail (`mutation.py`). Without `evidence` the
-    source has to be one of the source documents.
+    source has to be one of the source documents. `source`, `evidence`, `number` and `word` are
+    mappings where the controls of a row differ in them.
     """
     caller = sys._getframe(1)
     controls = (control,) if isinstance(control, str) else tuple(control)
@@ -208,7 +206,7 @@ def case(
         source=source,
         evidence={name: _evidence(source, evidence, name) for name in controls},
         pins=tuple(pins.split()),
-        topic=Path(caller.f_code.co_filename).stem,
+        topic=Path(caller.f_code.co_filename).relative_to(FOLDER).with_suffix("").as_posix(),
         line=caller.f_lineno,
         program=None if program is None else as_program(program),
         files=None if files is None else {name: as_program(text) for name, text in files.items()},
@@ -244,10 +242,26 @@ def case(
         work_after_reset=None if work_after_reset is None else read_point(work_after_reset),
         modal_after_reset=modal_after_reset,
     )
-    fault = _fault(row)
+    fault = _fault(row, evidence)
     if fault:
         raise ValueError(f"{row.topic}.py:{row.line}: {claim!r}: {fault}")
     _cases.append(row)
+
+
+# Rules that no row can notice on a control, and the reason: what rows say beside `unpinned.py`.
+_inert: dict[str, dict[str, str]] = {}
+
+
+def inert(rules: str, *, control: str, reason: str) -> None:
+    """Say of rules that no row can notice them on a control, and why."""
+    for rule in rules.split():
+        _inert.setdefault(rule, {})[control] = reason
+
+
+def inert_rules() -> Mapping[str, Mapping[str, str]]:
+    """What the rows say by `inert`: by rule and control, the reason."""
+    cases()
+    return _inert
 
 
 def _evidence(
@@ -263,7 +277,7 @@ def _evidence(
     return max(said, _core.strongest(text, control), key=EVIDENCE.index)
 
 
-def _fault(row: Case) -> str | None:
+def _fault(row: Case, evidence: str | Mapping[str, str] | None) -> str | None:
     """What makes a row meaningless, if anything does."""
     if not row.controls:
         return "names no control"
@@ -275,8 +289,12 @@ def _fault(row: Case) -> str | None:
         return f"cannot stop with {row.stop!r}"
     if (row.stop == "alarm") != (row.alarm is not None):
         return "stops with an alarm and names none, or the other way round"
+    if row.alarm is None and not row.says_what_happened:
+        return "says how it stops, and nothing of what happened before"
     if row.alarm is None and (row.number or row.at or row.word or row.frames is not None):
         return "says where or how it alarms, but not which alarm"
+    if not isinstance(evidence, str | None) and not set(evidence) <= set(row.controls):
+        return "gives evidence for other controls than it runs on"
     if not isinstance(row.source, str) and set(row.source) != set(row.controls):
         return "gives sources for other controls than it runs on"
     if isinstance(row.number, Mapping) and set(row.number) != set(row.controls):
@@ -327,18 +345,17 @@ def _read_block(name: str) -> str:
 
 
 def topic_files() -> list[Path]:
-    """The files that hold rows: everything here that is neither a test nor part of the harness."""
-    harness = {"conformance", "entries", "moves", "outcome", "mutation", "unpinned", "conftest"}
-    files = sorted(FOLDER.glob("*.py"))
-    return [file for file in files if file.stem not in harness and not file.stem.startswith("test")]
+    """The files that hold rows: everything in the folders, while the harness stands beside them."""
+    return sorted(FOLDER.glob("*/**/*.py"))
 
 
 @functools.cache
 def cases() -> tuple[Case, ...]:
     """All rows of all topic files."""
     for file in topic_files():
-        # Not by its bare name: a topic may be called like a module of the standard library.
-        spec = importlib.util.spec_from_file_location(f"conformance_rows.{file.stem}", file)
+        # Not by its bare name: topics of two families are called alike.
+        name = ".".join(("conformance_rows", *file.relative_to(FOLDER).with_suffix("").parts))
+        spec = importlib.util.spec_from_file_location(name, file)
         assert spec is not None
         assert spec.loader is not None
         spec.loader.exec_module(importlib.util.module_from_spec(spec))

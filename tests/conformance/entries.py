@@ -11,14 +11,14 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import cncsub
 from conformance import Case, rows
-from mutation import passes
-from unpinned import UNPINNED
+from mutation import excused as is_inert
+from mutation import on, passes
 
 FILE = Path(__file__).parent / "entries.json"
 HOW_TO_WRITE = "python tests/conformance/entries.py looks for rows and writes entries.json"
@@ -31,9 +31,24 @@ LETTERS = (  # noqa: SIM905
 # Rule, the controls or none for all, entries, and why no row can notice them.
 TE, HNC = "gsk-928te", "hnc-21m"
 REASONS = [
-    ("g_codes", None, "65 66 66.1 67", "a macro call is known by `macro_calls`, whatever the list says"),
-    ("g_codes", TE, "22 26 27 29 33 80", "a code that no source tells of alarms alike without the list"),
-    ("g_codes", HNC, "7 11 12 22 24 25 34", "a meaning of the control's own is known without the list"),
+    (
+        "g_codes",
+        None,
+        "65 66 66.1 67",
+        "a macro call is known by `macro_calls`, whatever the list says",
+    ),
+    (
+        "g_codes",
+        TE,
+        "22 26 27 29 33 80",
+        "a code that no source tells of alarms alike without the list",
+    ),
+    (
+        "g_codes",
+        HNC,
+        "7 11 12 22 24 25 34",
+        "a meaning of the control's own is known without the list",
+    ),
     ("g_meanings", TE, "33=not-computed", "a code that no source tells of alarms alike"),
     ("g_meanings", HNC, "7=not-computed 12=not-computed 34=not-computed", "the same"),
     ("codes_not_with_macro_call", None, "65 66", "two macro calls in a block are another fault"),
@@ -48,7 +63,11 @@ Pins = dict[str, dict[str, dict[str, str]]]
 
 
 def lists(control: cncsub.Control) -> Iterator[Any]:
-    yield from (rule for rule in control.rules if isinstance(rule.value, str) and not rule.choices)
+    """The rules that are lists; what may be in a set is pinned as rules are, but for `refuses`."""
+    for rule in control.rules:
+        is_list = isinstance(rule.value, str) and not rule.choices
+        if is_list and (not rule.entries or rule.name == "refuses"):
+            yield rule
 
 
 def entries(rule: Any) -> list[str]:
@@ -68,14 +87,14 @@ def without(control: cncsub.Control, rule: Any, entry: str) -> cncsub.Control:
 
 def excused(control: cncsub.Control, rule: Any, entry: str) -> bool:
     """Whether an entry stands for a reason where no row can notice it."""
-    if control.name in UNPINNED.get(rule.name, {}):
+    if any(is_inert(control, word) for word in (rule.name, f"{rule.name}:{entry}")):
         return True
     if rule.name.startswith("codes_not_with"):
         codes = next(str(other.value) for other in control.rules if other.name == "g_codes").split()
         if codes and entry not in codes:
             return True  # a relative's code, which this control does not have
     return any(
-        rule.name == name and control.name == (only or control.name) and entry in inert.split()
+        rule.name == name and only in (None, control.name) and entry in inert.split()
         for name, only, inert, _ in REASONS
     )
 
@@ -109,9 +128,20 @@ def unnoticed() -> list[str]:
                     continue
                 own = (row.case for row in rows() if row.control == name)
                 likely = (c for c in own if _may_notice(rule.name, entry, c, _text(c)))
-                if all(passes(c, mutant) or not passes(c, control) for c in likely):
+                lent = (on(c, name) for c in named_elsewhere(pins, by_place, rule.name, entry))
+                if all(passes(c, mutant) or not passes(c, control) for c in (*lent, *likely)):
                     found.append(f"{name}: {rule.name}: {entry}: {claims.get(entry)}")
     return found
+
+
+def named_elsewhere(
+    pins: Pins, by_place: Mapping[tuple[str, str], Case], rule: str, entry: str
+) -> Iterator[Case]:
+    """The rows that are named for the same entry of another control's list."""
+    for control in pins:
+        claim = _by_entry(pins, control, rule).get(entry, "")
+        if (control, claim) in by_place:
+            yield by_place[control, claim]
 
 
 def _text(case: Case) -> str:
@@ -128,7 +158,10 @@ def _may_notice(rule: str, entry: str, case: Case, text: str) -> bool:
         return entry[:2] in text
     if "codes" in rule or rule == "g_meanings":
         letter = "M" if rule.startswith("m_") else "G"
-        return re.search(rf"{letter}0*{re.escape(entry.split('=')[0])}(?![\d.]*[1-9])", text) is not None
+        return (
+            re.search(rf"{letter}0*{re.escape(entry.split('=')[0])}(?![\d.]*[1-9])", text)
+            is not None
+        )
     return rule == "modal_groups" or entry.rstrip("?")[-1] in text
 
 

@@ -1,12 +1,18 @@
 """Changes one rule of a control at a time: a row that pins the rule has to fail.
 
-A row says what it pins, `pins="zero_repeats"`. For every rule of every control there is one;
-`python tests/conformance/mutation.py` says for the rules that have none which rows could. A rule
-that no row can notice on a control stands in `unpinned.py`, with the reason.
+A row says what it pins, `pins="zero_repeats"`; of a set it says the entry, `pins="conditions:bare"`,
+which is taken away there or put in. For every rule of every control, and every entry that a set may
+have, there is one: its own, or one of a control with the same answer, if it holds on this control
+too. So a relative needs rows for what it answers otherwise, no more. Of what a control refuses,
+and of roles, there is one for every entry that some row pins. `python tests/conformance/mutation.py` says for those that
+have none which rows could. What no row can notice on a control has its reason, in `unpinned.py` or
+beside the rows (`inert`), which is a reason for relatives that answer alike too.
 """
 
 from __future__ import annotations
 
+import dataclasses
+import functools
 import sys
 from collections.abc import Iterator
 from typing import Any
@@ -14,37 +20,108 @@ from typing import Any
 import cncsub
 from conformance import Case, rows
 from outcome import differences
-from unpinned import UNPINNED
+from unpinned import UNPINNED, entries_of
 
 HOW_TO_FIND = "python tests/conformance/mutation.py names rows that could"
 
-# From this rule on the rules are about moves; no row notices them without looking at moves.
-FIRST_MOTION_RULE = "machine"
+# No row notices the rules of these groups without looking at moves.
+MOTION = ("motion", "turning")
 
 
-def pinning(control: str, rule: str) -> list[Case]:
-    """The rows of a control that say that they pin a rule."""
-    return [row.case for row in rows() if row.control == control and rule in row.case.pins]
+def pinning(control: str, word: str) -> list[Case]:
+    """The rows of a control that say that they pin a rule, or an entry of a set."""
+    return [row.case for row in rows() if row.control == control and word in row.case.pins]
 
 
-def unpinned() -> list[tuple[str, Any]]:
-    """The rules, by control, that no row which says so notices."""
+def words(control: cncsub.Control) -> Iterator[str]:
+    """What there is to pin: the rules, and what may be in a set."""
+    said = {word for row in rows() for word in row.case.pins}
+    for rule in control.rules:
+        entries = entries_of(rule)
+        if not entries:
+            yield rule.name
+        for entry in entries:
+            word = f"{rule.name}:{entry}"
+            if rule.name not in ("refuses", "roles") or word in said:
+                yield word
+
+
+def unpinned() -> list[tuple[str, str]]:
+    """What no row which says so notices, by control."""
     return [
-        (name, rule)
+        (name, word)
         for name, control in cncsub.controls.items()
-        for rule in control.rules
-        if name not in UNPINNED.get(rule.name, {})
-        and not any(notices(case, control, rule) for case in pinning(name, rule.name))
+        for word in words(control)
+        if not excused(control, word)
+        and not any(notices(case, control, word) for case in pinning(name, word))
+        and not any(
+            passes(case, control) and notices(case, control, word) for case in lent(control, word)
+        )
     ]
 
 
-def notices(case: Case, control: cncsub.Control, rule: Any) -> bool:
+def excused(control: cncsub.Control, word: str) -> bool:
+    """Whether no row can notice it on the control, or on a relative that answers alike."""
+    reasons = UNPINNED.get(word, {})
+    own = answer(control.name, word)
+    return control.name in reasons or any(
+        name in reasons and answer(name, word) == own for name in kin(control.name)
+    )
+
+
+# A relative answers all rules as the other does, but for this part of them.
+APART = 0.15
+
+
+@functools.cache
+def kin(name: str) -> list[str]:
+    """The controls that answer most rules as this one does."""
+    own = answers(name)
+    others = (other for other in cncsub.controls if other != name)
+    return [o for o in others if sum(answers(o)[r] != own[r] for r in own) <= APART * len(own)]
+
+
+@functools.cache
+def answers(name: str) -> dict[str, Any]:
+    return {rule.name: rule.value for rule in cncsub.controls[name].rules}
+
+
+def answer(name: str, word: str) -> Any:
+    """What a control answers: the value of a rule, or whether a set has an entry."""
+    rule, _, entry = word.partition(":")
+    value = answers(name).get(rule)
+    return entry in str(value).split() if entry else value
+
+
+def lent(control: cncsub.Control, word: str) -> Iterator[Case]:
+    """The rows that pin it on controls with the same answer."""
+    claims = set()
+    for case, other in rows():
+        if other == control.name or word not in case.pins or case.claim in claims:
+            continue
+        if answer(other, word) == answer(control.name, word):
+            claims.add(case.claim)
+            yield on(case, control.name)
+
+
+def on(case: Case, control: str) -> Case:
+    """A row as it stands for another control, which has alarm numbers of its own."""
+    return dataclasses.replace(case, controls=(control,), number={})
+
+
+def notices(case: Case, control: cncsub.Control, word: str) -> bool:
     """Whether some other value of the rule makes the row fail."""
-    return any(not passes(case, mutant) for mutant in mutants(control, rule))
+    return any(not passes(case, mutant) for mutant in mutants(control, word))
 
 
-def mutants(control: cncsub.Control, rule: Any) -> Iterator[cncsub.Control]:
+def mutants(control: cncsub.Control, word: str) -> Iterator[cncsub.Control]:
     """The control with another value of the rule, for each value worth trying."""
+    name, _, entry = word.partition(":")
+    rule = next(rule for rule in control.rules if rule.name == name)
+    if entry:
+        there = entry in str(rule.value).split()
+        yield control.replace(**{name: f"-{entry}" if there else entry})
+        return
     whole = "=" if isinstance(rule.value, str) and not rule.choices else ""  # a list as a whole
     options = [o.name for o in control.variable_options.values() if o.rule == rule.name]
     for value in [*other_values(rule), *options]:
@@ -67,7 +144,7 @@ def other_values(rule: Any) -> list[Any]:
 
 def _other_lists(rule: Any) -> Iterator[str]:
     """A list of letters or codes without one of its entries, and as other controls have it."""
-    separator = " " if " " in rule.value or len(rule.value) > 30 else ""
+    separator = " " if " " in rule.value or len(rule.value) > 30 or rule.entries else ""
     entries = rule.value.split() if separator else list(rule.value)
     for entry in dict.fromkeys(entries):
         yield separator.join(other for other in entries if other != entry)
@@ -85,27 +162,26 @@ def passes(case: Case, control: cncsub.Control) -> bool:
         return False
 
 
-def is_about_moves(control: cncsub.Control, rule: Any) -> bool:
-    names = [other.name for other in control.rules]
-    return names.index(rule.name) >= names.index(FIRST_MOTION_RULE)
+def is_about_moves(control: cncsub.Control, word: str) -> bool:
+    return any(rule.name == word and rule.group in MOTION for rule in control.rules)
 
 
-def could_pin(control: cncsub.Control, rule: Any) -> Iterator[Case]:
+def could_pin(control: cncsub.Control, word: str) -> Iterator[Case]:
     """The rows that notice the rule; those of its topic elsewhere first."""
     cases = [row.case for row in rows() if row.control == control.name]
-    if is_about_moves(control, rule):
+    if is_about_moves(control, word):
         cases = [case for case in cases if case.wants_moves or "motion" in case.topic]
-    topics = {row.case.topic for row in rows() if rule.name in row.case.pins}
+    topics = {row.case.topic for row in rows() if word in row.case.pins}
     for case in sorted(cases, key=lambda case: case.topic not in topics):
-        if passes(case, control) and notices(case, control, rule):
+        if passes(case, control) and notices(case, control, word):
             yield case
 
 
 def main() -> None:
-    for name, rule in unpinned():
-        found = next(could_pin(cncsub.controls[name], rule), None)
+    for name, word in unpinned():
+        found = next(could_pin(cncsub.controls[name], word), None)
         place = "no row" if found is None else f"{found.topic}.py:{found.line}: {found.claim}"
-        print(f"{name}: {rule.name}: {place}", file=sys.stderr)
+        print(f"{name}: {word}: {place}", file=sys.stderr)
 
 
 if __name__ == "__main__":

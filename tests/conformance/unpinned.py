@@ -1,10 +1,19 @@
-"""Rules that no row can notice on a control, each with the reason why it is inert there."""
+"""Rules that no row can notice on a control, each with the reason why it is inert there.
+
+Rows say it of one control beside them: `inert(rules, control=..., reason=...)`.
+"""
+
+from typing import Any
+
+import cncsub
+from conformance import inert_rules, rows
 
 TA, T, TDI, MDI, TE = "gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", "gsk-928te"
 MITSUBISHI = ("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800")
 F16, F0D, F0F, F30 = FANUC = ("fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i")
 HNC = "hnc-21m"
 HAAS = "haas-ngc"
+LINUXCNC = "linuxcnc"
 GSK_LATHES = (TA, T, TDI, TE)
 MILLS = (MDI, HNC, HAAS)
 EVERY = (*GSK_LATHES, MDI, *MITSUBISHI, *FANUC, HNC, HAAS)
@@ -23,6 +32,9 @@ A_LATHE = "a rule of mills, and the control is a lathe"
 NO_ROTATION = "the control has no rotation, scaling or mirror"
 NO_REPEATS = "no repeat count is known of its drilling cycles"
 
+ANOTHER_LANGUAGE = "the rule is asked by readers of the ISO language, and this one has its own"
+FAMILY_MOTION = "motion beyond lines, arcs and dwells is the family's there, and no row tells of it"
+
 NOT_KNOWN = "no source says which codes of the control this rule is about"
 
 Unpinned = dict[str, tuple[tuple[str, ...], str]]
@@ -30,6 +42,24 @@ Unpinned = dict[str, tuple[tuple[str, ...], str]]
 
 def _all(rules: str, controls: tuple[str, ...], reason: str) -> Unpinned:
     return dict.fromkeys(rules.split(), (controls, reason))
+
+
+def entries_of(rule: Any) -> list[str]:
+    """What may be in a set; of roles, which may be of any code, those that the control has."""
+    return str(rule.value).split() if rule.name == "roles" else list(rule.entries)
+
+
+def _group(control: str, groups: str, but: str, reason: str) -> Unpinned:
+    """All rules of these groups, and what may be in their sets, but what rows of the control pin."""
+    pinned = {word for row in rows() for word in row.case.pins}
+    words: list[str] = []
+    for rule in cncsub.controls[control].rules:
+        if rule.group in groups.split() and rule.name not in but.split():
+            own = [f"{rule.name}:{entry}" for entry in entries_of(rule)] or [rule.name]
+            words += [
+                word for word in own if rule.name not in ("refuses", "roles") or word in pinned
+            ]
+    return dict.fromkeys(words, ((control,), reason))
 
 
 def _joined(*parts: Unpinned) -> dict[str, dict[str, str]]:
@@ -41,48 +71,55 @@ def _joined(*parts: Unpinned) -> dict[str, dict[str, str]]:
 
 
 # The reason by rule and control.
-UNPINNED = _joined(
+_TABLE = _joined(
     # Reading
     _all("late_sequence_numbers", (TDI, MDI), "an N that is not the first word is refused"),
     _all("max_words", (TDI,), "no block of 255 characters has a hundred words that may differ"),
-    _all("named_programs", (TA, T, TDI), "<NAME> ends the program before it either way"),
+    _all("program_heads:name", (TA, T, TDI), "<NAME> ends the program before it either way"),
     _all("max_program_number", (TE, HNC), "the control's heads and calls are not held to it"),
     # Calls
     _all("max_program_digits start_word caller_call", (TE,), "P of M98 is a sequence number"),
-    _all("count_and_l zero_count_alarms", (TE, *MITSUBISHI, HNC), NO_COUNT),
+    _all("count_and_l refuses:illegal-repeat-count", (TE, *MITSUBISHI, HNC), NO_COUNT),
     _all("name_marks max_name_length", (MDI, TE, MITSUBISHI[0], F16, F0D, HNC), NO_NAMES),
     _all("wide_names", (MDI, TE, MITSUBISHI[0], F16, F0D, HNC), NO_NAMES),
     _all("call_values", (TE,), NO_MACROS),
-    _all("return_search jump_search max_jump_number jumps_in_mdi", (TE, HNC), NO_JUMP),
-    _all("jumps_in_compensation", (TE, HNC), NO_JUMP),
+    _all("return_search jump_search max_jump_number refuses:jump-in-mdi", (TE, HNC), NO_JUMP),
+    _all("refuses:jump-in-offset", (TE, HNC), NO_JUMP),
     _all("code_cascade", (TDI, MDI, TE, HNC), NO_CODE_CALLS),
     # Macro statements
-    _all("commons variable_point", (TE,), NO_MACROS),
+    _all("commons variable_forms:point", (TE,), NO_MACROS),
     _all("variable_options", (*GSK_LATHES, *MILLS), "no source tells of variables that are bought"),
-    _all("if_form loop_form jumps max_loops max_constant_digits max_brackets", (TE,), NO_MACROS),
-    _all("angle_unit atan_range asin_range joined_conditions", (TE,), NO_MACROS),
-    _all("comparison_symbols conditions_without_brackets short_functions", (TE,), NO_MACROS),
-    _all("functions modulo vacant_address vacant_comparison negative_logic logic_of_bits", (TE,), NO_MACROS),
-    _all("reset_clears_locals reset_clears_commons logic_binds_last", (TE,), NO_MACROS),
-    _all("max_condition_length indirect_9nnn variable_names", (TE,), NO_MACROS),
+    _all("if_form loop_form max_loops max_constant_digits max_brackets", (TE,), NO_MACROS),
+    _all("angle_unit atan_range asin_range conditions:joined", (TE,), NO_MACROS),
+    _all("conditions:symbols conditions:bare short_functions", (TE,), NO_MACROS),
+    _all(
+        "functions vacant_address vacant_comparison refuses:logic-of-negative refuses:logic-of-other-than-0-and-1",
+        (TE,),
+        NO_MACROS,
+    ),
+    _all("reset_clears:locals reset_clears:commons logic_order", (TE,), NO_MACROS),
+    _all("max_condition_length variable_forms:9nnn variable_forms:names", (TE,), NO_MACROS),
     _all("max_loop_number loops_count_across_calls", (TE,), NO_MACROS),
     _all("max_loop_number loops_count_across_calls", (HNC,), "loops of the HNC have no numbers"),
-    _all("vacant_system_writes", (TE, HNC), "no system variable of it can be written"),
+    _all("refuses:illegal-variable-value", (TE, HNC), "no system variable of it can be written"),
     _all("modal_groups", (TE, HNC), "the control has no variables of modal codes"),
-    _all("indirect_9nnn variable_names", (HNC,), "the control has no such variables"),
+    _all("variable_forms:9nnn variable_forms:names", (HNC,), "the control has no such variables"),
     _all("atan_range asin_range", (HNC,), "it has no ASIN, and ATAN of one argument is signed"),
     _all("max_ifs", (TA, T, TDI, MDI, TE, *MITSUBISHI[:2], *FANUC), NO_IF_BLOCKS),
-    _all("logic_of_numbers", (TA, T, TDI, MDI, TE, *FANUC), "logic binds like * and + there anyway"),
     # Macro calls
     _all("nesting_counts_macros max_macro_nesting calls_in_modal", (TE, HNC), NO_MACRO_CALLS),
-    _all("return_alone_in_modal codes_not_with_macro_call", (TE, HNC), NO_MACRO_CALLS),
+    _all("refuses:illegal-word-with-return codes_not_with_macro_call", (TE, HNC), NO_MACRO_CALLS),
     _all("m_codes_not_with_macro_call codes_not_with_modal_call", (TE, HNC), NO_MACRO_CALLS),
-    _all("modal_every_block max_macro_digits argument_sets", (TE, HNC), NO_MACRO_CALLS),
+    _all(
+        "roles:G66.1=modal-call-every-block max_macro_digits argument_sets",
+        (TE, HNC),
+        NO_MACRO_CALLS,
+    ),
     _all("numbered_axis_arguments words_before_macro_call", (TE, HNC), NO_MACRO_CALLS),
     _all("repeated_argument modal_locals modal_trigger", (TE, HNC), NO_MACRO_CALLS),
-    _all("modal_calls_stack max_modal_calls cancel_alone", (TE, HNC), NO_MACRO_CALLS),
-    _all("macro_calls call_passes_words", (TE,), NO_MACRO_CALLS),
-    _all("modal_calls_stack", (TA, T), "a second G66 is refused while one is active"),
+    _all("second_modal_call max_modal_calls cancel_alone", (TE, HNC), NO_MACRO_CALLS),
+    _all("roles:G65=macro-call call_passes_words", (TE,), NO_MACRO_CALLS),
+    _all("second_modal_call", (TA, T), "a second G66 is refused while one is active"),
     _all("codes_not_with_macro_call", (TDI,), "the control has no tool length offset"),
     _all("h_codes", (TE, HNC), NO_MACRO_CALLS),
     _all("h99_offset", (TA, T, TE, *MITSUBISHI, *FANUC, HNC), NO_H_CODES),
@@ -90,30 +127,39 @@ UNPINNED = _joined(
     _all("user_alarm_offset", MITSUBISHI, "the alarm of #3000 has one number, whatever the value"),
     # Motion
     _all("g_meanings", (MDI,), "it has none of the codes that mean something else elsewhere"),
-    _all("power_on_incremental", (TDI, TE), "the control has no G91"),
+    _all("power_on:G91", (TDI, TE), "the control has no G91"),
     _all("rotation_words", (TDI, TE), NO_ROTATION),
-    _all("straight_rapid", (TE,), "without the area of G22 no alarm tells the way of a rapid"),
-    _all("codes_not_with_return codes_not_with_call words_with_call_in_cycle", (TE,), NOT_KNOWN),
-    _all("unit_change machine_move power_on_stroke_check stroke_outside", (TE,), NOT_KNOWN),
-    _all("home_needed max_offset_number start_up acute_corner idle_blocks", (TE,), NOT_KNOWN),
-    _all("idle_blocks_alarm peck_words peck_retract drill_full_retract", (TE,), NOT_KNOWN),
-    _all("escape rough_depth rough_escape single_pass_pattern", (TE,), NOT_KNOWN),
-    _all("cycle_increments one_block_cycles lead_apart thread_starts", (TE,), NOT_KNOWN),
+    _all("rapid_way", (TE,), "without the area of G22 no alarm tells the way of a rapid"),
+    _all(
+        "codes_not_with_return codes_not_with_call refuses:call-with-words-in-cycle",
+        (TE,),
+        NOT_KNOWN,
+    ),
+    _all("unit_change machine_move power_on:G22 stroke_area", (TE,), NOT_KNOWN),
+    _all(
+        "refuses:machine-zero-not-known max_offset_number start_up acute_corner idle_blocks",
+        (TE,),
+        NOT_KNOWN,
+    ),
+    _all(
+        "refuses:idle-blocks-in-offset peck_words peck_retract drill_full_retract", (TE,), NOT_KNOWN
+    ),
+    _all("escape rough_depth rough_escape single_pattern", (TE,), NOT_KNOWN),
+    _all("cycle_unit one_block_cycles lead_apart thread_starts", (TE,), NOT_KNOWN),
     _all("thread_words_not_computed run_out_words lead_growth", (TE,), NOT_KNOWN),
     _all("thread_chamfer thread_digits_apart thread_passes thread_angle", (TE,), NOT_KNOWN),
     _all("thread_least_cut thread_allowance groove_retract cycle_point", (TE,), NOT_KNOWN),
     _all("groove_p_diameter profile_monotone max_profile_blocks", (TE,), NOT_KNOWN),
-    _all("max_pockets type_by_shape pocket_pass contour_behind", (TE,), NOT_KNOWN),
+    _all("max_pockets rough_type pocket_pass after_contour", (TE,), NOT_KNOWN),
     _all("bore_return drill_retract", (TE,), NOT_KNOWN),
-    _all("clear_on_reset clear_local_on_reset thread_needs_spindle", (TE,), NOT_KNOWN),
-    _all("thread_needs_spindle lead_apart run_out_words", (HNC,), "no thread of it is computed"),
-    _all("power_on_per_minute", MILLS, "a mill wakes up with feed per minute"),
-    _all("thread_needs_spindle", (MDI,), "the control cuts no threads"),
-    _all("negative_radius_on_lathes", (MDI, HNC), A_MILL),
-    _all("set_coordinate_alarms", MILLS, A_MILL),
+    _all("reset_clears:codes reset_clears:local-system refuses:spindle-stopped", (TE,), NOT_KNOWN),
+    _all("refuses:spindle-stopped lead_apart run_out_words", (HNC,), "no thread of it is computed"),
+    _all("power_on:G95", MILLS, "a mill wakes up with feed per minute"),
+    _all("refuses:spindle-stopped", (MDI,), "the control cuts no threads"),
+    _all("refuses:coordinate-setting-refused", MILLS, A_MILL),
     _all("tool_offset tool_offset_digits set_coordinate_without_tool", MILLS, A_MILL),
-    _all("escape rough_depth rough_escape single_pass_pattern", MILLS, A_MILL),
-    _all("cycle_increments groove_p_diameter profile_monotone contour_behind", MILLS, A_MILL),
+    _all("escape rough_depth rough_escape single_pattern", MILLS, A_MILL),
+    _all("cycle_unit groove_p_diameter profile_monotone after_contour", MILLS, A_MILL),
     _all("drill_full_retract bore_return chamfer_ik one_block_cycles cycle_point", MILLS, A_MILL),
     _all("thread_passes thread_angle thread_least_cut thread_allowance", MILLS, A_MILL),
     _all("thread_chamfer thread_digits_apart lead_growth groove_retract", MILLS, A_MILL),
@@ -121,29 +167,28 @@ UNPINNED = _joined(
     _all("lead_apart run_out_words", (MDI,), "the control cuts no threads"),
     _all("peck_words peck_retract", (TDI,), "R is the retract of a peck, K no word of it"),
     _all("bore_return", (TDI,), "the control has no boring cycle"),
+    _all("arc_tolerance_inch", (TDI, TE), "the control knows no inches"),
     _all("helix", (TE,), "a lathe without a third axis makes no helix"),
-    _all("helix_on_lathes", GSK_LATHES, "the control makes no helix, whatever the machine"),
-    _all("other_system_is_first parameters_by_l52", (TE, HNC), "the control has no G10"),
-    _all("offsets_without_l", (HNC,), "the control has no G10"),
-    _all("offsets_without_l", GSK_LATHES, A_LATHE),
+    _all("other_system data_forms:L52", (TE, HNC), "the control has no G10"),
+    _all("data_forms:without-L", (HNC,), "the control has no G10"),
+    _all("data_forms:without-L", GSK_LATHES, A_LATHE),
     _all("max_extra_systems", (*GSK_LATHES, HNC), "the control has no G54.1"),
     _all("length_type missing_radius_offset", GSK_LATHES, A_LATHE),
-    _all("peck_needed", GSK_LATHES, "a drilling cycle of a lathe without Q is a plain hole"),
+    _all("refuses:no-peck", GSK_LATHES, "a drilling cycle of a lathe without Q is a plain hole"),
     _all("peck_clearance", GSK_LATHES, "a drilling cycle draws back a little, not to R"),
     _all("max_rotation", (TDI, TE), NO_ROTATION),
-    _all("scale_thousandths", GSK_LATHES, "a lathe has no scaling"),
+    _all("scale_unit", GSK_LATHES, "a lathe has no scaling"),
     _all("cycle_repeats zero_cycle_repeats max_cycle_repeats", (TDI, TE), NO_REPEATS),
-    _all("dwell_x_increments", FANUC, "all whole numbers of lengths count increments there"),
-    _all("straight_rapid power_on_stroke_check stroke_outside", MILLS, "it has no stroke check"),
+    _all("rapid_way power_on:G22 stroke_area", MILLS, "it has no stroke check"),
     _all("longer_words", (*GSK_LATHES, *MILLS), "the control has no G45 to G48"),
     _all("skip_variables", (TE,), NO_MACROS),
     _all(
-        "skip_own_feed max_skip_signals skip_signals max_skip_feed measuring measuring_subtracts",
+        "skip_own_feed max_skip_signals skip_signals max_skip_feed measuring measured",
         (TE,),
         "nothing is known of its G31",
     ),
     _all(
-        "skip_own_feed max_skip_signals skip_signals max_skip_feed measuring measuring_subtracts",
+        "skip_own_feed max_skip_signals skip_signals max_skip_feed measuring measured",
         (HNC,),
         "the control has no G31",
     ),
@@ -151,24 +196,52 @@ UNPINNED = _joined(
     _all("one_way_overrun", (*GSK_LATHES, MDI), "the control has no G60"),
     _all("angles_on_mills", GSK_LATHES, A_LATHE),
     _all("angles_on_mills", MILLS, "the control knows no angles"),
-    _all("angle_words type_by_shape pocket_pass", MILLS, A_MILL),
+    _all("angle_words rough_type pocket_pass", MILLS, A_MILL),
     _all("thread_starts thread_words_not_computed", MILLS, A_MILL),
-    _all("modal_calls", (TE, HNC), NO_MACRO_CALLS),
-    _all("conditions_are_values conditional_return", (TE,), NO_MACROS),
-    _all("conditions_are_values", (HNC,), "its conditions take values anyway"),
+    _all("roles:G66=modal-call", (TE, HNC), NO_MACRO_CALLS),
+    _all("conditions:values conditional_return", (TE,), NO_MACROS),
+    _all("conditions:values", (HNC,), "its conditions take values anyway"),
     # Haas
-    _all("count_and_l zero_count_alarms", (HAAS,), NO_COUNT),
+    _all("count_and_l refuses:illegal-repeat-count", (HAAS,), NO_COUNT),
     _all("name_marks wide_names max_name_length", (HAAS,), NO_NAMES),
-    _all("jump_m97 return_search", (HAAS,), "M97 calls there, and M99 P stays in its own program"),
-    _all("calls_in_modal return_alone_in_modal codes_not_with_modal_call", (HAAS,), NO_MODAL_CALLS),
+    _all(
+        "roles:M97=jump return_search",
+        (HAAS,),
+        "M97 calls there, and M99 P stays in its own program",
+    ),
+    _all(
+        "calls_in_modal refuses:illegal-word-with-return codes_not_with_modal_call",
+        (HAAS,),
+        NO_MODAL_CALLS,
+    ),
     _all("modal_locals modal_trigger max_modal_calls", (HAAS,), NO_MODAL_CALLS),
-    _all("modal_calls_stack cancel_alone", (HAAS,), NO_MODAL_CALLS),
+    _all("second_modal_call cancel_alone", (HAAS,), NO_MODAL_CALLS),
     _all("max_ifs", (HAAS,), NO_IF_BLOCKS),
-    _all("logic_of_numbers", (HAAS,), "logic binds like * and + there anyway"),
     _all("h99_offset", (HAAS,), NO_H_CODES),
-    _all("reset_clears_commons", (HAAS,), "all of its commons are kept at power-off"),
-    _all("dwell_x_increments", (HAAS,), "X is no time of G04 there"),
-    _all("helix_on_lathes", (HAAS,), A_MILL),
-    _all("skip_signals measuring measuring_subtracts", (HAAS,), "its other signals and its G37 are not computed"),
-    _all("thread_needs_spindle lead_apart run_out_words", (HAAS,), "the control cuts no threads"),
+    _all("reset_clears:commons", (HAAS,), "all of its commons are kept at power-off"),
+    _all(
+        "skip_signals measuring measured",
+        (HAAS,),
+        "its other signals and its G37 are not computed",
+    ),
+    _all(
+        "refuses:spindle-stopped lead_apart run_out_words", (HAAS,), "the control cuts no threads"
+    ),
+    # LinuxCNC
+    _group(
+        LINUXCNC,
+        "common reading calls macros",
+        "max_nesting main_return missing_end",
+        ANOTHER_LANGUAGE,
+    ),
+    _group(
+        LINUXCNC,
+        "motion turning",
+        "arc_tolerance arc_tolerance_inch arc_tolerance_share",
+        FAMILY_MOTION,
+    ),
 )
+UNPINNED = {
+    rule: {**_TABLE.get(rule, {}), **inert_rules().get(rule, {})}
+    for rule in (*_TABLE, *inert_rules())
+}

@@ -72,8 +72,11 @@ class Station:
 
 
 def stations() -> list[Station]:
-    """Every control as its own kind of machine, and mills that can be lathes as these too."""
-    return [station for name in cncsub.controls for station in _stations_of(name)]
+    """Every control of the ISO language as its own kind of machine, and mills that can be lathes as
+    these too.
+    """
+    names = [name for name in cncsub.controls if name != "linuxcnc"]
+    return [station for name in names for station in _stations_of(name)]
 
 
 def _stations_of(name: str) -> Iterator[Station]:
@@ -86,12 +89,12 @@ def _stations_of(name: str) -> Iterator[Station]:
         is_lathe = machine != "mill"
         parts = rules["program_word"] == "sequence-number"
         style = Style(
-            head="" if parts else "%" if rules["percent_programs"] else "O",
+            head="" if parts else "%" if "percent" in str(rules["program_heads"]).split() else "O",
             diameter=is_lathe,
             increments_by_letter=machine == "lathe-a",
             count_in_p=rules["program_word"] == "count-and-number",
             count_in_l=rules["count_and_l"] != "no-l",
-            reflex_radius=not is_lathe or bool(rules["negative_radius_on_lathes"]),
+            reflex_radius=not is_lathe or rules["negative_radius"] == "long-way",
             plane_codes=not rules["g_codes"] or "18" in str(rules["g_codes"]).split(),
         )
         called = name if machine == own else f"{name} {machine}"

@@ -4,10 +4,10 @@ A program here is not yet text: lengths are whole micrometres, an arc has its ce
 writes it as each control wants it; `moves_of` is what all of them have to make of it.
 
 Left out is what the controls do differently, by the rules that say so: L0 (zero_repeats), calls of
-open programs (self_call, caller_call), words beside M98 and M99 (words_with_call_in_cycle,
+open programs (self_call, caller_call), words beside M98 and M99 (call-with-words-in-cycle,
 codes_not_with_call), more than four levels (max_nesting), arcs with R that end where they start
-(radius_needs_travel) and arcs with neither R nor centre (no_radius), a third axis in the arcs of
-lathes (helix), the codes in force at power-on (power_on_line, power_on_incremental).
+(no-arc-travel) and arcs with neither R nor centre (no_radius), a third axis in the arcs of
+lathes (helix), the codes in force at power-on (power_on).
 """
 
 from __future__ import annotations

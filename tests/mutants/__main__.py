@@ -1,7 +1,7 @@
 """Changes the engine in one small place at a time, and looks whether a row notices.
 
     python tests/mutants --count 300 --seed 1
-    python tests/mutants --count 50 cpp/cncsub/call.cpp
+    python tests/mutants --count 50 cpp/cncsub/code/target.cpp
 
 A mutant is one comparison, number, enumerator, condition or statement of a C++ source changed. It
 is built (only its file), and the rows of the conformance tables run until one fails: the mutant is
@@ -29,7 +29,7 @@ from places import Mutant, mutants_of
 from workshop import ENGINE, ROOT, Workshop
 
 CONFORMANCE = ROOT / "tests" / "conformance"
-SOURCES = ("machine*", "call", "block*", "compile", "code", "statement", "expression", "motion*")
+SOURCES = ("code/c*", "dialect/iso/*", "motion/**/*", "machine/*")
 MEMORY = 4 << 30  # of a process that runs rows
 PASSED = "passed"
 STOPPED = "no end"

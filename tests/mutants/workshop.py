@@ -56,10 +56,10 @@ class Workshop:
 
     def _precompile_headers(self) -> None:
         """All headers of the standard library in one, read once: most of the work for a mutant."""
-        sources = [file for file in map(Path, self.commands) if file.parent == ENGINE]
+        sources = [file for file in map(Path, self.commands) if file.is_relative_to(ENGINE)]
         includes = {
             line
-            for file in [*sources, *ENGINE.glob("*.hpp")]
+            for file in [*sources, *ENGINE.rglob("*.hpp")]
             for line in file.read_text().splitlines()
             if line.startswith("#include <")
         }

@@ -36,43 +36,54 @@ const AlarmList& alarms_30i() {
 /// 30i.
 Control fanuc_0i_d() {
   Control c = family();
-  c.return_alone_in_modal = {true, "ALM PS1093", Secondary};
-  c.max_constant_digits = {12, "general knowledge", Inferred};
+  has(c.common.refuses, {Cause::IllegalWordWithReturn}, "ALM PS1093", Secondary);
+  c.macros.max_constant_digits = {12, "general knowledge", Inferred};
   c.title = "FANUC Series 0i-D";
-  c.g_codes = {kCodes0iD, cite({k0iMd, kReg, "the rest general knowledge"}), Inferred};
-  c.max_nesting = {10, kKnown, Inferred};
-  c.nesting_counts_macros = {false, kKnown, Inferred};
-  c.max_macro_nesting = {5, kKnown, Inferred};
-  c.max_modal_calls = {5, cite({kKnown, "ALM PS0122 counts them as other macro calls"}), Inferred};
-  c.max_total_nesting = {15, cite({kKnown, "ALM PS0077 speaks of the total number"}), Inferred};
-  c.start_word = {StartWord::None, cite({kKnown, "Q with 6005#0 SQC, GED for its meaning"}),
-                  Inferred};
-  c.omitted_program = {OmittedProgram::Alarm, cite({kKnown, "M98 Q with 6005#0 SQC"}), Inferred};
-  c.return_with_l = {ReturnWithL::ReplacesCount,
-                     cite({kKnown, "unsure; ALM PS1093 lets L stand with M99"}), Inferred};
-  c.words_with_call_in_cycle = {false, cite({kAlm, "PS5329"}), Secondary};
-  c.joined_conditions = {false, cite({kKnown, "6006#0 MLG"}), Inferred};
-  c.short_functions = {true, "0i-MD shops", Secondary};
-  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD",
-                 cite({kAli, "POW general knowledge, unsure"}), Inferred};
-  c.modulo = {true, kKnown, Inferred};
-  c.variable_names = {true, cite({kAlm, "PS1096 to PS1142"}), Secondary};
-  c.modal_every_block = {true, cite({kAlm, "PS0129 names it"}), Secondary};
-  c.cancel_alone = {CancelAlone::Alarm, cite({kAlm, "PS1100; 6000#0"}), Secondary};
-  c.parameters_by_l52 = {true, kKnown, Inferred};
+  c.reading.g_codes = {kCodes0iD, cite({k0iMd, kReg, "the rest general knowledge"}), Inferred};
+  c.calls.max_nesting = {10, kKnown, Inferred};
+  c.calls.nesting_counts_macros = {false, kKnown, Inferred};
+  c.calls.max_macro_nesting = {5, kKnown, Inferred};
+  c.macros.max_modal_calls = {5, cite({kKnown, "ALM PS0122 counts them as other macro calls"}),
+                              Inferred};
+  c.calls.max_total_nesting = {15, cite({kKnown, "ALM PS0077 speaks of the total number"}),
+                               Inferred};
+  c.calls.start_word = {StartWord::None, cite({kKnown, "Q with 6005#0 SQC, GED for its meaning"}),
+                        Inferred};
+  c.calls.omitted_program = {OmittedProgram::Alarm, cite({kKnown, "M98 Q with 6005#0 SQC"}),
+                             Inferred};
+  c.calls.return_with_l = {ReturnWithL::ReplacesCount,
+                           cite({kKnown, "unsure; ALM PS1093 lets L stand with M99"}), Inferred};
+  has(c.common.refuses, {Cause::CallWithWordsInCycle}, cite({kAlm, "PS5329"}), Secondary);
+  lacks(c.macros.conditions, {Condition::Joined}, cite({kKnown, "6006#0 MLG"}), Inferred);
+  c.macros.short_functions = {true, "0i-MD shops", Secondary};
+  c.macros.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD MOD",
+                        cite({kAli, "MOD general knowledge, POW unsure"}), Inferred};
+  has(c.macros.variable_forms, {VariableForm::Names}, cite({kAlm, "PS1096 to PS1142"}), Secondary);
+  give_role(c.calls.roles, "G66.1", Role::ModalCallEveryBlock, cite({kAlm, "PS0129 names it"}),
+            Secondary);
+  c.macros.cancel_alone = {CancelAlone::Alarm, cite({kAlm, "PS1100; 6000#0"}), Secondary};
+  has(c.motion.data_forms, {DataForm::L52}, kKnown, Inferred);
 
-  add_parameter(c, {"6000#0", 0, "G67: G67 without a modal call: 0 = alarm, 1 = ignored", kKnown,
-                    Inferred, [](Control& k, double v) {
-                      k.cancel_alone.value = v != 0 ? CancelAlone::Ignored : CancelAlone::Alarm;
-                    }});
+  add_parameter(c, {"6000#0",
+                    0,
+                    "G67: G67 without a modal call: 0 = alarm, 1 = ignored",
+                    kKnown,
+                    Inferred,
+                    {bit(rule::cancel_alone, CancelAlone::Alarm, CancelAlone::Ignored)}});
   add_parameter(
-      c, {"6005#0", 0, "SQC: 1 = M98 Q starts at a sequence number; without P in the own program",
-          kKnown, Inferred, [](Control& k, double v) {
-            k.start_word.value = v != 0 ? StartWord::Q : StartWord::None;
-            k.omitted_program.value = v != 0 ? OmittedProgram::OwnFromStart : OmittedProgram::Alarm;
-          }});
-  add_parameter(c, {"6006#0", 0, "MLG: 1 = AND, OR and XOR may join conditions", kKnown, Inferred,
-                    [](Control& k, double v) { k.joined_conditions.value = v != 0; }});
+      c, {"6005#0",
+          0,
+          "SQC: 1 = M98 Q starts at a sequence number; without P in the own program",
+          kKnown,
+          Inferred,
+          {bit(rule::start_word, StartWord::None, StartWord::Q),
+           bit(rule::omitted_program, OmittedProgram::Alarm, OmittedProgram::OwnFromStart)}});
+  add_parameter(c, {"6006#0",
+                    0,
+                    "MLG: 1 = AND, OR and XOR may join conditions",
+                    kKnown,
+                    Inferred,
+                    {entry(rule::conditions, Condition::Joined)}});
 
   code_calls(c, 9999, 3, 99999999, 3, 99999999);
   take_list(c, alarms_30i());

@@ -26,15 +26,18 @@ constexpr const char* kCodes0iF =
 Control fanuc_0i_f() {
   Control c = fanuc_0i_d();
   c.title = "FANUC Series 0i-F";
-  c.named_programs = {true, kKnown, Inferred};
-  c.max_program_number = {99999999, kKnown, Inferred};
-  c.max_sequence_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}),
-                           Inferred};
-  c.max_jump_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}), Inferred};
-  c.max_digits = {9, kKnown, Inferred};
-  c.g_codes = {kCodes0iF, cite({k0iMd, kReg, kCncs, "the rest general knowledge"}), Inferred};
-  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD ADP PRM",
-                 cite({kAli, "POW, ADP and PRM general knowledge"}), Inferred};
+  has(c.reading.program_heads, {ProgramHead::Name}, kKnown, Inferred);
+  c.reading.max_program_number = {99999999, kKnown, Inferred};
+  c.reading.max_sequence_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}),
+                                   Inferred};
+  c.macros.max_jump_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}),
+                              Inferred};
+  c.reading.max_digits = {9, kKnown, Inferred};
+  c.reading.g_codes = {kCodes0iF, cite({k0iMd, kReg, kCncs, "the rest general knowledge"}),
+                       Inferred};
+  c.macros.functions = {
+      "SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD ADP PRM MOD",
+      cite({kAli, "POW, ADP, PRM and MOD general knowledge"}), Inferred};
   domain_alarms(c, Cause::ArgumentOutOfRange);
 
   // The embedded macro has commons of its own.

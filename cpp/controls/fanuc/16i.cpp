@@ -38,8 +38,8 @@ const AlarmList& alarms_16i() {
 Control fanuc_16i() {
   Control c = family();
   c.title = "FANUC Series 16i/18i/21i, 0i-A/B/C";
-  c.g_codes = {kCodes16i, cite({kReg, kCncs, "the rest general knowledge"}), Inferred};
-  c.negative_radius_on_lathes = {false, "16TC p.67", Manual};
+  c.reading.g_codes = {kCodes16i, cite({kReg, kCncs, "the rest general knowledge"}), Inferred};
+  c.motion.negative_radius = {NegativeRadius::MillsOnly, "16TC p.67", Manual};
   code_calls(c, 255, 1, 97, 6, 255);
   take_list(c, alarms_16i());
   for (const auto& [cause, source] : {std::pair{Cause::Overflow, kJix},

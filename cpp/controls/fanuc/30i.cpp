@@ -54,20 +54,27 @@ constexpr VariableRow kVariables30i[] = {
 Control fanuc_30i() {
   Control c = fanuc_0i_f();
   c.title = "FANUC Series 30i/31i/32i";
-  c.max_sequence_number = {99999999, cite({kAlm, "PS1128"}), Secondary};
-  c.max_jump_number = {99999999, cite({kAlm, "PS1128"}), Secondary};
-  c.max_repeats = {99999999, kKnown, Inferred};
-  c.g_codes = {kCodes30i, cite({kReg, kCncs, kAlm, "the rest general knowledge"}), Inferred};
-  add_parameter(c, {"7712#4", 0, "AMM: M99 in the main program: 0 = starts it over, 1 = alarm",
-                    kAlm, Secondary, [](Control& k, double v) {
-                      k.main_return.value = v != 0 ? MainReturn::Alarm : MainReturn::Restarts;
-                    }});
-  add_parameter(
-      c, {"19607#2", 0, "the radius offset goes round an acute corner 0 = on lines, 1 = on an arc",
-          kKnown, Inferred, set_acute_corner});
-  c.idle_blocks = {3, "30iM p.166, 15iM p.419", Manual};
+  c.reading.max_sequence_number = {99999999, cite({kAlm, "PS1128"}), Secondary};
+  c.macros.max_jump_number = {99999999, cite({kAlm, "PS1128"}), Secondary};
+  c.calls.max_repeats = {99999999, kKnown, Inferred};
+  c.reading.g_codes = {kCodes30i, cite({kReg, kCncs, kAlm, "the rest general knowledge"}),
+                       Inferred};
+  add_parameter(c, {"7712#4",
+                    0,
+                    "AMM: M99 in the main program: 0 = starts it over, 1 = alarm",
+                    kAlm,
+                    Secondary,
+                    {bit(rule::main_return, MainReturn::Restarts, MainReturn::Alarm)}});
+  add_parameter(c, {"19607#2",
+                    0,
+                    "the radius offset goes round an acute corner 0 = on lines, 1 = on an arc",
+                    kKnown,
+                    Inferred,
+                    {bit(rule::acute_corner, AcuteCorner::Lines, AcuteCorner::Arc)}});
+  c.motion.idle_blocks = {3, "30iM p.166, 15iM p.419", Manual};
   for (const VariableRow& row : kVariables30i) add_variable(c, row);
-  c.commons = {"100-199 500-999 98000-98499", cite({kJix, "#98000 general knowledge"}), Inferred};
+  c.macros.commons = {"100-199 500-999 98000-98499", cite({kJix, "#98000 general knowledge"}),
+                      Inferred};
   for (VariableRange& range : c.variables) {
     if (range.kind == VariableKind::Date || range.kind == VariableKind::Time)
       range.access = Access::ReadWrite;

@@ -52,8 +52,8 @@ constexpr VariableRow kVariables[] = {
 
 /// The commons and what else of variables is bought. The addition is fitted here.
 void variable_choices(Control& c) {
-  c.commons = {"100-199 500-999", cite({kJix, "with the addition"}), Secondary};
-  c.variable_options = {"", kPolicy, Inferred};
+  c.macros.commons = {"100-199 500-999", cite({kJix, "with the addition"}), Secondary};
+  c.macros.variable_options = {"", kPolicy, Inferred};
   c.variable_choices = {
       {"basic-commons",
        "the custom macro without added common variables",

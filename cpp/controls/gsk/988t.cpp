@@ -9,19 +9,19 @@ using namespace gsk;
 Control gsk_988t() {
   Control c = family_988();
   c.title = "GSK 988T lathe";
-  c.omitted_program = {OmittedProgram::Alarm, kTalm + "081", Manual};
-  c.self_call = {SelfCall::Refused, kTalm + "084", Manual};
-  c.caller_call = {CallerCall::Refused, kTalm + "084", Manual};
-  c.mdi_calls = {MdiCalls::Refused, kTalm + "085", Manual};
-  c.max_nesting = {12, kTalm + "082", Manual};
-  c.max_macro_nesting = {4, kTalm + "207", Manual};
-  c.calls_in_modal = {CallsInModal::Refused, kTalm + "204", Manual};
-  c.max_pockets = {10, "Talm 140", Manual};
+  c.calls.omitted_program = {OmittedProgram::Alarm, kTalm + "081", Manual};
+  c.calls.self_call = {SelfCall::Refused, kTalm + "084", Manual};
+  c.calls.caller_call = {CallerCall::Refused, kTalm + "084", Manual};
+  c.calls.mdi_calls = {MdiCalls::Refused, kTalm + "085", Manual};
+  c.calls.max_nesting = {12, kTalm + "082", Manual};
+  c.calls.max_macro_nesting = {4, kTalm + "207", Manual};
+  c.calls.calls_in_modal = {CallsInModal::Refused, kTalm + "204", Manual};
+  c.turning.max_pockets = {10, "Talm 140", Manual};
   // The papers of the 988TA say that such a block is not done, or takes the sign. [TA 12, 13]
-  c.refuses = {c.refuses.value + " groove-axis groove-escape", c.refuses.source + ", 154, 157",
-               Manual};
+  has(c.common.refuses, {Cause::GrooveAxis, Cause::GrooveEscape}, "Talm 154, 157", Manual);
   // A feed must be commanded. [Talm 021]
-  add_parameter(c, {"1411", 0, "the feed at power-on", "TApar", Manual, set_power_on_feed});
+  add_parameter(
+      c, {"1411", 0, "the feed at power-on", "TApar", Manual, {number(rule::power_on_feed)}});
   return c;
 }
 

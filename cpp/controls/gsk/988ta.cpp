@@ -13,7 +13,8 @@ Control gsk_988ta() {
   c.alarms[Cause::RepeatGivenTwice] = {"293", "count given in P and in L",
                                        k000 + "words L and Q (3)", SourceDocument};
   // The examples feed without F. [source 000]
-  add_parameter(c, {"1411", 100, "the feed at power-on", "TApar", Manual, set_power_on_feed});
+  add_parameter(
+      c, {"1411", 100, "the feed at power-on", "TApar", Manual, {number(rule::power_on_feed)}});
   return c;
 }
 

@@ -24,10 +24,10 @@ CodeCall code_call(CodeCall::Form form, char address, CodeCallKind kind, std::in
 }
 
 void add_lathe_motion(Control& c) {
-  c.machine = {MachineType::LatheA, "TDi 2: X Z absolute, U W increments", Manual};
-  c.escape = {ReturnedEscape::Feed, "TDi 23.1 step 4; TA 8", Manual};
-  c.lead_apart = {true, "TDi 24.1: F of a thread stays until the next one", Manual};
-  c.lead_growth = {"R", "TDi 24.4; TA 17", Manual};
+  c.motion.machine = {MachineType::LatheA, "TDi 2: X Z absolute, U W increments", Manual};
+  c.turning.escape = {ReturnedEscape::Feed, "TDi 23.1 step 4; TA 8", Manual};
+  c.turning.lead_apart = {true, "TDi 24.1: F of a thread stays until the next one", Manual};
+  c.turning.lead_growth = {"R", "TDi 24.4; TA 17", Manual};
 }
 
 }  // namespace cncsub::gsk

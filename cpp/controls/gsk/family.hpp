@@ -24,7 +24,6 @@ inline const std::string kT928 = "928T1, ";
 inline const std::string kGeneral = "general knowledge";
 // A default, to be changed where a machine is known to differ.
 inline const std::string kPolicy = "policy: nobody says";
-inline const std::string kStands = "FANUC's number stands for the control's own";
 
 /// The 988TA and the 988T.
 Control family_988();

@@ -5,139 +5,140 @@ namespace cncsub::gsk {
 namespace {
 
 void read_980(Control& c) {
-  c.semicolon = {Semicolon::EndOfBlock, kTDi + "15 1.1.1: a block ends with ;", Manual};
-  c.percent_programs = {false, kTDi + "15 1.1.1: O and four digits, or a name", Manual};
-  c.named_programs = {false, kTDi + "15 1.1.1: a name is the name of a file", Manual};
-  c.file_name_wins = {false, kPolicy + ": an O word in the file names the program", Inferred};
-  c.max_program_number = {9999, kTDi + "15 1.1.1", Manual};
-  c.max_sequence_number = {99999, kMDib + "0112: 0 to 99999", Manual};
-  c.zero_numbers = {false, kMDia + "095: O0000 cannot be called", Manual};
-  c.sequence_number_first = {true, kMDia + "006", Manual};
-  c.cuts_fine_digits = {false, kPolicy, Inferred};
-  c.late_sequence_numbers = {true, kPolicy, Inferred};
-  c.max_words = {100, kMDia + "011", Manual};
-  c.max_block_length = {256, kMDia + "037", Manual};
-  c.max_digits = {10, kMDia + "003: a word has at most 11 characters", Manual};
-  c.block_skip = {BlockSkip::HeadOnly, kGeneral, Inferred};
-  c.repeated_address = {RepeatedAddress::Alarm, kMDia + "010", Manual};
-  c.open_comment = {OpenComment::Alarm, kMDia + "041", Manual};
-  c.point_addresses = {"ABCDEFIJKLQRUVWXYZ",
-                       kTDi + "11: L and D are lengths; the others from general knowledge",
-                       Inferred};
-  c.minus_addresses = {
+  c.reading.semicolon = {Semicolon::EndOfBlock, kTDi + "15 1.1.1: a block ends with ;", Manual};
+  lacks(c.reading.program_heads, {ProgramHead::Percent},
+        kTDi + "15 1.1.1: O and four digits, or a name", Manual);
+  lacks(c.reading.program_heads, {ProgramHead::Name},
+        kTDi + "15 1.1.1: a name is the name of a file", Manual);
+  lacks(c.reading.program_heads, {ProgramHead::File},
+        kPolicy + ": an O word in the file names the program", Inferred);
+  c.reading.max_program_number = {9999, kTDi + "15 1.1.1", Manual};
+  c.reading.max_sequence_number = {99999, kMDib + "0112: 0 to 99999", Manual};
+  has(c.common.refuses, {Cause::ProgramNumberZero}, kMDia + "095: O0000 cannot be called", Manual);
+  has(c.common.refuses, {Cause::SequenceNumberNotFirst}, kMDia + "006", Manual);
+  c.reading.cuts_fine_digits = {false, kPolicy, Inferred};
+  c.reading.late_sequence_numbers = {true, kPolicy, Inferred};
+  c.reading.max_words = {100, kMDia + "011", Manual};
+  c.reading.max_block_length = {256, kMDia + "037", Manual};
+  c.reading.max_digits = {10, kMDia + "003: a word has at most 11 characters", Manual};
+  c.reading.block_skip = {BlockSkip::HeadOnly, kGeneral, Inferred};
+  c.reading.repeated_address = {RepeatedAddress::Alarm, kMDia + "010", Manual};
+  c.reading.open_comment = {OpenComment::Alarm, kMDia + "041", Manual};
+  c.reading.point_addresses = {"ABCDEFIJKLQRUVWXYZ",
+                               kTDi + "11: L and D are lengths; the others from general knowledge",
+                               Inferred};
+  c.reading.minus_addresses = {
       "ABCDEFHIJKLPQRSUVWXYZ",
       kTDi + "14: a negative time is none; MDib 0140: a negative scale; MDib 0092: L", Manual};
-  c.whole_numbers = {WholeNumbers::Millimetres, "inferred from the examples of the manual",
-                     Inferred};
-  c.missing_end = {MissingEnd::Alarm, kPolicy, Inferred};
-  c.m_codes_per_block = {1, kGeneral, Inferred};
-  c.m_codes_alarm = {false, kGeneral, Inferred};
-  c.m_codes_alone = {false, kPolicy, Inferred};
-  c.bare_g = {false, kMDia + "003: a word has at least two characters", Manual};
+  c.reading.whole_numbers = {WholeNumbers::Millimetres, "inferred from the examples of the manual",
+                             Inferred};
+  c.reading.missing_end = {MissingEnd::Alarm, kPolicy, Inferred};
+  c.reading.m_codes_per_block = {1, kGeneral, Inferred};
+  c.reading.extra_m_codes = {ExtraMCodes::Dropped, kGeneral, Inferred};
+  c.reading.bare_g = {false, kMDia + "003: a word has at least two characters", Manual};
 }
 
 void call_980(Control& c) {
-  c.name_marks = {"+-.", kTDi + "15", Manual};
-  c.return_alone_in_modal = {false, kPolicy, Inferred};
-  c.program_word = {ProgramWord::CountAndNumber, kTDi + "15 1.1.7, format 1", Manual};
-  c.max_program_digits = {10, "inferred from MDib 0092: a count above 9999 is read, and alarms",
-                          Inferred};
-  c.count_and_l = {CountAndL::NoL, kTDi + "15 1.1.7: L goes with P[] only", Manual};
-  c.bracket_names = {true, kTDi + "15 1.1.7, format 2: 878 = 1", Manual};
-  c.wide_names = {true, kTDi + "15 1.1.1: names may be Chinese", Manual};
-  c.max_name_length = {20, kTDi + "15 1.1.1", Manual};
-  c.call_values = {CallValues::Cut, kPolicy + "; as on the 988TA", Inferred};
-  c.zero_count_alarms = {true, "inferred from MDib 0092: a count less than 1", Inferred};
-  c.omitted_program = {OmittedProgram::Alarm, kMDia + "095", Manual};
-  c.start_word = {StartWord::None, kTDi + "15 1.1.7 has no Q", Manual};
-  c.self_call = {SelfCall::Refused, kMDia + "097", Manual};
-  c.caller_call = {CallerCall::MainRefused, kMDia + "094", Manual};
-  c.max_repeats = {9999, kTDi + "15 1.1.7", Manual};
-  c.zero_repeats = {ZeroRepeats::Alarm, kMDib + "0092: less than 1", Manual};
-  c.too_many_repeats = {TooManyRepeats::Alarm, kMDib + "0092: more than 9999", Manual};
-  c.max_nesting = {4, kMDia + "096", Manual};
-  c.nesting_counts_macros = {false, kPolicy, Inferred};
-  c.max_macro_nesting = {4, kTDi + "28 3.28.3.1: four levels", Manual};
-  c.max_total_nesting = {0, kPolicy, Inferred};
-  c.mdi_calls = {MdiCalls::Refused, kGeneral + "; MDib 0098 refuses M9000 to M9999", Inferred};
-  c.external_calls = {false, kGeneral, Inferred};
-  c.device_word = {false, kGeneral, Inferred};
-  c.return_search = {ReturnSearch::FromHead, kPolicy, Inferred};
-  c.return_with_p = {ReturnWithP::AtOnce, kPolicy, Inferred};
-  c.return_with_l = {ReturnWithL::Ignored, kPolicy, Inferred};
-  c.main_return = {MainReturn::Restarts, kGeneral, Inferred};
-  c.jump_m97 = {false, kGeneral, Inferred};
-  c.restart_m_code = {0, kGeneral, Inferred};
-  c.calls_in_modal = {CallsInModal::EndModal, kTDi + "28 3.28.3.2, note 4; MDia 113", Manual};
-  c.codes_not_with_return = {"", kPolicy, Inferred};
-  c.codes_not_with_call = {"4 54 54.1", kMDib + "0051", Manual};
-  c.words_with_call_in_cycle = {true, kPolicy, Inferred};
+  c.calls.name_marks = {"+-.", kTDi + "15", Manual};
+  c.calls.program_word = {ProgramWord::CountAndNumber, kTDi + "15 1.1.7, format 1", Manual};
+  c.calls.max_program_digits = {
+      10, "inferred from MDib 0092: a count above 9999 is read, and alarms", Inferred};
+  c.calls.count_and_l = {CountAndL::NoL, kTDi + "15 1.1.7: L goes with P[] only", Manual};
+  c.calls.bracket_names = {true, kTDi + "15 1.1.7, format 2: 878 = 1", Manual};
+  c.calls.wide_names = {true, kTDi + "15 1.1.1: names may be Chinese", Manual};
+  c.calls.max_name_length = {20, kTDi + "15 1.1.1", Manual};
+  c.calls.call_values = {CallValues::Cut, kPolicy + "; as on the 988TA", Inferred};
+  has(c.common.refuses, {Cause::IllegalRepeatCount}, "inferred from MDib 0092: a count less than 1",
+      Inferred);
+  c.calls.omitted_program = {OmittedProgram::Alarm, kMDia + "095", Manual};
+  c.calls.start_word = {StartWord::None, kTDi + "15 1.1.7 has no Q", Manual};
+  c.calls.self_call = {SelfCall::Refused, kMDia + "097", Manual};
+  c.calls.caller_call = {CallerCall::MainRefused, kMDia + "094", Manual};
+  c.calls.max_repeats = {9999, kTDi + "15 1.1.7", Manual};
+  c.calls.zero_repeats = {ZeroRepeats::Alarm, kMDib + "0092: less than 1", Manual};
+  c.calls.too_many_repeats = {TooManyRepeats::Alarm, kMDib + "0092: more than 9999", Manual};
+  c.calls.max_nesting = {4, kMDia + "096", Manual};
+  c.calls.nesting_counts_macros = {false, kPolicy, Inferred};
+  c.calls.max_macro_nesting = {4, kTDi + "28 3.28.3.1: four levels", Manual};
+  c.calls.max_total_nesting = {0, kPolicy, Inferred};
+  c.calls.mdi_calls = {MdiCalls::Refused, kGeneral + "; MDib 0098 refuses M9000 to M9999",
+                       Inferred};
+  no_role(c.calls.roles, {"M198", "M97"}, kGeneral, Inferred);
+  c.calls.device_word = {false, kGeneral, Inferred};
+  c.calls.return_search = {ReturnSearch::FromHead, kPolicy, Inferred};
+  c.calls.return_with_p = {ReturnWithP::AtOnce, kPolicy, Inferred};
+  c.calls.return_with_l = {ReturnWithL::Ignored, kPolicy, Inferred};
+  c.calls.main_return = {MainReturn::Restarts, kGeneral, Inferred};
+  c.calls.calls_in_modal = {CallsInModal::EndModal, kTDi + "28 3.28.3.2, note 4; MDia 113", Manual};
+  c.calls.codes_not_with_return = {"", kPolicy, Inferred};
+  c.calls.codes_not_with_call = {"4 54 54.1", kMDib + "0051", Manual};
 }
 
 void statements_980(Control& c) {
-  c.reset_clears_locals = {true, kPolicy, Inferred};
-  c.reset_clears_commons = {false, kPolicy, Inferred};
-  c.vacant_system_writes = {false, kMDia + "121", Manual};
-  c.max_constant_digits = {12, kPolicy, Inferred};
-  c.max_condition_length = {0, kPolicy, Inferred};
-  c.statements = {"# [ IF WHILE DO DPRNT? BPRNT? POPEN? PCLOS?", kTDi + "29 3.29.2", Manual};
-  c.if_form = {IfForm::GotoThen, kTDi + "29 3.29.2 (2)", Manual};
-  c.loop_form = {LoopForm::DoEnd, kTDi + "29 3.29.2 (3)", Manual};
-  c.jumps = {true, kTDi + "29 3.29.2 (1)", Manual};
-  c.jumps_in_mdi = {false, kPolicy, Inferred};
-  c.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
-  c.max_jump_number = {99999, kTDi + "29 3.29.2 (1)", Manual};
-  c.max_loop_number = {3, kTDi + "29 3.29.2 (3)", Manual};
-  c.max_loops = {3, "inferred from TDi29: three numbers", Inferred};
-  c.loops_count_across_calls = {false, kGeneral, Inferred};
-  c.max_ifs = {10, kPolicy + "; without effect where IF has no blocks", Inferred};
-  c.max_brackets = {5, kGeneral, Inferred};
-  c.angle_unit = {AngleUnit::Degrees, kTDi + "29, note 1", Manual};
-  c.atan_range = {AngleRange::FullTurn, kTDi + "29, note 4: 180#7 NAT = 0", Manual};
-  c.asin_range = {AngleRange::Signed, kTDi + "29, note 2: 180#7 NAT = 0", Manual};
-  c.joined_conditions = {false, kTDi + "29: a condition compares two values", Manual};
-  c.comparison_symbols = {true, kTDi + "29, conditions", Manual};
-  c.conditions_without_brackets = {false, kTDi + "29, conditions", Manual};
-  c.short_functions = {false, kTDi + "29, table of functions", Manual};
-  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP BIN BCD RAND SRAND",
-                 kTDi + "29, table of functions", Manual};
-  c.modulo = {false, kTDi + "29, table of functions", Manual};
-  c.vacant_address = {VacantAddress::Zero, kTDi + "28, vacant variables (1)", Manual};
-  c.vacant_comparison = {VacantComparison::Zero, kTDi + "28, vacant variables (3)", Manual};
-  c.variable_point = {false, kPolicy, Inferred};
-  c.indirect_9nnn = {true, kTDi + "28, variables (2)", Manual};
-  c.negative_logic = {true, kPolicy, Inferred};
-  c.variable_names = {false, kPolicy, Inferred};
-  c.logic_binds_last = {false, kGeneral, Inferred};
+  lacks(c.common.reset_clears, {Cleared::Commons}, kPolicy, Inferred);
+  has(c.common.refuses, {Cause::IllegalVariableValue}, kMDia + "121", Manual);
+  c.macros.max_constant_digits = {12, kPolicy, Inferred};
+  c.macros.max_condition_length = {0, kPolicy, Inferred};
+  c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT? BPRNT? POPEN? PCLOS?", kTDi + "29 3.29.2",
+                         Manual};
+  c.macros.if_form = {IfForm::GotoThen, kTDi + "29 3.29.2 (2)", Manual};
+  c.macros.loop_form = {LoopForm::DoEnd, kTDi + "29 3.29.2 (3)", Manual};
+  has(c.common.refuses, {Cause::JumpInMdi}, kPolicy, Inferred);
+  c.macros.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
+  c.macros.max_jump_number = {99999, kTDi + "29 3.29.2 (1)", Manual};
+  c.macros.max_loop_number = {3, kTDi + "29 3.29.2 (3)", Manual};
+  c.macros.max_loops = {3, "inferred from TDi29: three numbers", Inferred};
+  c.macros.loops_count_across_calls = {false, kGeneral, Inferred};
+  c.macros.max_ifs = {10, kPolicy + "; without effect where IF has no blocks", Inferred};
+  c.macros.max_brackets = {5, kGeneral, Inferred};
+  c.macros.angle_unit = {AngleUnit::Degrees, kTDi + "29, note 1", Manual};
+  c.macros.atan_range = {AngleRange::FullTurn, kTDi + "29, note 4: 180#7 NAT = 0", Manual};
+  c.macros.asin_range = {AngleRange::Signed, kTDi + "29, note 2: 180#7 NAT = 0", Manual};
+  lacks(c.macros.conditions, {Condition::Joined}, kTDi + "29: a condition compares two values",
+        Manual);
+  has(c.macros.conditions, {Condition::Symbols}, kTDi + "29, conditions", Manual);
+  lacks(c.macros.conditions, {Condition::Bare}, kTDi + "29, conditions", Manual);
+  c.macros.short_functions = {false, kTDi + "29, table of functions", Manual};
+  c.macros.functions = {
+      "SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP BIN BCD RAND SRAND",
+      kTDi + "29, table of functions", Manual};
+  c.macros.vacant_address = {VacantAddress::Zero, kTDi + "28, vacant variables (1)", Manual};
+  c.macros.vacant_comparison = {VacantComparison::Zero, kTDi + "28, vacant variables (3)", Manual};
+  has(c.macros.variable_forms, {VariableForm::Indirect}, kTDi + "28, variables (2)", Manual);
+  c.macros.logic_order = {LogicOrder::LikeArithmetic, kGeneral, Inferred};
 }
 
 void macros_980(Control& c) {
-  c.codes_not_with_macro_call = {"43 44 49", kMDib + "115", Manual};
-  c.m_codes_not_with_macro_call = {"0 1 2 30 98 99", kMDib + "116", Manual};
-  c.codes_not_with_modal_call = {
+  c.calls.codes_not_with_macro_call = {"43 44 49", kMDib + "115", Manual};
+  c.calls.m_codes_not_with_macro_call = {"0 1 2 30 98 99", kMDib + "116", Manual};
+  c.calls.codes_not_with_modal_call = {
       "0 1 2 3 4 5 6.2 6.3 7.2 7.3 28 30 31 32 33 34 36 37 50 52 53 70 71 72 73 74 75 76 84 88 90 "
       "92 94",
       kMDia + "044", Manual};
-  c.macro_calls = {true, kTDi + "28 3.28.3", Manual};
-  c.modal_every_block = {false, kTDi + "28 3.28.3 names G65, G66 and G67", Manual};
-  c.max_macro_digits = {4, kTDi + "28 3.28.3.1: at most four digits", Manual};
-  c.argument_sets = {ArgumentSets::PerLetter, kTDi + "28 3.28.3.1, example of O9010", Manual};
-  c.numbered_axis_arguments = {false, kTDi + "28 3.28.3.1, arguments I", Manual};
-  c.call_passes_words = {false, kTDi + "28 3.28.3 (1): M98 passes nothing", Manual};
-  c.words_before_macro_call = {WordsBeforeMacroCall::Alarm, kTDi + "28 3.28.3 (3); MDia 114",
-                               Manual};
-  c.repeated_argument = {RepeatedAddress::LastWins, kTDi + "28 3.28.3.1: the last counts", Manual};
-  c.modal_locals = {ModalLocals::Rewritten, kTDi + "28 3.28.3.2, note 3", Manual};
-  c.modal_trigger = {ModalTrigger::AxisWord,
-                     kTDi + "28 3.28.3.2, note 2: blocks with G00, G01, G02, G03, G05", Manual};
-  c.modal_calls_stack = {true, kTDi + "28 3.28.3.2: four levels of G66", Manual};
-  c.max_modal_calls = {4, kTDi + "28 3.28.3.2: four levels of G66", Manual};
-  c.cancel_alone = {CancelAlone::Ignored, kPolicy, Inferred};
-  c.h_codes = {true, kTDi + "28 3.28.2", Manual};
-  c.code_cascade = {CodeCascade::None, kPolicy, Inferred};
-  c.user_alarm_offset = {5900, kTDi + "28, #3000", Manual};
-  c.user_alarm_last = {99, kTDi + "28, #3000: 5900 to 5999", Manual};
-  c.h99_offset = {5900, kTDi + "28, G65 H99", Manual};
+  give_role(c.calls.roles, "G65", Role::MacroCall, kTDi + "28 3.28.3", Manual);
+  no_role(c.calls.roles, {"G66.1"}, kTDi + "28 3.28.3 names G65, G66 and G67", Manual);
+  c.macros.max_macro_digits = {4, kTDi + "28 3.28.3.1: at most four digits", Manual};
+  c.macros.argument_sets = {ArgumentSets::PerLetter, kTDi + "28 3.28.3.1, example of O9010",
+                            Manual};
+  c.macros.numbered_axis_arguments = {false, kTDi + "28 3.28.3.1, arguments I", Manual};
+  c.macros.call_passes_words = {false, kTDi + "28 3.28.3 (1): M98 passes nothing", Manual};
+  c.macros.words_before_macro_call = {WordsBeforeMacroCall::Alarm, kTDi + "28 3.28.3 (3); MDia 114",
+                                      Manual};
+  c.macros.repeated_argument = {RepeatedAddress::LastWins, kTDi + "28 3.28.3.1: the last counts",
+                                Manual};
+  c.macros.modal_locals = {ModalLocals::Rewritten, kTDi + "28 3.28.3.2, note 3", Manual};
+  c.macros.modal_trigger = {ModalTrigger::AxisWord,
+                            kTDi + "28 3.28.3.2, note 2: blocks with G00, G01, G02, G03, G05",
+                            Manual};
+  c.macros.second_modal_call = {SecondModal::Stacks, kTDi + "28 3.28.3.2: four levels of G66",
+                                Manual};
+  c.macros.max_modal_calls = {4, kTDi + "28 3.28.3.2: four levels of G66", Manual};
+  c.macros.cancel_alone = {CancelAlone::Ignored, kPolicy, Inferred};
+  c.macros.h_codes = {true, kTDi + "28 3.28.2", Manual};
+  c.macros.code_cascade = {CodeCascade::None, kPolicy, Inferred};
+  c.macros.user_alarm_offset = {5900, kTDi + "28, #3000", Manual};
+  c.macros.user_alarm_last = {99, kTDi + "28, #3000: 5900 to 5999", Manual};
+  c.macros.h99_offset = {5900, kTDi + "28, G65 H99", Manual};
   c.user_alarm_digits = 4;
 }
 
@@ -151,8 +152,8 @@ void variables_980(Control& c) {
   add(0, 0, VariableKind::Vacant);
   add(1, 33, VariableKind::Local, Access::ReadWrite);
   // The manual's example of #9100 uses #205.
-  c.commons = {"100-999", table, Manual};
-  c.variable_options = {"", kPolicy, Inferred};
+  c.macros.commons = {"100-999", table, Manual};
+  c.macros.variable_options = {"", kPolicy, Inferred};
   add(1000, 1015, VariableKind::Input);
   add(1032, 1034, VariableKind::InputWord);
   add(1100, 1115, VariableKind::Output, Access::ReadWrite);
@@ -182,18 +183,12 @@ void variables_980(Control& c) {
   add(5201, 5325, VariableKind::WorkOffset);
 }
 
-void parameters_980(Control& c) {
-  c.parameters = {
-      {"86", 0, "how many G codes call macros, 0 = none", kTDi + "32", Manual, nullptr},
-      {"87", 0, "the first G code that calls a macro", kTDi + "32", Manual, nullptr},
-      {"88", 0, "the program that the first G code calls", kTDi + "32", Manual, nullptr},
-      {"3401#0", 1, "lengths without a point: 0 least increments, 1 millimetres",
-       "inferred from the examples of the manual; " + kStands, Inferred,
-       [](Control& k, double value) {
-         k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
-       }},
-  };
-}
+/// The parameters that set rules, and those of codes that call.
+const Parameter kParameters[] = {
+    {"86", 0, "how many G codes call macros, 0 = none", kTDi + "32", Manual},
+    {"87", 0, "the first G code that calls a macro", kTDi + "32", Manual},
+    {"88", 0, "the program that the first G code calls", kTDi + "32", Manual},
+};
 
 const AlarmList& alarms_980mdi_a() {
   using enum Cause;
@@ -230,7 +225,7 @@ Control family_980() {
   take_list(c, alarms_980mdi_a());
   take_list(c, alarms_980mdi_b(), {"0002", "0051"});
   variables_980(c);
-  parameters_980(c);
+  add_parameters(c, kParameters);
   CodeCall macro = code_call(CodeCall::Form::Range, 'G', CodeCallKind::Macro, 87, 88, 86);
   macro.own_codes = false;
   macro.last_code = 9999;

@@ -6,142 +6,144 @@ namespace {
 
 // The codes that the papers on the 988TA and its alarms name, of G code system A and B; the rest is
 // general knowledge.
-const std::string kLatheCodes =
+constexpr const char* kLatheCodes =
     "0 1 2 3 4 7 7.1 7.9 9 10 11 12.1 13.1 17 18 19 20 21 22 23 25 26 27 28 29 30 31 "
     "32 32.1 32.2 32.3 33 34 36 37 40 41 42 50 50.2 50.3 51.2 51.3 52 53 54 55 56 57 58 59 "
     "61 64 65 66 67 68 68.1 69 69.1 70 71 72 73 74 75 76 77 78 79 "
     "80 83 84 85 87 88 89 90 91 92 92.1 92.2 94 95 96 97 98 99";
 
 void read_988(Control& c) {
-  c.semicolon = {Semicolon::EndOfBlock, kTA + "27, example", Manual};
-  c.percent_programs = {false, kTA + "28 p.1: O and four digits, or a name", Manual};
-  c.named_programs = {false, kTA + "28 p.1: a name is the name of a file", Manual};
-  c.file_name_wins = {false, kPolicy + ": an O word in the file names the program", Inferred};
-  c.max_program_number = {9999, k000 + "word P: four digits", SourceDocument};
-  c.max_sequence_number = {99999, kTA + "28 p.5: P of M99 has five digits", Manual};
-  c.zero_numbers = {true, kPolicy, Inferred};
-  c.sequence_number_first = {false, kTA + "27, note 6 asks it of macro statements only", Manual};
-  c.cuts_fine_digits = {false, kPolicy, Inferred};
-  c.late_sequence_numbers = {true, kPolicy, Inferred};
-  c.max_words = {0, kPolicy, Inferred};
-  c.max_block_length = {256, kTalm + "002", Manual};
-  c.max_digits = {8, kTalm + "003", Manual};
-  c.block_skip = {BlockSkip::Anywhere, kGeneral, Inferred};
-  c.repeated_address = {RepeatedAddress::LastWins, kTApar + "3403#6 AD2 = 0", Manual};
-  c.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
-  c.point_addresses = {"ABCDEFIJKQRUVWXYZ", kGeneral, Inferred};
-  c.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ",
-                       kGeneral + "; a negative L is a value out of range, TA27", Inferred};
-  c.whole_numbers = {WholeNumbers::Millimetres, "inferred from the examples of TA28", Inferred};
-  c.missing_end = {MissingEnd::Alarm, kTApar + "3404#6 EOR = 0; Talm 019", Manual};
-  c.m_codes_per_block = {1, kTApar + "3404#7 M3B = 0", Manual};
-  c.m_codes_alarm = {true, kTalm + "012: 3404#7", Secondary};
-  c.m_codes_alone = {false, kPolicy, Inferred};
-  c.bare_g = {false, kTalm + "005", Manual};
-  c.g_codes_complete = {true, "inferred: Talm 009, illegal G code", Inferred};
-  c.g_codes = {kLatheCodes,
-               kTA + "1 to TA28, titles; motion and offset codes from general knowledge", Inferred};
+  c.reading.semicolon = {Semicolon::EndOfBlock, kTA + "27, example", Manual};
+  lacks(c.reading.program_heads, {ProgramHead::Percent},
+        kTA + "28 p.1: O and four digits, or a name", Manual);
+  lacks(c.reading.program_heads, {ProgramHead::Name}, kTA + "28 p.1: a name is the name of a file",
+        Manual);
+  lacks(c.reading.program_heads, {ProgramHead::File},
+        kPolicy + ": an O word in the file names the program", Inferred);
+  c.reading.max_program_number = {9999, k000 + "word P: four digits", SourceDocument};
+  c.reading.max_sequence_number = {99999, kTA + "28 p.5: P of M99 has five digits", Manual};
+  lacks(c.common.refuses, {Cause::SequenceNumberNotFirst},
+        kTA + "27, note 6 asks it of macro statements only", Manual);
+  c.reading.cuts_fine_digits = {false, kPolicy, Inferred};
+  c.reading.late_sequence_numbers = {true, kPolicy, Inferred};
+  c.reading.max_words = {0, kPolicy, Inferred};
+  c.reading.max_block_length = {256, kTalm + "002", Manual};
+  c.reading.max_digits = {8, kTalm + "003", Manual};
+  c.reading.block_skip = {BlockSkip::Anywhere, kGeneral, Inferred};
+  c.reading.repeated_address = {RepeatedAddress::LastWins, kTApar + "3403#6 AD2 = 0", Manual};
+  c.reading.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
+  c.reading.point_addresses = {"ABCDEFIJKQRUVWXYZ", kGeneral, Inferred};
+  c.reading.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ",
+                               kGeneral + "; a negative L is a value out of range, TA27", Inferred};
+  c.reading.whole_numbers = {WholeNumbers::Millimetres, "inferred from the examples of TA28",
+                             Inferred};
+  c.reading.missing_end = {MissingEnd::Alarm, kTApar + "3404#6 EOR = 0; Talm 019", Manual};
+  c.reading.m_codes_per_block = {1, kTApar + "3404#7 M3B = 0", Manual};
+  c.reading.extra_m_codes = {ExtraMCodes::Alarm, kTalm + "012: 3404#7", Secondary};
+  c.reading.bare_g = {false, kTalm + "005", Manual};
+  c.reading.unlisted_codes = {UnlistedCode::Refused, "inferred: Talm 009, illegal G code",
+                              Inferred};
+  c.reading.g_codes = {kLatheCodes,
+                       kTA + "1 to TA28, titles; motion and offset codes from general knowledge",
+                       Inferred};
 }
 
 void call_988(Control& c) {
-  c.name_marks = {"+-_.", k000 + "format 2", SourceDocument};
-  c.return_alone_in_modal = {false, kPolicy, Inferred};
-  c.program_word = {ProgramWord::CountAndNumber, k000 + "word P, format 1 (1)", SourceDocument};
-  c.max_program_digits = {8, k000 + "word P, format 1 (1)", SourceDocument};
-  c.count_and_l = {CountAndL::Alarm, k000 + "words L and Q (3)", SourceDocument};
-  c.bracket_names = {true, k000 + "word P, format 2", SourceDocument};
-  c.wide_names = {false, k000 + "word P, format 2 (1)", SourceDocument};
-  c.max_name_length = {32, kPolicy, Inferred};
-  c.call_values = {CallValues::Cut, k000 + "word P, formats 1 (2) and 2", SourceDocument};
-  c.zero_count_alarms = {false, kPolicy, Inferred};
-  c.omitted_program = {OmittedProgram::OwnFromStart, k000 + "word P, format 3", SourceDocument};
-  c.start_word = {StartWord::Q, k000 + "words L and Q (1)", SourceDocument};
-  c.self_call = {SelfCall::WithStart, k000 + "word P, format 3", SourceDocument};
-  c.caller_call = {CallerCall::WithStart, "inferred from Talm 084 and source 000, format 3",
-                   Inferred};
-  c.max_repeats = {9999, k000 + "M198 (3)", SourceDocument};
-  c.zero_repeats = {ZeroRepeats::Alarm, k000 + "words L and Q (2): 0 < L", SourceDocument};
-  c.too_many_repeats = {TooManyRepeats::Clamp, k000 + "M198 (3)", SourceDocument};
-  c.max_nesting = {12, k000 + "nesting", SourceDocument};
-  c.nesting_counts_macros = {true, k000 + "nesting", SourceDocument};
-  c.max_macro_nesting = {4, kTA + "27, note 2", Manual};
-  c.max_total_nesting = {0, k000 + "nesting: max_nesting counts both kinds", SourceDocument};
-  c.mdi_calls = {MdiCalls::OneLevel, k000 + "note 4", SourceDocument};
-  c.external_calls = {true, k000 + "M198", SourceDocument};
-  c.device_word = {false, k000 + "M198", SourceDocument};
-  c.return_search = {ReturnSearch::NearestBehindCall, k000 + "note 2", SourceDocument};
-  c.return_with_p = {ReturnWithP::AtOnce, "inferred from source 000, M99", Inferred};
-  c.return_with_l = {ReturnWithL::Ignored, kPolicy, Inferred};
-  c.main_return = {MainReturn::Restarts, k000 + "M99", SourceDocument};
-  c.jump_m97 = {false, kTApar + "6003#4: M97 ends a macro interrupt", Manual};
-  c.restart_m_code = {0, kGeneral, Inferred};
-  c.calls_in_modal = {CallsInModal::Refused, kTA + "27, G66, note 1", Manual};
-  c.codes_not_with_return = {"28 30 53 36 37", kTalm + "030", Manual};
-  c.codes_not_with_call = {"", kPolicy, Inferred};
-  c.words_with_call_in_cycle = {true, kPolicy, Inferred};
+  c.calls.name_marks = {"+-_.", k000 + "format 2", SourceDocument};
+  c.calls.program_word = {ProgramWord::CountAndNumber, k000 + "word P, format 1 (1)",
+                          SourceDocument};
+  c.calls.max_program_digits = {8, k000 + "word P, format 1 (1)", SourceDocument};
+  c.calls.count_and_l = {CountAndL::Alarm, k000 + "words L and Q (3)", SourceDocument};
+  c.calls.bracket_names = {true, k000 + "word P, format 2", SourceDocument};
+  c.calls.wide_names = {false, k000 + "word P, format 2 (1)", SourceDocument};
+  c.calls.max_name_length = {32, kPolicy, Inferred};
+  c.calls.call_values = {CallValues::Cut, k000 + "word P, formats 1 (2) and 2", SourceDocument};
+  c.calls.omitted_program = {OmittedProgram::OwnFromStart, k000 + "word P, format 3",
+                             SourceDocument};
+  c.calls.start_word = {StartWord::Q, k000 + "words L and Q (1)", SourceDocument};
+  c.calls.self_call = {SelfCall::WithStart, k000 + "word P, format 3", SourceDocument};
+  c.calls.caller_call = {CallerCall::WithStart, "inferred from Talm 084 and source 000, format 3",
+                         Inferred};
+  c.calls.max_repeats = {9999, k000 + "M198 (3)", SourceDocument};
+  c.calls.zero_repeats = {ZeroRepeats::Alarm, k000 + "words L and Q (2): 0 < L", SourceDocument};
+  c.calls.too_many_repeats = {TooManyRepeats::Clamp, k000 + "M198 (3)", SourceDocument};
+  c.calls.max_nesting = {12, k000 + "nesting", SourceDocument};
+  c.calls.nesting_counts_macros = {true, k000 + "nesting", SourceDocument};
+  c.calls.max_macro_nesting = {4, kTA + "27, note 2", Manual};
+  c.calls.max_total_nesting = {0, k000 + "nesting: max_nesting counts both kinds", SourceDocument};
+  c.calls.mdi_calls = {MdiCalls::OneLevel, k000 + "note 4", SourceDocument};
+  give_role(c.calls.roles, "M198", Role::ExternalCall, k000 + "M198", SourceDocument);
+  c.calls.device_word = {false, k000 + "M198", SourceDocument};
+  c.calls.return_search = {ReturnSearch::NearestBehindCall, k000 + "note 2", SourceDocument};
+  c.calls.return_with_p = {ReturnWithP::AtOnce, "inferred from source 000, M99", Inferred};
+  c.calls.return_with_l = {ReturnWithL::Ignored, kPolicy, Inferred};
+  c.calls.main_return = {MainReturn::Restarts, k000 + "M99", SourceDocument};
+  no_role(c.calls.roles, {"M97"}, kTApar + "6003#4: M97 ends a macro interrupt", Manual);
+  c.calls.calls_in_modal = {CallsInModal::Refused, kTA + "27, G66, note 1", Manual};
+  c.calls.codes_not_with_return = {"28 30 53 36 37", kTalm + "030", Manual};
+  c.calls.codes_not_with_call = {"", kPolicy, Inferred};
 }
 
 void statements_988(Control& c) {
-  c.statements = {"# [ IF WHILE DO DPRNT? BPRNT? POPEN? PCLOS?", kTA + "27, example; Talm 209, 211",
-                  Manual};
-  c.reset_clears_locals = {true, kTA + "27, parameter 6001#7", Manual};
-  c.reset_clears_commons = {true, kTA + "27, parameter 6001#6", Manual};
-  c.vacant_system_writes = {true, kPolicy, Inferred};
-  c.max_constant_digits = {12, kPolicy, Inferred};
-  c.max_condition_length = {0, kPolicy, Inferred};
-  c.if_form = {IfForm::GotoThen, kTA + "27, example; THEN from general knowledge", Manual};
-  c.loop_form = {LoopForm::DoEnd, kTalm + "209, 211", Manual};
-  c.jumps = {true, kTalm + "213", Manual};
-  c.jumps_in_mdi = {false, kTalm + "208", Manual};
-  c.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
-  c.max_jump_number = {99999, kTalm + "213", Manual};
-  c.max_loop_number = {3, kTalm + "211", Manual};
-  c.max_loops = {3, "inferred from Talm 211", Inferred};
-  c.loops_count_across_calls = {false, kGeneral, Inferred};
-  c.max_ifs = {10, kPolicy + "; without effect where IF has no blocks", Inferred};
-  c.max_brackets = {5, kTalm + "205", Manual};
-  c.angle_unit = {AngleUnit::Degrees, kTApar + "6004#0 counts in degrees", Manual};
-  c.atan_range = {AngleRange::FullTurn, kTApar + "6004#0 NAT = 0", Manual};
-  c.asin_range = {AngleRange::FullTurn, kTApar + "6004#0 NAT = 0", Manual};
-  c.joined_conditions = {false, kPolicy, Inferred};
-  c.comparison_symbols = {false, kGeneral, Inferred};
-  c.conditions_without_brackets = {false, kTA + "27, example", Manual};
-  c.short_functions = {false, kPolicy, Inferred};
-  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP BIN BCD",
-                 kGeneral + "; Talm 206, TApar 6004", Inferred};
-  c.modulo = {false, kPolicy, Inferred};
-  c.vacant_address = {VacantAddress::Ignored, kGeneral, Inferred};
-  c.vacant_comparison = {VacantComparison::Distinguished, kGeneral, Inferred};
-  c.variable_point = {false, kPolicy, Inferred};
-  c.indirect_9nnn = {false, kPolicy, Inferred};
-  c.negative_logic = {false, kTalm + "217", Manual};
-  c.variable_names = {false, kPolicy, Inferred};
-  c.logic_binds_last = {false, kGeneral, Inferred};
+  c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT? BPRNT? POPEN? PCLOS?",
+                         kTA + "27, example; Talm 209, 211, 213", Manual};
+  has(c.common.reset_clears, {Cleared::Locals}, kTA + "27, parameter 6001#7", Manual);
+  has(c.common.reset_clears, {Cleared::Commons}, kTA + "27, parameter 6001#6", Manual);
+  c.macros.max_constant_digits = {12, kPolicy, Inferred};
+  c.macros.max_condition_length = {0, kPolicy, Inferred};
+  c.macros.if_form = {IfForm::GotoThen, kTA + "27, example; THEN from general knowledge", Manual};
+  c.macros.loop_form = {LoopForm::DoEnd, kTalm + "209, 211", Manual};
+  has(c.common.refuses, {Cause::JumpInMdi}, kTalm + "208", Manual);
+  c.macros.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
+  c.macros.max_jump_number = {99999, kTalm + "213", Manual};
+  c.macros.max_loop_number = {3, kTalm + "211", Manual};
+  c.macros.max_loops = {3, "inferred from Talm 211", Inferred};
+  c.macros.loops_count_across_calls = {false, kGeneral, Inferred};
+  c.macros.max_ifs = {10, kPolicy + "; without effect where IF has no blocks", Inferred};
+  c.macros.max_brackets = {5, kTalm + "205", Manual};
+  c.macros.angle_unit = {AngleUnit::Degrees, kTApar + "6004#0 counts in degrees", Manual};
+  c.macros.atan_range = {AngleRange::FullTurn, kTApar + "6004#0 NAT = 0", Manual};
+  c.macros.asin_range = {AngleRange::FullTurn, kTApar + "6004#0 NAT = 0", Manual};
+  lacks(c.macros.conditions, {Condition::Symbols}, kGeneral, Inferred);
+  lacks(c.macros.conditions, {Condition::Bare}, kTA + "27, example", Manual);
+  c.macros.short_functions = {false, kPolicy, Inferred};
+  c.macros.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP BIN BCD",
+                        kGeneral + "; Talm 206, TApar 6004", Inferred};
+  c.macros.vacant_address = {VacantAddress::Ignored, kGeneral, Inferred};
+  c.macros.vacant_comparison = {VacantComparison::Distinguished, kGeneral, Inferred};
+  has(c.common.refuses, {Cause::LogicOfNegative}, kTalm + "217", Manual);
+  c.macros.logic_order = {LogicOrder::LikeArithmetic, kGeneral, Inferred};
 }
 
 void macros_988(Control& c) {
-  c.codes_not_with_macro_call = {c.g_codes.value, kTA + "27 note 6; Talm 212", Manual};
-  c.m_codes_not_with_macro_call = {"", "M is the argument #13 [TA27]", Manual};
-  c.codes_not_with_modal_call = {c.g_codes.value, kTA + "27 note 6; Talm 212", Manual};
-  c.macro_calls = {true, kTA + "27", Manual};
-  c.modal_every_block = {false, kTA + "27 names G65, G66 and G67", Manual};
-  c.max_macro_digits = {4, kTA + "27, format 1 (2)", Manual};
-  c.argument_sets = {ArgumentSets::PerLetter, kTA + "27, example J12 K22 J25 I33 J32", Manual};
-  c.numbered_axis_arguments = {true, kTA + "27, arguments I", Manual};
-  c.call_passes_words = {false, kTA + "27: only G65 and G66 pass arguments", Manual};
-  c.words_before_macro_call = {WordsBeforeMacroCall::Alarm, kTA + "27, note 3", Manual};
-  c.repeated_argument = {RepeatedAddress::LastWins, kTA + "27, note 1: 3403#6 AD2 = 0", Manual};
-  c.modal_locals = {ModalLocals::Rewritten, kTA + "27, example of G66", Manual};
-  c.modal_trigger = {ModalTrigger::Move, kTA + "27, G66, note 3 and example", Manual};
-  c.modal_calls_stack = {true, kTA + "27, note 2: G66 counts to the four levels", Manual};
-  c.max_modal_calls = {4, kTA + "27, note 2: G66 counts to the four levels", Manual};
-  c.cancel_alone = {CancelAlone::Alarm, kTApar + "6000#0 G67 = 0; Talm 218", Manual};
-  c.h_codes = {false, kTApar + "6000#7 EMA = 0", Manual};
-  c.code_cascade = {CodeCascade::All,
-                    "inferred from TA27, M, T and G calls, note 4: only the four levels", Inferred};
-  c.user_alarm_offset = {3000, kGeneral, Inferred};
-  c.user_alarm_last = {200, kGeneral, Inferred};
-  c.h99_offset = {500, kGeneral + ", as on the older GSK lathes", Inferred};
+  c.calls.codes_not_with_macro_call = {c.reading.g_codes.value, kTA + "27 note 6; Talm 212",
+                                       Manual};
+  c.calls.m_codes_not_with_macro_call = {"", "M is the argument #13 [TA27]", Manual};
+  c.calls.codes_not_with_modal_call = {c.reading.g_codes.value, kTA + "27 note 6; Talm 212",
+                                       Manual};
+  give_role(c.calls.roles, "G65", Role::MacroCall, kTA + "27", Manual);
+  no_role(c.calls.roles, {"G66.1"}, kTA + "27 names G65, G66 and G67", Manual);
+  c.macros.max_macro_digits = {4, kTA + "27, format 1 (2)", Manual};
+  c.macros.argument_sets = {ArgumentSets::PerLetter, kTA + "27, example J12 K22 J25 I33 J32",
+                            Manual};
+  c.macros.numbered_axis_arguments = {true, kTA + "27, arguments I", Manual};
+  c.macros.call_passes_words = {false, kTA + "27: only G65 and G66 pass arguments", Manual};
+  c.macros.words_before_macro_call = {WordsBeforeMacroCall::Alarm, kTA + "27, note 3", Manual};
+  c.macros.repeated_argument = {RepeatedAddress::LastWins, kTA + "27, note 1: 3403#6 AD2 = 0",
+                                Manual};
+  c.macros.modal_locals = {ModalLocals::Rewritten, kTA + "27, example of G66", Manual};
+  c.macros.modal_trigger = {ModalTrigger::Move, kTA + "27, G66, note 3 and example", Manual};
+  c.macros.second_modal_call = {SecondModal::Stacks,
+                                kTA + "27, note 2: G66 counts to the four levels", Manual};
+  c.macros.max_modal_calls = {4, kTA + "27, note 2: G66 counts to the four levels", Manual};
+  c.macros.cancel_alone = {CancelAlone::Alarm, kTApar + "6000#0 G67 = 0; Talm 218", Manual};
+  c.macros.h_codes = {false, kTApar + "6000#7 EMA = 0", Manual};
+  c.macros.code_cascade = {CodeCascade::All,
+                           "inferred from TA27, M, T and G calls, note 4: only the four levels",
+                           Inferred};
+  c.macros.user_alarm_offset = {3000, kGeneral, Inferred};
+  c.macros.user_alarm_last = {200, kGeneral, Inferred};
+  c.macros.h99_offset = {500, kGeneral + ", as on the older GSK lathes", Inferred};
   c.user_alarm_digits = 4;
 }
 
@@ -153,8 +155,8 @@ void variables_988(Control& c) {
   add(0, 0, VariableKind::Vacant);
   c.variables.push_back(
       {1, 33, VariableKind::Local, Access::ReadWrite, 0, kTA + "27, arguments", Manual});
-  c.commons = {"100-199 500-999", kTApar + "6001#6 and 6031", Manual};
-  c.variable_options = {"", kPolicy, Inferred};
+  c.macros.commons = {"100-199 500-999", kTApar + "6001#6 and 6031", Manual};
+  c.macros.variable_options = {"", kPolicy, Inferred};
   add(1000, 1015, VariableKind::Input);
   add(1032, 1035, VariableKind::InputWord);
   add(1100, 1115, VariableKind::Output, Access::ReadWrite);
@@ -178,61 +180,73 @@ void variables_988(Control& c) {
   add(5201, 5328, VariableKind::WorkOffset, Access::ReadWrite);
 }
 
-void parameters_988(Control& c) {
-  c.parameters = {
-      {"3401#0", 1, "lengths without a point: 0 least increments, 1 millimetres",
-       "inferred from the examples of TA28; TApar has no such bit, " + kStands, Inferred,
-       [](Control& k, double value) {
-         k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
-       }},
-      {"3403#6", 0, "AD2, an address or a G group twice in a block: 0 the last counts, 1 an alarm",
-       kTApar + "3403#6", Manual,
-       [](Control& k, double value) {
-         const RepeatedAddress rule =
-             value != 0 ? RepeatedAddress::Alarm : RepeatedAddress::LastWins;
-         k.repeated_address.value = rule;
-         k.repeated_argument.value = rule;
-       }},
-      {"3404#6", 0, "EOR, a program without its end: 0 an alarm, 1 none", kTApar + "3404#6", Manual,
-       [](Control& k, double value) {
-         k.missing_end.value = value != 0 ? MissingEnd::Ends : MissingEnd::Alarm;
-       }},
-      {"3404#7", 0, "M3B, M codes in a block: 0 one, 1 three", kTApar + "3404#7", Manual,
-       [](Control& k, double value) { k.m_codes_per_block.value = value != 0 ? 3 : 1; }},
-      {"6000#0", 0, "G67 without G66: 0 an alarm, 1 ignored", kTApar + "6000#0", Manual,
-       [](Control& k, double value) {
-         k.cancel_alone.value = value != 0 ? CancelAlone::Ignored : CancelAlone::Alarm;
-       }},
-      {"6000#7", 0, "EMA, G65: 0 calls a macro, 1 is type A, G65 H", kTApar + "6000#7", Manual,
-       [](Control& k, double value) { k.h_codes.value = value != 0; }},
-      {"6001#6", 0, "CCV, #100 to #199 at reset: 0 cleared, 1 kept", kTApar + "6001#6", Manual,
-       [](Control& k, double value) { k.reset_clears_commons.value = value == 0; }},
-      {"6001#7", 0, "CLV, #1 to #33 at reset: 0 cleared, 1 kept", kTApar + "6001#7", Manual,
-       [](Control& k, double value) { k.reset_clears_locals.value = value == 0; }},
-      {"6004#0", 0,
-       "NAT, ATAN and ASIN: 0 gives 0 to 360 and 270 to 90, 1 -180 to 180 and -90 to 90",
-       kTApar + "6004#0", Manual,
-       [](Control& k, double value) {
-         const AngleRange range = value != 0 ? AngleRange::Signed : AngleRange::FullTurn;
-         k.atan_range.value = range;
-         k.asin_range.value = range;
-       }},
-      {"6008#5", 0, "TMP: 1 lets T codes call macros", kTApar + "6008#5", Manual, nullptr},
-      {"6008#6", 0, "MMP: 1 lets M codes call macros", kTApar + "6008#6", Manual, nullptr},
-      {"6008#7", 0, "GMP: 1 lets G codes call macros", kTApar + "6008#7", Manual, nullptr},
-  };
-}
+/// The parameters that set rules, and those of codes that call.
+const Parameter kParameters[] = {
+    {"3403#6",
+     0,
+     "AD2, an address or a G group twice in a block: 0 the last counts, 1 an alarm",
+     kTApar + "3403#6",
+     Manual,
+     {bit(rule::repeated_address, RepeatedAddress::LastWins, RepeatedAddress::Alarm),
+      bit(rule::repeated_argument, RepeatedAddress::LastWins, RepeatedAddress::Alarm)}},
+    {"3404#6",
+     0,
+     "EOR, a program without its end: 0 an alarm, 1 none",
+     kTApar + "3404#6",
+     Manual,
+     {bit(rule::missing_end, MissingEnd::Alarm, MissingEnd::Ends)}},
+    {"3404#7",
+     0,
+     "M3B, M codes in a block: 0 one, 1 three",
+     kTApar + "3404#7",
+     Manual,
+     {bit(rule::m_codes_per_block, 1, 3)}},
+    {"6000#0",
+     0,
+     "G67 without G66: 0 an alarm, 1 ignored",
+     kTApar + "6000#0",
+     Manual,
+     {bit(rule::cancel_alone, CancelAlone::Alarm, CancelAlone::Ignored)}},
+    {"6000#7",
+     0,
+     "EMA, G65: 0 calls a macro, 1 is type A, G65 H",
+     kTApar + "6000#7",
+     Manual,
+     {bit(rule::h_codes)}},
+    {"6001#6",
+     0,
+     "CCV, #100 to #199 at reset: 0 cleared, 1 kept",
+     kTApar + "6001#6",
+     Manual,
+     {entry_while_zero(rule::reset_clears, Cleared::Commons)}},
+    {"6001#7",
+     0,
+     "CLV, #1 to #33 at reset: 0 cleared, 1 kept",
+     kTApar + "6001#7",
+     Manual,
+     {entry_while_zero(rule::reset_clears, Cleared::Locals)}},
+    {"6004#0",
+     0,
+     "NAT, ATAN and ASIN: 0 gives 0 to 360 and 270 to 90, 1 -180 to 180 and -90 to 90",
+     kTApar + "6004#0",
+     Manual,
+     {bit(rule::atan_range, AngleRange::FullTurn, AngleRange::Signed),
+      bit(rule::asin_range, AngleRange::FullTurn, AngleRange::Signed)}},
+    {"6008#5", 0, "TMP: 1 lets T codes call macros", kTApar + "6008#5", Manual},
+    {"6008#6", 0, "MMP: 1 lets M codes call macros", kTApar + "6008#6", Manual},
+    {"6008#7", 0, "GMP: 1 lets G codes call macros", kTApar + "6008#7", Manual},
+};
 
 /// Ten codes each of T, M and G that call a macro.
 void code_calls_988(Control& c) {
   const auto list = [&c](char address, std::int32_t parameter, std::int32_t program,
                          const std::string& enable, std::int32_t first_code, std::int32_t last_code,
-                         const std::string& refused) {
+                         const Codes& refused) {
     for (std::int32_t i = 0; i < 10; ++i) {
       const std::string number = std::to_string(parameter + i);
       c.parameters.push_back(
           {number, 0, std::string(1, address) + " code that calls O" + std::to_string(program + i),
-           kTApar + number, Manual, nullptr});
+           kTApar + number, Manual});
     }
     CodeCall call =
         code_call(CodeCall::Form::List, address, CodeCallKind::Macro, parameter, program, 10);
@@ -272,7 +286,7 @@ Control family_988() {
   take_list(c, alarms_988t());
   c.alarms[Cause::IllegalMacroNumber] = {"291", "P[#] has more than 4 digits", "TA27", Manual};
   variables_988(c);
-  parameters_988(c);
+  add_parameters(c, kParameters);
   code_calls_988(c);
   add_988_motion(c);
   return c;

@@ -1,6 +1,7 @@
 // Haas mills with the Next Generation Control.
 // The keys of the sources stand in sources.def. What no source tells is the family's.
 #include "controls/facts.hpp"
+#include "controls/settings.hpp"
 
 namespace cncsub {
 namespace {
@@ -13,14 +14,16 @@ constexpr const char* kPolicy = "policy, nobody says";
 constexpr const char* kAlarms = "general knowledge of the Haas alarm list";
 
 void reading(Control& c) {
-  c.max_program_number = {99999, "H96 p.217: O00012, five digits", Secondary};
-  c.max_sequence_number = {99999, kHaas, Inferred};
-  c.block_skip = {BlockSkip::Anywhere, kHaas, Inferred};
-  c.m_codes_alarm = {true, "general knowledge of the Haas mill: one M code a block", Inferred};
-  c.whole_numbers = {WholeNumbers::Increments,
-                     "HEL: without a point the last digit counts thousandths", Secondary};
-  c.missing_end = {MissingEnd::Alarm, "general knowledge of the Haas alarm list: 312", Inferred};
-  c.g_codes = {
+  c.reading.max_program_number = {99999, "H96 p.217: O00012, five digits", Secondary};
+  c.reading.max_sequence_number = {99999, kHaas, Inferred};
+  c.reading.block_skip = {BlockSkip::Anywhere, kHaas, Inferred};
+  c.reading.extra_m_codes = {ExtraMCodes::Alarm,
+                             "general knowledge of the Haas mill: one M code a block", Inferred};
+  c.reading.whole_numbers = {WholeNumbers::Increments,
+                             "HEL: without a point the last digit counts thousandths", Secondary};
+  c.reading.missing_end = {MissingEnd::Alarm, "general knowledge of the Haas alarm list: 312",
+                           Inferred};
+  c.reading.g_codes = {
       "0 1 2 3 4 9 10 12 13 17 18 19 20 21 28 29 31 35 36 37 40 41 42 43 44 47 49 50 51 52 53 54 "
       "55 56 57 58 59 60 61 64 65 68 69 70 71 72 73 74 76 77 80 81 82 83 84 85 86 87 88 89 90 91 "
       "92 93 94 95 98 99 100 101 102 103 107 110 111 112 113 114 115 116 117 118 119 120 121 122 "
@@ -30,40 +33,44 @@ void reading(Control& c) {
 }
 
 void calls_and_returns(Control& c) {
-  c.program_word = {ProgramWord::Number, "H96 p.217: P is the number of the program", Secondary};
-  c.max_program_digits = {5, "H96 p.217: O00012, five digits", Secondary};
-  c.max_repeats = {99, kHaas, Inferred};
-  c.zero_repeats = {ZeroRepeats::Once, kPolicy, Inferred};
-  c.max_nesting = {9, kHaas, Inferred};
-  c.max_macro_nesting = {9, kHaas, Inferred};
-  c.return_with_p = {ReturnWithP::OwnProgram, "HDIY, M99 P: it does not return to the caller",
-                     Manual};
-  c.main_return = {MainReturn::Restarts, kHaas, Inferred};
-  c.local_call_m_code = {97, "H96 p.217, M97", Secondary};
-  c.conditional_return = {true, "HDIY, N50 [#10000 LT 10] M99 P10", Manual};
+  c.calls.program_word = {ProgramWord::Number, "H96 p.217: P is the number of the program",
+                          Secondary};
+  c.calls.max_program_digits = {5, "H96 p.217: O00012, five digits", Secondary};
+  c.calls.max_repeats = {99, kHaas, Inferred};
+  c.calls.zero_repeats = {ZeroRepeats::Once, kPolicy, Inferred};
+  c.calls.max_nesting = {9, kHaas, Inferred};
+  c.calls.max_macro_nesting = {9, kHaas, Inferred};
+  c.calls.return_with_p = {ReturnWithP::OwnProgram, "HDIY, M99 P: it does not return to the caller",
+                           Manual};
+  c.calls.main_return = {MainReturn::Restarts, kHaas, Inferred};
+  give_role(c.calls.roles, "M97", Role::LocalCall, "H96 p.217, M97", Secondary);
+  c.calls.conditional_return = {true, "HDIY, N50 [#10000 LT 10] M99 P10", Manual};
 }
 
 void macros(Control& c) {
-  c.commons = {"10000-10999", "ZAP, Haas system variables", Secondary};
-  c.statements = {"# [ IF WHILE DO DPRNT BPRNT? POPEN PCLOS", kHaas, Inferred};
-  c.if_form = {IfForm::GotoThen, "HDIY, IF [#10000 LT 10] GOTO10", Manual};
-  c.conditions_are_values = {true, "HDIY: 0 is false, what is not 0 is true", Manual};
-  c.joined_conditions = {true, "HDIY: Boolean operators in conditions", Manual};
-  c.short_functions = {false, kPolicy, Inferred};
-  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX", kHaas, Inferred};
-  c.modulo = {true, kHaas, Inferred};
-  c.vacant_address = {VacantAddress::Ignored, "HDIY, address substitution: no Z movement", Manual};
-  c.vacant_comparison = {VacantComparison::Distinguished, "H96 p.118: IF [#2 NE #0]", Secondary};
-  c.reset_clears_commons = {false, "ZAP, Haas system variables: saved at power-off", Secondary};
-  c.modal_calls = {false, kHaas, Inferred};
-  c.max_macro_digits = {5, "H96 p.217: O00012, five digits", Secondary};
-  c.words_before_macro_call = {WordsBeforeMacroCall::Alarm, "general knowledge: 528", Inferred};
-  c.user_alarm_offset = {1000, kHaas, Inferred};
-  c.user_alarm_last = {999, kHaas, Inferred};
+  c.macros.commons = {"10000-10999", "ZAP, Haas system variables", Secondary};
+  c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT BPRNT? POPEN PCLOS", kHaas, Inferred};
+  c.macros.if_form = {IfForm::GotoThen, "HDIY, IF [#10000 LT 10] GOTO10", Manual};
+  has(c.macros.conditions, {Condition::Values}, "HDIY: 0 is false, what is not 0 is true", Manual);
+  has(c.macros.conditions, {Condition::Joined}, "HDIY: Boolean operators in conditions", Manual);
+  c.macros.short_functions = {false, kPolicy, Inferred};
+  c.macros.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX MOD", kHaas, Inferred};
+  c.macros.vacant_address = {VacantAddress::Ignored, "HDIY, address substitution: no Z movement",
+                             Manual};
+  c.macros.vacant_comparison = {VacantComparison::Distinguished, "H96 p.118: IF [#2 NE #0]",
+                                Secondary};
+  lacks(c.common.reset_clears, {Cleared::Commons}, "ZAP, Haas system variables: saved at power-off",
+        Secondary);
+  no_role(c.calls.roles, {"G66", "G67"}, kHaas, Inferred);
+  c.macros.max_macro_digits = {5, "H96 p.217: O00012, five digits", Secondary};
+  c.macros.words_before_macro_call = {WordsBeforeMacroCall::Alarm, "general knowledge: 528",
+                                      Inferred};
+  c.macros.user_alarm_offset = {1000, kHaas, Inferred};
+  c.macros.user_alarm_last = {999, kHaas, Inferred};
 }
 
 void motion(Control& c) {
-  c.g_meanings = {
+  c.motion.g_meanings = {
       "47=not-computed 87=not-computed 88=not-computed 103=neutral "
       "110=extra-system-1 111=extra-system-2 112=extra-system-3 113=extra-system-4 "
       "114=extra-system-5 115=extra-system-6 116=extra-system-7 117=extra-system-8 "
@@ -72,12 +79,12 @@ void motion(Control& c) {
       "126=extra-system-17 127=extra-system-18 128=extra-system-19 129=extra-system-20 "
       "150=not-computed 154=extra-system 187=neutral",
       "H96 p.113: G110 to G129; the others general knowledge of the Haas mill", Inferred};
-  c.max_extra_systems = {99, "general knowledge of the Haas mill: G154 P1 to P99", Inferred};
-  c.max_offset_number = {200, "HEL, D: 0 to 200", Secondary};
-  c.dwell_words = {"P", kHaas, Inferred};
-  c.dwell_point = {DwellPoint::Seconds, "H96 p.91: G04 P1. waits a second", Secondary};
-  c.cycle_repeats = {"L", kHaas, Inferred};
-  c.scale_thousandths = {false, kUnsure, Inferred};
+  c.motion.max_extra_systems = {99, "general knowledge of the Haas mill: G154 P1 to P99", Inferred};
+  c.motion.max_offset_number = {200, "HEL, D: 0 to 200", Secondary};
+  c.motion.dwell_words = {"P", kHaas, Inferred};
+  c.motion.dwell_point = {DwellPoint::Seconds, "H96 p.91: G04 P1. waits a second", Secondary};
+  c.motion.cycle_repeats = {"L", kHaas, Inferred};
+  c.motion.scale_unit = {ScaleUnit::Factor, kUnsure, Inferred};
 }
 
 using Kind = VariableKind;
@@ -125,25 +132,20 @@ void variables(Control& c) {
 /// Settings by their numbers; the aliases of codes by the program they call.
 void settings(Control& c) {
   const auto add = [&c](const char* name, double value, const char* meaning,
-                        void (*effect)(Control&, double)) {
-    c.parameters.push_back({name, value, meaning, kHaas, Inferred, effect});
-    if (effect == nullptr) return;
-    const Answers before(c);
-    effect(c, value);
-    follow(c, before, "setting " + std::string(name) + " as delivered: " + kHaas, Inferred);
+                        std::vector<Setting> sets) {
+    c.parameters.push_back({name, value, meaning, kHaas, Inferred, std::move(sets)});
+    apply(c, c.parameters.back(), "setting " + std::string(name) + " as delivered: " + kHaas,
+          Inferred);
   };
   add("33", 0, "what M02 and M30 do to G52: 0 = FANUC, they end it, 1 = HAAS, it stays",
-      [](Control& k, double v) { k.clear_local_on_reset.value = v == 0; });
+      {entry_while_zero(rule::reset_clears, Cleared::LocalSystem)});
   add("43", 0, "the start-up of cutter compensation: 0 = type A, 1 = type B",
-      [](Control& k, double v) { k.start_up.value = v != 0 ? StartUp::TypeB : StartUp::TypeA; });
+      {bit(rule::start_up, StartUp::TypeA, StartUp::TypeB)});
   add("56", 0, "M30 brings back the G codes of power-on: 0 = no, 1 = yes",
-      [](Control& k, double v) { k.clear_on_reset.value = v != 0; });
-  add("85", 0.05, "how far a corner may be rounded, mm; no path is drawn otherwise for it",
-      nullptr);
+      {entry(rule::reset_clears, Cleared::Codes)});
+  add("85", 0.05, "how far a corner may be rounded, mm; no path is drawn otherwise for it", {});
   add("162", 0, "a number without a point counts 0 = least increments, 1 = mm, inches or degrees",
-      [](Control& k, double v) {
-        k.whole_numbers.value = v != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
-      });
+      {bit(rule::whole_numbers, WholeNumbers::Increments, WholeNumbers::Millimetres)});
   using Form = CodeCall::Form;
   c.code_calls = {
       {Form::List, 'M', CodeCallKind::Subprogram, 9000, 9000, 10, "", 0, 1, 999, "", kHaas,
@@ -154,7 +156,7 @@ void settings(Control& c) {
                             std::string("the ") + (program < 9010 ? "M" : "G") +
                                 " code that is an alias of O" + std::to_string(program) +
                                 ", 0 = none",
-                            kHaas, Inferred, nullptr});
+                            kHaas, Inferred});
 }
 
 /// As they are remembered: no printed list was found. What is not listed shows no number.

@@ -5,7 +5,7 @@ namespace cncsub::mitsubishi {
 namespace {
 
 // Milling and turning codes together, since a library may be run on either machine.
-const std::string kGCodes =
+constexpr const char* kGCodes =
     "0 1 1.1 2 2.1 2.3 2.4 3 3.1 3.3 3.4 4 5 5.1 6.2 7 7.1 8 9 10 11 "
     "12 12.1 13 13.1 14 15 16 17 18 19 20 21 22 22.1 23 23.1 24 25 26 27 28 29 30 "
     "30.1 30.2 30.3 30.4 30.5 30.6 31 31.1 31.2 31.3 32 33 34 35 36 37 37.1 38 39 "
@@ -17,145 +17,147 @@ const std::string kGCodes =
     "107 112 113 114.1 114.2 114.3 115 116 117 118 119 120.1 121 122 160";
 
 void reading(Control& c) {
-  c.semicolon = {Semicolon::EndOfBlock, k004 + "form of M98", SourceDocument};
-  c.percent_programs = {false, kGeneral + ": % is the end of record", Inferred};
-  c.named_programs = {true, kIMD + "<file name>", Secondary};
-  c.file_name_wins = {true, kIMD2 + "the O word is a label", Secondary};
-  c.max_program_number = {99999999, kIMD + "P has eight digits", Secondary};
-  c.max_sequence_number = {99999, kIMD + "H from 1 to 99999", Secondary};
-  c.zero_numbers = {false, kMZ + "811: zero as program or sequence number", Secondary};
-  c.sequence_number_first = {false, kGeneral + ": only a target must have its N at the head",
-                             Inferred};
-  c.cuts_fine_digits = {false, kPolicy, Inferred};
-  c.late_sequence_numbers = {
+  c.reading.semicolon = {Semicolon::EndOfBlock, k004 + "form of M98", SourceDocument};
+  lacks(c.reading.program_heads, {ProgramHead::Percent}, kGeneral + ": % is the end of record",
+        Inferred);
+  has(c.reading.program_heads, {ProgramHead::Name}, kIMD + "<file name>", Secondary);
+  has(c.reading.program_heads, {ProgramHead::File}, kIMD2 + "the O word is a label", Secondary);
+  c.reading.max_program_number = {99999999, kIMD + "P has eight digits", Secondary};
+  c.reading.max_sequence_number = {99999, kIMD + "H from 1 to 99999", Secondary};
+  has(c.common.refuses, {Cause::ProgramNumberZero}, kMZ + "811: zero as program or sequence number",
+      Secondary);
+  lacks(c.common.refuses, {Cause::SequenceNumberNotFirst},
+        kGeneral + ": only a target must have its N at the head", Inferred);
+  c.reading.cuts_fine_digits = {false, kPolicy, Inferred};
+  c.reading.late_sequence_numbers = {
       false, kGeneral + ": the N of a target stands at the head of its block", Inferred};
-  c.max_words = {0, kPolicy, Inferred};
-  c.max_block_length = {0, kPolicy, Inferred};
-  c.max_digits = {15, kPolicy + "; ranges are checked address by address, " + kSK + "P35",
-                  Inferred};
-  c.block_skip = {BlockSkip::HeadOnly, kGeneral + ": before or behind N, elsewhere by a parameter",
-                  Inferred};
-  c.repeated_address = {RepeatedAddress::LastWins, kGeneral + "; a parameter may change it",
-                        Inferred};
-  c.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
-  c.point_addresses = {"ABCEFIJKQRUVWXYZ", kGeneral + ": P, H, L, N, O and D are whole numbers",
-                       Inferred};
-  c.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ", kGeneral + "; a negative L is a value out of range",
-                       Inferred};
-  c.whole_numbers = {WholeNumbers::Millimetres,
-                     "inferred from the worked examples, which count in millimetres", Inferred};
-  c.missing_end = {MissingEnd::Alarm, kSK + "P36", Manual};
-  c.m_codes_per_block = {4, kGeneral, Inferred};
-  c.m_codes_alarm = {false, kGeneral, Inferred};
-  c.m_codes_alone = {false, kGeneral, Inferred};
-  c.bare_g = {true, kM7 + "p.45: G without a number is G00", Manual};
-  c.g_codes = {kGCodes, kGeneral + "; " + kM7 + "for the milling groups", Inferred};
+  c.reading.max_words = {0, kPolicy, Inferred};
+  c.reading.max_block_length = {0, kPolicy, Inferred};
+  c.reading.max_digits = {15, kPolicy + "; ranges are checked address by address, " + kSK + "P35",
+                          Inferred};
+  c.reading.block_skip = {BlockSkip::HeadOnly,
+                          kGeneral + ": before or behind N, elsewhere by a parameter", Inferred};
+  c.reading.repeated_address = {RepeatedAddress::LastWins, kGeneral + "; a parameter may change it",
+                                Inferred};
+  c.reading.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
+  c.reading.point_addresses = {"ABCEFIJKQRUVWXYZ",
+                               kGeneral + ": P, H, L, N, O and D are whole numbers", Inferred};
+  c.reading.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ",
+                               kGeneral + "; a negative L is a value out of range", Inferred};
+  c.reading.whole_numbers = {WholeNumbers::Millimetres,
+                             "inferred from the worked examples, which count in millimetres",
+                             Inferred};
+  c.reading.missing_end = {MissingEnd::Alarm, kSK + "P36", Manual};
+  c.reading.m_codes_per_block = {4, kGeneral, Inferred};
+  c.reading.extra_m_codes = {ExtraMCodes::Dropped, kGeneral, Inferred};
+  c.reading.bare_g = {true, kM7 + "p.45: G without a number is G00", Manual};
+  c.reading.g_codes = {kGCodes, kGeneral + "; " + kM7 + "for the milling groups", Inferred};
 }
 
 void calling(Control& c) {
-  c.name_marks = {"+-_.", kPolicy, Inferred};
-  c.return_alone_in_modal = {false, kPolicy, Inferred};
-  c.program_word = {ProgramWord::Number, kIMD + "P is the program number", Secondary};
-  c.max_program_digits = {8, kIMD + "P has eight digits", Secondary};
-  c.count_and_l = {CountAndL::AllNumber, kIMD + "P holds no count", Secondary};
-  c.bracket_names = {false, kIMD + "names stand in < >", Secondary};
-  c.wide_names = {false, kGeneral, Inferred};
-  c.max_name_length = {32, kIMD + "32 characters with the extension", Secondary};
-  c.call_values = {CallValues::Rounded, kGeneral, Inferred};
-  c.zero_count_alarms = {false, kIMD + "P holds no count", Secondary};
-  c.omitted_program = {OmittedProgram::Own, kIMD + "P omitted: subroutine of the same program",
-                       Secondary};
-  c.start_word = {StartWord::H, k004 + "H", SourceDocument};
-  c.self_call = {SelfCall::Allowed, "inferred from IMD, P omitted", Inferred};
-  c.caller_call = {CallerCall::Allowed, kGeneral + ": only the levels count", Inferred};
-  c.max_repeats = {9999, k004 + "at most 9999 times", SourceDocument};
-  c.zero_repeats = {ZeroRepeats::Skip, k004 + "note 3, L0", SourceDocument};
-  c.too_many_repeats = {TooManyRepeats::Alarm, kSK + "P35", Manual};
-  c.max_nesting = {8, kSM + "difference (6): eight levels combined", Manual};
-  c.nesting_counts_macros = {true, kSM + "difference (6): eight levels combined", Manual};
-  c.max_macro_nesting = {4, kSM + "difference (6): four levels of G65, G66, G66.1", Manual};
-  c.max_total_nesting = {0, kSM + "difference (6): max_nesting counts both kinds", Manual};
-  c.mdi_calls = {MdiCalls::Allowed, kIMD + "P omitted: memory and MDI", Secondary};
-  c.external_calls = {true, kCW + "M198", Secondary};
-  c.device_word = {true, kIMD + ",D from 0 to 4", Secondary};
-  c.return_search = {ReturnSearch::FromHead, kPolicy, Inferred};
-  c.return_with_p = {ReturnWithP::LastPass, kPolicy, Inferred};
-  c.return_with_l = {ReturnWithL::ReplacesCount, kOB + "M99 L", Secondary};
-  c.main_return = {MainReturn::Restarts, k004 + "M99 in the main program", SourceDocument};
-  c.jump_m97 = {false, kGeneral + ": M96 and M97 are macro interrupts", Inferred};
-  c.restart_m_code = {0, kGeneral, Inferred};
-  c.calls_in_modal = {CallsInModal::Allowed, kGeneral, Inferred};
-  c.codes_not_with_return = {"", kPolicy, Inferred};
-  c.codes_not_with_call = {"", kPolicy, Inferred};
-  c.words_with_call_in_cycle = {true, kGeneral, Inferred};
+  c.calls.name_marks = {"+-_.", kPolicy, Inferred};
+  c.calls.program_word = {ProgramWord::Number, kIMD + "P is the program number", Secondary};
+  c.calls.max_program_digits = {8, kIMD + "P has eight digits", Secondary};
+  c.calls.count_and_l = {CountAndL::AllNumber, kIMD + "P holds no count", Secondary};
+  c.calls.bracket_names = {false, kIMD + "names stand in < >", Secondary};
+  c.calls.wide_names = {false, kGeneral, Inferred};
+  c.calls.max_name_length = {32, kIMD + "32 characters with the extension", Secondary};
+  c.calls.call_values = {CallValues::Rounded, kGeneral, Inferred};
+  lacks(c.common.refuses, {Cause::IllegalRepeatCount}, kIMD + "P holds no count", Secondary);
+  c.calls.omitted_program = {OmittedProgram::Own,
+                             kIMD + "P omitted: subroutine of the same program", Secondary};
+  c.calls.start_word = {StartWord::H, k004 + "H", SourceDocument};
+  c.calls.self_call = {SelfCall::Allowed, "inferred from IMD, P omitted", Inferred};
+  c.calls.caller_call = {CallerCall::Allowed, kGeneral + ": only the levels count", Inferred};
+  c.calls.max_repeats = {9999, k004 + "at most 9999 times", SourceDocument};
+  c.calls.zero_repeats = {ZeroRepeats::Skip, k004 + "note 3, L0", SourceDocument};
+  c.calls.too_many_repeats = {TooManyRepeats::Alarm, kSK + "P35", Manual};
+  c.calls.max_nesting = {8, kSM + "difference (6): eight levels combined", Manual};
+  c.calls.nesting_counts_macros = {true, kSM + "difference (6): eight levels combined", Manual};
+  c.calls.max_macro_nesting = {4, kSM + "difference (6): four levels of G65, G66, G66.1", Manual};
+  c.calls.max_total_nesting = {0, kSM + "difference (6): max_nesting counts both kinds", Manual};
+  c.calls.mdi_calls = {MdiCalls::Allowed, kIMD + "P omitted: memory and MDI", Secondary};
+  give_role(c.calls.roles, "M198", Role::ExternalCall, kCW + "M198", Secondary);
+  c.calls.device_word = {true, kIMD + ",D from 0 to 4", Secondary};
+  c.calls.return_search = {ReturnSearch::FromHead, kPolicy, Inferred};
+  c.calls.return_with_p = {ReturnWithP::LastPass, kPolicy, Inferred};
+  c.calls.return_with_l = {ReturnWithL::ReplacesCount, kOB + "M99 L", Secondary};
+  c.calls.main_return = {MainReturn::Restarts, k004 + "M99 in the main program", SourceDocument};
+  no_role(c.calls.roles, {"M97"}, kGeneral + ": M96 and M97 are macro interrupts", Inferred);
+  c.calls.calls_in_modal = {CallsInModal::Allowed, kGeneral, Inferred};
+  c.calls.codes_not_with_return = {"", kPolicy, Inferred};
+  c.calls.codes_not_with_call = {"", kPolicy, Inferred};
+  lacks(c.common.refuses, {Cause::CallWithWordsInCycle}, kGeneral, Inferred);
 }
 
 void statements(Control& c) {
-  c.reset_clears_locals = {true, kPolicy, Inferred};
-  c.reset_clears_commons = {false, kPolicy, Inferred};
-  c.vacant_system_writes = {true, kPolicy, Inferred};
-  c.max_constant_digits = {12, kPolicy, Inferred};
-  c.max_condition_length = {0, kPolicy, Inferred};
-  c.if_form = {IfForm::GotoThen, kGeneral + "; a single IF THEN, to be verified", Inferred};
-  c.loop_form = {LoopForm::DoEnd, kMZ + "865, 868", Secondary};
-  c.jumps = {true, kMZ + "864: IF and GOTO", Secondary};
-  c.jumps_in_mdi = {true, kGeneral + ": only tape and DNC refuse them", Inferred};
-  c.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
-  c.max_jump_number = {99999, kIMD + "sequence numbers from 1 to 99999", Secondary};
-  c.max_loop_number = {127, kGeneral, Inferred};
-  c.max_loops = {27, kMZ + "867: more than 27", Secondary};
-  c.loops_count_across_calls = {true, kGeneral, Inferred};
-  c.max_ifs = {10, kGeneral + ": without effect where IF has no blocks", Inferred};
-  c.max_brackets = {5, kMZ + "858: more than five", Secondary};
-  c.angle_unit = {AngleUnit::Degrees, kGeneral, Inferred};
-  c.atan_range = {AngleRange::FullTurn, kPolicy, Inferred};
-  c.asin_range = {AngleRange::Signed, kGeneral + ": #1273 bit 0 is 0", Inferred};
-  c.joined_conditions = {true, kGeneral + ": AND, OR and XOR rank behind the comparisons",
-                         Inferred};
-  c.comparison_symbols = {false, kGeneral, Inferred};
-  c.conditions_without_brackets = {false, kMZ + "864: the form of IF", Secondary};
-  c.short_functions = {false, kGeneral + ": names of their own (RND) instead", Inferred};
-  c.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT SQR ABS ROUND RND FIX FUP LN EXP BIN BCD",
-                 kGeneral, Inferred};
-  c.modulo = {true, kGeneral, Inferred};
-  c.vacant_address = {VacantAddress::Ignored, kGeneral, Inferred};
-  c.vacant_comparison = {VacantComparison::Distinguished, kGeneral, Inferred};
-  c.variable_point = {true, "real programs: #504. in a macro of the maker", Secondary};
-  c.indirect_9nnn = {false, kGeneral, Inferred};
-  c.negative_logic = {true, kPolicy, Inferred};
-  c.variable_names = {true, kMZ + "866, 870, 871: SETVN", Secondary};
-  c.statements = {"# [ IF WHILE DO DPRNT BPRNT? POPEN PCLOS", kGeneral + "; of BPRNT nobody says",
-                  Inferred};
-  c.logic_of_numbers = {true, "added.md: IF[#120AND3EQ3] in programs of a machine; " + kGeneral,
-                        Inferred};
-  c.logic_binds_last = {true, kGeneral + ": functions, * / MOD, + -, comparisons, AND, OR XOR",
-                        Inferred};
+  lacks(c.common.reset_clears, {Cleared::Commons}, kPolicy, Inferred);
+  c.macros.max_constant_digits = {12, kPolicy, Inferred};
+  c.macros.max_condition_length = {0, kPolicy, Inferred};
+  c.macros.if_form = {IfForm::GotoThen, kGeneral + "; a single IF THEN, to be verified", Inferred};
+  c.macros.loop_form = {LoopForm::DoEnd, kMZ + "865, 868", Secondary};
+  lacks(c.common.refuses, {Cause::JumpInMdi}, kGeneral + ": only tape and DNC refuse them",
+        Inferred);
+  c.macros.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
+  c.macros.max_jump_number = {99999, kIMD + "sequence numbers from 1 to 99999", Secondary};
+  c.macros.max_loop_number = {127, kGeneral, Inferred};
+  c.macros.max_loops = {27, kMZ + "867: more than 27", Secondary};
+  c.macros.loops_count_across_calls = {true, kGeneral, Inferred};
+  c.macros.max_ifs = {10, kGeneral + ": without effect where IF has no blocks", Inferred};
+  c.macros.max_brackets = {5, kMZ + "858: more than five", Secondary};
+  c.macros.angle_unit = {AngleUnit::Degrees, kGeneral, Inferred};
+  c.macros.atan_range = {AngleRange::FullTurn, kPolicy, Inferred};
+  c.macros.asin_range = {AngleRange::Signed, kGeneral + ": #1273 bit 0 is 0", Inferred};
+  has(c.macros.conditions, {Condition::Joined},
+      kGeneral + ": AND, OR and XOR rank behind the comparisons", Inferred);
+  lacks(c.macros.conditions, {Condition::Symbols}, kGeneral, Inferred);
+  lacks(c.macros.conditions, {Condition::Bare}, kMZ + "864: the form of IF", Secondary);
+  c.macros.short_functions = {false, kGeneral + ": names of their own (RND) instead", Inferred};
+  c.macros.functions = {
+      "SIN COS TAN ASIN ACOS ATAN SQRT SQR ABS ROUND RND FIX FUP LN EXP BIN BCD MOD", kGeneral,
+      Inferred};
+  c.macros.vacant_address = {VacantAddress::Ignored, kGeneral, Inferred};
+  c.macros.vacant_comparison = {VacantComparison::Distinguished, kGeneral, Inferred};
+  has(c.macros.variable_forms, {VariableForm::Point},
+      "real programs: #504. in a macro of the maker", Secondary);
+  lacks(c.macros.variable_forms, {VariableForm::Indirect}, kGeneral, Inferred);
+  has(c.macros.variable_forms, {VariableForm::Names}, kMZ + "866, 870, 871: SETVN", Secondary);
+  c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT BPRNT? POPEN PCLOS",
+                         kGeneral + "; of BPRNT nobody says", Inferred};
+  c.macros.statements.tell("GOTO", kMZ + "864: IF and GOTO", Secondary);
+  c.macros.logic_order = {LogicOrder::LastOfConditions,
+                          kGeneral +
+                              ": functions, * / MOD, + -, comparisons, AND, OR XOR; "
+                              "added.md: IF[#120AND3EQ3] in programs of a machine",
+                          Inferred};
 }
 
 void macros(Control& c) {
-  c.codes_not_with_macro_call = {"", kPolicy, Inferred};
-  c.m_codes_not_with_macro_call = {"", kPolicy, Inferred};
-  c.codes_not_with_modal_call = {"", kPolicy, Inferred};
-  c.macro_calls = {true, kSM + "differences of M98 and G65", Manual};
-  c.modal_every_block = {true, kSM + "difference (6) names G66.1", Manual};
-  c.max_macro_digits = {8, kIMD + "P has eight digits", Secondary};
-  c.argument_sets = {ArgumentSets::ByOrder, kGeneral + ": ten groups of I, J, K", Inferred};
-  c.numbered_axis_arguments = {false, kGeneral, Inferred};
-  c.call_passes_words = {false, kSM + "difference (1): only G65 takes arguments", Manual};
-  c.words_before_macro_call = {WordsBeforeMacroCall::Ordinary, kGeneral, Inferred};
-  c.repeated_argument = {RepeatedAddress::LastWins, kGeneral, Inferred};
-  c.modal_locals = {ModalLocals::Rewritten, kPolicy, Inferred};
-  c.modal_trigger = {ModalTrigger::Move, kGeneral + ": after every block with axis movement",
-                     Inferred};
-  c.modal_calls_stack = {true, kGeneral, Inferred};
-  c.max_modal_calls = {4, kSM + "difference (6): four levels of G65, G66, G66.1", Manual};
-  c.cancel_alone = {CancelAlone::Alarm, kMZ + "857", Secondary};
-  c.h_codes = {false, kGeneral, Inferred};
-  c.code_cascade = {CodeCascade::OtherKind,
-                    kGeneral + ": no G-code call inside a macro called by a G code", Inferred};
-  c.user_alarm_offset = {0, kGeneral + ": P277 shows n itself", Inferred};
-  c.user_alarm_last = {9999, kGeneral, Inferred};
-  c.h99_offset = {0, kGeneral + ": there is no G65 H", Inferred};
+  c.calls.codes_not_with_macro_call = {"", kPolicy, Inferred};
+  c.calls.m_codes_not_with_macro_call = {"", kPolicy, Inferred};
+  c.calls.codes_not_with_modal_call = {"", kPolicy, Inferred};
+  give_role(c.calls.roles, "G65", Role::MacroCall, kSM + "differences of M98 and G65", Manual);
+  give_role(c.calls.roles, "G66.1", Role::ModalCallEveryBlock, kSM + "difference (6) names G66.1",
+            Manual);
+  c.macros.max_macro_digits = {8, kIMD + "P has eight digits", Secondary};
+  c.macros.argument_sets = {ArgumentSets::ByOrder, kGeneral + ": ten groups of I, J, K", Inferred};
+  c.macros.numbered_axis_arguments = {false, kGeneral, Inferred};
+  c.macros.call_passes_words = {false, kSM + "difference (1): only G65 takes arguments", Manual};
+  c.macros.words_before_macro_call = {WordsBeforeMacroCall::Ordinary, kGeneral, Inferred};
+  c.macros.repeated_argument = {RepeatedAddress::LastWins, kGeneral, Inferred};
+  c.macros.modal_locals = {ModalLocals::Rewritten, kPolicy, Inferred};
+  c.macros.modal_trigger = {ModalTrigger::Move, kGeneral + ": after every block with axis movement",
+                            Inferred};
+  c.macros.second_modal_call = {SecondModal::Stacks, kGeneral, Inferred};
+  c.macros.max_modal_calls = {4, kSM + "difference (6): four levels of G65, G66, G66.1", Manual};
+  c.macros.cancel_alone = {CancelAlone::Alarm, kMZ + "857", Secondary};
+  c.macros.h_codes = {false, kGeneral, Inferred};
+  c.macros.code_cascade = {CodeCascade::OtherKind,
+                           kGeneral + ": no G-code call inside a macro called by a G code",
+                           Inferred};
+  c.macros.user_alarm_offset = {0, kGeneral + ": P277 shows n itself", Inferred};
+  c.macros.user_alarm_last = {9999, kGeneral, Inferred};
+  c.macros.h99_offset = {0, kGeneral + ": there is no G65 H", Inferred};
 }
 
 void variables(Control& c) {
@@ -206,8 +208,8 @@ void variables(Control& c) {
 /// general knowledge.
 void variable_choices(Control& c) {
   const std::string programs = "real programs of an M700-class machine use them; their name ";
-  c.commons = {"100-199 500-999", kGeneral + ": 600 sets", Inferred};
-  c.variable_options = {"", kPolicy, Inferred};
+  c.macros.commons = {"100-199 500-999", kGeneral + ": 600 sets", Inferred};
+  c.macros.variable_options = {"", kPolicy, Inferred};
   const auto sets = [&c](const char* name, const char* meaning, const char* commons,
                          const std::string& source) {
     c.variable_choices.push_back({name, meaning, commons, {}, source, Inferred});
@@ -238,14 +240,14 @@ void variable_choices(Control& c) {
 
 /// The control registers its call codes on a screen; FANUC's parameter numbers stand for it.
 void call_codes(Control& c) {
-  const std::string screen = "FANUC's numbers stand for the registration screen";
+  const std::string screen = "policy: FANUC's numbers stand for the registration screen";
   const auto list = [&](char address, CodeCallKind kind, std::int32_t parameter,
                         std::int32_t program, std::int32_t count) {
     for (std::int32_t i = 0; i < count; ++i)
       c.parameters.push_back(
           {std::to_string(parameter + i), 0,
            std::string(1, address) + " code that calls O" + std::to_string(program + i), screen,
-           Inferred, nullptr});
+           Inferred});
     CodeCall call;
     call.form = CodeCall::Form::List;
     call.address = address;
@@ -262,7 +264,7 @@ void call_codes(Control& c) {
   list('G', CodeCallKind::Macro, 6050, 9010, 10);
   list('M', CodeCallKind::Subprogram, 6071, 9001, 9);
   list('M', CodeCallKind::Macro, 6080, 9020, 10);
-  c.parameters.push_back({"6001#5", 0, "1: T codes call O9000", screen, Inferred, nullptr});
+  c.parameters.push_back({"6001#5", 0, "1: T codes call O9000", screen, Inferred});
   CodeCall tool;
   tool.form = CodeCall::Form::Switch;
   tool.address = 'T';
@@ -275,37 +277,31 @@ void call_codes(Control& c) {
   c.code_calls.push_back(tool);
 }
 
-void parameters(Control& c) {
-  c.parameters = {
-      {"1174", 0, "skip_F, the feed of G31 without F, mm/min",
-       kM7 + "p.547; its default " + kPolicy, Manual, nullptr},
-      {"8004", 0, "SPEED, the measuring feed of G37.1 without F, mm/min",
-       kM7 + "p.555; its default " + kPolicy, Manual, nullptr},
-      {"8005", 0, "ZONE r, how far before the point that feed begins without R, mm",
-       kM7 + "p.555; its default " + kPolicy, Manual, nullptr},
-      {"8006", 0, "ZONE d, within what distance of the point the tool arrives without D, mm",
-       kM7 + "p.555; its default " + kPolicy, Manual, nullptr},
-      {"1173", 0, "dwlskp, the skip signals that end G04: bit 0 is signal 1",
-       kM7 + "p.554; its default " + kPolicy, Manual, nullptr},
-      {"1175", 1, "skip1, the skip signals of G31.1: bit 0 is signal 1",
-       kM7 + "p.552; its number and its default from " + kGeneral, Inferred, nullptr},
-      {"1177", 2, "skip2, the skip signals of G31.2: bit 0 is signal 1",
-       kM7 + "p.552; its number and its default from " + kGeneral, Inferred, nullptr},
-      {"1179", 4, "skip3, the skip signals of G31.3: bit 0 is signal 1",
-       kM7 + "p.552; its number and its default from " + kGeneral, Inferred, nullptr},
-      {"1176", 0, "skip1f, the feed of G31.1 without F, mm/min",
-       kM7 + "p.552; its default " + kPolicy, Manual, nullptr},
-      {"1178", 0, "skip2f, the feed of G31.2 without F, mm/min",
-       kM7 + "p.552; its default " + kPolicy, Manual, nullptr},
-      {"1180", 0, "skip3f, the feed of G31.3 without F, mm/min",
-       kM7 + "p.552; its default " + kPolicy, Manual, nullptr},
-      {"3401#0", 1, "lengths without a point: 0 least increments, 1 millimetres",
-       "inferred from the worked examples; FANUC's number stands for the control's own", Inferred,
-       [](Control& k, double value) {
-         k.whole_numbers.value = value != 0 ? WholeNumbers::Millimetres : WholeNumbers::Increments;
-       }},
-  };
-}
+/// The parameters that set rules, and those of codes that call.
+const Parameter kParameters[] = {
+    {"1174", 0, "skip_F, the feed of G31 without F, mm/min", kM7 + "p.547; its default " + kPolicy,
+     Manual},
+    {"8004", 0, "SPEED, the measuring feed of G37.1 without F, mm/min",
+     kM7 + "p.555; its default " + kPolicy, Manual},
+    {"8005", 0, "ZONE r, how far before the point that feed begins without R, mm",
+     kM7 + "p.555; its default " + kPolicy, Manual},
+    {"8006", 0, "ZONE d, within what distance of the point the tool arrives without D, mm",
+     kM7 + "p.555; its default " + kPolicy, Manual},
+    {"1173", 0, "dwlskp, the skip signals that end G04: bit 0 is signal 1",
+     kM7 + "p.554; its default " + kPolicy, Manual},
+    {"1175", 1, "skip1, the skip signals of G31.1: bit 0 is signal 1",
+     kM7 + "p.552; its number and its default from " + kGeneral, Inferred},
+    {"1177", 2, "skip2, the skip signals of G31.2: bit 0 is signal 1",
+     kM7 + "p.552; its number and its default from " + kGeneral, Inferred},
+    {"1179", 4, "skip3, the skip signals of G31.3: bit 0 is signal 1",
+     kM7 + "p.552; its number and its default from " + kGeneral, Inferred},
+    {"1176", 0, "skip1f, the feed of G31.1 without F, mm/min",
+     kM7 + "p.552; its default " + kPolicy, Manual},
+    {"1178", 0, "skip2f, the feed of G31.2 without F, mm/min",
+     kM7 + "p.552; its default " + kPolicy, Manual},
+    {"1180", 0, "skip3f, the feed of G31.3 without F, mm/min",
+     kM7 + "p.552; its default " + kPolicy, Manual},
+};
 
 const AlarmList& alarms_m700() {
   using enum Cause;
@@ -331,7 +327,7 @@ Control family() {
   c.user_alarm_number = "P277";
   variables(c);
   variable_choices(c);
-  parameters(c);
+  add_parameters(c, kParameters);
   call_codes(c);
   add_family_motion(c);
   return c;

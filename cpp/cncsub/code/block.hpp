@@ -1,0 +1,121 @@
+// Blocks, and the words that stand in them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "cncsub/code/fault.hpp"
+#include "cncsub/control/roles.hpp"
+
+namespace cncsub {
+
+enum class Op : std::uint8_t {
+  Words,        // NC words only
+  Linear,       // words: G00 or G01 with nothing but X, Y, Z and F, the case that must be fast
+  Arc,          // words: G02 or G03 with nothing but X, Y, Z, F and a centre
+  Call,         // words, then a subprogram call (aux: call)
+  MacroCall,    // G65 and macro calls by code (aux: call)
+  ModalCall,    // G66, G66.1 and modal calls by code (aux: call)
+  CancelModal,  // G67, with words
+  Return,       // words, then M99 (aux: call; P and L are its operands)
+  Jump,         // words, then M97 (aux: statement)
+  EndProgram,   // words, then M02 or M30
+  Assign,       // aux: statement
+  Goto,         // aux: statement
+  IfGoto,       // aux: statement
+  IfThen,       // aux: statement
+  If,
+  Else,
+  EndIf,  // aux: statement; If: to = behind ELSE or ENDIF
+  While,
+  Do,
+  EndDo,  // aux: statement; While: to = behind END; EndDo: to = the WHILE or DO
+  HCode,  // G65 H (aux: statement)
+  Print,  // DPRNT, BPRNT (aux: print)
+  OpenOutput,
+  CloseOutput,
+  NameVariables,  // SETVN (aux: statement)
+  Labelled,       // aux: labelled
+  Together,       // aux: together: assignments, a message, and words
+  Choose,  // aux: variant: which of two blocks this one is, by the skip switches or by who called
+  Fault,   // aux: fault
+  EndOfRecord,  // behind the last block of every program
+};
+
+/// A block of words and nothing else.
+constexpr bool is_words(Op op) { return op <= Op::Arc; }
+
+/// A word's cell: its value, or the number of its expression.
+union Cell {
+  double value;
+  struct {
+    std::uint32_t
+        expressions;      // of a block's extra cell: the addresses whose cell is an expression
+    std::uint32_t whole;  // and those whose number has no point; and kPointedH
+  } extra;
+  std::uint64_t expression;
+};
+
+// Addresses in a block's mask: bit 0 is A, bit 25 Z; then the two-character addresses.
+constexpr int kCommaC = 26, kCommaR = 27, kCommaA = 28, kCommaD = 29;
+constexpr int kAddresses = 30;
+constexpr int kPointedH = 30;  // no address, a mark: H has a point that only an increment takes
+constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
+
+/// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G
+/// codes, the M codes (one cell each, or an expression), then the values of the mask's addresses in
+/// alphabetical order.
+struct Block {
+  std::uint32_t text = 0;  // where it starts in its file
+  std::uint32_t line = 0;  // 1-based
+  std::int32_t n = -1;
+  std::uint32_t data = 0;
+  std::uint32_t mask = 0;
+  std::uint32_t aux = 0;
+  Op op = Op::Words;
+  std::uint8_t g_count = 0;
+  std::uint8_t m_count = 0;
+  std::uint8_t flags = 0;
+  std::uint16_t skip = 0;    // bit k: not executed when switch k is on
+  std::uint16_t length = 0;  // bytes of text, at most 65535
+
+  static constexpr std::uint8_t kHasExtra = 1;
+  static constexpr std::uint8_t kCodeExpression =
+      2;  // a G or M is an expression: its cell holds -1 - expression
+  static constexpr std::uint8_t kSecondG = 4;  // Linear: G01 is written; Arc: G03
+  static constexpr std::uint8_t kNoG = 8;      // Linear and Arc: no G is written
+  static constexpr std::uint8_t kDrops = 16;   // words that do not count: Code::drops
+};
+
+struct Variant {
+  std::uint16_t skip = 0;  // != 0: `second` when one of these switches is on
+  char address = 0;  // != 0: `second` when the frame was entered by a code that keeps this address
+                     // from calling
+  std::uint32_t first = 0;  // into Code::variants
+  std::uint32_t second = 0;
+};
+
+/// The largest G (ten times) or M code that a block can hold.
+constexpr double kLargestCode = 1e9;
+
+/// The words of a block, ready to be executed.
+struct NcWords {
+  std::uint32_t mask = 0;
+  std::uint32_t whole = 0;     // written as a number without a point; and kPointedH
+  std::uint32_t computed = 0;  // came from a variable or an expression
+  std::array<double, kAddresses> value{};
+  std::array<int, 12> g{};  // ten times the code: G54.1 is 541
+  std::array<int, 6> m{};
+  int g_count = 0;
+  int m_count = 0;
+  std::uint32_t roles = 0;  // of its M codes, a bit each
+  bool ends = false;        // M02 or M30 stands in the block
+  bool stops = false;  // the run stops behind it: moves that wait for the next one wait no more
+  Address at = 0;      // the block, for faults
+
+  bool has(char address) const { return (mask & bit(address)) != 0; }
+  bool has(Role role) const { return (roles >> static_cast<unsigned>(role) & 1) != 0; }
+  double operator[](char address) const { return value[static_cast<std::size_t>(address - 'A')]; }
+};
+
+}  // namespace cncsub

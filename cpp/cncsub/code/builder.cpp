@@ -1,0 +1,133 @@
+#include "cncsub/code/builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cncsub {
+
+namespace {
+
+Cell cell_of(const WordValue& value) {
+  Cell cell{};
+  if (value.computed)
+    cell.expression = value.expression;
+  else
+    cell.value = value.value;
+  return cell;
+}
+
+/// A code below 0 would read as an expression, and one too large is refused when it runs.
+Cell code_cell(const WordValue& code) {
+  Cell cell{};
+  if (code.computed)
+    cell.value = -1.0 - code.expression;
+  else
+    cell.value = code.value >= 0 && code.value <= kLargestCode ? code.value : kLargestCode + 1;
+  return cell;
+}
+
+/// By number, then by address. Pieces are sorted, then merged, so that interruption is asked
+/// between.
+void sort_entries(std::vector<SequenceEntry>& entries, std::size_t from,
+                  InterruptCheck& interrupt) {
+  const auto by_number = [](const SequenceEntry& a, const SequenceEntry& b) { return a.n < b.n; };
+  const auto end = entries.end();
+  const std::size_t size = entries.size() - from;
+  const auto at = [&](std::size_t i) {
+    return end - static_cast<std::ptrdiff_t>(size - std::min(i, size));
+  };
+  if (std::is_sorted(at(0), end, by_number)) return;
+  std::size_t piece = 1 << 16;
+  for (std::size_t i = 0; i < size && !interrupt.requested(piece * InterruptCheck::kBlock);
+       i += piece)
+    std::stable_sort(at(i), at(i + piece), by_number);
+  for (; piece < size; piece *= 2)
+    for (std::size_t i = 0;
+         i + piece < size && !interrupt.requested(piece * InterruptCheck::kBlock); i += 2 * piece)
+      std::inplace_merge(at(i), at(i + piece), at(i + 2 * piece), by_number);
+}
+
+}  // namespace
+
+// ---- programs ----
+
+void Builder::begin_program(const Program& program) {
+  code_.programs.push_back(program);
+  code_.programs.back().first = next_address();
+  in_program_ = true;
+}
+
+void Builder::end_program(std::uint32_t text_end, std::uint32_t line) {
+  in_program_ = false;
+  Program& program = code_.programs.back();
+  program.text_end = text_end;
+  program.last = next_address();
+  Block end;
+  end.op = Op::EndOfRecord;
+  end.line = line;
+  end.text = text_end;
+  append(end);
+  program.first_entry = static_cast<std::uint32_t>(code_.sequence.size());
+  for (Address a = program.first; a < program.last && !interrupt_.requested(InterruptCheck::kBlock);
+       ++a)
+    if (code_.blocks[a].n >= 0) code_.sequence.push_back({code_.blocks[a].n, a});
+  program.last_entry = static_cast<std::uint32_t>(code_.sequence.size());
+  sort_entries(code_.sequence, program.first_entry, interrupt_);
+}
+
+void Builder::drop_program(std::int32_t leader) {
+  if (leader > 0) code_.files[code_.programs.back().file].leader = leader;
+  code_.blocks.erase(code_.blocks.begin() + code_.programs.back().first, code_.blocks.end());
+  code_.programs.pop_back();
+  in_program_ = false;
+}
+
+// ---- blocks ----
+
+void Builder::together(Block& block, const std::vector<Statement>& statements, const Print* print,
+                       const Block* words) {
+  Together all;
+  all.first_statement = static_cast<std::uint32_t>(code_.statements.size());
+  all.statements = static_cast<std::uint32_t>(statements.size());
+  code_.statements.insert(code_.statements.end(), statements.begin(), statements.end());
+  if (print != nullptr) all.print = keep(*print);
+  if (words != nullptr) all.words = keep(*words);
+  become(block, Op::Together, all);
+}
+
+// ---- words ----
+
+void Builder::words(Block& block, const WordList& words) {
+  block.data = static_cast<std::uint32_t>(code_.cells.size());
+  block.mask = words.mask;
+  block.flags = 0;
+  std::uint32_t expressions = 0;
+  for (std::uint32_t left = words.mask; left != 0; left &= left - 1)
+    if (words.values[static_cast<std::size_t>(std::countr_zero(left))].computed)
+      expressions |= left & -left;
+  if ((expressions | words.whole) != 0) {
+    Cell cell{};
+    cell.extra = {expressions, words.whole};
+    code_.cells.push_back(cell);
+    block.flags |= Block::kHasExtra;
+  }
+  const auto code = [&](const WordValue& of) {
+    if (of.computed) block.flags |= Block::kCodeExpression;
+    code_.cells.push_back(code_cell(of));
+  };
+  for (int i = 0; i < words.g_count; ++i) code(words.g[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < words.m_count; ++i) code(words.m[static_cast<std::size_t>(i)]);
+  block.g_count = static_cast<std::uint8_t>(words.g_count);
+  block.m_count = static_cast<std::uint8_t>(words.m_count);
+  for (std::uint32_t left = words.mask; left != 0; left &= left - 1)
+    code_.cells.push_back(cell_of(words.values[static_cast<std::size_t>(std::countr_zero(left))]));
+  if (code_.drops.size() > first_drop_) block.flags |= Block::kDrops;
+  for (; first_drop_ < code_.drops.size(); ++first_drop_)
+    code_.drops[first_drop_].data = block.data;
+  block.op = Op::Words;
+  if (block.flags != 0 || block.m_count != 0 || block.g_count > 1) return;
+  const double g = block.g_count == 0 ? -10 : code_.cells[block.data].value;
+  if (g <= 30 && std::fmod(g, 10) == 0) mark_move(block, to_whole<int>(g / 10));
+}
+
+}  // namespace cncsub

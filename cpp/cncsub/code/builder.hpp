@@ -1,0 +1,187 @@
+// Writes neutral code. It is the one place that appends to it: a dialect reads text and says here
+// what it means.
+//
+// A block is made in the reader's hands (its text, line and sequence number are the reader's) and
+// becomes what it is by one of the calls below; `append` puts it behind the others of its program.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/code/expression_writer.hpp"
+#include "cncsub/code/names.hpp"
+#include "cncsub/text/interrupt_check.hpp"
+
+namespace cncsub {
+
+/// A value of a word: a number, or an expression that gives it when the block runs.
+struct WordValue {
+  bool computed = false;
+  std::uint32_t expression = 0;
+  double value = 0;
+};
+
+/// The words that a block executes. An address stands once, its later value counts.
+struct WordList {
+  std::array<WordValue, 12> g;  // ten times the code where it is written as a number
+  std::array<WordValue, 6> m;
+  std::array<WordValue, kAddresses> values;  // those of the mask
+  std::uint32_t mask = 0;
+  std::uint32_t whole = 0;  // as in NcWords
+  int g_count = 0;
+  int m_count = 0;
+
+  void add_g(WordValue code) { g[static_cast<std::size_t>(g_count++)] = code; }
+  void add_m(WordValue code) { m[static_cast<std::size_t>(m_count++)] = code; }
+  /// `address`: its place in a mask.
+  void set(int address, WordValue value, bool is_whole) {
+    const std::uint32_t mark = 1u << address;
+    values[static_cast<std::size_t>(address)] = value;
+    mask |= mark;
+    whole = is_whole ? whole | mark : whole & ~mark;
+  }
+};
+
+class Builder {
+ public:
+  Builder(Code& code, InterruptCheck& interrupt)
+      : code_(code),
+        interrupt_(interrupt),
+        expressions_(code),
+        names_(code),
+        first_drop_(code.drops.size()) {}
+
+  const Code& code() const { return code_; }
+  const Control& control() const { return *code_.control; }
+  InterruptCheck& interrupt() { return interrupt_; }
+  ExpressionWriter& expressions() { return expressions_; }
+  Names& names() { return names_; }
+
+  // ---- programs ----
+
+  bool in_program() const { return in_program_; }
+  /// The program that was begun last.
+  Program& program() { return code_.programs.back(); }
+  /// Begins a program whose first block comes next.
+  void begin_program(const Program& program);
+  /// Ends it where its text ends; its blocks can be found by their numbers from now on.
+  void end_program(std::uint32_t text_end, std::uint32_t line);
+  /// Takes the last program away, with its blocks. `leader`: so many lines at the head of its file
+  /// are no program.
+  void drop_program(std::int32_t leader = 0);
+  /// A program that is a part of the one that was ended last, or of another before it.
+  void part(const Program& program) { code_.programs.push_back(program); }
+
+  // ---- blocks, and the records of what they do ----
+
+  Address next_address() const { return static_cast<Address>(code_.blocks.size()); }
+  void append(const Block& block) { code_.blocks.push_back(block); }
+  Block& block(Address address) { return code_.blocks[address]; }
+
+  /// Keeps a record beside the others of its kind: its number. A block that is kept so is executed
+  /// by another one, a Choose or an IfThen.
+  template <class Record>
+  std::uint32_t keep(Record record) {
+    auto& kept = table<Record>();
+    kept.push_back(std::move(record));
+    return static_cast<std::uint32_t>(kept.size() - 1);
+  }
+  template <class Record>
+  Record& record(std::uint32_t number) {
+    return table<Record>()[number];
+  }
+  /// The block does what the record says.
+  template <class Record>
+  void become(Block& block, Op op, Record record) {
+    block.op = op;
+    block.aux = keep(std::move(record));
+  }
+  /// The control refuses the block when it is reached.
+  void refuse(Block& block, Fault fault) { become(block, Op::Fault, std::move(fault)); }
+  /// Assignments beside a message and words.
+  void together(Block& block, const std::vector<Statement>& statements, const Print* print,
+                const Block* words);
+  /// The place of the next argument; those of one call follow each other.
+  std::uint32_t next_argument() const { return static_cast<std::uint32_t>(code_.arguments.size()); }
+
+  // ---- words ----
+
+  /// Gives the block its words. One with nothing but a plain move becomes Op::Linear or Op::Arc.
+  void words(Block& block, const WordList& words);
+  /// A word that the control reads and does not obey, of the block whose words come next.
+  void drop(std::uint32_t at, std::uint32_t width) { code_.drops.push_back({0, at, width}); }
+  /// The same for a block of whole G codes, perhaps an M code (-1: none), and numbers, `values` by
+  /// letter.
+  void plain_words(Block& block, std::span<const int> g, int m, std::uint32_t mask,
+                   const std::array<double, 26>& values);
+
+ private:
+  template <class Record>
+  auto& table() {
+    if constexpr (std::is_same_v<Record, Block>)
+      return code_.variants;
+    else if constexpr (std::is_same_v<Record, CallRecord>)
+      return code_.calls;
+    else if constexpr (std::is_same_v<Record, Argument>)
+      return code_.arguments;
+    else if constexpr (std::is_same_v<Record, Statement>)
+      return code_.statements;
+    else if constexpr (std::is_same_v<Record, Labelled>)
+      return code_.labelled;
+    else if constexpr (std::is_same_v<Record, Together>)
+      return code_.together;
+    else if constexpr (std::is_same_v<Record, Print>)
+      return code_.prints;
+    else if constexpr (std::is_same_v<Record, Variant>)
+      return code_.choices;
+    else if constexpr (std::is_same_v<Record, Fault>)
+      return code_.faults;
+  }
+
+  Code& code_;
+  InterruptCheck& interrupt_;
+  ExpressionWriter expressions_;
+  Names names_;
+  bool in_program_ = false;
+  std::size_t first_drop_;  // of the block whose words come next
+};
+
+/// A block of nothing but G00 or G01 (or no G), X, Y, Z and F is a linear move; with G02 or G03 (or
+/// no G) and words of a centre an arc.
+inline void mark_move(Block& block, int g) {
+  constexpr std::uint32_t kAxesAndFeed = bit('X') | bit('Y') | bit('Z') | bit('F');
+  constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K');
+  const bool arc = g < 0 ? (block.mask & kCentre) != 0 : g >= 2;
+  if (block.mask == 0 || (block.mask & ~(kAxesAndFeed | (arc ? kCentre : 0))) != 0 || g > 3) return;
+  if (arc && (block.mask & kCentre) == 0) return;
+  block.op = arc ? Op::Arc : Op::Linear;
+  block.flags = g < 0 ? Block::kNoG : g % 2 == 1 ? Block::kSecondG : std::uint8_t{0};
+}
+
+inline void Builder::plain_words(Block& block, std::span<const int> g, int m, std::uint32_t mask,
+                                 const std::array<double, 26>& values) {
+  const auto write = [this](double value) {
+    Cell cell;  // NOLINT: written below
+    cell.value = value;
+    code_.cells.push_back(cell);
+  };
+  block.mask = mask;
+  block.data = static_cast<std::uint32_t>(code_.cells.size());
+  block.g_count = static_cast<std::uint8_t>(g.size());
+  for (const int code : g) write(code * 10.0);
+  if (m >= 0) {
+    block.m_count = 1;
+    write(m);
+  }
+  for (std::uint32_t left = mask; left != 0; left &= left - 1)
+    write(values[static_cast<std::size_t>(std::countr_zero(left))]);
+  if (m < 0 && g.size() < 2) mark_move(block, g.empty() ? -1 : g.front());
+}
+
+}  // namespace cncsub

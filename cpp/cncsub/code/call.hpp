@@ -1,0 +1,88 @@
+// Calls as they are written, and what they say once their operands are known.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "cncsub/code/expression.hpp"
+#include "cncsub/code/fault.hpp"
+#include "cncsub/code/program.hpp"
+#include "cncsub/control/control.hpp"
+
+namespace cncsub {
+
+/// What a call is, as its frame shows it: a call of its own, or that of a code which calls.
+enum class CallKind : std::uint8_t {
+  Subprogram,       // M98
+  External,         // M198: a program of the external device
+  Local,            // M97: blocks of the own program
+  Labelled,         // o100 call
+  Macro,            // G65
+  Modal,            // G66
+  ModalEveryBlock,  // G66.1
+  GCode,
+  MCode,
+  TCode,
+  SCode,
+  BCode,
+  Ascii  // a letter whose every code calls
+};
+/// M98, G66.1, T-code: the name under which a kind is shown.
+std::string_view to_string(CallKind kind);
+inline bool is_macro(CallKind kind, CodeCallKind code) {
+  switch (kind) {
+    case CallKind::Subprogram:
+    case CallKind::External:
+    case CallKind::Local:
+    case CallKind::Labelled:
+      return false;
+    case CallKind::Macro:
+    case CallKind::Modal:
+    case CallKind::ModalEveryBlock:
+      return true;
+    default:
+      return code != CodeCallKind::Subprogram;
+  }
+}
+
+struct Argument {
+  std::int16_t variable = 0;  // the local it sets
+  char address = 0;
+  Operand operand;
+};
+
+/// What a call says once its operands are known.
+struct Target {
+  std::int64_t program_number = -1;
+  std::int32_t program = kNoProgram;
+  Address start = kNowhere;
+  std::int32_t start_n = -1;
+  std::int32_t repeats = 1;
+  bool skipped = false;   // L0
+  bool jump = false;      // a MELDAS M98 without P
+  bool external = false;  // on the external device
+};
+
+struct CallRecord {
+  CallKind kind = CallKind::Subprogram;
+  CodeCallKind code_kind = CodeCallKind::Subprogram;
+  std::int32_t code = 0;      // the calling code: 60 of M60
+  std::int32_t variable = 0;  // takes the code's value
+  Operand p, l, start, device;
+  std::string name;  // <NAME>, P[NAME]
+  std::uint32_t name_at = 0, name_width = 1;
+  std::int32_t program_number = -1;  // a call by code: the program it is registered for
+  std::uint32_t first_argument = 0, arguments = 0;
+  std::uint32_t at = 0, width = 1;  // the calling word
+  bool macro = false;
+  enum class Locals : std::uint8_t {
+    ByKind,     // a macro has its own, a subprogram its caller's
+    Own,        // the arguments and nothing else
+    OwnByName,  // those with a number are the caller's
+  } locals = Locals::ByKind;
+  bool constant = false;  // `target` holds for every execution
+  Target target;
+};
+
+}  // namespace cncsub

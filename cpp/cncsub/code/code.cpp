@@ -1,0 +1,120 @@
+#include "cncsub/code/code.hpp"
+
+#include <algorithm>
+
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+void Code::list_statements() {
+  const std::string list = " " + control->macros.statements.value + " ";
+  for (std::size_t i = 0; i < static_cast<std::size_t>(StatementKind::Count); ++i) {
+    const std::string name = " " + std::string(statement_name(static_cast<StatementKind>(i)));
+    unheard_of.set(i, list.find(name + "? ") != std::string::npos);
+    lacking.set(i, list.find(name + " ") == std::string::npos);
+  }
+}
+
+Fault Code::lacking_fault(StatementKind kind, std::uint32_t at) const {
+  const std::string name(statement_name(kind));
+  if (unheard_of.test(static_cast<std::size_t>(kind)))
+    return {Cause::StatementNotKnown, at, 1, "no source says whether this control has " + name};
+  return {Cause::StatementNotAvailable, at, 1, "this control has no " + name};
+}
+
+namespace {
+
+VariablePlace placed(const PlacedRange& of, std::int64_t number) {
+  const auto& [range, base] = of;
+  const auto offset = static_cast<std::int32_t>(number) - range.first;
+  const bool common = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
+  const std::int32_t index = range.kind == VariableKind::Local ? static_cast<std::int32_t>(number)
+                             : common                          ? base + offset
+                                                               : offset + range.from;
+  return {range.kind, index, &range};
+}
+
+}  // namespace
+
+VariablePlace Code::place(std::int64_t number) const {
+  // Locals and commons are the first ranges, and what programs use most: they are met one by one.
+  auto from = variables.begin();
+  for (int i = 0; i < 4 && from != variables.end() && from->range.first <= number; ++i) {
+    if (number <= from->range.last) break;
+    ++from;
+  }
+  if (from != variables.end() && number >= from->range.first && number <= from->range.last)
+    return placed(*from, number);
+  const auto behind = std::upper_bound(
+      from, variables.end(), number,
+      [](std::int64_t n, const PlacedRange& placed) { return n < placed.range.first; });
+  if (behind == variables.begin()) return {};
+  if (number > behind[-1].range.last) return {};
+  return placed(behind[-1], number);
+}
+
+bool Code::can_name(std::int64_t number, std::int64_t last) const {
+  if (number >= 1 && number <= last) return true;
+  const VariablePlace found = place(number);
+  return found.range != nullptr &&
+         (found.kind == VariableKind::Common || found.kind == VariableKind::Kept);
+}
+
+std::int32_t Code::program_at(Address address) const {
+  const auto behind =
+      std::upper_bound(programs.begin(), programs.end(), address,
+                       [](Address a, const Program& program) { return a < program.first; });
+  auto at = static_cast<std::int32_t>(behind - programs.begin()) - 1;
+  while (at > 0 && programs[static_cast<std::size_t>(at)].inside != kNoProgram &&
+         address >= programs[static_cast<std::size_t>(at)].last)
+    at = programs[static_cast<std::size_t>(at)].inside;
+  return at;
+}
+
+std::uint32_t Code::label(std::int64_t number) const {
+  const auto found = label_places.find(std::to_string(number));
+  return found == label_places.end() ? Labelled::kNone : found->second;
+}
+
+Address Code::head_from(std::uint32_t label, Address from) const {
+  const auto found = std::lower_bound(
+      heads.begin(), heads.end(), from, [label](const LabelledHead& head, Address address) {
+        return head.label != label ? head.label < label : head.address < address;
+      });
+  if (found == heads.end() || found->label != label) return kNowhere;
+  const std::int32_t at = program_at(from);
+  return programs[static_cast<std::size_t>(at)].file ==
+                 programs[static_cast<std::size_t>(program_at(found->address))].file
+             ? found->address
+             : kNowhere;
+}
+
+std::string_view Code::text_of(const Block& block, const Program& program) const {
+  const std::string& text = files[program.file].text;
+  std::size_t end = std::min<std::size_t>(text.size(), std::size_t{block.text} + block.length);
+  if (block.length == 65535) end = std::min(text.find('\n', block.text), text.size());
+  std::string_view view(text.data() + block.text, end - block.text);
+  while (!view.empty() && is_blank(view.back())) view.remove_suffix(1);
+  return view;
+}
+
+std::vector<WrittenWord> Code::words_of(const Block& block, const Program& program) const {
+  return written_words(read_word, text_of(block, program).substr(0, kLookedAt));
+}
+
+std::string Code::name_of(const Program& program) const {
+  const SourceFile& file = files[program.file];
+  if (program.name_length == Program::kOfFile) return file.stem.empty() ? "MAIN" : file.stem;
+  if (program.name_length == 0) return "MAIN";
+  const char head = file.text[program.text];
+  const bool numbered = upper(head) == 'O' || head == ':';
+  return (numbered && is_digit(file.text[program.name_at]) ? "O" : "") +
+         file.text.substr(program.name_at, program.name_length);
+}
+
+std::string_view Code::comment_of(const Program& program) const {
+  return std::string_view(files[program.file].text)
+      .substr(program.comment_at, program.comment_length);
+}
+
+}  // namespace cncsub

@@ -1,0 +1,150 @@
+// The programs of a library, compiled: every block once, against the control's rules, into flat
+// arrays.
+//
+// A block's address is one number, its place in `Code::blocks`, and so is a jump target, a return
+// address and the origin of a step. A block that the control would refuse is kept as the fault it
+// will raise when it is reached.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "cncsub/code/block.hpp"
+#include "cncsub/code/call.hpp"
+#include "cncsub/code/expression.hpp"
+#include "cncsub/code/fault.hpp"
+#include "cncsub/code/labelled.hpp"
+#include "cncsub/code/large_pages.hpp"
+#include "cncsub/code/program.hpp"
+#include "cncsub/code/statement.hpp"
+#include "cncsub/control/control.hpp"
+#include "cncsub/control/rule_lists.hpp"
+#include "cncsub/text/number.hpp"
+#include "cncsub/text/words.hpp"
+
+namespace cncsub {
+
+/// A number has no more digits than these, whatever a rule says: a double holds no more.
+constexpr int kMostDigits = 15;
+inline int most_digits(const Control& control) {
+  return std::min<int>(control.reading.max_digits.value, kMostDigits);
+}
+
+/// Where a variable lives.
+struct VariablePlace {
+  VariableKind kind = VariableKind::Common;
+  std::int32_t index = -1;  // Local: the number itself; Common and Kept: the place among the
+                            // commons; else number - first
+  const VariableRange* range = nullptr;  // null: there is no such variable
+
+  bool is_local() const { return range != nullptr && kind == VariableKind::Local; }
+  bool is_common() const {
+    return range != nullptr && (kind == VariableKind::Common || kind == VariableKind::Kept);
+  }
+};
+
+/// A range of variables, and where the first of its commons lies.
+struct PlacedRange {
+  VariableRange range;
+  std::int32_t base = 0;
+};
+
+constexpr std::size_t kLookedAt = 65535;  // bytes of a block in which words are looked for
+
+struct Code {
+  std::shared_ptr<const Control> control;
+  std::vector<PlacedRange> variables;  // by number
+  ReadWord read_word = nullptr;        // of the dialect that the programs are written in
+  bool external_device = false;
+  std::bitset<10001> g_codes;  // the codes of the control, ten times each; all where it has no list
+  std::bitset<16> lacking;     // kinds of statements that the control does not have, or
+  std::bitset<16> unheard_of;  // that no source tells of, which are lacking too
+  std::vector<std::string> names;      // of variables used by name
+  std::int32_t locals = 34;            // the locals of one level, #0 included
+  std::int32_t locals_per_level = 33;  // as a level's image counts them
+  std::int32_t commons = 0;
+  std::vector<SourceFile> files;
+  LargeVector<Program> programs;
+  LargeVector<Block> blocks;
+  LargeVector<Block> variants;
+  LargeVector<Cell> cells;
+  std::vector<Instruction> instructions;
+  std::vector<Expression> expressions;
+  std::vector<CallRecord> calls;
+  std::vector<Argument> arguments;
+  std::vector<Statement> statements;
+  std::vector<Labelled> labelled;
+  std::vector<std::string> labels{""};  // the first is none
+  std::unordered_map<std::string, std::uint32_t> label_places;
+  std::vector<LabelledHead> heads;  // by label, then by address
+  std::vector<NamedVariable> named_variables;
+  std::unordered_map<std::string, std::uint32_t> named_places;
+  std::int32_t returned = -1;  // among the commons: what the last subprogram returned, and whether
+  std::vector<cncsub::Together> together;
+  std::vector<Print> prints;
+  std::vector<Variant> choices;
+  std::vector<Fault> faults;
+  std::vector<Drop> drops;  // in the order of their blocks' data
+  std::vector<SequenceEntry> sequence;
+  std::array<ProgramIndex, 2> by_number, by_name;  // of the memory, of the external device
+
+  VariablePlace place(std::int64_t number) const;
+  /// Whether a program can name this variable: from 1 to `last`, and commons that are there.
+  bool can_name(std::int64_t number, std::int64_t last) const;
+
+  /// The fault of a statement of this kind at `at`; nothing where the control has it.
+  std::optional<Fault> lacks(StatementKind kind, std::uint32_t at) const {
+    if (!lacking.test(static_cast<std::size_t>(kind))) return std::nullopt;
+    return lacking_fault(kind, at);
+  }
+  Fault lacking_fault(StatementKind kind, std::uint32_t at) const;
+  void list_statements();
+
+  /// The innermost program that holds a block.
+  std::int32_t program_at(Address address) const;
+  /// The label that is this number, Labelled::kNone where no block has it.
+  std::uint32_t label(std::int64_t number) const;
+  /// The nearest head of a subprogram from an address on, in the text that its program is a part
+  /// of.
+  Address head_from(std::uint32_t label, Address from) const;
+  std::string name_of(const Program& program) const;
+  std::string name_of(std::int32_t program) const {
+    return name_of(programs[static_cast<std::size_t>(program)]);
+  }
+  std::string_view comment_of(const Program& program) const;
+  std::string_view text_of(const Block& block, const Program& program) const;
+  /// Its words as they are written, those of its first 65,535 bytes.
+  std::vector<WrittenWord> words_of(const Block& block, const Program& program) const;
+
+  /// The program of a number or name, kNoProgram where there is none.
+  std::int32_t find(std::int64_t number, bool external = false) const;
+  std::int32_t find(std::string_view name, bool external = false) const;
+
+  /// Makes every program known by its number and its name, and the first one of a file by the
+  /// file's name; of several under one name the first counts. `over` may end it.
+  void register_programs(const std::function<bool()>& over);
+
+  /// What an alarm says where a program has no block of a number.
+  std::string no_block(std::int64_t n, const Program& program) const;
+  // The block N(n) of a program; kNowhere where there is none.
+  Address first_of(const Program& program, std::int64_t n) const;
+  Address first_from(const Program& program, std::int64_t n, Address from) const;
+  Address next_of(const Program& program, std::int64_t n, Address behind) const;
+  Address last_of(const Program& program, std::int64_t n, Address before) const;
+  Address jump_target(const Program& program, std::int64_t n, Address from) const;
+  Address return_target(const Program& program, std::int64_t n, Address call) const;
+};
+
+/// The number in O0023, %23, :23 or 23; -1 where the name is none.
+std::int64_t number_in(std::string_view name);
+
+}  // namespace cncsub

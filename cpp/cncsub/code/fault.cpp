@@ -1,0 +1,156 @@
+#include "cncsub/code/fault.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+namespace {
+
+struct WordPlace {
+  std::uint32_t at, width;
+};
+
+bool in_name(char c) { return is_letter(upper(c)) || c == '_'; }
+bool in_number(char c) { return is_digit(c) || c == '.'; }
+
+/// An operator ends where a number begins: 1EQ2 are three words, DO1 is one.
+bool is_operator(std::string_view name) {
+  std::string word;
+  for (const char c : name) word += upper(c);
+  return std::string_view(" EQ NE GT GE LT LE AND OR XOR MOD ").find(' ' + word + ' ') !=
+         std::string_view::npos;
+}
+
+/// Behind the # at `from`: its number, or its expression as far as that is closed.
+std::size_t end_of_variable(std::string_view text, std::size_t from) {
+  std::size_t to = from;
+  while (to < text.size() && (text[to] == '#' || is_blank(text[to]))) ++to;
+  if (to < text.size() && is_digit(text[to])) {
+    while (to < text.size() && is_digit(text[to])) ++to;
+    return to;
+  }
+  if (to == text.size() || text[to] != '[') return from + 1;
+  for (int open = 0; to < text.size(); ++to) {
+    open += text[to] == '[' ? 1 : text[to] == ']' ? -1 : 0;
+    if (open == 0) return to + 1;
+  }
+  return from + 1;
+}
+
+/// The name, number, variable or numbered word (DO1) of a macro statement that a place lies in.
+WordPlace whole_token(std::string_view text, WordPlace place) {
+  std::size_t first = place.at, last = first + place.width;
+  if (place.width == 0 || last > text.size()) return place;
+  const auto token = [](std::size_t from, std::size_t to) {
+    return WordPlace{static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to - from)};
+  };
+  if (text[first] == '#') return token(first, std::max(last, end_of_variable(text, first)));
+  const bool name = in_name(text[first]);
+  if (!name && !in_number(text[first])) return place;
+  while (!name && first > 0 && in_number(text[first - 1])) --first;
+  std::size_t number = first;  // where the letters end
+  while (first > 0 && in_name(text[first - 1])) --first;
+  while (number < text.size() && in_name(text[number])) ++number;
+  last = std::max(last, number);
+  while (last < text.size() && in_number(text[last])) ++last;
+  if (is_operator(text.substr(first, number - first)))
+    return name ? token(first, number) : token(number, last);
+  if (!name && first == number && first > 0 && text[first - 1] == '#') --first;
+  return token(first, last);
+}
+
+bool names(const Fault& fault, const WrittenWord& word) {
+  if (word.address != std::string_view(&fault.address, 1)) return false;
+  return fault.code < 0 || !word.known || std::lround(word.value * 10) == fault.code;
+}
+
+/// The word, or of a macro statement the token, that holds a place of the block's `text`.
+WordPlace widened(WordPlace place, const WrittenWord& word, std::string_view text) {
+  if (word.address.empty() || word.address == "#") return whole_token(text, place);
+  const char head = word.address[0];
+  if (!is_letter(head) && head != ',' && head != '<' && head != '#') return place;
+  return {word.at, std::max(word.width, place.at + place.width - word.at)};
+}
+
+/// The bytes of the whole word that a fault points into.
+WordPlace whole_word(const Code& code, const Program& program, const Block& block,
+                     const Fault& fault) {
+  const WordPlace place{fault.at, std::max(fault.width, 1u)};
+  const std::string_view text = code.text_of(block, program).substr(0, kLookedAt);
+  const bool named = fault.block == kNowhere && fault.address != 0;
+  if (!named && (place.at < block.text || place.at >= block.text + text.size())) return place;
+  const WordPlace here{place.at - block.text, place.width};
+  for (const WrittenWord& word : code.words_of(block, program)) {
+    if (named && names(fault, word)) return {block.text + word.at, word.width};
+    if (named || here.at < word.at || here.at >= word.at + word.width) continue;
+    const WordPlace whole = widened(here, word, text);
+    return {block.text + whole.at, whole.width};
+  }
+  return place;
+}
+
+std::uint32_t characters(std::string_view text) {
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; };
+  return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), begins));
+}
+
+/// Shows a place of a file's text: its line, and the word with its column.
+void show(Alarm& alarm, std::string_view text, std::size_t at, std::uint32_t width) {
+  const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
+  const std::size_t line = before == std::string_view::npos ? 0 : before + 1;
+  const std::size_t line_end = std::min(text.find('\n', at), text.size());
+  const std::string_view word = text.substr(at, std::min<std::size_t>(width, line_end - at));
+  alarm.source_line = text.substr(line, std::min(line_end - line, kLongestSource));
+  alarm.column = characters(text.substr(line, at - line)) + 1;
+  alarm.width = std::max(1u, characters(word));
+  alarm.word = word.substr(0, kLongestSource);
+  while (!alarm.word.empty() && is_blank(alarm.word.back())) alarm.word.pop_back();
+}
+
+/// A text of the list may have places for what the control puts in: {line}, {block}, {name}.
+void fill_in(Alarm& alarm, std::string_view name, std::string_view block) {
+  const auto put = [&alarm](std::string_view mark, std::string_view what) {
+    const std::size_t at = alarm.text.find(mark);
+    if (at != std::string::npos) alarm.text.replace(at, mark.size(), what);
+  };
+  if (alarm.text.find('{') == std::string::npos) return;
+  put("{line}", std::to_string(alarm.line));
+  put("{name}", name);
+  put("{block}", block);
+}
+
+}  // namespace
+
+Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
+  Alarm alarm;
+  alarm.cause = fault.cause;
+  alarm.detail = fault.detail;
+  if (const AlarmEntry* entry = code.control->alarm(fault.cause)) {
+    const DirectedNumber* own = entry->towards({fault.direction.data(), fault.direction.size()});
+    alarm.number = own != nullptr ? own->number : entry->number;
+    alarm.text = own != nullptr ? own->text : entry->text;
+  }
+  if (!fault.text.empty()) alarm.text = fault.text;
+  const std::int32_t index = code.program_at(address);
+  if (index < 0) return alarm;
+  const Program& program = code.programs[static_cast<std::size_t>(index)];
+  const SourceFile& file = code.files[program.file];
+  const Block& block = code.blocks[address];
+  alarm.program = code.name_of(program);
+  alarm.file = file.name;
+  alarm.n = block.n;
+  alarm.line = block.line;
+  const WordPlace place = whole_word(code, program, block, fault);
+  show(alarm, file.text, std::min<std::size_t>(std::max(place.at, block.text), file.text.size()),
+       place.width);
+  if (fault.cause == Cause::EndOfRecord) alarm.word.clear();  // a word is missing there
+  fill_in(alarm, fault.name, code.text_of(block, program));
+  if (alarm.detail.starts_with("{}")) alarm.detail.replace(0, 2, alarm.word);
+  return alarm;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,167 @@
+// How programs are found by their numbers and names, and blocks by theirs.
+#include <algorithm>
+#include <bit>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+std::int64_t number_in(std::string_view name) {
+  if (!name.empty() && (upper(name[0]) == 'O' || name[0] == '%' || name[0] == ':'))
+    name.remove_prefix(1);
+  if (name.empty() || name.size() > 15) return -1;
+  std::int64_t number = 0;
+  for (const char c : name) {
+    if (!is_digit(c)) return -1;
+    number = number * 10 + (c - '0');
+  }
+  return number;
+}
+
+void ProgramIndex::reserve(std::size_t programs) {
+  slots_.assign(std::bit_ceil(2 * programs + 1), kNoProgram);
+}
+
+namespace {
+
+std::uint64_t hash_of(std::string_view name) {  // FNV-1a of the letters as capitals
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(upper(c))) * 0x100000001b3U;
+  return hash;
+}
+
+bool same_name(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return upper(x) == upper(y); });
+}
+
+std::string_view last_part(std::string_view path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+bool first_in_file(const Code& code, std::size_t program) {
+  return program == 0 || code.programs[program - 1].file != code.programs[program].file;
+}
+
+/// Whether a program answers to a number.
+auto numbered(const Code& code, std::int64_t number) {
+  return [&code, number](std::int32_t i) {
+    return code.programs[static_cast<std::size_t>(i)].number == number;
+  };
+}
+
+/// Whether a program answers to a name: its own, or the one of the file that it is the first of.
+auto named(const Code& code, std::string_view name) {
+  return [&code, name](std::int32_t i) {
+    const auto at = static_cast<std::size_t>(i);
+    const Program& program = code.programs[at];
+    return same_name(code.name_of(program), name) ||
+           (first_in_file(code, at) && same_name(last_part(code.files[program.file].name), name));
+  };
+}
+
+}  // namespace
+
+void Code::register_programs(const std::function<bool()>& over) {
+  for (auto* index : {&by_number, &by_name})
+    for (ProgramIndex& table : *index) table.reserve(programs.size() + files.size());
+  for (std::size_t i = 0; i < programs.size() && !over(); ++i) {
+    Program& program = programs[i];
+    const SourceFile& file = files[program.file];
+    const auto place = static_cast<std::int32_t>(i);
+    if (program.number >= 0)
+      program.duplicate_of = by_number[file.external].find_or_add(
+          static_cast<std::uint64_t>(program.number), numbered(*this, program.number), place);
+    ProgramIndex& names = by_name[file.external];
+    const std::string name = name_of(program);
+    const std::int32_t before = names.find_or_add(hash_of(name), named(*this, name), place);
+    if (program.number < 0) program.duplicate_of = before;
+    const std::string_view base = last_part(file.name);
+    if (first_in_file(*this, i) && !base.empty())
+      names.find_or_add(hash_of(base), named(*this, base), place);
+  }
+}
+
+std::int32_t Code::find(std::int64_t number, bool external) const {
+  return by_number[external].find(static_cast<std::uint64_t>(number), numbered(*this, number));
+}
+
+std::int32_t Code::find(std::string_view name, bool external) const {
+  const std::int32_t found = by_name[external].find(hash_of(name), named(*this, name));
+  if (found != kNoProgram) return found;
+  const std::int64_t number = number_in(name);
+  return number >= 0 ? find(number, external) : kNoProgram;
+}
+
+namespace {
+
+struct Entries {
+  const SequenceEntry* first;
+  const SequenceEntry* last;
+};
+
+/// The blocks of one number, in the order of the program.
+Entries entries(const Code& code, const Program& program, std::int64_t n) {
+  const SequenceEntry* first = code.sequence.data() + program.first_entry;
+  const SequenceEntry* last = code.sequence.data() + program.last_entry;
+  const auto* const low = std::lower_bound(
+      first, last, n, [](const SequenceEntry& e, std::int64_t value) { return e.n < value; });
+  const auto* const high = std::upper_bound(
+      low, last, n, [](std::int64_t value, const SequenceEntry& e) { return value < e.n; });
+  return {low, high};
+}
+
+}  // namespace
+
+Address Code::first_of(const Program& program, std::int64_t n) const {
+  const Entries found = entries(*this, program, n);
+  return found.first == found.last ? kNowhere : found.first->address;
+}
+
+Address Code::first_from(const Program& program, std::int64_t n, Address from) const {
+  const Entries found = entries(*this, program, n);
+  const auto* const next =
+      std::lower_bound(found.first, found.last, from,
+                       [](const SequenceEntry& e, Address a) { return e.address < a; });
+  return next == found.last ? kNowhere : next->address;
+}
+
+Address Code::next_of(const Program& program, std::int64_t n, Address behind) const {
+  return first_from(program, n, behind + 1);
+}
+
+Address Code::last_of(const Program& program, std::int64_t n, Address before) const {
+  const Entries found = entries(*this, program, n);
+  const auto* const behind =
+      std::lower_bound(found.first, found.last, before,
+                       [](const SequenceEntry& e, Address a) { return e.address < a; });
+  return behind == found.first ? kNowhere : behind[-1].address;
+}
+
+Address Code::jump_target(const Program& program, std::int64_t n, Address from) const {
+  if (control->macros.jump_search.value == JumpSearch::ForwardThenHead) {
+    const Address next = next_of(program, n, from);
+    if (next != kNowhere) return next;
+  }
+  return first_of(program, n);
+}
+
+Address Code::return_target(const Program& program, std::int64_t n, Address call) const {
+  switch (control->calls.return_search.value) {
+    case ReturnSearch::FromHead:
+      return first_of(program, n);
+    case ReturnSearch::NearestBehindCall: {
+      const Address behind = next_of(program, n, call);
+      return behind != kNowhere ? behind : last_of(program, n, call + 1);
+    }
+  }
+  return kNowhere;
+}
+
+std::string Code::no_block(std::int64_t n, const Program& program) const {
+  return "there is no N" + std::to_string(n) + " in " + name_of(program);
+}
+
+}  // namespace cncsub

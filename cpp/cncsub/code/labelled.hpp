@@ -1,0 +1,67 @@
+// Statements that are told apart by a label, as O-words are: subprograms, branches and loops. A
+// branch or loop that is not entered is passed over from one statement of its label to the next one
+// behind it, whatever stands between.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace cncsub {
+
+enum class LabelledKind : std::uint8_t {
+  Sub,        // o1 sub: the head of a subprogram; met in the main program it is passed over
+  Head,       // O1: the head of a subprogram that M98 calls; met otherwise it is nothing
+  EndSub,     // o1 endsub, o1 endsub [value]
+  Return,     // o1 return, o1 return [value]
+  Back,       // M99
+  Call,       // o1 call [value] ...
+  Call98,     // M98 P1 L1
+  If,         // o1 if [value]
+  ElseIf,     // o1 elseif [value]
+  Else,       // o1 else
+  EndIf,      // o1 endif
+  While,      // o1 while [value]: the head of a loop, or the end of a DO
+  EndWhile,   // o1 endwhile
+  Do,         // o1 do
+  Repeat,     // o1 repeat [count]
+  EndRepeat,  // o1 endrepeat
+  Break,      // o1 break
+  Continue    // o1 continue
+};
+
+struct Labelled {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  LabelledKind kind = LabelledKind::Sub;
+  std::uint32_t label = 0;        // into Code::labels; kNone: the call's P says it
+  std::uint32_t value = kNone;    // the expression of a condition, a count, a returned value
+  std::uint32_t next = kNone;     // the address that passing over leads to
+  std::uint32_t call = kNone;     // of a call: into Code::calls
+  std::uint32_t refused = kNone;  // of a return: the fault that it is in a call, into Code::faults
+  // What the control says where a subprogram is called, or ended, as those of another kind are.
+  const char* of_another_kind = "";
+  std::uint32_t at = 0, width = 1;
+};
+
+/// Where a subprogram begins that a call finds by its label.
+struct LabelledHead {
+  std::uint32_t label = 0;
+  std::uint32_t address = 0;
+};
+
+/// A variable with a name, and the place it has: among the locals of a level, or the commons.
+struct NamedVariable {
+  std::string name;
+  bool common = false;
+  std::int32_t index = 0;
+};
+
+/// What a block does besides its words, all of it with the values from before: assignments, then a
+/// message, then the words.
+struct Together {
+  std::uint32_t first_statement = 0, statements = 0;
+  std::uint32_t print = Labelled::kNone;  // into Code::prints
+  std::uint32_t words = Labelled::kNone;  // into Code::variants
+};
+
+}  // namespace cncsub

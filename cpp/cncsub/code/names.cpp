@@ -1,0 +1,42 @@
+#include "cncsub/code/names.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cncsub {
+
+std::uint32_t Names::label(const std::string& name) {
+  const auto place = static_cast<std::uint32_t>(code_.labels.size());
+  const auto [found, is_new] = code_.label_places.try_emplace(name, place);
+  if (is_new) code_.labels.push_back(name);
+  return found->second;
+}
+
+void Names::sort_heads() {
+  std::sort(code_.heads.begin(), code_.heads.end(), [](const auto& a, const auto& b) {
+    return a.label != b.label ? a.label < b.label : a.address < b.address;
+  });
+}
+
+std::uint32_t Names::variable(const std::string& name, bool common) {
+  const auto place = static_cast<std::uint32_t>(code_.named_variables.size());
+  const auto [found, is_new] = code_.named_places.try_emplace(name, place);
+  if (is_new)
+    code_.named_variables.push_back({name, common, common ? code_.commons++ : code_.locals++});
+  return found->second;
+}
+
+std::int32_t Names::returned() {
+  if (code_.returned < 0) {
+    code_.returned = code_.commons;
+    code_.commons += 2;
+  }
+  return code_.returned;
+}
+
+std::uint32_t Names::text(std::string name) {
+  code_.names.push_back(std::move(name));
+  return static_cast<std::uint32_t>(code_.names.size() - 1);
+}
+
+}  // namespace cncsub

@@ -1,0 +1,83 @@
+// Programs, the files that they stand in, and how they are found.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cncsub/code/fault.hpp"
+
+namespace cncsub {
+
+constexpr std::int32_t kNoProgram = -1;
+
+struct SourceFile {
+  std::string name;  // as shown in messages
+  std::string stem;  // names the program where the text does not
+  std::string text;  // UTF-8
+  bool external = false;
+  std::int32_t leader = 0;  // how many lines stand before its tape and are no program
+};
+
+/// A word that the control reads and does not obey: an M code too many, an address written again.
+struct Drop {
+  std::uint32_t data = 0;  // of its block
+  std::uint32_t at = 0, width = 1;
+};
+
+struct SequenceEntry {
+  std::int32_t n;
+  Address address;
+};
+
+/// A program of the memory. Its name and its comment stand in the text: Code::name_of, comment_of.
+struct Program {
+  static constexpr std::uint32_t kOfFile = 0xffffffff;
+
+  std::int64_t number = -1;             // of O0023, :23, %23
+  std::uint32_t name_at = 0;            // in the file
+  std::uint32_t name_length = kOfFile;  // kOfFile: the file gives the name
+  std::uint32_t comment_at = 0;
+  std::uint32_t comment_length = 0;
+  std::uint32_t file = 0;
+  std::uint32_t line = 0;  // of its head
+  std::uint32_t text = 0;  // where its text starts in the file
+  std::uint32_t text_end = 0;
+  Address first = 0;
+  Address last = 0;                               // one behind the last block: the EndOfRecord
+  std::uint32_t first_entry = 0, last_entry = 0;  // in Code::sequence, sorted by n, then by address
+  std::int32_t duplicate_of = kNoProgram;
+  std::int32_t inside = kNoProgram;  // the program whose blocks it is a part of
+};
+
+/// Finds programs by what they are called: the places of programs in one table, hashed. It is given
+/// its room once.
+class ProgramIndex {
+ public:
+  void reserve(std::size_t programs);
+  /// The program that is `same` among those under this hash, kNoProgram where there is none.
+  template <class Same>
+  std::int32_t find(std::uint64_t hash, const Same& same) const {
+    return slots_.empty() ? kNoProgram : slots_[slot(hash, same)];
+  }
+  /// As find; where there is none, `program` is added.
+  template <class Same>
+  std::int32_t find_or_add(std::uint64_t hash, const Same& same, std::int32_t program) {
+    std::int32_t& found = slots_[slot(hash, same)];
+    return found == kNoProgram ? (found = program, kNoProgram) : found;
+  }
+
+ private:
+  template <class Same>
+  std::size_t slot(std::uint64_t hash, const Same& same) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = (hash * 0x9e3779b97f4a7c15U >> 32) & mask;
+    while (slots_[at] != kNoProgram && !same(slots_[at])) at = (at + 1) & mask;
+    return at;
+  }
+
+  std::vector<std::int32_t> slots_;  // a power of two, at most half of them in use
+};
+
+}  // namespace cncsub

@@ -1,0 +1,52 @@
+// Macro statements: assignments, jumps, branches, loops, and what is printed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cncsub/code/expression.hpp"
+#include "cncsub/code/fault.hpp"
+
+namespace cncsub {
+
+struct Statement {
+  std::uint32_t expression = 0;  // the condition, or the value to assign, or the jump's number
+  std::uint32_t variable =
+      0;  // Assign: an expression that gives the variable's number, when target is Indirect
+  enum class Target : std::uint8_t {
+    None,
+    Local,
+    Common,
+    Variable,
+    Indirect
+  } target = Target::None;
+  std::int32_t index = 0;   // Local, Common: the place; Variable: the number
+  Address to = kNowhere;    // where a jump goes, when known
+  Address end = kNowhere;   // Do, While: the address of the END
+  std::int32_t number = 0;  // DO m, GOTO n, G65 Hm
+  std::uint32_t at = 0, width = 1;
+  std::uint32_t variable_at = 0, variable_width = 1;
+  std::uint32_t text = 0, text_length = 0;  // the comment of #3000 and #3006
+  std::uint32_t then = 0;                   // IfThen: the variant block to execute
+  Operand p, q, r;                          // G65 H
+};
+
+struct PrintField {
+  static constexpr int kPlain = -1;  // of decimals: six, and no blanks
+
+  bool is_variable = false;
+  std::string text;
+  std::uint32_t expression = 0;
+  int whole_digits = 0;
+  int decimals = 0;
+};
+
+struct Print {
+  bool binary = false;
+  bool alarms = false;  // the text is that of an alarm
+  std::vector<PrintField> fields;
+  std::uint32_t at = 0;
+};
+
+}  // namespace cncsub

@@ -1,0 +1,78 @@
+// Sets of G or M codes, as ten times their numbers.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cncsub {
+
+/// Ten times a code such as 54 or 54.1; nothing where the text is none.
+constexpr std::optional<int> read_code(std::string_view text) {
+  int tenfold = 0;
+  std::size_t digits = 0;
+  std::size_t at = 0;
+  for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at, ++digits) {
+    tenfold = tenfold * 10 + (text[at] - '0');
+    if (tenfold >= 1000) return std::nullopt;
+  }
+  tenfold *= 10;
+  if (at < text.size()) {
+    if (text[at] != '.' || at + 2 != text.size() || text[at + 1] < '0' || text[at + 1] > '9')
+      return std::nullopt;
+    tenfold += text[at + 1] - '0';
+    ++digits;
+  }
+  return digits == 0 ? std::nullopt : std::optional(tenfold);
+}
+
+/// 54.1 of 541.
+std::string code_text(int tenfold);
+
+/// A set of codes. A literal such as "0 1 54.1" is checked when it is compiled.
+class Codes {
+ public:
+  static constexpr int kEnd = 10'000;
+
+  constexpr Codes() = default;
+  consteval Codes(const char* literal) {  // NOLINT(misc-explicit-constructor)
+    std::string_view text = literal;
+    while (!text.empty()) {
+      const std::size_t blank = text.find(' ') < text.size() ? text.find(' ') : text.size();
+      if (blank > 0) {
+        const std::optional<int> code = read_code(text.substr(0, blank));
+        code ? put(*code) : no_such_code();
+      }
+      text.remove_prefix(blank < text.size() ? blank + 1 : blank);
+    }
+  }
+
+  constexpr bool has(int tenfold) const {
+    return tenfold >= 0 && tenfold < kEnd && (words_[word(tenfold)] & bit(tenfold)) != 0;
+  }
+  constexpr void put(int tenfold) { words_[word(tenfold)] |= bit(tenfold); }
+  constexpr bool empty() const { return *this == Codes(); }
+  /// Calls `use` for each, by number.
+  template <class Use>
+  void for_each(Use&& use) const {
+    for (std::size_t place = 0; place < words_.size(); ++place)
+      for (std::uint64_t rest = words_[place]; rest != 0; rest &= rest - 1)
+        use(static_cast<int>(place * 64) + std::countr_zero(rest));
+  }
+  /// The codes by number, separated by blanks.
+  std::string text() const;
+  constexpr bool operator==(const Codes&) const = default;
+
+ private:
+  static void no_such_code() {}  // no constant: the compiler stops here
+  static constexpr std::size_t word(int tenfold) { return static_cast<std::size_t>(tenfold) / 64; }
+  static constexpr std::uint64_t bit(int tenfold) { return std::uint64_t{1} << (tenfold % 64); }
+
+  std::array<std::uint64_t, (kEnd + 63) / 64> words_{};
+};
+
+}  // namespace cncsub

@@ -1,0 +1,338 @@
+#include "cncsub/control/control.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "cncsub/control/rule_lists.hpp"
+#include "cncsub/control/variable_table.hpp"
+
+namespace cncsub {
+
+// What every run reads lives as long as the process: when it ends, threads may still be at work.
+const std::vector<CauseInfo>& all_causes() {
+  static const auto& causes = *new const std::vector<CauseInfo>{
+#define CAUSE(name, slug, meaning, cure) {#name, slug, meaning, cure},
+#include "cncsub/control/causes.def"
+#undef CAUSE
+  };
+  return causes;
+}
+
+#define CHOICE(type)                           \
+  template <>                                  \
+  const std::vector<Option>& options<type>() { \
+    static const auto& list = *new const std::vector<Option> {
+#define OPTION(type, name, slug, example) {slug, example},
+#define END_CHOICE(type) \
+  }                      \
+  ;                      \
+  return list;           \
+  }
+#include "cncsub/control/choices.def"
+#undef CHOICE
+#undef OPTION
+#undef END_CHOICE
+
+namespace {
+
+// What may be in a set.
+
+template <class E>
+std::vector<std::pair<E, Option>> members_of() {
+  std::vector<std::pair<E, Option>> all;
+  for (const Option& option : options<E>()) all.emplace_back(static_cast<E>(all.size()), option);
+  return all;
+}
+
+template <>
+std::vector<std::pair<Cause, Option>> members_of() {
+  return {
+#define REFUSAL(cause, example) \
+  {Cause::cause, {info(Cause::cause).slug, *example == 0 ? info(Cause::cause).meaning : example}},
+#include "cncsub/control/refusals.def"
+#undef REFUSAL
+  };
+}
+
+template <class T>
+inline constexpr bool kIsSet = false;
+template <class E, std::size_t Most>
+inline constexpr bool kIsSet<Set<E, Most>> = true;
+template <class T>
+inline constexpr bool kIsCharacters = false;
+template <class Kind>
+inline constexpr bool kIsCharacters<Characters<Kind>> = true;
+/// Whether entries of the answer have sources of their own.
+template <class T>
+inline constexpr bool kHasEntries = kIsSet<T> || std::is_same_v<T, Roles>;
+
+template <class E, std::size_t Most>
+std::string written(const Set<E, Most>& set) {
+  std::string text;
+  for (const auto& [entry, option] : members_of<E>())
+    if (set.has(entry)) text += (text.empty() ? "" : " ") + std::string(option.slug);
+  return text;
+}
+
+/// Changes a set entry by entry, as lists are (rule_lists.hpp).
+template <class E, std::size_t Most>
+std::optional<std::string> change_set(const char* name, Set<E, Most>& set, std::string_view text) {
+  const auto members = members_of<E>();
+  std::vector<std::string_view> words;
+  words.reserve(members.size());
+  for (const auto& member : members) words.push_back(member.second.slug);
+  std::string list = written(set);
+  if (auto wrong = change_list(name, list, text, words)) return wrong;
+  set = {};
+  for (const std::string_view word : split_entries(list))
+    for (const auto& [entry, option] : members)
+      if (option.slug == word) set.put(entry);
+  return std::nullopt;
+}
+
+std::string written(const Roles& roles) {
+  std::string text;
+  for (const Roles::Entry& entry : roles.entries())
+    text +=
+        (text.empty() ? "" : " ") + entry.code.text() + "=" + std::string(to_string(entry.role));
+  return text;
+}
+
+/// Changes the roles code by code, as lists are (rule_lists.hpp).
+std::optional<std::string> change_roles(const char* name, Roles& roles, std::string_view text) {
+  std::string list = written(roles);
+  if (auto wrong = change_list(name, list, text)) return wrong;
+  roles = {};
+  for (const std::string_view entry : split_entries(list)) {
+    const auto equals = entry.find('=');
+    if (const auto code = CodeName::read(entry.substr(0, equals)))
+      roles.set(*code, role_of(entry.substr(equals + 1)));
+  }
+  return std::nullopt;
+}
+
+/// Changes a set of codes entry by entry, as lists are (rule_lists.hpp).
+std::optional<std::string> change_codes(const char* name, Codes& codes, std::string_view text) {
+  std::string list = codes.text();
+  if (auto wrong = change_list(name, list, text)) return wrong;
+  codes = {};
+  for (const std::string_view entry : split_entries(list))
+    if (const auto code = read_code(entry)) codes.put(*code);
+  return std::nullopt;
+}
+
+template <class T>
+RuleValue shown(const T& value) {
+  if constexpr (kIsSet<T> || std::is_same_v<T, Roles>)
+    return written(value);
+  else if constexpr (std::is_same_v<T, Codes>)
+    return value.text();
+  else if constexpr (kIsCharacters<T>)
+    return std::string(value.text());
+  else if constexpr (std::is_enum_v<T>)
+    return std::string(options<T>()[static_cast<std::size_t>(value)].slug);
+  else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+    return static_cast<std::int64_t>(value);
+  else
+    return value;
+}
+
+template <class E, std::size_t Most>
+std::vector<Option> members(const Set<E, Most>& /*set*/) {
+  std::vector<Option> all;
+  for (const auto& member : members_of<E>()) all.push_back(member.second);
+  return all;
+}
+
+template <class T>
+RuleView view(const char* name, const char* group, const char* meaning, const Rule<T>& rule,
+              const T& family) {
+  RuleView row{name,          group, meaning, shown(rule.value), shown(family), rule.source,
+               rule.evidence, {},    {},      rule.entries};
+  if constexpr (std::is_enum_v<T>) row.options = options<T>();
+  if constexpr (kIsSet<T>) row.members = members(rule.value);
+  return row;
+}
+
+std::string joined(const std::vector<Option>& list) {
+  std::string text;
+  for (const Option& option : list) text += (text.empty() ? "" : ", ") + std::string(option.slug);
+  return text;
+}
+
+template <class T>
+std::optional<std::string> assign([[maybe_unused]] const Control& control,
+                                  [[maybe_unused]] std::string_view type, const char* name,
+                                  Rule<T>& rule, const RuleValue& value) {
+  if constexpr (std::is_enum_v<T>) {
+    if (const auto* slug = std::get_if<std::string>(&value)) {
+      const auto& list = options<T>();
+      for (std::size_t i = 0; i < list.size(); ++i)
+        if (list[i].slug == *slug) {
+          rule.value = static_cast<T>(i);
+          return std::nullopt;
+        }
+    }
+    return std::string(name) + " is one of " + joined(options<T>());
+  } else if constexpr (std::is_same_v<T, bool>) {
+    const auto* yes = std::get_if<bool>(&value);
+    if (yes == nullptr) return std::string(name) + " is True or False";
+    rule.value = *yes;
+  } else if constexpr (std::is_integral_v<T>) {
+    const auto* number = std::get_if<std::int64_t>(&value);
+    if (number == nullptr || *number < 0 || *number > kLargestSetting)
+      return std::string(name) + " is a whole number from 0 to " + std::to_string(kLargestSetting);
+    rule.value = static_cast<T>(*number);
+  } else {
+    const auto* text = std::get_if<std::string>(&value);
+    if (text == nullptr) return std::string(name) + " is a text";
+    if constexpr (kIsSet<T>) {
+      return change_set(name, rule.value, *text);
+    } else if constexpr (std::is_same_v<T, Roles>) {
+      return change_roles(name, rule.value, *text);
+    } else if constexpr (std::is_same_v<T, Codes>) {
+      return change_codes(name, rule.value, *text);
+    } else if constexpr (kIsCharacters<T>) {
+      return change_characters(name, rule.value, *text);
+    } else {
+      if (type == "Ranges") return change_commons(control, rule.value, *text);
+      if (type == "VariableOptions") return change_variable_options(control, rule.value, *text);
+      return change_list(name, rule.value, *text);
+    }
+  }
+  return std::nullopt;
+}
+
+template <class E, std::size_t Most>
+void tell_changes(Rule<Set<E, Most>>& rule, const Set<E, Most>& before, const std::string& source,
+                  Evidence evidence) {
+  for (const auto& [entry, option] : members_of<E>())
+    if (rule.value.has(entry) != before.has(entry)) rule.tell(option.slug, source, evidence);
+}
+
+void tell_changes(Rule<Roles>& rule, const Roles& before, const std::string& source,
+                  Evidence evidence) {
+  for (const Roles& side : {before, rule.value})
+    for (const Roles::Entry& entry : side.entries())
+      if (rule.value.of(entry.code) != before.of(entry.code))
+        rule.tell(entry.code.text(), source, evidence);
+}
+
+/// Where an answer changed, its source is this one; of a set that of the entries that came or went.
+template <class T>
+void follow_rule(Rule<T>& rule, const T& before, const std::string& source, Evidence evidence) {
+  if (rule.value == before) return;
+  if constexpr (kHasEntries<T>)
+    tell_changes(rule, before, source, evidence);
+  else
+    rule = {rule.value, source, evidence};
+}
+
+/// Somebody gave the answer; of a set only what came or went is theirs.
+template <class T>
+void set_source(Rule<T>& rule, [[maybe_unused]] const T& before, const std::string& source,
+                Evidence evidence) {
+  if constexpr (kHasEntries<T>) {
+    tell_changes(rule, before, source, evidence);
+  } else {
+    rule.source = source;
+    rule.evidence = evidence;
+  }
+}
+
+}  // namespace
+
+std::vector<RuleView> rules(const Control& control) {
+  return {
+#define RULE(group, type, name, standard, meaning) \
+  view<type>(#name, #group, meaning, control.group.name, standard),
+#include "cncsub/control/rules.def"
+  };
+}
+
+std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
+                                    const RuleValue& value, const std::string& source,
+                                    Evidence evidence) {
+#define RULE(group, type, name, default_value, meaning)                    \
+  if (rule_name == #name) {                                                \
+    const type before = control.group.name.value;                          \
+    auto wrong = assign(control, #type, #name, control.group.name, value); \
+    if (!wrong) set_source(control.group.name, before, source, evidence);  \
+    return wrong;                                                          \
+  }
+#include "cncsub/control/rules.def"
+  return "no rule is named " + rule_name;
+}
+
+void tell_entries(Control& control, const std::string& rule_name,
+                  const std::vector<EntrySource>& entries) {
+#define RULE(group, type, name, default_value, meaning) \
+  if (rule_name == #name) control.group.name.entries = entries;
+#include "cncsub/control/rules.def"
+}
+
+Answers::Answers(const Control& control) {
+#define RULE(group, type, name, standard, meaning) name = control.group.name.value;
+#include "cncsub/control/rules.def"
+}
+
+void follow(Control& control, const Answers& before, const std::string& source, Evidence evidence) {
+#define RULE(group, type, name, standard, meaning) \
+  follow_rule(control.group.name, before.name, source, evidence);
+#include "cncsub/control/rules.def"
+}
+
+void give_role(Rule<Roles>& rule, CodeName code, Role role, const std::string& source,
+               Evidence evidence) {
+  rule.value.set(code, role);
+  rule.tell(code.text(), source, evidence);
+}
+
+const DirectedNumber* AlarmEntry::towards(std::string_view direction) const {
+  for (const DirectedNumber& one : directed)
+    if (!direction.empty() && direction.ends_with(one.direction)) return &one;
+  return nullptr;
+}
+
+const AlarmEntry* Control::alarm(Cause cause) const {
+  const auto found = alarms.find(cause);
+  return found == alarms.end() ? nullptr : &found->second;
+}
+
+namespace {
+
+/// No fact is stronger than its sources are on this control, whoever wrote it down.
+void judge(Control& c) {
+  const auto weaken = [&c](const std::string& source, Evidence& evidence) {
+    evidence = std::max(evidence, strongest(source, c.name));
+  };
+#define RULE(group, type, name, value, meaning)       \
+  weaken(c.group.name.source, c.group.name.evidence); \
+  for (EntrySource& told : c.group.name.entries) weaken(told.source, told.evidence);
+#include "cncsub/control/rules.def"
+  for (Parameter& p : c.parameters) weaken(p.source, p.evidence);
+  for (VariableRange& v : c.variables) weaken(v.source, v.evidence);
+  for (VariableOption& option : c.variable_choices) weaken(option.source, option.evidence);
+  for (CodeCall& call : c.code_calls) weaken(call.source, call.evidence);
+  for (auto& [cause, entry] : c.alarms) weaken(entry.source, entry.evidence);
+}
+
+/// In the order of their numbers and bits.
+void sort_parameters(Control& c) {
+  const auto place = [](const Parameter& p) {
+    const auto name = ParameterName::read(p.name).value_or(ParameterName());
+    return std::pair(name.number, name.bit);
+  };
+  std::stable_sort(
+      c.parameters.begin(), c.parameters.end(),
+      [&place](const Parameter& a, const Parameter& b) { return place(a) < place(b); });
+}
+
+}  // namespace
+
+void complete(Control& control) {
+  sort_parameters(control);
+  judge(control);
+}
+
+}  // namespace cncsub

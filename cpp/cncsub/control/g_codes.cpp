@@ -1,0 +1,302 @@
+#include "cncsub/control/g_codes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "cncsub/control/rule_lists.hpp"
+#include "cncsub/text/number.hpp"
+
+namespace cncsub {
+namespace {
+
+using G = Group;
+using M = Meaning;
+
+// [general knowledge: FANUC's names, which the others share where a control's rules do not say
+// otherwise]
+constexpr GCode kShared[] = {
+    {40, G::OneShot, M::Dwell},
+    {50, G::OneShot, M::Neutral},
+    {51, G::OneShot, M::Ignored},
+    {80, G::OneShot, M::Neutral},
+    {90, G::OneShot, M::ExactStop},
+    {100, G::OneShot, M::SetData},
+    {110, G::OneShot, M::Neutral},
+    {270, G::OneShot, M::CheckReference},
+    {280, G::OneShot, M::Reference},
+    {290, G::OneShot, M::FromReference},
+    {300, G::OneShot, M::SecondReference},
+    {310, G::OneShot, M::Skip},
+    {390, G::OneShot, M::Uncomputed},
+    {520, G::OneShot, M::Local},
+    {530, G::OneShot, M::Machine},
+    {600, G::OneShot, M::OneWay},
+    {650, G::OneShot, M::Ignored},
+    {0, G::Motion, M::Rapid},
+    {10, G::Motion, M::Line},
+    {20, G::Motion, M::Cw},
+    {30, G::Motion, M::Ccw},
+    {170, G::Plane, M::PlaneXY},
+    {180, G::Plane, M::PlaneZX},
+    {190, G::Plane, M::PlaneYZ},
+    {220, G::Stroke, M::StrokeOn},
+    {230, G::Stroke, M::StrokeOff},
+    {250, G::Fluctuation, M::Ignored},
+    {260, G::Fluctuation, M::Ignored},
+    {121, G::PolarMilling, M::Uncomputed},
+    {131, G::PolarMilling, M::Ignored},
+    {490, G::Length, M::LengthOff},
+    {610, G::Path, M::PathExact},
+    {620, G::Path, M::PathCorner},
+    {630, G::Path, M::PathTap},
+    {640, G::Path, M::PathCut},
+    {150, G::Polar, M::PolarOff},
+    {501, G::Mirror, M::MirrorOff},
+    {400, G::Radius, M::RadiusOff},
+    {410, G::Radius, M::RadiusLeft},
+    {420, G::Radius, M::RadiusRight},
+    {660, G::Macro, M::MacroOn},
+    {661, G::Macro, M::MacroOn},
+    {670, G::Macro, M::MacroOff},
+    {960, G::Surface, M::SurfaceSpeed},
+    {970, G::Surface, M::SpindleSpeed},
+    {540, G::Work, M::Work1},
+    {550, G::Work, M::Work2},
+    {560, G::Work, M::Work3},
+    {570, G::Work, M::Work4},
+    {580, G::Work, M::Work5},
+    {590, G::Work, M::Work6},
+    {541, G::Work, M::WorkExtra},
+    {800, G::Cycle, M::CycleOff},
+    {200, G::Units, M::Inch},
+    {210, G::Units, M::Metric},
+};
+
+constexpr GCode kMill[] = {
+    {360, G::OneShot, M::Uncomputed},
+    {370, G::OneShot, M::MeasureTool},
+    {330, G::Motion, M::Thread},
+    {900, G::Distance, M::Absolute},
+    {910, G::Distance, M::Incremental},
+    {930, G::Feed, M::InverseTime},
+    {940, G::Feed, M::PerMinute},
+    {950, G::Feed, M::PerRevolution},
+    {430, G::Length, M::LengthPlus},
+    {440, G::Length, M::LengthMinus},
+    {730, G::Cycle, M::PeckFast},
+    {740, G::Cycle, M::LeftTap},
+    {760, G::Cycle, M::FineBore},
+    {810, G::Cycle, M::Drill},
+    {820, G::Cycle, M::DrillDwell},
+    {830, G::Cycle, M::Peck},
+    {840, G::Cycle, M::Tap},
+    {850, G::Cycle, M::Bore},
+    {860, G::Cycle, M::BoreStop},
+    {870, G::Cycle, M::BackBore},
+    {880, G::Cycle, M::BoreManual},
+    {890, G::Cycle, M::BoreDwell},
+    {980, G::Return, M::ReturnInitial},
+    {990, G::Return, M::ReturnR},
+    {500, G::Scaling, M::ScalingOff},
+    {510, G::Scaling, M::ScalingOn},
+    {680, G::Rotation, M::RotationOn},
+    {690, G::Rotation, M::RotationOff},
+    {160, G::Polar, M::PolarOn},
+    {511, G::Mirror, M::MirrorOn},
+    {920, G::OneShot, M::SetCoordinate},
+    {921, G::OneShot, M::ClearCoordinate},
+    {450, G::OneShot, M::Lengthen},
+    {460, G::OneShot, M::Shorten},
+    {470, G::OneShot, M::LengthenTwice},
+    {480, G::OneShot, M::ShortenTwice},
+};
+
+constexpr GCode kLathe[] = {
+    {360, G::OneShot, M::MeasureTool},
+    {370, G::OneShot, M::MeasureTool},
+    {340, G::Motion, M::VariableThread},
+    {700, G::OneShot, M::Finish},
+    {710, G::OneShot, M::RoughTurn},
+    {720, G::OneShot, M::RoughFace},
+    {730, G::OneShot, M::RoughPattern},
+    {740, G::OneShot, M::PeckFace},
+    {750, G::OneShot, M::PeckTurn},
+    {760, G::OneShot, M::MultipleThread},
+    {830, G::Cycle, M::Peck},
+    {840, G::Cycle, M::Tap},
+    {850, G::Cycle, M::Bore},
+    {870, G::Cycle, M::Peck},
+    {880, G::Cycle, M::Tap},
+    {890, G::Cycle, M::Bore},
+    {680, G::Turret, M::Uncomputed},
+    {690, G::Turret, M::Ignored},
+    {681, G::Rotation, M::RotationOn},
+    {691, G::Rotation, M::RotationOff},
+};
+
+constexpr GCode kLatheA[] = {
+    {320, G::Motion, M::Thread},         {900, G::Motion, M::TurnCycle},
+    {920, G::Motion, M::ThreadCycle},    {940, G::Motion, M::FaceCycle},
+    {500, G::OneShot, M::SetCoordinate}, {980, G::Feed, M::PerMinute},
+    {990, G::Feed, M::PerRevolution},    {503, G::OneShot, M::ClearCoordinate},
+};
+
+constexpr GCode kLatheB[] = {
+    {330, G::Motion, M::Thread},         {770, G::Motion, M::TurnCycle},
+    {780, G::Motion, M::ThreadCycle},    {790, G::Motion, M::FaceCycle},
+    {920, G::OneShot, M::SetCoordinate}, {921, G::OneShot, M::ClearCoordinate},
+    {900, G::Distance, M::Absolute},     {910, G::Distance, M::Incremental},
+    {940, G::Feed, M::PerMinute},        {950, G::Feed, M::PerRevolution},
+    {980, G::Return, M::ReturnInitial},  {990, G::Return, M::ReturnR},
+};
+
+/// Codes of a control's list that no path depends on: servo and look-ahead modes, spindles, and the
+/// ends of modes whose beginnings the engine does not compute. General knowledge of the makers'
+/// lists. Every other code without an entry is not computed.
+constexpr int kNeutral[] = {54,   401,  502,  504,  505,  506,  512,  611, 631,
+                            632,  691,  804,  805,  961,  962,  963,  964, 1130,
+                            1141, 1142, 1143, 1201, 1500, 1600, 2500, 2510};
+
+/// What a control may give another code: the words of the rule g_meanings.
+struct Word {
+  std::string_view word;
+  Group group;
+  Meaning meaning;
+  std::int16_t system = 0;
+};
+constexpr Word kWords[] = {
+    {"ignored", G::OneShot, M::Ignored},
+    {"inch", G::Units, M::Inch},
+    {"metric", G::Units, M::Metric},
+    {"pulses", G::Units, M::Pulses},
+    {"mirror", G::Mirror, M::MirrorOn},
+    {"mirror-off", G::Mirror, M::MirrorOff},
+    {"tap-cycle", G::Motion, M::TapCycle},
+    {"thread", G::Motion, M::Thread},
+    {"rotation", G::Rotation, M::RotationOn},
+    {"rotation-off", G::Rotation, M::RotationOff},
+    {"dwell", G::OneShot, M::Dwell},
+    {"skip", G::OneShot, M::Skip},
+    {"measuring", G::OneShot, M::MeasureTool},
+    {"per-minute", G::Feed, M::PerMinute},
+    {"per-revolution", G::Feed, M::PerRevolution},
+    {"neutral", G::OneShot, M::Neutral},
+    {"not-computed", G::OneShot, M::Uncomputed},
+    {"three-points", G::Motion, M::ThreePoints},
+    {"three-points-absolute", G::Motion, M::ThreePointsAbsolute},
+    {"extra-system", G::Work, M::WorkExtra},
+    {"extra-system-1", G::Work, M::WorkExtra, 1},
+    {"extra-system-2", G::Work, M::WorkExtra, 2},
+    {"extra-system-3", G::Work, M::WorkExtra, 3},
+    {"extra-system-4", G::Work, M::WorkExtra, 4},
+    {"extra-system-5", G::Work, M::WorkExtra, 5},
+    {"extra-system-6", G::Work, M::WorkExtra, 6},
+    {"extra-system-7", G::Work, M::WorkExtra, 7},
+    {"extra-system-8", G::Work, M::WorkExtra, 8},
+    {"extra-system-9", G::Work, M::WorkExtra, 9},
+    {"extra-system-10", G::Work, M::WorkExtra, 10},
+    {"extra-system-11", G::Work, M::WorkExtra, 11},
+    {"extra-system-12", G::Work, M::WorkExtra, 12},
+    {"extra-system-13", G::Work, M::WorkExtra, 13},
+    {"extra-system-14", G::Work, M::WorkExtra, 14},
+    {"extra-system-15", G::Work, M::WorkExtra, 15},
+    {"extra-system-16", G::Work, M::WorkExtra, 16},
+    {"extra-system-17", G::Work, M::WorkExtra, 17},
+    {"extra-system-18", G::Work, M::WorkExtra, 18},
+    {"extra-system-19", G::Work, M::WorkExtra, 19},
+    {"extra-system-20", G::Work, M::WorkExtra, 20},
+    {"none", G::OneShot, M::None},
+    {"unknown", G::OneShot, M::Unknown},
+};
+
+}  // namespace
+
+std::vector<std::string_view> meaning_words() {
+  std::vector<std::string_view> words;
+  for (const Word& word : kWords) words.push_back(word.word);
+  return words;
+}
+
+std::string code_name(int code) {
+  std::string name = code < 100 ? "G0" : "G";
+  name += std::to_string(code / 10);
+  if (code % 10 != 0) name += "." + std::to_string(code % 10);
+  return name;
+}
+
+GCodes::GCodes(const Control& control, MachineType machine) : places_(kCodes) {
+  const auto add = [this](const auto& list) {
+    for (const GCode& entry : list) set(entry);
+  };
+  if (!control.reading.g_codes.value.empty())
+    for (const int code : kNeutral) set({static_cast<std::int16_t>(code), G::OneShot, M::Neutral});
+  add(kShared);
+  if (machine == MachineType::Mill)
+    add(kMill);
+  else
+    add(kLathe);
+  if (machine == MachineType::LatheA) add(kLatheA);
+  if (machine == MachineType::LatheB) add(kLatheB);
+  if (!control.reading.g_codes.value.empty())
+    keep(control.reading.g_codes.value,
+         control.reading.unlisted_codes.value == UnlistedCode::Refused);
+  const Roles& roles = control.calls.roles.value;
+  if (!roles.has(Role::MacroCall))
+    for (const std::int16_t code : {650, 660, 661, 670}) set({code, G::OneShot, M::None});
+  if (!roles.has(Role::ModalCall))
+    for (const std::int16_t code : {660, 661, 670}) set({code, G::OneShot, M::None});
+  change(control.motion.g_meanings.value);
+}
+
+/// The family's tables say what the control's own codes mean, and nothing about others. What it
+/// has and no table of its kind of machine knows is not computed: it would not alarm there.
+void GCodes::keep(const Codes& list, bool complete) {
+  std::vector<GCode> kept;
+  list.for_each([&](int code10) {
+    const GCode entry = find(code10);
+    const auto code = static_cast<std::int16_t>(code10);
+    kept.push_back(entry.code >= 0 ? entry : GCode{code, G::OneShot, M::Uncomputed});
+  });
+  codes_.clear();
+  std::fill(places_.begin(), places_.end(), std::uint16_t{0});
+  for (const GCode& entry : kept) set(entry);
+  if (complete) unlisted_ = M::None;
+}
+
+void GCodes::set(GCode entry) {
+  if (entry.code < 0 || entry.code >= kCodes) return;
+  std::uint16_t& place = places_[static_cast<std::size_t>(entry.code)];
+  if (place == 0) {
+    codes_.push_back(entry);
+    place = static_cast<std::uint16_t>(codes_.size());
+  }
+  codes_[place - 1U] = entry;
+}
+
+/// "22=pulses 24=mirror": codes in tenths where they have a point, as in "68.1=rotation".
+void GCodes::change(std::string_view text) {
+  while (!text.empty()) {
+    const auto blank = std::min(text.find(' '), text.size());
+    const std::string_view item = text.substr(0, blank);
+    text.remove_prefix(std::min(blank + 1, text.size()));
+    const auto equals = item.find('=');
+    double code = 0;
+    if (equals == std::string_view::npos) continue;
+    const std::string_view number = item.substr(0, equals);
+    std::from_chars(number.data(), number.data() + number.size(), code);
+    if (std::isnan(code) || code < 0 || code > 1000) continue;
+    for (const Word& word : kWords)
+      if (word.word == item.substr(equals + 1))
+        set({to_whole<std::int16_t>(code * 10 + 0.5), word.group, word.meaning, word.system});
+  }
+}
+
+GCode GCodes::of(Meaning meaning) const {
+  GCode lowest;
+  for (const GCode& entry : codes_)
+    if (entry.meaning == meaning && (lowest.code < 0 || entry.code < lowest.code)) lowest = entry;
+  return lowest;
+}
+
+}  // namespace cncsub

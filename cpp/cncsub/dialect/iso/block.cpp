@@ -1,0 +1,88 @@
+#include "cncsub/dialect/iso/block.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "cncsub/dialect/iso/block_meaning.hpp"
+#include "cncsub/dialect/iso/block_writer.hpp"
+#include "cncsub/dialect/iso/statement.hpp"
+
+namespace cncsub {
+
+void BlockReader::read_any(Scanner& s, Block& block) {
+  WordScanner words(to_, rules_, s, block);
+  if (!words.head()) return;
+  const int most = control_.reading.max_block_length.value;
+  if (most > 0 && s.end - (s.file + block.text) > static_cast<std::ptrdiff_t>(most))
+    return to_.refuse(block, {Cause::BlockTooLong, block.text, 1,
+                              "a block has at most " + std::to_string(most) + " characters"});
+  if (control_.calls.conditional_return.value && s.peek() == '[')
+    return conditional_return(s, block);
+  StatementReader statement(to_, s, block);
+  if (statement.read()) return;
+  tokens_.clear();
+  if (words.words(tokens_)) write(block, tokens_, true);
+}
+
+/// `[#1 LT 10] M99 P10`: M99 is kept as a block of its own, as what stands behind THEN is.
+void BlockReader::conditional_return(Scanner& s, Block& block) {
+  Statement statement;
+  statement.at = s.offset();
+  ExpressionReader reader(to_, s);
+  const auto condition = reader.condition();
+  if (!condition) return to_.refuse(block, reader.fault());
+  statement.expression = *condition;
+  statement.width = s.offset() - statement.at;
+  Block back = block;
+  tokens_.clear();
+  if (WordScanner(to_, rules_, s, back).words(tokens_)) write(back, tokens_, true);
+  if (back.op == Op::Fault) {
+    block.op = Op::Fault;
+    block.aux = back.aux;
+    return;
+  }
+  if (back.op != Op::Return)
+    return to_.refuse(block, {Cause::StatementFormat, statement.at, statement.width,
+                              "a condition at the head of a block stands before M99"});
+  statement.then = to_.keep(back);
+  to_.become(block, Op::IfThen, statement);
+}
+
+/// `calls`: codes may call.
+void BlockReader::write(Block& block, const Tokens& tokens, bool calls) {
+  for (std::size_t i = 0; i < tokens.size(); ++i)
+    if (tokens[i].letter == '/') return write_slash(block, tokens, i, calls);
+  BlockMeaning meaning;
+  if (auto fault = MeaningReader(rules_, tokens, calls, meaning).read())
+    return to_.refuse(block, std::move(*fault));
+  if (meaning.registered == nullptr)
+    return BlockWriter(to_, rules_, tokens, meaning, block).write();
+  // Inside a program that a code called, codes may not call.
+  Variant variant;
+  variant.address = meaning.call->letter;
+  Block first = block;
+  Block second = block;
+  BlockWriter(to_, rules_, tokens, meaning, first).write();
+  write(second, tokens, false);
+  variant.first = to_.keep(first);
+  variant.second = to_.keep(second);
+  to_.become(block, Op::Choose, variant);
+}
+
+/// A slash that is not at the head: the words behind it do not count while its switch is on.
+void BlockReader::write_slash(Block& block, const Tokens& tokens, std::size_t slash, bool calls) {
+  Tokens without(tokens.begin(), tokens.begin() + static_cast<std::ptrdiff_t>(slash));
+  Tokens with = without;
+  with.insert(with.end(), tokens.begin() + static_cast<std::ptrdiff_t>(slash) + 1, tokens.end());
+  Variant variant;
+  variant.skip = tokens[slash].skip;
+  Block first = block;
+  Block second = block;
+  write(first, with, calls);
+  write(second, without, calls);
+  variant.first = to_.keep(first);
+  variant.second = to_.keep(second);
+  to_.become(block, Op::Choose, variant);
+}
+
+}  // namespace cncsub

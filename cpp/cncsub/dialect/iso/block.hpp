@@ -1,0 +1,38 @@
+// Reads blocks: what the text says, by the control's lexical rules, compiled into code.
+#pragma once
+
+#include <cstddef>
+
+#include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/iso/block_rules.hpp"
+#include "cncsub/dialect/iso/plain.hpp"
+#include "cncsub/dialect/iso/word_scanner.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+class BlockReader {
+ public:
+  explicit BlockReader(Builder& to)
+      : to_(to), control_(to.control()), rules_(to.code()), plain_(to, rules_) {}
+  /// Compiles what stands between the scanner and its end into `block`, whose text and line are
+  /// set. Where interrupt is over, the block is not what its text says.
+  void read(Scanner scanner, Block& block) {
+    block.op = Op::Words;
+    if (!plain_.read(scanner, block)) read_any(scanner, block);
+  }
+
+ private:
+  void read_any(Scanner& s, Block& block);
+  void conditional_return(Scanner& s, Block& block);
+  void write(Block& block, const Tokens& tokens, bool calls);
+  void write_slash(Block& block, const Tokens& tokens, std::size_t slash, bool calls);
+
+  Builder& to_;
+  const Control& control_;
+  BlockRules rules_;
+  PlainReader plain_;
+  Tokens tokens_;
+};
+
+}  // namespace cncsub

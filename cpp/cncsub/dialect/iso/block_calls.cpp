@@ -1,0 +1,178 @@
+// The call, the return or the jump of a block.
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "cncsub/dialect/iso/block_writer.hpp"
+#include "cncsub/dialect/iso/macro_arguments.hpp"
+
+namespace cncsub {
+
+namespace {
+
+Op op_of(CodeCallKind kind) {
+  switch (kind) {
+    case CodeCallKind::Subprogram:
+      return Op::Call;
+    case CodeCallKind::Macro:
+      return Op::MacroCall;
+    case CodeCallKind::Modal:
+    case CodeCallKind::ModalEveryBlock:
+      return Op::ModalCall;
+  }
+  return Op::Call;
+}
+
+}  // namespace
+
+void BlockWriter::call() {
+  CallRecord call;
+  call.kind = meaning_.kind;
+  call.code_kind = meaning_.code_kind;
+  call.macro = macro_;
+  call.at = meaning_.call->operand.at;
+  call.width = meaning_.call->operand.width;
+  if (meaning_.registered != nullptr) {
+    call.program_number = meaning_.registered->program;
+    call.variable = meaning_.registered->variable;
+    call.code = to_whole<std::int32_t>(meaning_.call->operand.value);
+  }
+  for (const Token& token : tokens_)
+    if (&token != meaning_.call)
+      if (auto fault = operand(call, token)) return refuse(std::move(*fault));
+  if (control_.macros.h_codes.value && meaning_.kind == CallKind::Macro) {
+    if (is_h_code()) return h_code();
+    if (!call.p.present() && call.name.empty())
+      return refuse({Cause::HCodeMissing, call.at, call.width, "G65 has neither P nor H"});
+  }
+  if (auto fault = arguments(call)) return refuse(std::move(*fault));
+  words();
+  if (macro_ && (block_.mask != 0 || block_.g_count != 0 || block_.m_count != 0) &&
+      control_.macros.words_before_macro_call.value == WordsBeforeMacroCall::Alarm)
+    return refuse(
+        fault_of(tokens_.front(), Cause::MacroCallNotFirst, "a word stands before the macro call"));
+  to_.become(block_, op_of(meaning_.code_kind), std::move(call));
+}
+
+/// Takes a word that says which program is called, from where and how often. A code that calls says
+/// the program itself.
+std::optional<Fault> BlockWriter::operand(CallRecord& call, const Token& token) const {
+  const bool says_program = meaning_.registered == nullptr;
+  const bool says_start = says_program && !macro_;
+  const StartWord start = control_.calls.start_word.value;
+  if (token.comma) {
+    if (token.letter != 'D') return std::nullopt;
+    if (!control_.calls.device_word.value)
+      return fault_of(token, Cause::AddressNotUsable, "the control has no ,D");
+    if (says_program) call.device = token.operand;
+    return std::nullopt;
+  }
+  if (token.letter == '<' && says_program) {
+    call.name = std::string(token.name);
+    call.name_at = token.operand.at;
+    call.name_width = token.operand.width;
+  }
+  if (token.letter == 'P' && says_program) return given(call.p, token);
+  if (token.letter == 'L' && (says_program || macro_)) return given(call.l, token);
+  if (says_start && ((token.letter == 'Q' && start == StartWord::Q) ||
+                     (token.letter == 'H' && start == StartWord::H)))
+    call.start = token.operand;
+  return std::nullopt;
+}
+
+std::optional<Fault> BlockWriter::given(Operand& place, const Token& token) const {
+  if (macro_ && place.present() &&
+      control_.macros.repeated_argument.value == RepeatedAddress::Alarm)
+    return fault_of(token, Cause::AddressGivenTwice,
+                    std::string(1, token.letter) + " stands twice in the call");
+  place = token.operand;
+  return std::nullopt;
+}
+
+std::optional<Fault> BlockWriter::arguments(CallRecord& call) {
+  if (!macro_ && !control_.macros.call_passes_words.value) return std::nullopt;
+  call.first_argument = to_.next_argument();
+  const auto pass = [&](int variable, const Token& token) {
+    to_.keep(Argument{static_cast<std::int16_t>(variable), token.letter, token.operand});
+  };
+  MacroArguments macro(rules_, meaning_);
+  bool behind = false;
+  for (const Token& token : tokens_) {
+    if (&token == meaning_.call) {
+      behind = true;
+    } else if (!macro_) {  // M98 that passes its words: A is #0 ... Z is #25
+      if (token.letter >= 'A' && !token.comma) pass(token.letter - 'A', token);
+    } else if (behind) {
+      int variable = -1;
+      if (auto fault = macro.add(token, variable)) return fault;
+      if (variable >= 0) pass(variable, token);
+    }
+  }
+  call.arguments = to_.next_argument() - call.first_argument;
+  return std::nullopt;
+}
+
+void BlockWriter::back() {
+  CallRecord back;
+  back.at = meaning_.back->operand.at;
+  back.width = meaning_.back->operand.width;
+  for (const Token& token : tokens_) {
+    if (token.comma) continue;
+    if (token.letter == 'P') back.p = token.operand;
+    if (token.letter == 'L') back.l = token.operand;
+  }
+  if (back.p.present() && control_.calls.return_with_p.value == ReturnWithP::Refused)
+    return refuse(
+        {Cause::IllegalWordWithReturn, back.p.at, back.p.width, "M99 takes no P on this control"});
+  words();
+  to_.become(block_, Op::Return, std::move(back));
+}
+
+void BlockWriter::jump() {
+  Statement jump;
+  jump.at = meaning_.jump->operand.at;
+  jump.width = meaning_.jump->operand.width;
+  for (const Token& token : tokens_)
+    if (token.letter == 'P' && !token.comma) jump.p = token.operand;
+  if (!jump.p.present())
+    return refuse(
+        {Cause::ProgramNumberMissing, jump.at, jump.width, "M97 does not say where to jump"});
+  words();
+  to_.become(block_, Op::Jump, jump);
+}
+
+/// H makes G65 a statement, unless words stand there that only a macro call has.
+bool BlockWriter::is_h_code() const {
+  const auto is_h = [](const Token& token) { return token.letter == 'H'; };
+  const auto of_h_code = [](const Token& token) {
+    return std::string_view("GHPQR").find(token.letter) != std::string_view::npos;
+  };
+  return std::any_of(tokens_.begin(), tokens_.end(), is_h) &&
+         std::all_of(tokens_.begin(), tokens_.end(), of_h_code);
+}
+
+void BlockWriter::h_code() {
+  Statement h;
+  h.at = meaning_.call->operand.at;
+  h.width = meaning_.call->operand.width;
+  for (const Token& token : tokens_) {
+    if (token.letter == 'P') h.p = token.operand;
+    if (token.letter == 'Q') h.q = token.operand;
+    if (token.letter == 'R') h.r = token.operand;
+    if (token.letter != 'H') continue;
+    const bool known = token.operand.kind == Operand::Kind::Constant && token.operand.value < 1000;
+    h.number = known ? to_whole<std::int32_t>(token.operand.value) : -1;
+    h.variable_at = token.operand.at;
+    h.variable_width = token.operand.width;
+  }
+  const std::string_view text(rules_.code.files.back().text);
+  const std::size_t open = text.find('(', h.at);
+  const std::size_t line_end = std::min(text.find('\n', h.at), text.size());
+  if (open < line_end) {
+    h.text = static_cast<std::uint32_t>(open) + 1;
+    h.text_length = static_cast<std::uint32_t>(std::min(text.find(')', open), line_end) - open - 1);
+  }
+  to_.become(block_, Op::HCode, h);
+}
+
+}  // namespace cncsub

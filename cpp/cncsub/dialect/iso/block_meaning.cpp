@@ -1,0 +1,321 @@
+#include "cncsub/dialect/iso/block_meaning.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+namespace {
+
+std::string spell(double value) {
+  std::array<char, 32> text{};
+  // Nought has no sign.
+  const auto done = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
+  return {text.data(), done.ptr};
+}
+
+/// Whether an M code of this role shares its block with no other where the control says so.
+bool is_lonely(Role role) {
+  switch (role) {
+    case Role::Stop:
+    case Role::OptionalStop:
+    case Role::End:
+    case Role::Call:
+    case Role::ExternalCall:
+    case Role::Return:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// What a code calls by its role; the letter is that of the codes which call so.
+struct CallOfRole {
+  char letter;
+  Role role;
+  CallKind kind;
+  CodeCallKind code_kind;
+};
+constexpr CallOfRole kCalls[] = {
+    {'M', Role::Call, CallKind::Subprogram, CodeCallKind::Subprogram},
+    {'M', Role::LocalCall, CallKind::Local, CodeCallKind::Subprogram},
+    {'M', Role::ExternalCall, CallKind::External, CodeCallKind::Subprogram},
+    {'G', Role::MacroCall, CallKind::Macro, CodeCallKind::Macro},
+    {'G', Role::ModalCall, CallKind::Modal, CodeCallKind::Modal},
+    {'G', Role::ModalCallEveryBlock, CallKind::ModalEveryBlock, CodeCallKind::ModalEveryBlock},
+};
+
+}  // namespace
+
+std::optional<Fault> MeaningReader::read() {
+  for (const Token& token : tokens_) {
+    if (is_odd(token)) return odd_word(control_, token);
+    if (token.late) continue;
+    if (auto fault = sort(token)) return fault;
+  }
+  if (auto fault = check_count()) return fault;
+  for (const Token& token : tokens_)
+    if (token.odd && is_odd_in_block(token)) return odd_word(control_, token);
+  return check_together();
+}
+
+// ---- the words ----
+
+/// Behind G65 and its family every letter but G L N O P is an argument.
+std::optional<Fault> MeaningReader::sort(const Token& token) {
+  if (token.letter == 'G') return sort_g(token);
+  if (token.letter == 'O')
+    return fault_of(token, Cause::AddressNotUsable,
+                    "a program number stands at the head of a program only");
+  if (meaning_.calls_macro()) return std::nullopt;
+  if (token.letter == 'M') return sort_m(token);
+  sort_letter(token);
+  return std::nullopt;
+}
+
+std::optional<Fault> MeaningReader::sort_g(const Token& token) {
+  const auto executed = [&]() -> std::optional<Fault> {
+    if (meaning_.g.add(token)) return std::nullopt;
+    return fault_of(token, Cause::TooManyWords, "too many G codes in one block");
+  };
+  if (token.operand.kind == Operand::Kind::Expression) return executed();
+  const double code = token.operand.value;
+  if (may_call_ && !meaning_.calls())
+    if (const RegisteredCall* found = rules_.calling.find('G', code)) {
+      call(token, CallKind::GCode, found->kind, found);
+      return std::nullopt;
+    }
+  const std::size_t code10 = code_index(token.operand);
+  const Role role = control_.calls.roles.value.of_g(static_cast<int>(code10));
+  if (call_by_role(token, role)) return std::nullopt;
+  if (role == Role::CancelModal) {
+    meaning_.cancel = &token;
+    return std::nullopt;
+  }
+  if (code < 0 || code >= 1000 || !rules_.code.g_codes.test(code10))
+    return fault_of(token, Cause::GCodeNotAvailable,
+                    "G" + spell(code) + " is no code of this control");
+  if (meaning_.calls_macro()) return std::nullopt;  // told as an argument
+  return executed();
+}
+
+std::optional<Fault> MeaningReader::sort_m(const Token& token) {
+  ++meaning_.m_words;
+  const bool written = token.operand.kind == Operand::Kind::Constant;
+  const Role role = written ? role_of_m(token.operand) : Role::None;
+  if (is_lonely(role)) meaning_.lonely = &token;
+  const RegisteredCall* const found =
+      written && may_call_ ? rules_.calling.find('M', token.operand.value) : nullptr;
+  if (found != nullptr) {
+    if (found->refused)
+      return fault_of(token, Cause::CodeMayNotCall,
+                      "M" + spell(token.operand.value) + " may not call a program");
+    meaning_.lonely = &token;
+    call(token, CallKind::MCode, found->kind, found);
+    return std::nullopt;
+  }
+  if (call_by_role(token, role)) return std::nullopt;
+  switch (role) {
+    case Role::Return:
+      meaning_.back = &token;
+      return std::nullopt;
+    case Role::Jump:
+      meaning_.jump = &token;
+      return std::nullopt;
+    case Role::End:
+      meaning_.end = &token;
+      return std::nullopt;
+    default:
+      break;
+  }
+  if (meaning_.m.add(token)) return std::nullopt;
+  return fault_of(token, Cause::TooManyWords, "too many M codes in one block");
+}
+
+/// A letter whose codes may call: T, S, B, or one of a parameter.
+void MeaningReader::sort_letter(const Token& token) {
+  if (!may_call_ || token.comma || !is_letter(token.letter) || token.letter == 'P' ||
+      token.letter == 'L' || token.operand.kind != Operand::Kind::Constant)
+    return;
+  const RegisteredCall* const found = rules_.calling.find(token.letter, token.operand.value);
+  if (found == nullptr) return;
+  if (meaning_.calls()) meaning_.second_call = &token;
+  meaning_.call = &token;
+  meaning_.registered = found;
+  meaning_.code_kind = found->kind;
+  meaning_.kind = found->ascii          ? CallKind::Ascii
+                  : token.letter == 'T' ? CallKind::TCode
+                  : token.letter == 'S' ? CallKind::SCode
+                  : token.letter == 'B' ? CallKind::BCode
+                                        : CallKind::Ascii;
+}
+
+bool MeaningReader::call_by_role(const Token& token, Role role) {
+  if (role == Role::None) return false;
+  for (const CallOfRole& entry : kCalls)
+    if (entry.role == role && entry.letter == token.letter) {
+      call(token, entry.kind, entry.code_kind, nullptr);
+      return true;
+    }
+  return false;
+}
+
+void MeaningReader::call(const Token& token, CallKind kind, CodeCallKind code_kind,
+                         const RegisteredCall* registered) {
+  if (meaning_.calls()) {  // of more than two, told at the first G code or the last M code
+    if (meaning_.second_call == nullptr || token.letter == 'M') meaning_.second_call = &token;
+    return;
+  }
+  meaning_.call = &token;
+  meaning_.kind = kind;
+  meaning_.code_kind = code_kind;
+  meaning_.registered = registered;
+}
+
+Role MeaningReader::role_of_m(const Operand& operand) const {
+  const double code = operand.value;
+  return code == std::floor(code) ? control_.calls.roles.value.of_m(to_whole<int>(code))
+                                  : Role::None;
+}
+
+// ---- signs, points and digits ----
+
+/// Whether a sign, a point or digits may not be, as far as the words up to this one tell.
+bool MeaningReader::is_odd(const Token& token) const {
+  if (meaning_.calls_macro() && token.letter != 'P' && token.letter != 'L')  // an argument
+    return std::fabs(token.operand.value) >= kPowersOfTen[kMostDigits];
+  if (!token.odd) return false;
+  const bool long_p = token.letter == 'P' && token.wrong == Cause::TooManyDigits;
+  const bool all_decide = long_p || takes_point_in_dwell(token) || may_be_increment(token);
+  return !all_decide && !is_length_here(token);
+}
+
+/// The same of P and H, which all words of the block decide.
+bool MeaningReader::is_odd_in_block(const Token& token) const {
+  if (may_be_increment(token)) return meaning_.calls_subprogram();
+  if (token.letter != 'P') return false;
+  const bool name = token.wrong == Cause::TooManyDigits && names_by_p();
+  const bool dwell = takes_point_in_dwell(token) && meaning_.has_g(4, 4);
+  return !name && !dwell && !is_length_here(token);
+}
+
+/// P of a call, a return or a jump has digits of its own: those of a program or a block, and a
+/// count.
+bool MeaningReader::names_by_p() const {
+  const bool by_code = meaning_.registered != nullptr && !meaning_.calls_macro();
+  return (meaning_.calls() && !by_code) || meaning_.back != nullptr || meaning_.jump != nullptr;
+}
+
+/// P of G04 takes a point on some controls.
+bool MeaningReader::takes_point_in_dwell(const Token& token) const {
+  return token.letter == 'P' && token.wrong == Cause::IllegalDecimalPoint &&
+         control_.motion.dwell_point.value != DwellPoint::Refused;
+}
+
+/// P of G74 to G76 is a length on some lathes and takes a point there, and D of G37.1 the zone of a
+/// Mitsubishi. [TA 12, 13, 21; M7 p.555]
+bool MeaningReader::is_length_here(const Token& token) const {
+  if (token.wrong != Cause::IllegalDecimalPoint) return false;
+  const bool step = token.letter == 'P' && control_.turning.cycle_point.value;
+  const bool zone = token.letter == 'D' && control_.motion.measuring.value == Measuring::Words;
+  return (step && meaning_.has_g(74, 76)) || (zone && meaning_.has_g(37.1, 37.1));
+}
+
+// ---- what does not go together ----
+
+std::optional<Fault> MeaningReader::check_count() const {
+  const int most = control_.reading.max_words.value;
+  const auto limit = static_cast<std::size_t>(std::max(0, most));
+  if (limit == 0 || tokens_.size() <= limit || meaning_.calls_macro()) return std::nullopt;
+  return fault_of(tokens_[limit], Cause::TooManyWords,
+                  "a block has at most " + std::to_string(most) + " words");
+}
+
+std::optional<Fault> MeaningReader::check_together() const {
+  if (auto fault = check_calls()) return fault;
+  if (auto fault = check_m_codes()) return fault;
+  if (auto fault = check_g_codes()) return fault;
+  if (auto fault = check_corner()) return fault;
+  return check_repeated();
+}
+
+std::optional<Fault> MeaningReader::check_calls() const {
+  if (meaning_.second_call != nullptr) {
+    const bool macros = meaning_.calls_macro() && meaning_.second_call->letter == 'G';
+    return fault_of(*meaning_.second_call,
+                    macros ? Cause::MacroCallGivenTwice : Cause::CallGivenTwice,
+                    "a block calls once");
+  }
+  if (meaning_.calls() && meaning_.back != nullptr)
+    return fault_of(*meaning_.back, Cause::CallGivenTwice, "a block calls or returns");
+  return std::nullopt;
+}
+
+std::optional<Fault> MeaningReader::check_m_codes() const {
+  const ExtraMCodes extra = control_.reading.extra_m_codes.value;
+  const int most = control_.reading.m_codes_per_block.value;
+  if (extra == ExtraMCodes::EndsAlone && meaning_.lonely != nullptr && meaning_.m_words > 1)
+    return fault_of(*meaning_.lonely, Cause::IllegalMCombination,
+                    "this M code shares no block with another M code");
+  if (extra == ExtraMCodes::Alarm && most >= 0 &&
+      meaning_.m.size() > static_cast<std::size_t>(most))
+    return fault_of(meaning_.m[static_cast<std::size_t>(most)], Cause::IllegalMCombination,
+                    "the control takes " + std::to_string(most) + " M codes in one block");
+  return std::nullopt;
+}
+
+std::optional<Fault> MeaningReader::check_g_codes() const {
+  const CallRules& rules = rules_.control.calls;
+  const bool call = meaning_.calls() && meaning_.kind == CallKind::Subprogram;
+  const bool back = meaning_.back != nullptr;
+  if (!call && !back) return std::nullopt;
+  for (const Token* token : meaning_.g) {
+    if (token->operand.kind != Operand::Kind::Constant) continue;
+    const auto code10 = static_cast<int>(code_index(token->operand));
+    if (call && rules.codes_not_with_call.value.has(code10))
+      return fault_of(*token, Cause::IllegalWordWithCall, "this code may not stand with M98");
+    if (back && rules.codes_not_with_return.value.has(code10))
+      return fault_of(*token, Cause::IllegalWordWithReturn, "this code may not stand with M99");
+  }
+  return std::nullopt;
+}
+
+/// The chamfer or corner word that the control refuses beside M98. An L is one only beside an axis
+/// word: else it is the count of the call.
+std::optional<Fault> MeaningReader::check_corner() const {
+  const std::string& refused = rules_.corners_not_with_call;
+  if (refused.empty() || !meaning_.calls() || meaning_.kind != CallKind::Subprogram)
+    return std::nullopt;
+  const auto is_axis = [](const Token& token) {
+    return !token.comma && std::string_view("XYZABC").find(token.letter) != std::string_view::npos;
+  };
+  const bool moves = std::any_of(tokens_.begin(), tokens_.end(), is_axis);
+  for (const Token& token : tokens_) {
+    const std::string word = std::string(token.comma ? " ," : " ") + token.letter + ' ';
+    if ((moves || token.letter != 'L') && refused.find(word) != std::string::npos)
+      return fault_of(token, Cause::CornerWithCall,
+                      "a chamfer or corner round may not stand with M98");
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> MeaningReader::check_repeated() const {
+  if (control_.reading.repeated_address.value != RepeatedAddress::Alarm || meaning_.calls_macro())
+    return std::nullopt;
+  std::uint64_t seen = 0;
+  for (const Token& token : tokens_) {
+    if (token.letter == 'G' || token.letter == 'M' || token.letter == '<') continue;
+    const std::uint64_t mark = 1ULL << (token.letter - 'A' + (token.comma ? 32 : 0));
+    if ((seen & mark) != 0)
+      return fault_of(token, Cause::AddressGivenTwice, "the address stands twice in the block");
+    seen |= mark;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,17 @@
+#include "cncsub/dialect/iso/block_rules.hpp"
+
+namespace cncsub {
+
+BlockRules::BlockRules(const Code& of) : code(of), control(*of.control), calling(of) {
+  const auto mark = [this](const auto& letters, std::uint8_t what) {
+    for (const char letter : letters) letters_[static_cast<unsigned char>(letter)] |= what;
+  };
+  mark(control.reading.point_addresses.value, kPoint);
+  mark(control.reading.minus_addresses.value, kMinus);
+  if (control.reading.whole_numbers.value == WholeNumbers::Increments) mark(kLengths, kIncrements);
+  if (control.common.refuses.value.has(Cause::CornerWithCall))
+    corners_not_with_call =
+        " " + control.motion.chamfer_words.value + " " + control.motion.round_words.value + " ";
+}
+
+}  // namespace cncsub

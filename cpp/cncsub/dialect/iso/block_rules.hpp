@@ -1,0 +1,42 @@
+// What a control says of the words of a block, made ready to be asked for every one of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/dialect/iso/calling_codes.hpp"
+
+namespace cncsub {
+
+/// The letters of lengths and angles: a whole number counts in increments where the control says
+/// so.
+constexpr std::string_view kLengths = "ABCHIJKQRUVWXYZ";
+
+struct BlockRules {
+  explicit BlockRules(const Code& of);
+  BlockRules(const BlockRules&) = delete;  // readers refer to it
+  BlockRules& operator=(const BlockRules&) = delete;
+
+  const Code& code;
+  const Control& control;
+  CallingCodes calling;
+  std::string corners_not_with_call;  // the chamfer and corner words that M98 refuses: " ,C L "
+
+  bool takes_point(char letter) const { return has(letter, kPoint); }
+  bool takes_minus(char letter) const { return has(letter, kMinus); }
+  /// Whether a number of the letter that has no point counts in increments.
+  bool in_increments(char letter) const { return has(letter, kIncrements); }
+
+ private:
+  static constexpr std::uint8_t kPoint = 1, kMinus = 2, kIncrements = 4;
+  bool has(char letter, std::uint8_t what) const {
+    return (letters_[static_cast<unsigned char>(letter)] & what) != 0;
+  }
+
+  std::array<std::uint8_t, 256> letters_{};
+};
+
+}  // namespace cncsub

@@ -1,0 +1,75 @@
+#include "cncsub/dialect/iso/calling_codes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace cncsub {
+
+CallingCodes::CallingCodes(const Code& code) {
+  const Control& control = *code.control;
+  for (const CodeCall& list : control.code_calls)
+    if (list.enable.empty() || control.parameter(list.enable) != 0) add_list(code, list);
+}
+
+void CallingCodes::add_list(const Code& code, const CodeCall& list) {
+  const auto parameter = [&](std::int32_t number) {
+    return to_whole<std::int32_t>(code.control->parameter(std::to_string(number)), -1'000'000'000,
+                                  1'000'000'000);
+  };
+  switch (list.form) {
+    case CodeCall::Form::List:
+      for (std::int32_t i = 0; i < list.count; ++i)
+        add_code(code, list, parameter(list.parameter + i), list.program + i);
+      break;
+    case CodeCall::Form::Range: {
+      const std::int32_t first = parameter(list.parameter), program = parameter(list.program);
+      const std::int32_t count = std::min(parameter(list.count), 1000);
+      for (std::int32_t i = 0; i < count; ++i) add_code(code, list, first + i, program + i);
+      break;
+    }
+    case CodeCall::Form::Switch:
+      add_letter(list.address, {list.kind, list.program, list.variable});
+      break;
+  }
+}
+
+void CallingCodes::add_code(const Code& code, const CodeCall& list, std::int32_t number,
+                            std::int32_t program) {
+  RegisteredCall call{list.kind, program, list.variable};
+  if (list.address == '@') {  // the parameter holds the letter, every code of which calls
+    call.ascii = true;
+    if (number >= 'A' && number <= 'Z') add_letter(static_cast<char>(number), call);
+    return;
+  }
+  const bool g = list.address == 'G';
+  if (g && number < 0) {  // a negative G code calls modally
+    number = -number;
+    call.kind = CodeCallKind::Modal;
+  }
+  if (number == 0 || number < list.first_code || number > list.last_code) return;
+  const bool own = g && number < 1000 && code.g_codes.test(static_cast<std::size_t>(number) * 10);
+  if (own && !list.own_codes) return;
+  call.refused = number < 1000 && list.refused.has(number * 10);
+  codes_.emplace(key(list.address, number), call);
+}
+
+void CallingCodes::add_letter(char address, const RegisteredCall& call) {
+  of_letters_.push_back(call);
+  letters_[place(address)] = of_letters_.size();
+}
+
+bool CallingCodes::any(char address) const {
+  return letters_[place(address)] != 0 ||
+         std::any_of(codes_.begin(), codes_.end(),
+                     [&](const auto& code) { return code.first >> 32 == address; });
+}
+
+const RegisteredCall* CallingCodes::find(char address, double code) const {
+  if (letters_[place(address)] != 0) return &of_letters_[letters_[place(address)] - 1];
+  if (codes_.empty() || std::fabs(code) > 1e9 || code != std::floor(code)) return nullptr;
+  const auto found = codes_.find(key(address, to_whole<std::int32_t>(code)));
+  return found == codes_.end() ? nullptr : &found->second;
+}
+
+}  // namespace cncsub

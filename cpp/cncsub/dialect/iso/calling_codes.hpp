@@ -1,0 +1,44 @@
+// Codes that call programs, as the control's parameters register them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+
+namespace cncsub {
+
+/// What a code calls.
+struct RegisteredCall {
+  CodeCallKind kind = CodeCallKind::Subprogram;
+  std::int32_t program = 0;
+  std::int32_t variable = 0;  // takes the code's value, 0 = none
+  bool refused = false;       // the code may not call
+  bool ascii = false;         // its letter calls because a parameter holds it
+};
+
+class CallingCodes {
+ public:
+  explicit CallingCodes(const Code& code);
+  /// What a code calls, null where it calls nothing.
+  const RegisteredCall* find(char address, double code) const;
+  /// Whether any code of an address calls.
+  bool any(char address) const;
+
+ private:
+  void add_list(const Code& code, const CodeCall& list);
+  void add_code(const Code& code, const CodeCall& list, std::int32_t number, std::int32_t program);
+  void add_letter(char address, const RegisteredCall& call);
+  static std::size_t place(char address) { return static_cast<std::size_t>(address - 'A'); }
+  static std::int64_t key(char address, std::int32_t code) {
+    return (static_cast<std::int64_t>(address) << 32) | code;
+  }
+
+  std::unordered_map<std::int64_t, RegisteredCall> codes_;  // by address and number
+  std::vector<RegisteredCall> of_letters_;
+  std::array<std::size_t, 26> letters_{};  // 1 + the place there, 0 = not every code calls
+};
+
+}  // namespace cncsub

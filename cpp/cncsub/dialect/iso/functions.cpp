@@ -1,0 +1,172 @@
+// The functions of expressions: SIN[30], ATAN[1]/[2], PRM[6001, 5], and words that are values.
+#include "cncsub/control/rule_lists.hpp"
+#include "cncsub/dialect/iso/expression.hpp"
+
+namespace cncsub {
+
+struct FunctionName {
+  std::string_view name;
+  Ins one, two = Ins::End;  // of one argument, of two; End: it does not take so many
+};
+
+namespace {
+
+constexpr int kMostNots = 64;  // before one condition: they are read inside each other
+
+constexpr FunctionName kFunctions[] = {{"SIN", Ins::Sin},
+                                       {"COS", Ins::Cos},
+                                       {"TAN", Ins::Tan},
+                                       {"ASIN", Ins::Asin},
+                                       {"ACOS", Ins::Acos},
+                                       {"ATAN", Ins::Atan},
+                                       {"ATAN2", Ins::End, Ins::Atan2},
+                                       {"SQRT", Ins::Sqrt},
+                                       {"SQR", Ins::Sqrt},
+                                       {"ABS", Ins::Abs},
+                                       {"ROUND", Ins::Round},
+                                       {"RND", Ins::Round},
+                                       {"FIX", Ins::Fix},
+                                       {"INT", Ins::Fix},
+                                       {"FUP", Ins::Fup},
+                                       {"LN", Ins::Ln},
+                                       {"EXP", Ins::Exp},
+                                       {"POW", Ins::End, Ins::Pow},
+                                       {"BIN", Ins::Bin},
+                                       {"BCD", Ins::Bcd},
+                                       {"ADP", Ins::Adp},
+                                       {"PRM", Ins::Parameter, Ins::ParameterBit},
+                                       {"SIGN", Ins::Sign},
+                                       {"RAND", Ins::Random},
+                                       {"SRAND", Ins::End, Ins::RandomBetween},
+                                       {"AR", Ins::Programmed}};
+
+struct ConstantName {
+  std::string_view name;
+  double value;
+};
+constexpr ConstantName kConstants[] = {{"PI", 3.14159265358979323846}, {"TRUE", 1}, {"FALSE", 0}};
+
+}  // namespace
+
+std::vector<std::string_view> function_names() {
+  std::vector<std::string_view> names;
+  for (const ConstantName& c : kConstants) names.push_back(c.name);
+  names.emplace_back("MOD");
+  for (const FunctionName& f : kFunctions) names.push_back(f.name);
+  return names;
+}
+
+/// Whether the control has a function, or an operator that some have not.
+bool ExpressionReader::has(std::string_view name) const {
+  const EntryList& list = code_.control->macros.functions.value;
+  std::size_t at = 0;
+  while ((at = list.find(name, at)) != std::string::npos) {
+    const bool starts = at == 0 || list[at - 1] == ' ';
+    const bool ends = at + name.size() == list.size() || list[at + name.size()] == ' ';
+    if (starts && ends) return true;
+    ++at;
+  }
+  return false;
+}
+
+/// The function of this name, or of the name that it abbreviates.
+const FunctionName* ExpressionReader::find_function(std::string_view word) const {
+  for (const FunctionName& f : kFunctions)
+    if (f.name == word && has(f.name)) return &f;
+  if (!code_.control->macros.short_functions.value || word.size() < 2) return nullptr;
+  for (const FunctionName& f : kFunctions)
+    if (f.name.substr(0, word.size()) == word && has(f.name)) return &f;
+  return nullptr;
+}
+
+std::optional<ExpressionReader::Value> ExpressionReader::word() {
+  const std::uint32_t at = s_.offset();
+  std::string word;
+  while (is_letter(s_.peek()) || (word == "ATAN" && s_.peek() == '2')) {
+    word += s_.peek();
+    ++s_.at;
+    if (word.size() > 8) break;
+  }
+  for (const ConstantName& of : kConstants) {
+    if (word != of.name || !has(word)) continue;
+    if (!room()) return std::nullopt;
+    emit(Ins::Constant, at, of.value);
+    return Value{};
+  }
+  if (word == "NOT" && code_.control->macros.conditions.value.has(Condition::Bare))
+    return negated(at);
+  const FunctionName* found = find_function(word);
+  if (found == nullptr)
+    return refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
+  if (found->one == Ins::Atan && !has("ATAN2")) return arc_tangent(at);
+  if (found->one == Ins::Programmed) return programmed(at);
+  return function(*found, at);
+}
+
+std::optional<ExpressionReader::Value> ExpressionReader::function(const FunctionName& of,
+                                                                  std::uint32_t at) {
+  if (!open() || !argument()) return std::nullopt;
+  const bool two = of.one == Ins::End || (of.two != Ins::End && s_.peek() == ',');
+  if (two && (!comma() || !argument())) return std::nullopt;
+  if (!close()) return std::nullopt;
+  Ins op = two ? of.two : of.one;
+  if (op == Ins::Round && address_ != 0) op = Ins::RoundWord;
+  emit(op, at);
+  return Value{};
+}
+
+bool ExpressionReader::argument() {
+  auto value = expression();
+  return value && arithmetic(*value);
+}
+
+bool ExpressionReader::comma() {
+  if (s_.take(',')) return true;
+  refuse(Cause::MissingComma, s_.offset(), "the function takes two arguments");
+  return false;
+}
+
+/// ATAN[a]/[b], ATAN[a,b] and ATAN[a].
+std::optional<ExpressionReader::Value> ExpressionReader::arc_tangent(std::uint32_t at) {
+  if (!open() || !argument()) return std::nullopt;
+  bool two = s_.take(',');
+  if (two && !argument()) return std::nullopt;
+  if (!close()) return std::nullopt;
+  Scanner ahead = s_;
+  if (!two && ahead.take('/') && ahead.peek() == '[') {
+    s_ = ahead;
+    auto second = bracket();
+    if (!second || !arithmetic(*second)) return std::nullopt;
+    two = true;
+  }
+  emit(two ? Ins::Atan2 : Ins::Atan, at);
+  return Value{};
+}
+
+/// AR[#23]: how the word was programmed, so the variable itself counts.
+std::optional<ExpressionReader::Value> ExpressionReader::programmed(std::uint32_t at) {
+  if (!open() || s_.peek() != '#')
+    return refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+  const std::uint32_t hash = s_.offset();
+  s_.take('#');
+  const auto target = variable(hash);
+  if (!target || target->number < 0)
+    return refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+  if (!close() || !room()) return std::nullopt;
+  emit(Ins::Programmed, at, static_cast<double>(target->number));
+  return Value{};
+}
+
+/// NOT before a condition.
+std::optional<ExpressionReader::Value> ExpressionReader::negated(std::uint32_t at) {
+  if (++nots_ > kMostNots) return refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
+  auto value = operand();
+  if (!value) return std::nullopt;
+  --nots_;
+  if (value->type != Type::Condition)
+    return refuse(Cause::ExpressionFormat, at, "NOT takes a condition");
+  emit(Ins::Not, at);
+  return value;
+}
+
+}  // namespace cncsub

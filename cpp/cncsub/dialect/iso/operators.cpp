@@ -1,0 +1,203 @@
+// The operators of expressions: how tightly each binds, and what it makes of two values.
+#include <algorithm>
+#include <array>
+
+#include "cncsub/dialect/iso/expression.hpp"
+
+namespace cncsub {
+
+struct OperatorName {
+  std::string_view text;
+  Ins op;
+  int alike, last;  // the level at which it binds where logic binds like arithmetic; where it binds
+                    // last. Level 0 binds weakest
+  Ins other = Ins::End;  // of logic: on two conditions; else with a constant on the right
+
+  bool compares() const { return op >= Ins::Equal && op <= Ins::LessEqual; }
+  bool is_logic() const { return last == 0; }
+};
+
+namespace {
+
+constexpr int kTightest = 3;  // of the levels where logic binds last
+
+constexpr OperatorName kOperators[] = {{"+", Ins::Add, 1, 2, Ins::AddConstant},
+                                       {"-", Ins::Subtract, 1, 2, Ins::SubtractConstant},
+                                       {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
+                                       {"/", Ins::Divide, 2, 3, Ins::DivideConstant},
+                                       {"AND", Ins::And, 2, 0, Ins::BothTrue},
+                                       {"XOR", Ins::Xor, 1, 0, Ins::OneTrue},
+                                       {"OR", Ins::Or, 1, 0, Ins::EitherTrue},
+                                       {"MOD", Ins::Modulo, 2, 3},
+                                       {"EQ", Ins::Equal, 0, 1},
+                                       {"NE", Ins::NotEqual, 0, 1},
+                                       {"GT", Ins::Greater, 0, 1},
+                                       {"LT", Ins::Less, 0, 1},
+                                       {"GE", Ins::GreaterEqual, 0, 1},
+                                       {"LE", Ins::LessEqual, 0, 1}};
+constexpr OperatorName kSymbols[] = {{"==", Ins::Equal, 0, 1},        {"<>", Ins::NotEqual, 0, 1},
+                                     {">=", Ins::GreaterEqual, 0, 1}, {"<=", Ins::LessEqual, 0, 1},
+                                     {">", Ins::Greater, 0, 1},       {"<", Ins::Less, 0, 1}};
+
+template <std::size_t N>
+const OperatorName* find_operator(const OperatorName (&names)[N], Scanner s) {
+  const char c = s.peek();
+  for (const OperatorName& of : names)
+    if (of.text[0] == c && s.take_word(of.text)) return &of;
+  return nullptr;
+}
+
+/// Goes through what stands behind a logic operator, as far as the next one.
+class Lookahead {
+ public:
+  explicit Lookahead(const Scanner& behind) : s_(behind), bracket_(s_.peek() == '[') {}
+
+  /// Whether it is a condition: `AND #2 EQ 4` or `AND [#2 EQ 4]`, not `AND 3`.
+  bool finds_condition() {
+    for (char c = s_.peek(); c != '\0'; c = s_.peek()) {
+      if (is_letter(c)) {
+        if (value_ && compares()) return true;
+        if (value_ && joins()) return false;
+        pass_word();
+      } else {
+        if (compares(c)) return true;
+        if (c == ']' && depth_ == 0) return false;
+        pass(c);
+      }
+    }
+    return false;
+  }
+
+ private:
+  bool compares(char symbol) const {
+    const bool own = depth_ == 0 || (bracket_ && depth_ == 1);
+    return own && (symbol == '<' || symbol == '>' || symbol == '=');
+  }
+
+  bool compares() const {
+    const OperatorName* found = find_operator(kOperators, s_);
+    const bool own = depth_ == 0 || (bracket_ && depth_ == 1 && deepest_ == 1);
+    return own && found != nullptr && found->compares();
+  }
+
+  /// A logic operator, or a word that is none: what was behind the first one ends.
+  bool joins() const {
+    const OperatorName* found = find_operator(kOperators, s_);
+    return depth_ == 0 && (found == nullptr || found->op != Ins::Modulo);
+  }
+
+  void pass_word() {
+    while (is_letter(s_.peek())) ++s_.at;
+    value_ = false;
+  }
+
+  void pass(char c) {
+    if (c == '[') deepest_ = std::max(deepest_, ++depth_);
+    if (c == ']') --depth_;
+    value_ = c == ']' || is_digit(c) || c == '.';
+    ++s_.at;
+  }
+
+  Scanner s_;
+  bool bracket_;  // what stands behind begins with one
+  int depth_ = 0, deepest_ = 0;
+  bool value_ = false;  // the value of an operand has ended: an operator follows
+};
+
+}  // namespace
+
+/// The operator that stands here, null where none does.
+const OperatorName* ExpressionReader::operator_here() {
+  s_.blanks();
+  if (s_.at == s_.end || *s_.at == ']') return nullptr;
+  if (const OperatorName* found = find_operator(kOperators, s_))
+    return found->op == Ins::Modulo && !has("MOD") ? nullptr : found;
+  const bool symbols = code_.control->macros.conditions.value.has(Condition::Symbols);
+  return symbols ? find_operator(kSymbols, s_) : nullptr;
+}
+
+/// Whether an operator binds at this level behind a value. Where logic of numbers binds first, it
+/// counts whether the value is a number, and whether it is the right side of a comparison:
+/// `#1EQ3AND#2EQ4` joins two, `3EQ#1AND3` is one.
+bool ExpressionReader::binds(const OperatorName& of, int level, const Value& value,
+                             bool compared) const {
+  const LogicOrder order = code_.control->macros.logic_order.value;
+  if (level == (order == LogicOrder::LikeArithmetic ? of.alike : of.last)) return true;
+  if (order != LogicOrder::LastOfConditions || !of.is_logic()) return false;
+  if (value.type != Type::Number || level != of.alike + 1) return false;
+  if (!compared) return true;
+  Scanner behind = s_;
+  behind.take_word(of.text);
+  return !Lookahead(behind).finds_condition();
+}
+
+/// Joins two values; the left one waited for the right one.
+std::optional<ExpressionReader::Value> ExpressionReader::apply(const Waiting& waiting,
+                                                               Value right) {
+  const OperatorName& of = *waiting.of;
+  Value left = waiting.left;
+  if (of.compares()) return compare(waiting, right);
+  if (of.is_logic() && left.type == Type::Condition && right.type == Type::Condition) {
+    if (!code_.control->macros.conditions.value.has(Condition::Joined))
+      return refuse(Cause::IfFormat, waiting.at, "conditions cannot be joined on this control");
+    emit(of.other, waiting.at);
+    return Value{Type::Condition, -1};
+  }
+  if (!arithmetic(left) || !arithmetic(right)) return std::nullopt;
+  Instruction& last = to_.expressions().instruction(to_.expressions().next() - 1);
+  const bool constant = last.op == Ins::Constant && !of.is_logic() && of.other != Ins::End;
+  if (!constant || (of.op == Ins::Divide && last.value == 0)) {
+    emit(of.op, waiting.at);
+    return Value{};
+  }
+  last.op = of.other;
+  last.at = waiting.at;
+  depth_ += stack_effect(last.op) - stack_effect(Ins::Constant);
+  return Value{};
+}
+
+std::optional<ExpressionReader::Value> ExpressionReader::compare(const Waiting& waiting,
+                                                                 Value right) {
+  Value left = waiting.left;
+  const Ins op = waiting.of->op;
+  const bool tells_vacant =
+      code_.control->macros.vacant_comparison.value == VacantComparison::Distinguished &&
+      (op == Ins::Equal || op == Ins::NotEqual);
+  if (!is_number(left) || !is_number(right))
+    return refuse(Cause::ExpressionFormat, waiting.at, "a comparison compares two values");
+  if (!tells_vacant && (!arithmetic(left) || !arithmetic(right))) return std::nullopt;
+  emit(op, waiting.at);
+  return Value{Type::Condition, -1};
+}
+
+/// Operands and operators: a value waits with its operator until what stands on the right does not
+/// bind closer.
+std::optional<ExpressionReader::Value> ExpressionReader::expression() {
+  std::array<Waiting, kTightest + 1> waiting{};  // looser ones first
+  std::size_t count = 0;
+  const bool alike = code_.control->macros.logic_order.value == LogicOrder::LikeArithmetic;
+  const int tightest = kTightest - static_cast<int>(alike);
+  const auto compared = [&] {
+    return std::any_of(waiting.begin(), waiting.begin() + count,
+                       [](const Waiting& left) { return left.of->compares(); });
+  };
+  auto value = operand();
+  while (value) {
+    const OperatorName* next = nullptr;
+    for (int level = tightest;; --level) {
+      if (count > 0 && waiting[count - 1].level == level) value = apply(waiting[--count], *value);
+      if (!value) return std::nullopt;
+      if (level == tightest) next = operator_here();
+      if (next != nullptr && binds(*next, level, *value, next->is_logic() && compared())) {
+        waiting[count++] = {*value, next, s_.offset(), level};
+        break;
+      }
+      if (level == 0) return value;
+    }
+    s_.take_word(next->text);
+    value = operand();
+  }
+  return std::nullopt;
+}
+
+}  // namespace cncsub

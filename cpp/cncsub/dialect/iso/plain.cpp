@@ -1,0 +1,130 @@
+#include "cncsub/dialect/iso/plain.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <string_view>
+
+namespace cncsub {
+
+namespace {
+
+constexpr int kLongest = 200;  // bytes; a plain block is short
+constexpr int kMostWords = 20;
+constexpr std::size_t kDwell = 4;  // G04 reads its words in ways of its own
+constexpr std::uint64_t kMostM = 1000;
+
+}  // namespace
+
+struct PlainReader::Words {
+  std::array<double, 26> values;  // NOLINT: written where the mask says so
+  std::uint32_t mask = 0;
+  std::array<int, 6> g;  // NOLINT: the first of them
+  std::size_t g_count = 0;
+  int m = -1;
+  std::int32_t n = -1;
+  int count = 0;
+};
+
+PlainReader::PlainReader(Builder& to, const BlockRules& rules)
+    : to_(to),
+      rules_(rules),
+      max_digits_(rules.control.reading.max_digits.value),
+      max_n_(rules.control.reading.max_sequence_number.value),
+      cuts_fine_digits_(rules.control.reading.cuts_fine_digits.value) {
+  // It is within every limit but an unusually tight one.
+  const auto tight = [](int limit, int usual) { return limit > 0 && limit < usual; };
+  if (tight(rules.control.reading.max_block_length.value, kLongest) ||
+      tight(rules.control.reading.max_words.value, kMostWords))
+    return;
+  for (const char c : std::string_view("ABCDFHIJKRSTUVWXYZ"))
+    if (!rules.calling.any(c)) kinds_[static_cast<unsigned char>(c)] = Kind::Value;
+  kinds_['G'] = Kind::G;
+  if (rules.control.reading.m_codes_per_block.value != 0) kinds_['M'] = Kind::M;
+  kinds_['N'] = Kind::N;
+  for (std::size_t g = 0; g < g_.size(); ++g)
+    g_[g] = rules.code.g_codes.test(g * 10) && g != kDwell &&
+            rules.control.calls.roles.value.of_g(static_cast<int>(g * 10)) == Role::None &&
+            rules.calling.find('G', static_cast<double>(g)) == nullptr;
+}
+
+inline bool PlainReader::fits(const Mantissa& number) const {
+  const auto digits = number.whole + number.decimals;
+  return digits != 0 && digits <= kMostDigits &&
+         number.whole + (number.point ? 3 : 0) <= max_digits_;
+}
+
+inline bool PlainReader::take_value(Words& words, char letter, bool negative,
+                                    const Mantissa& number) const {
+  if (number.decimals > 3 && cuts_fine_digits_) return false;
+  const bool no_minus = !rules_.takes_minus(letter);
+  const bool counts = rules_.in_increments(letter);
+  const bool no_point = number.point ? !rules_.takes_point(letter) : counts & (number.value != 0);
+  const bool refused = (negative & no_minus) | no_point;
+  const std::uint32_t mark = bit(letter);
+  if (refused || (words.mask & mark) != 0) return false;
+  // Signs come as they like: nothing branches on them.
+  const double value =
+      static_cast<double>(static_cast<std::int64_t>(number.value)) / kPowersOfTen[number.decimals];
+  words.values[static_cast<std::size_t>(letter - 'A')] = std::bit_cast<double>(
+      std::bit_cast<std::uint64_t>(value) ^ static_cast<std::uint64_t>(negative) << 63);
+  words.mask |= mark;
+  return true;
+}
+
+inline bool PlainReader::take_g(Words& words, const Mantissa& number) const {
+  if (words.g_count == words.g.size() || number.value >= g_.size() || !g_[number.value])
+    return false;
+  words.g[words.g_count++] = static_cast<int>(number.value);
+  return true;
+}
+
+/// An M code that is nothing to the order of blocks.
+inline bool PlainReader::take_m(Words& words, const Mantissa& number) const {
+  if (words.m >= 0 || number.value >= kMostM) return false;
+  const int m = static_cast<int>(number.value);
+  const Role role = rules_.control.calls.roles.value.of_m(m);
+  if (role != Role::None && role < Role::SpindleForward) return false;
+  if (rules_.calling.find('M', m) != nullptr) return false;
+  words.m = m;
+  return true;
+}
+
+inline bool PlainReader::take_n(Words& words, const Mantissa& number) const {
+  if (words.count > 1 || number.value == 0 || number.value > static_cast<std::uint64_t>(max_n_))
+    return false;
+  words.n = static_cast<std::int32_t>(number.value);
+  return true;
+}
+
+inline bool PlainReader::take(Words& words, char letter, bool negative,
+                              const Mantissa& number) const {
+  const Kind kind = kinds_[static_cast<unsigned char>(letter)];
+  if (kind == Kind::Value) return take_value(words, letter, negative, number);
+  if (number.point || negative) return false;
+  return kind == Kind::G   ? take_g(words, number)
+         : kind == Kind::M ? take_m(words, number)
+                           : take_n(words, number);
+}
+
+bool PlainReader::read(const Scanner& s, Block& block) {
+  if (s.end - s.at >= kLongest) return false;
+  Words words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  const char* p = s.at;
+  for (;;) {
+    while (*p == ' ') ++p;
+    if (p >= s.end) break;  // a character that is in no word stands there
+    const char letter = *p++;
+    if (kinds_[static_cast<unsigned char>(letter)] == Kind::No) return false;
+    if (++words.count > kMostWords) return false;
+    const bool negative = *p == '-';
+    p += negative ? 1 : 0;
+    const Mantissa number = scan_mantissa(p);
+    if (!fits(number) || !take(words, letter, negative, number)) return false;
+  }
+  if (words.mask == 0 && words.g_count == 0 && words.m < 0) return false;
+  block.n = words.n;
+  to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask, words.values);
+  return true;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,42 @@
+// Blocks such as `N10 G90 G1 X10.5 Y-3. F200` or `S500 M3`, which are most of what is read, and
+// which every control reads alike: they are compiled in one pass.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+#include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/iso/block_rules.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+class PlainReader {
+ public:
+  PlainReader(Builder& to, const BlockRules& rules);
+  /// Compiles a block that is that plain. False where it is not: it is left to the general way,
+  /// which gives the same code.
+  bool read(const Scanner& s, Block& block);
+
+ private:
+  enum class Kind : std::uint8_t { No, Value, G, M, N };
+  struct Words;
+
+  bool fits(const Mantissa& number) const;
+  bool take(Words& words, char letter, bool negative, const Mantissa& number) const;
+  bool take_value(Words& words, char letter, bool negative, const Mantissa& number) const;
+  bool take_g(Words& words, const Mantissa& number) const;
+  bool take_m(Words& words, const Mantissa& number) const;
+  bool take_n(Words& words, const Mantissa& number) const;
+
+  Builder& to_;
+  const BlockRules& rules_;
+  std::array<Kind, 256> kinds_{};  // what a character begins
+  std::bitset<1000> g_;            // the codes that are executed, whatever else the block holds
+  int max_digits_;
+  int max_n_;
+  bool cuts_fine_digits_;
+};
+
+}  // namespace cncsub

@@ -1,0 +1,400 @@
+// Macro statements of the ISO family: assignments, IF, loops, jumps, output.
+#include "cncsub/dialect/iso/statement.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace cncsub {
+
+// No control takes an IF behind THEN; what stands there is read to tell what is wrong with it.
+constexpr int kDeepestThen = 10;
+
+/// A word that a statement begins with.
+struct StatementReader::Keyword {
+  std::string_view word;
+  void (StatementReader::*read)(const Keyword& keyword, Statement& statement);
+  Op op = Op::Goto;
+  std::optional<StatementKind> kind;  // what the control may not have
+};
+
+// END begins ENDIF and ENDW too.
+const StatementReader::Keyword StatementReader::kKeywords[] = {
+    {"ENDIF", &StatementReader::bare, Op::EndIf, {}},
+    {"ELSE", &StatementReader::bare, Op::Else, {}},
+    {"ENDW", &StatementReader::bare, Op::EndDo, {}},
+    {"IF", &StatementReader::if_statement, Op::If, StatementKind::If},
+    {"WHILE", &StatementReader::while_statement, Op::While, StatementKind::While},
+    {"GOTO", &StatementReader::go_to, Op::Goto, {}},
+    {"DO", &StatementReader::numbered, Op::Do, StatementKind::Do},
+    {"END", &StatementReader::numbered, Op::EndDo, StatementKind::Do},
+    {"DPRNT", &StatementReader::print, Op::Print, StatementKind::Dprnt},
+    {"BPRNT", &StatementReader::print, Op::Print, StatementKind::Bprnt},
+    {"POPEN", &StatementReader::device, Op::OpenOutput, StatementKind::Popen},
+    {"PCLOS", &StatementReader::device, Op::CloseOutput, StatementKind::Pclos},
+    {"SETVN", &StatementReader::name_variables, Op::NameVariables, {}}};
+
+/// ELSE, ENDIF and ENDW are words of a control where its IF and its loops have these forms.
+bool StatementReader::has(const Keyword& keyword) const {
+  const MacroRules& rules = code_.control->macros;
+  if (keyword.op == Op::EndIf || keyword.op == Op::Else)
+    return rules.if_form.value == IfForm::Blocks || rules.if_form.value == IfForm::ThenBlocks;
+  if (keyword.op == Op::EndDo && !keyword.kind) return rules.loop_form.value == LoopForm::WhileEndw;
+  return true;
+}
+
+void StatementReader::refuse(Fault fault) { to_.refuse(block_, std::move(fault)); }
+
+void StatementReader::refuse(Cause cause, std::uint32_t at, std::uint32_t width,
+                             std::string detail) {
+  refuse({cause, at, width, std::move(detail)});
+}
+
+/// A keyword stands here: whole, or its first two letters with something behind them that is no
+/// letter of a longer word.
+bool StatementReader::keyword(std::string_view word) {
+  Scanner ahead = s_;
+  if (ahead.take_word(word)) {
+    s_ = ahead;
+    return true;
+  }
+  if (!code_.control->macros.short_functions.value || word.size() < 4) return false;
+  ahead = s_;
+  if (!ahead.take_word(word.substr(0, 2))) return false;
+  const char next = ahead.peek();
+  if (is_letter(next)) return false;
+  s_ = ahead;
+  return true;
+}
+
+/// Refuses a statement that the control does not have, or of which nobody says whether it has it.
+bool StatementReader::lacks(StatementKind kind, std::uint32_t at, std::string_view name) {
+  auto wrong = code_.lacks(kind, at);
+  if (wrong && !name.empty())
+    wrong->detail.replace(wrong->detail.size() - statement_name(kind).size(), std::string::npos,
+                          name);
+  if (wrong) refuse(*wrong);
+  return wrong.has_value();
+}
+
+/// `#2=` rather than a stray variable.
+bool StatementReader::starts_assignment() const {
+  Scanner ahead = s_;
+  if (!ahead.take('#')) return false;
+  while (is_digit(ahead.peek())) ++ahead.at;
+  return ahead.peek() == '=';
+}
+
+/// Nothing may stand behind a statement.
+bool StatementReader::at_end(Cause otherwise) {
+  s_.blanks();
+  if (code_.control->reading.open_comment.value == OpenComment::RestOfBlock) s_.rest_of_comment();
+  const char c = s_.peek();
+  if (c == '\0') return true;
+  if (c == ']')
+    refuse(Cause::BracketNotOpened, s_.offset(), 1, "this bracket was never opened");
+  else if (is_letter(c) || starts_assignment())
+    refuse(otherwise, s_.offset(), 1, "behind the statement stands another word");
+  else
+    refuse(block_.op == Op::Assign ? Cause::ExpressionFormat : Cause::StatementFormat, s_.offset(),
+           1, "the statement ends before this");
+  return false;
+}
+
+void StatementReader::finish(Op op, const Statement& statement) {
+  to_.become(block_, op, statement);
+}
+
+bool StatementReader::read() {
+  const char c = s_.peek();
+  if (c == '#') {
+    if (!lacks(StatementKind::Variables, s_.offset())) assignment(false);
+    return true;
+  }
+  if (c == '[') return named_assignment();
+  if (!is_letter(c)) return false;
+  Statement statement;
+  statement.at = s_.offset();
+  statement.width = 2;
+  for (const Keyword& of : kKeywords) {
+    if (of.word[0] != c || !has(of) || !keyword(of.word)) continue;
+    const bool wrong = of.kind && lacks(*of.kind, statement.at, of.word);
+    if (!wrong) (this->*of.read)(of, statement);
+    return true;
+  }
+  return false;
+}
+
+/// [#NAME] = 5
+bool StatementReader::named_assignment() {
+  if (!code_.control->macros.variable_forms.value.has(VariableForm::Names)) return false;
+  Scanner ahead = s_;
+  ahead.take('[');
+  if (!ahead.take('#') || (!is_letter(ahead.peek()) && ahead.peek() != '_')) return false;
+  s_.take('[');
+  assignment(true);
+  return true;
+}
+
+void StatementReader::assignment(bool bracketed) {
+  Statement statement;
+  statement.at = s_.offset();
+  statement.variable_at = s_.offset();
+  s_.take('#');
+  ExpressionReader reader(to_, s_);
+  const auto variable = reader.variable(statement.at);
+  if (!variable) return refuse(reader.fault());
+  set_target(statement, *variable);
+  if (bracketed && !s_.take(']'))
+    return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the name's bracket is not closed");
+  statement.variable_width = std::max<std::uint32_t>(1, s_.offset() - statement.variable_at);
+  if (!s_.take('='))
+    return refuse(Cause::MissingEquals, s_.offset(), 1, "behind the variable stands no =");
+  const auto value = reader.number();
+  if (!value) return refuse(reader.fault());
+  statement.expression = *value;
+  statement.width = std::max<std::uint32_t>(1, s_.offset() - statement.at);
+  keep_comment(statement);
+  block_.op = Op::Assign;
+  if (at_end(Cause::NcAndMacroInBlock)) finish(Op::Assign, statement);
+}
+
+/// Where the value of an assignment goes.
+void StatementReader::set_target(Statement& statement,
+                                 const ExpressionReader::Variable& variable) const {
+  if (variable.number < 0) {
+    statement.target = Statement::Target::Indirect;
+    statement.variable = variable.expression;
+    return;
+  }
+  const VariablePlace place = code_.place(variable.number);
+  const bool common = place.is_common() && place.range->access == Access::ReadWrite;
+  statement.target = place.is_local() ? Statement::Target::Local
+                     : common         ? Statement::Target::Common
+                                      : Statement::Target::Variable;
+  statement.index =
+      place.is_local() || common
+          ? place.index
+          : to_whole<std::int32_t>(static_cast<double>(variable.number), 0, 2000000000);
+}
+
+/// The comment behind the value is data of #3000 and #3006.
+void StatementReader::keep_comment(Statement& statement) const {
+  const std::uint32_t from = code_.expressions[statement.expression].at;
+  const std::string_view rest(s_.file + from, static_cast<std::size_t>(s_.end - s_.file) - from);
+  const std::size_t open = rest.find('(');
+  if (open == std::string_view::npos) return;
+  const std::size_t close = std::min(rest.find(')', open), rest.size());
+  statement.text = from + static_cast<std::uint32_t>(open) + 1;
+  statement.text_length = static_cast<std::uint32_t>(close - open - 1);
+}
+
+/// A statement that is its keyword and nothing else.
+void StatementReader::bare(const Keyword& keyword, Statement& statement) {
+  if (at_end(Cause::NcAndMacroInBlock)) finish(keyword.op, statement);
+}
+
+void StatementReader::device(const Keyword& keyword, Statement& /*statement*/) {
+  if (at_end(Cause::NcAndMacroInBlock)) block_.op = keyword.op;
+}
+
+void StatementReader::numbered(const Keyword& keyword, Statement& statement) {
+  loop(keyword.op, statement);
+}
+
+void StatementReader::go_to(const Keyword& keyword, Statement& statement) {
+  jump(keyword.op, statement);
+}
+
+/// The condition behind IF and WHILE, whose faults are those of the statement's format.
+bool StatementReader::condition(Statement& statement, Cause format) {
+  statement.at = s_.offset() - 2;
+  ExpressionReader reader(to_, s_);
+  if (const auto condition = reader.condition()) {
+    statement.expression = *condition;
+    return true;
+  }
+  Fault fault = reader.fault();
+  if (fault.cause == Cause::ExpressionFormat) fault.cause = format;
+  refuse(fault);
+  return false;
+}
+
+void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statement) {
+  if (!condition(statement, Cause::IfFormat)) return;
+  if (code_.control->macros.if_form.value == IfForm::Blocks) {
+    if (at_end(Cause::NcAndMacroInBlock)) finish(Op::If, statement);
+    return;
+  }
+  if (keyword("GOTO")) return jump(Op::IfGoto, statement);
+  if (code_.control->macros.if_form.value == IfForm::GotoOnly)
+    return refuse(Cause::IfFormat, s_.offset(), 1, "behind the condition stands GOTO");
+  if (!keyword("THEN"))
+    return refuse(Cause::IfFormat, s_.offset(), 1, "behind the condition stands GOTO or THEN");
+  if (s_.peek() == '\0' && code_.control->macros.if_form.value == IfForm::ThenBlocks)
+    return finish(Op::If, statement);
+  then_statement(statement);
+}
+
+/// THEN takes one macro statement, kept as a block of its own.
+void StatementReader::then_statement(Statement& statement) {
+  Block then = block_;
+  const std::uint32_t at = s_.offset();
+  StatementReader inner(to_, s_, then, thens_ + 1);
+  if (thens_ > kDeepestThen || !inner.read())
+    return refuse(Cause::IfFormat, at, 1, "THEN takes one macro statement");
+  if (then.op == Op::Fault) {
+    block_.op = Op::Fault;
+    block_.aux = then.aux;
+    Fault& fault = to_.record<Fault>(then.aux);
+    if (fault.cause == Cause::NcAndMacroInBlock || fault.cause == Cause::StatementFormat)
+      fault.cause = Cause::IfFormat;
+    return;
+  }
+  const bool simple = then.op == Op::Assign || then.op == Op::Goto || then.op == Op::Print ||
+                      then.op == Op::OpenOutput || then.op == Op::CloseOutput;
+  if (!simple)
+    return refuse(Cause::IfFormat, at, 1, "THEN takes an assignment, a jump or an output");
+  statement.then = to_.keep(then);
+  finish(Op::IfThen, statement);
+}
+
+void StatementReader::while_statement(const Keyword& /*keyword*/, Statement& statement) {
+  if (!condition(statement, Cause::WhileFormat)) return;
+  if (code_.control->macros.loop_form.value == LoopForm::WhileEndw) {
+    if (at_end(Cause::NcAndMacroInBlock)) finish(Op::While, statement);
+    return;
+  }
+  if (!s_.take_word("DO"))
+    return refuse(Cause::WhileFormat, s_.offset(), 1, "behind the condition stands DO");
+  loop(Op::While, statement);
+}
+
+void StatementReader::loop(Op op, Statement& statement) {
+  const std::uint32_t at = s_.offset();
+  if (!is_digit(s_.peek())) {
+    refuse(op == Op::While ? Cause::WhileFormat : Cause::IllegalLoopNumber, s_.offset(), 1,
+           "the loop has no number");
+    return;
+  }
+  const Number number = scan_number(s_);
+  const int most = code_.control->macros.max_loop_number.value;
+  if (number.points != 0 || number.value < 1 || number.value > most)
+    return refuse(Cause::IllegalLoopNumber, at, std::max(1u, s_.offset() - at),
+                  "a loop number is 1 to " + std::to_string(most));
+  statement.number = to_whole<std::int32_t>(number.value);
+  if (at_end(Cause::NcAndMacroInBlock)) finish(op, statement);
+}
+
+void StatementReader::jump(Op op, Statement& statement) {
+  const Cause format = op == Op::IfGoto ? Cause::IfFormat : Cause::StatementFormat;
+  if (code_.lacking.test(static_cast<std::size_t>(StatementKind::Goto)))
+    return refuse(Cause::StatementNotAvailable, statement.at, 4, "this control has no GOTO");
+  s_.blanks();
+  const std::uint32_t at = s_.offset();
+  statement.variable_at = at;
+  statement.number = -1;
+  const char c = s_.peek();
+  if (c == '#' || c == '[') {
+    ExpressionReader reader(to_, s_);
+    const auto value = reader.word_value('\0');
+    if (!value) return refuse(reader.fault());
+    statement.variable = *value;
+  } else if (is_digit(c) || c == '-' || c == '.' || c == '+') {
+    const Number number = scan_number(s_);
+    const int most = code_.control->macros.max_jump_number.value;
+    if (number.points != 0)
+      return refuse(Cause::IllegalDecimalPoint, at, 1, "a sequence number has no point");
+    if (!number.any) return refuse(format, at, 1, "GOTO without a sequence number");
+    if (number.value < 1 || number.value > most)
+      return refuse(Cause::IllegalJumpNumber, at, std::max(1u, s_.offset() - at),
+                    "GOTO takes 1 to " + std::to_string(most));
+    statement.number = to_whole<std::int32_t>(number.value);
+  } else {
+    return refuse(format, at, 1, "GOTO without a sequence number");
+  }
+  statement.variable_width = std::max(1u, s_.offset() - at);
+  if (at_end(Cause::NcAndMacroInBlock)) finish(op, statement);
+}
+
+void StatementReader::print(const Keyword& keyword, Statement& /*statement*/) {
+  Print print;
+  print.binary = keyword.kind == StatementKind::Bprnt;
+  print.at = s_.offset();
+  if (!s_.take('['))
+    return refuse(Cause::OutputFormat, s_.offset(), 1, "the output stands in brackets");
+  while (s_.peek() != ']') {
+    if (s_.peek() == '\0')
+      return refuse(Cause::OutputFormat, s_.offset(), 1, "the output's bracket is not closed");
+    if (s_.peek() == '#') {
+      if (!print_field(print)) return;
+      continue;
+    }
+    if (print.fields.empty() || print.fields.back().is_variable) print.fields.push_back({});
+    print.fields.back().text += *s_.at == '*' ? ' ' : *s_.at;
+    ++s_.at;
+  }
+  s_.take(']');
+  if (!at_end(Cause::NcAndMacroInBlock)) return;
+  to_.become(block_, Op::Print, std::move(print));
+}
+
+/// `#100[53]`: five digits before the point, three behind it.
+bool StatementReader::print_field(Print& print) {
+  PrintField field;
+  field.is_variable = true;
+  ExpressionReader reader(to_, s_);
+  const auto value = reader.word_value('\0');
+  if (!value) {
+    refuse(reader.fault());
+    return false;
+  }
+  field.expression = *value;
+  const std::uint32_t at = s_.offset();
+  if (!s_.take('[')) {
+    refuse(Cause::OutputFormat, at, 1, "behind the variable stands the number of digits, as [53]");
+    return false;
+  }
+  const Number format = scan_number(s_);
+  const bool good =
+      format.written == (print.binary ? 1 : 2) && !format.negative && format.points == 0;
+  if (!good || !s_.take(']')) {
+    refuse(Cause::OutputFormat, at, 1, "the number of digits is two digits in brackets, as [53]");
+    return false;
+  }
+  const int digits = to_whole<int>(format.value);
+  field.whole_digits = print.binary ? 0 : digits / 10;
+  field.decimals = digits % 10;
+  print.fields.push_back(field);
+  return true;
+}
+
+/// SETVN 510[TOOLNO, WORKNO].
+void StatementReader::name_variables(const Keyword& /*keyword*/, Statement& statement) {
+  if (!code_.control->macros.variable_forms.value.has(VariableForm::Names))
+    return refuse(Cause::StatementNotAvailable, statement.at, 5, "this control has no SETVN");
+  const Number first = scan_number(s_);
+  if (!first.any || first.points != 0 || first.negative || first.value > 1e9 || !s_.take('['))
+    return refuse(Cause::SetvnFormat, s_.offset(), 1, "write SETVN n[NAME, NAME]");
+  statement.number = to_whole<std::int32_t>(first.value);
+  statement.index = static_cast<std::int32_t>(code_.names.size());
+  for (;;) {
+    const std::uint32_t at = s_.offset();
+    const std::string name = s_.take_name();
+    if (name.size() > 8)
+      return refuse(Cause::VariableNameTooLong, at, 1, "a variable name has at most 8 characters");
+    const char behind = s_.peek();
+    const bool ends = behind == ']' || behind == ',' || behind == '\0';
+    if (!ends || name.empty() || is_digit(name[0]))
+      return refuse(Cause::IllegalVariableName, ends ? at : s_.offset(), 1,
+                    "a variable name is a letter, then letters, digits and _");
+    to_.names().text(name);
+    if (s_.take(']')) break;
+    if (!s_.take(','))
+      return refuse(Cause::SetvnFormat, s_.offset(), 1, "the list of names is not closed");
+  }
+  statement.variable_width =
+      static_cast<std::uint32_t>(code_.names.size()) - static_cast<std::uint32_t>(statement.index);
+  if (at_end(Cause::NcAndMacroInBlock)) finish(Op::NameVariables, statement);
+}
+
+}  // namespace cncsub

@@ -1,0 +1,59 @@
+// Macro statements of a block, compiled.
+#pragma once
+
+#include <optional>
+
+#include "cncsub/dialect/iso/expression.hpp"
+
+namespace cncsub {
+
+/// Compiles a macro statement into `block`. False where no statement stands here and the block is
+/// one of words.
+class StatementReader {
+ public:
+  /// `thens`: behind how many THEN of the block the statement stands.
+  StatementReader(Builder& to, Scanner& scanner, Block& block, int thens = 0)
+      : to_(to), code_(to.code()), s_(scanner), block_(block), thens_(thens) {}
+  bool read();
+
+ private:
+  struct Keyword;
+  static const Keyword kKeywords[];
+
+  bool has(const Keyword& keyword) const;
+  bool keyword(std::string_view word);
+  bool lacks(StatementKind kind, std::uint32_t at, std::string_view name = {});
+  bool named_assignment();
+  void assignment(bool bracketed);
+  void set_target(Statement& statement, const ExpressionReader::Variable& variable) const;
+  void keep_comment(Statement& statement) const;
+
+  // What stands behind a keyword; `statement` has its place.
+  void bare(const Keyword& keyword, Statement& statement);
+  void device(const Keyword& keyword, Statement& statement);
+  void numbered(const Keyword& keyword, Statement& statement);
+  void go_to(const Keyword& keyword, Statement& statement);
+  void if_statement(const Keyword& keyword, Statement& statement);
+  void while_statement(const Keyword& keyword, Statement& statement);
+  void print(const Keyword& keyword, Statement& statement);
+  void name_variables(const Keyword& keyword, Statement& statement);
+
+  bool condition(Statement& statement, Cause format);
+  void then_statement(Statement& statement);
+  void loop(Op op, Statement& statement);
+  void jump(Op op, Statement& statement);
+  bool print_field(Print& print);
+  void finish(Op op, const Statement& statement);
+  bool starts_assignment() const;
+  bool at_end(Cause otherwise);
+  void refuse(Fault fault);
+  void refuse(Cause cause, std::uint32_t at, std::uint32_t width = 1, std::string detail = {});
+
+  Builder& to_;
+  const Code& code_;
+  Scanner& s_;
+  Block& block_;
+  int thens_;
+};
+
+}  // namespace cncsub

@@ -1,0 +1,329 @@
+// A file of the ISO family: where programs begin and end on its tape, and their blocks.
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/iso/block.hpp"
+#include "cncsub/dialect/iso/structure.hpp"
+
+namespace cncsub {
+
+namespace {
+
+/// Where a character stands in a text that is gone through from front to back: looked for once.
+class Marks {
+ public:
+  Marks() = default;
+  Marks(char mark, const char* at, const char* end) : end_(end), mark_(mark) { seek(at); }
+
+  bool in(const char* at, const char* end) {
+    if (next_ < at) seek(at);
+    return next_ < end;
+  }
+
+ private:
+  void seek(const char* at) {
+    const void* found = std::memchr(at, mark_, static_cast<std::size_t>(end_ - at));
+    next_ = found == nullptr ? end_ : static_cast<const char*>(found);
+  }
+
+  const char* next_ = nullptr;
+  const char* end_ = nullptr;
+  char mark_ = 0;
+};
+
+class TapeReader {
+ public:
+  explicit TapeReader(Builder& to) : to_(to), code_(to.code()), reader_(to) {}
+
+  /// Stops early where interrupt is over.
+  void read(std::uint32_t file_index) {
+    file_ = file_index;
+    const std::string& text = code_.files[file_].text;
+    begin_ = text.data();
+    const char* at = begin_;
+    const char* end = begin_ + text.size();
+    semicolons_ = Marks(';', at, end);
+    comments_ = Marks('(', at, end);
+    line_ = 0;
+    first_in_file_ = true;
+    leader_possible_ = true;
+    const bool semicolons = code_.control->reading.semicolon.value == Semicolon::EndOfBlock;
+    while (at < end) {
+      const char* newline =
+          static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
+      const char* line_end = newline == nullptr ? end : newline;
+      ++line_;
+      if (!semicolons_.in(at, line_end)) {
+        block(at, line_end);
+      } else if (semicolons) {
+        split(at, line_end);
+      } else {
+        block(at, outside_comment(at, line_end));
+      }
+      if (to_.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return;
+      at = line_end + 1;
+    }
+    // A file without a block is still a program of the memory, an empty one.
+    if (first_in_file_) begin_headless(0);
+    close(static_cast<std::uint32_t>(text.size()));
+  }
+
+ private:
+  /// The first semicolon that is not inside a comment, or the end.
+  static const char* outside_comment(const char* at, const char* end) {
+    bool comment = false;
+    for (; at < end; ++at) {
+      if (*at == '(') comment = true;
+      if (*at == ')') comment = false;
+      if (*at == ';' && !comment) return at;
+    }
+    return end;
+  }
+
+  void split(const char* at, const char* end) {
+    while (at < end) {
+      const char* stop = outside_comment(at, end);
+      block(at, stop);
+      at = stop + 1;
+    }
+  }
+
+  void block(const char* at, const char* end) {
+    Scanner s{at, end, begin_};
+    while (s.at != s.end && is_blank(*s.at)) ++s.at;
+    if (s.at == s.end) return;
+    if (*s.at == '%') {
+      percent(s);
+      return;
+    }
+    if (head(s)) {
+      s.blanks();
+      if (s.at == s.end) return;
+    }
+    add_block(s);
+  }
+
+  void add_block(Scanner s) {
+    const bool open_comment = comment_not_closed(s);
+    s.blanks();
+    if (code_.control->reading.open_comment.value == OpenComment::RestOfBlock) s.rest_of_comment();
+    if (s.at == s.end && !open_comment) return;
+    if (!to_.in_program()) begin_headless(s.offset());
+    Block block;
+    block.text = s.offset();
+    block.line = line_;
+    if (open_comment) {
+      reader_.read(Scanner{s.at, std::find(s.at, s.end, '('), s.file}, block);
+      to_.refuse(block, {Cause::CommentNotClosed, block.text, 1, "the comment is not closed"});
+    } else {
+      reader_.read(s, block);
+    }
+    const auto length = static_cast<std::size_t>(s.end - s.file) - block.text;
+    block.length = static_cast<std::uint16_t>(std::min<std::size_t>(length, 65535));
+    to_.append(block);
+  }
+
+  bool comment_not_closed(const Scanner& s) {
+    if (!comments_.in(s.at, s.end)) return false;
+    if (code_.control->reading.open_comment.value != OpenComment::Alarm) return false;
+    bool open = false;
+    for (const char* c = s.at; c < s.end; ++c) {
+      if (*c == '(') open = true;
+      if (*c == ')') open = false;
+    }
+    return open;
+  }
+
+  /// A line that starts with %: the tape's mark, or the head of a program.
+  void percent(Scanner s) {
+    const char* start = s.at;
+    if (std::exchange(leader_possible_, false) && to_.in_program() && tape_begins(s)) drop_leader();
+    ++s.at;
+    if (heads(ProgramHead::Percent) && is_digit(s.peek())) {
+      const Number number = scan_number(s);
+      s.blanks();
+      begin_program(trimmed({start, static_cast<std::size_t>(s.at - start)}),
+                    number.value < 1e15 ? to_whole<std::int64_t>(number.value) : -1, start);
+      title(start, s.end);
+      return;
+    }
+    if (to_.in_program()) close(static_cast<std::uint32_t>(start - begin_));
+  }
+
+  bool heads(ProgramHead head) const {
+    return code_.control->reading.program_heads.value.has(head);
+  }
+
+  /// Whether a tape begins with the % of this line: a program's head, or blocks that another %
+  /// ends.
+  bool tape_begins(const Scanner& percent) {
+    const std::string& text = code_.files[file_].text;
+    const char* end = begin_ + text.size();
+    bool blocks = false;
+    for (const char* at = percent.at; at < end;) {
+      const char* line_end = std::find(at, end, '\n');
+      if (to_.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return false;
+      Scanner line{at, line_end, begin_};
+      at = line_end + 1;
+      const char c = line.peek();
+      if (c == '\0') continue;
+      if (c == '%' ? blocks || percent_head(line) : !blocks && other_head(line)) return true;
+      blocks = blocks || c != '%';
+    }
+    return false;
+  }
+
+  bool percent_head(Scanner line) const {
+    ++line.at;
+    return heads(ProgramHead::Percent) && is_digit(line.peek());
+  }
+
+  bool other_head(Scanner line) const {
+    const char c = line.peek();
+    ++line.at;
+    if (c == 'O' || c == ':') return is_digit(line.peek());
+    return c == '<' && heads(ProgramHead::Name);
+  }
+
+  /// What stands before the first % of a tape is no program: a reader looks for the % first.
+  void drop_leader() {
+    to_.drop_program(static_cast<std::int32_t>(line_) - 1);
+    first_in_file_ = true;
+  }
+
+  /// O0001, :1 or <NAME> at the head of a line begins a program.
+  bool head(Scanner& s) {
+    const char c = upper(*s.at);
+    if (c == 'O' || c == ':') return number_head(s);
+    const bool names = heads(ProgramHead::Name) || code_.control->calls.bracket_names.value;
+    return c == '<' && names && name_head(s);
+  }
+
+  bool number_head(Scanner& s) {
+    const char* start = s.at;
+    Scanner ahead = s;
+    ++ahead.at;
+    if (!is_digit(ahead.peek())) return false;
+    const char* digits = ahead.at;
+    Number number;
+    while (ahead.at != ahead.end && is_digit(*ahead.at)) {
+      if (number.digits > 0 || *ahead.at != '0') ++number.digits;
+      number.value = number.value * 10 + (*ahead.at++ - '0');
+    }
+    begin_program({digits, static_cast<std::size_t>(ahead.at - digits)},
+                  number.digits <= 15 ? to_whole<std::int64_t>(number.value) : -1, start);
+    title(start, s.end);
+    check_number(number.value, start, ahead.at);
+    s.at = ahead.at;
+    return true;
+  }
+
+  /// A number that no program may have is a block that is refused.
+  void check_number(double number, const char* start, const char* end) {
+    const int largest = code_.control->reading.max_program_number.value;
+    const bool zero =
+        number == 0 && code_.control->common.refuses.value.has(Cause::ProgramNumberZero);
+    if (!zero && number <= largest) return;
+    Block block;
+    block.text = static_cast<std::uint32_t>(start - begin_);
+    block.line = line_;
+    block.length = static_cast<std::uint16_t>(std::min<std::ptrdiff_t>(end - start, 65535));
+    to_.refuse(block, {zero ? Cause::ProgramNumberZero : Cause::IllegalProgramNumber, block.text,
+                       block.length,
+                       zero ? "O0 is no program number"
+                            : "the largest program number is " + std::to_string(largest)});
+    to_.append(block);
+  }
+
+  bool name_head(Scanner& s) {
+    const char* start = s.at;
+    const char* close_at = std::find(s.at, s.end, '>');
+    if (close_at == s.end) return false;
+    const std::string_view name =
+        trimmed({s.at + 1, static_cast<std::size_t>(close_at - s.at - 1)});
+    begin_program(name, number_in(name), start);
+    title(start, s.end);
+    s.at = close_at + 1;
+    return true;
+  }
+
+  /// The first comment of the head's line.
+  void title(const char* start, const char* end) {
+    const char* open = std::find(start, end, '(');
+    if (open == end) return;
+    const char* close_at = std::find(open, end, ')');
+    Program& program = to_.program();
+    program.comment_at = static_cast<std::uint32_t>(open + 1 - begin_);
+    program.comment_length = static_cast<std::uint32_t>(close_at - open - 1);
+  }
+
+  /// A program that begins with its head, at `start`; its name is a part of the file's text.
+  void begin_program(std::string_view name, std::int64_t number, const char* start) {
+    const auto offset = static_cast<std::uint32_t>(start - begin_);
+    if (to_.in_program()) {
+      const Program& before = code_.programs.back();
+      const bool empty = before.first == to_.next_address();
+      if (empty && heads(ProgramHead::Percent) && before.text < offset) {
+        // An O line right before a % line only names the file.
+        to_.drop_program();
+      }
+    }
+    leader_possible_ = false;
+    Program program;
+    program.number = number;
+    program.name_at = static_cast<std::uint32_t>(name.data() - begin_);
+    program.name_length = static_cast<std::uint32_t>(name.size());
+    open(program, offset, heads(ProgramHead::File));
+  }
+
+  /// A program without a head, named by its file.
+  void begin_headless(std::uint32_t offset) {
+    leader_possible_ = leader_possible_ && first_in_file_;
+    open({}, offset, true);
+  }
+
+  void open(Program program, std::uint32_t offset, bool file_gives_name) {
+    close(offset);
+    const std::string& stem = code_.files[file_].stem;
+    if (first_in_file_ && !stem.empty() && file_gives_name) {
+      program.name_length = Program::kOfFile;
+      program.number = number_in(stem);
+    }
+    program.file = file_;
+    program.line = line_;
+    program.text = offset;
+    to_.begin_program(program);
+    statements_ = code_.statements.size();
+    first_in_file_ = false;
+  }
+
+  void close(std::uint32_t offset) {
+    if (!to_.in_program()) return;
+    to_.end_program(offset, line_);
+    if (code_.statements.size() > statements_) match_structure(to_, code_.programs.back());
+  }
+
+  Builder& to_;
+  const Code& code_;
+  BlockReader reader_;
+  const char* begin_ = nullptr;
+  Marks semicolons_, comments_;
+  std::uint32_t file_ = 0;
+  std::size_t statements_ = 0;  // of the programs before
+  std::uint32_t line_ = 0;
+  bool first_in_file_ = true;
+  bool leader_possible_ = true;  // neither a head nor a % was met in this file
+};
+
+}  // namespace
+
+FileReader iso_reader(Builder& to) {
+  return [reader = std::make_shared<TapeReader>(to)](std::uint32_t file) { reader->read(file); };
+}
+
+}  // namespace cncsub

@@ -1,0 +1,387 @@
+#include "cncsub/dialect/iso/word_scanner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cncsub/dialect/iso/statement.hpp"
+
+namespace cncsub {
+
+namespace {
+
+bool begins_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
+
+bool takes_name(Role role) {
+  switch (role) {
+    case Role::Call:
+    case Role::ExternalCall:
+    case Role::MacroCall:
+    case Role::ModalCall:
+    case Role::ModalCallEveryBlock:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+// ---- the head ----
+
+bool WordScanner::head() {
+  for (;;) {
+    const char c = s_.peek();
+    if (c == '/') {
+      block_.skip = static_cast<std::uint16_t>(block_.skip | slash());
+    } else if (c == 'N' && block_.n < 0) {
+      Scanner ahead = s_;
+      ++ahead.at;
+      if (is_letter(ahead.peek())) return true;
+      s_ = ahead;
+      if (!sequence_number()) return false;
+    } else {
+      return true;
+    }
+  }
+}
+
+/// A slash: the bit of its switch, that of 1 where no number stands.
+std::uint16_t WordScanner::slash() {
+  ++s_.at;
+  const char c = s_.peek();
+  const bool numbered = c >= '1' && c <= '9';
+  if (numbered) ++s_.at;
+  return static_cast<std::uint16_t>(1u << (numbered ? c - '0' : 1));
+}
+
+/// Behind its N.
+bool WordScanner::sequence_number() {
+  const std::uint32_t at = s_.offset() - 1;
+  const char c = s_.peek();
+  const auto wrong = [&](Cause cause, std::string detail) {
+    return refuse({cause, at, std::max(1u, s_.offset() - at), std::move(detail)});
+  };
+  if (c == '#' || c == '[')
+    return wrong(Cause::IllegalSequenceNumber, "a sequence number cannot come from a variable");
+  const Number number = scan_number(s_);
+  if (!number.any) return wrong(Cause::AddressWithoutValue, "N without a number");
+  if (number.points != 0)
+    return wrong(Cause::IllegalDecimalPoint, "a sequence number has no point");
+  if (number.has_sign) return wrong(Cause::IllegalMinusSign, "a sequence number has no sign");
+  if (number.value > control_.reading.max_sequence_number.value)
+    return wrong(Cause::IllegalSequenceNumber,
+                 "the largest sequence number is " +
+                     std::to_string(control_.reading.max_sequence_number.value));
+  if (number.value == 0 && control_.common.refuses.value.has(Cause::ProgramNumberZero))
+    return wrong(Cause::ProgramNumberZero, "N0 is no sequence number");
+  block_.n = to_whole<std::int32_t>(number.value);
+  return true;
+}
+
+// ---- words ----
+
+bool WordScanner::words(Tokens& tokens) {
+  slashes_ = block_.skip;
+  for (;;) {
+    const char c = s_.peek();
+    if (c == '\0' && s_.at == s_.end) return true;
+    if (to_.interrupt().requested(1)) return false;
+    const bool good = !is_letter(c) ? no_letter(c, tokens)
+                      : c == 'N'    ? late_sequence_number(tokens)
+                                    : word(tokens);
+    if (!good) return false;
+  }
+}
+
+bool WordScanner::word(Tokens& tokens) {
+  Token& token = tokens.emplace_back();
+  token.operand.at = s_.offset();
+  token.letter = upper(*s_.at);
+  return value(token);
+}
+
+bool WordScanner::late_sequence_number(Tokens& tokens) {
+  const std::uint32_t at = s_.offset();
+  if (control_.common.refuses.value.has(Cause::SequenceNumberNotFirst))
+    return refuse({Cause::SequenceNumberNotFirst, at, 1, "N must be the first word of its block"});
+  if (block_.n >= 0) return word(tokens);
+  Token& token = tokens.emplace_back();
+  token.letter = 'N';
+  token.late = true;
+  token.operand.at = at;
+  ++s_.at;
+  if (!sequence_number()) return false;
+  if (!control_.reading.late_sequence_numbers.value) block_.n = -1;
+  return true;
+}
+
+bool WordScanner::no_letter(char c, Tokens& tokens) {
+  if (c == ',') return comma(tokens);
+  if (c == '/') return skip(tokens);
+  if (c == '<' && control_.reading.program_heads.value.has(ProgramHead::Name)) {
+    Token& token = tokens.emplace_back();
+    token.letter = '<';
+    token.operand.at = s_.offset();
+    ++s_.at;
+    return name(token, '>');
+  }
+  if (c == ')' && control_.reading.open_comment.value == OpenComment::RestOfBlock) {
+    s_.rest_of_comment();
+    if (s_.peek() != ')') return true;
+  }
+  return stray();
+}
+
+bool WordScanner::comma(Tokens& tokens) {
+  const std::uint32_t at = s_.offset();
+  ++s_.at;
+  const char c = s_.peek();
+  if (c != 'C' && c != 'R' && c != 'A' && c != 'D') return stray();
+  Token& token = tokens.emplace_back();
+  token.comma = true;
+  token.letter = c;
+  token.operand.at = at;
+  return value(token);
+}
+
+/// A slash behind words. A second one of a switch says nothing new: the first has dropped the rest,
+/// or none does.
+bool WordScanner::skip(Tokens& tokens) {
+  const std::uint32_t at = s_.offset();
+  if (control_.reading.block_skip.value == BlockSkip::HeadOnly)
+    return refuse(
+        {Cause::IllegalCharacter, at, 1, "a block-skip slash stands only at the head of a block"});
+  const std::uint16_t mask = slash();
+  if ((mask & slashes_) == 0) {
+    Token& token = tokens.emplace_back();
+    token.letter = '/';
+    token.skip = mask;
+    token.operand.at = at;
+  }
+  slashes_ = static_cast<std::uint16_t>(slashes_ | mask);
+  return true;
+}
+
+/// Something that is no word.
+bool WordScanner::stray() {
+  const char c = s_.peek();
+  const std::uint32_t at = s_.offset();
+  if (c == '#')
+    return refuse({Cause::NcAndMacroInBlock, at, 1, "a macro statement stands behind NC words"});
+  if (begins_number(c) || c == '[')
+    return refuse({Cause::ValueWithoutAddress, at, 1, "a value stands without an address"});
+  if (c == ']') return refuse({Cause::BracketNotOpened, at, 1, "this bracket was never opened"});
+  std::uint32_t width = 1;
+  while (s_.at + width < s_.end && (static_cast<unsigned char>(s_.at[width]) & 0xC0u) == 0x80u)
+    ++width;
+  const std::string_view character(s_.at, width);
+  const bool wide = character == "\uFF08" || character == "\uFF09";  // full-width
+  if ((wide || c == ')') && control_.reading.open_comment.value == OpenComment::Alarm)
+    return refuse(
+        {Cause::CommentNotClosed, at, width,
+         wide ? "a full-width parenthesis begins no comment" : "this parenthesis ends no comment"});
+  return refuse({Cause::IllegalCharacter, at, width, "the control does not know this character"});
+}
+
+// ---- values ----
+
+/// What stands behind the letter, at which the scanner is.
+bool WordScanner::value(Token& token) {
+  const char* const letter = s_.at++;
+  char c = s_.at == s_.end ? '\0' : *s_.at;
+  if (is_blank(c) || c == '(') c = s_.peek();
+  if (c == '-' || c == '+') c = behind_sign(c);
+  if (begins_number(c)) return number(token);
+  if (c == '[' && token.letter == 'P' && is_name_here() && calls_by_name()) {
+    s_.take('[');
+    token.letter = '<';
+    return name(token, ']');
+  }
+  if (c == '#' || c == '[') return expression(token, c == '[');
+  return no_value(token, letter);
+}
+
+/// What begins an expression behind a sign; the sign where none stands there.
+char WordScanner::behind_sign(char sign) const {
+  Scanner ahead = s_;
+  ++ahead.at;
+  const char next = ahead.peek();
+  return next == '#' || next == '[' ? next : sign;
+}
+
+bool WordScanner::number(Token& token) {
+  const Number number = scan_number(s_);
+  if (is_axis_number(token, number)) {
+    token.axis = to_whole<std::uint8_t>(number.value);
+    return value(token);  // the equals sign stands where the letter did
+  }
+  Operand& operand = token.operand;
+  operand.kind = Operand::Kind::Constant;
+  operand.value = number.value;
+  operand.digits = static_cast<std::uint8_t>(std::min<std::uint32_t>(number.digits, 255));
+  operand.written = static_cast<std::uint8_t>(std::min<std::uint32_t>(number.written, 255));
+  operand.whole = number.points == 0;
+  operand.fine = number.decimals > 3 && kLengths.find(token.letter) != std::string_view::npos;
+  operand.width = std::max(1u, s_.offset() - operand.at);
+  return check(token, number);
+}
+
+/// X1= and Y2=: the number is a part of the address.
+bool WordScanner::is_axis_number(const Token& token, const Number& number) {
+  return control_.macros.numbered_axis_arguments.value && token.axis == 0 && number.points == 0 &&
+         number.any && s_.peek() == '=' && number.value >= 1 && number.value <= 2 &&
+         token.letter >= 'X';
+}
+
+/// What is wrong whatever the word is for; what only an argument of a macro may have is kept in the
+/// token.
+bool WordScanner::check(Token& token, const Number& number) {
+  if (!number.any)
+    return refuse(fault_of(token, Cause::AddressWithoutValue,
+                           std::string(1, token.letter) + " stands without a value"));
+  if (number.points > 1)
+    return refuse(fault_of(token, Cause::IllegalDecimalPoint, "two points in one number"));
+  const std::uint32_t digits = number.points == 1 ? number.whole_digits + 3 : number.digits;
+  token.odd = true;
+  if (number.points == 1 && !rules_.takes_point(token.letter) && token.letter != 'G')
+    token.wrong = Cause::IllegalDecimalPoint;
+  else if (number.negative && !rules_.takes_minus(token.letter))
+    token.wrong = Cause::IllegalMinusSign;
+  else if (digits > static_cast<std::uint32_t>(most_digits(control_)))
+    token.wrong = Cause::TooManyDigits;
+  else
+    token.odd = false;
+  return true;
+}
+
+Fault odd_word(const Control& control, const Token& token) {
+  const std::string letter(1, token.letter);
+  std::string detail = letter + " takes no minus sign";
+  if (token.wrong == Cause::IllegalDecimalPoint) detail = letter + " takes no decimal point";
+  if (token.wrong == Cause::TooManyDigits)
+    detail = "a number has at most " + std::to_string(most_digits(control)) + " digits";
+  return fault_of(token, token.wrong, std::move(detail));
+}
+
+bool WordScanner::expression(Token& token, bool bracketed) {
+  Operand& operand = token.operand;
+  if (token.letter == 'O')
+    return refuse(
+        fault_of(token, Cause::AddressNotUsable, "a program number cannot come from a variable"));
+  ExpressionReader reader(to_, s_);
+  const auto value = reader.word_value(token.letter);
+  if (!value) return refuse(reader.fault());
+  operand.kind = Operand::Kind::Expression;
+  operand.expression = *value;
+  operand.bracketed = bracketed;
+  operand.width = std::max(1u, s_.offset() - operand.at);
+  return true;
+}
+
+bool WordScanner::no_value(Token& token, const char* letter) {
+  if (token.letter == 'G' && control_.reading.bare_g.value) {
+    token.operand.kind = Operand::Kind::Constant;
+    token.operand.whole = true;
+    return true;
+  }
+  if (is_letter(s_.peek()))
+    if (auto fault = statement_at(letter)) {
+      fault->at = token.operand.at;
+      return refuse(*fault);
+    }
+  return refuse({Cause::AddressWithoutValue, token.operand.at, 1,
+                 std::string(1, token.letter) + " stands without a value"});
+}
+
+/// The fault of a statement that stands where a word does.
+std::optional<Fault> WordScanner::statement_at(const char* letter) const {
+  Scanner ahead = s_;
+  ahead.at = letter;
+  if (auto lacking = rules_.code.lacks(StatementKind::Brackets, 0)) {  // ABS[1], AX[1]
+    while (is_letter(ahead.peek())) ++ahead.at;
+    if (ahead.peek() == '[') return lacking;
+    ahead.at = letter;
+  }
+  for (const std::string_view word :
+       {"IF", "WHILE", "GOTO", "DO", "END", "WH", "DPRNT", "POPEN", "PCLOS"}) {
+    Scanner probe = ahead;
+    if (probe.take_word(word) && (word != "WH" || !is_letter(probe.peek())))
+      return Fault{Cause::NcAndMacroInBlock, 0, static_cast<std::uint32_t>(word.size()),
+                   "a macro statement stands behind NC words"};
+  }
+  return std::nullopt;
+}
+
+// ---- names ----
+
+/// Whether the brackets may hold a name: in P[#100] a variable stands.
+bool WordScanner::is_name_here() const {
+  if (!control_.calls.bracket_names.value) return false;
+  Scanner inside = s_;
+  inside.take('[');
+  const bool variable = inside.take('#');
+  while (is_digit(inside.peek())) ++inside.at;
+  return !variable || inside.peek() != ']';
+}
+
+/// Whether a code of the block calls what P names; P[...] of G04 is an expression. Asked once for
+/// all P of a block.
+bool WordScanner::calls_by_name() {
+  if (names_call_) return *names_call_;
+  names_call_ = false;
+  Scanner look = s_;
+  for (look.at = s_.file + block_.text; look.at < s_.end && !*names_call_; ++look.at) {
+    const char letter = upper(*look.at);
+    if (letter != 'G' && letter != 'M') continue;
+    Scanner behind = look;
+    ++behind.at;
+    const Number number = scan_number(behind);
+    if (number.has_sign) continue;
+    const auto role = [&](double code) {
+      return control_.calls.roles.value.of({letter, to_whole<int>(code * 10 + 0.5)});
+    };
+    // G66.1 may have a role of its own.
+    names_call_ = takes_name(role(number.value)) || takes_name(role(std::floor(number.value)));
+  }
+  return *names_call_;
+}
+
+/// A name up to the character that closes it.
+bool WordScanner::name(Token& token, char close) {
+  const char* start = s_.at;
+  while (s_.at != s_.end && *s_.at != close) ++s_.at;
+  std::string_view name(start, static_cast<std::size_t>(s_.at - start));
+  while (!name.empty() && is_blank(name.front())) name.remove_prefix(1);
+  while (!name.empty() && is_blank(name.back())) name.remove_suffix(1);
+  const bool closed = s_.at != s_.end;
+  if (closed) ++s_.at;
+  token.name = name;
+  token.operand.kind = Operand::Kind::Constant;
+  token.operand.width = std::max(1u, s_.offset() - token.operand.at);
+  std::string wrong =
+      closed ? wrong_name(name) : std::string("the name is not closed with ") + close;
+  return wrong.empty() || refuse(fault_of(token, Cause::IllegalProgramName, std::move(wrong)));
+}
+
+/// What is wrong with the name of a program, nothing where it is a good one.
+std::string WordScanner::wrong_name(std::string_view name) const {
+  if (name.empty()) return "the name is empty";
+  if (name[0] == '.') return "a name does not begin with a point";
+  std::size_t letters = 0;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool wide = byte >= 0x80 && control_.calls.wide_names.value;
+    if ((byte & 0xC0u) != 0x80u) ++letters;
+    const bool mark = control_.calls.name_marks.value.has(c);
+    if (!is_letter(c) && !is_digit(c) && !mark && !wide)
+      return "a program name has letters, digits and " +
+             std::string(control_.calls.name_marks.value.text()) + " only";
+  }
+  if (letters > static_cast<std::size_t>(control_.calls.max_name_length.value))
+    return "a program name has at most " + std::to_string(control_.calls.max_name_length.value) +
+           " characters";
+  return {};
+}
+
+}  // namespace cncsub

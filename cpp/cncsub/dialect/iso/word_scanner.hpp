@@ -1,0 +1,89 @@
+// Reads the words of a block, one by one, whatever they mean together.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/iso/block_rules.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+/// A word as it is read.
+struct Token {
+  char letter = 0;        // '/' for a block-skip slash, '<' for a name
+  bool comma = false;     // ,C
+  std::uint8_t axis = 0;  // X1=
+  std::uint16_t skip = 0;
+  Operand operand;
+  std::string_view name;  // <NAME>, P[NAME]
+  bool late = false;      // an N behind other words
+  bool odd = false;       // a sign, a point or digits that only an argument may have
+  Cause wrong{};
+};
+using Tokens = std::vector<Token>;
+
+inline Fault fault_of(const Token& token, Cause cause, std::string detail) {
+  return {cause, token.operand.at, token.operand.width, std::move(detail)};
+}
+/// The fault of an odd word.
+Fault odd_word(const Control& control, const Token& token);
+/// Ten times a written code, as an index into the sets of codes; 10000 where it is none.
+inline std::size_t code_index(const Operand& operand) {
+  const bool known =
+      operand.kind == Operand::Kind::Constant && operand.value >= 0 && operand.value < 1000;
+  return known ? to_whole<std::size_t>(operand.value * 10 + 0.5) : std::size_t{10000};
+}
+
+/// Where it gives false, the block is refused or the reading interrupted.
+class WordScanner {
+ public:
+  WordScanner(Builder& to, const BlockRules& rules, Scanner& scanner, Block& block)
+      : to_(to), rules_(rules), control_(rules.control), s_(scanner), block_(block) {}
+
+  /// The block-skip slashes and the sequence number at the head of the block.
+  bool head();
+  /// The words up to its end.
+  bool words(Tokens& tokens);
+
+ private:
+  std::uint16_t slash();
+  bool sequence_number();
+  bool late_sequence_number(Tokens& tokens);
+  bool comma(Tokens& tokens);
+  bool skip(Tokens& tokens);
+  bool word(Tokens& tokens);
+  bool no_letter(char c, Tokens& tokens);
+  bool value(Token& token);
+  char behind_sign(char sign) const;
+  bool number(Token& token);
+  bool is_axis_number(const Token& token, const Number& number);
+  bool check(Token& token, const Number& number);
+  bool expression(Token& token, bool bracketed);
+  bool no_value(Token& token, const char* letter);
+  std::optional<Fault> statement_at(const char* letter) const;
+  bool name(Token& token, char close);
+  std::string wrong_name(std::string_view name) const;
+  bool is_name_here() const;
+  bool calls_by_name();
+  bool stray();
+  bool refuse(Fault fault) {
+    to_.refuse(block_, std::move(fault));
+    return false;
+  }
+
+  Builder& to_;
+  const BlockRules& rules_;
+  const Control& control_;
+  Scanner& s_;
+  Block& block_;
+  std::uint16_t slashes_ = 0;       // switches whose slash was read
+  std::optional<bool> names_call_;  // whether a call stands in the block that takes a name
+};
+
+}  // namespace cncsub

@@ -1,0 +1,184 @@
+#include "cncsub/dialect/library.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "cncsub/code/target.hpp"
+#include "cncsub/control/variable_table.hpp"
+#include "cncsub/dialect/dialect.hpp"
+
+namespace cncsub {
+
+const Dialect* find_dialect(std::string_view name) {
+  static constexpr Dialect kDialects[] = {
+#define DIALECT(folder) {#folder, folder##_reader, folder##_word},
+#include "dialect/list.def"
+#undef DIALECT
+  };
+  for (const Dialect& dialect : kDialects)
+    if (dialect.name == name) return &dialect;
+  return nullptr;
+}
+
+namespace {
+
+constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
+
+void number_variables(Code& code) {
+  for (const VariableRange& range : variable_ranges(*code.control)) {
+    if (range.kind == VariableKind::Local) {
+      code.locals = std::max(code.locals, range.last + 1);
+      code.locals_per_level = range.last - range.first + 1;
+    }
+    code.variables.push_back({range, code.commons});
+    if (is_alias(range)) continue;
+    if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept)
+      code.commons += range.last - range.first + 1;
+  }
+  for (PlacedRange& placed : code.variables)
+    if (is_alias(placed.range)) placed.base = code.place(placed.range.from).index;
+}
+
+/// What of the control is asked for each block or each statement.
+void list_codes(Code& code) {
+  const ReadingRules& rules = code.control->reading;
+  rules.g_codes.value.for_each(
+      [&](int code10) { code.g_codes.set(static_cast<std::size_t>(code10)); });
+  if (code.g_codes.none() || rules.unlisted_codes.value == UnlistedCode::NotKnown)
+    code.g_codes.set();
+  code.list_statements();
+}
+
+/// CR, LF and CRLF all end a line; a CR before a LF counts as a blank.
+void unify_line_ends(std::string& text, InterruptCheck& interrupt) {
+  std::size_t at = 0;
+  while ((at = text.find('\r', at)) != std::string::npos &&
+         !interrupt.requested(InterruptCheck::kBlock)) {
+    text[at] = at + 1 < text.size() && text[at + 1] == '\n' ? ' ' : '\n';
+    ++at;
+  }
+}
+
+bool has_constant_operands(const CallRecord& call) {
+  for (const Operand* operand : {&call.p, &call.l, &call.start, &call.device})
+    if (operand->kind == Operand::Kind::Expression) return false;
+  return true;
+}
+
+/// Reads the files of a library, one after the other.
+class Reading {
+ public:
+  Reading(Code& code, const std::function<bool()>& interrupted)
+      : code_(code), interrupt_(interrupted), to_(code, interrupt_) {
+    const Dialect* dialect = find_dialect(code.control->dialect);
+    if (dialect == nullptr)
+      throw std::invalid_argument("no dialect is called " + code.control->dialect);
+    read_ = dialect->reader(to_);
+    code.read_word = dialect->read_word;
+  }
+
+  void read(SourceFile file) {
+    code_.files.push_back(std::move(file));
+    unify_line_ends(code_.files.back().text, interrupt_);
+    read_(static_cast<std::uint32_t>(code_.files.size() - 1));
+  }
+
+  /// The files are read. Calls whose operands are written as numbers, of this program and those
+  /// behind it, are decided once.
+  void resolve_calls(std::size_t from) {
+    to_.names().sort_heads();
+    seen_.assign(code_.variants.size(), false);
+    for (std::size_t p = from; p < code_.programs.size(); ++p)
+      for (Address a = code_.programs[p].first;
+           a < code_.programs[p].last && !interrupt_.requested(InterruptCheck::kBlock); ++a)
+        resolve_block(code_.blocks[a], static_cast<std::int32_t>(p));
+  }
+
+  bool interrupted(std::size_t bytes) { return interrupt_.requested(bytes); }
+
+ private:
+  void resolve_block(Block& block, std::int32_t own) {
+    if (block.op == Op::Choose) {
+      const Variant variant = code_.choices[block.aux];
+      for (const std::uint32_t i : {variant.first, variant.second}) {
+        if (seen_[i]) continue;
+        seen_[i] = true;
+        resolve_block(code_.variants[i], own);
+      }
+    } else if (block.op == Op::Call || block.op == Op::MacroCall || block.op == Op::ModalCall) {
+      resolve_call(block, code_.calls[block.aux], own);
+    }
+  }
+
+  void resolve_call(Block& block, CallRecord& call, std::int32_t own) {
+    if (!has_constant_operands(call)) return;
+    const CallOperands operands{call.p.value, call.l.value, call.start.value, call.device.value};
+    Target target;
+    if (auto fault = decode_call(code_, call, operands, own, target))
+      return to_.refuse(block, std::move(*fault));
+    if (find_target(code_, call, target)) return;  // told when the call is reached
+    call.target = target;
+    call.constant = true;
+  }
+
+  Code& code_;
+  InterruptCheck interrupt_;
+  Builder to_;
+  FileReader read_;
+  std::vector<bool> seen_;  // variants, which several blocks may share
+};
+
+/// Gives back many megabytes without keeping whoever interrupted the reading waiting: the system
+/// takes its time over them.
+void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
+  try {
+    std::thread([code = std::move(code), files = std::move(files)] {}).detach();
+  } catch (const std::system_error&) {  // NOLINT: no thread to be had, it was freed here
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
+                                    std::vector<SourceFile> files, bool external_device,
+                                    const std::function<bool()>& interrupted) {
+  auto code = std::make_shared<Code>();
+  code->external_device = external_device;
+  code->control = std::move(control);
+  number_variables(*code);
+  list_codes(*code);
+  Reading reading(*code, interrupted);
+  std::size_t bytes = 0;
+  for (const SourceFile& file : files) bytes += file.text.size();
+  // Room that is never written costs nothing, and a table that never moves is never copied.
+  code->blocks.reserve(bytes / 8 + files.size());
+  code->cells.reserve(bytes / 4);
+  code->files.reserve(files.size());
+  for (SourceFile& file : files) {
+    reading.read(std::move(file));
+    if (reading.interrupted(kProgram)) break;
+  }
+  code->register_programs([&reading] { return reading.interrupted(kProgram); });
+  reading.resolve_calls(0);
+  if (!reading.interrupted(0)) return code;
+  free_aside(std::move(code), std::move(files));
+  return nullptr;
+}
+
+std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,
+                                        const std::function<bool()>& interrupted) {
+  auto with = std::make_shared<Code>(code);
+  const std::size_t programs = with->programs.size();
+  Reading reading(*with, interrupted);
+  reading.read({"MDI", "MDI", text, false});
+  // What is typed in MDI is no program of the memory: it is not registered, nothing finds it.
+  reading.resolve_calls(programs);
+  if (!reading.interrupted(0)) return with;
+  free_aside(std::move(with), {});
+  return nullptr;
+}
+
+}  // namespace cncsub

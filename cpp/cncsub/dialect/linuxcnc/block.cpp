@@ -1,0 +1,280 @@
+// Lines of words, assignments and comments.
+#include "cncsub/dialect/linuxcnc/block.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "cncsub/dialect/linuxcnc/codes.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub::linuxcnc {
+
+namespace {
+
+constexpr std::size_t kLongestLine = 253;  // characters [rs274 2.9: 254 are too many]
+
+WordValue word_of(const Value& value, double factor = 1) {
+  return {value.computed, value.expression, value.number * factor};
+}
+
+}  // namespace
+
+bool BlockReader::refuse(Block& block, Cause cause, std::string text, std::uint32_t at) {
+  Fault fault{.cause = cause, .at = at, .width = line_.width_from(at), .detail = text};
+  fault.text = std::move(text);
+  to_.refuse(block, std::move(fault));
+  return false;
+}
+
+bool BlockReader::refuse(Block& block) {
+  if (auto fault = std::exchange(expression_.fault, std::nullopt))
+    to_.refuse(block, std::move(*fault));
+  return false;
+}
+
+bool BlockReader::read(std::string_view text, Block& block, Label& label) {
+  line_.set(text, block.text);
+  expression_.begin_line();
+  expression_.fault.reset();
+  const bool unreadable = text.size() > kLongestLine || line_.unclosed() || line_.nested();
+  if (unreadable) {
+    label.unreadable = true;
+    if (text.size() > kLongestLine)
+      refuse(block, Cause::BlockTooLong, "Command too long", block.text);
+    else if (line_.nested())
+      refuse(block, Cause::CommentInComment, "Nested comment found", block.text);
+    else
+      refuse(block, Cause::CommentNotClosed, "Unclosed comment found", block.text);
+    return true;
+  }
+  if (line_.take('/')) block.skip = 1u << 1;
+  if (line_.peek() == 'n' && !number(block)) return true;
+  if (line_.at_end()) return block.n >= 0;
+  const std::optional<int> m = plain_m();
+  if (line_.peek() == 'o')
+    o_word(block, label);
+  else if (m == 98)
+    call_98(block, label);
+  else if (m == 99)
+    back_99(block, label);
+  else
+    return words(block);
+  return true;
+}
+
+bool BlockReader::number(Block& block) {
+  const std::uint32_t at = line_.offset();
+  line_.take();
+  const std::string_view digits = line_.take_digits();
+  if (digits.empty())
+    return refuse(block, Cause::AddressWithoutValue, "Bad format unsigned integer", at);
+  if (digits.size() <= 9) std::from_chars(digits.data(), digits.data() + digits.size(), block.n);
+  if (line_.take('.')) line_.take_digits();  // a fraction is read and forgotten
+  return true;
+}
+
+/// The number of the M code that stands here, where it is written as one.
+std::optional<int> BlockReader::plain_m() const {
+  std::string_view rest = line_.rest();
+  if (!rest.starts_with('m')) return std::nullopt;
+  rest.remove_prefix(1);
+  int number = 0;
+  const char* const first = rest.begin();
+  const char* const end = rest.end();
+  const auto read = std::from_chars(first, first + std::min<std::size_t>(rest.size(), 5), number);
+  const bool whole = read.ec == std::errc() && (read.ptr == end || *read.ptr != '.');
+  return whole ? std::optional<int>(number) : std::nullopt;
+}
+
+bool BlockReader::words(Block& block) {
+  Words words;
+  while (!line_.at_end())
+    if (!item(block, words)) return true;
+  if (!words.any && words.statements.empty() && !words.print && block.n < 0) return false;
+  write(block, words);
+  return true;
+}
+
+bool BlockReader::item(Block& block, Words& words) {
+  const std::uint32_t at = line_.offset();
+  const char c = line_.take();
+  if (c == '(') return comment(block, words);
+  if (c == '#') return assignment(block, words);
+  if (c == ';') {
+    while (!line_.at_end()) line_.take();
+    return true;
+  }
+  if (c >= 'a' && c <= 'z' && c != 'n' && c != 'o') return word(block, words, c);
+  if (c == '@' || c == '^' || c == '$') {  // polar words, the number of a spindle
+    Value value;
+    if (!expression_.value(value)) return refuse(block);
+    return refuse(block, Cause::CodeNotComputed, std::string(1, c) + " is not computed here", at);
+  }
+  std::string character(1, c);  // all bytes of it
+  while (goes_on(line_.peek())) character += line_.take();
+  return refuse(block, Cause::IllegalCharacter, "Bad character '" + character + "' used", at);
+}
+
+bool BlockReader::word(Block& block, Words& words, char letter) {
+  const std::uint32_t at = line_.offset(line_.place() - 1);
+  Value value;
+  words.any = true;
+  const bool code = letter == 'g' || letter == 'm';
+  if (!code && !words.letters.insert(letter).second)
+    return refuse(block, Cause::AddressGivenTwice,
+                  std::string("Multiple ") + letter + " words on one line", at);
+  if (!(letter == 'm' ? expression_.whole(value) : expression_.value(value))) return refuse(block);
+  value.at = at;
+  value.width = line_.width_from(at);
+  if (letter == 'g') return g_code(block, words, value);
+  if (letter == 'm') return m_code(block, words, value);
+  words.list.set(letter - 'a', word_of(value), false);
+  return true;
+}
+
+bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
+  if (value.computed) {
+    if (words.list.g_count < 12) words.list.add_g(word_of(value));
+    return true;
+  }
+  const double tens = value.number * 10;
+  const double low = std::floor(tens);
+  if (tens < 0) return refuse(block, Cause::GCodeNotAvailable, "Negative g code used", value.at);
+  if ((tens - low > 0.001 && tens - low <= 0.999) || low > 999)
+    return refuse(block, Cause::GCodeNotAvailable, "G-code out of range", value.at);
+  const int code = to_whole<int>(tens - low > 0.999 ? low + 1 : low);
+  const int group = group_of_g(code);
+  if (group < 0) return refuse(block, Cause::GCodeNotAvailable, "Unknown g code used", value.at);
+  if (!words.g_groups.insert(group).second)
+    return refuse(block, Cause::AddressGivenTwice, "Two g codes used from same modal group",
+                  value.at);
+  words.list.add_g({false, 0, static_cast<double>(code)});
+  return true;
+}
+
+bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
+  if (value.computed) {
+    if (words.list.m_count < 6) words.list.add_m(word_of(value));
+    return true;
+  }
+  if (value.number < 0)
+    return refuse(block, Cause::MCodeNotAvailable, "Negative m code used", value.at);
+  const int code = to_whole<int>(std::min(value.number, 1e6));
+  const std::string text = std::to_string(code);
+  if (code > 199)
+    return refuse(block, Cause::MCodeNotAvailable, "M code greater than 199: M" + text, value.at);
+  const int group = group_of_m(code);
+  if (group < 0)
+    return refuse(block, Cause::MCodeNotAvailable, "Unknown m code used: M" + text, value.at);
+  if (!words.m_groups.insert(group).second)
+    return refuse(block, Cause::AddressGivenTwice, "Two m codes used from same modal group",
+                  value.at);
+  words.ends = words.ends || code == 2 || code == 30 || code == 99;
+  if (words.list.m_count < 6) words.list.add_m({false, 0, static_cast<double>(code)});
+  return true;
+}
+
+bool BlockReader::assignment(Block& block, Words& words) {
+  Place place;
+  Value value;
+  Statement statement;
+  statement.variable_at = line_.offset(line_.place() - 1);
+  if (!expression_.place(place)) return refuse(block);
+  statement.variable_width = line_.width_from(statement.variable_at);
+  if (!line_.take('='))
+    return refuse(block, Cause::MissingEquals, "Equal sign missing in parameter setting",
+                  statement.variable_at);
+  if (!expression_.value(value)) return refuse(block);
+  statement.expression = expression_.expression_of(value);
+  statement.target = place.target;
+  statement.index = place.index;
+  statement.variable = place.number;
+  statement.at = value.at;
+  statement.width = value.width;
+  words.statements.push_back(statement);
+  return true;
+}
+
+/// Of several comments of a line the last one counts.
+bool BlockReader::comment(Block& block, Words& words) {
+  const std::uint32_t at = line_.offset();
+  std::string text;
+  if (!line_.take_up_to(')', text))
+    return refuse(block, Cause::CommentNotClosed, "Unclosed comment found", at);
+  words.print.reset();
+  std::string_view said = text;
+  const auto begins = [&](std::string_view word) {
+    while (!said.empty() && (said.front() == ' ' || said.front() == '\t')) said.remove_prefix(1);
+    const bool same =
+        said.size() >= word.size() && std::equal(word.begin(), word.end(), said.begin(),
+                                                 [](char a, char b) { return a == upper(b); });
+    if (same) said.remove_prefix(word.size());
+    return same;
+  };
+  if (begins("MSG,")) {
+    words.print.emplace();
+    words.print->fields.push_back({.text = std::string(said)});
+  } else if (begins("DEBUG,") || begins("PRINT,")) {
+    message(said, at, words.print.emplace());
+  } else if (begins("ABORT,")) {
+    message(said, at, words.print.emplace());
+    words.print->alarms = true;
+  }
+  if (words.print) words.print->at = at;
+  return true;
+}
+
+/// `#5` and `#<name>` in a message are their values; a # before anything else is left out.
+void BlockReader::message(std::string_view text, std::uint32_t at, Print& print) {
+  std::string plain;
+  const Line kept = line_;
+  while (!text.empty()) {
+    if (text.front() != '#') {
+      plain += text.front();
+      text.remove_prefix(1);
+      continue;
+    }
+    text.remove_prefix(1);
+    line_.set(text, at);
+    Value value;
+    const std::size_t before = line_.place();
+    const bool names = line_.peek() == '<' || is_digit(line_.peek());
+    if (!names || !expression_.shown(value)) {
+      line_.go_back(before);
+      continue;
+    }
+    if (!plain.empty()) print.fields.push_back({.text = std::exchange(plain, {})});
+    print.fields.push_back({.is_variable = true,
+                            .text = {},
+                            .expression = value.expression,
+                            .decimals = PrintField::kPlain});
+    text.remove_prefix(std::min<std::size_t>(line_.width_from(at), text.size()));
+  }
+  if (!plain.empty()) print.fields.push_back({.text = plain});
+  line_ = kept;
+}
+
+void BlockReader::write(Block& block, Words& words) {
+  const bool beside = !words.statements.empty() || words.print;
+  if (!words.any && words.statements.size() == 1 && !words.print)
+    return to_.become(block, Op::Assign, words.statements.front());
+  if (!words.any && words.statements.empty() && words.print)
+    return to_.become(block, Op::Print, *words.print);
+  if (!beside) {
+    to_.words(block, words.list);
+    if (words.ends) block.op = Op::EndProgram;
+    return;
+  }
+  Block own = block;
+  if (words.any) {
+    to_.words(own, words.list);
+    own.op = Op::Words;  // a plain move would be made without what stands beside it
+    if (words.ends) own.op = Op::EndProgram;
+  }
+  to_.together(block, words.statements, words.print ? &*words.print : nullptr,
+               words.any ? &own : nullptr);
+}
+
+}  // namespace cncsub::linuxcnc

@@ -1,0 +1,70 @@
+// A line of words, assignments and comments, or an O-word, compiled into a block.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cncsub/dialect/linuxcnc/expression.hpp"
+
+namespace cncsub::linuxcnc {
+
+/// What a line is to those that look for it by its label.
+struct Label {
+  std::uint32_t label = Labelled::kNone;
+  std::optional<LabelledKind> kind;  // none: the line is none of them, or a fault stands there
+  bool unreadable = false;           // nothing passes this line over: its fault is told at once
+
+  bool is_head() const { return kind && *kind <= LabelledKind::Head; }
+};
+
+class BlockReader {
+ public:
+  explicit BlockReader(Builder& to) : to_(to), expression_(to, line_) {}
+
+  /// Compiles a line into `block`, whose text and line are set. False where nothing stands there.
+  bool read(std::string_view text, Block& block, Label& label);
+
+ private:
+  struct Words {
+    WordList list;
+    std::vector<Statement> statements;
+    std::optional<Print> print;
+    std::set<char> letters;
+    std::set<int> g_groups, m_groups;
+    bool any = false;
+    bool ends = false;
+  };
+
+  bool refuse(Block& block, Cause cause, std::string text, std::uint32_t at);
+  bool refuse(Block& block);
+  bool number(Block& block);
+
+  bool words(Block& block);
+  bool item(Block& block, Words& words);
+  bool word(Block& block, Words& words, char letter);
+  bool g_code(Block& block, Words& words, const Value& value);
+  bool m_code(Block& block, Words& words, const Value& value);
+  bool assignment(Block& block, Words& words);
+  bool comment(Block& block, Words& words);
+  void message(std::string_view text, std::uint32_t at, Print& print);
+  void write(Block& block, Words& words);
+
+  bool o_word(Block& block, Label& label);
+  bool o_label(Block& block, Labelled& own);
+  bool statement(Block& block, Labelled& own, std::string_view word);
+  bool o_call(Block& block, Labelled& own);
+  bool condition(Block& block, Labelled& own, std::string_view word);
+  bool arguments(Block& block, CallRecord& call);
+  bool end_of_o_word(Block& block);
+  bool call_98(Block& block, Label& label);
+  void back_99(Block& block, Label& label);
+  std::optional<int> plain_m() const;
+
+  Builder& to_;
+  Line line_;
+  ExpressionReader expression_;
+};
+
+}  // namespace cncsub::linuxcnc

@@ -1,0 +1,102 @@
+#include "cncsub/dialect/linuxcnc/built_in.hpp"
+
+#include <algorithm>
+
+namespace cncsub::linuxcnc {
+
+namespace {
+
+using Step = BuiltIn::Step;
+
+// What the control tells about itself lies at these numbers, beyond those that programs can name.
+constexpr double kModal = 14000, kWord = 14100, kWork = 15040;
+
+constexpr Step modal(int group) { return {Ins::Variable, kModal + group}; }
+constexpr Step word(char address) { return {Ins::Variable, kWord + (address - 'A')}; }
+constexpr Step work(int axis) { return {Ins::Variable, kWork + axis}; }
+constexpr Step number(double value) { return {Ins::Constant, value}; }
+constexpr Step equal() { return {Ins::Equal, 0}; }
+constexpr Step times() { return {Ins::Multiply, 0}; }
+
+constexpr std::array<BuiltIn, 20> kBuiltIns = {{
+    {"_absolute", {modal(3), number(90), equal()}},
+    {"_call_level", {Step{Ins::Level, 0}}},
+    {"_feed", {word('F')}},
+    {"_imperial", {modal(6), number(20), equal()}},
+    {"_incremental", {modal(3), number(91), equal()}},
+    {"_inverse_time", {modal(5), number(93), equal()}},
+    {"_line", {Step{Ins::LineNumber, 0}}},
+    {"_metric", {modal(6), number(21), equal()}},
+    {"_motion_mode", {modal(1), number(10), times()}},
+    {"_plane", {modal(2), number(10), times()}},
+    {"_rpm", {word('S')}},
+    {"_task", {number(0)}},
+    {"_units_per_minute", {modal(5), number(94), equal()}},
+    {"_value", {Step{Ins::Common, 0}}},
+    {"_value_returned", {Step{Ins::Common, 1}}},
+    {"_vmajor", {number(2.9)}},
+    {"_vminor", {number(0)}},
+    {"_x", {work(0)}},
+    {"_y", {work(1)}},
+    {"_z", {work(2)}},
+}};
+
+constexpr std::string_view kOfMachine[] = {"_a",
+                                           "_abs_a",
+                                           "_abs_b",
+                                           "_abs_c",
+                                           "_abs_u",
+                                           "_abs_v",
+                                           "_abs_w",
+                                           "_abs_x",
+                                           "_abs_y",
+                                           "_abs_z",
+                                           "_adaptive_feed",
+                                           "_b",
+                                           "_c",
+                                           "_ccomp",
+                                           "_coord_system",
+                                           "_current_pocket",
+                                           "_current_tool",
+                                           "_feed_hold",
+                                           "_feed_override",
+                                           "_flood",
+                                           "_ijk_absolute_mode",
+                                           "_lathe_diameter_mode",
+                                           "_lathe_radius_mode",
+                                           "_metric_machine",
+                                           "_mist",
+                                           "_remap_level",
+                                           "_retract_old_z",
+                                           "_retract_r_plane",
+                                           "_selected_pocket",
+                                           "_selected_tool",
+                                           "_speed_override",
+                                           "_spindle_css_mode",
+                                           "_spindle_cw",
+                                           "_spindle_on",
+                                           "_spindle_rpm_mode",
+                                           "_tool_offset",
+                                           "_u",
+                                           "_units_per_rev",
+                                           "_v",
+                                           "_w"};
+
+}  // namespace
+
+bool tells_of_machine(std::string_view name) {
+  return std::find(std::begin(kOfMachine), std::end(kOfMachine), name) != std::end(kOfMachine);
+}
+
+bool is_read_only(std::string_view name) {
+  return find_built_in(name) != nullptr || tells_of_machine(name);
+}
+
+const BuiltIn* find_built_in(std::string_view name) {
+  const auto* const found =
+      std::find_if(kBuiltIns.begin(), kBuiltIns.end(),
+                   [name](const BuiltIn& built_in) { return built_in.name == name; });
+  return found == kBuiltIns.end() ? nullptr : found;
+}
+
+}  // namespace cncsub::linuxcnc

@@ -1,0 +1,91 @@
+// Values: numbers, #5, #<name>, [1 + 2], SIN[30], compiled into instructions.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_set>
+
+#include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/linuxcnc/line.hpp"
+
+namespace cncsub::linuxcnc {
+
+/// The largest number that a program can name, besides commons that were given to the control.
+/// [rs274 2.9: #5602 is out of range]
+inline constexpr std::int64_t kLastVariable = 5601;
+
+struct Value {
+  bool computed = false;
+  double number = 0;
+  std::uint32_t expression = 0;
+  std::uint32_t at = 0, width = 1;
+};
+
+/// A variable that is assigned to.
+struct Place {
+  Statement::Target target = Statement::Target::None;
+  std::int32_t index = 0;
+  std::uint32_t number = 0;  // Indirect: the expression of its number
+};
+
+class ExpressionReader {
+ public:
+  ExpressionReader(Builder& to, Line& line) : to_(to), line_(line) {}
+
+  /// What was read on a line before is forgotten.
+  void begin_line() { set_here_.clear(); }
+
+  /// The value that stands here; nothing where it is none: then `fault` says why.
+  bool value(Value& value);
+  /// The same, in brackets.
+  bool bracketed(Value& value);
+  /// A value that is whole but for a hair.
+  bool whole(Value& value);
+  /// Behind the # of an assignment.
+  bool place(Place& place);
+  /// The variable of a DEBUG comment: `#5` or `#<name>`. The value is vacant where it is not set.
+  bool shown(Value& value);
+  /// The expression of a value, of a number too.
+  std::uint32_t expression_of(const Value& value);
+
+  std::optional<Fault> fault;
+
+ private:
+  struct Operator {
+    Ins op = Ins::End;
+    int strength = 0;  // 0: the closing bracket
+  };
+  bool named_place(Place& place);
+  bool read_value(int depth);
+  bool read_bracket(int depth);
+  bool read_operator(Operator& found);
+  bool read_number();
+  bool read_variable(int depth);
+  bool read_named();
+  bool read_function(int depth);
+  bool read_arctangent(int depth);
+  bool read_exists(int depth);
+  bool read_name(std::string& name, std::size_t place);
+  bool wrong(Cause cause, std::string text, std::size_t place);
+  bool finish(Value& value, std::uint32_t first, std::uint32_t at);
+  void emit(Ins op, double value = 0, std::uint32_t index = 0);
+  /// The number of a variable that the last value is; nothing where there is none: `fault` says
+  /// why.
+  std::optional<std::int64_t> variable_number(std::size_t place);
+  /// The number that a value is but for a hair; nothing where it is not whole: `fault` says why.
+  std::optional<double> whole_number(double value, std::size_t place);
+  void emit_load(std::int64_t number);
+  void emit_raw(const std::string& name);
+  std::uint32_t named(const std::string& name);
+  bool built_in(const std::string& name);
+
+  Builder& to_;
+  Line& line_;
+  std::unordered_set<std::string> set_here_;  // named variables that the line has assigned to
+  std::optional<double> constant_;            // the last value was this number and nothing else
+};
+
+/// Whether a variable cannot be assigned to.
+bool is_read_only(std::int64_t number);
+
+}  // namespace cncsub::linuxcnc

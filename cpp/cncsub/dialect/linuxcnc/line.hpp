@@ -1,0 +1,50 @@
+// A line as the interpreter looks at it: in small letters and without blanks, but for its comments.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/control/alarm.hpp"
+
+namespace cncsub::linuxcnc {
+
+class Line {
+ public:
+  /// `at`: where the line stands in its file.
+  void set(std::string_view text, std::uint32_t at);
+
+  char peek(std::size_t ahead = 0) const {
+    return next_ + ahead < text_.size() ? text_[next_ + ahead] : '\0';
+  }
+  bool at_end() const { return next_ >= text_.size(); }
+  char take() { return at_end() ? '\0' : text_[next_++]; }
+  bool take(char c) { return peek() == c && (++next_, true); }
+  bool take(std::string_view word);
+  /// What stands up to `close`, which is taken too; nothing where it is missing.
+  bool take_up_to(char close, std::string& text);
+  /// The digits that stand here.
+  std::string_view take_digits();
+  std::string_view take_all(std::string_view characters);
+  std::string_view rest() const { return std::string_view(text_).substr(next_); }
+
+  std::size_t place() const { return next_; }
+  void go_back(std::size_t place) { next_ = place; }
+  /// Where in the file a place is.
+  std::uint32_t offset(std::size_t place) const;
+  std::uint32_t offset() const { return offset(next_); }
+  std::uint32_t width_from(std::uint32_t at) const;
+
+  /// A comment that is not closed, or one inside another.
+  bool unclosed() const { return unclosed_; }
+  bool nested() const { return nested_; }
+
+ private:
+  std::string text_;
+  std::vector<std::uint32_t> places_;  // of each character in the file, and of the end
+  std::size_t next_ = 0;
+  bool unclosed_ = false, nested_ = false;
+};
+
+}  // namespace cncsub::linuxcnc

@@ -1,0 +1,245 @@
+// O-words, and M98 and M99.
+#include <algorithm>
+#include <utility>
+
+#include "cncsub/dialect/linuxcnc/block.hpp"
+
+namespace cncsub::linuxcnc {
+
+namespace {
+
+Operand operand_of(const Value& value) {
+  Operand operand;
+  operand.kind = value.computed ? Operand::Kind::Expression : Operand::Kind::Constant;
+  operand.value = value.number;
+  operand.expression = value.expression;
+  operand.at = value.at;
+  operand.width = value.width;
+  return operand;
+}
+
+struct Word {
+  std::string_view name;
+  LabelledKind kind;
+};
+constexpr Word kWords[] = {{"sub", LabelledKind::Sub},
+                           {"endsub", LabelledKind::EndSub},
+                           {"call", LabelledKind::Call},
+                           {"do", LabelledKind::Do},
+                           {"while", LabelledKind::While},
+                           {"repeat", LabelledKind::Repeat},
+                           {"if", LabelledKind::If},
+                           {"elseif", LabelledKind::ElseIf},
+                           {"else", LabelledKind::Else},
+                           {"endif", LabelledKind::EndIf},
+                           {"break", LabelledKind::Break},
+                           {"continue", LabelledKind::Continue},
+                           {"endwhile", LabelledKind::EndWhile},
+                           {"endrepeat", LabelledKind::EndRepeat},
+                           {"return", LabelledKind::Return}};
+
+}  // namespace
+
+// ---- M98, M99 ----
+
+/// M98 stands first, and its words behind it; of other words nothing happens.
+bool BlockReader::call_98(Block& block, Label& label) {
+  const std::uint32_t at = line_.offset();
+  line_.take(std::string_view("m98"));
+  CallRecord call;
+  call.kind = CallKind::Subprogram;
+  call.locals = CallRecord::Locals::OwnByName;
+  call.at = at;
+  call.width = line_.width_from(at);
+  Words words;
+  while (!line_.at_end()) {
+    const char letter = line_.peek();
+    if (letter != 'p' && letter != 'l') {
+      if (!item(block, words)) return false;
+      continue;
+    }
+    line_.take();
+    if (!words.letters.insert(letter).second)
+      return refuse(block, Cause::AddressGivenTwice,
+                    std::string("Multiple ") + letter + " words on one line", at);
+    Value value;
+    if (!expression_.whole(value)) return refuse(block);
+    if (letter == 'l' && !value.computed && value.number < 0)
+      return refuse(block, Cause::IllegalRepeatCount, "Negative l word used", value.at);
+    (letter == 'p' ? call.p : call.l) = operand_of(value);
+  }
+  if (!call.p.present())
+    return refuse(block, Cause::ProgramNumberMissing, "Found 'm98' code with no P-word", at);
+  Labelled own;
+  own.kind = LabelledKind::Call98;
+  own.label = Labelled::kNone;
+  if (call.p.kind == Operand::Kind::Constant)
+    own.label = to_.names().label(std::to_string(
+        to_whole<std::int64_t>(std::clamp(call.p.value, -2147483648.0, 2147483647.0))));
+  own.at = at;
+  own.width = call.width;
+  own.call = to_.keep(std::move(call));
+  to_.become(block, Op::Labelled, own);
+  label.kind = own.kind;
+  return true;
+}
+
+void BlockReader::back_99(Block& block, Label& label) {
+  Labelled own;
+  own.kind = LabelledKind::Back;
+  own.at = line_.offset();
+  line_.take(std::string_view("m99"));
+  own.width = line_.width_from(own.at);
+  own.of_another_kind =
+      "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition";
+  while (line_.peek() == '(') {
+    std::string text;
+    line_.take_up_to(')', text);
+  }
+  if (!line_.at_end() && line_.peek() != ';') {
+    Fault fault{Cause::StatementFormat, line_.offset(), 1, "M99 has no words in a subprogram"};
+    fault.text = "Unexpected character after O-word";
+    own.refused = to_.keep(std::move(fault));
+  }
+  CallRecord back;
+  back.at = own.at;
+  back.width = own.width;
+  own.call = to_.keep(std::move(back));
+  to_.become(block, Op::Labelled, own);
+  label.kind = own.kind;
+}
+
+// ---- O-words ----
+
+bool BlockReader::o_label(Block& block, Labelled& own) {
+  const std::uint32_t at = line_.offset();
+  line_.take();
+  if (line_.take('<')) {
+    std::string name;
+    if (!line_.take_up_to('>', name))
+      return refuse(block, Cause::IllegalProgramName, "Named parameter not terminated", at);
+    own.label = to_.names().label(name);
+    return true;
+  }
+  Value value;
+  if (!expression_.whole(value)) return refuse(block);
+  if (value.computed) {
+    own.label = Labelled::kNone;
+    own.value = value.expression;
+    return true;
+  }
+  own.label = to_.names().label(std::to_string(
+      to_whole<std::int64_t>(std::clamp(value.number, -2147483648.0, 2147483647.0))));
+  return true;
+}
+
+bool BlockReader::o_word(Block& block, Label& label) {
+  Labelled own;
+  own.at = line_.offset();
+  if (!o_label(block, own)) return false;
+  std::string_view name;
+  for (const Word& word : kWords) {
+    if (!line_.take(word.name)) continue;
+    name = word.name;
+    label.kind = word.kind;
+    break;
+  }
+  const char c = line_.peek();
+  if (!label.kind && (c == '(' || c == ';' || c == '\0')) label.kind = LabelledKind::Head;
+  if (!label.kind) {
+    label.unreadable = true;
+    return refuse(block, Cause::StatementNotAvailable, "Unknown control command in o word", own.at);
+  }
+  own.kind = *label.kind;
+  own.width = line_.width_from(own.at);
+  label.label = own.label;
+  if (own.label == Labelled::kNone && own.kind != LabelledKind::Call)
+    return refuse(block, Cause::CodeNotComputed,
+                  "a label from an expression is read in calls alone", own.at);
+  return statement(block, own, name);
+}
+
+bool BlockReader::statement(Block& block, Labelled& own, std::string_view word) {
+  switch (own.kind) {
+    case LabelledKind::If:
+    case LabelledKind::ElseIf:
+    case LabelledKind::While:
+    case LabelledKind::Repeat:
+      if (!condition(block, own, word)) return false;
+      break;
+    case LabelledKind::EndSub:
+    case LabelledKind::Return:
+      if (line_.peek() == '[' && !condition(block, own, "return")) return false;
+      break;
+    case LabelledKind::Call:
+      if (!o_call(block, own)) return false;
+      break;
+    default:
+      break;
+  }
+  if (!end_of_o_word(block)) return false;
+  own.of_another_kind =
+      own.kind == LabelledKind::Sub    ? "'O.... sub' subroutine must be called with 'O.... call'"
+      : own.kind == LabelledKind::Head ? "Fanuc 'O....' subroutine must be called with 'M98'"
+                                       : "Fanuc 'O....' subroutine definition must end with 'M99'";
+  to_.become(block, Op::Labelled, own);
+  return true;
+}
+
+bool BlockReader::o_call(Block& block, Labelled& own) {
+  CallRecord call;
+  call.kind = CallKind::Labelled;
+  call.locals = CallRecord::Locals::Own;
+  call.at = own.at;
+  call.width = own.width;
+  if (own.label == Labelled::kNone) {
+    call.p.kind = Operand::Kind::Expression;
+    call.p.expression = own.value;
+    call.p.at = own.at;
+    call.p.width = own.width;
+    own.value = Labelled::kNone;
+  }
+  if (!arguments(block, call)) return false;
+  own.call = to_.keep(std::move(call));
+  return true;
+}
+
+bool BlockReader::condition(Block& block, Labelled& own, std::string_view word) {
+  if (line_.peek() != '[')
+    return refuse(block, Cause::StatementFormat,
+                  "Left bracket missing after '" + std::string(word) + "'", own.at);
+  Value value;
+  if (!expression_.bracketed(value)) return refuse(block);
+  own.value = expression_.expression_of(value);
+  return true;
+}
+
+bool BlockReader::arguments(Block& block, CallRecord& call) {
+  constexpr std::uint32_t kMost = 30;
+  std::vector<Argument> arguments;
+  while (line_.peek() == '[' || line_.peek() == '(') {
+    if (line_.peek() == '(') {
+      std::string text;
+      line_.take_up_to(')', text);
+      continue;
+    }
+    if (arguments.size() == kMost)
+      return refuse(block, Cause::TooManyArguments, "Too many subroutine parameters", call.at);
+    Value value;
+    if (!expression_.bracketed(value)) return refuse(block);
+    arguments.push_back({static_cast<std::int16_t>(arguments.size() + 1), 0, operand_of(value)});
+  }
+  call.first_argument = to_.next_argument();
+  call.arguments = static_cast<std::uint32_t>(arguments.size());
+  for (const Argument& argument : arguments) to_.keep(argument);
+  return true;
+}
+
+bool BlockReader::end_of_o_word(Block& block) {
+  std::string text;
+  while (line_.peek() == '(') line_.take_up_to(')', text);
+  if (line_.at_end() || line_.peek() == ';') return true;
+  return refuse(block, Cause::StatementFormat, "Unexpected character after O-word", line_.offset());
+}
+
+}  // namespace cncsub::linuxcnc

@@ -1,0 +1,171 @@
+// Files of LinuxCNC: a file is a program, its subprograms are parts of it.
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/linuxcnc/block.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+namespace linuxcnc {
+
+namespace {
+
+class FileReader {
+ public:
+  explicit FileReader(Builder& to) : to_(to), blocks_(to) { to_.names().returned(); }
+
+  void read(std::uint32_t file) {
+    file_ = file;
+    lines_.clear();
+    const std::string& text = to_.code().files[file].text;
+    Program program;
+    program.number = number_in(to_.code().files[file].stem);
+    program.file = file;
+    program.line = 1;
+    to_.begin_program(program);
+    bool first = true;  // nothing was written so far
+    bool tape = false;  // the first line is a %, and another one ends the program
+    std::uint32_t line = 0;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      ++line;
+      const std::string_view said = trimmed(std::string_view(text).substr(at, end - at));
+      if (said == "%" && first)
+        tape = true;
+      else if (!said.empty())
+        add(said, static_cast<std::uint32_t>(said.data() - text.data()), line, tape);
+      first = first && said.empty();
+      if (to_.interrupt().requested(end + 1 - at)) return;
+      at = end + 1;
+    }
+    const Address end = to_.next_address();
+    to_.end_program(static_cast<std::uint32_t>(text.size()), std::max(line, 1u));
+    link(end);
+    parts(end);
+  }
+
+ private:
+  struct Met {
+    Address address;
+    Label label;
+  };
+
+  void add(std::string_view text, std::uint32_t at, std::uint32_t line, bool tape) {
+    Block block;
+    block.text = at;
+    block.line = line;
+    block.length = static_cast<std::uint16_t>(std::min<std::size_t>(text.size(), 65535));
+    Label label;
+    if (tape && text == "%") {
+      block.op = Op::EndProgram;
+      label.unreadable = true;  // nobody looks behind it
+    } else if (!blocks_.read(text, block, label)) {
+      return;
+    }
+    if (label.unreadable || label.kind) lines_.push_back({to_.next_address(), label});
+    to_.append(block);
+  }
+
+  /// Where passing over leads from each statement, from behind.
+  void link(Address end) {
+    std::unordered_map<std::uint32_t, Address> next;      // of each label
+    Address wall = end;                                   // the next line that nothing passes over
+    Address next_head = end;                              // the next head of any subprogram
+    std::unordered_map<std::uint32_t, Address> next_end;  // of each subprogram: endsub, return
+    for (auto met = lines_.rbegin(); met != lines_.rend(); ++met) {
+      const Label& label = met->label;
+      const Address at = met->address;
+      const auto nearest = [&](const std::unordered_map<std::uint32_t, Address>& of) {
+        const auto found = of.find(label.label);
+        return std::min(wall, found == of.end() ? end : found->second);
+      };
+      if (label.unreadable) {
+        wall = at;
+        continue;
+      }
+      const bool readable = to_.block(at).op == Op::Labelled;
+      if (label.kind >= LabelledKind::If) {
+        if (readable) to_.record<Labelled>(to_.block(at).aux).next = nearest(next);
+        next[label.label] = at;
+      } else if (label.is_head()) {
+        if (readable) {
+          to_.record<Labelled>(to_.block(at).aux).next = std::min(next_head, nearest(next_end));
+          to_.names().head(label.label, at);
+        }
+        next_head = at;
+      } else if (label.kind == LabelledKind::EndSub || label.kind == LabelledKind::Return) {
+        if (readable)
+          to_.record<Labelled>(to_.block(at).aux).next = std::min(next_head, nearest(next_end));
+        next_end[label.label] = at;
+      }
+    }
+  }
+
+  /// The subprograms of the file, each up to its endsub, or to the next one.
+  void parts(Address end) {
+    const auto whole = static_cast<std::int32_t>(to_.code().programs.size()) - 1;
+    const std::string& text = to_.code().files[file_].text;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const auto& [at, label] = lines_[i];
+      if (!label.is_head() || to_.block(at).op != Op::Labelled) continue;
+      const Block& block = to_.block(at);
+      Program part;
+      part.file = file_;
+      part.line = block.line;
+      part.inside = whole;
+      part.first = at;
+      part.last = part_end(i, end);
+      part.text = static_cast<std::uint32_t>(text.find_first_of("oO", block.text));
+      part.text_end = to_.block(part.last).text;
+      place_name(part, text);
+      const std::string& name = to_.code().labels[label.label];
+      part.number = number_in(name);
+      if (name != to_.code().files[file_].stem) to_.part(part);
+    }
+  }
+
+  /// Where the subprogram ends whose head is line `i` of those with labels.
+  Address part_end(std::size_t i, Address end) const {
+    const Label& head = lines_[i].label;
+    for (++i; i < lines_.size(); ++i) {
+      const auto& [at, label] = lines_[i];
+      if (head.kind == LabelledKind::Sub && label.kind == LabelledKind::EndSub &&
+          label.label == head.label)
+        return at + 1;
+      if (label.is_head()) return at;
+    }
+    return end;
+  }
+
+  /// The name behind the O of a subprogram: <name>, or digits.
+  static void place_name(Program& part, const std::string& text) {
+    std::size_t from = part.text + std::size_t{1};
+    while (is_blank(text[from])) ++from;
+    const bool named = text[from] == '<';
+    std::size_t to = named ? text.find('>', from) : from;
+    if (named) ++from;
+    while (!named && to < text.size() && is_digit(text[to])) ++to;
+    part.name_at = static_cast<std::uint32_t>(from);
+    part.name_length = static_cast<std::uint32_t>(to - from);
+  }
+
+  Builder& to_;
+  BlockReader blocks_;
+  std::vector<Met> lines_;
+  std::uint32_t file_ = 0;
+};
+
+}  // namespace
+
+}  // namespace linuxcnc
+
+cncsub::FileReader linuxcnc_reader(Builder& to) {
+  auto reader = std::make_shared<linuxcnc::FileReader>(to);
+  return [reader](std::uint32_t file) { reader->read(file); };
+}
+
+}  // namespace cncsub

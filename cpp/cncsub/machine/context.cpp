@@ -1,0 +1,24 @@
+#include "cncsub/machine/context.hpp"
+
+#include <utility>
+
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+Run::Run(std::shared_ptr<const Code> of, Options how)
+    : code(std::move(of)), options(std::move(how)), motion(code->control, options.setup) {
+  std::shared_ptr<const Workpiece>& workpiece = options.inputs.workpiece;
+  if (workpiece)  // it stays where it is, whatever the program does to zero points
+    workpiece = std::make_shared<const Workpiece>(placed(motion.view(), *workpiece));
+  trace.depth = options.trace;
+  state.locals.assign(static_cast<std::size_t>(code->locals), kVacant);
+  if (control().macros.call_passes_words.value) state.programmed.assign(state.locals.size(), 0);
+  state.commons.assign(static_cast<std::size_t>(code->commons), kVacant);
+  state.signals = options.inputs.signals;
+  state.taken.clock_ms = options.inputs.clock_ms;
+  largest_word = kPowersOfTen[most_digits(control())];
+  jumps_refused = options.mdi && refuses(Cause::JumpInMdi);
+}
+
+}  // namespace cncsub

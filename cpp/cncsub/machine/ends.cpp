@@ -1,0 +1,66 @@
+#include "cncsub/machine/ends.hpp"
+
+#include <string>
+#include <utility>
+
+namespace cncsub {
+
+bool end_run(Run& run, Stop stop) {
+  finish_calls(run);
+  run.state.stop = stop;
+  return false;
+}
+
+void finish_calls(Run& run) {
+  for (const OpenFrame& open : run.state.frames)
+    if (open.call >= 0)
+      run.trace.calls.at(run.trace.call_row(open.call)).last_step = run.state.executed - 1;
+}
+
+bool alarm(Run& run, const Fault& fault) {
+  State& s = run.state;
+  s.alarm = alarm_of(*run.code, fault.block != kNowhere ? fault.block : s.pc, fault);
+  s.alarm->frames = open_calls(run);
+  if (run.block.words_done)
+    record_step(run);
+  else
+    give_back(run);
+  return end_run(run, Stop::Alarm);
+}
+
+bool alarm_of_motion(Run& run, Fault fault) {
+  const Code& code = *run.code;
+  fault.block = fault.at;
+  const Program& program = code.programs[static_cast<std::size_t>(code.program_at(fault.block))];
+  const Block& block = code.blocks[fault.block];
+  run.motion.point_at_word(code.words_of(block, program), block.text, fault);
+  return alarm(run, fault);
+}
+
+void give_back(Run& run) {
+  if (run.block.took != run.state.executed) return;
+  run.state.taken = run.block.before;
+  run.block.took = -1;
+}
+
+std::vector<Frame> open_calls(const Run& run) {
+  const std::vector<OpenFrame>& open = run.state.frames;
+  std::vector<Frame> list;
+  for (std::size_t i = open.size(); i-- > 1;) {
+    const Program& caller = run.code->programs[static_cast<std::size_t>(open[i - 1].program)];
+    const Block& block = run.code->blocks[open[i].called_at];
+    Frame frame;
+    frame.program = run.code->name_of(caller);
+    frame.n = block.n;
+    frame.line = block.line;
+    frame.file = run.code->files[caller.file].name;
+    frame.kind = std::string(to_string(open[i].kind));
+    frame.called = run.code->name_of(open[i].program);
+    frame.repeat = open[i].repeat;
+    frame.repeats = open[i].repeats;
+    list.push_back(std::move(frame));
+  }
+  return list;
+}
+
+}  // namespace cncsub

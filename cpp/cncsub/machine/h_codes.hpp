@@ -1,0 +1,11 @@
+// The statements of the GSK controls: G65 H.
+#pragma once
+
+#include "cncsub/machine/context.hpp"
+
+namespace cncsub {
+
+/// G65 H1 P#100 Q#101 R#102: assigns, calculates, jumps or raises an alarm.
+bool h_code(Run& run, const Statement& h);
+
+}  // namespace cncsub

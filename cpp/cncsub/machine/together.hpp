@@ -1,0 +1,13 @@
+// Blocks that assign and say something besides executing words.
+#pragma once
+
+#include "cncsub/machine/context.hpp"
+
+namespace cncsub {
+
+bool run_together(Run& run, const Block& block);
+/// Its assignments, all with the values from before, and its message. The words have their values
+/// already, and are executed behind it.
+bool set_together(Run& run);
+
+}  // namespace cncsub

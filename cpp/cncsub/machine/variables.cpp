@@ -1,0 +1,302 @@
+#include "cncsub/machine/variables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cncsub/control/variable_table.hpp"
+
+namespace cncsub {
+
+namespace {
+
+constexpr int kSystems = 20;  // numbers from one work coordinate system to the next
+
+Fault missing(const Code& code, std::int64_t number) {
+  return {.cause = Cause::IllegalVariable, .detail = no_variable(*code.control, number)};
+}
+
+std::optional<Fault> refused_write(const Code& code, const VariablePlace& place,
+                                   std::int64_t number) {
+  if (place.range == nullptr) return missing(code, number);
+  if (place.kind == VariableKind::Vacant)
+    return Fault{.cause = Cause::VacantAssigned, .detail = "#0 is always vacant"};
+  switch (place.range->access) {
+    case Access::ReadWrite:
+      break;
+    case Access::ReadOnly:
+      return Fault{.cause = Cause::VariableWriteProtected,
+                   .detail = "#" + std::to_string(number) + " cannot be written"};
+    case Access::WriteOnly:  // it is a statement: the block that writes it has done it already
+      return Fault{.cause = Cause::VariableWriteProtected,
+                   .detail = "#" + std::to_string(number) + " takes a value from a program only"};
+  }
+  return std::nullopt;
+}
+
+/// The axis of #2500 to #2506, #2600 to #2606 and so on, from 0.
+int axis_of(const VariableRange& range) { return range.first / 100 % 10 - 5; }
+
+/// The parameter whose number was written to the first variable that chooses one; 0 where the
+/// control has none of this number, as of PRM.
+double chosen_parameter(const Run& run) {
+  for (const auto& [range, base] : run.code->variables)
+    if (range.kind == VariableKind::ParameterChoice) {
+      const auto chosen = run.state.system.find(range.first);
+      const double number = chosen == run.state.system.end() ? 0 : std::round(chosen->second);
+      if (!(std::fabs(number) < 1e9)) return 0;
+      return run.control().parameter(std::to_string(to_whole<std::int64_t>(number)));
+    }
+  return 0;
+}
+
+/// The last M code, sequence number or program number, or what the motion knows of an address.
+double active_word(const Run& run, char address) {
+  const auto known = [](std::int64_t number) {
+    return number < 0 ? 0.0 : static_cast<double>(number);
+  };
+  if (address == 'M') return known(run.state.last_m);
+  if (address == 'N') return known(run.state.last_n);
+  if (address == 'O') return known(run.program().number);
+  const double value = modal_word(run.motion.view(), address);
+  return is_vacant(value) ? 0 : value;
+}
+
+/// Tables that hold numbers from 1 begin at a number that ends in 01 or 00.
+int offset_number(const VariablePlace& place) {
+  return place.index + (place.range->first % 100 == 0 ? 0 : 1);
+}
+
+/// Positions and offsets; nothing where it is something else.
+std::optional<double> of_motion(const MotionView& motion, const VariablePlace& place) {
+  const int index = place.index;
+  switch (place.kind) {
+    case VariableKind::BlockEnd:
+      return block_end(motion, index);
+    case VariableKind::MachinePosition:
+      return machine_position(motion, index);
+    case VariableKind::WorkPosition:
+      return work_position(motion, index);
+    case VariableKind::SkipPosition:
+      return skip_position(motion, index);
+    case VariableKind::ActiveLength:
+      return active_length(motion, index);
+    case VariableKind::ServoError:
+      return 0;
+    case VariableKind::WorkOffset:
+      return work_offset(motion, index / kSystems, index % kSystems);
+    case VariableKind::AxisWorkOffset:
+      return work_offset(motion, index, axis_of(*place.range));
+    case VariableKind::ExtraWorkOffset:
+      return extra_offset(motion, index / kSystems + 1, index % kSystems);
+    case VariableKind::LengthWear:
+    case VariableKind::LengthGeometry:
+    case VariableKind::RadiusWear:
+    case VariableKind::RadiusGeometry:
+      return offset(motion, place.kind, offset_number(place));
+    default:
+      return std::nullopt;
+  }
+}
+
+/// What the control answers itself, and what was written to its variables.
+double system_read(const Run& run, const VariablePlace& place, std::int64_t number) {
+  const State& s = run.state;
+  const auto in = [number](const auto& values, double otherwise) {
+    const auto found = values.find(static_cast<std::int32_t>(number));
+    return found == values.end() ? otherwise : found->second;
+  };
+  switch (place.kind) {
+    case VariableKind::Input:
+      return in(s.signals, 0) != 0 ? 1 : 0;
+    case VariableKind::InputWord:
+      return in(s.signals, 0);
+    case VariableKind::Milliseconds:
+      return s.taken.clock_ms + run.motion.time() * 1000.0;
+    case VariableKind::Hours:
+      return in(s.system, 0) + run.motion.time() / 3600.0;
+    case VariableKind::Date:
+      return in(s.system, run.options.inputs.date);
+    case VariableKind::Time:
+      return in(s.system, run.options.inputs.time);
+    case VariableKind::ModalCode:
+    case VariableKind::ActiveCode:
+      return modal_code(run.motion.view(), static_cast<int>(number % 100));
+    case VariableKind::ModalWord:
+    case VariableKind::ActiveWord:
+      return active_word(run, place.range->address);
+    case VariableKind::ParameterValue:
+      return chosen_parameter(run);
+    default:
+      if (const auto value = of_motion(run.motion.view(), place)) return *value;
+      return in(s.system, 0);
+  }
+}
+
+std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int64_t number,
+                                  double value) {
+  const int index = place.index;
+  if (is_vacant(value) && run.refuses(Cause::IllegalVariableValue))
+    return Fault{.cause = Cause::IllegalVariableValue,
+                 .detail = "a vacant value for #" + std::to_string(number)};
+  if (is_vacant(value)) value = 0;
+  switch (place.kind) {
+    case VariableKind::Milliseconds:
+      run.state.taken.clock_ms = value - run.motion.time() * 1000.0;
+      break;
+    case VariableKind::Hours:
+      run.state.system[number] = value - run.motion.time() / 3600.0;
+      break;
+    case VariableKind::WorkOffset:
+      run.motion.set_work_offset(index / kSystems, index % kSystems, value);
+      break;
+    case VariableKind::AxisWorkOffset:
+      run.motion.set_work_offset(index, axis_of(*place.range), value);
+      break;
+    case VariableKind::ExtraWorkOffset:
+      run.motion.set_extra_offset(index / kSystems + 1, index % kSystems, value);
+      break;
+    case VariableKind::LengthWear:
+    case VariableKind::LengthGeometry:
+    case VariableKind::RadiusWear:
+    case VariableKind::RadiusGeometry:
+      run.motion.set_offset(place.kind, offset_number(place), value);
+      break;
+    default:
+      run.state.system[number] = value;
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> read_at(const Run& run, const VariablePlace& place, std::int64_t number,
+                             int level, double& value) {
+  if (place.range == nullptr) return missing(*run.code, number);
+  if (place.range->access == Access::WriteOnly)
+    return Fault{.cause = Cause::VariableReadProtected,
+                 .detail = "#" + std::to_string(number) + " cannot be read"};
+  switch (place.kind) {
+    case VariableKind::Vacant:
+      value = kVacant;
+      return std::nullopt;
+    case VariableKind::Local:
+      value = run.state.locals[run.local_at(level, place.index)];
+      return std::nullopt;
+    case VariableKind::Common:
+    case VariableKind::Kept:
+      value = run.state.commons[static_cast<std::size_t>(place.index)];
+      return std::nullopt;
+    case VariableKind::LevelImage: {
+      const int of = place.index / run.code->locals_per_level;
+      value = of > run.state.level
+                  ? kVacant
+                  : run.state.locals[run.local_at(of, place.index % run.code->locals_per_level)];
+      return std::nullopt;
+    }
+    default:
+      value = system_read(run, place, number);
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value) {
+  const VariablePlace place = run.code->place(number);
+  if (place.range != nullptr && place.kind == VariableKind::Milliseconds) {
+    about_to_take(run);
+    run.state.taken.clock_ms += 1;
+    ++run.state.changes;
+  }
+  return read_at(run, place, number, run.state.level, value);
+}
+
+std::optional<Fault> read_variable(const Run& run, std::int64_t number, int level, double& value) {
+  return read_at(run, run.code->place(number), number, level, value);
+}
+
+std::optional<Fault> write_variable(Run& run, std::int64_t number, int level, double value) {
+  const VariablePlace place = run.code->place(number);
+  if (auto fault = refused_write(*run.code, place, number)) return fault;
+  switch (place.kind) {
+    case VariableKind::Local:
+      run.state.locals[run.local_at(level, place.index)] = value;
+      if (!run.state.programmed.empty()) run.state.programmed[run.local_at(level, place.index)] = 0;
+      return std::nullopt;
+    case VariableKind::Common:
+    case VariableKind::Kept:
+      run.state.commons[static_cast<std::size_t>(place.index)] = value;
+      return std::nullopt;
+    case VariableKind::LevelImage: {
+      const int of = place.index / run.code->locals_per_level;
+      if (of <= run.state.level)
+        run.state.locals[run.local_at(of, place.index % run.code->locals_per_level)] = value;
+      return std::nullopt;
+    }
+    default:
+      return system_write(run, place, number, value);
+  }
+}
+
+void set_from_outside(Run& run, std::int32_t number, double value) {
+  if (is_signal(*run.code, number))
+    run.state.signals[number] = value;
+  else
+    write_variable(run, number, value);
+}
+
+std::optional<Fault> unwritable(const Code& code, std::int64_t number) {
+  return refused_write(code, code.place(number), number);
+}
+
+bool can_be_vacant(const Code& code, std::int64_t number) {
+  const VariableKind kind = code.place(number).kind;
+  return kind == VariableKind::Local || kind == VariableKind::Common ||
+         kind == VariableKind::Kept || kind == VariableKind::LevelImage;
+}
+
+bool is_signal(const Code& code, std::int64_t number) {
+  const VariablePlace place = code.place(number);
+  return place.range != nullptr &&
+         (place.kind == VariableKind::Input || place.kind == VariableKind::InputWord);
+}
+
+bool cleared_by_reset(const Code& code, std::int64_t number) {
+  const VariablePlace place = code.place(number);
+  if (place.range == nullptr) return false;
+  const Set<Cleared>& cleared = code.control->common.reset_clears.value;
+  return (place.kind == VariableKind::Local && cleared.has(Cleared::Locals)) ||
+         (place.kind == VariableKind::Common && cleared.has(Cleared::Commons));
+}
+
+void clear_variables(Run& run) {
+  const Code& code = *run.code;
+  for (std::int64_t number = 0; number < code.locals; ++number)
+    if (cleared_by_reset(code, number))
+      run.state.locals[static_cast<std::size_t>(number)] = kVacant;
+  for (const auto& [range, base] : code.variables)
+    if (range.kind == VariableKind::Common && cleared_by_reset(code, range.first))
+      std::fill_n(run.state.commons.begin() + base, range.last - range.first + 1, kVacant);
+}
+
+std::map<std::int32_t, double> variables(const Run& run, int level) {
+  std::map<std::int32_t, double> values;
+  for (const auto& [range, base] : run.code->variables) {
+    const double* value = nullptr;
+    if (is_alias(range)) continue;
+    if (range.kind == VariableKind::Local) {
+      value = run.state.locals.data() + run.local_at(level, range.first);
+    } else if (range.kind == VariableKind::Common || range.kind == VariableKind::Kept) {
+      value = run.state.commons.data() + base;
+    } else {
+      continue;
+    }
+    for (std::int32_t number = range.first; number <= range.last; ++number, ++value)
+      if (!is_vacant(*value)) values[number] = *value;
+  }
+  for (const auto& [number, value] : run.state.system)
+    values[static_cast<std::int32_t>(number)] = value;
+  return values;
+}
+
+}  // namespace cncsub

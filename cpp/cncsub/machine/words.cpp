@@ -1,0 +1,237 @@
+#include "cncsub/machine/words.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "cncsub/machine/ends.hpp"
+#include "cncsub/machine/expressions.hpp"
+#include "cncsub/machine/limits.hpp"
+#include "cncsub/machine/modal.hpp"
+#include "cncsub/machine/output.hpp"
+#include "cncsub/machine/outside.hpp"
+#include "cncsub/machine/returns.hpp"
+#include "cncsub/machine/statements.hpp"
+#include "cncsub/machine/together.hpp"
+#include "cncsub/machine/variables.hpp"
+
+namespace cncsub {
+
+namespace {
+
+// Moves that are kept for a block to be undone: it takes as long to keep them as to make one.
+constexpr std::int64_t kHeldPieces = 8;
+
+/// A G or M code in its cell: a number, or an expression, of which a vacant value (-1) is no code.
+bool decode_code(Run& run, const Block& block, const Cell& cell, double factor, int& code) {
+  double value = cell.value;
+  std::uint32_t at = block.text, width = block.length;
+  if (value < 0) {
+    const auto expression = to_whole<std::uint32_t>(-1.0 - value);
+    if (!evaluate(run, expression, value)) return false;
+    if (is_vacant(value)) {
+      code = -1;
+      return true;
+    }
+    value = std::round(value * factor);
+    at = run.code->expressions[expression].at;
+    width = run.code->expressions[expression].width;
+  }
+  if (value < 0 || value > kLargestCode)
+    return alarm(run, {Cause::ValueOutOfRange, at, width, "the code is out of range"});
+  code = to_whole<int>(value);
+  return true;
+}
+
+bool decode_codes(Run& run, const Block& block, const Cell* cell, NcWords& words) {
+  for (int i = 0; i < block.g_count; ++i) {
+    int g = 0;
+    if (!decode_code(run, block, *cell++, 10, g)) return false;
+    if (g > 10000 || (g >= 0 && !run.code->g_codes.test(static_cast<std::size_t>(g))))
+      return alarm(run, {.cause = Cause::GCodeNotAvailable,
+                         .detail = "the control has no such G code",
+                         .address = 'G',
+                         .code = g});
+    if (g >= 0) words.g[static_cast<std::size_t>(words.g_count++)] = g;
+  }
+  for (int i = 0; i < block.m_count; ++i) {
+    int m = 0;
+    if (!decode_code(run, block, *cell++, 1, m)) return false;
+    if (m >= 0) words.m[static_cast<std::size_t>(words.m_count++)] = m;
+  }
+  return true;
+}
+
+/// A word whose value is an expression.
+bool decode_computed(Run& run, std::uint32_t expression, std::size_t place, NcWords& words) {
+  double value = 0;
+  if (!evaluate(run, expression, value)) return false;
+  if (std::fabs(value) >= run.largest_word) {  // a vacant value compares false
+    const Expression& e = run.code->expressions[expression];
+    if (std::fabs(value) > kLargest)
+      return alarm(run, {Cause::Overflow, e.at, e.width, "the result is too large"});
+    return alarm(
+        run, {Cause::ValueOutOfRange, e.at, e.width,
+              "the value has more than " + std::to_string(most_digits(run.control())) + " digits"});
+  }
+  if (is_vacant(value)) {
+    if (run.control().macros.vacant_address.value == VacantAddress::Ignored)
+      words.mask &= ~(1u << place);
+    value = 0;
+  }
+  words.value[place] = value;
+  words.computed |= 1u << place;
+  return true;
+}
+
+/// What an M code of the control is.
+Role role_of(const Run& run, int m) { return run.control().calls.roles.value.of_m(m); }
+
+/// Whether the run waits for the operator at an M code.
+bool waits_at(const Run& run, Role role) {
+  return role == Role::Stop || (role == Role::OptionalStop && run.options.optional_stop);
+}
+
+/// What a G31 leaves: its position, in the variables of a control that keeps it among the commons
+/// (X Z Y and the fourth and the fifth axis of a lathe [TDi p.94]); or that nothing was met.
+void keep_skip(Run& run, SkipMove skip) {
+  if (skip == SkipMove::Missed) {
+    run.trace.missed_skips.push({run.state.executed, run.state.pc});
+    return;
+  }
+  const int first = run.control().motion.skip_variables.value;
+  if (first <= 0) return;
+  for (int axis = 0; axis < kSkipAxes; ++axis)
+    write_variable(run, first + axis, skip_position(run.motion.view(), axis));
+}
+
+/// What the machine does about a code it was sent: its signals change, and variables that it
+/// writes.
+void answer(Run& run, char address, std::int64_t code) {
+  if (run.options.inputs.answers.empty()) return;
+  const auto found = run.options.inputs.answers.find({address, code});
+  if (found == run.options.inputs.answers.end()) return;
+  for (const auto& [number, value] : found->second) set_from_outside(run, number, value);
+  ++run.state.changes;
+}
+
+/// M and T codes go to the machine; M00 and M01 wait for the operator.
+bool send_codes(Run& run, const NcWords& words, const Block& block) {
+  const bool recorded = run.trace.depth != Trace::Depth::None;
+  if (words.has('T')) {
+    const auto tool = to_whole<std::int64_t>(std::round(words['T']));
+    if (recorded) run.trace.t_codes.push(tool);
+    answer(run, 'T', tool);
+  }
+  for (int i = 0; i < words.m_count; ++i) {
+    const int m = words.m[static_cast<std::size_t>(i)];
+    if (recorded) run.trace.m_codes.push(m);
+    run.state.last_m = m;
+    answer(run, 'M', m);
+    const Role role = role_of(run, m);
+    if (waits_at(run, role) && !wait_for_operator(run, CodeName{'M', m * 10}.text())) return false;
+    if (role == Role::StartOver && run.state.frames.size() == 1)
+      run.block.next = RunningBlock::kRestart;
+    if (role == Role::End && block.op != Op::EndProgram) run.block.next = RunningBlock::kEnd;
+  }
+  return true;
+}
+
+/// The motion of a block: moves, modes, offsets.
+bool move(Run& run, const Block& block, NcWords& words) {
+  Motion::Outcome& outcome = run.block.outcome;
+  words.ends = block.op == Op::EndProgram;
+  words.stops = words.ends;
+  for (int i = 0; i < words.m_count; ++i) {
+    const Role role = role_of(run, words.m[static_cast<std::size_t>(i)]);
+    words.roles |= 1U << static_cast<unsigned>(role);
+    words.stops = words.stops || waits_at(run, role) || role == Role::End;
+  }
+  if (run.motion.modes(words, run.step(), run.moves(), outcome)) {
+    run.watch.moves += outcome.moves;
+    if (run.watch.moves > run.watch.look_moves) look_soon(run);
+    return true;
+  }
+  Outside around = outside(run);
+  Profile profile;
+  if (const auto wanted = run.motion.wanted_profile(words)) {
+    profile.fault = read_profile(run, *wanted, profile);
+    if (run.state.stop != Stop::Running) return false;
+    around.profile = &profile;
+  }
+  if (auto fault = run.motion.execute(words, run.step(), run.moves(), outcome, around))
+    return run.watch.broken_off == Stop::Running && alarm_of_motion(run, *fault);
+  run.watch.in_block = 0;
+  if (around.skips.taken) {
+    about_to_take(run);
+    run.state.taken.skips = *around.skips.taken;
+  }
+  if (outcome.skip != SkipMove::No) keep_skip(run, outcome.skip);
+  run.watch.moves += outcome.moves + run.motion.held_pieces() / kHeldPieces;
+  if (run.watch.moves > run.watch.look_moves) look_soon(run);
+  return true;
+}
+
+}  // namespace
+
+bool decode(Run& run, const Block& block, NcWords& words) {
+  const Cell* cell = run.code->cells.data() + block.data;
+  std::uint32_t expressions = 0;
+  if ((block.flags & Block::kHasExtra) != 0) {
+    expressions = cell->extra.expressions;
+    words.whole = cell->extra.whole;
+    ++cell;
+  }
+  words.at = run.state.pc;
+  if (!decode_codes(run, block, cell, words)) return false;
+  cell += block.g_count + block.m_count;
+  words.mask = block.mask;
+  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
+    const auto place = static_cast<std::size_t>(__builtin_ctz(left));
+    if ((expressions & (1u << place)) == 0)
+      words.value[place] = cell->value;
+    else if (!decode_computed(run, static_cast<std::uint32_t>(cell->expression), place, words))
+      return false;
+  }
+  return true;
+}
+
+bool carry_out(Run& run, const Block& block) {
+  NcWords words;
+  if (!decode(run, block, words)) return false;
+  if (run.block.together != nullptr && !set_together(run)) return false;
+  if (!move(run, block, words) || !send_codes(run, words, block)) return false;
+  const Motion::Outcome& outcome = run.block.outcome;
+  if ((block.flags & Block::kDrops) != 0 || (outcome.dropped | outcome.dropped_codes) != 0)
+    tell_dropped(run, block, words);
+  run.block.words_done = true;
+  if (block.n >= 0) run.state.last_n = block.n;
+  if (outcome.moved || words.m_count > 0 || words.has('T') || words.g_count > 0)
+    ++run.state.changes;
+  if (is_words(block.op)) return after_words(run);
+  if (run.block.next != RunningBlock::kEnd) return true;
+  record_step(run);  // M#1 beside a call, a return or a jump ends the program before it
+  return end_run(run, Stop::End);
+}
+
+bool after_words(Run& run) {
+  record_step(run);
+  run.state.moved_at = run.state.pc;
+  const Address next = run.block.next;
+  if (next == RunningBlock::kRestart || next == RunningBlock::kEnd) return proceed(run, next);
+  const Address behind = run.block.outcome.behind;
+  if (behind != kNowhere) leave_loops(run, behind);
+  run.state.pc = behind != kNowhere ? behind : next;
+  return call_after_move(run);
+}
+
+bool wait_for_operator(Run& run, const std::string& what) {
+  const Inputs& inputs = run.options.inputs;
+  if (!inputs.operator_given) return true;
+  const std::size_t answer = run.state.next_answer++;
+  if (answer < inputs.operator_starts.size() && inputs.operator_starts[answer]) return true;
+  run.state.waiting_for = "cycle start after " + what;
+  record_step(run);
+  return proceed(run, run.block.next) && end_run(run, Stop::Waiting);
+}
+
+}  // namespace cncsub

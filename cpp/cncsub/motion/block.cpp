@@ -1,0 +1,197 @@
+// A block from its words to its effect.
+#include <algorithm>
+
+#include "cncsub/motion/cycle/cycles.hpp"
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+/// How much of a dwell is waited until a skip signal ends it.
+double dwell_part(MotionContext& m, const BlockWords& block) {
+  const SignalMask signals = signals_of(m, block);
+  double part = 1;
+  if (signals != 0)
+    for (const SkipSignal& told : m.outside.skips.take(signals).told)
+      if (told.comes == SkipSignal::Comes::AtFraction) part = std::min(part, told.value);
+  return part;
+}
+
+/// What a letter of G04 says, in seconds.
+double seconds_of_word(MotionView m, const NcWords& w, char letter) {
+  const Control& c = *m.facts.control;
+  double value = w[letter];
+  if (letter != 'P') {
+    const bool increments = c.motion.dwell_unit.value == DwellUnit::Milliseconds ||
+                            c.reading.whole_numbers.value == WholeNumbers::Increments;
+    return increments && (w.whole & bit(letter)) != 0 ? value * 0.001 : value;
+  }
+  const bool point = ((w.whole | w.computed) & bit('P')) == 0;
+  if (point && c.motion.dwell_point.value == DwellPoint::Cut) value = std::floor(value);
+  const bool counts_seconds = point && c.motion.dwell_point.value == DwellPoint::Seconds;
+  return c.motion.dwell_unit.value == DwellUnit::PSeconds || counts_seconds ? value : value * 0.001;
+}
+
+Result dwell(MotionContext& m, BlockWords& block) {
+  const auto& letters = m.facts.control->motion.dwell_words.value;
+  const auto* const first = std::find_if(letters.begin(), letters.end(),
+                                  [&](char letter) { return block.words.has(letter); });
+  if (first == letters.end()) return std::nullopt;
+  for (const char other : letters)
+    if (other != *first) m.outcome.drop(bit(other));
+  const double seconds = seconds_of_word(m, block.words, *first);
+  if (seconds <= 0) return std::nullopt;
+  return add_dwell(m, block, seconds * dwell_part(m, block));
+}
+
+Result one_shot(MotionContext& m, BlockWords& block) {
+  switch (block.meaning(Group::OneShot)) {
+    case Meaning::Dwell:
+      return dwell(m, block);
+    case Meaning::SetData:
+      return set_data(m, block);
+    case Meaning::CheckReference:
+      return check_reference(m, block);
+    case Meaning::Reference:
+    case Meaning::SecondReference:
+      return reference(m, block, block.meaning(Group::OneShot) == Meaning::Reference ? 1 : 2);
+    case Meaning::FromReference:
+      return from_reference(m, block);
+    case Meaning::Skip:
+      return skip(m, block);
+    case Meaning::MeasureTool:
+      return measure_tool(m, block);
+    case Meaning::OneWay:
+      return one_way(m, block);
+    case Meaning::Local:
+      return set_local(m, block);
+    case Meaning::Machine:
+      return machine_move(m, block);
+    case Meaning::SetCoordinate:
+      return set_coordinate(m, block);
+    case Meaning::ClearCoordinate:
+      return clear_coordinate(m, block);
+    case Meaning::Finish:
+    case Meaning::RoughTurn:
+    case Meaning::RoughFace:
+    case Meaning::RoughPattern:
+      return contour(m, block, block.meaning(Group::OneShot));
+    case Meaning::PeckFace:
+    case Meaning::PeckTurn:
+      return grooving(m, block, block.meaning(Group::OneShot));
+    case Meaning::MultipleThread:
+      return multiple_thread(m, block);
+    default:
+      return std::nullopt;
+  }
+}
+
+void take_motion_code(MotionContext& m, const BlockWords& block) {
+  if (!block.has(Group::Motion)) return;
+  // The taper of a turning cycle ends with it. [TA 6 note 2]
+  if (block.meaning(Group::Motion) != m.state.modal[at(Group::Motion)].meaning) m.state.turn = {};
+  m.state.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
+  end_cycles(m.facts, m.state);
+}
+
+Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
+  if (double angle = 0; angle_word(m, block, angle)) return angled(m, block, meaning, angle);
+  std::uint32_t named = 0;
+  const Axes end = end_point(m, block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = need_feed(m, block, meaning)) return wrong;
+  const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
+  Piece piece = make_piece(m, block, kind, end, named);
+  if (auto wrong = corner_words(m, block, piece)) return wrong;
+  return move(m, block, piece);
+}
+
+Result make_motion(MotionContext& m, BlockWords& block) {
+  take_motion_code(m, block);
+  if (block.has(Group::Cycle)) {
+    if (auto wrong = enter_cycle(m, block)) return wrong;
+  }
+  if (in_cycle(m.state)) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
+  const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
+  switch (meaning) {
+    case Meaning::Cw:
+    case Meaning::Ccw:
+      return arc(m, block, meaning);
+    case Meaning::ThreePoints:
+    case Meaning::ThreePointsAbsolute:
+      return arc_by_points(m, block, meaning);
+    case Meaning::TurnCycle:
+    case Meaning::ThreadCycle:
+    case Meaning::FaceCycle:
+    case Meaning::TapCycle:
+      return turning_cycle(m, block, meaning);
+    case Meaning::Thread:
+    case Meaning::VariableThread:
+      return thread(m, block, meaning);
+    default:
+      return straight(m, block, meaning);
+  }
+}
+
+/// What the block does with its axis words.
+Result act(MotionContext& m, BlockWords& block) {
+  if (block.meaning(Group::OneShot) == Meaning::Ignored) return std::nullopt;
+  if (goes_with_motion(m.state, block))
+    return block.consumed ? std::nullopt : make_motion(m, block);
+  take_motion_code(m, block);  // it holds for the blocks behind
+  return one_shot(m, block);
+}
+
+/// Whether everything that may grow from block to block is still a number that can be meant.
+bool all_in_range(const MotionState& s) {
+  const std::array others{s.feed, s.speed, s.surface_speed, s.max_speed, s.polar_angle};
+  return in_range(s.work) && in_range(s.offset) && in_range(s.length) && in_range(s.skip) &&
+         in_range(others);
+}
+
+}  // namespace
+
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step) {
+  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state)};
+  const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting;
+  if (auto wrong = read_codes(m, block)) return wrong;
+  if (auto wrong = check_block(m, block)) return wrong;
+  if (block.uncomputed >= 0) return fault_of(block.uncomputed, Cause::CodeNotComputed, block);
+  if (auto wrong = set_modes(m, block)) return wrong;
+  const Axes length_before = m.state.length;
+  if (auto wrong = set_length(m, block)) return wrong;
+  if (auto wrong = set_radius(m, block)) return wrong;
+  if (auto wrong = set_longer(m, block)) return wrong;
+  if (auto wrong = act(m, block)) return wrong;
+  if (auto wrong = move_by_length(m, block, length_before)) return wrong;
+  if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
+  if (corner_waits && !block.submitted) return fault(Cause::CornerNoMove, block);
+  // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
+  const Meaning once = block.meaning(Group::OneShot);
+  if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
+      once == Meaning::Local)
+    m.state.moved_before = true;
+  if (!all_in_range(m.state)) return out_of_range(block.words.at);
+  return count_idle(m, block);
+}
+
+bool goes_with_motion(const MotionState& state, const BlockWords& block) {
+  switch (block.meaning(Group::OneShot)) {
+    case Meaning::None:
+    case Meaning::ExactStop:
+    case Meaning::Lengthen:
+    case Meaning::Shorten:
+    case Meaning::LengthenTwice:
+    case Meaning::ShortenTwice:
+      return true;
+    case Meaning::OneWay:
+      return !block.has(Group::Motion) && (in_cycle(state) || block.has(Group::Cycle));
+    default:
+      return false;
+  }
+}
+
+}  // namespace cncsub

@@ -1,0 +1,233 @@
+// What does not go together: a block's codes and words with each other, or with the state that they
+// meet. Each conflict is a cause; a control refuses those that its rule `refuses` names.
+#include <algorithm>
+#include <initializer_list>
+
+#include "cncsub/control/rule_lists.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+using State = MotionState;
+using Block = BlockWords;
+
+bool does(const Block& b, Meaning meaning) { return b.meaning(Group::OneShot) == meaning; }
+bool turns(const Block& b) {
+  return b.has(Group::Rotation) || b.has(Group::Scaling) || b.has(Group::Mirror);
+}
+bool begins_turn(const Block& b) {
+  return b.meaning(Group::Rotation) == Meaning::RotationOn ||
+         b.meaning(Group::Scaling) == Meaning::ScalingOn ||
+         b.meaning(Group::Mirror) == Meaning::MirrorOn;
+}
+bool cycles(const Block& b) {
+  return b.has(Group::Cycle) && b.meaning(Group::Cycle) != Meaning::CycleOff;
+}
+bool returns(const Block& b) {
+  return does(b, Meaning::Reference) || does(b, Meaning::SecondReference) ||
+         does(b, Meaning::FromReference);
+}
+bool length(const Block& b) { return b.has(Group::Length) || b.words.has('H'); }
+/// The motion code that holds for the block.
+Meaning motion(const State& s, const Block& b) {
+  return (b.has(Group::Motion) ? b.codes : s.modal)[at(Group::Motion)].meaning;
+}
+int plane(const State& s, const Block& b) {
+  return b.has(Group::Plane) ? b.codes[at(Group::Plane)].code / 10 : s.plane;
+}
+/// G70 to G76 of lathes.
+bool repeats_cuts(const Block& b) {
+  const Meaning once = b.meaning(Group::OneShot);
+  return once >= Meaning::Finish && once <= Meaning::MultipleThread;
+}
+/// G90, G92, G94 of lathes, whatever they are called.
+bool turning(const State& s, const Block& b) {
+  const Meaning m = motion(s, b);
+  return !b.has(Group::OneShot) &&
+         (m == Meaning::TurnCycle || m == Meaning::ThreadCycle || m == Meaning::FaceCycle);
+}
+bool names_xz(const Block& b) {
+  return b.words.has('X') || b.words.has('Z') || b.words.has('U') || b.words.has('W');
+}
+bool other_axis(const Block& b) { return b.words.has('Y') || b.words.has('V'); }
+struct CodeRange {
+  int first, last;
+};
+/// Whether a G code of the block lies in one of these ranges.
+bool code_among(const Block& b, std::initializer_list<CodeRange> ranges) {
+  return any_code(b.words, [&](int code) {
+    return std::any_of(ranges.begin(), ranges.end(), [g = code / 10](const CodeRange& range) {
+      return g >= range.first && g <= range.last;
+    });
+  });
+}
+bool stops(const Block& b) {
+  return b.words.ends || b.words.has(Role::Stop) || b.words.has(Role::OptionalStop) ||
+         b.words.has(Role::End);
+}
+/// Codes that share no block with rotation, scaling and mirror. [MDib 0150; TA 5 note 2]
+bool besides_turn(const Block& b) {
+  int turns = 0;
+  for (const Group group : {Group::Rotation, Group::Scaling, Group::Mirror})
+    turns += b.has(group) ? 1 : 0;
+  if (turns > 1) return true;
+  for (const Group group :
+       {Group::OneShot, Group::Motion, Group::Radius, Group::Length, Group::Macro, Group::Work})
+    if (b.has(group)) return true;
+  return false;
+}
+/// Codes that a rotated lathe does not take. [TA 5 note 3]
+bool strange_in_rotation(const Block& b) {
+  for (const Group group :
+       {Group::OneShot, Group::Radius, Group::Work, Group::Units, Group::Macro, Group::Stroke})
+    if (b.has(group)) return true;
+  return b.meaning(Group::Motion) > Meaning::Ccw;
+}
+
+/// Whether a block moves by its axis words, outside of a canned cycle.
+bool moves_axes(const Block& b) {
+  if (b.was_cycle || b.has(Group::Cycle)) return false;
+  for (const Meaning meaning : {Meaning::Dwell, Meaning::SetData, Meaning::SetCoordinate,
+                                Meaning::ClearCoordinate, Meaning::Local})
+    if (does(b, meaning)) return false;
+  return std::any_of(kAxisNames.begin(), kAxisNames.end(),
+                     [&](char axis) { return b.words.has(axis); });
+}
+
+}  // namespace
+
+struct Conflict {
+  Cause cause;
+  bool (*applies)(const MotionState&, const BlockWords&);
+  bool of_words = false;  // a block without G codes may have it
+};
+
+namespace {
+
+constexpr Conflict kConflicts[] = {
+    {Cause::RigidMove,
+     [](const State& s, const Block& b) { return s.rigid_waits && moves_axes(b); }, true},
+    {Cause::OneShotWithMotion,
+     [](const State&, const Block& b) {
+       return b.has(Group::OneShot) && !does(b, Meaning::ExactStop) && b.has(Group::Motion);
+     }},
+    {Cause::LengthWithMotion,
+     [](const State& s, const Block& b) {
+       const Meaning m = motion(s, b);
+       return b.has(Group::Length) && b.meaning(Group::Length) != Meaning::LengthOff &&
+              (m == Meaning::Cw || m == Meaning::Ccw || does(b, Meaning::Dwell) ||
+               does(b, Meaning::Skip) || does(b, Meaning::SetCoordinate));
+     }},
+    {Cause::LocalWithLength,
+     [](const State&, const Block& b) { return does(b, Meaning::Local) && length(b); }},
+    {Cause::LocalInExtraSystem,
+     [](const State& s, const Block& b) { return does(b, Meaning::Local) && s.work_system == 0; }},
+    {Cause::ToolWithSetting,
+     [](const State&, const Block& b) {
+       return b.words.has('T') && (does(b, Meaning::SetCoordinate) || does(b, Meaning::SetData) ||
+                                   does(b, Meaning::Dwell));
+     }},
+    {Cause::StrokeWithCodes,
+     [](const State&, const Block& b) {
+       return b.has(Group::Stroke) && (b.words.g_count > 1 || b.words.m_count > 0 || b.words.ends ||
+                                       b.words.has('S') || b.words.has('T'));
+     }},
+    {Cause::ReferenceWithEnd,
+     [](const State&, const Block& b) { return does(b, Meaning::CheckReference) && stops(b); }},
+    {Cause::ReferenceWithM,
+     [](const State&, const Block& b) {
+       return does(b, Meaning::FromReference) && (b.words.m_count > 0 || b.words.ends);
+     }},
+    {Cause::ReferenceInCycle,
+     [](const State&, const Block& b) {
+       return b.was_cycle && (returns(b) || does(b, Meaning::CheckReference));
+     }},
+    {Cause::MachineMoveInCycle,
+     [](const State&, const Block& b) { return b.was_cycle && does(b, Meaning::Machine); }},
+    {Cause::PolarPlane,
+     [](const State& s, const Block& b) { return polar(s) && b.has(Group::Plane); }},
+    {Cause::PolarWorkSystem,
+     [](const State& s, const Block& b) { return polar(s) && b.has(Group::Work); }},
+    {Cause::PolarTool, [](const State& s, const Block& b) { return polar(s) && b.words.has('T'); },
+     true},
+    {Cause::PolarCycle,
+     [](const State& s, const Block& b) { return polar(s) && cycles(b) && s.plane != 17; }},
+    {Cause::TurnedUnits,
+     [](const State& s, const Block& b) { return (polar(s) || turned(s)) && b.has(Group::Units); }},
+    {Cause::TurnedInCompensation,
+     [](const State& s, const Block& b) { return compensating(s) && begins_turn(b); }},
+    {Cause::CompensationCycle,
+     [](const State& s, const Block& b) { return compensating(s) && cycles(b); }},
+    {Cause::TurnedWithCodes,
+     [](const State&, const Block& b) { return turns(b) && besides_turn(b); }},
+    {Cause::TurnedMirror,
+     [](const State& s, const Block& b) {
+       return (s.turned.rotation || s.turned.scaling) && b.has(Group::Mirror);
+     }},
+    {Cause::ReferenceInRotation,
+     [](const State& s, const Block& b) { return turned(s) && returns(b); }},
+    {Cause::RotationPlane,
+     [](const State& s, const Block& b) { return s.turned.rotation && b.has(Group::Plane); }},
+    {Cause::TurnedPlane,
+     [](const State& s, const Block& b) { return turned(s) && b.has(Group::Plane); }},
+    {Cause::TurnedCoordinate,
+     [](const State& s, const Block& b) { return turned(s) && does(b, Meaning::SetCoordinate); }},
+    {Cause::TurnedWorkSystem,
+     [](const State& s, const Block& b) {
+       return turned(s) &&
+              (b.has(Group::Work) || does(b, Meaning::Local) || does(b, Meaning::Machine));
+     }},
+    {Cause::TurnedLength, [](const State& s, const Block& b) { return turned(s) && length(b); },
+     true},
+    {Cause::TurnedData,
+     [](const State& s, const Block& b) {
+       return s.turned.rotation && does(b, Meaning::SetData) &&
+              (b.words['L'] == 2 || b.words['L'] == 20);
+     }},
+    {Cause::TurnedCycle,
+     [](const State& s, const Block& b) {
+       return turned(s) && code_among(b, {{110, 117}, {126, 127}, {132, 144}});
+     }},
+    {Cause::RotatedCycle,
+     [](const State& s, const Block& b) {
+       return b.was_cycle && s.plane != 17 && b.meaning(Group::Rotation) == Meaning::RotationOn;
+     }},
+    {Cause::RotationCode,
+     [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); }},
+    {Cause::CyclePlane,
+     [](const State& s, const Block& b) { return repeats_cuts(b) && plane(s, b) != 18; }},
+    {Cause::CycleAxis,
+     [](const State&, const Block& b) { return repeats_cuts(b) && other_axis(b); }},
+    {Cause::TurningPlane,
+     [](const State& s, const Block& b) {
+       return turning(s, b) && (names_xz(b) || b.has(Group::Motion)) && plane(s, b) != 18;
+     },
+     true},
+    {Cause::TurningAxis,
+     [](const State& s, const Block& b) { return turning(s, b) && other_axis(b); }, true},
+    {Cause::PatternWithoutCycle,
+     [](const State&, const Block& b) {
+       return code_among(b, {{140, 144}}) && !b.was_cycle && !cycles(b);
+     }},
+};
+
+}  // namespace
+
+void MotionFacts::list_conflicts() {
+  for (const Conflict& conflict : kConflicts) {
+    if (!refuses(conflict.cause)) continue;
+    conflicts.push_back(&conflict);
+    if (conflict.of_words) conflicts_of_words.push_back(&conflict);
+  }
+}
+
+/// What may not stand together, before anything changes.
+std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
+  const auto& list = block.words.g_count > 0 ? m.facts.conflicts : m.facts.conflicts_of_words;
+  for (const Conflict* conflict : list)
+    if (conflict->applies(m.state, block)) return fault(conflict->cause, block);
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,52 @@
+// The profile of G71 to G73 and what is cut along it.
+#pragma once
+
+#include <vector>
+
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/geometry.hpp"
+
+namespace cncsub {
+
+constexpr std::uint32_t kXz = 5;  // the bits of X and Z
+
+/// A profile in true lengths: along the cut (u) and across the levels (v).
+struct Contour {
+  MotionContext& m;
+  BlockWords& block;
+  std::vector<Piece> pieces;  // the profile; the first leads to its start
+  Axes start{};               // A, work coordinates
+  int level_axis = 0;         // the axis the levels lie across: X of G71, Z of G72
+  double depth = 0, escape = 0;
+  Axes shift{};  // finishing allowance
+  bool pockets = false;
+
+  int cut_axis() const { return level_axis == 0 ? 2 : 0; }
+  double scale(int axis) const { return axis == 0 ? 2 : 1; }
+  double& level_of(Axes& p) const { return p[static_cast<std::size_t>(level_axis)]; }
+  double& cut_of(Axes& p) const { return p[static_cast<std::size_t>(cut_axis())]; }
+  Axes end_of(const Piece& piece) const { return piece.end - piece.offset; }
+
+  Result go(MoveKind kind, const Axes& end, std::uint32_t named = kXz) {
+    return move(m, block, kind, end, named);
+  }
+  Result go_axis(MoveKind kind, int axis, double value) {
+    return move_axis(m, block, kind, axis, value);
+  }
+
+  Result check() const;
+  bool starts_inside() const;
+  int pocket_count() const;
+  const Piece* turning_back(int axis) const;
+  bool monotone(int axis) const { return turning_back(axis) == nullptr; }
+  Fault turns_back(int axis) const;
+  Result rough();
+  Result rough_level(double level, double back, double away);
+  std::vector<double> crossings(double level) const;
+  Result follow(const Axes& by, std::size_t from);
+  // pockets.cpp
+  Result rough_pockets();
+  Result pass(const Axes& by);
+};
+
+}  // namespace cncsub

@@ -1,0 +1,53 @@
+// Cycles: many moves from one block.
+#pragma once
+
+#include "cncsub/motion/context.hpp"
+
+namespace cncsub {
+
+// Canned cycles: drilling, boring, tapping.
+Result enter_cycle(MotionContext& m, BlockWords& block);
+void end_cycles(const MotionFacts& facts, MotionState& state);
+Result canned_cycle(MotionContext& m, BlockWords& block);
+/// The drilling cycles of a lathe: R counts from the initial level, the way out leads back to it.
+/// [TA 24]
+Result drilling_cycle(MotionContext& m, BlockWords& block);
+
+// Of lathes: G90 G92 G94, grooving G74 G75.
+/// A thread of several starts is cut start by start. [TDi 24.9, TA 18: L]
+Result turning_cycle(MotionContext& m, BlockWords& block, Meaning meaning);
+/// G74 pecks along Z and steps along X, G75 the other way around.
+Result grooving(MotionContext& m, BlockWords& block, Meaning meaning);
+/// P and Q of a lathe's cycles: whole numbers count least increments, also where a length would be
+/// millimetres.
+double cycle_length(MotionView m, const BlockWords& block, char address);
+
+// Threads.
+/// Whether F of this block is the lead of a thread.
+bool cuts_thread(const MotionState& state, const BlockWords& block);
+/// F of a thread, or I: so many threads an inch. [TDi 24.1]
+void set_lead(MotionContext& m, const BlockWords& block);
+Result need_lead(MotionView m, const BlockWords& block);
+/// How a thread leaves its line at the end: so far before it, so far to the side; radius values.
+struct RunOut {
+  double along = 0, across = 0;
+};
+/// Cuts to `end`; the run-out goes to the side `way`. The lead grows by `growth` with every
+/// revolution.
+Result cut_thread(MotionContext& m, BlockWords& block, const Axes& end, std::uint32_t named,
+                  RunOut out, double way, double growth);
+/// G32, G33, G34.
+Result thread(MotionContext& m, BlockWords& block, Meaning meaning);
+/// J and K stay until another motion code. [TDi 24.1 note 1]
+void take_run_out(MotionContext& m, const BlockWords& block);
+/// The thread of a cycle: it runs out towards the start, and not beyond it. [TA 18 note 5]
+Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, double tenths,
+                        double level);
+/// G76.
+Result multiple_thread(MotionContext& m, BlockWords& block);
+
+// G70 to G73: what follows a profile.
+std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWords& words);
+Result contour(MotionContext& m, BlockWords& block, Meaning meaning);
+
+}  // namespace cncsub

@@ -1,0 +1,283 @@
+// Canned cycles: drilling, boring, tapping of mills, and the drilling cycles of lathes.
+#include "cncsub/motion/cycle/cycles.hpp"
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/query.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+/// The axis a cycle drills along: across the plane; of a lathe Z, or X for G87 to G89.
+int drill_axis(MotionView m, int code) {
+  if (!m.facts.lathe()) return plane_axes(m.state.plane).across;
+  return code >= 870 ? 0 : 2;
+}
+
+/// Takes R Z Q P I J K over; what is not written stays as it was.
+void take_cycle_words(MotionContext& m, const BlockWords& block) {
+  const NcWords& w = block.words;
+  CycleData& cycle = m.state.cycle;
+  const Control& c = *m.facts.control;
+  const char depth = kAxisNames[static_cast<std::size_t>(drill_axis(m, cycle.code))];
+  const bool incremental = m.state.incremental;
+  if (w.has('R'))
+    cycle.r = number(m, block, 'R'), cycle.r_incremental = incremental, cycle.has_r = true;
+  if (w.has(depth))
+    cycle.z = number(m, block, depth), cycle.z_incremental = incremental, cycle.has_z = true;
+  if (w.has('Q')) cycle.q = cycle_length(m, block, 'Q'), cycle.has_q = true;
+  if (w.has('P')) cycle.p = w['P'] * (c.motion.dwell_unit.value == DwellUnit::PSeconds ? 1 : 0.001);
+  if (w.has('I') || w.has('J')) {
+    cycle.shift_x = w.has('I') ? number(m, block, 'I') : 0;
+    cycle.shift_y = w.has('J') ? number(m, block, 'J') : 0;
+    cycle.has_shift = true;
+  }
+  if (m.facts.lathe() && w.has('D')) cycle.clearance = number(m, block, 'D');
+  if (c.turning.drill_retract.value && w.has('J')) cycle.full = w['J'] == 1;
+  if (w.has('K') && c.motion.peck_words.value == PeckWords::K)
+    cycle.k = number(m, block, 'K'), cycle.has_k = true;
+}
+
+/// How often the cycle is done; or what is wrong with its words.
+Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
+  take_cycle_words(m, block);
+  const NcWords& w = block.words;
+  const CycleData& cycle = m.state.cycle;
+  const Control& c = *m.facts.control;
+  repeats = 1;
+  for (const char letter : c.motion.cycle_repeats.value)
+    if (w.has(letter)) repeats = whole(w[letter]);
+  if (w.has('K') && w.has('L') && m.facts.refuses(Cause::CycleRepeatsTwice))
+    return fault(Cause::CycleRepeatsTwice, block);
+  const int most = c.motion.max_cycle_repeats.value;
+  if (repeats < 0 || (most > 0 && repeats > most) ||
+      (repeats == 0 && c.motion.zero_cycle_repeats.value == ZeroCycleRepeats::Alarm))
+    return fault(Cause::CycleRepeats, block);
+  const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
+  if (pecks && !m.facts.lathe() && cycle.q == 0 && m.facts.refuses(Cause::NoPeck))
+    return fault(Cause::NoPeck, block);
+  return std::nullopt;
+}
+
+Result check_tap(MotionView m, const BlockWords& block) {
+  if (m.state.cycle.cycle != Meaning::Tap && m.state.cycle.cycle != Meaning::LeftTap)
+    return std::nullopt;
+  if (m.state.speed <= 0 && m.state.rigid && m.facts.refuses(Cause::RigidSpeed))
+    return fault(Cause::RigidSpeed, block);
+  if (m.state.speed <= 0 && m.facts.refuses(Cause::TapSpeed)) return fault(Cause::TapSpeed, block);
+  if (m.state.feed <= 0 && m.facts.refuses(Cause::TapLead)) return fault(Cause::TapLead, block);
+  return std::nullopt;
+}
+
+/// Down in bits of Q: G73 draws back a little, G83 to R and down again to just above the last
+/// depth.
+Result peck(MotionContext& m, BlockWords& block, int axis, double r, double z) {
+  const Control& c = *m.facts.control;
+  const CycleData cycle = m.state.cycle;
+  const double down = z < r ? -1 : 1, q = std::fabs(cycle.q);
+  const bool fast = cycle.cycle == Meaning::PeckFast ||
+                    (m.facts.lathe() && !c.turning.drill_full_retract.value && !cycle.full);
+  double gap = (fast ? c.motion.peck_retract.value : c.motion.peck_clearance.value) * 1e-3;
+  if (c.motion.peck_words.value == PeckWords::K && cycle.has_k) gap = std::fabs(cycle.k);
+  if (cycle.clearance >= 0) gap = cycle.clearance;
+  if (c.turning.drill_retract.value) gap = std::fabs(cycle.r);
+  for (double depth = r + down * q; (z - depth) * down > 1e-9; depth += down * q) {
+    if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, depth)) return wrong;
+    if (!fast)
+      if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, r)) return wrong;
+    if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, depth - down * gap)) return wrong;
+  }
+  return move_axis(m, block, MoveKind::Feed, axis, z);
+}
+
+Result drill_down(MotionContext& m, BlockWords& block, int axis, double r, double z) {
+  const CycleData& cycle = m.state.cycle;
+  const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
+  const bool plain = m.facts.control->turning.drill_retract.value && cycle.r == 0;
+  if (pecks && cycle.q != 0 && !plain) return peck(m, block, axis, r, z);
+  if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, z)) return wrong;
+  switch (cycle.cycle) {
+    case Meaning::LeftTap:
+    case Meaning::FineBore:
+    case Meaning::DrillDwell:
+    case Meaning::Tap:
+    case Meaning::BoreManual:
+    case Meaning::BoreDwell:
+      return cycle.p > 0 ? add_dwell(m, block, cycle.p) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The bar stands oriented and goes off its point, or back to the middle of the hole.
+Result shift_tool(MotionContext& m, BlockWords& block, const Axes& hole, bool away) {
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  const CycleData& cycle = m.state.cycle;
+  Axes end = m.state.work;
+  const double a = cycle.has_shift ? cycle.shift_x : std::fabs(cycle.q),
+               b = cycle.has_shift ? cycle.shift_y : 0;
+  end[plane.a] = hole[plane.a] + (away ? a : 0);
+  end[plane.b] = hole[plane.b] + (away ? b : 0);
+  std::uint32_t named = axis_bit(plane.a);
+  if (b != 0) named |= axis_bit(plane.b);
+  return move(m, block, MoveKind::Rapid, end, named);
+}
+
+Result drill_up(MotionContext& m, BlockWords& block, int axis, double r) {
+  const CycleData cycle = m.state.cycle;
+  const bool to_r = m.state.modal[at(Group::Return)].meaning == Meaning::ReturnR;
+  const double level = to_r ? r : cycle.initial;
+  switch (cycle.cycle) {
+    case Meaning::LeftTap:
+    case Meaning::Tap:
+    case Meaning::Bore:
+    case Meaning::BoreDwell:
+      if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, r)) return wrong;
+      return to_r ? std::nullopt : move_axis(m, block, MoveKind::Rapid, axis, level);
+    case Meaning::FineBore: {
+      const Axes hole = m.state.work;
+      if (auto wrong = shift_tool(m, block, hole, true)) return wrong;
+      if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, level)) return wrong;
+      return shift_tool(m, block, hole, false);
+    }
+    default:
+      return move_axis(m, block, MoveKind::Rapid, axis, level);
+  }
+}
+
+/// G87: down beside the hole, boring upward.
+Result bore_shifted(MotionContext& m, BlockWords& block, double r, double z) {
+  const int axis = drill_axis(m, m.state.cycle.code);
+  const Axes hole = m.state.work;
+  const double initial = m.state.cycle.initial;
+  if (auto wrong = shift_tool(m, block, hole, true)) return wrong;
+  if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, r)) return wrong;
+  if (auto wrong = shift_tool(m, block, hole, false)) return wrong;
+  if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, z)) return wrong;
+  if (m.state.cycle.p > 0)
+    if (auto wrong = add_dwell(m, block, m.state.cycle.p)) return wrong;
+  if (auto wrong = shift_tool(m, block, hole, true)) return wrong;
+  if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, initial)) return wrong;
+  return shift_tool(m, block, hole, false);
+}
+
+/// One hole: to the place, to R, down, up.
+Result drill(MotionContext& m, BlockWords& block) {
+  const CycleData cycle = m.state.cycle;
+  const int axis = drill_axis(m, cycle.code);
+  const double present = m.state.work[static_cast<std::size_t>(axis)];
+  const double r = !cycle.has_r          ? cycle.initial
+                   : cycle.r_incremental ? cycle.initial + cycle.r
+                                         : cycle.r;
+  const double z = !cycle.has_z ? r : cycle.z_incremental ? r + cycle.z : cycle.z;
+  std::uint32_t named = 0;
+  Axes place = target(m, block, named);
+  place[static_cast<std::size_t>(axis)] = present;
+  named &= ~axis_bit(axis);
+  if (named != 0)
+    if (auto wrong = move(m, block, MoveKind::Rapid, place, named)) return wrong;
+  if (cycle.cycle == Meaning::BackBore) return bore_shifted(m, block, r, z);
+  if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, r)) return wrong;
+  if (auto wrong = drill_down(m, block, axis, r, z)) return wrong;
+  return drill_up(m, block, axis, r);
+}
+
+/// Whether R names a level between the one where the cycle begins and the hole.
+bool has_r_plane(MotionView m) {
+  return m.state.cycle.has_r && !m.facts.control->turning.drill_retract.value;
+}
+
+/// Out of a hole of a lathe: back to where the cycle began.
+Result drill_lathe_up(MotionContext& m, BlockWords& block, int axis, double r) {
+  const CycleData& cycle = m.state.cycle;
+  const double level = cycle.initial;
+  if (cycle.cycle == Meaning::Peck) {
+    if (cycle.p > 0)
+      if (auto wrong = add_dwell(m, block, cycle.p)) return wrong;
+    return move_axis(m, block, MoveKind::Rapid, axis, level);
+  }
+  Axes out = m.state.work;
+  out[static_cast<std::size_t>(axis)] = r;
+  Piece back = make_piece(m, block, MoveKind::Feed, out, axis_bit(axis));
+  if (cycle.cycle == Meaning::Bore)
+    back.state.feed *= m.facts.control->turning.bore_return.value * 0.01;  // [TA 26]
+  if (auto wrong = move(m, block, back)) return wrong;
+  return has_r_plane(m) ? move_axis(m, block, MoveKind::Rapid, axis, level) : std::nullopt;
+}
+
+Result drill_lathe(MotionContext& m, BlockWords& block) {
+  CycleData& cycle = m.state.cycle;
+  const int axis = drill_axis(m, cycle.code);
+  const auto along = static_cast<std::size_t>(axis);
+  std::uint32_t named = 0;
+  Axes place = target(m, block, named);
+  const double level = m.state.work[along];
+  const double r = has_r_plane(m) ? level + cycle.r * (axis == 0 ? 2 : 1) : level;
+  const char increment = axis == 0 ? 'U' : 'W';
+  if ((named & axis_bit(axis)) != 0)
+    cycle.z = block.words.has(increment) ? r + number(m, block, increment) : place[along];
+  cycle.initial = level;
+  place[along] = level;
+  named &= ~axis_bit(axis);
+  if (named != 0)
+    if (auto wrong = move(m, block, MoveKind::Rapid, place, named)) return wrong;
+  if (has_r_plane(m))
+    if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, r)) return wrong;
+  if (auto wrong = drill_down(m, block, axis, r, cycle.z)) return wrong;
+  return drill_lathe_up(m, block, axis, r);
+}
+
+}  // namespace
+
+Result enter_cycle(MotionContext& m, BlockWords& block) {
+  const Meaning meaning = block.meaning(Group::Cycle);
+  m.state.modal[at(Group::Cycle)] = block.codes[at(Group::Cycle)];
+  if (meaning == Meaning::CycleOff) {
+    end_cycles(m.facts, m.state);
+    return std::nullopt;
+  }
+  const int code = block.codes[at(Group::Cycle)].code;
+  if (!in_cycle(m.state)) {
+    m.state.cycle = {};
+    m.state.cycle.initial = m.state.work[static_cast<std::size_t>(drill_axis(m, code))];
+  }
+  m.state.cycle.cycle = meaning;
+  m.state.cycle.code = code;
+  return std::nullopt;
+}
+
+void end_cycles(const MotionFacts& facts, MotionState& state) {
+  if (in_cycle(state)) state.modal[at(Group::Cycle)] = facts.codes.of(Meaning::CycleOff);
+  state.cycle = {};
+}
+
+Result canned_cycle(MotionContext& m, BlockWords& block) {
+  const NcWords& w = block.words;
+  bool position = w.has('R');
+  for (const char axis : kAxisNames) position = position || w.has(axis);
+  int repeats = 1;
+  if (position || block.has(Group::Cycle))
+    if (auto wrong = cycle_words(m, block, repeats)) return wrong;
+  if (!position || repeats == 0) return std::nullopt;
+  if (auto wrong = check_tap(m, block)) return wrong;
+  if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
+  for (int i = 0; i < repeats; ++i)
+    if (auto wrong = drill(m, block)) return wrong;
+  return std::nullopt;
+}
+
+Result drilling_cycle(MotionContext& m, BlockWords& block) {
+  const NcWords& w = block.words;
+  bool position = false;
+  for (const char letter : std::string_view("XYZCUVWHR")) position = position || w.has(letter);
+  int repeats = 1;
+  if (position || block.has(Group::Cycle))
+    if (auto wrong = cycle_words(m, block, repeats)) return wrong;
+  if (!position || repeats == 0) return std::nullopt;
+  if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
+  for (int i = 0; i < repeats; ++i)
+    if (auto wrong = drill_lathe(m, block)) return wrong;
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,173 @@
+// From a block's motion to the rows of the table: the pieces, their lengths and times.
+#include "cncsub/motion/emit.hpp"
+
+#include <limits>
+
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/path.hpp"
+
+namespace cncsub {
+namespace {
+
+std::array<double, 3> centre_of(const Piece& piece) {
+  const PlaneAxes plane = plane_axes(piece.plane);
+  std::array<double, 3> centre;
+  for (int i = 0; i < 3; ++i)
+    centre[i] = i == plane.across ? std::numeric_limits<double>::quiet_NaN()
+                                  : piece.centre[i] - piece.offset[i];
+  return centre;
+}
+
+/// The tool's way on an arc, in the plane.
+double arc_in_plane(MotionView m, const Piece& piece, const Axes& machine) {
+  const PlaneAxes plane = plane_axes(piece.plane);
+  const auto polar = [&](const Axes& p) {
+    const auto part = [&](int i) {
+      return (p[i] - piece.length[i] - piece.tip[i] - piece.centre[i]) * m.facts.share(i);
+    };
+    return std::array<double, 2>{std::hypot(part(plane.a), part(plane.b)),
+                                 std::atan2(part(plane.b), part(plane.a))};
+  };
+  const auto from = polar(m.state.tool_at), to = polar(machine);
+  double turn = piece.turn + std::remainder(to[1] - from[1] - piece.turn, 2 * kPi);
+  if (std::fabs(turn) > 2 * kPi + 1e-6) turn -= std::copysign(2 * kPi, turn);  // cut by half
+  return spiral_length(from[0], to[0], turn);
+}
+
+/// How long a piece takes, and how long its way is in the plane.
+struct Way {
+  bool arc = false;
+  double in_plane = 0, seconds = 0;
+};
+
+/// The row of a piece.
+void write_row(MoveSink& sink, const Piece& piece, const Axes& machine,
+               const std::array<double, 3>& vector, const Way& way) {
+  Moves& moves = *sink.table;
+  const Axes& from = sink.state.tool_at;
+  if (moves.size() == 0) moves.begin(from, sink.facts.rapid, sink.facts.diameters);
+  std::uint32_t axes = piece.named;  // and what a cycle moves beside them
+  for (int i = 3; i < kAxes; ++i)
+    if (machine[i] != from[i]) axes |= axis_bit(i);
+  if (axes >> 3 != 0)
+    moves.use(axes);
+  else
+    moves.mark(axes);
+  moves.push(piece.step, piece.kind, piece.end - piece.offset,
+             moves.intern(piece.state, piece.offset + piece.length));
+  if (way.arc) moves.arc(centre_of(piece), way.in_plane);
+  if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves.vector(vector);
+  if (piece.kind == MoveKind::Dwell) moves.seconds(piece.seconds);
+  if (piece.skip != SkipMove::No) moves.skip(piece.skip);
+}
+
+}  // namespace
+
+Axes machine_point(const MotionState& state) { return state.work + state.offset + state.length; }
+
+MoveState move_state(const MotionState& state) {
+  MoveState row;
+  row.feed = state.feed;
+  row.spindle = state.surface ? state.surface_speed : state.speed;
+  row.max_spindle = state.max_speed;
+  row.surface = state.surface;
+  row.tool = state.tool;
+  row.h = state.h;
+  row.d = state.d;
+  row.plane = static_cast<std::uint8_t>(state.plane);
+  const Meaning mode = state.modal[at(Group::Feed)].meaning;
+  row.feed_mode = mode == Meaning::PerRevolution ? FeedMode::PerRevolution
+                  : mode == Meaning::InverseTime ? FeedMode::InverseTime
+                                                 : FeedMode::PerMinute;
+  row.degree = g20(state) && mode != Meaning::InverseTime ? kInch : 1;
+  return row;
+}
+
+Piece uncompensated(MotionView m, const BlockWords& block, MoveKind kind, const Axes& work_end,
+                    std::uint32_t named) {
+  Piece piece;
+  piece.kind = kind;
+  piece.step = block.step;
+  piece.end = work_end + m.state.offset;
+  piece.named = named;
+  piece.plane = m.state.plane;
+  piece.at = block.words.at;
+  piece.offset = m.state.offset;
+  piece.length = m.state.length;
+  piece.state = move_state(m.state);
+  return piece;
+}
+
+Piece make_piece(MotionView m, const BlockWords& block, MoveKind kind, const Axes& work_end,
+                 std::uint32_t named) {
+  Piece piece = uncompensated(m, block, kind, work_end, named);
+  const Meaning radius = m.state.modal[at(Group::Radius)].meaning;
+  piece.side = radius == Meaning::RadiusLeft ? -1 : radius == Meaning::RadiusRight ? 1 : 0;
+  piece.radius = piece.side != 0 ? radius_value(m) : 0;
+  if (piece.side != 0) piece.tip = tip_vector(m);
+  return piece;
+}
+
+Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
+  if (++m.outcome.moves > kMostMoves)
+    return fault(Cause::ValueOutOfRange, block,
+                 "the block would make more than " + std::to_string(kMostMoves) + " moves");
+  if (m.outside.over(1)) return broken_off(block.words.at);
+  if (!in_range(piece.end)) return out_of_range(piece.at);
+  const Axes before = m.state.work;
+  m.state.work = piece.end - piece.offset;
+  m.state.tool_pending = false;
+  m.state.named |= piece.named;
+  m.outcome.axis_word = true;
+  if (piece.turn != 0) m.outcome.moved = true;
+  for (int i = 0; i < kAxes; ++i)
+    if (std::fabs(m.state.work[i] - before[i]) >= 1e-12) m.outcome.moved = true;
+  block.submitted = true;
+  return through_corner(m.sink, piece, before + piece.offset);
+}
+
+Result move(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& work_end,
+            std::uint32_t named) {
+  return move(m, block, make_piece(m, block, kind, work_end, named));
+}
+
+Result move_axis(MotionContext& m, BlockWords& block, MoveKind kind, int axis, double value) {
+  Axes end = m.state.work;
+  end[static_cast<std::size_t>(axis)] = value;
+  return move(m, block, kind, end, axis_bit(axis));
+}
+
+Result add_dwell(MotionContext& m, BlockWords& block, double seconds) {
+  Piece piece = make_piece(m, block, MoveKind::Dwell, m.state.work, 0);
+  piece.seconds = seconds;
+  return through_radius(m.sink, piece, m.state.work + m.state.offset);
+}
+
+Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 3>& vector) {
+  Axes machine = piece.end + piece.length;
+  for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
+  if (!in_range(machine) || !in_range(piece.centre)) return out_of_range(piece.at);
+  if (auto wrong = check_travel(sink, piece, machine)) return wrong;
+  if (auto wrong = check_area(sink, piece, machine)) return wrong;
+  const Axes& from = sink.state.tool_at;
+  const Axes& rapid = sink.facts.rapid;
+  const std::uint32_t diameters = sink.facts.diameters;
+  Way way;
+  way.arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
+  way.in_plane = way.arc ? arc_in_plane(sink, piece, machine) : length_of(from, machine, diameters);
+  const double length =
+      way.arc ? arc_length(way.in_plane, piece.plane, from, machine, diameters) : way.in_plane;
+  const double zero = piece.offset[0] + piece.length[0];
+  way.seconds =
+      seconds_of({piece.kind, piece.state, from, machine, way.in_plane, zero, piece.seconds}, rapid,
+                 diameters);
+  if (!in_range(std::array{length, way.seconds, sink.state.time + way.seconds}))
+    return out_of_range(piece.at);
+  if (sink.captured != nullptr) sink.captured->push_back(piece);
+  sink.state.time += way.seconds;
+  if (sink.table != nullptr) write_row(sink, piece, machine, vector, way);
+  sink.state.tool_at = machine;
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,120 @@
+// What never changes during a run.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/control/control.hpp"
+#include "cncsub/motion/setup.hpp"
+#include "cncsub/motion/state.hpp"
+#include "cncsub/text/number.hpp"
+
+namespace cncsub {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kInch = 25.4;
+
+/// The axis of a letter, -1 where it is none.
+inline int axis_of(char letter) {
+  const auto found = kAxisNames.find(letter);
+  return found == std::string_view::npos ? -1 : static_cast<int>(found);
+}
+/// Takes over the values of the axes that are named.
+void fill(Axes& axes, const std::map<char, double>& values);
+/// "G54", "G54.1 P3", "EXT": 1, 103, 0; -1 for another name.
+int system_of(const std::string& name);
+constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
+/// Whether an arc that begins and ends at these distances from its centre, mm, is refused.
+inline bool is_off_circle(const MotionRules& rules, double first, double last, bool inches) {
+  const bool own = inches && rules.arc_tolerance_inch.value > 0;
+  const double tolerance =
+      (own ? rules.arc_tolerance_inch.value : rules.arc_tolerance.value) * 1e-3 + 1e-9;
+  const double miss = std::fabs(first - last);
+  if (rules.arc_tolerance.value == 0 || miss <= tolerance) return false;
+  return miss > tolerance * 100 ||
+         miss >= rules.arc_tolerance_share.value * 1e-3 * std::max(first, last);
+}
+/// A whole number of a word, whatever the word holds.
+inline int whole(double value) { return to_whole<int>(value, -2'000'000'000, 2'000'000'000); }
+/// Whether all of these are numbers that a position, a length or a time may be.
+template <std::size_t Size>
+bool in_range(const std::array<double, Size>& values) {
+  bool all = true;  // asked of all at once, without a branch
+  for (const double value : values) all &= std::fabs(value) <= kLargest;
+  return all;
+}
+inline Fault out_of_range(std::uint32_t at) {
+  return {Cause::ValueOutOfRange, at, 1, "the numbers of the move are out of range"};
+}
+/// No block makes more moves than this, however small its steps and however large its counts are.
+#ifdef CNCSUB_FUZZ  // a fuzzer has better things to do
+constexpr std::uint32_t kMostMoves = 2'000;
+#else
+constexpr std::uint32_t kMostMoves = 1'000'000;
+#endif
+/// What ends a block that is broken off; nobody reads it.
+inline Fault broken_off(std::uint32_t at) { return {Cause::ValueOutOfRange, at, 1, "broken off"}; }
+/// Nor does it look for more crossings of its levels with the pieces of a profile.
+constexpr double kMostCrossings = 1e8;
+inline bool is_rotary(int axis) { return axis >= 3 && axis <= 5; }
+
+inline Axes operator+(Axes a, const Axes& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+  return a;
+}
+inline Axes operator-(Axes a, const Axes& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return a;
+}
+
+/// Words of a block by what they say of a corner: their places in its mask, and these as a mask.
+/// C and R without a comma are words of lathes only.
+struct CornerWords {
+  CornerWords(std::string_view names, bool lathe);
+  /// The place of the first that the block has, -1 where it has none.
+  int find(std::uint32_t words) const;
+
+  std::vector<int> places;
+  std::uint32_t mask = 0;
+};
+
+struct Conflict;  // what does not go together
+
+struct MotionFacts {
+  MotionFacts(std::shared_ptr<const Control> c, const Setup& setup);
+
+  std::shared_ptr<const Control> control;
+  MachineType machine;
+  GCodes codes;
+  std::array<GCode, 4> path_codes;  // G00 to G03, as this control calls them
+  std::string axis_order;           // the control's axes by number
+  std::array<int, kGroups> group_numbers{};
+  std::uint32_t diameters = 0;
+  double increment = 0.001;
+  Axes rapid{};
+  std::map<int, Axes> reference;
+  bool homed = false;  // the setup names a reference point
+  struct Limit {
+    int axis;
+    double low, high;
+  };
+  std::vector<Limit> limits;
+  std::vector<const Conflict*> conflicts, conflicts_of_words;  // those a block without G codes has
+  CornerWords chamfers, rounds, angles;
+
+  /// Whether the control refuses what this cause names.
+  bool refuses(Cause cause) const { return control->common.refuses.value.has(cause); }
+  void list_conflicts();
+  bool lathe() const { return machine != MachineType::Mill; }
+  /// What a length of this axis counts in a path: half on a diameter axis.
+  double share(int axis) const { return (diameters >> axis & 1) != 0 ? 0.5 : 1; }
+};
+
+}  // namespace cncsub

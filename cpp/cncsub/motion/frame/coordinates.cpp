@@ -1,0 +1,82 @@
+// Work coordinates: zero points and shifts.
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+Axes zero_offset(const MotionState& state) {
+  const Axes& system = state.work_system > 0
+                           ? state.tables.work[static_cast<std::size_t>(state.work_system)]
+                           : state.tables.extra[static_cast<std::size_t>(state.extra_system - 1)];
+  return state.tables.work[0] + system + state.shift + state.local + state.tool_shift;
+}
+
+void refresh_offset(MotionState& state) {
+  const Axes now = zero_offset(state);
+  if (now == state.offset) return;
+  state.work = state.work + (state.offset - now);
+  state.offset = now;
+}
+
+Result select_work(MotionContext& m, BlockWords& block) {
+  if (!block.has(Group::Work)) return std::nullopt;
+  const Meaning meaning = block.meaning(Group::Work);
+  // [TDi 21 note 6: G54 in a block of G50 is ignored]
+  if (m.facts.lathe() && block.meaning(Group::OneShot) == Meaning::SetCoordinate)
+    return std::nullopt;
+  int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
+  if (meaning == Meaning::WorkExtra) {
+    const int own = block.codes[at(Group::Work)].system;
+    const double p = own > 0 ? own : block.words.has('P') ? block.words['P'] : 1;
+    if (p < 1 || p > static_cast<double>(m.state.tables.extra.size()))
+      return fault(Cause::WorkSystem, block);
+    m.state.extra_system = to_whole<int>(p);
+    system = 0;
+  }
+  m.state.work_system = system;
+  m.state.modal[at(Group::Work)] = block.codes[at(Group::Work)];
+  refresh_offset(m.state);
+  return std::nullopt;
+}
+
+Result set_coordinate(MotionContext& m, BlockWords& block) {
+  std::uint32_t named = 0;
+  PointForm form = point_form(m.state);
+  form.incremental = false;  // also under G91 a setting
+  const Axes given = target(m, block, form, named);
+  if (named == 0) return std::nullopt;
+  if (m.facts.lathe() && m.facts.refuses(Cause::CoordinateSettingRefused))
+    return fault(Cause::CoordinateSettingRefused, block);
+  for (int i = 0; i < kAxes; ++i) {
+    if ((named >> i & 1) == 0) continue;
+    // What was G52's becomes part of the shift. [TDi 19 note 5]
+    m.state.shift[i] += m.state.work[i] - given[i] + m.state.local[i];
+    m.state.local[i] = 0;
+    // The given point is the one without the tool offset. [TDi 18 table]
+    if (m.facts.control->turning.set_coordinate_without_tool.value)
+      m.state.shift[i] += m.state.tool_shift[i];
+  }
+  refresh_offset(m.state);
+  return std::nullopt;
+}
+
+Result clear_coordinate(MotionContext& m, BlockWords& block) {
+  for (int i = 0; i < kAxes; ++i)
+    if (block.words.has(kAxisNames[static_cast<std::size_t>(i)]))
+      m.state.shift[i] = m.state.local[i] = 0;
+  refresh_offset(m.state);
+  return std::nullopt;
+}
+
+Result set_local(MotionContext& m, BlockWords& block) {
+  const bool lathe_a = m.facts.machine == MachineType::LatheA;
+  for (int i = 0; i < (lathe_a ? 6 : kAxes); ++i)
+    if (const char name = kAxisNames[static_cast<std::size_t>(i)]; block.words.has(name))
+      m.state.local[i] = number(m, block, name);
+  if (lathe_a)
+    for (const auto& [letter, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
+      if (block.words.has(letter)) m.state.local[axis] = number(m, block, letter);
+  refresh_offset(m.state);
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,105 @@
+// G10: offsets and zero points that the program sets.
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+/// Adds or stores.
+void put(double& place, double value, bool add) { place = add ? place + value : value; }
+
+/// G10 L10 to L13: H and D, geometry and wear.
+Result set_offset_data(MotionContext& m, BlockWords& block, int l, double p) {
+  if (p < 0 || p >= static_cast<double>(m.state.tables.length.size()))
+    return fault(Cause::G10Offset, block);
+  if (!block.words.has('R')) return fault(Cause::G10Value, block);
+  OffsetTables& tables = m.state.tables;
+  auto& table = l == 10   ? tables.length
+                : l == 12 ? tables.radius
+                : l == 13 ? tables.radius_wear
+                          : tables.length_wear;
+  put(m.log.change(table[to_whole<std::size_t>(p)]), number(m, block, 'R'), m.state.incremental);
+  return std::nullopt;
+}
+
+/// U V W of a lathe count on.
+void add_increments(MotionContext& m, const BlockWords& block, Axes& values) {
+  for (const auto& [letter, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
+    if (block.words.has(letter))
+      m.log.change(values[static_cast<std::size_t>(axis)]) += number(m, block, letter);
+}
+
+/// G10 P X Z R Q of a lathe; P over 10000 names the geometry, P0 the work shift.
+Result set_tool_data(MotionContext& m, BlockWords& block) {
+  const NcWords& w = block.words;
+  if (!w.has('P')) return fault(Cause::G10Word, block);
+  const int p = whole(block.words['P']);
+  const int tool = p % 10000;
+  if (p < 0 || p >= 20000 || tool > m.facts.control->motion.max_offset_number.value)
+    return fault(Cause::G10Offset, block);
+  OffsetTables& tables = m.state.tables;
+  ToolOffsets* const entry = p == 0 ? nullptr : &m.log.change(m.state.tables.tools, tool);
+  Axes& values = p == 0 ? tables.work[0] : entry->value;
+  for (const auto& [name, axis] : {std::pair{'X', 0}, {'Y', 1}, {'Z', 2}})
+    if (w.has(name))
+      put(m.log.change(values[static_cast<std::size_t>(axis)]), number(m, block, name),
+          m.state.incremental);
+  add_increments(m, block, values);
+  if (entry != nullptr && w.has('R')) entry->radius = number(m, block, 'R');
+  if (entry != nullptr && w.has('Q')) entry->tip = whole(block.words['Q']);
+  refresh_offset(m.state);
+  return std::nullopt;
+}
+
+/// G10 without L: a tool of a lathe, or length and radius of a mill by P.
+Result set_without_l(MotionContext& m, BlockWords& block) {
+  if (m.facts.lathe()) return set_tool_data(m, block);
+  if (!m.facts.control->motion.data_forms.value.has(DataForm::WithoutL) || !block.words.has('P'))
+    return fault(Cause::G10Word, block);
+  if (auto wrong = set_offset_data(m, block, 12, block.words['P'])) return wrong;
+  return set_offset_data(m, block, 10, block.words['P']);
+}
+
+/// G10 L2 and L20: the zero point of a work system, or of an extra one.
+Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, double p) {
+  OffsetTables& tables = m.state.tables;
+  const double last = extra ? static_cast<double>(tables.extra.size()) : 6;
+  if (p < (extra ? 1 : 0) || p > last || p != std::floor(p)) {
+    if (extra) return fault(Cause::G10System, block);
+    if (m.facts.control->motion.other_system.value != OtherSystem::First)
+      return fault(Cause::G10P, block);
+    p = 1;
+  }
+  const bool named = std::any_of(kAxisNames.begin(), kAxisNames.end(),
+                                 [&](char axis) { return block.words.has(axis); });
+  if (!named && m.facts.refuses(Cause::G10Axis)) return fault(Cause::G10Axis, block);
+  const auto number_of_system = to_whole<std::size_t>(p);
+  Axes& values = extra ? tables.extra[number_of_system - 1] : tables.work[number_of_system];
+  const bool lathe_a = m.facts.machine == MachineType::LatheA;
+  for (std::size_t i = 0; i < (lathe_a ? 6 : values.size()); ++i)
+    if (const char name = kAxisNames[i]; block.words.has(name))
+      put(m.log.change(values[i]), number(m, block, name), m.state.incremental);
+  if (lathe_a) add_increments(m, block, values);
+  refresh_offset(m.state);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result set_data(MotionContext& m, BlockWords& block) {
+  m.state.data_set = true;
+  const NcWords& w = block.words;
+  if (!w.has('L')) return set_without_l(m, block);
+  const int l = whole(w['L']);
+  const bool systems = l == 2 || l == 20, offsets = l == 1 || (l >= 10 && l <= 13);
+  // Of tool life and parameters no motion depends.
+  const bool others =
+      l == 3 || l == 50 || (l == 52 && m.facts.control->motion.data_forms.value.has(DataForm::L52));
+  if (others) return std::nullopt;
+  if (!systems && !offsets) return fault(Cause::G10L, block);
+  if (!w.has('P') && l != 2) return fault(Cause::G10Word, block);
+  const double p = w.has('P') ? w['P'] : m.state.work_system;
+  return offsets ? set_offset_data(m, block, l, p) : set_zero_point(m, block, l == 20, p);
+}
+
+}  // namespace cncsub

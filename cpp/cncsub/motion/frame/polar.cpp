@@ -1,0 +1,168 @@
+// Polar coordinates, and what turns written points: rotation, scaling, mirror.
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+Result set_rotation(MotionContext& m, BlockWords& block) {
+  const Control& c = *m.facts.control;
+  Turned turned = m.state.turned;
+  turned.rotation = block.meaning(Group::Rotation) == Meaning::RotationOn;
+  if (turned.rotation) {
+    turned.angle = 0;
+    for (const char name : c.motion.rotation_words.value)
+      if (block.words.has(name)) turned.angle = block.words[name];
+    if (c.motion.max_rotation.value > 0 && std::fabs(turned.angle) > c.motion.max_rotation.value)
+      return fault(Cause::RotationAngle, block);
+    turned.plane = m.state.plane;
+    turned.frame = m.facts.lathe();
+    for (int i = 0; i < 3; ++i) {
+      const char name = kAxisNames[static_cast<std::size_t>(i)];
+      // The centre is absolute under G91 as well. [B-64113EN]
+      turned.centre[i] = block.words.has(name) ? number(m, block, name) : m.state.work[i];
+    }
+    block.consumed = true;
+  }
+  m.state.turned = turned;
+  m.state.modal[at(Group::Rotation)] = block.codes[at(Group::Rotation)];
+  return std::nullopt;
+}
+
+/// P counts thousandths, and so do I J K without a point where lengths count increments. [general
+/// knowledge]
+double scale_of(MotionView m, const BlockWords& block, char address) {
+  const bool thousandths =
+      address == 'P' ? m.facts.control->motion.scale_unit.value == ScaleUnit::Thousandths
+                     : (block.words.whole & bit(address)) != 0 &&
+                           m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
+  return block.words[address] * (thousandths ? 0.001 : 1);
+}
+
+Result set_scaling(MotionContext& m, BlockWords& block) {
+  const NcWords& w = block.words;
+  m.state.modal[at(Group::Scaling)] = block.codes[at(Group::Scaling)];
+  m.state.turned.scaling = block.meaning(Group::Scaling) == Meaning::ScalingOn;
+  if (!m.state.turned.scaling) return std::nullopt;
+  block.consumed = true;
+  for (int i = 0; i < 3; ++i) {
+    const char name = kAxisNames[static_cast<std::size_t>(i)], own = "IJK"[i];
+    // As the centre of rotation. [B-63682EN p.117]
+    m.state.turned.scale_centre[i] = w.has(name) ? number(m, block, name) : m.state.work[i];
+    double scale = w.has('P') ? scale_of(m, block, 'P') : w.has(own) ? scale_of(m, block, own) : 1;
+    if (scale == 0) return fault(Cause::ScaleZero, block);
+    if (scale < 0 && m.facts.refuses(Cause::ScaleNegative))
+      return fault(Cause::ScaleNegative, block);
+    m.state.turned.scale[i] = scale;
+  }
+  return std::nullopt;
+}
+
+void set_mirror(MotionContext& m, BlockWords& block) {
+  const bool on = block.meaning(Group::Mirror) == Meaning::MirrorOn;
+  bool any = false;
+  for (int i = 0; i < 3; ++i) {
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (!block.words.has(name)) continue;
+    any = true;
+    if (on) m.state.turned.mirror_at[i] = number(m, block, name);
+    m.state.turned.mirrored =
+        on ? m.state.turned.mirrored | axis_bit(i) : m.state.turned.mirrored & ~axis_bit(i);
+  }
+  if (!on && !any) m.state.turned.mirrored = 0;
+  m.state.turned.mirror = m.state.turned.mirrored != 0;
+  if (on || !m.state.turned.mirror)
+    m.state.modal[at(Group::Mirror)] = block.codes[at(Group::Mirror)];
+  block.consumed = true;
+}
+
+void rotate(double& a, double& b, double degrees) {
+  const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
+  const double turned = a * c - b * s;
+  b = a * s + b * c;
+  a = turned;
+}
+
+}  // namespace
+
+void polar_target(MotionContext& m, const BlockWords& block, bool incremental, Axes& end,
+                  std::uint32_t& named) {
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  const char radius_name = kAxisNames[static_cast<std::size_t>(plane.a)];
+  const char angle_name = kAxisNames[static_cast<std::size_t>(plane.b)];
+  const bool has_radius = block.words.has(radius_name), has_angle = block.words.has(angle_name);
+  if (!has_radius && !has_angle) return;
+  const double a = m.state.work[plane.a], b = m.state.work[plane.b];
+  // A radius written under G91 counts from where the tool is. [16MC p.147]
+  const bool from_tool = has_radius && incremental;
+  const double radius = has_radius ? number(m, block, radius_name) : std::hypot(a, b);
+  const double present = m.state.polar_known ? m.state.polar_angle : std::atan2(b, a) * 180 / kPi;
+  double angle = present;
+  if (has_angle) angle = block.words[angle_name] + (incremental ? present : 0);
+  m.state.polar_angle = angle;
+  m.state.polar_known = true;
+  const double t = angle * kPi / 180;
+  end[plane.a] = (from_tool ? a : 0) + radius * std::cos(t);
+  end[plane.b] = (from_tool ? b : 0) + radius * std::sin(t);
+  named |= axis_bit(plane.a) | axis_bit(plane.b);
+}
+
+Result set_turned(MotionContext& m, BlockWords& block) {
+  if (block.has(Group::Mirror)) set_mirror(m, block);
+  if (block.has(Group::Scaling))
+    if (auto wrong = set_scaling(m, block)) return wrong;
+  return block.has(Group::Rotation) ? set_rotation(m, block) : std::nullopt;
+}
+
+void turn_point(const MotionState& state, Axes& point, std::uint32_t& named) {
+  const Turned& t = state.turned;
+  for (int i = 0; i < 3; ++i) {
+    if (t.mirror && (t.mirrored >> i & 1) != 0) point[i] = 2 * t.mirror_at[i] - point[i];
+    if (t.scaling) point[i] = t.scale_centre[i] + (point[i] - t.scale_centre[i]) * t.scale[i];
+  }
+  if (!t.rotation) return;
+  const PlaneAxes plane = plane_axes(t.plane);
+  double a = point[plane.a], b = point[plane.b];
+  if (!t.frame) a -= t.centre[plane.a], b -= t.centre[plane.b];
+  rotate(a, b, t.angle);
+  point[plane.a] = a + t.centre[plane.a];
+  point[plane.b] = b + t.centre[plane.b];
+  if ((named & (axis_bit(plane.a) | axis_bit(plane.b))) != 0)
+    named |= axis_bit(plane.a) | axis_bit(plane.b);
+}
+
+Axes turned_back(const MotionState& state, Axes point) {
+  const Turned& t = state.turned;
+  if (t.rotation) {
+    const PlaneAxes plane = plane_axes(t.plane);
+    double a = point[plane.a] - t.centre[plane.a], b = point[plane.b] - t.centre[plane.b];
+    rotate(a, b, -t.angle);
+    point[plane.a] = a + (t.frame ? 0 : t.centre[plane.a]);
+    point[plane.b] = b + (t.frame ? 0 : t.centre[plane.b]);
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (t.scaling) point[i] = t.scale_centre[i] + (point[i] - t.scale_centre[i]) / t.scale[i];
+    if (t.mirror && (t.mirrored >> i & 1) != 0) point[i] = 2 * t.mirror_at[i] - point[i];
+  }
+  return point;
+}
+
+void turn_vector(const MotionState& state, double& a, double& b, const PlaneAxes& plane) {
+  const Turned& t = state.turned;
+  if (t.mirror && (t.mirrored >> plane.a & 1) != 0) a = -a;
+  if (t.mirror && (t.mirrored >> plane.b & 1) != 0) b = -b;
+  if (t.scaling) a *= t.scale[plane.a], b *= t.scale[plane.b];
+  if (t.rotation && t.plane == state.plane) rotate(a, b, t.angle);
+}
+
+bool mirrored_plane(const MotionState& state) {
+  const PlaneAxes plane = plane_axes(state.plane);
+  bool odd = false;
+  for (const int i : {plane.a, plane.b}) {
+    if (state.turned.mirror && (state.turned.mirrored >> i & 1) != 0) odd = !odd;
+    if (state.turned.scaling && state.turned.scale[static_cast<std::size_t>(i)] < 0) odd = !odd;
+  }
+  return odd;
+}
+
+}  // namespace cncsub

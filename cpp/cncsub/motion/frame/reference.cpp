@@ -1,0 +1,104 @@
+// Reference points and machine coordinates: G53, G27 to G30, G60.
+#include "cncsub/motion/cycle/cycles.hpp"
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/query.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+Result machine_move(MotionContext& m, BlockWords& block) {
+  const Control& c = *m.facts.control;
+  const bool modal = c.motion.machine_move.value == MachineMove::Modal;
+  if (!m.facts.homed && m.facts.refuses(Cause::NotHomed)) return fault(Cause::NotHomed, block);
+  if (m.state.incremental && !modal) return std::nullopt;
+  const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
+  const MoveKind kind = modal && meaning != Meaning::Rapid ? MoveKind::Feed : MoveKind::Rapid;
+  Axes end = m.state.work;
+  std::uint32_t named = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (!block.words.has(name) || (m.facts.machine == MachineType::LatheA && i > 5)) continue;
+    named |= axis_bit(i);
+    if (!m.state.incremental) m.state.length[i] = 0;
+    end[i] = number(m, block, name) + (m.state.incremental ? end[i] : -m.state.offset[i]);
+  }
+  if (named == 0) return std::nullopt;
+  if (kind == MoveKind::Feed)
+    if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
+  return move(
+      m, block,
+      modal ? make_piece(m, block, kind, end, named) : uncompensated(m, block, kind, end, named));
+}
+
+Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
+  if (number_of_point == 2) {
+    const double p = block.words.has('P') ? block.words['P'] : 2;
+    if (p < 2 || p > 4) return fault(Cause::ReferenceNumber, block);
+    if (!m.facts.homed && m.facts.refuses(Cause::ReferenceNotHomed))
+      return fault(Cause::ReferenceNotHomed, block);
+    number_of_point = to_whole<int>(p);
+  }
+  std::uint32_t named = 0;
+  const Axes middle = linear_target(m, block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = move(m, block, uncompensated(m, block, MoveKind::Rapid, middle, named)))
+    return wrong;
+  m.state.middle_known |= named;
+  const auto found = m.facts.reference.find(number_of_point);
+  Axes end = m.state.work;
+  for (int i = 0; i < kAxes; ++i) {
+    if ((named >> i & 1) == 0) continue;
+    m.state.middle[i] = middle[i] + m.state.offset[i];
+    m.state.length[i] = 0;
+    end[i] = (found == m.facts.reference.end() ? 0 : found->second[static_cast<std::size_t>(i)]) -
+             m.state.offset[i];
+  }
+  return move(m, block, uncompensated(m, block, MoveKind::Rapid, end, named));
+}
+
+Result from_reference(MotionContext& m, BlockWords& block) {
+  std::uint32_t named = 0;
+  linear_target(m, block, named);
+  if (m.state.middle_known == 0) return fault(Cause::NoIntermediate, block);
+  if (named == 0) return std::nullopt;
+  Axes middle = m.state.work;
+  for (int i = 0; i < kAxes; ++i)
+    if ((named >> i & 1) != 0 && (m.state.middle_known >> i & 1) != 0)
+      middle[i] = m.state.middle[i] - m.state.offset[i];
+  if (auto wrong = move(m, block, MoveKind::Rapid, middle, named)) return wrong;
+  const Axes end = linear_target(m, block, named);
+  return move(m, block, MoveKind::Rapid, end, named);
+}
+
+Result check_reference(MotionContext& m, BlockWords& block) {
+  std::uint32_t named = 0;
+  const Axes end = linear_target(m, block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = move(m, block, MoveKind::Rapid, end, named)) return wrong;
+  const auto found = m.facts.reference.find(1);
+  const Axes machine = machine_point(m.state);
+  for (int i = 0; i < kAxes; ++i) {
+    const double wanted =
+        found == m.facts.reference.end() ? 0 : found->second[static_cast<std::size_t>(i)];
+    if ((named >> i & 1) != 0 && std::fabs(machine[i] - wanted) > m.facts.increment / 2)
+      return fault(Cause::NotAtReference, block);
+  }
+  return std::nullopt;
+}
+
+Result one_way(MotionContext& m, BlockWords& block) {
+  if (block.has(Group::Motion)) m.state.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
+  end_cycles(m.facts, m.state);
+  std::uint32_t named = 0;
+  const Axes end = target(m, block, named);
+  if (named == 0) return std::nullopt;
+  const double overrun = m.facts.control->motion.one_way_overrun.value * 1e-3;
+  Axes past = end;
+  for (int i = 0; i < kAxes; ++i)
+    if ((named >> i & 1) != 0) past[i] -= overrun;
+  if (overrun != 0)
+    if (auto wrong = move(m, block, MoveKind::Rapid, past, named)) return wrong;
+  return move(m, block, MoveKind::Rapid, end, named);
+}
+
+}  // namespace cncsub

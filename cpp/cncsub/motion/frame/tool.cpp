@@ -1,0 +1,190 @@
+// Tool words: T of mills and lathes, length offsets, the radius in force.
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+Result length_axis(MotionView m, BlockWords& block, int& axis) {
+  switch (m.facts.control->motion.length_type.value) {
+    case LengthType::Z:
+      axis = 2;
+      return std::nullopt;
+    case LengthType::Normal:
+      axis = plane_axes(m.state.plane).across;
+      return std::nullopt;
+    case LengthType::Named:
+      for (int i = 0; i < kAxes; ++i)
+        if (block.words.has(kAxisNames[static_cast<std::size_t>(i)])) {
+          axis = i;
+          return std::nullopt;
+        }
+      return fault(Cause::LengthAxis, block);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result set_tool(MotionContext& m, BlockWords& block) {
+  if (!block.words.has('T')) return std::nullopt;
+  const int t = whole(block.words['T']);
+  if (!m.facts.lathe()) {
+    m.state.t = t;
+    return std::nullopt;
+  }
+  const Control& c = *m.facts.control;
+  const int split = c.turning.tool_offset_digits.value == 1   ? 10
+                    : c.turning.tool_offset_digits.value == 3 ? 1000
+                                                              : 100;
+  const int number = t % split;
+  if (number > c.motion.max_offset_number.value)
+    return fault(Cause::OffsetNumber, block, "T" + std::to_string(t));
+  m.state.t = t;
+  if (t / split != 0) m.state.tool = t / split;
+  m.state.tool_offset = number;
+  const auto found = m.state.tables.tools.find(number);
+  const Axes value =
+      number == 0 || found == m.state.tables.tools.end() ? Axes{} : found->second.value;
+  if (c.turning.tool_offset.value == ToolOffset::Shift) {
+    m.state.tool_shift = value;
+    refresh_offset(m.state);
+  } else {
+    m.state.length = value;
+    m.state.tool_pending = c.turning.tool_offset.value == ToolOffset::NextMove;
+  }
+  return std::nullopt;
+}
+
+Result set_length(MotionContext& m, BlockWords& block) {
+  if (m.facts.lathe()) return std::nullopt;
+  if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
+  const bool h = block.words.has('H');
+  if (!h && !block.has(Group::Length)) return std::nullopt;
+  if (h) {
+    const double number = block.words['H'];
+    if (number < 0 || number >= static_cast<double>(m.state.tables.length.size()))
+      return fault(Cause::OffsetNumber, block);
+    m.state.h = to_whole<int>(number);
+  }
+  if (block.has(Group::Length)) m.state.modal[at(Group::Length)] = block.codes[at(Group::Length)];
+  const Meaning meaning = m.state.modal[at(Group::Length)].meaning;
+  if (meaning == Meaning::LengthOff) {
+    m.state.length = {};
+    return std::nullopt;
+  }
+  int axis = m.state.length_axis;
+  if (block.has(Group::Length))
+    if (auto wrong = length_axis(m, block, axis)) return wrong;
+  if (axis != m.state.length_axis)
+    m.state.length[static_cast<std::size_t>(m.state.length_axis)] = 0;
+  m.state.length_axis = axis;
+  const auto number = static_cast<std::size_t>(m.state.h);
+  const double value =
+      m.state.h == 0 ? 0 : m.state.tables.length[number] + m.state.tables.length_wear[number];
+  m.state.length[static_cast<std::size_t>(axis)] = meaning == Meaning::LengthMinus ? -value : value;
+  return std::nullopt;
+}
+
+Result move_by_length(MotionContext& m, BlockWords& block, const Axes& before) {
+  if (m.state.length == before || block.submitted || m.state.tool_pending ||
+      block.has(Group::OneShot))
+    return std::nullopt;
+  std::uint32_t named = 0;
+  for (int i = 0; i < kAxes; ++i)
+    if (m.state.length[i] != before[i]) named |= axis_bit(i);
+  const bool rapid = in_cycle(m.state) ||
+                     m.state.modal[at(Group::Motion)].meaning == Meaning::Rapid ||
+                     m.state.feed <= 0;
+  if (auto wrong = move(m, block, rapid ? MoveKind::Rapid : MoveKind::Feed, m.state.work, named))
+    return wrong;
+  m.outcome.moved = true;
+  return std::nullopt;
+}
+
+Result set_radius(MotionContext& m, BlockWords& block) {
+  const Control& c = *m.facts.control;
+  const bool measures = block.meaning(Group::OneShot) == Meaning::MeasureTool;  // D is its zone
+  if (block.words.has('D') && !m.facts.lathe() && !measures) {
+    const double number = block.words['D'];
+    if (number < 0 || number >= static_cast<double>(m.state.tables.radius.size()))
+      return fault(Cause::RadiusOffsetNumber, block);
+    m.state.d = to_whole<int>(number);
+  }
+  if (!block.has(Group::Radius)) return std::nullopt;
+  m.state.modal[at(Group::Radius)] = block.codes[at(Group::Radius)];
+  if (!m.facts.lathe() && compensating(m.state) && m.state.d == 0 && !block.words.has('D') &&
+      c.motion.missing_radius_offset.value == MissingOffset::Alarm)
+    return fault(Cause::RadiusOffsetNumber, block);
+  return std::nullopt;
+}
+
+double radius_value(MotionView m) {
+  if (m.facts.lathe()) {
+    const auto found = m.state.tables.tools.find(m.state.tool_offset);
+    return found == m.state.tables.tools.end() ? 0 : found->second.radius;
+  }
+  const auto number = static_cast<std::size_t>(m.state.d);
+  return m.state.d == 0 || number >= m.state.tables.radius.size()
+             ? 0
+             : m.state.tables.radius[number] + m.state.tables.radius_wear[number];
+}
+
+Result set_longer(MotionView m, BlockWords& block) {
+  double times = 0;
+  switch (block.meaning(Group::OneShot)) {
+    case Meaning::Lengthen:
+      times = 1;
+      break;
+    case Meaning::Shorten:
+      times = -1;
+      break;
+    case Meaning::LengthenTwice:
+      times = 2;
+      break;
+    case Meaning::ShortenTwice:
+      times = -2;
+      break;
+    default:
+      return std::nullopt;
+  }
+  if (compensating(m.state)) return fault(Cause::LongerInCompensation, block);
+  const Letters& letters = m.facts.control->motion.longer_words.value;
+  const bool by_h =
+      letters.has('H') && (!letters.has('D') || (block.words.has('H') && !block.words.has('D')));
+  const auto h = static_cast<std::size_t>(m.state.h);
+  block.longer =
+      times * (!by_h            ? radius_value(m)
+               : m.state.h == 0 ? 0
+                                : m.state.tables.length[h] + m.state.tables.length_wear[h]);
+  return std::nullopt;
+}
+
+Axes lengthened(MotionView m, const BlockWords& block, Axes end, std::uint32_t named) {
+  if (block.longer == 0) return end;
+  for (int i = 0; i < kAxes; ++i) {
+    if ((named >> i & 1) == 0) continue;
+    const double way = end[i] - m.state.work[i];
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (way != 0)
+      end[i] += way < 0 ? -block.longer : block.longer;
+    else if (m.state.incremental && block.words.has(name))
+      end[i] += std::signbit(block.words[name]) ? -block.longer : block.longer;
+  }
+  return end;
+}
+
+std::array<double, 3> tip_vector(MotionView m) {
+  static constexpr std::array<std::array<int, 2>, 10> kTips = {
+      // X and Z of tips 0 to 9
+      {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}, {0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 0}}};
+  if (!m.facts.lathe() || m.state.plane != 18) return {};
+  const auto found = m.state.tables.tools.find(m.state.tool_offset);
+  if (found == m.state.tables.tools.end() || found->second.tip < 0 || found->second.tip > 9)
+    return {};
+  const auto& tip = kTips[static_cast<std::size_t>(found->second.tip)];
+  return {tip[0] * found->second.radius / m.facts.share(0), 0, tip[1] * found->second.radius};
+}
+
+}  // namespace cncsub

@@ -1,0 +1,117 @@
+// The public face: a block is carried out whole, or not at all.
+#include "cncsub/motion/motion.hpp"
+
+#include "cncsub/code/fault_words.hpp"
+#include "cncsub/motion/cycle/cycles.hpp"
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/fast_path.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/power_on.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+/// Moves that wait for the next one wait no more.
+Result end_waiting(MoveSink& sink) {
+  const Held& held = sink.state.held;
+  if (!held.corner.empty())
+    return Fault{.cause = Cause::CornerNoMove,
+                 .at = held.corner.back().at,
+                 .detail = {},
+                 .address = held.corner.back().corner};
+  if (const Angled& angled = sink.state.angled; angled.waiting)
+    return Fault{.cause = Cause::AngleNoEnd, .at = angled.piece.at, .detail = {}, .address = 'A'};
+  return flush_radius(sink);
+}
+
+}  // namespace
+
+Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup)
+    : facts_(std::make_shared<MotionFacts>(std::move(control), setup)),
+      state_(state_of(*facts_, setup)) {}
+
+std::optional<ProfileNumbers> Motion::named_profile(const NcWords& words) const {
+  return cncsub::named_profile(*facts_, words);
+}
+
+/// Puts everything back when the work ends in a fault.
+template <class Work>
+std::optional<Fault> Motion::whole_or_nothing(Moves* moves, const Work& work) {
+  Undo undo(state_, log_, moves);
+  state_.plain = false;  // from here on tool_at is kept
+  auto wrong = work();
+  if (wrong)
+    undo.put_back();
+  else
+    prepare_fast_path(*facts_, state_);
+  return wrong;
+}
+
+std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, Moves* moves,
+                                     Outcome& outcome, Outside& outside) {
+  if (state_.plain) state_.tool_at = machine_point(state_);
+  outcome = {};
+  MotionContext context{*facts_, state_, log_, {*facts_, state_, moves}, outcome, outside};
+  auto wrong = whole_or_nothing(moves, [&] {
+    auto fault = run_block(context, words, step);
+    return fault || !words.stops ? fault : end_waiting(context.sink);
+  });
+  if (wrong) outcome = {};
+  return wrong;
+}
+
+std::optional<Fault> Motion::finish(Moves* moves) {
+  if (state_.plain) return std::nullopt;
+  MoveSink sink{*facts_, state_, moves};
+  return whole_or_nothing(moves, [&] { return end_waiting(sink); });
+}
+
+void Motion::reset() {
+  const Control& c = *facts_->control;
+  if (c.common.reset_clears.value.has(Cleared::Codes)) power_on(*facts_, state_, true);
+  state_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
+  end_cycles(*facts_, state_);
+  state_.held = {};
+  state_.angled = {};
+  state_.rigid_waits = state_.data_set = false;
+  state_.turned = {};
+  if (c.common.reset_clears.value.has(Cleared::LocalSystem)) {
+    state_.local = {};
+    refresh_offset(state_);
+  }
+  state_.moved_before = false;
+  prepare_fast_path(*facts_, state_);
+}
+
+void Motion::point_at_word(const std::vector<WrittenWord>& words, std::uint32_t text,
+                           Fault& fault) const {
+  cncsub::point_at_word(facts_->codes, words, text, fault);
+}
+
+void Motion::write(Axes& values, int axis, double value) {
+  const int i = axis_number(view(), axis);
+  if (i < 0) return;
+  values[static_cast<std::size_t>(i)] = is_rotary(i) || !g20(state_) ? value : value * kInch;
+  refresh_offset(state_);
+  prepare_fast_path(*facts_, state_);
+}
+
+void Motion::set_work_offset(int system, int axis, double value) {
+  if (system >= 0 && system <= 6)
+    write(state_.tables.work[static_cast<std::size_t>(system)], axis, value);
+}
+
+void Motion::set_extra_offset(int p, int axis, double value) {
+  if (p >= 1 && p <= static_cast<int>(state_.tables.extra.size()))
+    write(state_.tables.extra[static_cast<std::size_t>(p - 1)], axis, value);
+}
+
+void Motion::set_offset(VariableKind kind, int number, double value) {
+  std::vector<double>* table = state_.tables.of(kind);
+  if (table == nullptr || number < 0 || number >= static_cast<int>(table->size())) return;
+  (*table)[static_cast<std::size_t>(number)] = value * (g20(state_) ? kInch : 1);
+}
+
+}  // namespace cncsub

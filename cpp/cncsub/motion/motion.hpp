@@ -1,0 +1,96 @@
+// Where the tool goes: a block's words change the modal state, move the axes and leave rows in the
+// table of moves.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/control/control.hpp"
+#include "cncsub/motion/outside.hpp"
+#include "cncsub/motion/query.hpp"
+#include "cncsub/motion/setup.hpp"
+#include "cncsub/motion/state.hpp"
+#include "cncsub/motion/undo.hpp"
+#include "cncsub/trace/moves.hpp"
+
+namespace cncsub {
+
+class Motion {
+ public:
+  using Outcome = MotionOutcome;
+
+  Motion(std::shared_ptr<const Control> control, const Setup& setup);
+
+  /// The profile that a block names, G70 to G73: to be handed in with the block.
+  std::optional<ProfileNumbers> wanted_profile(const NcWords& words) const {
+    return words.has('P') && words.has('Q') ? named_profile(words) : std::nullopt;
+  }
+
+  /// Executes the motion words of a block. When it returns a fault nothing has changed.
+  std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves,
+                               Outcome& outcome, Outside& outside);
+
+  /// A block with nothing but G00 or G01 (g 0, 1, or -1 for none), X, Y, Z and F, its values in the
+  /// order of the alphabet. Returns false when the state wants the general path; then nothing has
+  /// changed.
+  bool linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves,
+              bool& moved);
+
+  /// The same for G02 and G03 (g 2, 3 or -1) with words of a centre. It moves where it is true.
+  bool arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves);
+
+  /// A block of modes, S and M codes, with a plain move or none. Returns false where its words or
+  /// the state want the general path; then nothing has changed.
+  bool modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
+
+  /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the
+  /// run. When it returns a fault nothing has changed.
+  std::optional<Fault> finish(Moves* moves);
+  /// What M02, M30 and the reset key do.
+  void reset();
+
+  /// Points a fault of the motion at the word of its block, which is written as `block` and begins
+  /// at `text` in its file.
+  void point_at_word(const std::vector<WrittenWord>& words, std::uint32_t text, Fault& fault) const;
+
+  /// What the queries of query.hpp look at.
+  MotionView view() const { return {*facts_, state_}; }
+  const MotionState& state() const { return state_; }
+  double time() const { return state_.time; }
+
+  // What variables write. `axis` counts as in query.hpp.
+  void set_work_offset(int system, int axis, double value);
+  void set_extra_offset(int p, int axis, double value);
+  void set_offset(VariableKind kind, int number, double value);
+
+  /// The rows go to another table from now on.
+  void forget_table() { state_.row_moves = nullptr; }
+  /// How much waits for the moves behind it.
+  std::int64_t held_pieces() const {
+    return static_cast<std::int64_t>(state_.held.corner.size() + state_.held.radius.size());
+  }
+  std::size_t held_bytes() const {
+    return (state_.held.corner.capacity() + state_.held.radius.capacity()) * sizeof(Piece);
+  }
+
+ private:
+  std::optional<ProfileNumbers> named_profile(const NcWords& words) const;
+  template <class Work>
+  std::optional<Fault> whole_or_nothing(Moves* moves, const Work& work);
+  void write(Axes& values, int axis, double value);
+  void take_code(int code);
+  void take_feed(double value);
+  void new_row_state(Moves& moves);
+
+  std::shared_ptr<const MotionFacts> facts_;
+  MotionState state_;
+  OffsetLog log_;
+};
+
+}  // namespace cncsub
+
+#include "cncsub/motion/linear.hpp"  // Motion::linear, which the run calls for most blocks

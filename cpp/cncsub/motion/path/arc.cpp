@@ -1,0 +1,221 @@
+// G02 and G03: the centre from R or I J K, the checks, and the angle run through.
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+constexpr std::string_view kCentreWords = "IJK";
+
+bool has_centre(const BlockWords& block, const PlaneAxes& plane) {
+  return block.words.has(kCentreWords[static_cast<std::size_t>(plane.a)]) ||
+         block.words.has(kCentreWords[static_cast<std::size_t>(plane.b)]);
+}
+
+/// G45 to G48 change the radius of quarters and three quarters of a circle, which begin and end on
+/// the axes of their centre. [general knowledge: FANUC]
+Result check_longer(MotionView m, const BlockWords& block, const Axes& end, bool by_radius) {
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  const Cause cause = Cause::LongerArc;
+  if (by_radius) return fault(cause, block, "write I, J, K");
+  const auto centre = [&](int axis) {
+    const char name = kCentreWords[static_cast<std::size_t>(axis)];
+    return block.words.has(name) ? number(m, block, name) : 0.0;
+  };
+  const double i = centre(plane.a), j = centre(plane.b), radius = std::hypot(i, j);
+  const double a = end[plane.a] - m.state.work[plane.a], b = end[plane.b] - m.state.work[plane.b];
+  const double miss = std::max(std::fabs(std::fabs(a) - radius), std::fabs(std::fabs(b) - radius));
+  if ((i != 0) == (j != 0) || miss > m.facts.increment || radius + block.longer <= 0)
+    return fault(cause, block);
+  return std::nullopt;
+}
+
+Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
+  const Control& c = *m.facts.control;
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  double radius = number(m, block, 'R');
+  if (m.state.turned.scaling)
+    radius *= std::fabs(m.state.turned.scale[static_cast<std::size_t>(plane.a)]);
+  const bool negative_allowed =
+      c.motion.negative_radius.value == NegativeRadius::LongWay ||
+      (c.motion.negative_radius.value == NegativeRadius::MillsOnly && !m.facts.lathe());
+  if (radius < 0 && !negative_allowed) return fault(Cause::NegativeRadius, block);
+  const Axes start = m.state.work + piece.offset;
+  const double a0 = start[plane.a] * m.facts.share(plane.a),
+               b0 = start[plane.b] * m.facts.share(plane.b);
+  const double da = piece.end[plane.a] * m.facts.share(plane.a) - a0;
+  const double db = piece.end[plane.b] * m.facts.share(plane.b) - b0;
+  const double chord = std::hypot(da, db);
+  if (chord < 1e-9)
+    return m.facts.refuses(Cause::NoArcTravel) ? Result(fault(Cause::NoArcTravel, block))
+                                               : std::nullopt;
+  double size = std::fabs(radius);
+  if (const double miss = chord / 2 - size; miss > 0) {
+    const bool half = c.motion.small_radius.value == SmallRadius::HalfCircle;
+    if (miss >
+        std::max(m.facts.increment / 2 + 1e-9, half ? c.motion.arc_tolerance.value * 1e-3 : 0))
+      return fault(Cause::RadiusTooSmall, block);
+    size = chord / 2;
+  }
+  const double height = std::sqrt(std::max(0.0, size * size - chord * chord / 4));
+  const bool clockwise = piece.kind == MoveKind::Cw;
+  const double side =
+      clockwise == (radius > 0) ? -1 : 1;  // -1: the centre lies on the right of the way
+  const double ca = a0 + da / 2 - side * height * db / chord,
+               cb = b0 + db / 2 + side * height * da / chord;
+  piece.centre[plane.a] = ca / m.facts.share(plane.a);
+  piece.centre[plane.b] = cb / m.facts.share(plane.b);
+  piece.turn =
+      turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b0 + db - cb, a0 + da - ca), clockwise);
+  return std::nullopt;
+}
+
+Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
+  const Control& c = *m.facts.control;
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  const auto word = [&](int axis) {
+    const char name = kCentreWords[static_cast<std::size_t>(axis)];
+    return block.words.has(name) ? number(m, block, name) : 0.0;
+  };
+  double i = word(plane.a), j = word(plane.b);
+  turn_vector(m.state, i, j, plane);
+  if (double& arm = i != 0 ? i : j; block.longer != 0)
+    arm += arm < 0 ? -block.longer : block.longer;
+  const Axes start = m.state.work + piece.offset;
+  const double a0 = start[plane.a] * m.facts.share(plane.a),
+               b0 = start[plane.b] * m.facts.share(plane.b);
+  const double a1 = piece.end[plane.a] * m.facts.share(plane.a),
+               b1 = piece.end[plane.b] * m.facts.share(plane.b);
+  const double ca = a0 + i, cb = b0 + j;
+  const double first = std::hypot(i, j), last = std::hypot(a1 - ca, b1 - cb);
+  if (piece.radius != 0 && first == 0) return fault(Cause::CompensationArcStart, block);
+  if (first == 0 && m.facts.refuses(Cause::NoRadius)) return fault(Cause::NoRadius, block);
+  if (is_off_circle(c.motion, first, last, m.state.unit != 1)) {
+    char text[64];
+    std::snprintf(text, sizeof text, "radius %.4f at the start, %.4f at the end", first, last);
+    return fault(Cause::RadiusTolerance, block, text);
+  }
+  if (first == 0) {
+    piece.kind = MoveKind::Feed;
+    return std::nullopt;
+  }
+  if (piece.radius != 0 && last == 0) return fault(Cause::CompensationArcEnd, block);
+  piece.centre[plane.a] = ca / m.facts.share(plane.a);
+  piece.centre[plane.b] = cb / m.facts.share(plane.b);
+  const bool clockwise = piece.kind == MoveKind::Cw;
+  if (std::hypot(a1 - a0, b1 - b0) < 1e-9)
+    piece.turn = clockwise ? -2 * kPi : 2 * kPi;
+  else
+    piece.turn =
+        turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b1 - cb, a1 - ca), clockwise);
+  return std::nullopt;
+}
+
+/// An arc moves in its plane, and across it where there are helices.
+Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bool radius) {
+  const Control& c = *m.facts.control;
+  const int across = plane_axes(m.state.plane).across;
+  const auto outside = [&](int axis, Cause cause) {
+    return fault_at(kAxisNames[static_cast<std::size_t>(axis)], cause, block);
+  };
+  const bool helix = c.motion.helix.value == Helix::Everywhere ||
+                     (c.motion.helix.value == Helix::MillsOnly && !m.facts.lathe());
+  if ((named & axis_bit(across)) != 0 && !helix) return outside(across, Cause::ArcAxis);
+  if (const std::uint32_t beyond = named & ~7u; beyond != 0)  // neither X nor Y nor Z
+    return outside(std::countr_zero(beyond),
+                   m.facts.refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);
+  const char word = kCentreWords[static_cast<std::size_t>(across)];
+  if (!radius && block.words.has(word) && block.words[word] != 0)
+    return fault_at(word, Cause::ArcAxis, block);
+  return std::nullopt;
+}
+
+/// The centre and the angle of an arc, by R or by the words of its centre. [source 003, note 3]
+Result find_centre(MotionContext& m, const BlockWords& block, bool radius, bool centre,
+                   Piece& piece) {
+  if (radius) {
+    m.outcome.drop(bit('I') | bit('J') | bit('K'));  // R counts
+    return arc_by_radius(m, block, piece);
+  }
+  if (centre) {
+    if (polar(m.state) && m.facts.refuses(Cause::PolarCentre))
+      return fault(Cause::PolarCentre, block);
+    return arc_by_centre(m, block, piece);
+  }
+  if (m.facts.control->motion.no_radius.value == NoRadius::Alarm)
+    return fault(Cause::NoRadius, block);
+  piece.kind = MoveKind::Feed;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  std::uint32_t named = 0;
+  const Axes written = target(m, block, named);
+  const Axes end = lengthened(m, block, written, named);
+  const bool centre = has_centre(block, plane);
+  const bool radius = block.words.has('R') && block.words['R'] != 0;
+  if (named == 0 && !centre && !radius) return std::nullopt;
+  if (auto wrong = need_feed(m, block, meaning)) return wrong;
+  if (block.longer != 0)
+    if (auto wrong = check_longer(m, block, written, radius)) return wrong;
+  if (auto wrong = check_axes(m, block, named, radius)) return wrong;
+  const bool clockwise = (meaning == Meaning::Cw) != mirrored_plane(m.state);
+  Piece piece = make_piece(m, block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
+  if (auto wrong = corner_words(m, block, piece)) return wrong;
+  if (auto wrong = find_centre(m, block, radius, centre, piece)) return wrong;
+  // R with the end at the start is no arc: nothing is left but what goes along. [16TC p.67]
+  const bool goes_across = (named & axis_bit(plane.across)) != 0;
+  if (piece.corner != 0 && goes_across && m.facts.refuses(Cause::CornerHelix))
+    return fault(Cause::CornerHelix, block);
+  if (piece.turn == 0 && piece.kind != MoveKind::Feed) {
+    if (goes_across && m.facts.refuses(Cause::HelixTravel)) return fault(Cause::HelixTravel, block);
+    piece.kind = MoveKind::Feed;
+    m.outcome.axis_word = true;
+    if (!goes_across) return std::nullopt;
+  }
+  return move(m, block, piece);
+}
+
+Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  std::uint32_t named = 0;
+  const Axes end = target(m, block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = need_feed(m, block, meaning)) return wrong;
+  if (!has_centre(block, plane)) return fault(Cause::ThreePoints, block, "neither I nor K");
+  Piece piece = make_piece(m, block, MoveKind::Cw, end, named);
+  const PlaneView view{plane, m.facts.share(0)};
+  const Axes start = m.state.work + piece.offset;
+  Axes middle = start;
+  for (const int axis : {plane.a, plane.b}) {
+    const char name = kCentreWords[static_cast<std::size_t>(axis)];
+    const double value = block.words.has(name) ? number(m, block, name) : 0;
+    if (meaning == Meaning::ThreePointsAbsolute)
+      middle[axis] = value + piece.offset[axis];
+    else
+      middle[axis] += value / m.facts.share(axis);
+  }
+  const Point p = view.point(start), u = view.point(middle) - p, v = view.point(piece.end) - p;
+  const double area = 2 * cross(u, v);
+  if (std::fabs(area) < 1e-9) return fault(Cause::ThreePoints, block);
+  const Point centre = p + Point{(v.b * dot(u, u) - u.b * dot(v, v)) / area,
+                                 (u.a * dot(v, v) - v.a * dot(u, u)) / area};
+  const bool clockwise = area < 0;
+  view.set(piece.centre, centre);
+  piece.kind = clockwise ? MoveKind::Cw : MoveKind::Ccw;
+  const Point from = p - centre, to = p + v - centre;
+  piece.turn = turn_between(std::atan2(from.b, from.a), std::atan2(to.b, to.a), clockwise);
+  return move(m, block, piece);
+}
+
+}  // namespace cncsub

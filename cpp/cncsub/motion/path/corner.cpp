@@ -1,0 +1,88 @@
+// Chamfers and corner rounds between two moves: the first waits for the second.
+#include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+/// `G01 Z_ I_` and `G01 X_ K_`: the older form between moves at right angles. [general knowledge]
+Result right_angle_chamfer(MotionView m, const BlockWords& block, Piece& piece) {
+  const NcWords& w = block.words;
+  const bool written = w.has('I') || w.has('K');
+  if (!m.facts.control->turning.chamfer_ik.value || !m.facts.lathe() || !written ||
+      piece.kind != MoveKind::Feed || piece.turn != 0)
+    return std::nullopt;
+  const Axes end = piece.end - piece.offset;
+  if (end[0] != m.state.work[0] && end[2] != m.state.work[2])
+    return fault(Cause::CornerTaper, block);
+  if (w.has('I') && w.has('K')) return fault(Cause::CornerFormat, block);
+  piece.corner_size = std::fabs(number(m, block, w.has('I') ? 'I' : 'K'));
+  if (piece.corner_size > 0) piece.corner = 'C';
+  return std::nullopt;
+}
+
+/// Where a corner may not be.
+Result check_corner(MotionView m, const BlockWords& block) {
+  if (polar(m.state) && m.facts.refuses(Cause::PolarCorner))
+    return fault(Cause::PolarCorner, block);
+  if (block.has(Group::Radius) && m.facts.refuses(Cause::CornerOffset))
+    return fault(Cause::CornerOffset, block);
+  return std::nullopt;
+}
+
+/// The value of the word at a place of the mask, as a length.
+double corner_size(MotionView m, const NcWords& words, int place) {
+  double size = words.value[static_cast<std::size_t>(place)];
+  if ((words.whole >> place & 1) != 0 &&
+      m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments)
+    size *= m.facts.increment * (g20(m.state) ? 0.1 : 1);
+  return size * m.state.unit;
+}
+
+}  // namespace
+
+Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
+  const int chamfer = m.facts.chamfers.find(block.words.mask);
+  int round = m.facts.rounds.find(block.words.mask);
+  const bool arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
+  if (arc && round == 'R' - 'A') round = -1;
+  if (chamfer < 0 && round < 0) return right_angle_chamfer(m, block, piece);
+  const bool comma = chamfer >= kCommaC || round >= kCommaC;
+  if (piece.kind == MoveKind::Rapid || piece.kind == MoveKind::Thread)
+    return comma ? Result(fault(Cause::CornerInRapid, block)) : std::nullopt;
+  if (auto wrong = check_corner(m, block)) return wrong;
+  if (chamfer >= 0 && round >= 0) return fault(Cause::CornerFormat, block);
+  piece.corner_size = corner_size(m, block.words, chamfer >= 0 ? chamfer : round);
+  if (piece.corner_size != 0) piece.corner = chamfer >= 0 ? 'C' : 'R';
+  return std::nullopt;
+}
+
+Result through_corner(MoveSink& sink, Piece piece, Axes from) {
+  Held& held = sink.state.held;
+  if (!held.corner.empty()) {
+    const Piece first = held.corner.back();
+    held.corner.clear();
+    if (piece.kind != MoveKind::Feed && piece.kind != MoveKind::Cw && piece.kind != MoveKind::Ccw)
+      return Fault{Cause::CornerNextMove, piece.at, 1, {}};
+    CornerPieces corner;
+    const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
+    const bool chamfer_side =
+        sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
+    if (!cut_corner(view, held.corner_from, first, piece, chamfer_side, corner))
+      return Fault{Cause::CornerTooShort, first.at, 1, {}};
+    if (auto wrong = through_radius(sink, corner.first, held.corner_from)) return wrong;
+    if (corner.has_between)
+      if (auto wrong = through_radius(sink, corner.between, corner.at_first)) return wrong;
+    piece = corner.second;
+    from = corner.at_second;
+  }
+  if (piece.corner != 0) {
+    held.corner_from = from;
+    held.corner.push_back(piece);
+    return std::nullopt;
+  }
+  return through_radius(sink, piece, from);
+}
+
+}  // namespace cncsub

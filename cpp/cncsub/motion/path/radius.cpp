@@ -1,0 +1,282 @@
+// Radius compensation: a compensated move waits until the next one says where the tool leaves it.
+#include "cncsub/motion/path/radius.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/query.hpp"
+
+namespace cncsub {
+namespace {
+
+/// From one direction to another, at most half a turn.
+double angle(Point from, Point to) { return std::atan2(cross(from, to), dot(from, to)); }
+
+/// How far a step along one direction leads away from a line in another, 0 to 1.
+double sharpness(Point u, Point v) { return dot(u, v) < 0 ? 1 : std::fabs(cross(u, v)); }
+
+/// So many moves wait at most because they are too short.
+constexpr std::size_t kReadAhead = 8;
+
+}  // namespace
+
+/// Where a move starts: at the end of the last one that the increment can tell from its start.
+Axes RadiusPath::start_of(const Axes& from) const {
+  const Held& held = sink.state.held;
+  if (held.radius.empty() && !held.engaged) return from;
+  const Point corner = view.point(held.radius_to), there = view.point(from);
+  if (!same(corner, there)) return from;
+  Axes start = from;
+  view.set(start, corner);
+  return start;
+}
+
+bool RadiusPath::moves_in_plane(const Piece& piece, const Axes& from) const {
+  if (piece.kind == MoveKind::Dwell) return false;
+  return std::fabs(piece.turn) > kPi || !same(view.point(from), view.point(piece.end));
+}
+
+/// Outside corners. Up to 90 degrees the tangents are followed to where they meet. [M7 p.191]
+void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, double offset,
+                           Join& join) const {
+  const Point na = offset * left(u), nb = offset * left(v);
+  const double reach = std::fabs(offset);
+  join.leave = na;
+  // Straight on behind the first move: a line is made longer, an arc goes on in a line.
+  const auto go_on = [&](double along) {
+    if (a.straight())
+      join.leave = na + along * u;
+    else
+      join.way.push_back(na + along * u);
+  };
+  const double cosine = dot(u, v);
+  if (cosine >= -1e-9) {
+    go_on(reach * std::fabs(cross(u, v)) / (1 + cosine));
+    if (!b.straight()) join.way.push_back(nb);
+    return;
+  }
+  if (sink.facts.control->motion.acute_corner.value == AcuteCorner::Arc) {
+    join.way.push_back(nb);
+    join.turn = std::acos(std::max(cosine, -1.0)) * (offset > 0 ? -1 : 1);
+    return;
+  }
+  go_on(reach);
+  join.way.push_back(nb - reach * v);
+  if (!b.straight()) join.way.push_back(nb);
+}
+
+Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, double offset,
+                        std::uint32_t at, Join& join) const {
+  const Point u = a.end_direction(), v = b.start_direction();
+  const Point na = offset * left(u), nb = offset * left(v);
+  if (behind != nullptr && join_before_step(a, b, *behind, offset, join)) return std::nullopt;
+  if (same_normal(na, nb)) {  // tangent: an arc keeps its own normal
+    join.leave = a.straight() ? nb : na;
+  } else if (!inside(u, v, offset)) {
+    go_around(a, b, u, v, offset, join);
+  } else if (join_over_step(a, b, offset, join)) {
+    return std::nullopt;
+  } else if (const auto meet = meeting(a, b, offset, least)) {
+    join.leave = *meet - a.to;
+  } else if (!a.straight() && moved_radius(a, a.to, offset) < -least) {
+    return Fault{Cause::CompensationArcTooSmall, sink.state.held.radius.front().at, 1, {}};
+  } else if (!b.straight() && moved_radius(b, b.from, offset) < -least) {
+    return Fault{Cause::CompensationArcTooSmall, at, 1, {}};
+  } else {
+    return Fault{Cause::CompensationNoIntersection, at, 1, {}};
+  }
+  return std::nullopt;
+}
+
+/// The tool must go the way the program goes, not back. [16iLB p.208] It may go back as far as does
+/// not cut an increment into the moves beside; an arc in which it only just fits has no way left,
+/// and becomes a line.
+Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, Point next) const {
+  const Held& held = sink.state.held;
+  const Point start = curve.from + Point{held.vector[0], held.vector[1]}, stop = curve.to + v;
+  const Point u = curve.start_direction(), w = curve.end_direction();
+  const auto cuts = [&](double back) {
+    const double before = sharpness({held.entered[0], held.entered[1]}, u);
+    return back * std::max(before, sharpness(w, next)) > least;
+  };
+  Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
+  if (curve.straight()) {
+    if (cuts(-dot(stop - start, u))) return wrong;
+    return std::nullopt;
+  }
+  const double first = moved_radius(curve, curve.from, offset_of(piece)),
+               last = moved_radius(curve, curve.to, offset_of(piece));
+  if (first + last < -2 * least) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
+  const double radius = std::max(first, last);
+  const Point r = start - curve.centre, s = stop - curve.centre;
+  const double way =
+      curve.turn + angle(curve.to - curve.centre, s) - angle(curve.from - curve.centre, r);
+  const double forward = curve.turn > 0 ? way : -way;
+  if (cuts(-forward * radius)) return wrong;
+  if (forward <= 0 || radius <= least)
+    straighten(piece);
+  else if (forward > 2 * kPi)  // once round, and a hair further
+    v = start - curve.to;
+  return std::nullopt;
+}
+
+/// Records the waiting move up to its end, the way around the corner, and the blocks behind it.
+/// `next` is the direction of the move behind it, nothing where there is none.
+Result RadiusPath::leave(Point v, const Join* join, Point next) {
+  Held& held = sink.state.held;
+  Piece first = held.radius.front();
+  Point u;
+  if (!held.starting) {
+    const Curve curve = curve_of(view, held.radius_from, first);
+    const bool over = join != nullptr && join->over == Join::First;
+    if (over)
+      straighten(first);
+    else if (auto wrong = check_direction(curve, first, v, next))
+      return wrong;
+    if (join != nullptr) u = over ? join->along : curve.end_direction();
+  }
+  held.entered = {u.a, u.b};
+  if (auto wrong = record(first, v)) return wrong;
+  if (join != nullptr)
+    for (const Point& at : join->way) {
+      if (auto wrong = record_bit(first, first.end, at, join->turn)) return wrong;
+      v = at;
+    }
+  for (std::size_t i = 1; i < held.radius.size(); ++i)
+    if (auto wrong = record_idle(held.radius[i], v)) return wrong;
+  held.radius.clear();
+  held.starting = false;
+  held.engaged = true;
+  return std::nullopt;
+}
+
+/// The waiting move ends on its own normal.
+Result RadiusPath::flush() {
+  const Held& held = sink.state.held;
+  if (auto wrong = take_step(nullptr)) return wrong;
+  if (held.radius.empty()) return std::nullopt;
+  const Piece& first = held.radius.front();
+  const Curve curve = curve_of(view, held.radius_from, first);
+  return leave(offset_of(first) * left(curve.end_direction()), nullptr, {});
+}
+
+/// The last compensated move ends on its normal, or goes around an outside corner; then the tool
+/// goes straight to the point.
+Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
+  Held& held = sink.state.held;
+  const bool around = sink.facts.control->motion.start_up.value == StartUp::TypeB &&
+                      !held.radius.empty() && !held.starting && !is_arc(piece);
+  if (around) {
+    const Piece& first = held.radius.front();
+    const Curve before = curve_of(view, held.radius_from, first);
+    const double offset = offset_of(first);
+    if (!inside(before.end_direction(), curve.start_direction(), offset)) {
+      Join way;
+      if (auto wrong = join(before, curve, nullptr, offset, piece.at, way)) return wrong;
+      if (auto wrong = leave(way.leave, &way, curve.start_direction())) return wrong;
+    }
+  }
+  if (auto wrong = flush()) return wrong;
+  if (is_arc(piece)) return Fault{Cause::CompensationEndArc, piece.at, 1, {}};
+  held.engaged = false;
+  return record(piece, {});
+}
+
+/// Records the waiting move, now that the next one says where the tool leaves it.
+Result RadiusPath::follow(Piece& piece, const Curve& curve, const Curve* behind, Axes& from) {
+  const Held& held = sink.state.held;
+  const Point v = curve.start_direction(), normal = offset_of(piece) * left(v);
+  if (held.radius.empty()) {
+    // Behind blocks that were not looked over the tool first goes onto the normal of this move.
+    if (same_normal(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
+    return record_bit(piece, from, normal, 0);
+  }
+  const Piece& first = held.radius.front();
+  const Curve before = curve_of(view, held.radius_from, first);
+  const Point u = before.end_direction();
+  const double offset = offset_of(first);
+  const bool start_around = held.starting &&
+                            sink.facts.control->motion.start_up.value == StartUp::TypeB &&
+                            !inside(u, v, offset_of(piece)) && cross(u, v) != 0;
+  Join way;
+  if (held.starting && !start_around) {
+    way.leave = offset * left(v);
+  } else if (!held.starting && offset * offset_of(piece) < 0) {  // to the other side
+    way.leave = offset * left(u);
+    way.way.push_back(normal);
+  } else if (auto wrong = join(before, curve, behind, offset, piece.at, way)) {
+    return wrong;
+  }
+  if (way.over != Join::Second) return leave(way.leave, &way, v);
+  if (auto wrong = leave(way.leave, &way, way.along)) return wrong;
+  begin_step(piece, from, way.along);
+  return std::nullopt;
+}
+
+Result flush_radius(MoveSink& sink) {
+  if (sink.state.held.radius.empty()) return std::nullopt;
+  return RadiusPath(sink, sink.state.held.radius.front().plane).flush();
+}
+
+Result through_radius(MoveSink& sink, Piece piece, const Axes& from) {
+  Held& held = sink.state.held;
+  const bool active = piece.side != 0;
+  if (!active && !held.engaged && held.radius.empty()) return record_move(sink, piece, {});
+  RadiusPath path(sink, piece.plane);
+  Axes start = path.start_of(from);
+  if (!path.moves_in_plane(piece, start)) {
+    // A step of an increment has no direction, but it is no block without a move.
+    if (piece.kind != MoveKind::Dwell && held.radius.size() < kReadAhead &&
+        size(path.view.point(piece.end) - path.view.point(from)) > path.least / 2)
+      held.moved = true;
+    if (held.radius.empty()) return path.record_idle(piece, {held.vector[0], held.vector[1]});
+    held.radius.push_back(piece);
+    return std::nullopt;
+  }
+  const Curve curve = curve_of(path.view, start, piece);
+  held.moved = true;
+  const bool same_side =
+      !held.radius.empty() && offset_of(held.radius.front()) * offset_of(piece) > 0;
+  if (auto wrong = path.take_step(same_side ? &curve : nullptr)) return wrong;
+  if (!active) return path.cancel(piece, curve);
+  if (path.is_low_step(piece, curve)) {
+    held.step = held.radius.size();
+    held.step_from = start;
+    held.radius_to = piece.end;
+    held.radius.push_back(piece);
+    return std::nullopt;
+  }
+  if (held.engaged || !held.radius.empty()) {
+    if (auto wrong = path.follow(piece, curve, nullptr, start)) return wrong;
+  } else if (is_arc(piece)) {
+    return Fault{Cause::CompensationArc, piece.at, 1, {}};
+  } else {
+    held.starting = true;
+  }
+  held.radius_from = start;
+  held.radius_to = piece.end;
+  held.radius.push_back(piece);
+  return std::nullopt;
+}
+
+/// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
+/// the normal.
+Result count_idle(MotionContext& m, const BlockWords& block) {
+  Held& held = m.state.held;
+  const bool moved =
+      std::exchange(held.moved, false) || !held.corner.empty() || m.state.angled.waiting;
+  if (held.radius.empty() || moved) {
+    held.idle = 0;
+    return std::nullopt;
+  }
+  const Control& c = *m.facts.control;
+  if (++held.idle <= c.motion.idle_blocks.value) return std::nullopt;
+  if (m.facts.refuses(Cause::CompensationIdle)) return fault(Cause::CompensationIdle, block);
+  held.idle = 0;
+  return flush_radius(m.sink);
+}
+
+}  // namespace cncsub

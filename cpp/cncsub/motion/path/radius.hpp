@@ -1,0 +1,98 @@
+// Radius compensation of the moves at one corner.
+#pragma once
+
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/geometry.hpp"
+
+namespace cncsub {
+
+/// To the left plus, to the right minus; a negative radius swaps the sides.
+inline double offset_of(const Piece& piece) {
+  return piece.side < 0 ? piece.radius : -piece.radius;
+}
+
+inline bool is_arc(const Piece& piece) { return piece.turn != 0; }
+
+/// How two moves with their offsets join.
+struct Join {
+  Point leave;             // where the tool leaves the first move, from the corner
+  std::vector<Point> way;  // points in between, from the corner
+  double turn = 0;         // of the arc around the corner that leads to the only one of them
+  enum Step { None, First, Second } over = None;  // the move that is a step the tool goes over
+  Point along;                                    // its direction where it touches the step
+};
+
+/// The geometry of the moves at one corner, in the plane of the moves. Two points are one where the
+/// least increment cannot tell them apart: a program rounds its points and centres to it, so that
+/// what is tangent, or fits, on the drawing does so only within some increments.
+struct RadiusPath {
+  MoveSink& sink;
+  PlaneView view;
+  double least = sink.facts.increment * (g20(sink.state) ? kInch / 10 : 1);
+
+  RadiusPath(MoveSink& s, int plane) : sink(s), view{plane_axes(plane), s.facts.share(0)} {}
+
+  /// A step of one increment has no direction yet.
+  bool same(Point p, Point q) const { return size(p - q) < 1.5 * least; }
+  bool same_normal(Point p, Point q) const { return size(p - q) <= least / 2; }
+
+  Result record(const Piece& piece, Point v) {
+    std::array<double, 3> vector{};
+    view.set(vector, v);
+    for (std::size_t i = 0; i < 3; ++i) vector[i] += piece.tip[i];
+    if (auto wrong = record_move(sink, piece, vector)) return wrong;
+    sink.state.held.vector = {v.a, v.b};
+    return std::nullopt;
+  }
+
+  static void straighten(Piece& piece) {
+    piece.turn = 0;
+    if (piece.kind != MoveKind::Rapid) piece.kind = MoveKind::Feed;
+  }
+
+  /// A bit around a corner, as a move of the piece it belongs to.
+  Result record_bit(Piece piece, const Axes& at, Point v, double turn) {
+    piece.end = at;
+    piece.corner_piece = true;
+    straighten(piece);
+    if (turn != 0) {
+      piece.turn = turn;
+      piece.kind = turn > 0 ? MoveKind::Ccw : MoveKind::Cw;
+      view.set(piece.centre, view.point(at));
+    }
+    return record(piece, v);
+  }
+
+  /// A move without a way in the plane: the tool stays beside the contour.
+  Result record_idle(Piece piece, Point v) {
+    if (is_arc(piece)) straighten(piece);
+    return record(piece, v);
+  }
+
+  /// Whether the second of two directions turns to the tool's side. On the way back along itself
+  /// the tool goes around.
+  bool inside(Point u, Point v, double offset) const {
+    return cross(u, v) * offset > 0 && !same_normal(offset * u, -offset * v);
+  }
+  Axes start_of(const Axes& from) const;
+  bool moves_in_plane(const Piece& piece, const Axes& from) const;
+  /// `behind` is the move behind those at the corner, where it is known.
+  Result join(const Curve& a, const Curve& b, const Curve* behind, double offset, std::uint32_t at,
+              Join& join) const;
+  void go_around(const Curve& a, const Curve& b, Point u, Point v, double offset, Join& join) const;
+  Result check_direction(const Curve& curve, Piece& piece, Point& v, Point next) const;
+  Result leave(Point v, const Join* join, Point next);
+  Result flush();
+  Result cancel(const Piece& piece, const Curve& curve);
+  Result follow(Piece& piece, const Curve& curve, const Curve* behind, Axes& from);
+
+  // step.cpp: low steps.
+  bool is_low_step(const Piece& piece, const Curve& curve) const;
+  Result take_step(const Curve* next);
+  bool join_before_step(const Curve& a, const Curve& b, const Curve& behind, double offset,
+                        Join& join) const;
+  bool join_over_step(const Curve& a, const Curve& b, double offset, Join& join) const;
+  void begin_step(Piece& piece, Axes& from, Point along);
+};
+
+}  // namespace cncsub

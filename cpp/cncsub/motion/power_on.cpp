@@ -1,0 +1,110 @@
+// The state before the first block: what the setup says, and the modes at power on.
+#include "cncsub/motion/power_on.hpp"
+
+#include <algorithm>
+
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/fast_path.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+constexpr int kLargestOffset = 9999;  // no table of offsets is longer, whatever a rule says
+
+void fill_table(std::vector<double>& table, const std::map<int, double>& values) {
+  for (const auto& [number, value] : values) {
+    if (number < 0 || number > kLargestOffset) continue;
+    if (table.size() <= static_cast<std::size_t>(number))
+      table.resize(static_cast<std::size_t>(number) + 1);
+    table[static_cast<std::size_t>(number)] = value;
+  }
+}
+
+OffsetTables tables_of(const Setup& setup, const Control& control) {
+  OffsetTables tables;
+  const auto rows = [](std::int32_t most) {
+    return static_cast<std::size_t>(std::min(most, kLargestOffset));
+  };
+  tables.extra.resize(rows(control.motion.max_extra_systems.value));
+  for (const auto& [name, values] : setup.work_offsets) {
+    const int system = system_of(name);
+    if (system >= 0 && system < 7) fill(tables.work[static_cast<std::size_t>(system)], values);
+    if (system > 100 && system - 101 < static_cast<int>(tables.extra.size()))
+      fill(tables.extra[static_cast<std::size_t>(system - 101)], values);
+  }
+  const auto numbers = rows(control.motion.max_offset_number.value) + 1;
+  for (auto* table : {&tables.length, &tables.length_wear, &tables.radius, &tables.radius_wear})
+    table->resize(numbers);
+  fill_table(tables.length, setup.length_offsets);
+  fill_table(tables.radius, setup.radius_offsets);
+  tables.length_wear.resize(tables.length.size());
+  tables.radius_wear.resize(tables.radius.size());
+  for (const auto& [number, tool] : setup.tools) {
+    ToolOffsets& entry = tables.tools[number];
+    fill(entry.value, tool.values);
+    entry.tip = tool.tip;
+    entry.radius = tool.radius;
+  }
+  return tables;
+}
+
+}  // namespace
+
+MotionState state_of(const MotionFacts& facts, const Setup& setup) {
+  MotionState state;
+  state.tables = tables_of(setup, *facts.control);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double share = facts.share(static_cast<int>(i)), rate = facts.rapid[i];
+    state.half[i] = share * share;
+    state.rapid_seconds[i] = rate > 0 ? share * 60 / rate : 0;
+  }
+  power_on(facts, state, false);
+  state.offset = zero_offset(state);
+  state.work = Axes{} - state.offset;
+  fill(state.work, setup.start);
+  for (const auto& [name, range] : setup.area)
+    if (const int axis = axis_of(name); axis >= 0 && axis < 3) {
+      state.area.low[static_cast<std::size_t>(axis)] = range.first;
+      state.area.high[static_cast<std::size_t>(axis)] = range.second;
+      state.area.known = true;
+    }
+  state.tool_at = machine_point(state);
+  prepare_fast_path(facts, state);
+  return state;
+}
+
+void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
+  const Control& c = *facts.control;
+  const bool lathe = facts.lathe();
+  const auto set = [&](Meaning meaning) {
+    const GCode code = facts.codes.of(meaning);
+    const bool kept = reset && (code.group == Group::Units || code.group == Group::Work);
+    if (code.code >= 0 && !kept) state.modal[at(code.group)] = code;
+  };
+  for (const Meaning meaning :
+       {c.common.power_on.value.has(PowerOn::G01) ? Meaning::Line : Meaning::Rapid,
+        lathe ? Meaning::PlaneZX : Meaning::PlaneXY,
+        c.common.power_on.value.has(PowerOn::G91) ? Meaning::Incremental : Meaning::Absolute,
+        !lathe || !c.common.power_on.value.has(PowerOn::G95) ? Meaning::PerMinute
+                                                             : Meaning::PerRevolution,
+        Meaning::SpindleSpeed, Meaning::Metric, Meaning::RadiusOff, Meaning::LengthOff,
+        Meaning::CycleOff, Meaning::ReturnInitial, Meaning::ScalingOff, Meaning::MacroOff,
+        Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
+        Meaning::MirrorOff,
+        c.common.power_on.value.has(PowerOn::G22) ? Meaning::StrokeOn : Meaning::StrokeOff})
+    set(meaning);
+  state.plane = lathe ? 18 : 17;
+  state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
+  if (!reset) state.feed = c.motion.power_on_feed.value;
+  MultipleData& data = state.multiple;
+  data.finish_passes = c.turning.thread_passes.value;
+  data.chamfer = c.turning.thread_chamfer.value;
+  data.angle = c.turning.thread_angle.value;
+  data.least_cut = c.turning.thread_least_cut.value * 1e-3;
+  data.allowance = c.turning.thread_allowance.value * 1e-3;
+  data.retract = c.turning.groove_retract.value * 1e-3;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,184 @@
+// What system variables and reports read of the motion.
+#include "cncsub/motion/query.hpp"
+
+#include <cstdio>
+
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+namespace {
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+}  // namespace
+
+std::string axes_of(MotionView m, std::uint32_t mask) {
+  const bool lathe_a = m.facts.machine == MachineType::LatheA;
+  std::string names = "XYZ";
+  for (const char name : kAxisNames.substr(3, lathe_a ? 3 : 6))
+    if ((mask & bit(name)) != 0) names += name;
+  if (lathe_a && (mask & bit('H')) != 0 && (mask & bit('C')) == 0) names += 'C';
+  return names;
+}
+
+int axis_number(MotionView m, int axis) {
+  const std::string& order = m.facts.axis_order;
+  if (axis < 0 || axis >= static_cast<int>(order.size())) return -1;
+  return axis_of(order[static_cast<std::size_t>(axis)]);
+}
+
+static double shown(MotionView m, int axis, const Axes& values) {
+  const int i = axis_number(m, axis);
+  if (i < 0) return 0;
+  return is_rotary(i) || !g20(m.state) ? values[static_cast<std::size_t>(i)]
+                                       : values[static_cast<std::size_t>(i)] / kInch;
+}
+
+double modal_code(MotionView m, int group) {
+  for (std::size_t g = 0; g < kGroups; ++g)
+    if (m.facts.group_numbers[g] == group && group > 0 && m.state.modal[g].code >= 0)
+      return m.state.modal[g].code / 10.0;
+  return kVacant;
+}
+
+double modal_word(MotionView m, char address) {
+  switch (address) {
+    case 'B':
+      return m.state.b;
+    case 'D':
+      return m.state.d;
+    case 'F':
+      return m.state.modal[at(Group::Feed)].meaning == Meaning::InverseTime
+                 ? m.state.feed
+                 : m.state.feed / m.state.unit;
+    case 'H':
+      return m.state.h;
+    case 'P':
+      return m.state.work_system == 0 ? m.state.extra_system : 0;
+    case 'S':
+      return m.state.surface ? m.state.surface_speed : m.state.speed;
+    case 'T':
+      return m.state.t;
+    default:
+      return kVacant;
+  }
+}
+
+double block_end(MotionView m, int axis) { return shown(m, axis, m.state.work); }
+
+double machine_position(MotionView m, int axis) {
+  return shown(m, axis, m.state.plain ? machine_point(m.state) : m.state.tool_at);
+}
+
+double work_position(MotionView m, int axis) {
+  return shown(m, axis,
+               (m.state.plain ? machine_point(m.state) : m.state.tool_at) - m.state.offset);
+}
+
+double skip_position(MotionView m, int axis) { return shown(m, axis, m.state.skip); }
+
+double active_length(MotionView m, int axis) {
+  return shown(m, axis, m.state.length + m.state.tool_shift);
+}
+
+double work_offset(MotionView m, int system, int axis) {
+  if (system < 0 || system > 6) return 0;
+  return shown(m, axis, m.state.tables.work[static_cast<std::size_t>(system)]);
+}
+
+double extra_offset(MotionView m, int p, int axis) {
+  if (p < 1 || p > static_cast<int>(m.state.tables.extra.size())) return 0;
+  return shown(m, axis, m.state.tables.extra[static_cast<std::size_t>(p - 1)]);
+}
+
+double offset(MotionView m, VariableKind kind, int number) {
+  const std::vector<double>* table = m.state.tables.of(kind);
+  if (table == nullptr || number < 0 || number >= static_cast<int>(table->size())) return 0;
+  return (*table)[static_cast<std::size_t>(number)] / (g20(m.state) ? kInch : 1);
+}
+
+const std::vector<double>* OffsetTables::of(VariableKind kind) const {
+  switch (kind) {
+    case VariableKind::LengthWear:
+      return &length_wear;
+    case VariableKind::LengthGeometry:
+      return &length;
+    case VariableKind::RadiusWear:
+      return &radius_wear;
+    case VariableKind::RadiusGeometry:
+      return &radius;
+    default:
+      return nullptr;
+  }
+}
+
+double scaled(MotionView m, char address, double value) {
+  if (m.facts.control->reading.whole_numbers.value != WholeNumbers::Increments) return value;
+  if (address == 'F') return value * feed_increment(m.state) * 1;
+  if (address >= 'A' && address <= 'C') return value / (1 / m.facts.increment);
+  constexpr std::string_view kLengths = "IJKQRUVWXYZ";
+  if (kLengths.find(address) == std::string_view::npos) return value;
+  return value / (1 / (m.facts.increment * (g20(m.state) ? 0.1 : 1)));
+}
+
+double increment(MotionView m, char address) {
+  if (address == 'H') return m.facts.machine == MachineType::LatheA ? m.facts.increment : 0;
+  constexpr std::string_view kLengths = "ABCIJKQRUVWXYZ";
+  if (kLengths.find(address) == std::string_view::npos) return 0;
+  return m.facts.increment * (g20(m.state) && address > 'C' ? 0.1 : 1);
+}
+
+std::vector<std::pair<std::string, double>> position(MotionView m) {
+  std::vector<std::pair<std::string, double>> list;
+  for (int i = 0; i < kAxes; ++i) {
+    const bool always = i < 3 && (i != 1 || !m.facts.lathe());
+    if (always || m.state.work[i] != 0 || (m.state.named >> i & 1) != 0)
+      list.emplace_back(std::string(1, kAxisNames[static_cast<std::size_t>(i)]), m.state.work[i]);
+  }
+  return list;
+}
+
+std::vector<std::pair<std::string, std::string>> modal(MotionView m) {
+  static constexpr std::pair<const char*, Group> kNames[] = {
+      {"motion", Group::Motion},   {"plane", Group::Plane},       {"distance", Group::Distance},
+      {"feed_mode", Group::Feed},  {"units", Group::Units},       {"radius", Group::Radius},
+      {"length", Group::Length},   {"cycle", Group::Cycle},       {"return", Group::Return},
+      {"scaling", Group::Scaling}, {"surface", Group::Surface},   {"work", Group::Work},
+      {"path", Group::Path},       {"rotation", Group::Rotation}, {"polar", Group::Polar},
+      {"mirror", Group::Mirror},   {"stroke", Group::Stroke}};
+  std::vector<std::pair<std::string, std::string>> list;
+  for (const auto& [name, group] : kNames) {
+    const int code = m.state.modal[at(group)].code;
+    if (code < 0) continue;
+    std::string text = code_name(code);
+    if (group == Group::Work && m.state.work_system == 0 && m.state.modal[at(group)].system == 0)
+      text += " P" + std::to_string(m.state.extra_system);
+    list.emplace_back(name, text);
+  }
+  for (const char word : {'F', 'S', 'T', 'H', 'D'})
+    list.emplace_back(std::string(1, word), number_text(modal_word(m, word)));
+  return list;
+}
+
+Workpiece placed(MotionView m, Workpiece workpiece) {
+  Axes zero{};
+  if (const int system = system_of(workpiece.system); system > 100)
+    zero = m.state.tables.work[0] + m.state.tables.extra[static_cast<std::size_t>(system - 101)];
+  else if (system > 0)
+    zero = m.state.tables.work[0] + m.state.tables.work[static_cast<std::size_t>(system)];
+  for (Solid& solid : workpiece.solids)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double share = m.facts.share(static_cast<int>(i));
+      for (Point3* point : {&solid.at, &solid.low, &solid.high})
+        (*point)[i] = ((*point)[i] + zero[i]) * share;
+    }
+  open_holes(workpiece.solids);
+  return workpiece;
+}
+
+}  // namespace cncsub

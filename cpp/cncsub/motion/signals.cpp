@@ -1,0 +1,20 @@
+#include "cncsub/motion/signals.hpp"
+
+namespace cncsub {
+
+SkipsTold SkipLists::take(SignalMask signals) {
+  SkipsTold told{{}, signals};
+  if (lists == nullptr) return told;
+  if (!taken) taken = *used;
+  Next& next = *taken;
+  for (std::size_t i = 0; i < next.size() && told.open != 0; ++i) {
+    const SignalMask of = i == 0 ? signals : signal_bit(static_cast<int>(i)) & signals;
+    const auto& list = (*lists)[i];
+    if (of == 0 || next[i] >= list.size()) continue;
+    told.told.push_back(list[next[i]++]);
+    told.open &= ~of;
+  }
+  return told;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,44 @@
+// Skip signals: which there are, and what was told of them before the run.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace cncsub {
+
+/// Skip signals, a bit for each: 1 to 8, and those of G36 and G37, one for X, Y and Z each.
+using SignalMask = std::uint32_t;
+constexpr SignalMask kAnySignal = ~SignalMask{0};
+constexpr int kArrivalSignal = 9;  // of X
+constexpr int kSkipSignals = kArrivalSignal + 3;
+constexpr SignalMask signal_bit(int signal) { return SignalMask{1} << signal; }
+
+/// What is said of a skip signal on the way of one block.
+struct SkipSignal {
+  enum class Comes : std::uint8_t { AtFraction, AtCoordinate, Never } comes = Comes::AtFraction;
+  double value = 0;  // of the way, or in work coordinates, mm
+  int axis = 0;
+};
+
+/// What is told of the signals that a block watches, and those of which nothing is left.
+struct SkipsTold {
+  std::vector<SkipSignal> told;
+  SignalMask open = 0;
+};
+
+/// What was told of each signal, block after block, and of any signal (0); and how much of that is
+/// used up.
+struct SkipLists {
+  using Next = std::array<std::size_t, kSkipSignals>;
+  const std::array<std::vector<SkipSignal>, kSkipSignals>* lists = nullptr;
+  const Next* used = nullptr;  // before this block
+  std::optional<Next> taken;   // with what this block takes, where it takes any
+
+  /// The next that is told of these signals. What is told of any signal comes first.
+  SkipsTold take(SignalMask signals);
+};
+
+}  // namespace cncsub

@@ -1,0 +1,201 @@
+// The state of the axes and of everything modal: plain values, so that a copy is a snapshot.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "cncsub/control/control.hpp"
+#include "cncsub/control/g_codes.hpp"
+#include "cncsub/trace/moves.hpp"
+
+namespace cncsub {
+
+constexpr std::size_t at(Group group) { return static_cast<std::size_t>(group); }
+
+/// A motion on its way to the table: the end without tool offsets, in machine terms ("base").
+struct Piece {
+  MoveKind kind = MoveKind::Rapid;
+  std::uint32_t step = 0;
+  Axes end{};
+  std::uint32_t named = 0;         // axes with a word, bit i = kAxisNames[i]
+  std::array<double, 3> centre{};  // of an arc, base
+  int plane = 17;
+  double turn = 0;     // of an arc: the angle run through, plus = counter-clockwise
+  double seconds = 0;  // of a dwell
+  int side = 0;        // radius compensation: -1 left, 1 right, 0 off
+  double radius = 0;
+  std::array<double, 3> tip{};  // of a lathe: from the nose centre to the imaginary tip
+  char corner = 0;              // 'C' or 'R' between this piece and the next
+  double corner_size = 0;
+  bool corner_piece = false;  // put in between two blocks
+  SkipMove skip = SkipMove::No;
+  std::uint32_t at = 0;  // its block, for faults
+  Axes offset{};         // work to base
+  Axes length{};         // base to machine
+  MoveState state;
+};
+
+/// A line of which only the angle is known, until the next block tells its end.
+struct Angled {
+  bool waiting = false;
+  double angle = 0;  // degrees
+  Piece piece;
+  int idle = 0;  // blocks without a move behind it
+};
+
+/// Moves that wait because the next one decides where they end.
+struct Held {
+  std::vector<Piece> corner;  // a block with a chamfer or a corner round
+  Axes corner_from{};         // where it starts, base
+  std::vector<Piece>
+      radius;             // a compensated move, and behind it those that do not move in the plane
+  Axes radius_from{};     // where the first of them starts
+  Axes radius_to{};       // where the last compensated move in the plane ended
+  std::size_t step = 0;   // where in `radius` a low step waits for the move behind it; 0: none
+  Axes step_from{};       // where that starts
+  bool moved = false;     // a move in the plane came in this block
+  bool starting = false;  // that move is the start-up
+  bool engaged = false;   // the tool is off the programmed path
+  std::array<double, 2>
+      vector{};  // from the programmed point to the tool, in the plane, radius values
+  std::array<double, 2> entered{};  // the direction of the compensated move before
+  int idle = 0;                     // blocks without a move in the plane, in a row
+};
+
+struct CycleData {
+  Meaning cycle = Meaning::CycleOff;
+  int code = 0;
+  double r = 0, z = 0;  // as written
+  bool r_incremental = false, z_incremental = false, has_r = false, has_z = false;
+  double q = 0, k = 0, p = 0;
+  double shift_x = 0, shift_y = 0;  // I J of G76 and G87
+  bool has_q = false, has_k = false, has_shift = false;
+  double clearance = -1;  // D of a lathe
+  bool full = false;      // draws back all the way after a peck, J1 of a lathe
+  double initial = 0;     // the level from which the cycle mode was entered
+};
+
+/// X Z R J K of the lathe's simple cycles and threads, kept until another motion code.
+struct TurnData {
+  double x = 0, z = 0, r = 0;
+  bool has_x = false, has_z = false;
+  double j = 0, k = 0;  // the run-out of a thread
+  bool has_j = false, has_k = false;
+  int starts = 1;  // of a thread
+};
+
+/// The first blocks of the two-block cycles G71 to G76.
+struct MultipleData {
+  double depth = 0, escape = 0;     // G71 U R, G72 W R
+  double shift_x = 0, shift_z = 0;  // G73 U W
+  int passes = 1;                   // G73 R
+  bool has_depth = false, has_escape = false;
+  double retract = 0;                             // G74 G75 R
+  int finish_passes = 1, chamfer = 0, angle = 0;  // G76 P
+  double least_cut = 0, allowance = 0;            // G76 Q R
+};
+
+struct ToolOffsets {  // of a lathe
+  Axes value{};
+  int tip = 0;
+  double radius = 0;
+};
+
+/// The area of G22: machine coordinates of X, Y and Z.
+struct StrokeArea {
+  std::array<double, 3> low{}, high{};
+  bool known = false;
+};
+
+struct Turned {  // rotation, scaling and mirror
+  bool rotation = false, scaling = false, mirror = false;
+  std::array<double, 3> centre{}, scale_centre{}, scale{1, 1, 1}, mirror_at{};
+  double angle = 0;
+  int plane = 17;
+  bool frame = false;  // the centre is the zero point of turned coordinates
+  std::uint32_t mirrored = 0;
+};
+
+/// Everything modal.
+struct ModalState {
+  // What the fast path reads and writes.
+  bool plain = false;  // nothing but G00 to G03 with words for X Y Z F and a centre can happen
+  bool incremental = false;
+  std::uint8_t motion_code = 0;  // where it is plain: 1 is G01
+  std::uint32_t row_state = 0;
+  const Moves* row_moves = nullptr;  // the table row_state belongs to; only compared
+  double unit = 1;                   // mm in one unit of the program
+  double feed = 0;                   // mm/min, mm/rev
+  double seconds_per_mm = 0;
+  double time = 0;
+  Axes work{};                            // the programmed point, work coordinates
+  std::array<double, 3> half{1, 1, 1};    // squared share of an axis in a path's length
+  std::array<double, 3> rapid_seconds{};  // per unit of the axis
+
+  Axes offset{};  // work to base: zero points, shift, local
+  Axes length{};  // base to machine: tool length
+  Axes shift{}, local{};
+  Axes tool_shift{};  // lathe tool offset as a shift of the work coordinates
+  Axes middle{};      // intermediate point of G28, base
+  std::uint32_t middle_known = 0;
+  Axes tool_at{};  // machine position behind the last recorded move; kept where not `plain`
+  bool tool_pending = false;  // a tool offset waits for the next move
+  int length_axis = 2;
+  std::uint32_t named = 0;  // axes that moves named
+  Axes skip{};              // skip position: work coordinates, tool included
+  std::array<GCode, kGroups> modal{};
+  Meaning motion_before_cycle = Meaning::Rapid;
+  int plane = 17;
+  int work_system = 1;                                 // 1 to 6, 0 = extra
+  int extra_system = 0;                                // G54.1 P
+  double speed = 0, surface_speed = 0, max_speed = 0;  // S of G97, of G96, limit
+  bool surface = false;
+  bool turns = false;        // the spindle
+  bool rigid_waits = false;  // M29 came, and its tapping cycle not yet
+  bool rigid = false;        // the cycle in force came behind M29
+  bool data_set = false;     // a G10 came
+  int b = 0, h = 0, d = 0, t = 0;
+  int tool = 0, tool_offset = 0;
+  double lead = 0;  // of threads, where it is kept apart from the feed
+  double polar_angle = 0;
+  bool polar_known = false;
+  bool moved_before = false;  // or set coordinates: the head of the program is over
+  CycleData cycle;
+  TurnData turn;
+  MultipleData multiple;
+  Turned turned;
+  StrokeArea area;
+  Angled angled;
+  Held held;
+};
+
+struct OffsetTables {
+  std::array<Axes, 7> work{};                                    // 0 = EXT
+  std::vector<Axes> extra;                                       // G54.1 P1...
+  std::vector<double> length, length_wear, radius, radius_wear;  // by number
+  std::map<int, ToolOffsets> tools;
+
+  /// Those of H or D, which a variable reads or writes.
+  const std::vector<double>* of(VariableKind kind) const;
+  std::vector<double>* of(VariableKind kind) {
+    return const_cast<std::vector<double>*>(std::as_const(*this).of(kind));
+  }
+};
+
+/// The whole of it.
+struct MotionState : ModalState {
+  OffsetTables tables;
+};
+
+struct MotionFacts;  // what never changes during a run
+
+/// What reads the motion looks at.
+struct MotionView {
+  const MotionFacts& facts;
+  const MotionState& state;
+};
+
+}  // namespace cncsub

@@ -1,0 +1,42 @@
+#include "cncsub/motion/undo.hpp"
+
+namespace cncsub {
+
+ToolOffsets& OffsetLog::change(std::map<int, ToolOffsets>& tools, int number) {
+  const auto found = tools.find(number);
+  tools_.emplace_back(number, found == tools.end() ? std::nullopt : std::optional(found->second));
+  return tools[number];
+}
+
+void OffsetLog::put_back(OffsetTables& tables) {
+  for (; !offsets_.empty(); offsets_.pop_back()) *offsets_.back().first = offsets_.back().second;
+  for (; !tools_.empty(); tools_.pop_back()) {
+    const auto& [number, before] = tools_.back();
+    if (before)
+      tables.tools[number] = *before;
+    else
+      tables.tools.erase(number);
+  }
+}
+
+void OffsetLog::clear() {
+  offsets_.clear();
+  tools_.clear();
+}
+
+Undo::Undo(MotionState& state, OffsetLog& log, Moves* moves)
+    : state_(state),
+      before_(state),
+      log_(log),
+      moves_(moves),
+      rows_(moves != nullptr ? moves->size() : 0) {
+  log_.clear();
+}
+
+void Undo::put_back() {
+  static_cast<ModalState&>(state_) = before_;
+  log_.put_back(state_.tables);
+  if (moves_ != nullptr) moves_->truncate(rows_);
+}
+
+}  // namespace cncsub

@@ -1,0 +1,208 @@
+// The meanings of a block's words, and the modes that they set.
+#include "cncsub/motion/words.hpp"
+
+#include <utility>
+
+#include "cncsub/motion/cycle/cycles.hpp"
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+
+namespace cncsub {
+namespace {
+
+Result set_feed(MotionContext& m, const BlockWords& block) {
+  if (!block.words.has('F')) return std::nullopt;
+  const Control& c = *m.facts.control;
+  if (c.turning.lead_apart.value && cuts_thread(m.state, block)) return std::nullopt;
+  const Meaning once = block.meaning(Group::OneShot);
+  if (c.motion.skip_own_feed.value && (once == Meaning::Skip || once == Meaning::MeasureTool))
+    return std::nullopt;
+  return feed_of(m, block, m.state.feed);
+}
+
+void set_spindle(MotionContext& m, const BlockWords& block) {
+  if (block.words.has('S')) {
+    const double value = block.words['S'];
+    if (block.meaning(Group::OneShot) == Meaning::SetCoordinate)
+      m.state.max_speed = value;
+    else
+      (m.state.surface ? m.state.surface_speed : m.state.speed) = value;
+  }
+  for (int i = 0; i < block.words.m_count; ++i)
+    take_spindle(m.state, m.facts.control->calls.roles.value.of_m(
+                              block.words.m[static_cast<std::size_t>(i)]));
+  if (block.words.has(Role::RigidTapping)) m.state.rigid_waits = m.facts.refuses(Cause::RigidMove);
+  if (block.has(Group::Cycle)) m.state.rigid = std::exchange(m.state.rigid_waits, false);
+}
+
+/// What is wrong with a code by itself.
+Result check_code(MotionView m, const BlockWords& block, int written, const GCode& code) {
+  if (written == 110 && !m.state.data_set && m.facts.refuses(Cause::DataEndFirst))
+    return fault_of(written, Cause::DataEndFirst, block);
+  if (code.meaning == Meaning::None) return fault_of(written, Cause::GCodeNotAvailable, block);
+  if (code.meaning == Meaning::Unknown) return fault_of(written, Cause::CodeNotKnown, block);
+  return std::nullopt;
+}
+
+bool is_computed(const Control& c, Meaning meaning) {
+  if (meaning == Meaning::MeasureTool) return c.motion.measuring.value != Measuring::None;
+  return meaning != Meaning::Uncomputed;
+}
+
+/// The places of a code among the first of the block, as bits.
+std::uint16_t places_of(const NcWords& words, int code, int first) {
+  std::uint16_t places = 0;
+  for (int i = 0; i < first; ++i)
+    if (words.g[static_cast<std::size_t>(i)] == code)
+      places = static_cast<std::uint16_t>(places | 1u << i);
+  return places;
+}
+
+}  // namespace
+
+Result read_codes(MotionContext& m, BlockWords& block) {
+  const Control& c = *m.facts.control;
+  for (int i = 0; i < block.words.g_count; ++i) {
+    const int written = block.words.g[static_cast<std::size_t>(i)];
+    const GCode code = m.facts.codes.find(written);
+    if (auto wrong = check_code(m, block, written, code)) return wrong;
+    if (code.meaning == Meaning::Neutral) continue;
+    if (!is_computed(c, code.meaning)) {
+      block.uncomputed = written;
+      continue;
+    }
+    GCode& place = block.codes[at(code.group)];
+    if (place.code >= 0) {
+      if (code.group != Group::OneShot &&
+          c.reading.repeated_address.value == RepeatedAddress::Alarm)
+        return fault_of(written, Cause::AddressGivenTwice, block);
+      if (place.code != code.code) m.outcome.dropped_codes |= places_of(block.words, place.code, i);
+    }
+    place = code;
+  }
+  return std::nullopt;
+}
+
+Result check_block(MotionView m, const BlockWords& block) {
+  const Control& c = *m.facts.control;
+  if ((block.words.whole >> kPointedH & 1) != 0 && m.facts.machine != MachineType::LatheA)
+    return fault_at('H', Cause::IllegalDecimalPoint, block, "H takes no decimal point");
+  if (block.has(Group::Units) && c.motion.unit_change.value != UnitChange::Anywhere) {
+    const bool shares = c.motion.unit_change.value == UnitChange::Alone && block.words.g_count > 1;
+    if (m.state.moved_before || shares || (block.words.mask & ~bit('N')) != 0)
+      return fault(Cause::UnitChangeLate, block);
+  }
+  if (!m.state.held.corner.empty() && block.has(Group::Plane))
+    return fault(Cause::CornerPlane, block);
+  if (compensating(m.state) && block.has(Group::Plane) &&
+      block.codes[at(Group::Plane)].code != m.state.plane * 10)
+    return fault(Cause::CompensationPlane, block);
+  return check_conflicts(m, block);
+}
+
+Result set_modes(MotionContext& m, BlockWords& block) {
+  for (const Group group : {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units,
+                            Group::Return, Group::Macro, Group::Surface, Group::Path, Group::Turret,
+                            Group::Fluctuation, Group::PolarMilling})
+    if (block.has(group)) m.state.modal[at(group)] = block.codes[at(group)];
+  if (block.has(Group::Plane)) m.state.plane = block.codes[at(Group::Plane)].code / 10;
+  const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
+  // G97 without S keeps the speed that there is. [TDi 25 note 4]
+  if (m.state.surface && !surface && (m.state.work[0] != 0 || m.state.max_speed > 0))
+    if (const double last = spindle_at(move_state(m.state), std::fabs(m.state.work[0])); last > 0)
+      m.state.speed = last;
+  m.state.surface = surface;
+  const Meaning units = m.state.modal[at(Group::Units)].meaning;
+  m.state.unit = units == Meaning::Inch ? kInch : units == Meaning::Pulses ? m.facts.increment : 1;
+  m.state.incremental = m.state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
+  if (block.meaning(Group::Stroke) == Meaning::StrokeOn) {
+    if (auto wrong = set_area(m, block)) return wrong;
+  }
+  if (auto wrong = set_feed(m, block)) return wrong;
+  set_lead(m, block);
+  if (auto wrong = set_tool(m, block)) return wrong;  // T1 M06 changes to tool 1 [source 003]
+  set_spindle(m, block);
+  if (auto wrong = select_work(m, block)) return wrong;
+  if (block.has(Group::Polar)) {
+    m.state.modal[at(Group::Polar)] = block.codes[at(Group::Polar)];
+    m.state.polar_known = false;
+  }
+  return set_turned(m, block);
+}
+
+Result feed_of(MotionView m, const BlockWords& block, double& feed) {
+  const double value = block.words['F'];
+  const bool times = m.state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
+  double unit = times ? 1 : m.state.unit;  // times a minute have no unit of length
+  if (!times && (block.words.whole & bit('F')) != 0 &&
+      m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments)
+    unit *= feed_increment(m.state);
+  const int most = m.facts.control->motion.max_feed.value;
+  if (value < 0 || (most > 0 && value * unit > most)) return fault(Cause::FeedOutOfRange, block);
+  feed = value * unit;
+  return std::nullopt;
+}
+
+void take_spindle(MotionState& state, Role role) {
+  switch (role) {
+    case Role::SpindleForward:
+    case Role::SpindleBackward:
+      state.turns = true;
+      break;
+    case Role::SpindleStop:
+      state.turns = false;
+      break;
+    case Role::ToolChange:
+      state.tool = state.t;
+      break;
+    default:
+      break;
+  }
+}
+
+double feed_increment(const MotionState& state) {
+  const bool per_minute = state.modal[at(Group::Feed)].meaning != Meaning::PerRevolution;
+  return (per_minute ? 1 : 0.01) * (g20(state) ? 0.01 : 1);
+}
+
+Result need_feed(MotionView m, const BlockWords& block, Meaning meaning) {
+  if (meaning == Meaning::Rapid) return std::nullopt;
+  if (m.state.feed <= 0) return fault(Cause::NoFeed, block);
+  if (lacks_speed(m)) return fault(Cause::NoSpeed, block);
+  return std::nullopt;
+}
+
+bool lacks_speed(MotionView m) {
+  const bool revolutions =
+      m.state.surface || m.state.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
+  return revolutions && (m.state.surface ? m.state.surface_speed : m.state.speed) <= 0 &&
+         m.facts.refuses(Cause::NoSpeed);
+}
+
+namespace {
+
+bool turns(char address) { return (address >= 'A' && address <= 'C') || (address == 'H'); }
+bool pulses(const MotionState& state) {
+  return state.modal[at(Group::Units)].meaning == Meaning::Pulses;
+}
+
+}  // namespace
+
+double in_units(MotionView m, const NcWords& words, char address) {
+  const double value = words[address];
+  const bool computed = (words.computed & bit(address)) != 0;
+  const bool steps_meant = !computed && (words.whole & bit(address)) != 0 &&
+                           m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
+  if (!computed && !steps_meant) return value;
+  const bool tenth = !turns(address) && g20(m.state);
+  const double steps = 1 / (pulses(m.state) ? 1 : m.facts.increment * (tenth ? 0.1 : 1));
+  return (computed ? std::round(value * steps) : value) / steps;
+}
+
+double number(MotionView m, const BlockWords& block, char address) {
+  const double value = in_units(m, block.words, address);
+  // Pulses count on every axis, inches on the straight ones alone. [source 003, G20 G21 G22]
+  return turns(address) && !pulses(m.state) ? value : value * m.state.unit;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,34 @@
+// A block's words: their meanings, what does not go together, and the modes that they set.
+#pragma once
+
+#include "cncsub/motion/context.hpp"
+
+namespace cncsub {
+
+/// Carries a block out.
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step);
+
+/// Finds the meanings of the G codes; of two of a group the later counts.
+Result read_codes(MotionContext& m, BlockWords& block);
+/// What may not stand together, before anything changes.
+Result check_block(MotionView m, const BlockWords& block);
+Result check_conflicts(MotionView m, const BlockWords& block);
+Result set_modes(MotionContext& m, BlockWords& block);
+
+/// The value of an axis or length word in mm or degrees.
+double number(MotionView m, const BlockWords& block, char address);
+/// The same in units of the program.
+double in_units(MotionView m, const NcWords& words, char address);
+/// F of a block as a feed.
+Result feed_of(MotionView m, const BlockWords& block, double& feed);
+/// What an M code does to the spindle and the tool in it.
+void take_spindle(MotionState& state, Role role);
+/// What F1 without a point is. [general knowledge]
+double feed_increment(const MotionState& state);
+Result need_feed(MotionView m, const BlockWords& block, Meaning meaning);
+/// Whether a cut would wait for a spindle that was never told how fast to turn.
+bool lacks_speed(MotionView m);
+/// Whether a block's motion is made in spite of its one-shot code.
+bool goes_with_motion(const MotionState& state, const BlockWords& block);
+
+}  // namespace cncsub

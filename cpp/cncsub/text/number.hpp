@@ -1,0 +1,42 @@
+// Numbers: the largest there is, and the one place where a double becomes an integer of any width.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+namespace cncsub {
+
+/// The largest value that a variable or a word takes.
+constexpr double kLargest = 1e47;
+
+/// The whole part of a value. What the type does not hold becomes the nearest number that it holds,
+/// and a vacant value 0: no value is outside, whatever a program says.
+template <class Whole>
+constexpr Whole to_whole(double value) {
+  static_assert(std::is_integral_v<Whole>);
+  constexpr Whole kLow = std::numeric_limits<Whole>::min();
+  constexpr Whole kHigh = std::numeric_limits<Whole>::max();
+  if (value != value) return 0;
+  if (value <= static_cast<double>(kLow)) return kLow;
+  if (value >= static_cast<double>(kHigh)) return kHigh;  // of 64 bits it is one more than kHigh
+  return static_cast<Whole>(value);
+}
+
+/// The same within limits.
+template <class Whole>
+constexpr Whole to_whole(double value, Whole low, Whole high) {
+  const Whole whole = to_whole<Whole>(value);
+  return whole < low ? low : whole > high ? high : whole;
+}
+
+/// The whole number that a value is but for a ten-thousandth.
+inline std::optional<double> nearly_whole(double value) {
+  constexpr double kApart = 1e-4;
+  const double low = std::floor(value), rest = value - low;
+  if (rest > kApart && rest <= 1 - kApart) return std::nullopt;
+  return rest > 1 - kApart ? low + 1 : low;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,136 @@
+// Characters of a block: what is skipped, what is a digit, where it ends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "cncsub/text/number.hpp"
+
+namespace cncsub {
+
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+inline char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+/// A byte of a character of several bytes, besides its first.
+inline bool goes_on(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+/// Blanks, and the characters of punched tape that say nothing: NUL and DEL.
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\0' || c == '\x7f' || c == '\v' || c == '\f';
+}
+
+inline std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  return text;
+}
+
+/// A place in a block's text. The text ends where the block ends, comments are passed over like
+/// blanks.
+struct Scanner {
+  const char* at = nullptr;
+  const char* end = nullptr;
+  const char* file = nullptr;  // the file's first character
+
+  std::uint32_t offset() const { return static_cast<std::uint32_t>(at - file); }
+  void blanks() {
+    while (at != end) {
+      if (is_blank(*at)) {
+        ++at;
+      } else if (*at == '(') {
+        while (at != end && *at != ')') ++at;
+        if (at != end) ++at;
+      } else {
+        return;
+      }
+    }
+  }
+  char peek() {
+    blanks();
+    return at == end ? '\0' : upper(*at);
+  }
+  bool take(char c) {
+    if (peek() != c) return false;
+    ++at;
+    return true;
+  }
+  /// Passes over what is left of a comment with brackets of its own: `)` behind its end.
+  void rest_of_comment() {
+    while (at != end && *at == ')') {
+      const char* before = at;
+      while (before != file && is_blank(before[-1])) --before;
+      if (before == file || before[-1] != ')') return;
+      while (at != end && (*at == ')' || is_blank(*at))) ++at;
+      blanks();
+    }
+  }
+
+  /// Takes a word if it stands here, letters apart or not.
+  bool take_word(std::string_view word) {
+    const char* start = at;
+    for (const char c : word) {
+      if (peek() != c) {
+        at = start;
+        return false;
+      }
+      ++at;
+    }
+    return true;
+  }
+  /// Takes the name of a variable: letters, digits and _.
+  std::string take_name() {
+    std::string name;
+    for (char c = peek(); is_letter(c) || is_digit(c) || c == '_'; c = peek()) {
+      name += c;
+      ++at;
+    }
+    return name;
+  }
+};
+
+/// A number as written.
+struct Number {
+  double value = 0;                // at most kLargest: whoever takes more digits looks at these
+  std::uint32_t digits = 0;        // without leading zeros
+  std::uint32_t whole_digits = 0;  // of them before the point
+  std::uint32_t decimals = 0;
+  std::uint32_t written = 0;  // digits with leading zeros
+  std::uint8_t points = 0;
+  bool negative = false;
+  bool has_sign = false;
+  bool any = false;  // at least one digit
+};
+
+/// The digits of a number without its sign, as they are read: all of them as one whole number.
+struct Mantissa {
+  std::uint64_t value = 0;
+  std::ptrdiff_t whole = 0, decimals = 0;  // how many digits
+  bool point = false;
+};
+
+/// Reads digits, perhaps a point, and digits. The first character behind them must be readable, and
+/// more than 15 digits are more than the value holds. (Eight characters at a time take longer: most
+/// numbers are alike in length, and the loops are foreseen.)
+inline Mantissa scan_mantissa(const char*& at) {
+  Mantissa m;
+  const char* first = at;
+  for (; is_digit(*at); ++at) m.value = m.value * 10 + static_cast<std::uint64_t>(*at - '0');
+  m.whole = at - first;
+  m.point = *at == '.';
+  if (!m.point) return m;
+  first = ++at;
+  for (; is_digit(*at); ++at) m.value = m.value * 10 + static_cast<std::uint64_t>(*at - '0');
+  m.decimals = at - first;
+  return m;
+}
+
+/// Powers of ten that are exact.
+inline constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                          1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                          1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/// Reads sign, digits, points; blanks may stand inside. Leaves the scanner behind it.
+Number scan_number(Scanner& s);
+
+}  // namespace cncsub

@@ -1,0 +1,42 @@
+// The words of a block as they are written, for messages, people and tools; the engine itself runs
+// code.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+struct WrittenWord {
+  std::string address;  // "X", ",C", "#", "/"; empty for a macro statement
+  bool known = false;   // the value is written as a number
+  double value = 0;
+  std::string text;                 // "X10."
+  std::uint32_t at = 0, width = 1;  // the bytes of the block
+};
+
+/// Reads the word of a block at `from` or behind it, and leaves `from` behind the word; nothing
+/// where the block has no more. Each dialect has its own way.
+using ReadWord = std::optional<WrittenWord> (*)(std::string_view block, std::size_t& from);
+
+/// Reads the number that stands here, if one does, as the value of a word. Whether it has a digit.
+bool take_number(Scanner& s, WrittenWord& word);
+
+/// Gives a word its text and its place: what stands from one character of its block to another,
+/// without blanks and comments.
+void place_word(WrittenWord& word, std::string_view block, const char* from, const char* to);
+
+inline std::vector<WrittenWord> written_words(ReadWord read, std::string_view block) {
+  std::vector<WrittenWord> words;
+  std::size_t from = 0;
+  while (auto word = read(block, from)) words.push_back(std::move(*word));
+  return words;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,169 @@
+// The moves of a run as columns: one row per motion. What is constant over many rows stands in a
+// table of states, what only some rows have (arc centres, radius offsets, dwells) in lists by row,
+// and what follows from these is computed when it is asked for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/text/interrupt_check.hpp"
+#include "cncsub/trace/column.hpp"
+#include "cncsub/trace/way.hpp"
+
+namespace cncsub {
+
+/// One row with everything that follows from it.
+struct MoveRow {
+  std::uint32_t step = 0;
+  MoveKind kind = MoveKind::Rapid;
+  Axes point{};                    // programmed end, work coordinates, diameter on a diameter axis
+  Axes machine{};                  // machine position of the tool
+  std::array<double, 3> centre{};  // NaN where none
+  const MoveState* state = nullptr;
+  double feed = 0;     // mm/min, mm/rev, 1/min; degrees where rotary axes alone move
+  double spindle = 0;  // r/min at the end of the move
+  double length = 0;   // mm
+  double time = 0;     // s
+  SkipMove skip = SkipMove::No;
+};
+
+class Moves {
+ public:
+  /// An empty table for the moves that follow the last one of this.
+  Moves next_part() const;
+
+  std::size_t size() const { return rows_; }
+  MoveRow row(std::size_t index) const;
+  /// The axes that moves named, X Y Z first.
+  std::string axes() const;
+  // What goes over all moves asks `interrupt` now and then; given up, it leaves the rest undone.
+  double length(InterruptCheck* interrupt = nullptr) const;
+  double time(InterruptCheck* interrupt = nullptr) const;
+  struct Bounds {
+    Axes low, high;  // work coordinates; NaN on an axis no move named
+  };
+  Bounds bounds(InterruptCheck* interrupt = nullptr) const;
+  /// Writes whole columns, each to its place, in one pass over the moves: x y z a b c u v w, mx my
+  /// mz ma ..., cx cy cz, feed, spindle, length, time. False where a name is another one.
+  bool columns(const std::vector<std::string>& names, const std::vector<double*>& out,
+               InterruptCheck* interrupt = nullptr) const;
+  /// move, step, kind, plane, tool, h, d, feed_mode, skip.
+  template <class Whole>
+  bool column(std::string_view name, Whole* out, InterruptCheck* interrupt = nullptr) const;
+  std::size_t bytes() const;
+
+  // What the motion engine writes.
+
+  /// The machine's facts that lengths and times need, before the first row: where the tool is,
+  /// rapid rates, diameter axes.
+  void begin(const Axes& machine, const Axes& rapid, std::uint32_t diameters);
+  std::uint32_t intern(MoveState state, const Axes& offset);
+  /// The axes that moves named; bit 0 is X.
+  void mark(std::uint32_t axes) { used_ |= axes; }
+  /// The same for axes beyond X, Y and Z, which get a column.
+  void use(std::uint32_t axes);
+  std::uint32_t used() const { return used_; }
+
+  /// A row with nothing but X, Y and Z, which must be fast.
+  void push(std::uint32_t step, MoveKind kind, const Axes& point, std::uint32_t state) {
+    if (rows_ >= room_.end) grow();
+    const std::size_t place = rows_ % Chunk::kRows;
+    Chunk& chunk = *room_.chunk;
+    chunk.step[place] = step;
+    chunk.kind[place] = kind;
+    chunk.state[place] = state;
+    chunk.x[place] = point[0];
+    chunk.y[place] = point[1];
+    chunk.z[place] = point[2];
+    ++rows_;
+    if (!extras_.empty()) push_extras(point);
+  }
+  /// Facts about the row that was just pushed.
+  void arc(std::array<double, 3> centre, double in_plane);
+  void vector(const std::array<double, 3>& vector);
+  void seconds(double time);
+  void skip(SkipMove how);
+  /// Forgets the rows from `rows` on.
+  void truncate(std::size_t rows);
+
+ private:
+  struct Chunk {
+#ifdef CNCSUB_FUZZ  // as in column.hpp
+    static constexpr std::size_t kRows = 64;
+#else
+    static constexpr std::size_t kRows = 1 << 12;
+#endif
+    double x[kRows], y[kRows], z[kRows];
+    std::uint32_t step[kRows], state[kRows];
+    MoveKind kind[kRows];
+  };
+  struct Extra {
+    int axis = 0;
+    std::size_t first = 0;  // the first row with this axis
+    Column<double> values;
+  };
+  struct Arc {
+    std::uint32_t row;
+    std::array<double, 3> centre;
+    double in_plane;  // its way, without that of other axes
+  };
+  struct Vector {
+    std::uint32_t row;
+    std::array<double, 3> vector;
+  };
+  struct Seconds {
+    std::uint32_t row;
+    double time;
+  };
+  struct Skip {
+    std::uint32_t row;
+    SkipMove how;
+  };
+  struct Walk;
+  /// Where rows may be written: the last chunk, and the first row that is not in it. A copy of the
+  /// table has no room, because the chunk is not its own.
+  struct Room {
+    Chunk* chunk = nullptr;
+    std::size_t end = 0;
+
+    Room() = default;
+    Room(const Room&) {}
+    Room& operator=(const Room& other) {
+      if (this != &other) *this = Room();
+      return *this;
+    }
+    Room(Room&&) noexcept = default;
+    Room& operator=(Room&&) noexcept = default;
+    ~Room() = default;
+  };
+
+  void grow();
+  bool plain_column(std::string_view name, double* out, InterruptCheck* interrupt) const;
+  template <class Use>
+  void each_row(InterruptCheck* interrupt, Use&& use) const;
+  void push_extras(const Axes& point);
+  Axes point(std::size_t row) const;
+  template <class Use>
+  void walk(InterruptCheck* interrupt, Use&& use) const;
+
+  Chunks<Chunk> chunks_;
+  Room room_;
+  std::size_t rows_ = 0;
+  std::vector<Extra> extras_;
+  Column<MoveState> states_;
+  Column<Axes> offsets_;
+  Column<Arc> arcs_;
+  Column<Vector> vectors_;
+  Column<Seconds> seconds_;
+  Column<Skip> skips_;
+  std::uint32_t used_ = 0;
+  Axes start_{};  // machine position before the first row
+  Axes rapid_{};
+  std::uint32_t diameters_ = 0;
+};
+
+}  // namespace cncsub

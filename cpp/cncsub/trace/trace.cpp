@@ -1,0 +1,59 @@
+#include "cncsub/trace/trace.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cncsub {
+
+std::size_t Trace::call_row(std::int32_t number) const {
+  if (number >= first_call) return carried.size() + static_cast<std::size_t>(number - first_call);
+  const auto found = std::lower_bound(carried.begin(), carried.end(), number);
+  return static_cast<std::size_t>(found - carried.begin());
+}
+
+std::size_t Trace::ended_call(std::size_t index) const {
+  for (const std::size_t row : unfinished) {
+    if (row > index) break;
+    ++index;
+  }
+  return index;
+}
+
+/// Moves hold the last 32 bits of their step. A move that was held back may be of a part before.
+std::int64_t Trace::step_of_move(std::uint32_t step) const {
+  constexpr std::uint32_t kBack = 1 << 20;
+  const std::uint32_t ahead = step - static_cast<std::uint32_t>(first_step) + kBack;
+  return first_step + static_cast<std::int64_t>(ahead) - kBack;
+}
+
+std::size_t Trace::bytes() const {
+  return steps.bytes() + calls.bytes() + arguments.bytes() + moves.bytes() + m_codes.bytes() +
+         t_codes.bytes() + messages.bytes() + dropped.bytes() + text + missed_skips.bytes();
+}
+
+void Trace::say(std::string message) {
+  text += message.size();
+  messages.push(std::move(message));
+}
+
+Trace Trace::take(const std::vector<std::int32_t>& open_calls, bool last, std::int64_t next_step) {
+  Trace rest;
+  rest.depth = depth;
+  rest.first_step = next_step;
+  rest.first_move = first_move + static_cast<std::int64_t>(moves.size());
+  rest.first_call = call_number(calls.size());
+  rest.moves = moves.next_part();
+  for (const std::int32_t number : open_calls) {
+    const std::size_t row = call_row(number);
+    CallRow call = calls[row];
+    const std::uint32_t first = call.first_argument;
+    call.first_argument = static_cast<std::uint32_t>(rest.arguments.size());
+    for (std::uint32_t i = 0; i < call.arguments; ++i) rest.arguments.push(arguments[first + i]);
+    rest.calls.push(call);
+    rest.carried.push_back(number);
+    if (!last) unfinished.push_back(row);
+  }
+  return std::exchange(*this, std::move(rest));
+}
+
+}  // namespace cncsub

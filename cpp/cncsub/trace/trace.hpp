@@ -1,0 +1,87 @@
+// What a run leaves behind: a row per executed block, per call and per move, and what was sent to
+// the machine. A run that is streamed leaves it in parts.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/trace/column.hpp"
+#include "cncsub/trace/moves.hpp"
+
+namespace cncsub {
+
+struct CallRow {
+  std::int32_t parent = -1;
+  std::int32_t program = 0;
+  std::int32_t start_n = -1;
+  std::int32_t repeats = 1;
+  std::int32_t level = 0;
+  std::int32_t depth = 0;
+  std::uint32_t record = 0;  // into Code::calls
+  CallKind kind = CallKind::Subprogram;
+  std::int64_t first_step = 0, last_step = -1, caller_step = 0;
+  std::uint32_t first_argument = 0, arguments = 0;
+};
+
+struct Trace {
+  struct Argument {
+    std::int32_t variable;
+    double value;
+  };
+  enum class Depth : std::uint8_t { None, Calls, Blocks, Moves };
+  struct Step {
+    Address address;
+    std::int32_t call;
+    std::int32_t repeat;
+  };
+
+  struct Place {
+    std::int64_t step;
+    Address address;
+  };
+  /// A word that the control read and did not obey.
+  struct Dropped {
+    std::int64_t step;
+    Address address;
+    std::string text;
+  };
+
+  Depth depth = Depth::Moves;
+  Column<Step> steps;
+  Column<CallRow> calls;
+  Column<Argument> arguments;
+  Moves moves;
+  Column<std::int64_t> m_codes, t_codes;
+  Column<std::string> messages;
+  Column<Place> missed_skips;  // the blocks of G31 that met nothing
+  Column<Dropped> dropped;
+  std::size_t text = 0;  // characters of the messages
+
+  // Steps, calls and moves are numbered through the run; a part begins anywhere.
+  std::int64_t first_step = 0, first_move = 0;
+  std::int32_t first_call = 0;          // the number of the first call that was made in this part
+  std::vector<std::int32_t> carried;    // calls of parts before that were open when this one began:
+                                        // the first rows of `calls`
+  std::vector<std::size_t> unfinished;  // rows of `calls` that belong to a later part
+
+  std::int32_t call_number(std::size_t row) const;
+  std::size_t call_row(std::int32_t number) const;
+  /// The calls that ended in this part, in order; `index` counts those.
+  std::size_t ended_calls() const { return calls.size() - unfinished.size(); }
+  std::size_t ended_call(std::size_t index) const;
+  std::int64_t step_of_move(std::uint32_t step) const;
+  std::size_t bytes() const;
+
+  void say(std::string message);
+  /// Gives away what was recorded and goes on empty, with the open calls, from step `next_step`.
+  Trace take(const std::vector<std::int32_t>& open_calls, bool last, std::int64_t next_step);
+};
+
+inline std::int32_t Trace::call_number(std::size_t row) const {
+  return row < carried.size() ? carried[row]
+                              : first_call + static_cast<std::int32_t>(row - carried.size());
+}
+
+}  // namespace cncsub

@@ -1,0 +1,121 @@
+#include "cncsub/trace/way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cncsub {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+}  // namespace
+
+std::string_view to_string(MoveKind kind) {
+  switch (kind) {
+    case MoveKind::Rapid:
+      return "rapid";
+    case MoveKind::Feed:
+      return "feed";
+    case MoveKind::Cw:
+      return "cw";
+    case MoveKind::Ccw:
+      return "ccw";
+    case MoveKind::Thread:
+      return "thread";
+    case MoveKind::Dwell:
+      return "dwell";
+  }
+  return "";
+}
+
+std::string_view to_string(SkipMove skip) {
+  switch (skip) {
+    case SkipMove::No:
+      return "no";
+    case SkipMove::Touched:
+      return "touched";
+    case SkipMove::Missed:
+      return "missed";
+  }
+  return "";
+}
+
+double spindle_at(const MoveState& state, double diameter) {
+  if (!state.surface) return state.spindle;
+  // In the middle only the limit holds; where none was set the speed is as good as endless.
+  const double speed = 1000 * state.spindle / (kPi * std::max(std::fabs(diameter), 1e-3));
+  return state.max_spindle > 0 ? std::min(speed, state.max_spindle) : speed;
+}
+
+double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
+  double sum = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    const double d = (to[i] - from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
+    if (i < 3 || i > 5) sum += d * d;
+  }
+  return std::sqrt(sum);
+}
+
+double arc_length(double in_plane, int plane, const Axes& from, const Axes& to,
+                  std::uint32_t diameters) {
+  double sum = in_plane * in_plane;
+  for (const int i : {plane_axes(plane).across, 6, 7, 8}) {
+    const double d = (to[i] - from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
+    sum += d * d;
+  }
+  return std::sqrt(sum);
+}
+
+double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters) {
+  double longest = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    const double share = (diameters >> i & 1) != 0 ? 0.5 : 1;
+    if (to[i] != from[i] && rapid[i] > 0)
+      longest = std::max(longest, std::fabs(to[i] - from[i]) * share / rapid[i] * 60);
+  }
+  return longest;
+}
+
+namespace {
+
+double thread_time(const MoveWay& way, double spindle, std::uint32_t diameters) {
+  double along = 0, degrees = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    const double d = std::fabs(way.to[i] - way.from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
+    double& longest = i < 3 || i > 5 ? along : degrees;
+    longest = std::max(longest, d);
+  }
+  if (along < kNoWay) along = degrees * way.state.degree;
+  const double rate = way.state.feed * spindle;
+  return rate > 0 ? along / rate * 60 : 0;
+}
+
+/// What a feed is counted along. Of a line: the length, and the degrees of rotary axes, each as
+/// long as a unit of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear
+/// interpolation] Of an arc: what lies in its plane; F is the speed there, a helix goes along.
+double path_of(const MoveWay& way) {
+  if (way.kind != MoveKind::Feed) return way.path;
+  double sum = way.path * way.path;
+  for (int i = 3; i < 6; ++i) {
+    const double turned = (way.to[i] - way.from[i]) * way.state.degree;
+    sum += turned * turned;
+  }
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+double seconds_of(const MoveWay& way, const Axes& rapid, std::uint32_t diameters) {
+  if (way.kind == MoveKind::Dwell) return way.dwell;
+  if (way.kind == MoveKind::Rapid) return rapid_time(way.from, way.to, rapid, diameters);
+  const double diameter = (std::fabs(way.from[0] - way.zero) + std::fabs(way.to[0] - way.zero)) / 2;
+  const double spindle = turning(spindle_at(way.state, diameter));
+  if (way.kind == MoveKind::Thread) return thread_time(way, spindle, diameters);
+  double rate = way.state.feed;
+  if (way.state.feed_mode == FeedMode::InverseTime) return rate > 0 ? 60 / rate : 0;
+  if (way.state.feed_mode == FeedMode::PerRevolution) rate *= spindle;
+  return rate > 0 ? path_of(way) / rate * 60 : 0;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,88 @@
+// A move: its kind, what held for it, how long its way is, and how long it takes.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+namespace cncsub {
+
+enum class MoveKind : std::uint8_t { Rapid, Feed, Cw, Ccw, Thread, Dwell };
+std::string_view to_string(MoveKind kind);
+
+/// Whether a move was one of G31, and whether its signal came.
+enum class SkipMove : std::uint8_t { No, Touched, Missed };
+std::string_view to_string(SkipMove skip);
+
+constexpr int kAxes = 9;
+constexpr std::string_view kAxisNames = "XYZABCUVW";
+using Axes = std::array<double, kAxes>;
+
+enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
+
+/// What holds for a row besides its end point.
+struct MoveState {
+  double feed = 0;           // mm/min, mm/rev or 1/min
+  double spindle = 0;        // r/min, or m/min where `surface`
+  double max_spindle = 0;    // 0 = no limit
+  std::uint32_t offset = 0;  // into the table of offsets
+  std::int32_t tool = 0;
+  std::int32_t h = 0;
+  std::int32_t d = 0;
+  std::uint8_t plane = 17;
+  FeedMode feed_mode = FeedMode::PerMinute;
+  bool surface = false;
+  double degree = 1;  // mm that a degree counts in a path: F is degrees a minute where it is inches
+
+  bool operator==(const MoveState&) const = default;
+};
+
+/// The two axes of a plane, and the one across it. G18 is (Z, X).
+struct PlaneAxes {
+  int a, b, across;
+};
+inline PlaneAxes plane_axes(int plane) {
+  if (plane == 18) return {2, 0, 1};
+  if (plane == 19) return {1, 2, 0};
+  return {0, 1, 2};
+}
+
+/// A move of the tool: from one machine position to another.
+struct MoveWay {
+  MoveKind kind = MoveKind::Rapid;
+  const MoveState& state;
+  const Axes &from, &to;
+  double path = 0;   // mm; of an arc what lies in its plane
+  double zero = 0;   // where X is 0, to which a diameter counts: a machine coordinate
+  double dwell = 0;  // s
+};
+/// The speed that a feed per revolution counts on: a spindle that was never told to turn counts as
+/// one that turns once a minute, so that the cut ends, late. [policy]
+inline double turning(double spindle) { return spindle > 0 ? spindle : 1; }
+/// How long a move takes, in seconds: told with each move, and summed up by the run.
+double seconds_of(const MoveWay& way, const Axes& rapid, std::uint32_t diameters);
+/// r/min at this diameter.
+double spindle_at(const MoveState& state, double diameter);
+constexpr double kNoWay = 1e-9;  // mm: what rounding leaves of a point that did not move
+/// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
+double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
+/// The length of an arc of which the way in its plane is known, with that of the other axes.
+double arc_length(double in_plane, int plane, const Axes& from, const Axes& to,
+                  std::uint32_t diameters);
+double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
+/// The length of an arc whose radius grows evenly from the first to the last over an angle: of one
+/// that misses its end inside the tolerance, which the tool reaches on a spiral. [ALM 020][M7
+/// p.194]
+inline double spiral_length(double first, double last, double turn) {
+  const double growth = last - first, mean = (first + last) / 2 * turn;
+  if (growth == 0) return std::fabs(mean);
+  if (std::fabs(growth) <= 1e-5 * (first + last)) return std::sqrt(mean * mean + growth * growth);
+  const double k = std::fabs(growth / turn);  // of the radius, for each radian
+  const auto upto = [k](double radius) {
+    return radius * std::sqrt(radius * radius + k * k) + k * k * std::asinh(radius / k);
+  };
+  return std::fabs(turn / (2 * growth) * (upto(last) - upto(first)));
+}
+
+}  // namespace cncsub

@@ -1,0 +1,112 @@
+// LinuxCNC: its interpreter, as the program rs274 runs it without a machine.
+// The keys of the sources stand in sources.def. What they do not tell is the family's, and so is
+// motion beyond lines and arcs.
+#include "controls/facts.hpp"
+
+namespace cncsub {
+namespace {
+
+using enum Evidence;
+
+constexpr const char* kRun = "rs274 2.9";
+constexpr const char* kOverview = "LC overview";
+constexpr const char* kGCode = "LC g-code";
+
+/// The rest of the language is the dialect's own: no rule asks for it.
+void language(Control& c) {
+  c.reading.max_digits = {15, kRun, SourceDocument};
+  c.reading.g_codes = {
+      "0 1 2 3 4 5 5.1 5.2 5.3 6 6.1 7 8 10 17 17.1 18 18.1 19 19.1 20 21 28 28.1 30 30.1 33 33.1 "
+      "38.2 38.3 38.4 38.5 40 41 41.1 42 42.1 43 43.1 43.2 49 52 53 54 55 56 57 58 59 59.1 59.2 "
+      "59.3 61 61.1 64 70 71 71.1 71.2 72 72.1 72.2 73 74 76 80 81 82 83 84 85 86 87 88 89 90 90.1 "
+      "91 91.1 92 92.1 92.2 92.3 93 94 95 96 97 98 99",
+      kOverview, Manual};
+  c.reading.missing_end = {MissingEnd::Alarm, kRun, SourceDocument};
+  c.calls.max_nesting = {9, kRun, SourceDocument};
+  c.calls.main_return = {MainReturn::Ends, kRun, SourceDocument};
+  lacks(c.common.reset_clears, {Cleared::Locals, Cleared::Commons}, kOverview, Manual);
+}
+
+void motion(Control& c) {
+  c.motion.dwell_words = {"P", kGCode, Manual};
+  c.motion.dwell_point = {DwellPoint::Seconds, kGCode, Manual};
+  c.motion.cycle_repeats = {"L", kGCode, Manual};
+  c.motion.arc_tolerance = {28, kRun, SourceDocument};
+  c.motion.arc_tolerance_inch = {72, kRun, SourceDocument};
+  c.motion.arc_tolerance_share = {1, kRun, SourceDocument};
+}
+
+using Kind = VariableKind;
+
+void variables(Control& c) {
+  const auto add = [&c](std::int32_t first, std::int32_t last, Kind kind, Access access,
+                        char address = 0, std::int32_t from = 0) {
+    c.variables.push_back({first, last, kind, access, address, kRun, SourceDocument, from});
+  };
+  c.variables.push_back({1, 30, Kind::Local, Access::ReadWrite, 0, "LC o-code", Manual});
+  add(31, 5220, Kind::Kept, Access::ReadWrite);
+  add(5221, 5326, Kind::WorkOffset, Access::ReadWrite, 0, 20);
+  add(5327, 5399, Kind::Kept, Access::ReadWrite);
+  add(5400, 5419, Kind::Kept, Access::ReadOnly);
+  add(5420, 5428, Kind::WorkPosition, Access::ReadOnly);
+  add(5429, 5601, Kind::Kept, Access::ReadWrite);
+  // No program can name these: they are what the named variables of the interpreter tell.
+  add(14001, 14021, Kind::ActiveCode, Access::ReadOnly);
+  add(14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, Access::ReadOnly, 'F');
+  add(14100 + 'S' - 'A', 14100 + 'S' - 'A', Kind::ActiveWord, Access::ReadOnly, 'S');
+  add(15040, 15042, Kind::WorkPosition, Access::ReadOnly);
+}
+
+/// Its errors have words and no numbers. Where a message tells what is wrong with a word its own
+/// name, the alarm shows that.
+void alarms(Control& c) {
+  using enum Cause;
+  const std::pair<Cause, const char*> texts[] = {
+      {AddressWithoutValue, "No characters found in reading real value"},
+      {ArcSineOutOfRange, "Argument to asin out of range"},
+      {ArgumentOutOfRange, "Calculation resulted in 'not a number'"},
+      {BracketNotClosed, "Unclosed expression"},
+      {CommentInComment, "Nested comment found"},
+      {CommentNotClosed, "Unclosed comment found"},
+      {BlockTooLong, "Command too long"},
+      {DivisionByZero, "Attempt to divide by zero"},
+      {EndOfRecord, "File ended with no percent sign or program end"},
+      {IllegalVariable, "Parameter number out of range"},
+      {LabelGivenTwice, "{line}: duplicate O-word label: '{block}'"},
+      {LabelNotFound, "{line}: undefined O-word label: '{block}'"},
+      {LabelOfAnotherKind, "{line}: no matching label: '{block}'"},
+      {LogarithmOfNonPositive, "Zero or negative argument to ln"},
+      {NestingTooDeep, "Too many subroutine levels"},
+      {NoFeed, "Cannot do g1 with zero feed rate"},
+      {NoRadius, "R i j k words all missing for arc"},
+      {Overflow, "Calculation resulted in 'infinity'"},
+      {PowerOfNegative, "Attempt to raise negative to non integer power"},
+      {ProgramNotFound, "EOF seeking o-word: {block}"},
+      {RadiusTolerance, "Radius to end of arc differs from radius to start"},
+      {RadiusTooSmall, "Arc radius too small to reach end point"},
+      {ReturnInMainProgram, "{line}: not in a subroutine definition: '{block}'"},
+      {SquareRootOfNegative, "Negative argument to sqrt"},
+      {SubprogramInSubprogram, "Nested subroutine definition"},
+      {SubprogramGivenTwice, "redefining sub: {block}"},
+      {TooManyArguments, "Too many subroutine parameters"},
+      {VariableNameUnknown, "Named parameter #<{name}> not defined"},
+      {VariableWriteProtected, "Parameter is readonly"},
+      {WholeNumberExpected, "Non integer value for integer"},
+  };
+  for (const auto& [cause, text] : texts) c.alarms[cause] = {"", text, kRun, SourceDocument, true};
+}
+
+}  // namespace
+
+Control linuxcnc() {
+  Control c;
+  c.title = "LinuxCNC mill";
+  c.dialect = "linuxcnc";
+  language(c);
+  motion(c);
+  variables(c);
+  alarms(c);
+  return c;
+}
+
+}  // namespace cncsub

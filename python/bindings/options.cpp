@@ -1,0 +1,179 @@
+#include "options.hpp"
+
+#include <pybind11/stl.h>
+
+#include <memory>
+
+#include "cncsub/machine/variables.hpp"
+
+namespace py = pybind11;
+
+namespace cncsub::bindings {
+
+namespace {
+
+template <class T>
+T get(const py::dict& from, const char* key, T otherwise) {
+  return from.contains(key) ? from[key].cast<T>() : otherwise;
+}
+
+/// ("fraction", 0.5), ("never",) or an axis with its coordinate, ("X", 40.0).
+SkipSignal skip_of(const py::tuple& from) {
+  const auto kind = from[0].cast<std::string>();
+  if (kind == "never") return {SkipSignal::Comes::Never};
+  const auto value = from[1].cast<double>();
+  if (kind == "fraction") return {SkipSignal::Comes::AtFraction, value};
+  return {SkipSignal::Comes::AtCoordinate, value, static_cast<int>(kAxisNames.find(kind[0]))};
+}
+
+Solid solid_of(const py::dict& from) {
+  Solid solid;
+  const auto shape = from["shape"].cast<std::string>();
+  solid.shape = shape == "plane"      ? Solid::Shape::Plane
+                : shape == "box"      ? Solid::Shape::Box
+                : shape == "cylinder" ? Solid::Shape::Cylinder
+                                      : Solid::Shape::Sphere;
+  solid.hole = get(from, "hole", false);
+  solid.signal = get(from, "signal", 0);
+  solid.at = get(from, "at", solid.at);
+  solid.direction = get(from, "direction", solid.direction);
+  solid.low = get(from, "low", solid.low);
+  solid.high = get(from, "high", solid.high);
+  solid.radius = get(from, "radius", 0.0);
+  solid.first = get(from, "first", solid.first);
+  solid.last = get(from, "last", solid.last);
+  return solid;
+}
+
+std::shared_ptr<const Workpiece> workpiece_of(const py::dict& from) {
+  auto workpiece = std::make_shared<Workpiece>();
+  for (const py::handle solid : from["solids"])
+    workpiece->solids.push_back(solid_of(solid.cast<py::dict>()));
+  workpiece->stylus = get(from, "stylus", 0.0);
+  workpiece->by_end = get(from, "by_end", false);
+  if (from.contains("length")) workpiece->length = from["length"].cast<double>();
+  workpiece->system = get(from, "system", workpiece->system);
+  return workpiece;
+}
+
+char axis_of(const std::string& name) { return name.empty() ? ' ' : name[0]; }
+
+std::map<char, double> axes_of(const py::handle& from) {
+  std::map<char, double> axes;
+  for (const auto& [axis, value] : from.cast<py::dict>())
+    axes[axis_of(axis.cast<std::string>())] = value.cast<double>();
+  return axes;
+}
+
+}  // namespace
+
+double number_or_vacant(const py::handle& value) {
+  return value.is_none() ? kVacant : value.cast<double>();
+}
+
+Inputs inputs_of(const py::dict& from) {
+  Inputs inputs;
+  inputs.signals = get(from, "signals", inputs.signals);
+  inputs.clock_ms = get(from, "clock_ms", 0.0);
+  inputs.date = get(from, "date", 0.0);
+  inputs.time = get(from, "time", 0.0);
+  if (from.contains("skips"))
+    for (const auto& [signal, skips] : from["skips"].cast<py::dict>())
+      for (const py::handle skip : skips)
+        inputs.skips.at(signal.cast<std::size_t>()).push_back(skip_of(skip.cast<py::tuple>()));
+  if (from.contains("workpiece")) inputs.workpiece = workpiece_of(from["workpiece"]);
+  if (from.contains("answers"))
+    for (const auto& [code, values] : from["answers"].cast<py::dict>()) {
+      const auto name = code.cast<std::string>();
+      for (const auto& [number, value] : values.cast<py::dict>())
+        inputs.answers[{name[0], std::stoll(name.substr(1))}][number.cast<std::int32_t>()] =
+            number_or_vacant(value);
+    }
+  if (from.contains("operator") && !from["operator"].is_none()) {
+    inputs.operator_given = true;
+    for (const py::handle answer : from["operator"])
+      inputs.operator_starts.push_back(answer.cast<std::string>() == "start");
+  }
+  if (from.contains("writes"))
+    for (const py::handle write : from["writes"]) {
+      std::map<std::int32_t, double> values;
+      for (const auto& [number, value] : write.cast<py::dict>())
+        values[number.cast<std::int32_t>()] = number_or_vacant(value);
+      inputs.writes.push_back(std::move(values));
+    }
+  return inputs;
+}
+
+Setup setup_of(const py::dict& from) {
+  Setup setup;
+  setup.machine = get(from, "machine", std::string());
+  setup.increment = get(from, "increment", 0.001);
+  if (from.contains("start")) setup.start = axes_of(from["start"]);
+  if (from.contains("rapid")) setup.rapid = axes_of(from["rapid"]);
+  if (from.contains("work_offsets"))
+    for (const auto& [name, axes] : from["work_offsets"].cast<py::dict>())
+      setup.work_offsets[name.cast<std::string>()] = axes_of(axes);
+  if (from.contains("reference"))
+    for (const auto& [number, axes] : from["reference"].cast<py::dict>())
+      setup.reference[number.cast<int>()] = axes_of(axes);
+  setup.length_offsets = get(from, "length_offsets", setup.length_offsets);
+  setup.radius_offsets = get(from, "radius_offsets", setup.radius_offsets);
+  if (from.contains("limits"))
+    for (const auto& [axis, limits] : from["limits"].cast<py::dict>())
+      setup.limits[axis_of(axis.cast<std::string>())] = limits.cast<std::pair<double, double>>();
+  if (from.contains("stroke_area"))
+    for (const auto& [axis, range] : from["stroke_area"].cast<py::dict>())
+      setup.area[axis_of(axis.cast<std::string>())] = range.cast<std::pair<double, double>>();
+  if (from.contains("tools"))
+    for (const auto& [number, values] : from["tools"].cast<py::dict>()) {
+      Setup::Tool tool;
+      for (const auto& [key, value] : values.cast<py::dict>()) {
+        const auto name = key.cast<std::string>();
+        if (name == "tip")
+          tool.tip = to_whole<int>(value.cast<double>());
+        else if (name == "R")
+          tool.radius = value.cast<double>();
+        else
+          tool.values[axis_of(name)] = value.cast<double>();
+      }
+      setup.tools[number.cast<int>()] = tool;
+    }
+  return setup;
+}
+
+Trace::Depth depth_of(const std::string& name) {
+  if (name == "none") return Trace::Depth::None;
+  if (name == "calls") return Trace::Depth::Calls;
+  if (name == "blocks") return Trace::Depth::Blocks;
+  if (name == "moves") return Trace::Depth::Moves;
+  throw py::value_error("trace is 'none', 'calls', 'blocks' or 'moves', not '" + name + "'");
+}
+
+void check_systems(const Control& control, const Options& options) {
+  const std::int32_t most = control.motion.max_extra_systems.value;
+  const Setup& setup = options.setup;
+  const auto check = [&](const std::string& field, const std::string& name) {
+    if (const auto p = name.find('P');
+        p != std::string::npos && std::stol(name.substr(p + 1)) > most)
+      throw py::value_error(field + ": " + control.name + " has no " + name +
+                            (most > 0 ? "; the last is G54.1 P" + std::to_string(most) : ""));
+  };
+  if (options.inputs.workpiece) check("coordinates", options.inputs.workpiece->system);
+  for (const auto& [name, values] : setup.work_offsets) check("work_offsets", name);
+}
+
+void check_inputs(const Code& code, const Inputs& inputs) {
+  for (const auto& [number, value] : inputs.signals)
+    if (!is_signal(code, number))
+      throw py::value_error("signals: #" + std::to_string(number) + " is no signal on " +
+                            code.control->name);
+  const auto check = [&](const char* field, const std::map<std::int32_t, double>& values) {
+    for (const auto& [number, value] : values)
+      if (auto fault = unwritable(code, number); fault && !is_signal(code, number))
+        throw py::value_error(field + (": " + fault->detail));
+  };
+  for (const auto& write : inputs.writes) check("writes", write);
+  for (const auto& [code, values] : inputs.answers) check("answers", values);
+}
+
+}  // namespace cncsub::bindings

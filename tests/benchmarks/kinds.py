@@ -1,0 +1,215 @@
+"""Every common kind of block by itself: `python tests/benchmarks/kinds.py [KIND...]`.
+
+A kind is a few lines, said again and again with other numbers. Reading them and running them with
+moves are timed apart, in processor time, the fastest of some rounds in one process: the noise of
+other work only adds to it. Where LinuxCNC's `rs274` is installed and knows the kind, it runs the
+same file.
+"""
+
+from __future__ import annotations
+
+import argparse
+import resource
+import shutil
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import report
+
+import cncsub
+
+CONTROL = "fanuc-0i-f"
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Lines by a number that changes, behind a beginning."""
+
+    title: str
+    lines: Callable[[int], str]
+    before: str = ""
+    lathe: bool = False
+    peer: bool = True  # rs274 runs the same text
+
+    def text(self, blocks: int) -> tuple[str, int]:
+        """The program and how many blocks it has."""
+        count = len(self.lines(0).splitlines())
+        body = "\n".join(self.lines(i) for i in range(max(1, blocks // count)))
+        return f"{self.head}{self.before}{body}\nM30\n", count * max(1, blocks // count)
+
+    @property
+    def head(self) -> str:
+        return (
+            "G21 G90 G17 G40 G94 F500\nG0 X0 Y0 Z5\n" if not self.lathe else "G0 X100. Z5. F0.2\n"
+        )
+
+
+def at(i: int, step: int = 0) -> str:
+    """A place with three decimals near the origin."""
+    return f"X{(i * 37 + step * 11) % 1000 / 10:.3f} Y{(i * 53 + step * 7) % 1000 / 10:.3f}"
+
+
+KINDS = {
+    "line": Kind("plain G1", lambda i: f"G1 {at(i)}"),
+    "short": Kind("G1 of one axis", lambda i: f"X{i % 900 / 10:.3f}\nY{i % 700 / 10:.3f}"),
+    "numbered": Kind("N number, G1, F", lambda i: f"N{i % 9999 + 1} G1 {at(i)} F{i % 50 + 500}"),
+    "arc": Kind(
+        "arc with I J", lambda _: "G2 X2. Y0 I1. J0\nG2 X0 Y0 I-1. J0", before="G1 X0 Y0\n"
+    ),
+    "radius": Kind("arc with R", lambda i: "G2 X10. Y10. R10.\nG1 X0 Y0"),
+    "helix": Kind(
+        "helix", lambda i: f"G3 X0 Y0 I{i % 5 + 1}. J0 Z-{i % 9 + 1}.", before="G1 X0 Y0\n"
+    ),
+    "plane": Kind(
+        "arc in another plane",
+        lambda i: "G18 G2 X10. Z5. I5. K0\nG2 X0 Z5. I-5. K0",
+        before="G1 X0 Y0 Z5.\n",
+    ),
+    "absolute": Kind("G90 G1", lambda i: f"G90 G1 {at(i)}"),
+    "incremental": Kind("G91 G1, G90", lambda i: f"G91 G1 X{i % 9 - 4}.5 Y0.5\nG90 G1 {at(i)}"),
+    "modes": Kind("modes only", lambda i: "G90 G17 G40\nG94 G21"),
+    "coolant": Kind("M8, M9", lambda i: "M8\nM9"),
+    "spindle": Kind("S M3", lambda i: f"S{i % 5000 + 100} M3\nM5"),
+    "feed": Kind("F alone", lambda i: f"F{i % 900 + 100}"),
+    "drill": Kind(
+        "drilling cycle, a hole", lambda i: at(i), before="G98 G81 X0 Y0 Z-5. R2. F100\n"
+    ),
+    "peck": Kind(
+        "pecking cycle, a hole", lambda i: at(i), before="G98 G83 X0 Y0 Z-5. R2. Q2. F100\n"
+    ),
+    "offset": Kind(
+        "computed words",
+        lambda i: "G1 X[#101+1.] Y#102",
+        before="#101=10\n#102=20\n",
+    ),
+    "machine": Kind("G53 G0", lambda i: f"G53 G0 {at(i)}"),
+    "radius-on": Kind(
+        "radius compensation, lines",
+        lambda i: f"X{i * 5 % 100000}. Y{i % 2 * 5}.",
+        before="G41 D1 G1 X0 Y0\n",
+        peer=False,
+    ),
+    "systems": Kind("G54, G55", lambda i: "G54 G0 X1.\nG55 G0 X2."),
+    "length": Kind("G43 H, G49", lambda i: "G43 H1 G0 Z5.\nG49 G0 Z6.", peer=False),
+    "tool": Kind("T M6", lambda i: f"T{i % 9 + 1}\nM6", peer=False),
+    "dwell": Kind("G4", lambda i: "G4 P1"),
+    "comment": Kind("comment", lambda i: f"(CUT {i})\nG1 {at(i)} (SIDE {i % 9})"),
+    "four": Kind("four axes", lambda i: f"G1 {at(i)} Z{i % 10}.5 A{i % 360}.25"),
+    "five": Kind("five axes", lambda i: f"G1 {at(i)} Z{i % 10}.5 A{i % 90}.25 B{i % 360}.5"),
+    "inverse": Kind(
+        "inverse time", lambda i: f"G1 {at(i)} F{i % 50 + 10}.5", before="G93 G1 X0 F10\n"
+    ),
+    "skipped": Kind("G31", lambda i: f"G31 X{i % 100}. F100", peer=False),
+    "rotated": Kind("G68", lambda i: f"G1 {at(i)}", before="G68 X0 Y0 R30.\n", peer=False),
+    "polar": Kind("G16", lambda i: f"G1 X{i % 50 + 1}. Y{i % 360}.", before="G16\n", peer=False),
+    "exact": Kind("G9 G1", lambda i: f"G9 G1 {at(i)}", peer=False),
+    "local": Kind("G52", lambda i: f"G52 X{i % 10}. Y1.", peer=False),
+    "g92": Kind("G92", lambda i: f"G92 X{i % 10}. Y1."),
+    "g10": Kind("G10 L2", lambda i: f"G10 L2 P1 X{i % 10}. Y1."),
+    "g28": Kind("G91 G28, G90", lambda i: "G91 G28 Z0\nG90 G0 Z5."),
+    "assign": Kind("#101=#102+1", lambda i: f"#{i % 50 + 100}=[#102+{i % 9}.5]"),
+    "turn": Kind("lathe, G1", lambda i: f"G1 X{i % 80}.5 Z-{i % 90}.25", lathe=True, peer=False),
+    "thread": Kind(
+        "lathe, G92 pass",
+        lambda i: f"X{40 - i % 10 / 10:.1f}",
+        before="G97 S500 M3\nG0 X50. Z5.\nG92 X40. Z-30. F2.\n",
+        lathe=True,
+        peer=False,
+    ),
+    "speed": Kind(
+        "lathe, G96 G1",
+        lambda i: f"G1 X{i % 80}.5 Z-{i % 90}.25",
+        before="G50 S3000\nG96 S200 M3\n",
+        lathe=True,
+        peer=False,
+    ),
+    "nose": Kind(
+        "lathe, nose radius",
+        lambda i: f"G1 X{i * 2 % 1000}. Z-{i}.",
+        before="G42 G1 X0 Z0 T0101\n",
+        lathe=True,
+        peer=False,
+    ),
+}
+
+
+def measured(kind: Kind, blocks: int, rounds: int) -> tuple[float, float]:
+    """Seconds a block of reading, and of running with moves."""
+    text, count = kind.text(blocks)
+    setup = cncsub.Setup(
+        machine="lathe-a" if kind.lathe else "mill",
+        tools={1: {"R": 1.0}} if kind.lathe else {},
+        radius_offsets={} if kind.lathe else {1: 1.0},
+        length_offsets={} if kind.lathe else {1: 10.0},
+        reference={1: {"Z": 100.0}},
+    )
+    reads, runs = [], []
+    for _ in range(rounds):
+        start = time.process_time()
+        library = cncsub.loads(text, control=CONTROL)
+        read = time.process_time()
+        run = library.run(trace="moves", setup=setup, max_blocks=10**9)
+        done = time.process_time()
+        if run.alarm is not None:
+            raise SystemExit(f"{kind.title}: {run.alarm}")
+        reads.append(read - start)
+        runs.append(done - read)
+        del run, library
+    return min(reads) / count, min(runs) / count
+
+
+def peer(kind: Kind, blocks: int, program: str) -> float | None:
+    """Seconds a block of rs274, its start subtracted; nothing where it refuses the text."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "kind.ngc"
+
+        def once(size: int) -> float | None:
+            text, _ = kind.text(size)
+            file.write_text(text)
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            done = subprocess.run([program, "-g", str(file)], capture_output=True, cwd=folder)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            if done.returncode != 0:
+                return None
+            return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+        small, large = once(blocks // 20), once(blocks)
+        if small is None or large is None:
+            return None
+        return (large - small) / (blocks - blocks // 20)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("kinds", nargs="*", metavar="KIND", help=", ".join(KINDS))
+    parser.add_argument("--blocks", type=int, default=200_000)
+    parser.add_argument("--rounds", type=int, default=3)
+    options = parser.parse_args()
+    program = shutil.which("rs274")
+    rows = []
+    plain = None
+    for name in options.kinds or KINDS:
+        kind = KINDS[name]
+        read, ran = measured(kind, options.blocks, options.rounds)
+        plain = read + ran if plain is None else plain
+        other = peer(kind, options.blocks // 4, program) if program and kind.peer else None
+        rows.append(
+            [
+                kind.title,
+                f"{read * 1e9:.0f}",
+                f"{ran * 1e9:.0f}",
+                f"{(read + ran) / plain:.1f}",
+                "" if other is None else f"{other * 1e9:,.0f}",
+                "" if other is None else f"{other / (read + ran):.1f}",
+            ]
+        )
+    heads = ["kind of block", "load, ns", "run, ns", "times plain", "rs274, ns", "times rs274"]
+    print("\n".join(report.markdown(heads, rows)))
+
+
+if __name__ == "__main__":
+    main()

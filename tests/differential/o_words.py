@@ -1,0 +1,593 @@
+"""Generates programs of O-words and runs them on cncsub and on LinuxCNC's interpreter `rs274`.
+
+    python tests/differential/o_words.py --programs 100000 --seed 1
+    python tests/differential/o_words.py --show 17
+
+A program has subprograms of both kinds, branches and loops inside each other, expressions, numbered
+and named parameters, messages, rapid and feed moves and arcs. Some have a mistake: a label that is
+used twice, a subprogram that is not there, a division by 0. Compared are the moves, the messages, and
+how the run stopped: at its end, or by which error.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+from random import Random
+
+import cncsub
+
+TOLERANCE = 0.0002  # mm; rs274 prints four decimals
+SHOWN = 5  # differences that are printed
+MAX_BLOCKS = 20_000  # of a run; what runs longer is left out
+SECONDS = 20
+
+# The errors of rs274 by the cause that cncsub gives.
+CAUSES = {
+    "address-given-twice": "Multiple . words on one line",
+    "arc-sine-out-of-range": "Argument to a(cos|sin) out of range",
+    "argument-out-of-range": "Calculation resulted in 'not a number'",
+    "call-of-another-kind": "'?(Fanuc )?'?O\\.\\.\\.\\.",
+    "division-by-zero": "Attempt to divide by zero",
+    "end-of-record": "File ended with no percent sign",
+    "illegal-repeat-count": "Negative l word used",
+    "illegal-variable": "Parameter number out of range",
+    "label-given-twice": "\\d+: duplicate O-word label",
+    "label-not-found": "\\d+: undefined O-word label",
+    "label-of-another-kind": "\\d+: no matching",
+    "logarithm-of-non-positive": "Zero or negative argument to ln",
+    "m-code-not-available": "Unknown m code used",
+    "nesting-too-deep": "Too many subroutine levels",
+    "no-feed": "Cannot (do g1|make arc) with zero feed rate",
+    "overflow": "Calculation resulted in 'infinity'",
+    "power-of-negative": "Attempt to raise negative to non integer power",
+    "program-not-found": "EOF in file|Failed to find sub",
+    "radius-tolerance": "Radius to end of arc differs",
+    "radius-too-small": "Arc radius too small",
+    "return-in-main-program": "\\d+: not in a subroutine definition",
+    "square-root-of-negative": "Negative argument to sqrt",
+    "statement-format": "Unexpected character after O-word|Left bracket missing after",
+    "statement-not-available": "Unknown control command in o word",
+    "subprogram-given-twice": "File:.* (redefining sub|found in illegal location)",
+    "subprogram-in-subprogram": "Nested subroutine definition",
+    "variable-name-unknown": "Named parameter #<.*> not defined",
+    "whole-number-expected": "Non integer value for integer",
+}
+
+
+@dataclass
+class Writer:
+    """Writes one program."""
+
+    random: Random
+    base: int = 0  # labels begin behind it: those of other programs in one file are others
+    careful: bool = False  # nothing that may stop the program
+    lines: list[str] = field(default_factory=list)
+    label: int = 0
+    depth: int = 0
+    loops: list[tuple[str, int]] = field(default_factory=list)
+    names: list[str] = field(default_factory=list)
+    inside: str = ""  # the subprogram that is being written
+    subs: list[tuple[str, int]] = field(default_factory=list)  # by O call: label, arguments
+    programs: list[int] = field(default_factory=list)  # by M98
+
+    def chance(self, share: float) -> bool:
+        return self.random.random() < share
+
+    def slip(self, share: float) -> bool:
+        """Whether to do what may stop the program."""
+        return self.chance(share) and not self.careful
+
+    def put(self, line: str) -> None:
+        if self.chance(0.1):
+            line = line.upper() if self.chance(0.5) else line.replace(" ", "")
+        if self.chance(0.05):
+            line += self.random.choice((" (c)", " ; c", "  "))
+        self.lines.append(line)
+
+    # ---- values ----
+
+    def number(self) -> str:
+        r = self.random
+        return r.choice(
+            (str(r.randint(0, 5)), str(r.randint(0, 40)), f"{r.uniform(0, 9):.3f}", "0.5")
+        )
+
+    def variable(self) -> str:
+        r = self.random
+        if self.names and self.chance(0.4):
+            return f"#<{r.choice(self.names)}>"
+        if self.chance(0.04):
+            return r.choice(("#<_value>", "#<_value_returned>", "#<_x>", "#<_call_level>", "#5421"))
+        if self.slip(0.03):
+            return r.choice(("##1", "#[#2 + 100]", "#[1 + 1]", "#<nobody>"))
+        return f"#{r.choice((1, 2, 3, 4, 30, 31, 100, 101, 102))}"
+
+    def value(self, deep: int = 0) -> str:
+        r = self.random
+        kind = r.random()
+        if deep > 2 or kind < 0.35:
+            return self.number()
+        if kind < 0.7:
+            return ("-" if self.chance(0.1) else "") + self.variable()
+        if kind < 0.9:
+            return self.expression(deep + 1)
+        name = r.choice(
+            (
+                "sin",
+                "cos",
+                "tan",
+                "abs",
+                "fix",
+                "fup",
+                "round",
+                "sqrt",
+                "exists",
+                "atan",
+                "asin",
+                "ln",
+                "exp",
+            )
+        )
+        if name == "exists":
+            return f"exists[{r.choice((self.variable(), '#<_g>', '#<q>', '#7'))}]".replace(
+                "exists[-", "exists["
+            )
+        if name == "atan":
+            return f"atan[{self.value(deep + 1)}]/[{self.value(deep + 1)}]"
+        if name in ("sqrt", "ln") and not self.slip(0.1):
+            return f"{name}[abs[{self.value(deep + 1)}]+1]"
+        if name == "asin" and not self.slip(0.1):
+            return f"asin[sin[{self.value(deep + 1)}]]"
+        if name == "exp":
+            return f"exp[sin[{self.value(deep + 1)}]]"
+        if name == "tan":
+            return f"tan[[{self.value(deep + 1)}] mod 80]"
+        return f"{name}[{self.value(deep + 1)}]"
+
+    def expression(self, deep: int = 0) -> str:
+        r = self.random
+        words = [self.value(deep + 1)]
+        for _ in range(r.choice((0, 1, 1, 1, 2, 3))):
+            op = r.choice(
+                [
+                    "+",
+                    "-",
+                    "*",
+                    "+",
+                    "-",
+                    "*",
+                    "/",
+                    "mod",
+                    "**",
+                    "eq",
+                    "ne",
+                    "lt",
+                    "gt",
+                    "le",
+                    "ge",
+                    "and",
+                    "or",
+                    "xor",
+                ]
+            )
+            right = self.value(deep + 1)
+            if op in ("/", "mod") and not self.slip(0.03):
+                right = f"[abs[{right}]+1]"
+            if op == "**":
+                right = str(r.randint(0, 3))
+            words += [op, right]
+        return f"[{' '.join(words)}]"
+
+    def length(self) -> str:
+        """A length that stays small, whatever the values are."""
+        return self.number() if self.chance(0.5) else f"[[{self.value(1)}] mod 50]"
+
+    def condition(self) -> str:
+        if self.chance(0.6):
+            op = self.random.choice(["eq", "ne", "lt", "gt", "le", "ge"])
+            return f"[{self.variable()} {op} {self.value(2)}]"
+        return self.expression(1)
+
+    # ---- lines ----
+
+    def new_label(self) -> str:
+        self.label += 1
+        if self.label > 2 and self.slip(0.006):
+            return f"o{self.random.randint(1, self.label - 1)}"  # used twice
+        return f"o{self.base + self.label}"
+
+    def target(self) -> str:
+        r = self.random
+        if self.chance(0.3):
+            name = r.choice(("a", "b", "_g", "_h", "q"))
+            if name != "q" and name not in self.names and self.depth == 0:
+                self.names.append(name)
+            return f"#<{name}>"
+        if self.chance(0.05):
+            return "#[fix[#2 mod 3] + 101]"
+        return f"#{r.choice((1, 2, 3, 4, 31, 100, 101, 102))}"
+
+    def line(self) -> None:
+        r = self.random
+        kind = r.random()
+        if kind < 0.34:
+            axes = "".join(f" {axis}{self.length()}" for axis in "XYZ" if self.chance(0.5))
+            word = r.choice(("G0", "G0", "G1", "g01"))
+            feed = f" F{r.randint(1, 500)}" if self.chance(0.2) else ""
+            self.put(f"{word}{axes or ' X1'}{feed}")
+        elif kind < 0.4:
+            self.arc()
+        elif kind < 0.68:
+            count = r.choice((1, 1, 1, 1, 2))
+            parts = [f"{self.target()} = {self.value()}" for _ in range(count)]
+            if self.chance(0.07):
+                parts.append(f"G0 X{self.length()}")
+            self.put(" ".join(parts))
+        elif kind < 0.74:
+            text = (
+                f"{r.choice(('debug', 'print', 'DEBUG'))}, v {self.variable().replace('##', '#')}"
+            )
+            if "[" not in text:
+                self.lines.append(f"({text})")
+        elif kind < 0.76:
+            self.lines.append("(msg, said #1)")
+        elif kind < 0.9:
+            self.call()
+        elif self.loops and kind < 0.94:
+            label = r.choice(self.loops)[0]
+            condition = self.new_label()
+            self.put(f"{condition} if {self.condition()}")
+            self.put(f"{label} {r.choice(('break', 'continue'))}")
+            self.put(f"{condition} endif")
+        elif self.inside and kind < 0.97:
+            condition = self.new_label()
+            self.put(f"{condition} if {self.condition()}")
+            value = f" {self.expression(1)}" if self.chance(0.6) else ""
+            self.put("M99" if self.inside == "M99" else f"{self.inside} return{value}")
+            self.put(f"{condition} endif")
+        elif self.slip(0.05):
+            self.mistake()
+
+    def arc(self) -> None:
+        r = self.random
+        self.put("G0 X0 Y0")
+        code = r.choice(("G2", "G3"))
+        if self.chance(0.5):
+            self.put(f"{code} X{r.choice((6, 8, 10))} Y0 R{r.choice((5, 6, -7))} F100")
+        else:
+            self.put(f"{code} X{r.choice((0, 10))} Y0 I5 J0 F100")
+
+    def call(self) -> None:
+        r = self.random
+        if self.programs and self.chance(0.4):
+            repeat = r.choice(("", "", " L1", " L2", " L3", " L0" if self.slip(0.2) else ""))
+            number = r.choice(self.programs)
+            self.put(f"M98 P{number if self.chance(0.9) else f'[{number - 1} + 1]'}{repeat}")
+        elif self.subs:
+            label, most = r.choice(self.subs)
+            arguments = " ".join(self.expression(1) for _ in range(r.randint(0, most)))
+            self.put(f"{label} call {arguments}")
+
+    def mistake(self) -> None:
+        self.put(
+            self.random.choice(
+                (
+                    "o999 call",
+                    "M98 P999",
+                    "o998 endif",
+                    "o997 else",
+                    "o996 break",
+                    "o995 foo",
+                    "G0 X1 X2",
+                    "M98 P1.5",
+                    "o994 if 1",
+                    "#31 = [1/0]",
+                    "#31 = sqrt[-1]",
+                    "#9999 = 1",
+                    "o993 endsub",
+                    "G0 X1 M98 P1",
+                    "M55",
+                    "#31 = [[-8] ** 0.5]",
+                    "G0 X#1.5",
+                )
+            )
+        )
+
+    def block(self, budget: int) -> None:
+        """Some lines, with branches and loops among them."""
+        for _ in range(budget):
+            kind = self.random.random()
+            if self.depth >= 3 or kind < 0.72:
+                self.line()
+                continue
+            self.depth += 1
+            if kind < 0.84:
+                self.branch()
+            else:
+                self.loop()
+            self.depth -= 1
+
+    def branch(self) -> None:
+        label = self.new_label()
+        self.put(f"{label} if {self.condition()}")
+        self.block(self.random.randint(0, 3))
+        for _ in range(self.random.choice((0, 0, 1, 2))):
+            self.put(f"{label} elseif {self.condition()}")
+            self.block(self.random.randint(0, 2))
+        if self.chance(0.5):
+            self.put(f"{label} else")
+            self.block(self.random.randint(0, 2))
+        if not self.slip(0.005):
+            self.put(f"{label} endif")
+
+    def loop(self) -> None:
+        r = self.random
+        label = self.new_label()
+        count = f"#<c{label[1:]}>"
+        self.lines.append(f"{count} = 0")
+        kind = r.choice(("while", "do", "repeat"))
+        if kind == "repeat":
+            self.put(
+                f"{label} repeat [{r.choice(('2', '3', '0', '1.5', '2.5', '#<c' + label[1:] + '> + 2'))}]"
+            )
+        elif kind == "while":
+            self.put(f"{label} while [{count} lt {r.randint(0, 3)}]")
+        else:
+            self.put(f"{label} do")
+        self.lines.append(f"{count} = [{count} + 1]")
+        self.loops.append((label, self.depth))
+        breaks = self.loops if kind != "repeat" or self.slip(0.03) else self.loops[:-1]
+        kept, self.loops = self.loops, list(breaks)
+        self.block(r.randint(1, 3))
+        self.loops = kept
+        self.loops.pop()
+        if kind == "do":
+            self.put(f"{label} while [{count} lt {r.randint(1, 3)}]")
+        else:
+            self.put(f"{label} end{kind}")
+
+    # ---- programs ----
+
+    def program(self) -> str:
+        tape = self.chance(0.1)
+        head, main, behind = self.parts()
+        end = self.random.choice(("M2", "M30", "M2", "M99")) if not self.slip(0.03) else "G0 X0"
+        lines = [*head, *main, end, *behind]
+        return "\n".join(["%", *lines, "%"] if tape else lines) + "\n"
+
+    def parts(self) -> tuple[list[str], list[str], list[str]]:
+        """What stands before the main program, the main program, and what stands behind its end."""
+        r = self.random
+        subs = range(self.base + 801, self.base + 801 + r.randint(0, 3))
+        words = [(r.choice((f"o{n}", f"o<s{n}>", f"o<Sub {n}>")), r.randint(0, 3)) for n in subs]
+        numbers = [self.base + 900 + n for n in range(r.randint(0, 2))]
+        definitions: list[tuple[bool, list[str]]] = []
+        for place, (label, _) in enumerate(words):
+            self.lines = []
+            # Later ones, and now and then itself.
+            self.subs = words[place + 1 :] + ([words[place]] if self.slip(0.1) else [])
+            self.programs = numbers
+            self.inside, self.names, self.depth, self.loops = label, ["_g"], 0, []
+            self.lines.append(f"{label} sub")
+            self.block(r.randint(1, 5))
+            self.lines.append(
+                f"{label} endsub" + (f" {self.expression(1)}" if self.chance(0.3) else "")
+            )
+            definitions.append((self.chance(0.5), self.lines))
+        for place, number in enumerate(numbers):
+            self.lines = []
+            self.subs = words if self.slip(0.2) else []
+            self.programs = numbers[place + 1 :]
+            self.inside, self.names, self.depth, self.loops = "M99", ["_g"], 0, []
+            self.lines.append(f"O{number:04d}")
+            self.block(r.randint(1, 4))
+            self.lines.append("M99")
+            definitions.append((False, self.lines))
+        self.lines = []
+        self.subs, self.programs, self.inside = words, numbers, ""
+        self.names, self.depth, self.loops = ["_g"], 0, []
+        self.block(r.randint(2, 9))
+        head = ["F100 (head)", "#<_g> = 1", "#<_h> = 2", "G0 X0 Y0 Z0"]
+        head += [line for first, lines in definitions if first for line in lines]
+        behind = [line for first, lines in definitions if not first for line in lines]
+        return head, self.lines, behind
+
+
+def generate(seed: int, place: int) -> str:
+    return Writer(Random(f"{seed} {place} o-words")).program()
+
+
+def generate_many(seed: int, places: range) -> str:
+    """Many programs as one, for a process is slow to start: none of them has a mistake."""
+    main: list[str] = []
+    behind: list[str] = []
+    for n, place in enumerate(places):
+        writer = Writer(Random(f"{seed} {place} o-words together"), 10_000 * (n + 1), careful=True)
+        head, own, rest = writer.parts()
+        main += [*head, *own]
+        behind += rest
+    return "\n".join([*main, "M2", *behind]) + "\n"
+
+
+# ---- what comes out ----
+
+
+@dataclass
+class Outcome:
+    moves: list[tuple[str, float, float, float]]
+    messages: list[str]
+    error: str  # a cause, or the message that none is known for; empty at the end
+
+
+def on_cncsub(text: str) -> Outcome | None:
+    run = cncsub.loads(text, control="linuxcnc", name="main.ngc").run(
+        max_blocks=MAX_BLOCKS * (1 + len(text) // 5000), setup=cncsub.Setup(increment=1e-7)
+    )
+    if run.stop not in (cncsub.Stop.END, cncsub.Stop.ALARM):
+        return None
+    moves = [(m.kind, m.x, m.y, m.z) for m in run.moves]
+    return Outcome(_with_length(moves), list(run.messages), run.alarm.cause if run.alarm else "")
+
+
+_STRAIGHT = re.compile(r"STRAIGHT_(TRAVERSE|FEED)\(([-\d.]+), ([-\d.]+), ([-\d.]+),")
+_ARC = re.compile(r"ARC_FEED\(([-\d.]+), ([-\d.]+), [-\d.]+, [-\d.]+, (-?\d+), ([-\d.]+),")
+_MESSAGE = re.compile(r'MESSAGE\("(.*)"\)$')
+_CALL = re.compile(r"\s*\d+ N\S*\s+([A-Z_0-9]+\(.*\))$")
+
+
+class Rs274:
+    """Runs programs in files of a folder."""
+
+    def __init__(self, command: str, folder: Path) -> None:
+        self.command = command
+        self.folder = folder
+        self.environment = {**os.environ, "HOME": str(folder)}
+        for name in ("tool.tbl", "variables"):
+            (folder / name).touch()
+
+    def run(self, text: str) -> Outcome | None:
+        (self.folder / "main.ngc").write_text(text)
+        command = [self.command, "-t", "tool.tbl", "-v", "variables", "-g", "main.ngc"]
+        try:
+            done = subprocess.run(
+                command,
+                cwd=self.folder,
+                env=self.environment,
+                capture_output=True,
+                text=True,
+                check=False,
+                timeout=SECONDS,
+            )
+        except subprocess.TimeoutExpired:
+            return None
+        moves: list[tuple[str, float, float, float]] = []
+        messages: list[str] = []
+        unit = 1.0
+        for line in done.stdout.splitlines():
+            call = _CALL.match(line)
+            if call is None:
+                messages.append(line)  # PRINT
+            elif straight := _STRAIGHT.match(call[1]):
+                kind = "rapid" if straight[1] == "TRAVERSE" else "feed"
+                x, y, z = (unit * float(value) for value in straight.groups()[1:])
+                moves.append((kind, x, y, z))
+            elif arc := _ARC.match(call[1]):
+                kind = "ccw" if int(arc[3]) > 0 else "cw"
+                moves.append((kind, *(unit * float(arc[i]) for i in (1, 2, 4))))  # type: ignore[arg-type]
+            elif call[1].startswith("USE_LENGTH_UNITS"):
+                unit = 25.4 if "INCHES" in call[1] else 1.0
+            elif said := _MESSAGE.match(call[1]):
+                messages.append(said[1])
+        errors = [line for line in done.stderr.splitlines() if line != "executing"]
+        return Outcome(_with_length(moves), messages, _cause(errors[0]) if errors else "")
+
+
+def _cause(message: str) -> str:
+    for cause, pattern in CAUSES.items():
+        if re.match(pattern, message):
+            return cause
+    return message
+
+
+def _with_length(
+    moves: list[tuple[str, float, float, float]],
+) -> list[tuple[str, float, float, float]]:
+    """Without the straight moves that end where they start."""
+    kept, at = [], (0.0, 0.0, 0.0)
+    for kind, *end in moves:
+        if kind in ("cw", "ccw") or any(
+            abs(a - b) > TOLERANCE / 2 for a, b in zip(at, end, strict=True)
+        ):
+            kept.append((kind, *end))
+            at = tuple(end)  # type: ignore[assignment]
+    return kept  # type: ignore[return-value]
+
+
+def same(ours: Outcome, theirs: Outcome) -> bool:
+    return (
+        ours.error == theirs.error
+        and [m.rstrip() for m in ours.messages] == [m.rstrip() for m in theirs.messages]
+        and len(ours.moves) == len(theirs.moves)
+        and all(
+            a[0] == b[0] and all(abs(x - y) <= TOLERANCE for x, y in zip(a[1:], b[1:], strict=True))
+            for a, b in zip(ours.moves, theirs.moves, strict=True)
+        )
+    )
+
+
+@dataclass
+class Report:
+    programs: int = 0
+    longer: int = 0  # than the blocks or the time that a run gets
+    moves: int = 0
+    errors: Counter[str] = field(default_factory=Counter)
+    different: list[int] = field(default_factory=list)
+
+    def __str__(self) -> str:
+        errors = ", ".join(f"{count} {cause}" for cause, count in self.errors.most_common())
+        return (
+            f"{self.programs} programs, {self.moves} moves, {self.longer} left out as too long, "
+            f"{len(self.different)} different\nstopped by: {errors}"
+        )
+
+
+def compare(seed: int, places: range, command: str, folder: Path, together: int = 1) -> Report:
+    """`together`: so many careful programs make one."""
+    rs274 = Rs274(command, folder)
+    report = Report()
+    for place in places[::together]:
+        many = range(place, min(place + together, places.stop))
+        text = generate(seed, place) if together == 1 else generate_many(seed, many)
+        ours = on_cncsub(text)
+        theirs = rs274.run(text) if ours is not None else None
+        if ours is None or theirs is None:
+            report.longer += len(many)
+            continue
+        report.programs += len(many)
+        report.moves += len(theirs.moves)
+        if theirs.error:
+            report.errors[theirs.error] += 1
+        if same(ours, theirs):
+            continue
+        report.different.append(place)
+        if len(report.different) <= SHOWN:
+            print(f"---- program {place} of seed {seed}\n{text}\ncncsub: {ours}\nrs274: {theirs}")
+    return report
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n\n", 1)[0])
+    parser.add_argument("--programs", type=int, default=1000)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--together", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--show", type=int)
+    parser.add_argument("--command", default="rs274")
+    arguments = parser.parse_args()
+    if arguments.show is not None:
+        first, together = arguments.show, arguments.together
+        many = range(first, first + together)
+        own = generate(arguments.seed, first)
+        print(own if together == 1 else generate_many(arguments.seed, many))
+        return 0
+    begun = time.monotonic()
+    with tempfile.TemporaryDirectory() as folder:
+        places = range(arguments.first, arguments.first + arguments.programs)
+        report = compare(
+            arguments.seed, places, arguments.command, Path(folder), arguments.together
+        )
+    print(f"{report}\n{time.monotonic() - begun:.0f} s")
+    return 1 if report.different else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
