@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "cncsub/text/literal.hpp"
+
 namespace cncsub {
 
 /// Ten times a code such as 54 or 54.1; nothing where the text is none.
@@ -45,7 +47,7 @@ class Codes {
       const std::size_t blank = text.find(' ') < text.size() ? text.find(' ') : text.size();
       if (blank > 0) {
         const std::optional<int> code = read_code(text.substr(0, blank));
-        code ? put(*code) : no_such_code();
+        code ? put(*code) : literal_is_wrong();
       }
       text.remove_prefix(blank < text.size() ? blank + 1 : blank);
     }
@@ -68,7 +70,6 @@ class Codes {
   constexpr bool operator==(const Codes&) const = default;
 
  private:
-  static void no_such_code() {}  // no constant: the compiler stops here
   static constexpr std::size_t word(int tenfold) { return static_cast<std::size_t>(tenfold) / 64; }
   static constexpr std::uint64_t bit(int tenfold) { return std::uint64_t{1} << (tenfold % 64); }
 

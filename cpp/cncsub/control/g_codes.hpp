@@ -41,7 +41,7 @@ constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
 
 // clang-format off
 #define CNCSUB_MEANINGS(M) \
-  M(None) M(Unknown) M(Neutral) M(Uncomputed) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
+  M(None) M(Unknown) M(Neutral) M(DataEnd) M(Uncomputed) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
   M(FromReference) M(SecondReference) M(Skip) M(MeasureTool) M(Local) M(Machine) M(SetCoordinate) \
   M(ClearCoordinate) M(Lengthen) M(Shorten) M(LengthenTwice) M(ShortenTwice) M(OneWay) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
   M(PeckTurn) M(MultipleThread) M(Rapid) M(Line) M(Cw) M(Ccw) M(Thread) M(VariableThread) \
@@ -68,6 +68,11 @@ struct GCode {
   Meaning meaning = Meaning::None;
   std::int16_t system = 0;  // the extra work system that the code itself names, 0 = P does
 };
+
+/// Whether no path depends on a code. G11 ends data, which alarms where none were begun.
+inline bool is_neutral(Meaning meaning) {
+  return meaning == Meaning::Neutral || meaning == Meaning::DataEnd;
+}
 
 /// "G54.1" of 541.
 std::string code_name(int code);

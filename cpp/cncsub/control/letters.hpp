@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "cncsub/text/literal.hpp"
+
 namespace cncsub {
 
 /// Characters of one kind, each once, in the order in which they were given. A literal is checked
@@ -16,7 +18,7 @@ class Characters {
   constexpr Characters() = default;
   consteval Characters(const char* literal) {  // NOLINT(misc-explicit-constructor)
     for (; *literal != 0; ++literal)
-      if (!put(*literal)) no_such_character();
+      if (!put(*literal)) literal_is_wrong();
   }
 
   /// Puts one behind the others; false where it is none of the kind.
@@ -38,7 +40,6 @@ class Characters {
   bool operator==(const Characters&) const = default;
 
  private:
-  static void no_such_character() {}  // no constant: the compiler stops here
   static constexpr std::size_t word(char c) { return static_cast<unsigned char>(c) / 64; }
   static constexpr std::uint64_t bit(char c) {
     return std::uint64_t{1} << (static_cast<unsigned char>(c) % 64);

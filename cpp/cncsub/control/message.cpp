@@ -52,10 +52,9 @@ std::string marked(const Alarm& alarm) {
   const std::string_view line = alarm.source_line;
   for (std::size_t i = 0; i < line.size();) {
     const std::size_t control = obeyed(line.substr(i));
-    std::size_t end = i + std::max<std::size_t>(control, 1);
-    while (end < line.size() && goes_on(line[end])) ++end;
-    characters.emplace_back(control == 0 ? line.substr(i, end - i) : " ");
-    i = end;
+    const std::string_view character = first_character(line.substr(i));
+    characters.emplace_back(control == 0 ? character : " ");
+    i += character.size();
   }
   const std::size_t at = alarm.column - 1;
   if (characters.empty() || at > characters.size()) return "";

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cncsub/control/codes.hpp"
+#include "cncsub/text/literal.hpp"
 
 namespace cncsub {
 
@@ -38,7 +39,7 @@ struct CodeName {
   constexpr CodeName(char of_letter, int ten_times) : letter(of_letter), tenfold(ten_times) {}
   consteval CodeName(const char* literal) {  // NOLINT(misc-explicit-constructor)
     const std::optional<CodeName> code = read(literal);
-    code ? void(*this = *code) : no_such_code();
+    code ? void(*this = *code) : literal_is_wrong();
   }
 
   /// M98 or G66.1; nothing where the text is none.
@@ -50,9 +51,6 @@ struct CodeName {
   }
   std::string text() const;
   auto operator<=>(const CodeName&) const = default;
-
- private:
-  static void no_such_code() {}  // no constant: the compiler stops here
 };
 
 /// The role of each code.

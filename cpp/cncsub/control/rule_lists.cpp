@@ -144,12 +144,6 @@ bool same_entry(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string_view whole_character(std::string_view text, std::size_t at) {
-  std::size_t width = 1;
-  while (at + width < text.size() && goes_on(text[at + width])) ++width;
-  return text.substr(at, width);
-}
-
 std::string_view statement_name(StatementKind kind) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(StatementKind::Count)>
       kNames = {"#", "[", "IF", "WHILE", "DO", "GOTO", "DPRNT", "BPRNT", "POPEN", "PCLOS"};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cncsub/control/letters.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -18,9 +19,6 @@ std::optional<std::string> change_list(std::string_view rule, std::string& list,
                                        std::string_view text,
                                        const std::vector<std::string_view>& known = {});
 
-/// The character at a place of a text in UTF-8, with all its bytes.
-std::string_view whole_character(std::string_view text, std::size_t at);
-
 /// The same for a set of characters: the text is the whole set.
 template <class Kind>
 std::optional<std::string> change_characters(std::string_view rule, Characters<Kind>& set,
@@ -29,7 +27,7 @@ std::optional<std::string> change_characters(std::string_view rule, Characters<K
   Characters<Kind> changed;
   for (std::size_t i = 0; i < text.size(); ++i)
     if (!changed.put(text[i]))
-      return std::string(rule) + ": '" + std::string(whole_character(text, i)) + "' is no " +
+      return std::string(rule) + ": '" + std::string(first_character(text.substr(i))) + "' is no " +
              std::string(Kind::kWhat);
   set = changed;
   return std::nullopt;

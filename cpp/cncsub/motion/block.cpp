@@ -38,7 +38,7 @@ double seconds_of_word(MotionView m, const NcWords& w, char letter) {
 Result dwell(MotionContext& m, BlockWords& block) {
   const auto& letters = m.facts.control->motion.dwell_words.value;
   const auto* const first = std::find_if(letters.begin(), letters.end(),
-                                  [&](char letter) { return block.words.has(letter); });
+                                         [&](char letter) { return block.words.has(letter); });
   if (first == letters.end()) return std::nullopt;
   for (const char other : letters)
     if (other != *first) m.outcome.drop(bit(other));

@@ -31,16 +31,6 @@ void fill(Axes& axes, const std::map<char, double>& values);
 /// "G54", "G54.1 P3", "EXT": 1, 103, 0; -1 for another name.
 int system_of(const std::string& name);
 constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
-/// Whether an arc that begins and ends at these distances from its centre, mm, is refused.
-inline bool is_off_circle(const MotionRules& rules, double first, double last, bool inches) {
-  const bool own = inches && rules.arc_tolerance_inch.value > 0;
-  const double tolerance =
-      (own ? rules.arc_tolerance_inch.value : rules.arc_tolerance.value) * 1e-3 + 1e-9;
-  const double miss = std::fabs(first - last);
-  if (rules.arc_tolerance.value == 0 || miss <= tolerance) return false;
-  return miss > tolerance * 100 ||
-         miss >= rules.arc_tolerance_share.value * 1e-3 * std::max(first, last);
-}
 /// A whole number of a word, whatever the word holds.
 inline int whole(double value) { return to_whole<int>(value, -2'000'000'000, 2'000'000'000); }
 /// Whether all of these are numbers that a position, a length or a time may be.

@@ -20,6 +20,12 @@ bool tool_waits(const MotionState& state) {
   return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
 }
 
+/// Which of the codes of a path a meaning is, 0 for G00 to 3 for G03; -1 where it is none.
+int path_of(Meaning meaning) {
+  const int path = static_cast<int>(meaning) - static_cast<int>(Meaning::Rapid);
+  return path >= 0 && path < 4 ? path : -1;
+}
+
 /// Zero while there is no feed.
 void set_seconds_per_mm(MotionState& state) {
   const bool revolutions = state.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
@@ -32,20 +38,17 @@ void set_seconds_per_mm(MotionState& state) {
 void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   const MotionView m{facts, state};
   if (state.plain) state.tool_at = machine_point(state);
-  const Meaning motion = state.modal[at(Group::Motion)].meaning;
+  const int path = path_of(state.modal[at(Group::Motion)].meaning);
   const Meaning feed = state.modal[at(Group::Feed)].meaning;
   state.row_moves = nullptr;
-  state.motion_code = 0;
-  while (state.motion_code < facts.path_codes.size() &&
-         facts.path_codes[state.motion_code].meaning != motion)
-    ++state.motion_code;
+  if (path >= 0) state.motion_code = static_cast<std::uint8_t>(path);
   set_seconds_per_mm(state);
-  state.plain = state.motion_code < facts.path_codes.size() && !in_cycle(state) &&
-                !compensating(state) && !state.angled.waiting && state.held.corner.empty() &&
-                state.held.radius.empty() && !state.held.engaged && feed != Meaning::InverseTime &&
-                !polar(state) && !turned(state) && facts.limits.empty() && !checks_area(state) &&
-                !state.surface && !lacks_speed(m) && !state.tool_pending && !tool_waits(state) &&
-                !state.rigid_waits && facts.control->motion.max_feed.value == 0;
+  state.plain = path >= 0 && !in_cycle(state) && !compensating(state) && !state.angled.waiting &&
+                state.held.corner.empty() && state.held.radius.empty() && !state.held.engaged &&
+                feed != Meaning::InverseTime && !polar(state) && !turned(state) &&
+                facts.limits.empty() && !checks_area(state) && !state.surface && !lacks_speed(m) &&
+                !state.tool_pending && !tool_waits(state) && !state.rigid_waits &&
+                facts.control->motion.max_feed.value == 0;
 }
 
 void Motion::take_code(int code) {
@@ -67,55 +70,81 @@ void Motion::new_row_state(Moves& moves) {
   state_.row_moves = &moves;
 }
 
-bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves) {
-  MotionState& s = state_;
-  const int code = g >= 0 ? g : s.motion_code;
-  if (!s.plain || code < 2 || facts_->lathe()) return false;
-  const Control& c = *facts_->control;
-  const PlaneAxes plane = plane_axes(s.plane);
+/// A plain arc as it is checked, before anything changes: work coordinates.
+struct PlainArc {
+  bool clockwise = false;
+  std::array<double, 3> end{}, centre{};
+  double in_plane = 0;  // its length there
+};
+
+namespace {
+
+constexpr std::uint32_t kEnds = bit('X') | bit('Y') | bit('Z');
+constexpr std::uint32_t kCentres = bit('I') | bit('J') | bit('K');
+
+/// The arc that these words describe, `values` in the order of the alphabet and without that of F.
+/// False where the general path has something to say about it.
+bool plan_arc(const MotionFacts& facts, const MotionState& s, std::uint32_t mask,
+              const Cell* values, int plane_code, bool incremental, PlainArc& arc) {
+  const MotionRules& rules = facts.control->motion;
+  const PlaneAxes plane = plane_axes(plane_code);
   const auto word = [&](char address) {
     return (mask & bit(address)) != 0 ? (values++)->value : 0.0;
   };
-  const bool has_feed = (mask & bit('F')) != 0;
-  const double feed = word('F');
-  if (!((has_feed ? feed : s.feed) > 0)) return false;
-  std::array<double, 3> centre{}, end{};
-  for (std::size_t i = 0; i < 3; ++i) centre[i] = word("IJK"[i]) * s.unit;
+  for (std::size_t i = 0; i < 3; ++i) arc.centre[i] = word("IJK"[i]) * s.unit;
   for (std::size_t i = 0; i < 3; ++i) {
     const bool named = (mask & bit(kAxisNames[i])) != 0;
     const double value = word(kAxisNames[i]) * s.unit;
-    end[i] = named && !s.incremental ? value : s.work[i] + value;
+    arc.end[i] = named && !incremental ? value : s.work[i] + value;
   }
   const auto a = static_cast<std::size_t>(plane.a), b = static_cast<std::size_t>(plane.b),
              across = static_cast<std::size_t>(plane.across);
   const bool helix = (mask & bit(kAxisNames[across])) != 0;
-  if (centre[across] != 0 || (helix && c.motion.helix.value == Helix::Refused)) return false;
-  const double i = centre[a], j = centre[b];
+  if (arc.centre[across] != 0 || (helix && rules.helix.value == Helix::Refused)) return false;
+  const double i = arc.centre[a], j = arc.centre[b];
   const double ca = s.work[a] + i, cb = s.work[b] + j;
-  const double first = std::hypot(i, j), last = std::hypot(end[a] - ca, end[b] - cb);
-  if (first == 0 || is_off_circle(c.motion, first, last, s.unit != 1)) return false;
-  const bool clockwise = code == 2;
-  const bool full = std::hypot(end[a] - s.work[a], end[b] - s.work[b]) < 1e-9;
+  const double first = std::hypot(i, j), last = std::hypot(arc.end[a] - ca, arc.end[b] - cb);
+  if (first == 0 || is_off_circle(rules, first, last, s.unit != 1)) return false;
+  const bool full = std::hypot(arc.end[a] - s.work[a], arc.end[b] - s.work[b]) < 1e-9;
   const double turn =
       full ? 2 * kPi
-           : turn_between(std::atan2(-j, -i), std::atan2(end[b] - cb, end[a] - ca), clockwise);
-  const double in_plane = spiral_length(first, last, turn);
+           : turn_between(std::atan2(-j, -i), std::atan2(arc.end[b] - cb, arc.end[a] - ca),
+                          arc.clockwise);
+  arc.in_plane = spiral_length(first, last, turn);
+  arc.centre[a] = ca;
+  arc.centre[b] = cb;
+  arc.centre[across] = std::numeric_limits<double>::quiet_NaN();
+  return true;
+}
+
+}  // namespace
+
+bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves) {
+  MotionState& s = state_;
+  const int code = g >= 0 ? g : s.motion_code;
+  if (!s.plain || code < 2 || facts_->lathe()) return false;
+  const bool has_feed = (mask & bit('F')) != 0;
+  const double feed = has_feed ? (values++)->value : s.feed;
+  PlainArc arc{.clockwise = code == 2};
+  if (!(feed > 0) || !plan_arc(*facts_, s, mask, values, s.plane, s.incremental, arc)) return false;
 
   if (code != s.motion_code) take_code(code);
   if (has_feed) take_feed(feed);
-  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
-  std::copy(end.begin(), end.end(), s.work.begin());
-  s.time += in_plane * s.seconds_per_mm;
-  s.moved_before = true;
-  s.named |= mask >> ('X' - 'A') & 7u;
-  if (moves == nullptr) return true;
-  moves->mark(mask >> ('X' - 'A') & 7u);
-  moves->push(step, clockwise ? MoveKind::Cw : MoveKind::Ccw, s.work, s.row_state);
-  centre[a] = ca;
-  centre[b] = cb;
-  centre[across] = std::numeric_limits<double>::quiet_NaN();
-  moves->arc(centre, in_plane);
+  go_along(arc, mask, step, moves);
   return true;
+}
+
+void Motion::go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves) {
+  MotionState& s = state_;
+  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
+  s.time += arc.in_plane * s.seconds_per_mm;
+  s.moved_before = true;
+  s.named |= straight_axes(mask);
+  std::copy(arc.end.begin(), arc.end.end(), s.work.begin());
+  if (moves == nullptr) return;
+  moves->mark(straight_axes(mask));
+  moves->push(step, arc.clockwise ? MoveKind::Cw : MoveKind::Ccw, s.work, s.row_state);
+  moves->arc(arc.centre, arc.in_plane);
 }
 
 namespace {
@@ -123,7 +152,7 @@ namespace {
 /// What a block of nothing but modes sets. `plain`: all of it is known to be that.
 struct Modes {
   Modes(const MotionFacts& facts, const MotionState& state, const NcWords& words)
-      : facts_(facts), state_(state) {
+      : plane(state.plane), incremental(state.incremental), facts_(facts), state_(state) {
     plain = !words.has(Role::RigidTapping);
     for (int i = 0; i < words.g_count && plain; ++i)
       plain = take(facts.codes.find(words.g[static_cast<std::size_t>(i)]));
@@ -131,34 +160,38 @@ struct Modes {
 
   void set(MotionState& state) const {
     for (std::size_t i = 0; i < count_; ++i) state.modal[at(codes_[i].group)] = codes_[i];
-    if (plane) state.plane = state.modal[at(Group::Plane)].code / 10;
-    if (cycle_off) state.rigid = false;
-    if (work) state.moved_before = true;  // as behind G54 that changes something
-    state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
+    if (plane != state.plane) state.row_moves = nullptr;
+    state.plane = plane;
+    state.incremental = incremental;
+    if (cycle_off_) state.rigid = false;
+    if (work_) state.moved_before = true;  // as behind G54 that changes something
   }
 
   bool plain = false;
   int path = -1;  // G00 to G03
-  bool plane = false, cycle_off = false, work = false;
+  int plane;
+  bool incremental;
 
  private:
   bool take(const GCode& code) {
-    if (code.meaning == Meaning::Neutral) return !state_.data_set && code.code != kDataEnd;
+    if (code.meaning == Meaning::Neutral) return true;
     for (std::size_t i = 0; i < count_; ++i)
       if (codes_[i].group == code.group) return false;
     codes_[count_++] = code;
     switch (code.group) {
       case Group::Motion:
-        path = static_cast<int>(code.meaning) - static_cast<int>(Meaning::Rapid);
-        return path >= 0 && path < 4 &&
-               facts_.path_codes[static_cast<std::size_t>(path)].code == code.code;
+        path = path_of(code.meaning);
+        return path >= 0 && facts_.path_codes[static_cast<std::size_t>(path)].code == code.code;
       case Group::Plane:
-        return plane = true;
+        plane = code.code / 10;
+        return true;
       case Group::Distance:
+        incremental = code.meaning == Meaning::Incremental;
+        return true;
       case Group::Return:
         return true;
       case Group::Work:
-        return work = is_as_before(code) && code.meaning != Meaning::WorkExtra;
+        return work_ = is_as_before(code) && code.meaning != Meaning::WorkExtra;
       case Group::Units:
         return is_as_before(code) &&
                facts_.control->motion.unit_change.value == UnitChange::Anywhere;
@@ -167,7 +200,7 @@ struct Modes {
       case Group::Radius:
         return code.meaning == Meaning::RadiusOff;
       case Group::Cycle:
-        return cycle_off = code.meaning == Meaning::CycleOff;
+        return cycle_off_ = code.meaning == Meaning::CycleOff;
       case Group::Length:
         return code.meaning == Meaning::LengthOff && !facts_.lathe() && state_.length == Axes{};
       default:
@@ -178,97 +211,77 @@ struct Modes {
     return state_.modal[at(code.group)].meaning == code.meaning;
   }
 
-  static constexpr std::int16_t kDataEnd = 110;  // alarms where no data were begun
   const MotionFacts& facts_;
   const MotionState& state_;
   std::array<GCode, 12> codes_{};
   std::size_t count_ = 0;
+  bool cycle_off_ = false, work_ = false;
 };
 
-/// What modes change, before they do: an arc may still want the general path.
-struct Before {
-  explicit Before(const MotionState& s)
-      : modal(s.modal),
-        row_moves(s.row_moves),
-        seconds_per_mm(s.seconds_per_mm),
-        speed(s.speed),
-        plane(s.plane),
-        t(s.t),
-        tool(s.tool),
-        incremental(s.incremental),
-        turns(s.turns),
-        rigid(s.rigid),
-        moved_before(s.moved_before) {}
-  void put_back(MotionState& s) const {
-    s.modal = modal;
-    s.row_moves = row_moves;
-    s.seconds_per_mm = seconds_per_mm;
-    s.speed = speed;
-    s.plane = plane;
-    s.t = t;
-    s.tool = tool;
-    s.moved_before = moved_before;
-    s.incremental = incremental;
-    s.turns = turns;
-    s.rigid = rigid;
+/// Whether the words other than G and M codes are those of a plain move, S and T, with values that
+/// the general path has nothing to say about.
+bool has_plain_words(const MotionFacts& facts, const NcWords& words) {
+  const std::uint32_t known =
+      kEnds | kCentres | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
+  if (words.stops || (words.mask & ~known) != 0) return false;
+  if (words.has('S') && !(words['S'] > 0)) return false;
+  if (!words.has('F')) return true;
+  const bool steps = (words.whole & bit('F')) != 0 &&
+                     facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
+  return words['F'] > 0 && !steps;
+}
+
+/// The values of the letters of a mask, in the order of the alphabet.
+std::array<Cell, 7> values_of(MotionView m, const NcWords& words, std::uint32_t letters) {
+  std::array<Cell, 7> values{};
+  std::size_t count = 0;
+  for (; letters != 0; letters &= letters - 1) {
+    const char address = static_cast<char>('A' + std::countr_zero(letters));
+    values[count++].value = address == 'F' ? words['F'] : in_units(m, words, address);
   }
-
-  std::array<GCode, kGroups> modal;
-  const Moves* row_moves;
-  double seconds_per_mm, speed;
-  int plane, t, tool;
-  bool incremental, turns, rigid, moved_before;
-};
-
-constexpr std::uint32_t kEnds = bit('X') | bit('Y') | bit('Z');
-constexpr std::uint32_t kCentres = bit('I') | bit('J') | bit('K');
+  return values;
+}
 
 }  // namespace
 
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
   MotionState& s = state_;
-  const std::uint32_t path_words = words.mask & (kEnds | kCentres | bit('F'));
-  const std::uint32_t others = bit('S') | (facts_->lathe() ? 0 : bit('T'));
-  if (!s.plain || words.stops || (words.mask & ~(path_words | others)) != 0) return false;
-  const bool has_feed = words.has('F'), has_speed = words.has('S');
-  if ((has_feed && !(words['F'] > 0)) || (has_speed && !(words['S'] > 0))) return false;
-  if ((words.whole & bit('F')) != 0 &&
-      facts_->control->reading.whole_numbers.value == WholeNumbers::Increments)
-    return false;
+  if (!s.plain || !has_plain_words(*facts_, words)) return false;
   const Modes modes(*facts_, s, words);
   if (!modes.plain) return false;
   const int path = modes.path >= 0 ? modes.path : s.motion_code;
-  const bool moves_on = (words.mask & (kEnds | kCentres)) != 0;
-  if (moves_on && path < 2 && (words.has('I') || words.has('J') || words.has('K'))) return false;
-  if (moves_on && path != 0 && !has_feed && !(s.feed > 0)) return false;
+  const std::uint32_t letters = words.mask & (kEnds | kCentres | bit('F'));
+  const bool moves_on = (letters & ~bit('F')) != 0, on_arc = moves_on && path > 1;
+  const double feed = words.has('F') ? words['F'] : s.feed;
+  if (moves_on && path != 0 && !(feed > 0)) return false;
+  if (moves_on && !on_arc && (letters & kCentres) != 0) return false;
+  const auto values = values_of(view(), words, letters);
+  PlainArc arc{.clockwise = path == 2};
+  if (on_arc && (facts_->lathe() || !plan_arc(*facts_, s, letters, values.data() + words.has('F'),
+                                              modes.plane, modes.incremental, arc)))
+    return false;
 
-  std::array<Cell, 7> values{};
-  std::size_t count = 0;
-  for (std::uint32_t left = path_words; left != 0; left &= left - 1) {
-    const char address = static_cast<char>('A' + std::countr_zero(left));
-    values[count++].value = address == 'F' ? words['F'] : in_units(view(), words, address);
-  }
-  const Before before(s);
   modes.set(s);
   if (words.has('T')) s.t = whole(words['T']);
+  const int tool = s.tool;
   for (int i = 0; i < words.m_count; ++i)
     take_spindle(s, facts_->control->calls.roles.value.of_m(words.m[static_cast<std::size_t>(i)]));
-  if (has_speed) s.speed = words['S'];
-  if (has_speed || modes.plane || s.tool != before.tool) s.row_moves = nullptr;
-  if (has_speed) set_seconds_per_mm(s);
-  outcome = {};
-  if (!moves_on) {
-    if (modes.path >= 0) take_code(modes.path);
-    if (has_feed) take_feed(words['F']);
-    return true;
+  if (words.has('S')) {
+    s.speed = words['S'];
+    set_seconds_per_mm(s);
   }
-  const bool done = path < 2 ? linear(path_words, values.data(), path, step, moves, outcome.moved)
-                             : arc(path_words, values.data(), path, step, moves);
-  if (!done) before.put_back(s);
-  if (path > 1) outcome.moved = done;
-  outcome.axis_word = done;
-  outcome.moves = 1;
-  return done;
+  if (words.has('S') || s.tool != tool) s.row_moves = nullptr;
+
+  outcome = {};
+  if (moves_on) {
+    outcome.moved = outcome.axis_word = true;
+    outcome.moves = 1;
+    if (!on_arc) return linear(letters, values.data(), path, step, moves, outcome.moved);
+  }
+  if (moves_on || modes.path >= 0) take_code(path);
+  if (words.has('F')) take_feed(feed);
+  if (on_arc) go_along(arc, letters, step, moves);
+  return true;
 }
 
 }  // namespace cncsub

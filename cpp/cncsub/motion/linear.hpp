@@ -35,12 +35,12 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
                  std::fabs(dz) * s.rapid_seconds[2]);
   else if (moved)  // what stands takes no time, also where the spindle stands
     s.time += std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz) * s.seconds_per_mm;
-  const std::uint32_t axes = mask & (bit('X') | bit('Y') | bit('Z'));
+  const std::uint32_t axes = straight_axes(mask);
   if (axes == 0) return true;
   s.moved_before = true;
-  s.named |= axes >> ('X' - 'A');
+  s.named |= axes;
   if (moves == nullptr) return true;
-  moves->mark(axes >> ('X' - 'A'));
+  moves->mark(axes);
   moves->push(step, code != 0 ? MoveKind::Feed : MoveKind::Rapid, s.work, s.row_state);
   return true;
 }

@@ -19,6 +19,8 @@
 
 namespace cncsub {
 
+struct PlainArc;  // an arc of the fast path
+
 class Motion {
  public:
   using Outcome = MotionOutcome;
@@ -85,6 +87,7 @@ class Motion {
   void take_code(int code);
   void take_feed(double value);
   void new_row_state(Moves& moves);
+  void go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves);
 
   std::shared_ptr<const MotionFacts> facts_;
   MotionState state_;

@@ -15,6 +15,9 @@ namespace cncsub {
 
 constexpr std::size_t at(Group group) { return static_cast<std::size_t>(group); }
 
+/// X, Y and Z of a mask of letters, as bits of the axes.
+constexpr std::uint32_t straight_axes(std::uint32_t letters) { return letters >> ('X' - 'A') & 7u; }
+
 /// A motion on its way to the table: the end without tool offsets, in machine terms ("base").
 struct Piece {
   MoveKind kind = MoveKind::Rapid;

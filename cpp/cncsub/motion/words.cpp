@@ -37,7 +37,7 @@ void set_spindle(MotionContext& m, const BlockWords& block) {
 
 /// What is wrong with a code by itself.
 Result check_code(MotionView m, const BlockWords& block, int written, const GCode& code) {
-  if (written == 110 && !m.state.data_set && m.facts.refuses(Cause::DataEndFirst))
+  if (code.meaning == Meaning::DataEnd && !m.state.data_set && m.facts.refuses(Cause::DataEndFirst))
     return fault_of(written, Cause::DataEndFirst, block);
   if (code.meaning == Meaning::None) return fault_of(written, Cause::GCodeNotAvailable, block);
   if (code.meaning == Meaning::Unknown) return fault_of(written, Cause::CodeNotKnown, block);
@@ -66,7 +66,7 @@ Result read_codes(MotionContext& m, BlockWords& block) {
     const int written = block.words.g[static_cast<std::size_t>(i)];
     const GCode code = m.facts.codes.find(written);
     if (auto wrong = check_code(m, block, written, code)) return wrong;
-    if (code.meaning == Meaning::Neutral) continue;
+    if (is_neutral(code.meaning)) continue;
     if (!is_computed(c, code.meaning)) {
       block.uncomputed = written;
       continue;

@@ -13,8 +13,13 @@ namespace cncsub {
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 inline char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-/// A byte of a character of several bytes, besides its first.
-inline bool goes_on(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+/// The character that begins a text, all bytes of it.
+inline std::string_view first_character(std::string_view text) {
+  const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  std::size_t width = text.empty() ? 0 : 1;
+  while (width < text.size() && goes_on(text[width])) ++width;
+  return text.substr(0, width);
+}
 /// Blanks, and the characters of punched tape that say nothing: NUL and DEL.
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\0' || c == '\x7f' || c == '\v' || c == '\f';

@@ -39,8 +39,10 @@ std::string address(Scanner& s) {
     s.take(behind);
     return {c, behind};
   }
-  while (s.at != s.end && goes_on(*s.at)) ++s.at;
-  return is_letter(c) ? std::string(1, c) : std::string(start, s.at);
+  if (is_letter(c)) return {c};
+  const std::string_view character = first_character({start, s.end});
+  s.at = start + character.size();
+  return std::string(character);
 }
 
 /// What stands behind an address that is no number: up to the next letter outside brackets.

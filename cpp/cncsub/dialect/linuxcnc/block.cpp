@@ -99,6 +99,7 @@ bool BlockReader::words(Block& block) {
 
 bool BlockReader::item(Block& block, Words& words) {
   const std::uint32_t at = line_.offset();
+  const std::string_view character = first_character(line_.rest());
   const char c = line_.take();
   if (c == '(') return comment(block, words);
   if (c == '#') return assignment(block, words);
@@ -112,9 +113,9 @@ bool BlockReader::item(Block& block, Words& words) {
     if (!expression_.value(value)) return refuse(block);
     return refuse(block, Cause::CodeNotComputed, std::string(1, c) + " is not computed here", at);
   }
-  std::string character(1, c);  // all bytes of it
-  while (goes_on(line_.peek())) character += line_.take();
-  return refuse(block, Cause::IllegalCharacter, "Bad character '" + character + "' used", at);
+  line_.take(character.substr(1));
+  return refuse(block, Cause::IllegalCharacter,
+                "Bad character '" + std::string(character) + "' used", at);
 }
 
 bool BlockReader::word(Block& block, Words& words, char letter) {

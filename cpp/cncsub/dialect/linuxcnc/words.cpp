@@ -55,8 +55,8 @@ std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& fr
     take_number(ahead, word);
     pass_value(s);
   } else {
-    while (s.at != s.end && goes_on(*s.at)) ++s.at;
-    word.address = std::string(start, s.at);
+    word.address = first_character({start, s.end});
+    s.at = start + word.address.size();
   }
   place_word(word, block, start, s.at);
   for (char& of : word.text) of = upper(of);

@@ -366,7 +366,7 @@ std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWo
   Meaning once = Meaning::None;  // of two codes the later counts
   for (int i = 0; i < words.g_count; ++i) {
     const GCode code = facts.codes.find(words.g[static_cast<std::size_t>(i)]);
-    if (code.group == Group::OneShot && code.meaning != Meaning::Neutral) once = code.meaning;
+    if (code.group == Group::OneShot && !is_neutral(code.meaning)) once = code.meaning;
   }
   if (once < Meaning::Finish || once > Meaning::RoughPattern) return std::nullopt;
   const ProfileNumbers numbers{whole(words['P']), whole(words['Q'])};

@@ -1,12 +1,25 @@
 // The path between two points: arcs, lines by their angle, corners, radius compensation.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "cncsub/motion/context.hpp"
 
 namespace cncsub {
 
 /// G02 and G03.
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning);
+/// Whether an arc that begins and ends at these distances from its centre, mm, is refused.
+inline bool is_off_circle(const MotionRules& rules, double first, double last, bool inches) {
+  const bool own = inches && rules.arc_tolerance_inch.value > 0;
+  const double tolerance =
+      (own ? rules.arc_tolerance_inch.value : rules.arc_tolerance.value) * 1e-3 + 1e-9;
+  const double miss = std::fabs(first - last);
+  if (rules.arc_tolerance.value == 0 || miss <= tolerance) return false;
+  return miss > tolerance * 100 ||
+         miss >= rules.arc_tolerance_share.value * 1e-3 * std::max(first, last);
+}
 /// An arc through a third point: I and K lead to it from the start, or name it. [TDi 5]
 Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning);
 
