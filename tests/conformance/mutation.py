@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import cncsub
-from conformance import Case, rows
+from conformance import Case, Row, rows
 from outcome import differences
 from unpinned import UNPINNED, entries_of
 
@@ -30,12 +30,22 @@ MOTION = ("motion", "turning")
 
 def pinning(control: str, word: str) -> list[Case]:
     """The rows of a control that say that they pin a rule, or an entry of a set."""
-    return [row.case for row in rows() if row.control == control and word in row.case.pins]
+    return [case for case, name in rows_that_pin().get(word, ()) if name == control]
+
+
+@functools.cache
+def rows_that_pin() -> dict[str, list[Row]]:
+    """By what they pin, in the order of the rows."""
+    by_word: dict[str, list[Row]] = {}
+    for row in rows():
+        for word in row.case.pins:
+            by_word.setdefault(word, []).append(row)
+    return by_word
 
 
 def words(control: cncsub.Control) -> Iterator[str]:
     """What there is to pin: the rules, and what may be in a set."""
-    said = {word for row in rows() for word in row.case.pins}
+    said = rows_that_pin()
     for rule in control.rules:
         entries = entries_of(rule)
         if not entries:
@@ -96,8 +106,8 @@ def answer(name: str, word: str) -> Any:
 def lent(control: cncsub.Control, word: str) -> Iterator[Case]:
     """The rows that pin it on controls with the same answer."""
     claims = set()
-    for case, other in rows():
-        if other == control.name or word not in case.pins or case.claim in claims:
+    for case, other in rows_that_pin().get(word, ()):
+        if other == control.name or case.claim in claims:
             continue
         if answer(other, word) == answer(control.name, word):
             claims.add(case.claim)
@@ -171,7 +181,7 @@ def could_pin(control: cncsub.Control, word: str) -> Iterator[Case]:
     cases = [row.case for row in rows() if row.control == control.name]
     if is_about_moves(control, word):
         cases = [case for case in cases if case.wants_moves or "motion" in case.topic]
-    topics = {row.case.topic for row in rows() if word in row.case.pins}
+    topics = {case.topic for case, _ in rows_that_pin().get(word, ())}
     for case in sorted(cases, key=lambda case: case.topic not in topics):
         if passes(case, control) and notices(case, control, word):
             yield case
