@@ -158,11 +158,7 @@ def _other_lists(rule: Any) -> Iterator[str]:
     entries = rule.value.split() if separator else list(rule.value)
     for entry in dict.fromkeys(entries):
         yield separator.join(other for other in entries if other != entry)
-    yield from sorted({_value_on(control, rule.name) for control in cncsub.controls.values()})
-
-
-def _value_on(control: cncsub.Control, rule: str) -> str:
-    return next(str(other.value) for other in control.rules if other.name == rule)
+    yield from sorted({str(answers(control)[rule.name]) for control in cncsub.controls})
 
 
 def passes(case: Case, control: cncsub.Control) -> bool:
