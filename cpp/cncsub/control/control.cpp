@@ -74,9 +74,12 @@ std::string written(const Set<E, Most>& set) {
   return text;
 }
 
+/// What is wrong with what somebody gave, or nothing.
+using Wrong = std::optional<std::string>;
+
 /// Changes a set entry by entry, as lists are (rule_lists.hpp).
 template <class E, std::size_t Most>
-std::optional<std::string> change_set(const char* name, Set<E, Most>& set, std::string_view text) {
+Wrong change(std::string_view name, Set<E, Most>& set, std::string_view text) {
   const auto members = members_of<E>();
   std::vector<std::string_view> words;
   words.reserve(members.size());
@@ -99,7 +102,7 @@ std::string written(const Roles& roles) {
 }
 
 /// Changes the roles code by code, as lists are (rule_lists.hpp).
-std::optional<std::string> change_roles(const char* name, Roles& roles, std::string_view text) {
+Wrong change(std::string_view name, Roles& roles, std::string_view text) {
   std::string list = written(roles);
   if (auto wrong = change_list(name, list, text)) return wrong;
   roles = {};
@@ -112,7 +115,7 @@ std::optional<std::string> change_roles(const char* name, Roles& roles, std::str
 }
 
 /// Changes a set of codes entry by entry, as lists are (rule_lists.hpp).
-std::optional<std::string> change_codes(const char* name, Codes& codes, std::string_view text) {
+Wrong change(std::string_view name, Codes& codes, std::string_view text) {
   std::string list = codes.text();
   if (auto wrong = change_list(name, list, text)) return wrong;
   codes = {};
@@ -160,47 +163,60 @@ std::string joined(const std::vector<Option>& list) {
   return text;
 }
 
+template <class E>
+  requires std::is_enum_v<E>
+Wrong assign_value(std::string_view name, E& place, const RuleValue& value) {
+  const auto& list = options<E>();
+  if (const auto* slug = std::get_if<std::string>(&value))
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (list[i].slug == *slug) {
+        place = static_cast<E>(i);
+        return std::nullopt;
+      }
+  return std::string(name) + " is one of " + joined(list);
+}
+
+Wrong assign_value(std::string_view name, bool& place, const RuleValue& value) {
+  const auto* yes = std::get_if<bool>(&value);
+  if (yes == nullptr) return std::string(name) + " is True or False";
+  place = *yes;
+  return std::nullopt;
+}
+
+Wrong assign_value(std::string_view name, int& place, const RuleValue& value) {
+  const auto* number = std::get_if<std::int64_t>(&value);
+  if (number == nullptr || *number < 0 || *number > kLargestSetting)
+    return std::string(name) + " is a whole number from 0 to " + std::to_string(kLargestSetting);
+  place = static_cast<int>(*number);
+  return std::nullopt;
+}
+
+template <class Kind>
+Wrong change(std::string_view name, Characters<Kind>& set, std::string_view text) {
+  return change_characters(name, set, text);
+}
+
+/// A text whose entries depend on the control.
+Wrong change_text(const Control& control, std::string_view type, std::string_view name,
+                  std::string& list, const std::string& text) {
+  if (type == "Ranges") return change_commons(control, list, text);
+  if (type == "VariableOptions") return change_variable_options(control, list, text);
+  return change_list(name, list, text);
+}
+
 template <class T>
-std::optional<std::string> assign([[maybe_unused]] const Control& control,
-                                  [[maybe_unused]] std::string_view type, const char* name,
-                                  Rule<T>& rule, const RuleValue& value) {
-  if constexpr (std::is_enum_v<T>) {
-    if (const auto* slug = std::get_if<std::string>(&value)) {
-      const auto& list = options<T>();
-      for (std::size_t i = 0; i < list.size(); ++i)
-        if (list[i].slug == *slug) {
-          rule.value = static_cast<T>(i);
-          return std::nullopt;
-        }
-    }
-    return std::string(name) + " is one of " + joined(options<T>());
-  } else if constexpr (std::is_same_v<T, bool>) {
-    const auto* yes = std::get_if<bool>(&value);
-    if (yes == nullptr) return std::string(name) + " is True or False";
-    rule.value = *yes;
-  } else if constexpr (std::is_integral_v<T>) {
-    const auto* number = std::get_if<std::int64_t>(&value);
-    if (number == nullptr || *number < 0 || *number > kLargestSetting)
-      return std::string(name) + " is a whole number from 0 to " + std::to_string(kLargestSetting);
-    rule.value = static_cast<T>(*number);
+Wrong assign([[maybe_unused]] const Control& control, [[maybe_unused]] std::string_view type,
+             std::string_view name, Rule<T>& rule, const RuleValue& value) {
+  if constexpr (std::is_enum_v<T> || std::is_integral_v<T>) {
+    return assign_value(name, rule.value, value);
   } else {
     const auto* text = std::get_if<std::string>(&value);
     if (text == nullptr) return std::string(name) + " is a text";
-    if constexpr (kIsSet<T>) {
-      return change_set(name, rule.value, *text);
-    } else if constexpr (std::is_same_v<T, Roles>) {
-      return change_roles(name, rule.value, *text);
-    } else if constexpr (std::is_same_v<T, Codes>) {
-      return change_codes(name, rule.value, *text);
-    } else if constexpr (kIsCharacters<T>) {
-      return change_characters(name, rule.value, *text);
-    } else {
-      if (type == "Ranges") return change_commons(control, rule.value, *text);
-      if (type == "VariableOptions") return change_variable_options(control, rule.value, *text);
-      return change_list(name, rule.value, *text);
-    }
+    if constexpr (std::is_same_v<T, std::string>)
+      return change_text(control, type, name, rule.value, *text);
+    else
+      return change(name, rule.value, *text);
   }
-  return std::nullopt;
 }
 
 template <class E, std::size_t Most>

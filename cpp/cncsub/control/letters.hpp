@@ -45,8 +45,9 @@ class Characters {
     return std::uint64_t{1} << (static_cast<unsigned char>(c) % 64);
   }
 
-  std::array<char, Kind::kMost> list_{};
+  // The widest first: Clang 16 loses a literal with a gap between its members.
   std::array<std::uint64_t, 2> there_{};
+  std::array<char, Kind::kMost> list_{};
   std::uint8_t size_ = 0;
 };
 

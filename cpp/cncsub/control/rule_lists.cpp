@@ -142,6 +142,34 @@ bool same_entry(std::string_view a, std::string_view b) {
   return key_of(bare(a)) == key_of(bare(b));
 }
 
+using Entries = std::vector<std::string_view>;
+
+Entries::iterator find_entry(Entries& entries, std::string_view entry) {
+  return std::find_if(entries.begin(), entries.end(),
+                      [&](std::string_view other) { return same_entry(other, entry); });
+}
+
+std::optional<std::string> take_away(Entries& entries, std::string_view entry) {
+  const auto found = find_entry(entries, entry);
+  if (found == entries.end())
+    return "there is no " + std::string(entry) + " to take away" + near_words(entry, entries);
+  entries.erase(found);
+  return std::nullopt;
+}
+
+std::optional<std::string> put_in(std::string_view rule, Entries& entries, std::string_view entry,
+                                  const Entries& known) {
+  const bool by_kind = known.empty() && rule != "variable_options";
+  const auto wrong = by_kind ? check_of(rule)(entry) : one_of(entry_name(rule), entry, known);
+  if (wrong) return wrong;
+  const auto found = find_entry(entries, entry);
+  if (found == entries.end())
+    entries.push_back(entry);
+  else
+    *found = entry;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view statement_name(StatementKind kind) {
@@ -153,31 +181,15 @@ std::string_view statement_name(StatementKind kind) {
 std::optional<std::string> change_list(std::string_view rule, std::string& list,
                                        std::string_view text,
                                        const std::vector<std::string_view>& known) {
-  const std::string name = std::string(rule) + ": ";
   const bool anew = text.starts_with('=');
   if (anew) text.remove_prefix(1);
   const std::string before = list;
-  std::vector<std::string_view> entries = split_entries(anew ? std::string_view() : before);
-  for (std::string_view entry : split_entries(text)) {
+  Entries entries = split_entries(anew ? std::string_view() : before);
+  for (const std::string_view entry : split_entries(text)) {
     const bool away = entry.size() > 1 && entry[0] == '-';
-    if (away) entry.remove_prefix(1);
-    const auto same = [&](std::string_view other) { return same_entry(other, entry); };
-    const auto found = std::find_if(entries.begin(), entries.end(), same);
-    if (away) {
-      if (found == entries.end())
-        return name + "there is no " + std::string(entry) + " to take away" +
-               near_words(entry, entries);
-      entries.erase(found);
-      continue;
-    }
-    const auto wrong = known.empty() && rule != "variable_options"
-                           ? check_of(rule)(entry)
-                           : one_of(entry_name(rule), entry, known);
-    if (wrong) return name + *wrong;
-    if (found == entries.end())
-      entries.push_back(entry);
-    else
-      *found = entry;
+    const auto wrong =
+        away ? take_away(entries, entry.substr(1)) : put_in(rule, entries, entry, known);
+    if (wrong) return std::string(rule) + ": " + *wrong;
   }
   std::string changed;
   for (const std::string_view entry : entries) {

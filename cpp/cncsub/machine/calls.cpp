@@ -323,7 +323,8 @@ bool enter(Run& run, std::uint32_t index, const Target& target, std::int32_t mod
 
 bool leave(Run& run, Address to, bool goes_on) {
   State& s = run.state;
-  const OpenFrame open = run.frame();
+  const OpenFrame& open = run.frame();
+  const bool interrupts = open.interrupts;
   if (open.modal >= 0 && run.control().macros.modal_locals.value == ModalLocals::Kept &&
       open.modal < static_cast<std::int32_t>(s.modals.size())) {
     const double* first = s.locals.data() + run.local_at(s.level, 0);
@@ -339,7 +340,7 @@ bool leave(Run& run, Address to, bool goes_on) {
   (open.macro ? s.macros : s.subprograms) -= 1;
   s.loops.resize(open.loops);
   s.frames.pop_back();
-  if (open.interrupts) {
+  if (interrupts) {
     run.block.waiting_is_due = goes_on;
     if (!goes_on) s.waiting.pop_back();
   }

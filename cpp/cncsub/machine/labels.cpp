@@ -75,6 +75,11 @@ Fault labelled_fault(const Labelled& own, Cause cause, std::string detail) {
   return {cause, own.at, own.width, std::move(detail)};
 }
 
+Fault of_another_kind(const Labelled& own, LabelledKind kind) {
+  return labelled_fault(own, Cause::LabelOfAnotherKind,
+                        std::string("the label is one of ") + name_of(kind));
+}
+
 bool own_value(Run& run, const Labelled& own, double& value) {
   value = 0;
   return own.value == Labelled::kNone || evaluate(run, own.value, value);
@@ -270,9 +275,7 @@ bool branch_of_if(Run& run, const Labelled& own) {
     return run.state.labels.entered || pass_on(run, own);
   }
   if (!met_before(run, own, met)) return false;
-  if (met->kind != LabelledKind::If)
-    return alarm(run, labelled_fault(own, Cause::LabelOfAnotherKind,
-                                     std::string("the label is one of ") + name_of(met->kind)));
+  if (met->kind != LabelledKind::If) return alarm(run, of_another_kind(own, met->kind));
   if (own.kind == LabelledKind::EndIf) {
     run.state.labels.entered = true;
     return true;
@@ -323,9 +326,7 @@ bool end_of_loop(Run& run, const Labelled& own) {
   if (!met_before(run, own, met)) return false;
   const LabelledKind wanted =
       own.kind == LabelledKind::EndWhile ? LabelledKind::While : LabelledKind::Repeat;
-  if (met->kind != wanted)
-    return alarm(run, labelled_fault(own, Cause::LabelOfAnotherKind,
-                                     std::string("the label is one of ") + name_of(met->kind)));
+  if (met->kind != wanted) return alarm(run, of_another_kind(own, met->kind));
   if (passing && !std::exchange(run.state.labels.continues, false)) return true;
   run.block.next = met->address;
   return true;
@@ -336,8 +337,7 @@ bool leave_loop(Run& run, const Labelled& own) {
   Labels::Met* met = nullptr;
   if (!met_before(run, own, met)) return false;
   if (met->kind != LabelledKind::While && met->kind != LabelledKind::Do)
-    return alarm(run, labelled_fault(own, Cause::LabelOfAnotherKind,
-                                     std::string("the label is one of ") + name_of(met->kind)));
+    return alarm(run, of_another_kind(own, met->kind));
   if (own.kind == LabelledKind::Break)
     run.state.labels.breaks = true;
   else if (!run.state.labels.passing)

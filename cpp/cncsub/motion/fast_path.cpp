@@ -84,7 +84,7 @@ constexpr std::uint32_t kCentres = bit('I') | bit('J') | bit('K');
 
 /// The arc that these words describe, `values` in the order of the alphabet and without that of F.
 /// False where the general path has something to say about it.
-bool plan_arc(const MotionFacts& facts, const MotionState& s, std::uint32_t mask,
+inline bool plan_arc(const MotionFacts& facts, const MotionState& s, std::uint32_t mask,
               const Cell* values, int plane_code, bool incremental, PlainArc& arc) {
   const MotionRules& rules = facts.control->motion;
   const PlaneAxes plane = plane_axes(plane_code);
