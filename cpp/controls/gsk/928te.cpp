@@ -78,14 +78,7 @@ void call_928(Control& c) {
 
 /// The 928TE has none of these: its jumps are M97, and the r variables of the 928T are of another
 /// kind.
-void no_macros_928(Control& c) {
-  lacks(c.common.reset_clears, {Cleared::Commons}, kPolicy, Inferred);
-  c.macros.max_constant_digits = {12, kPolicy, Inferred};
-  c.macros.max_condition_length = {0, kPolicy, Inferred};
-  c.calls.codes_not_with_macro_call = {"", "general knowledge: there are no macro calls", Inferred};
-  c.calls.m_codes_not_with_macro_call = {"", "general knowledge: there are no macro calls",
-                                         Inferred};
-  c.calls.codes_not_with_modal_call = {"", "general knowledge: there are no macro calls", Inferred};
+void no_statements(Control& c) {
   const std::string none = kGeneral + ": no macro statements";
   c.macros.statements = {"", none, Inferred};
   c.macros.statements.tell("GOTO", k001 + "jumps are M97", SourceDocument);
@@ -110,6 +103,10 @@ void no_macros_928(Control& c) {
   c.macros.vacant_address = {VacantAddress::Zero, none, Inferred};
   c.macros.vacant_comparison = {VacantComparison::Zero, none, Inferred};
   c.macros.logic_order = {LogicOrder::LikeArithmetic, none, Inferred};
+}
+
+void no_macro_calls(Control& c) {
+  const std::string none = kGeneral + ": no macro statements";
   c.macros.max_macro_digits = {4, none, Inferred};
   c.macros.argument_sets = {ArgumentSets::ByOrder, none, Inferred};
   c.macros.numbered_axis_arguments = {false, none, Inferred};
@@ -125,6 +122,18 @@ void no_macros_928(Control& c) {
   c.macros.user_alarm_offset = {0, none, Inferred};
   c.macros.user_alarm_last = {0, none, Inferred};
   c.macros.h99_offset = {0, none, Inferred};
+}
+
+void no_macros_928(Control& c) {
+  lacks(c.common.reset_clears, {Cleared::Commons}, kPolicy, Inferred);
+  c.macros.max_constant_digits = {12, kPolicy, Inferred};
+  c.macros.max_condition_length = {0, kPolicy, Inferred};
+  c.calls.codes_not_with_macro_call = {"", "general knowledge: there are no macro calls", Inferred};
+  c.calls.m_codes_not_with_macro_call = {"", "general knowledge: there are no macro calls",
+                                         Inferred};
+  c.calls.codes_not_with_modal_call = {"", "general knowledge: there are no macro calls", Inferred};
+  no_statements(c);
+  no_macro_calls(c);
 }
 
 }  // namespace

@@ -40,28 +40,47 @@ const Parameter kParameters[] = {
     {"6046", 0, "how many M codes call subprograms, 0 = none", kMDipar + "6046", Manual},
 };
 
-}  // namespace
+/// What its list of alarms refuses, and no other control of the family.
+constexpr std::initializer_list<Cause> kRefused = {Cause::OneShotWithMotion,
+                                                   Cause::LengthWithMotion,
+                                                   Cause::LocalWithLength,
+                                                   Cause::MachineMoveInCycle,
+                                                   Cause::PolarPlane,
+                                                   Cause::PolarWorkSystem,
+                                                   Cause::PolarCentre,
+                                                   Cause::PolarTool,
+                                                   Cause::PolarCorner,
+                                                   Cause::PolarCycle,
+                                                   Cause::TurnedUnits,
+                                                   Cause::TurnedInCompensation,
+                                                   Cause::TurnedWithCodes,
+                                                   Cause::TurnedMirror,
+                                                   Cause::ReferenceInRotation,
+                                                   Cause::RotationPlane,
+                                                   Cause::TurnedPlane,
+                                                   Cause::TurnedCoordinate,
+                                                   Cause::TurnedWorkSystem,
+                                                   Cause::TurnedLength,
+                                                   Cause::TurnedData,
+                                                   Cause::TurnedCycle,
+                                                   Cause::RotatedCycle,
+                                                   Cause::PatternWithoutCycle,
+                                                   Cause::CornerOffset,
+                                                   Cause::CornerHelix,
+                                                   Cause::CornerWithCall,
+                                                   Cause::CycleRepeatsTwice,
+                                                   Cause::TapLead,
+                                                   Cause::TapSpeed,
+                                                   Cause::G10Axis,
+                                                   Cause::ScaleNegative,
+                                                   Cause::NoSpeed,
+                                                   Cause::HelixTravel,
+                                                   Cause::HelixAxis,
+                                                   Cause::MeasuringZone,
+                                                   Cause::RigidMove,
+                                                   Cause::DataEndFirst};
 
-/// Like the 980TDi: no names, M-code calls at 6044, the length offsets of a mill, G codes of a
-/// mill.
-Control gsk_980mdi() {
-  Control c = family_980();
-  c.title = "GSK 980MDi mill";
-  has(c.common.refuses, {Cause::LogicOfBits}, kMDib + "0133", Manual);
-  for (const int group : {3, 4, 8, 9, 10, 11, 13, 15})
-    c.variables.push_back({4000 + group, 4000 + group, VariableKind::ModalCode, Access::ReadOnly, 0,
-                           kGeneral, Inferred});
-  modal_words(c, "BDH", kGeneral, Inferred);
-  c.calls.bracket_names = {false, kGeneral, Inferred};
-  c.calls.wide_names = {false, kGeneral, Inferred};
-  c.calls.count_and_l = {CountAndL::NoL, kGeneral, Inferred};
-  c.reading.g_codes = {kMDiCodes, kMDib + "names them; motion codes from general knowledge",
-                       Inferred};
-  c.reading.point_addresses = {
-      "ABCDEFHIJKLQRUVWXYZ",
-      kMDia + "093: L and U are lengths of a chamfer; the others from general knowledge", Inferred};
-  c.macros.atan_range = {AngleRange::FullTurn, kMDipar + "520#7 = 0", Manual};
-  c.macros.asin_range = {AngleRange::FullTurn, kMDipar + "520#7 = 0", Manual};
+void calls_by_code(Control& c) {
   CodeCall subprogram =
       code_call(CodeCall::Form::Range, 'M', CodeCallKind::Subprogram, 6044, 6045, 6046);
   subprogram.first_code = 3;
@@ -69,57 +88,17 @@ Control gsk_980mdi() {
   subprogram.source = kMDipar + "6044 to 6046";
   subprogram.evidence = Manual;
   c.code_calls.push_back(subprogram);
+}
 
+void mill_motion(Control& c) {
   c.motion.machine = {MachineType::Mill, "MDib", Manual};
   c.motion.g_meanings = {"", kKnown, Inferred};
   c.motion.unit_change = {UnitChange::Alone, "MDib 0038", Manual};
   has(c.common.refuses, {Cause::NotHomed}, "MDib 0166", Manual);
   has(c.common.refuses, {Cause::ReferenceNotHomed}, "MDib 0069", Manual);
-  has(c.common.refuses,
-      {Cause::OneShotWithMotion,
-       Cause::LengthWithMotion,
-       Cause::LocalWithLength,
-       Cause::MachineMoveInCycle,
-       Cause::PolarPlane,
-       Cause::PolarWorkSystem,
-       Cause::PolarCentre,
-       Cause::PolarTool,
-       Cause::PolarCorner,
-       Cause::PolarCycle,
-       Cause::TurnedUnits,
-       Cause::TurnedInCompensation,
-       Cause::TurnedWithCodes,
-       Cause::TurnedMirror,
-       Cause::ReferenceInRotation,
-       Cause::RotationPlane,
-       Cause::TurnedPlane,
-       Cause::TurnedCoordinate,
-       Cause::TurnedWorkSystem,
-       Cause::TurnedLength,
-       Cause::TurnedData,
-       Cause::TurnedCycle,
-       Cause::RotatedCycle,
-       Cause::PatternWithoutCycle,
-       Cause::CornerOffset,
-       Cause::CornerHelix,
-       Cause::CornerWithCall,
-       Cause::CycleRepeatsTwice,
-       Cause::TapLead,
-       Cause::TapSpeed,
-       Cause::G10Axis,
-       Cause::ScaleNegative,
-       Cause::NoSpeed,
-       Cause::HelixTravel,
-       Cause::HelixAxis,
-       Cause::MeasuringZone,
-       Cause::RigidMove,
-       Cause::DataEndFirst},
+  has(c.common.refuses, kRefused,
       "MDib 0013, 0014, 0022, 0029, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, "
-      "0204, "
-      "0216, "
-      "0218, 0230, "
-      "0243, 0247, "
-      "0278",
+      "0204, 0216, 0218, 0230, 0243, 0247, 0278",
       Manual);
   c.turning.set_coordinate_without_tool = {false, kKnown, Inferred};
   c.motion.max_offset_number = {32, "MDib 0016", Manual};
@@ -148,6 +127,32 @@ Control gsk_980mdi() {
   c.motion.max_skip_signals = {4, "MDipar 5431 to 5434", Manual};
   c.turning.groove_p_diameter = {false, kKnown, Inferred};
   lacks(c.common.power_on, {PowerOn::G01}, kTDi + "2: G00", Secondary);
+}
+
+}  // namespace
+
+/// Like the 980TDi: no names, M-code calls at 6044, the length offsets of a mill, G codes of a
+/// mill.
+Control gsk_980mdi() {
+  Control c = family_980();
+  c.title = "GSK 980MDi mill";
+  has(c.common.refuses, {Cause::LogicOfBits}, kMDib + "0133", Manual);
+  for (const int group : {3, 4, 8, 9, 10, 11, 13, 15})
+    c.variables.push_back({4000 + group, 4000 + group, VariableKind::ModalCode, Access::ReadOnly, 0,
+                           kGeneral, Inferred});
+  modal_words(c, "BDH", kGeneral, Inferred);
+  c.calls.bracket_names = {false, kGeneral, Inferred};
+  c.calls.wide_names = {false, kGeneral, Inferred};
+  c.calls.count_and_l = {CountAndL::NoL, kGeneral, Inferred};
+  c.reading.g_codes = {kMDiCodes, kMDib + "names them; motion codes from general knowledge",
+                       Inferred};
+  c.reading.point_addresses = {
+      "ABCDEFHIJKLQRUVWXYZ",
+      kMDia + "093: L and U are lengths of a chamfer; the others from general knowledge", Inferred};
+  c.macros.atan_range = {AngleRange::FullTurn, kMDipar + "520#7 = 0", Manual};
+  c.macros.asin_range = {AngleRange::FullTurn, kMDipar + "520#7 = 0", Manual};
+  calls_by_code(c);
+  mill_motion(c);
   take_list(c, alarms_980mdi_b());
   add_parameters(c, kParameters);
   return c;

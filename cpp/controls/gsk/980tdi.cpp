@@ -125,6 +125,48 @@ const Parameter kParameters[] = {
      {bit(rule::bracket_names)}},
 };
 
+void motion(Control& c) {
+  c.motion.g_meanings = {"5=three-points 5.1=three-points-absolute 33=tap-cycle", "TDi 5, TDi 24.5",
+                         Manual};
+  c.motion.negative_radius = {NegativeRadius::LongWay, "TDi 4 note 7", Manual};
+  c.motion.no_radius = {NoRadius::Alarm, "TDi 4 note 1", Manual};
+  c.motion.small_radius = {SmallRadius::Alarm, "TDi 4 note 3", Manual};
+  lacks(c.common.power_on, {PowerOn::G95}, "TDi 26", Manual);
+  c.motion.chamfer_words = {"L", "TDi 11", Manual};
+  c.motion.round_words = {"D", "TDi 11", Manual};
+  c.motion.angle_words = {"Q", "TDi 13", Manual};
+  c.motion.skip_variables = {995, "TDi p.94, 3.16.2: #995 to #999 are X, Z, Y, 4th, 5th", Manual};
+  c.motion.max_skip_signals = {6, "TDi p.93, 3.16: P is 1 to 6", Manual};
+  c.motion.skip_signals = {SkipSignals::Numbered, "TDi p.93, 3.16; TDi 14, G04 Q", Manual};
+  c.motion.max_skip_feed = {200, "TDi p.94, 3.16.2; p.96, 3.17.2", Manual};
+  c.motion.measuring = {Measuring::Of141, "TDi 17", Manual};
+  for (const auto& [name, meaning] :
+       {std::pair{"141", "the measuring feed of G36 and G37, mm/min"},
+        {"142", "G36: how far before the point the measuring feed begins, mm"},
+        {"143", "G37: how far before the point the measuring feed begins, mm"},
+        {"144", "G36: within what distance of the point the tool arrives, mm"},
+        {"145", "G37: within what distance of the point the tool arrives, mm"}})
+    c.parameters.push_back({name, 0, meaning, "TDipar 141 to 145", Manual});
+  c.motion.helix = {Helix::Refused, kKnown, Inferred};
+  lacks(c.common.power_on, {PowerOn::G01}, kTDi + "2: G00", Manual);
+}
+
+void turning(Control& c) {
+  c.turning.set_coordinate_without_tool = {true, "TDi 18 table", Manual};
+  c.turning.single_pattern = {PatternPasses::Two, "TDi 23.3", Manual};
+  c.turning.groove_p_diameter = {true, "TDi 23.5", Manual};
+  c.turning.drill_retract = {true, "TDi 23.9", Manual};
+  has(c.common.refuses, {Cause::CyclePlane, Cause::TurningPlane, Cause::StrokeWithCodes},
+      "TDi 8 note 3; TDi 31 note 6", Manual);
+  c.turning.profile_monotone = {MonotoneCheck::WithK, "TDi 23.1: K", Manual};
+  c.turning.max_profile_blocks = {200, "TDi 23.1 note 9", Manual};
+  c.turning.max_pockets = {20, "TDi 23.1, type II", Manual};
+  c.turning.pocket_pass = {PocketPass::WithJ, "TDi 23.1: J", Manual};
+  c.turning.run_out_words = {RunOutWords::Equal, "TDi 24.1, 24.9", Manual};
+  c.turning.thread_digits_apart = {true, "TDi 24.12 note 4", Manual};
+  c.turning.thread_starts = {true, "TDi 24.9: L", Manual};
+}
+
 }  // namespace
 
 Control gsk_980tdi() {
@@ -139,42 +181,8 @@ Control gsk_980tdi() {
   c.code_calls.push_back(subprogram);
 
   add_lathe_motion(c);
-  c.motion.g_meanings = {"5=three-points 5.1=three-points-absolute 33=tap-cycle", "TDi 5, TDi 24.5",
-                         Manual};
-  c.motion.negative_radius = {NegativeRadius::LongWay, "TDi 4 note 7", Manual};
-  c.motion.no_radius = {NoRadius::Alarm, "TDi 4 note 1", Manual};
-  c.motion.small_radius = {SmallRadius::Alarm, "TDi 4 note 3", Manual};
-  lacks(c.common.power_on, {PowerOn::G95}, "TDi 26", Manual);
-  c.turning.set_coordinate_without_tool = {true, "TDi 18 table", Manual};
-  c.motion.chamfer_words = {"L", "TDi 11", Manual};
-  c.motion.round_words = {"D", "TDi 11", Manual};
-  c.motion.angle_words = {"Q", "TDi 13", Manual};
-  c.turning.single_pattern = {PatternPasses::Two, "TDi 23.3", Manual};
-  c.turning.groove_p_diameter = {true, "TDi 23.5", Manual};
-  c.motion.skip_variables = {995, "TDi p.94, 3.16.2: #995 to #999 are X, Z, Y, 4th, 5th", Manual};
-  c.motion.max_skip_signals = {6, "TDi p.93, 3.16: P is 1 to 6", Manual};
-  c.motion.skip_signals = {SkipSignals::Numbered, "TDi p.93, 3.16; TDi 14, G04 Q", Manual};
-  c.motion.max_skip_feed = {200, "TDi p.94, 3.16.2; p.96, 3.17.2", Manual};
-  c.motion.measuring = {Measuring::Of141, "TDi 17", Manual};
-  for (const auto& [name, meaning] :
-       {std::pair{"141", "the measuring feed of G36 and G37, mm/min"},
-        {"142", "G36: how far before the point the measuring feed begins, mm"},
-        {"143", "G37: how far before the point the measuring feed begins, mm"},
-        {"144", "G36: within what distance of the point the tool arrives, mm"},
-        {"145", "G37: within what distance of the point the tool arrives, mm"}})
-    c.parameters.push_back({name, 0, meaning, "TDipar 141 to 145", Manual});
-  c.turning.drill_retract = {true, "TDi 23.9", Manual};
-  has(c.common.refuses, {Cause::CyclePlane, Cause::TurningPlane, Cause::StrokeWithCodes},
-      "TDi 8 note 3; TDi 31 note 6", Manual);
-  c.turning.profile_monotone = {MonotoneCheck::WithK, "TDi 23.1: K", Manual};
-  c.turning.max_profile_blocks = {200, "TDi 23.1 note 9", Manual};
-  c.turning.max_pockets = {20, "TDi 23.1, type II", Manual};
-  c.turning.pocket_pass = {PocketPass::WithJ, "TDi 23.1: J", Manual};
-  c.turning.run_out_words = {RunOutWords::Equal, "TDi 24.1, 24.9", Manual};
-  c.turning.thread_digits_apart = {true, "TDi 24.12 note 4", Manual};
-  c.turning.thread_starts = {true, "TDi 24.9: L", Manual};
-  c.motion.helix = {Helix::Refused, kKnown, Inferred};
-  lacks(c.common.power_on, {PowerOn::G01}, kTDi + "2: G00", Manual);
+  motion(c);
+  turning(c);
   // What the list has of mills and of travel is not known of the lathe.
   for (const Cause cause :
        {Cause::OverTravel, Cause::MeasuringMissed, Cause::MeasuringEarly, Cause::MeasuringOffset})
