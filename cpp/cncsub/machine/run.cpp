@@ -171,6 +171,8 @@ void run_on(Run& run, const std::function<bool()>& interrupted, const std::funct
   }
 }
 
+// A line for each operation: shorter would be harder to read.
+// NOLINTNEXTLINE(readability-function-size)
 bool dispatch(Run& run, const Block& block) {
   if (block.length > kLongText) look_soon(run);
   if (takes_words(run)) return every_block(run, block);

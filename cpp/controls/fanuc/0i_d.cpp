@@ -30,6 +30,29 @@ const AlarmList& alarms_30i() {
   return list;
 }
 
+/// The parameters that set rules which the 16i does not have.
+const Parameter kParameters[] = {
+    {"6000#0",
+     0,
+     "G67: G67 without a modal call: 0 = alarm, 1 = ignored",
+     kKnown,
+     Inferred,
+     {bit(rule::cancel_alone, CancelAlone::Alarm, CancelAlone::Ignored)}},
+    {"6005#0",
+     0,
+     "SQC: 1 = M98 Q starts at a sequence number; without P in the own program",
+     kKnown,
+     Inferred,
+     {bit(rule::start_word, StartWord::None, StartWord::Q),
+      bit(rule::omitted_program, OmittedProgram::Alarm, OmittedProgram::OwnFromStart)}},
+    {"6006#0",
+     0,
+     "MLG: 1 = AND, OR and XOR may join conditions",
+     kKnown,
+     Inferred,
+     {entry(rule::conditions, Condition::Joined)}},
+};
+
 }  // namespace
 
 /// Like the 16i, with deeper nesting, G66.1, M98 Q, joined conditions and the alarm numbers of the
@@ -64,27 +87,7 @@ Control fanuc_0i_d() {
   c.macros.cancel_alone = {CancelAlone::Alarm, cite({kAlm, "PS1100; 6000#0"}), Secondary};
   has(c.motion.data_forms, {DataForm::L52}, kKnown, Inferred);
 
-  add_parameter(c, {"6000#0",
-                    0,
-                    "G67: G67 without a modal call: 0 = alarm, 1 = ignored",
-                    kKnown,
-                    Inferred,
-                    {bit(rule::cancel_alone, CancelAlone::Alarm, CancelAlone::Ignored)}});
-  add_parameter(
-      c, {"6005#0",
-          0,
-          "SQC: 1 = M98 Q starts at a sequence number; without P in the own program",
-          kKnown,
-          Inferred,
-          {bit(rule::start_word, StartWord::None, StartWord::Q),
-           bit(rule::omitted_program, OmittedProgram::Alarm, OmittedProgram::OwnFromStart)}});
-  add_parameter(c, {"6006#0",
-                    0,
-                    "MLG: 1 = AND, OR and XOR may join conditions",
-                    kKnown,
-                    Inferred,
-                    {entry(rule::conditions, Condition::Joined)}});
-
+  add_parameters(c, kParameters);
   code_calls(c, 9999, 3, 99999999, 3, 99999999);
   take_list(c, alarms_30i());
   domain_alarms(c, Cause::Overflow);

@@ -160,6 +160,17 @@ void macros(Control& c) {
   c.macros.h99_offset = {0, kGeneral + ": there is no G65 H", Inferred};
 }
 
+/// The last words and those of the running block.
+void last_words(Control& c) {
+  for (const char address : std::string_view("BDEFHMNOST")) {
+    const std::int32_t number = modal_word_number(address);
+    for (const auto& [first, kind] :
+         {std::pair{number, VariableKind::ModalWord}, {number + 200, VariableKind::ActiveWord}})
+      c.variables.push_back(
+          {first, first, kind, Access::ReadOnly, address, kM7 + "printed p.331", Manual});
+  }
+}
+
 void variables(Control& c) {
   const auto add = [&c](std::int32_t first, std::int32_t last, VariableKind kind,
                         Access access = Access::ReadOnly, char address = 0) {
@@ -184,13 +195,7 @@ void variables(Control& c) {
   add(3901, 3902, VariableKind::PartsCount, Access::ReadWrite);
   add(4001, 4021, VariableKind::ModalCode);
   add(4201, 4221, VariableKind::ActiveCode);
-  for (const char address : std::string_view("BDEFHMNOST")) {
-    const std::int32_t number = modal_word_number(address);
-    for (const auto& [first, kind] :
-         {std::pair{number, VariableKind::ModalWord}, {number + 200, VariableKind::ActiveWord}})
-      c.variables.push_back(
-          {first, first, kind, Access::ReadOnly, address, kM7 + "printed p.331", Manual});
-  }
+  last_words(c);
   add(5001, 5008, VariableKind::BlockEnd);
   add(5021, 5028, VariableKind::MachinePosition);
   add(5041, 5048, VariableKind::WorkPosition);
