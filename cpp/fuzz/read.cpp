@@ -13,7 +13,8 @@ void check_program(const Code& code, const Program& program) {
         "a program's text lies in its file");
   claim(program.first <= program.last && program.last < code.blocks.size(),
         "a program's blocks lie in the table");
-  claim(code.blocks[program.last].op == Op::EndOfRecord, "every program ends");
+  claim(code.blocks[program.last].op == Op::EndOfRecord || program.inside >= 0,
+        "every program ends that is no part of another");
   std::uint32_t line = program.line;
   for (Address a = program.first; a < program.last; ++a) {
     const Block& block = code.blocks[a];

@@ -67,6 +67,15 @@ void Builder::end_program(std::uint32_t text_end, std::uint32_t line) {
   end.line = line;
   end.text = text_end;
   append(end);
+  list_numbers(program);
+}
+
+void Builder::part(const Program& program) {
+  code_.programs.push_back(program);
+  list_numbers(code_.programs.back());
+}
+
+void Builder::list_numbers(Program& program) {
   program.first_entry = static_cast<std::uint32_t>(code_.sequence.size());
   for (Address a = program.first; a < program.last && !interrupt_.requested(InterruptCheck::kBlock);
        ++a)

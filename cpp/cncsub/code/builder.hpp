@@ -76,7 +76,7 @@ class Builder {
   /// are no program.
   void drop_program(std::int32_t leader = 0);
   /// A program that is a part of the one that was ended last, or of another before it.
-  void part(const Program& program) { code_.programs.push_back(program); }
+  void part(const Program& program);
 
   // ---- blocks, and the records of what they do ----
 
@@ -122,6 +122,8 @@ class Builder {
                    const std::array<double, 26>& values);
 
  private:
+  /// The blocks of a program can be found by their numbers from now on.
+  void list_numbers(Program& program);
   template <class Record>
   auto& table() {
     if constexpr (std::is_same_v<Record, Block>)

@@ -160,7 +160,7 @@ std::optional<std::string> take_away(Entries& entries, std::string_view entry) {
 std::optional<std::string> put_in(std::string_view rule, Entries& entries, std::string_view entry,
                                   const Entries& known) {
   const bool by_kind = known.empty() && rule != "variable_options";
-  const auto wrong = by_kind ? check_of(rule)(entry) : one_of(entry_name(rule), entry, known);
+  auto wrong = by_kind ? check_of(rule)(entry) : one_of(entry_name(rule), entry, known);
   if (wrong) return wrong;
   const auto found = find_entry(entries, entry);
   if (found == entries.end())

@@ -84,8 +84,9 @@ constexpr std::uint32_t kCentres = bit('I') | bit('J') | bit('K');
 
 /// The arc that these words describe, `values` in the order of the alphabet and without that of F.
 /// False where the general path has something to say about it.
-inline bool plan_arc(const MotionFacts& facts, const MotionState& s, std::uint32_t mask,
-              const Cell* values, int plane_code, bool incremental, PlainArc& arc) {
+[[gnu::always_inline]] inline bool plan_arc(const MotionFacts& facts, const MotionState& s,
+                                            std::uint32_t mask, const Cell* values, int plane_code,
+                                            bool incremental, PlainArc& arc) {
   const MotionRules& rules = facts.control->motion;
   const PlaneAxes plane = plane_axes(plane_code);
   const auto word = [&](char address) {
@@ -119,6 +120,20 @@ inline bool plan_arc(const MotionFacts& facts, const MotionState& s, std::uint32
 
 }  // namespace
 
+[[gnu::always_inline]] inline void Motion::go_along(const PlainArc& arc, std::uint32_t mask,
+                                                    std::uint32_t step, Moves* moves) {
+  MotionState& s = state_;
+  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
+  s.time += arc.in_plane * s.seconds_per_mm;
+  s.moved_before = true;
+  s.named |= straight_axes(mask);
+  std::copy(arc.end.begin(), arc.end.end(), s.work.begin());
+  if (moves == nullptr) return;
+  moves->mark(straight_axes(mask));
+  moves->push(step, arc.clockwise ? MoveKind::Cw : MoveKind::Ccw, s.work, s.row_state);
+  moves->arc(arc.centre, arc.in_plane);
+}
+
 bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves) {
   MotionState& s = state_;
   const int code = g >= 0 ? g : s.motion_code;
@@ -132,19 +147,6 @@ bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t st
   if (has_feed) take_feed(feed);
   go_along(arc, mask, step, moves);
   return true;
-}
-
-void Motion::go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves) {
-  MotionState& s = state_;
-  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
-  s.time += arc.in_plane * s.seconds_per_mm;
-  s.moved_before = true;
-  s.named |= straight_axes(mask);
-  std::copy(arc.end.begin(), arc.end.end(), s.work.begin());
-  if (moves == nullptr) return;
-  moves->mark(straight_axes(mask));
-  moves->push(step, arc.clockwise ? MoveKind::Cw : MoveKind::Ccw, s.work, s.row_state);
-  moves->arc(arc.centre, arc.in_plane);
 }
 
 namespace {
@@ -231,6 +233,19 @@ bool has_plain_words(const MotionFacts& facts, const NcWords& words) {
   return words['F'] > 0 && !steps;
 }
 
+/// What the T, M and S of a block set.
+void set_tool_and_spindle(MotionState& s, const Roles& roles, const NcWords& words) {
+  const int tool = s.tool;
+  if (words.has('T')) s.t = whole(words['T']);
+  for (int i = 0; i < words.m_count; ++i)
+    take_spindle(s, roles.of_m(words.m[static_cast<std::size_t>(i)]));
+  if (words.has('S')) {
+    s.speed = words['S'];
+    set_seconds_per_mm(s);
+  }
+  if (words.has('S') || s.tool != tool) s.row_moves = nullptr;
+}
+
 /// The values of the letters of a mask, in the order of the alphabet.
 std::array<Cell, 7> values_of(MotionView m, const NcWords& words, std::uint32_t letters) {
   std::array<Cell, 7> values{};
@@ -262,15 +277,7 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
     return false;
 
   modes.set(s);
-  if (words.has('T')) s.t = whole(words['T']);
-  const int tool = s.tool;
-  for (int i = 0; i < words.m_count; ++i)
-    take_spindle(s, facts_->control->calls.roles.value.of_m(words.m[static_cast<std::size_t>(i)]));
-  if (words.has('S')) {
-    s.speed = words['S'];
-    set_seconds_per_mm(s);
-  }
-  if (words.has('S') || s.tool != tool) s.row_moves = nullptr;
+  set_tool_and_spindle(s, facts_->control->calls.roles.value, words);
 
   outcome = {};
   if (moves_on) {

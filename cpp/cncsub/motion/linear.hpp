@@ -8,6 +8,25 @@
 
 namespace cncsub {
 
+/// Goes along one axis if its letter is in the mask, its value next in `values`; how far.
+[[gnu::always_inline]] inline double travel(ModalState& s, std::uint32_t mask, char axis,
+                                            const Cell*& values) {
+  double& at = s.work[static_cast<std::size_t>(axis - 'X')];
+  const double from = at;
+  if ((mask & bit(axis)) != 0) at = (values++)->value * s.unit + (s.incremental ? from : 0);
+  return at - from;
+}
+/// How long a rapid takes whose axes go at their own rates.
+inline double rapid_seconds(const ModalState& s, double dx, double dy, double dz) {
+  const auto& each = s.rapid_seconds;
+  return std::max(std::max(std::fabs(dx) * each[0], std::fabs(dy) * each[1]),
+                  std::fabs(dz) * each[2]);
+}
+/// How long a line takes. What stands takes no time, also where the spindle stands.
+inline double feed_seconds(const ModalState& s, double dx, double dy, double dz) {
+  return std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz) * s.seconds_per_mm;
+}
+
 inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step,
                            Moves* moves, bool& moved) {
   MotionState& s = state_;
@@ -20,21 +39,10 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
 
   if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
 
-  const double unit = s.unit;
-  const auto travel = [&](char axis, double& at) {
-    const double from = at;
-    if ((mask & bit(axis)) != 0) at = (values++)->value * unit + (s.incremental ? from : 0);
-    return at - from;
-  };
-  const double dx = travel('X', s.work[0]), dy = travel('Y', s.work[1]),
-               dz = travel('Z', s.work[2]);
+  const double dx = travel(s, mask, 'X', values), dy = travel(s, mask, 'Y', values),
+               dz = travel(s, mask, 'Z', values);
   moved = dx != 0 || dy != 0 || dz != 0;
-  if (code == 0)
-    s.time +=
-        std::max(std::max(std::fabs(dx) * s.rapid_seconds[0], std::fabs(dy) * s.rapid_seconds[1]),
-                 std::fabs(dz) * s.rapid_seconds[2]);
-  else if (moved)  // what stands takes no time, also where the spindle stands
-    s.time += std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz) * s.seconds_per_mm;
+  if (moved) s.time += code == 0 ? rapid_seconds(s, dx, dy, dz) : feed_seconds(s, dx, dy, dz);
   const std::uint32_t axes = straight_axes(mask);
   if (axes == 0) return true;
   s.moved_before = true;
