@@ -61,6 +61,9 @@ constexpr int kCommaC = 26, kCommaR = 27, kCommaA = 28, kCommaD = 29;
 constexpr int kAddresses = 30;
 constexpr int kPointedH = 30;  // no address, a mark: H has a point that only an increment takes
 constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
+// The words of a plain move: where it ends, and the centre of an arc.
+constexpr std::uint32_t kEndWords = bit('X') | bit('Y') | bit('Z');
+constexpr std::uint32_t kCentreWords = bit('I') | bit('J') | bit('K');
 
 /// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G
 /// codes, the M codes (one cell each, or an expression), then the values of the mask's addresses in

@@ -157,11 +157,11 @@ class Builder {
 /// A block of nothing but G00 or G01 (or no G), X, Y, Z and F is a linear move; with G02 or G03 (or
 /// no G) and words of a centre an arc.
 inline void mark_move(Block& block, int g) {
-  constexpr std::uint32_t kAxesAndFeed = bit('X') | bit('Y') | bit('Z') | bit('F');
-  constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K');
-  const bool arc = g < 0 ? (block.mask & kCentre) != 0 : g >= 2;
-  if (block.mask == 0 || (block.mask & ~(kAxesAndFeed | (arc ? kCentre : 0))) != 0 || g > 3) return;
-  if (arc && (block.mask & kCentre) == 0) return;
+  const bool centre = (block.mask & kCentreWords) != 0;
+  const bool arc = g < 0 ? centre : g >= 2;
+  const std::uint32_t known = kEndWords | bit('F') | (arc ? kCentreWords : 0);
+  if (block.mask == 0 || (block.mask & ~known) != 0 || g > 3) return;
+  if (arc && !centre) return;
   block.op = arc ? Op::Arc : Op::Linear;
   block.flags = g < 0 ? Block::kNoG : g % 2 == 1 ? Block::kSecondG : std::uint8_t{0};
 }

@@ -191,11 +191,6 @@ Wrong assign_value(std::string_view name, int& place, const RuleValue& value) {
   return std::nullopt;
 }
 
-template <class Kind>
-Wrong change(std::string_view name, Characters<Kind>& set, std::string_view text) {
-  return change_characters(name, set, text);
-}
-
 /// A text whose entries depend on the control.
 Wrong change_text(const Control& control, std::string_view type, std::string_view name,
                   std::string& list, const std::string& text) {

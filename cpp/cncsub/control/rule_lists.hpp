@@ -21,8 +21,8 @@ std::optional<std::string> change_list(std::string_view rule, std::string& list,
 
 /// The same for a set of characters: the text is the whole set.
 template <class Kind>
-std::optional<std::string> change_characters(std::string_view rule, Characters<Kind>& set,
-                                             std::string_view text) {
+std::optional<std::string> change(std::string_view rule, Characters<Kind>& set,
+                                  std::string_view text) {
   if (text.starts_with('=')) text.remove_prefix(1);
   Characters<Kind> changed;
   for (std::size_t i = 0; i < text.size(); ++i)

@@ -44,10 +44,9 @@ int written_g(const Block& block, int first) {
     return true;
   }
   run.state.last_n = block.n >= 0 ? block.n : run.state.last_n;
-  constexpr std::uint32_t kAxes = bit('X') | bit('Y') | bit('Z');
   run.block.outcome = {};
   run.block.outcome.moved = moved;
-  run.block.outcome.axis_word = (block.mask & kAxes) != 0;
+  run.block.outcome.axis_word = (block.mask & kEndWords) != 0;
   return after_words(run);
 }
 

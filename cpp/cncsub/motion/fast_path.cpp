@@ -79,9 +79,6 @@ struct PlainArc {
 
 namespace {
 
-constexpr std::uint32_t kEnds = bit('X') | bit('Y') | bit('Z');
-constexpr std::uint32_t kCentres = bit('I') | bit('J') | bit('K');
-
 /// The arc that these words describe, `values` in the order of the alphabet and without that of F.
 /// False where the general path has something to say about it.
 [[gnu::always_inline]] inline bool plan_arc(const MotionFacts& facts, const MotionState& s,
@@ -224,7 +221,7 @@ struct Modes {
 /// the general path has nothing to say about.
 bool has_plain_words(const MotionFacts& facts, const NcWords& words) {
   const std::uint32_t known =
-      kEnds | kCentres | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
+      kEndWords | kCentreWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
   if (words.stops || (words.mask & ~known) != 0) return false;
   if (words.has('S') && !(words['S'] > 0)) return false;
   if (!words.has('F')) return true;
@@ -265,11 +262,11 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
   const Modes modes(*facts_, s, words);
   if (!modes.plain) return false;
   const int path = modes.path >= 0 ? modes.path : s.motion_code;
-  const std::uint32_t letters = words.mask & (kEnds | kCentres | bit('F'));
+  const std::uint32_t letters = words.mask & (kEndWords | kCentreWords | bit('F'));
   const bool moves_on = (letters & ~bit('F')) != 0, on_arc = moves_on && path > 1;
   const double feed = words.has('F') ? words['F'] : s.feed;
   if (moves_on && path != 0 && !(feed > 0)) return false;
-  if (moves_on && !on_arc && (letters & kCentres) != 0) return false;
+  if (moves_on && !on_arc && (letters & kCentreWords) != 0) return false;
   const auto values = values_of(view(), words, letters);
   PlainArc arc{.clockwise = path == 2};
   if (on_arc && (facts_->lathe() || !plan_arc(*facts_, s, letters, values.data() + words.has('F'),

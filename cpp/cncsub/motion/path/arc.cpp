@@ -12,11 +12,11 @@
 namespace cncsub {
 namespace {
 
-constexpr std::string_view kCentreWords = "IJK";
+constexpr std::string_view kCentreNames = "IJK";
 
 bool has_centre(const BlockWords& block, const PlaneAxes& plane) {
-  return block.words.has(kCentreWords[static_cast<std::size_t>(plane.a)]) ||
-         block.words.has(kCentreWords[static_cast<std::size_t>(plane.b)]);
+  return block.words.has(kCentreNames[static_cast<std::size_t>(plane.a)]) ||
+         block.words.has(kCentreNames[static_cast<std::size_t>(plane.b)]);
 }
 
 /// G45 to G48 change the radius of quarters and three quarters of a circle, which begin and end on
@@ -26,7 +26,7 @@ Result check_longer(MotionView m, const BlockWords& block, const Axes& end, bool
   const Cause cause = Cause::LongerArc;
   if (by_radius) return fault(cause, block, "write I, J, K");
   const auto centre = [&](int axis) {
-    const char name = kCentreWords[static_cast<std::size_t>(axis)];
+    const char name = kCentreNames[static_cast<std::size_t>(axis)];
     return block.words.has(name) ? number(m, block, name) : 0.0;
   };
   const double i = centre(plane.a), j = centre(plane.b), radius = std::hypot(i, j);
@@ -81,7 +81,7 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   const Control& c = *m.facts.control;
   const PlaneAxes plane = plane_axes(m.state.plane);
   const auto word = [&](int axis) {
-    const char name = kCentreWords[static_cast<std::size_t>(axis)];
+    const char name = kCentreNames[static_cast<std::size_t>(axis)];
     return block.words.has(name) ? number(m, block, name) : 0.0;
   };
   double i = word(plane.a), j = word(plane.b);
@@ -131,7 +131,7 @@ Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bo
   if (const std::uint32_t beyond = named & ~7u; beyond != 0)  // neither X nor Y nor Z
     return outside(std::countr_zero(beyond),
                    m.facts.refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);
-  const char word = kCentreWords[static_cast<std::size_t>(across)];
+  const char word = kCentreNames[static_cast<std::size_t>(across)];
   if (!radius && block.words.has(word) && block.words[word] != 0)
     return fault_at(word, Cause::ArcAxis, block);
   return std::nullopt;
@@ -141,7 +141,7 @@ Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bo
 Result find_centre(MotionContext& m, const BlockWords& block, bool radius, bool centre,
                    Piece& piece) {
   if (radius) {
-    m.outcome.drop(bit('I') | bit('J') | bit('K'));  // R counts
+    m.outcome.drop(kCentreWords);  // R counts
     return arc_by_radius(m, block, piece);
   }
   if (centre) {
@@ -198,7 +198,7 @@ Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
   const Axes start = m.state.work + piece.offset;
   Axes middle = start;
   for (const int axis : {plane.a, plane.b}) {
-    const char name = kCentreWords[static_cast<std::size_t>(axis)];
+    const char name = kCentreNames[static_cast<std::size_t>(axis)];
     const double value = block.words.has(name) ? number(m, block, name) : 0;
     if (meaning == Meaning::ThreePointsAbsolute)
       middle[axis] = value + piece.offset[axis];
