@@ -22,16 +22,16 @@ namespace cncsub {
 
 /// A value of a word: a number, or an expression that gives it when the block runs.
 struct WordValue {
-  bool computed = false;
-  std::uint32_t expression = 0;
-  double value = 0;
+  bool computed;
+  std::uint32_t expression;
+  double value;
 };
 
 /// The words that a block executes. An address stands once, its later value counts.
 struct WordList {
-  std::array<WordValue, 12> g;  // ten times the code where it is written as a number
-  std::array<WordValue, 6> m;
-  std::array<WordValue, kAddresses> values;  // those of the mask
+  std::array<WordValue, 12> g;  // NOLINT: the first `g_count`, ten times a code that is a number
+  std::array<WordValue, 6> m;   // NOLINT: the first `m_count`
+  std::array<WordValue, kAddresses> values;  // NOLINT: those of the mask
   std::uint32_t mask = 0;
   std::uint32_t whole = 0;  // as in NcWords
   int g_count = 0;
@@ -134,6 +134,8 @@ class Builder {
       return code_.arguments;
     else if constexpr (std::is_same_v<Record, Statement>)
       return code_.statements;
+    else if constexpr (std::is_same_v<Record, HCode>)
+      return code_.h_codes;
     else if constexpr (std::is_same_v<Record, Labelled>)
       return code_.labelled;
     else if constexpr (std::is_same_v<Record, Together>)

@@ -77,11 +77,12 @@ struct Code {
   LargeVector<Block> blocks;
   LargeVector<Block> variants;
   LargeVector<Cell> cells;
-  std::vector<Instruction> instructions;
-  std::vector<Expression> expressions;
+  LargeVector<Instruction> instructions;
+  LargeVector<Expression> expressions;
   std::vector<CallRecord> calls;
   std::vector<Argument> arguments;
-  std::vector<Statement> statements;
+  LargeVector<Statement> statements;
+  std::vector<HCode> h_codes;
   std::vector<Labelled> labelled;
   std::vector<std::string> labels{""};  // the first is none
   std::unordered_map<std::string, std::uint32_t> label_places;

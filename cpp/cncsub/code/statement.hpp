@@ -24,12 +24,16 @@ struct Statement {
   std::int32_t index = 0;   // Local, Common: the place; Variable: the number
   Address to = kNowhere;    // where a jump goes, when known
   Address end = kNowhere;   // Do, While: the address of the END
-  std::int32_t number = 0;  // DO m, GOTO n, G65 Hm
+  std::int32_t number = 0;  // DO m, GOTO n, Hm of G65
   std::uint32_t at = 0, width = 1;
   std::uint32_t variable_at = 0, variable_width = 1;
   std::uint32_t text = 0, text_length = 0;  // the comment of #3000 and #3006
   std::uint32_t then = 0;                   // IfThen: the variant block to execute
-  Operand p, q, r;                          // G65 H
+};
+
+/// G65 Hm Pn Qn Rn.
+struct HCode : Statement {
+  Operand p, q, r;
 };
 
 struct PrintField {

@@ -172,7 +172,7 @@ std::optional<Cause> calculate(Run& run, int code, double q, double r, std::int6
 }
 
 /// H80 to H86: jumps, always or where Q and R compare so.
-bool jump(Run& run, const Statement& h, double q, double r) {
+bool jump(Run& run, const HCode& h, double q, double r) {
   const int code = h.number;
   if (!h.p.present()) return wrong(run, h, Cause::HCodeFormat, h.p, "the jump has no P");
   if (code > 80 && (!h.q.present() || !h.r.present()))
@@ -190,7 +190,7 @@ bool jump(Run& run, const Statement& h, double q, double r) {
 }
 
 /// H99 P15 (TEXT).
-bool raise_alarm(Run& run, const Statement& h) {
+bool raise_alarm(Run& run, const HCode& h) {
   double n = 0;
   if (!value_of(run, h.p, n)) return false;
   const double number = is_vacant(n) ? -1 : std::round(n);
@@ -204,7 +204,7 @@ bool raise_alarm(Run& run, const Statement& h) {
 
 }  // namespace
 
-bool h_code(Run& run, const Statement& h) {
+bool h_code(Run& run, const HCode& h) {
   const int code = h.number;
   double q = 0, r = 0;
   if (!value_of(run, h.q, q) || !value_of(run, h.r, r)) return false;

@@ -6,6 +6,6 @@
 namespace cncsub {
 
 /// G65 H1 P#100 Q#101 R#102: assigns, calculates, jumps or raises an alarm.
-bool h_code(Run& run, const Statement& h);
+bool h_code(Run& run, const HCode& h);
 
 }  // namespace cncsub

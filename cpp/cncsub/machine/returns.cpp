@@ -134,18 +134,18 @@ bool return_now(Run& run, const CallRecord& back, double p, double l) {
 }
 
 bool jump(Run& run, const Block& block) {
-  const Statement& statement = run.code->statements[block.aux];
+  const CallRecord& record = run.code->calls[block.aux];
   double p = 0;
-  if (!value_of(run, statement.p, p)) return false;
+  if (!value_of(run, record.p, p)) return false;
   if (!execute_words(run, block)) return false;
-  if (modal_after(run) < 0) return jump_now(run, statement, p);
+  if (modal_after(run) < 0) return jump_now(run, record, p);
   WaitingBlock waiting = waiting_block(run, Op::Jump, block.aux);
   waiting.p = p;
   return do_behind_modal(run, std::move(waiting));
 }
 
-bool jump_now(Run& run, const Statement& statement, double p) {
-  return go_to_own_block(run, Cause::JumpTargetNotFound, statement.p, p);
+bool jump_now(Run& run, const CallRecord& record, double p) {
+  return go_to_own_block(run, Cause::JumpTargetNotFound, record.p, p);
 }
 
 bool end_program(Run& run, const Block& block) {

@@ -205,8 +205,8 @@ bool run_statements(Run& run, bool one) {
 }
 
 bool run_statement(Run& run, const Block& block) {
-  const Statement* const statement =
-      block.op == Op::Print ? nullptr : run.code->statements.data() + block.aux;
+  const bool other = block.op == Op::Print || block.op == Op::HCode;
+  const Statement* const statement = other ? nullptr : run.code->statements.data() + block.aux;
   bool runs = true, holds = false;
   switch (block.op) {
     case Op::Goto:
@@ -228,7 +228,7 @@ bool run_statement(Run& run, const Block& block) {
       run.block.next = statement->to;
       break;
     case Op::HCode:
-      runs = h_code(run, *statement);
+      runs = h_code(run, run.code->h_codes[block.aux]);
       break;
     case Op::Print:
       runs = print(run, run.code->prints[block.aux]);

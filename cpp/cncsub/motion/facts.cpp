@@ -102,7 +102,9 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
       increment(setup.increment > 0 ? setup.increment : 0.001),
       chamfers(control->motion.chamfer_words.value, lathe()),
       rounds(control->motion.round_words.value, lathe()),
-      angles(control->motion.angle_words.value, lathe()) {
+      angles(control->motion.angle_words.value, lathe()),
+      skips(*control),
+      measuring(measuring_moves(*control)) {
   number_groups(*this, control->motion.modal_groups.value);
   rapid.fill(control->motion.rapid_rate.value);
   fill(rapid, setup.rapid);

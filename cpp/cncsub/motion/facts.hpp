@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -13,6 +15,7 @@
 #include "cncsub/code/code.hpp"
 #include "cncsub/control/control.hpp"
 #include "cncsub/motion/setup.hpp"
+#include "cncsub/motion/signals.hpp"
 #include "cncsub/motion/state.hpp"
 #include "cncsub/text/number.hpp"
 
@@ -36,9 +39,13 @@ inline int whole(double value) { return to_whole<int>(value, -2'000'000'000, 2'0
 /// Whether all of these are numbers that a position, a length or a time may be.
 template <std::size_t Size>
 bool in_range(const std::array<double, Size>& values) {
-  bool all = true;  // asked of all at once, without a branch
-  for (const double value : values) all &= std::fabs(value) <= kLargest;
-  return all;
+  // Asked of all at once, without a branch: as whole numbers the bits of doubles without their
+  // signs stand in the order of the doubles, and those of a NaN behind all.
+  constexpr auto kSign = std::uint64_t{1} << 63, kMost = std::bit_cast<std::uint64_t>(kLargest);
+  std::uint64_t beyond = 0;
+  for (const double value : values)
+    beyond |= kMost - (std::bit_cast<std::uint64_t>(value) & ~kSign);
+  return (beyond & kSign) == 0;
 }
 inline Fault out_of_range(std::uint32_t at) {
   return {Cause::ValueOutOfRange, at, 1, "the numbers of the move are out of range"};
@@ -77,6 +84,25 @@ struct CornerWords {
 
 struct Conflict;  // what does not go together
 
+/// The parameters of G31 and of a dwell that a signal ends.
+struct SkipParameters {
+  explicit SkipParameters(const Control& control);
+
+  std::array<double, 4> feeds{};         // of G31, G31.1, G31.2 and G31.3
+  std::array<SignalMask, 4> of_form{};   // their signals
+  std::array<SignalMask, 4> numbered{};  // those of P1 to P4, or Q1 to Q4 of the dwell
+  SignalMask of_dwell = 0;               // without Q
+};
+
+/// How a tool is measured.
+struct MeasuringMove {
+  double feed = 0;  // mm/min
+  double near = 0;  // from the measuring position to where the feed begins
+  double zone = 0;  // on both sides of the measuring position: where the tool may arrive
+};
+/// The same as its parameters say: of an axis, and of Z of a lathe.
+std::array<MeasuringMove, 2> measuring_moves(const Control& control);
+
 struct MotionFacts {
   MotionFacts(std::shared_ptr<const Control> c, const Setup& setup);
 
@@ -98,6 +124,8 @@ struct MotionFacts {
   std::vector<Limit> limits;
   std::vector<const Conflict*> conflicts, conflicts_of_words;  // those a block without G codes has
   CornerWords chamfers, rounds, angles;
+  SkipParameters skips;
+  std::array<MeasuringMove, 2> measuring;
 
   /// Whether the control refuses what this cause names.
   bool refuses(Cause cause) const { return control->common.refuses.value.has(cause); }

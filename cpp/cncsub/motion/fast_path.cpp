@@ -14,6 +14,8 @@
 namespace cncsub {
 namespace {
 
+constexpr std::uint32_t kArcWords = kCentreWords | bit('R');
+
 /// Whether the tool stands elsewhere than its offsets say: the next move takes it there.
 bool tool_waits(const MotionState& state) {
   const Axes way = machine_point(state) - state.tool_at;
@@ -79,6 +81,18 @@ struct PlainArc {
 
 namespace {
 
+/// The centre of an arc with a radius that its end is within.
+bool find_centre(const MotionFacts& facts, Point way, double radius, const PlaneAxes& plane,
+                 PlainArc& arc) {
+  const double chord = size(way);
+  if (chord < 1e-9 || !(chord <= 2 * std::fabs(radius))) return false;
+  if (radius < 0 && !takes_negative_radius(facts)) return false;
+  const Point centre = centre_by_radius(way, radius, arc.clockwise);
+  arc.centre[static_cast<std::size_t>(plane.a)] = centre.a;
+  arc.centre[static_cast<std::size_t>(plane.b)] = centre.b;
+  return true;
+}
+
 /// The arc that these words describe, `values` in the order of the alphabet and without that of F.
 /// False where the general path has something to say about it.
 [[gnu::always_inline]] inline bool plan_arc(const MotionFacts& facts, const MotionState& s,
@@ -90,6 +104,7 @@ namespace {
     return (mask & bit(address)) != 0 ? (values++)->value : 0.0;
   };
   for (std::size_t i = 0; i < 3; ++i) arc.centre[i] = word("IJK"[i]) * s.unit;
+  const double radius = word('R') * s.unit;
   for (std::size_t i = 0; i < 3; ++i) {
     const bool named = (mask & bit(kAxisNames[i])) != 0;
     const double value = word(kAxisNames[i]) * s.unit;
@@ -99,6 +114,9 @@ namespace {
              across = static_cast<std::size_t>(plane.across);
   const bool helix = (mask & bit(kAxisNames[across])) != 0;
   if (arc.centre[across] != 0 || (helix && rules.helix.value == Helix::Refused)) return false;
+  if ((mask & bit('R')) != 0 &&
+      !find_centre(facts, {arc.end[a] - s.work[a], arc.end[b] - s.work[b]}, radius, plane, arc))
+    return false;
   const double i = arc.centre[a], j = arc.centre[b];
   const double ca = s.work[a] + i, cb = s.work[b] + j;
   const double first = std::hypot(i, j), last = std::hypot(arc.end[a] - ca, arc.end[b] - cb);
@@ -221,7 +239,7 @@ struct Modes {
 /// the general path has nothing to say about.
 bool has_plain_words(const MotionFacts& facts, const NcWords& words) {
   const std::uint32_t known =
-      kEndWords | kCentreWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
+      kEndWords | kArcWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
   if (words.stops || (words.mask & ~known) != 0) return false;
   if (words.has('S') && !(words['S'] > 0)) return false;
   if (!words.has('F')) return true;
@@ -244,8 +262,8 @@ void set_tool_and_spindle(MotionState& s, const Roles& roles, const NcWords& wor
 }
 
 /// The values of the letters of a mask, in the order of the alphabet.
-std::array<Cell, 7> values_of(MotionView m, const NcWords& words, std::uint32_t letters) {
-  std::array<Cell, 7> values{};
+std::array<Cell, 8> values_of(MotionView m, const NcWords& words, std::uint32_t letters) {
+  std::array<Cell, 8> values{};
   std::size_t count = 0;
   for (; letters != 0; letters &= letters - 1) {
     const char address = static_cast<char>('A' + std::countr_zero(letters));
@@ -262,11 +280,12 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
   const Modes modes(*facts_, s, words);
   if (!modes.plain) return false;
   const int path = modes.path >= 0 ? modes.path : s.motion_code;
-  const std::uint32_t letters = words.mask & (kEndWords | kCentreWords | bit('F'));
+  const std::uint32_t letters = words.mask & (kEndWords | kArcWords | bit('F'));
   const bool moves_on = (letters & ~bit('F')) != 0, on_arc = moves_on && path > 1;
   const double feed = words.has('F') ? words['F'] : s.feed;
   if (moves_on && path != 0 && !(feed > 0)) return false;
-  if (moves_on && !on_arc && (letters & kCentreWords) != 0) return false;
+  if (moves_on && !on_arc && (letters & kArcWords) != 0) return false;
+  if ((letters & bit('R')) != 0 && (letters & kCentreWords) != 0) return false;  // R counts
   const auto values = values_of(view(), words, letters);
   PlainArc arc{.clockwise = path == 2};
   if (on_arc && (facts_->lathe() || !plan_arc(*facts_, s, letters, values.data() + words.has('F'),

@@ -63,6 +63,15 @@ inline double turn_between(double from, double to, bool clockwise) {
   return turn <= 0 ? turn + 2 * kPi : turn;
 }
 
+/// From the start of an arc to its centre: `way` leads to its end, which `radius` reaches; it is
+/// negative where the arc is more than half a circle.
+inline Point centre_by_radius(Point way, double radius, bool clockwise) {
+  const double chord = size(way);
+  const double height = std::sqrt(std::max(0.0, radius * radius - chord * chord / 4));
+  const double side = clockwise == (radius > 0) ? -height / chord : height / chord;
+  return 0.5 * way + side * left(way);
+}
+
 /// The radius, at one of its ends, of an arc moved to its left: one to the left has its centre
 /// there. A rounded centre does not lie equally far from both ends.
 double moved_radius(const Curve& arc, Point end, double offset);

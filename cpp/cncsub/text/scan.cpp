@@ -6,6 +6,8 @@ namespace cncsub {
 
 namespace {
 
+constexpr std::uint32_t kPlainDigits = 15;  // a double holds every such number
+
 /// The digits of a number as they come; the first 18 count.
 struct Digits {
   std::uint64_t mantissa = 0;
@@ -43,10 +45,48 @@ bool pass_gap(Scanner& s) {
   return true;
 }
 
+/// A number as nearly all are: a sign perhaps, digits and one point, nothing between them. False
+/// where it is another, or may go on behind a gap.
+bool scan_plain(Scanner& s, Number& number) {
+  const char* at = s.at;
+  const bool sign = at != s.end && (*at == '-' || *at == '+');
+  const bool negative = sign && *at == '-';
+  at += sign ? 1 : 0;
+  if (at == s.end || (!is_digit(*at) && *at != '.')) return false;
+  const char* const first = at;
+  const Mantissa m = scan_mantissa(at);
+  const auto written = static_cast<std::uint32_t>(m.whole + m.decimals);
+  if (at > s.end || written == 0 || written > kPlainDigits) return false;
+  const char* behind = at;
+  while (behind != s.end && *behind == ' ') ++behind;
+  if (behind != s.end &&
+      (is_digit(*behind) || *behind == '.' || *behind == '(' || is_blank(*behind)))
+    return false;
+  number.digits = written;
+  number.whole_digits = static_cast<std::uint32_t>(m.whole);
+  for (const char* zero = first; zero != at && (*zero == '0' || *zero == '.'); ++zero) {
+    if (*zero == '.') continue;
+    --number.digits;
+    if (number.whole_digits > 0) --number.whole_digits;
+  }
+  number.written = written;
+  number.decimals = static_cast<std::uint32_t>(m.decimals);
+  number.points = m.point ? 1 : 0;
+  number.has_sign = sign;
+  number.negative = negative;
+  number.any = true;
+  const double value =
+      static_cast<double>(static_cast<std::int64_t>(m.value)) / kPowersOfTen[m.decimals];
+  number.value = negative ? -value : value;
+  s.at = at;
+  return true;
+}
+
 }  // namespace
 
 Number scan_number(Scanner& s) {
   Number number;
+  if (scan_plain(s, number)) return number;
   Digits digits;
   while (s.at != s.end) {
     const char c = *s.at;

@@ -129,7 +129,7 @@ void BlockWriter::back() {
 }
 
 void BlockWriter::jump() {
-  Statement jump;
+  CallRecord jump;
   jump.at = meaning_.jump->operand.at;
   jump.width = meaning_.jump->operand.width;
   for (const Token& token : tokens_)
@@ -138,7 +138,7 @@ void BlockWriter::jump() {
     return refuse(
         {Cause::ProgramNumberMissing, jump.at, jump.width, "M97 does not say where to jump"});
   words();
-  to_.become(block_, Op::Jump, jump);
+  to_.become(block_, Op::Jump, std::move(jump));
 }
 
 /// H makes G65 a statement, unless words stand there that only a macro call has.
@@ -152,7 +152,7 @@ bool BlockWriter::is_h_code() const {
 }
 
 void BlockWriter::h_code() {
-  Statement h;
+  HCode h;
   h.at = meaning_.call->operand.at;
   h.width = meaning_.call->operand.width;
   for (const Token& token : tokens_) {

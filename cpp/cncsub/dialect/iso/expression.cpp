@@ -148,7 +148,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::variable_value() {
   const std::uint32_t at = s_.offset();
   s_.take('#');
   if (!room()) return std::nullopt;
-  if (starts_name() && !takes(VariableForm::Names))
+  if (!is_digit(s_.peek()) && starts_name() && !takes(VariableForm::Names))
     return refuse(Cause::ExpressionFormat, at, kNoVariable);
   const auto number = variable_number(at);
   if (!number) return std::nullopt;
@@ -162,12 +162,13 @@ std::optional<ExpressionReader::Value> ExpressionReader::variable_value() {
 /// The number of a variable, where it is written behind the #; else kComputed, and instructions
 /// give it.
 std::optional<std::int64_t> ExpressionReader::variable_number(std::uint32_t at) {
-  if (s_.peek() == '[') {
+  const char first = s_.peek();
+  if (first == '[') {
     auto inner = bracket();
     if (!inner || !arithmetic(*inner)) return std::nullopt;
     return kComputed;
   }
-  if (starts_name() && takes(VariableForm::Names)) {
+  if (!is_digit(first) && starts_name() && takes(VariableForm::Names)) {
     emit(Ins::Named, at, to_.names().text(s_.take_name()));
     return kComputed;
   }

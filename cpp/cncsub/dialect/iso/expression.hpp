@@ -69,6 +69,7 @@ class ExpressionReader {
 
   // ---- operators.cpp ----
   std::optional<Value> expression();
+  bool ends_here();
   const OperatorName* operator_here();
   bool binds(const OperatorName& of, int level, const Value& value, bool compared) const;
   std::optional<Value> apply(const Waiting& waiting, Value right);

@@ -106,10 +106,15 @@ class Lookahead {
 
 }  // namespace
 
+/// Whether the expression ends here, or the bracket that holds it.
+bool ExpressionReader::ends_here() {
+  s_.blanks();
+  return s_.at == s_.end || *s_.at == ']';
+}
+
 /// The operator that stands here, null where none does.
 const OperatorName* ExpressionReader::operator_here() {
-  s_.blanks();
-  if (s_.at == s_.end || *s_.at == ']') return nullptr;
+  if (ends_here()) return nullptr;
   if (const OperatorName* found = find_operator(kOperators, s_))
     return found->op == Ins::Modulo && !has("MOD") ? nullptr : found;
   const bool symbols = code_.control->macros.conditions.value.has(Condition::Symbols);
@@ -173,7 +178,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::compare(const Waiting& 
 /// Operands and operators: a value waits with its operator until what stands on the right does not
 /// bind closer.
 std::optional<ExpressionReader::Value> ExpressionReader::expression() {
-  std::array<Waiting, kTightest + 1> waiting{};  // looser ones first
+  std::array<Waiting, kTightest + 1> waiting;  // NOLINT: the first `count`, looser ones first
   std::size_t count = 0;
   const bool alike = code_.control->macros.logic_order.value == LogicOrder::LikeArithmetic;
   const int tightest = kTightest - static_cast<int>(alike);
@@ -183,6 +188,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::expression() {
   };
   auto value = operand();
   while (value) {
+    if (count == 0 && ends_here()) return value;
     const OperatorName* next = nullptr;
     for (int level = tightest;; --level) {
       if (count > 0 && waiting[count - 1].level == level) value = apply(waiting[--count], *value);

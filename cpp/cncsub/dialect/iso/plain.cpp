@@ -36,7 +36,8 @@ PlainReader::PlainReader(Builder& to, const BlockRules& rules)
   if (tight(rules.control.reading.max_block_length.value, kLongest) ||
       tight(rules.control.reading.max_words.value, kMostWords))
     return;
-  for (const char c : std::string_view("ABCDFHIJKRSTUVWXYZ"))
+  kinds_['('] = Kind::Comment;
+  for (const char c : std::string_view("ABCDEFHIJKLPQRSTUVWXYZ"))
     if (!rules.calling.any(c)) kinds_[static_cast<unsigned char>(c)] = Kind::Value;
   kinds_['G'] = Kind::G;
   if (rules.control.reading.m_codes_per_block.value != 0) kinds_['M'] = Kind::M;
@@ -106,6 +107,16 @@ inline bool PlainReader::take(Words& words, char letter, bool negative,
                            : take_n(words, number);
 }
 
+namespace {
+
+/// Passes over a comment, behind its bracket; false where it is not closed.
+bool pass_comment(const char*& at, const char* end) {
+  at = std::find(at, end, ')');
+  return at++ != end;
+}
+
+}  // namespace
+
 bool PlainReader::read(const Scanner& s, Block& block) {
   if (s.end - s.at >= kLongest) return false;
   Words words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
@@ -114,7 +125,11 @@ bool PlainReader::read(const Scanner& s, Block& block) {
     while (*p == ' ') ++p;
     if (p >= s.end) break;  // a character that is in no word stands there
     const char letter = *p++;
-    if (kinds_[static_cast<unsigned char>(letter)] == Kind::No) return false;
+    const Kind kind = kinds_[static_cast<unsigned char>(letter)];
+    if (kind <= Kind::Comment) {
+      if (kind == Kind::No || !pass_comment(p, s.end)) return false;
+      continue;
+    }
     if (++words.count > kMostWords) return false;
     const bool negative = *p == '-';
     p += negative ? 1 : 0;

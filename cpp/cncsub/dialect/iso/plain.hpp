@@ -20,7 +20,7 @@ class PlainReader {
   bool read(const Scanner& s, Block& block);
 
  private:
-  enum class Kind : std::uint8_t { No, Value, G, M, N };
+  enum class Kind : std::uint8_t { No, Comment, Value, G, M, N };
   struct Words;
 
   bool fits(const Mantissa& number) const;

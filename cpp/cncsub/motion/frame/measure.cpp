@@ -10,14 +10,6 @@
 namespace cncsub {
 namespace {
 
-/// How a tool is measured.
-struct MeasuringMove {
-  int axis = 0;
-  double feed = 0;  // mm/min
-  double near = 0;  // from the measuring position to where the feed begins
-  double zone = 0;  // on both sides of the measuring position: where the tool may arrive
-};
-
 /// The axis that a block of G36 or G37 names; or what is wrong with that.
 Result measuring_axis(MotionView m, const BlockWords& block, int& axis) {
   const bool lathe = m.facts.lathe();
@@ -34,28 +26,6 @@ Result measuring_axis(MotionView m, const BlockWords& block, int& axis) {
   return std::nullopt;
 }
 
-/// How the parameters of the control say that an axis is measured.
-MeasuringMove measuring_move(MotionView m, int axis) {
-  const Control& c = *m.facts.control;
-  const auto parameter = [&c](int number) {
-    return std::max(0.0, c.parameter(std::to_string(number)));
-  };
-  const int z = m.facts.lathe() && axis == 2 ? 1 : 0;
-  switch (c.motion.measuring.value) {
-    case Measuring::None:
-      break;
-    case Measuring::Of6241:
-      return {axis, parameter(6241), parameter(6251 + z), parameter(6254 + z)};
-    case Measuring::Of141:
-      return {axis, parameter(141), parameter(142 + z), parameter(144 + z)};
-    case Measuring::Of5040:
-      return {axis, parameter(5040), parameter(5043), parameter(5044)};
-    case Measuring::Words:
-      return {axis, parameter(8004), parameter(8005), parameter(8006)};
-  }
-  return {axis, 0, 0, 0};
-}
-
 /// R, D and F where the words of the block count before the parameters.
 Result measuring_words(MotionView m, const BlockWords& block, MeasuringMove& how) {
   if (m.facts.control->motion.measuring.value != Measuring::Words) return std::nullopt;
@@ -65,14 +35,13 @@ Result measuring_words(MotionView m, const BlockWords& block, MeasuringMove& how
 }
 
 /// The axis, the feed and the zone; or what is wrong with them.
-Result check_measuring(MotionView m, const BlockWords& block, MeasuringMove& how) {
+Result check_measuring(MotionView m, const BlockWords& block, int& axis, MeasuringMove& how) {
   const bool lathe = m.facts.lathe();
   if (compensating(m.state)) return fault(Cause::MeasuringInCompensation, block);
   if (block.words.has(lathe ? 'T' : 'H')) return fault(Cause::MeasuringWithOffset, block);
-  int axis = -1;
   if (auto wrong = measuring_axis(m, block, axis)) return wrong;
   if ((lathe ? m.state.tool_offset : m.state.h) == 0) return fault(Cause::MeasuringOffset, block);
-  how = measuring_move(m, axis);
+  how = m.facts.measuring[lathe && axis == 2 ? 1 : 0];
   if (auto wrong = measuring_words(m, block, how)) return wrong;
   const bool z_alone = m.facts.control->motion.measuring.value == Measuring::Of5040;
   const bool inside =
@@ -103,31 +72,54 @@ void take_measure(MotionContext& m, int axis, double off) {
 
 }  // namespace
 
+std::array<MeasuringMove, 2> measuring_moves(const Control& control) {
+  const auto move = [&](int feed, int near, int zone) {
+    const auto parameter = [&](int number) {
+      return std::max(0.0, control.parameter(std::to_string(number)));
+    };
+    return MeasuringMove{parameter(feed), parameter(near), parameter(zone)};
+  };
+  switch (control.motion.measuring.value) {
+    case Measuring::None:
+      break;
+    case Measuring::Of6241:
+      return {move(6241, 6251, 6254), move(6241, 6252, 6255)};
+    case Measuring::Of141:
+      return {move(141, 142, 144), move(141, 143, 145)};
+    case Measuring::Of5040:
+      return {move(5040, 5043, 5044), move(5040, 5043, 5044)};
+    case Measuring::Words:
+      return {move(8004, 8005, 8006), move(8004, 8005, 8006)};
+  }
+  return {};
+}
+
 Result measure_tool(MotionContext& m, BlockWords& block) {
   MeasuringMove how;
-  if (auto wrong = check_measuring(m, block, how)) return wrong;
-  const auto axis = static_cast<std::size_t>(how.axis);
+  int number = -1;
+  if (auto wrong = check_measuring(m, block, number, how)) return wrong;
+  const auto axis = static_cast<std::size_t>(number);
   std::uint32_t named = 0;
   const double point = linear_target(m, block, named)[axis];
   const double ahead = point < m.state.work[axis] ? -1 : 1;
   if (std::fabs(point - m.state.work[axis]) > how.near)
-    if (auto wrong = move_axis(m, block, MoveKind::Rapid, how.axis, point - ahead * how.near))
+    if (auto wrong = move_axis(m, block, MoveKind::Rapid, number, point - ahead * how.near))
       return wrong;
   Axes end = m.state.work;
   end[axis] = point + ahead * how.zone;
   const bool words = m.facts.control->motion.measuring.value == Measuring::Words;
-  const SignalMask arrival = signal_bit(words ? 1 : kArrivalSignal + how.axis);
+  const SignalMask arrival = signal_bit(words ? 1 : kArrivalSignal + number);
   if (!signal_on_way(m, arrival, end)) return fault(Cause::MeasuringMissed, block);
   constexpr double kAtEdge = 1e-9;
   if (std::fabs(end[axis] - point) > how.zone + kAtEdge) return fault(Cause::MeasuringEarly, block);
-  Piece piece = make_piece(m, block, MoveKind::Feed, end, axis_bit(how.axis));
+  Piece piece = make_piece(m, block, MoveKind::Feed, end, axis_bit(number));
   piece.skip = SkipMove::Touched;
   // The measuring feed counts minutes whatever F counts.
   piece.state.feed = held_skip_feed(m, how.feed, FeedMode::PerMinute);
   piece.state.feed_mode = FeedMode::PerMinute;
   piece.state.degree = g20(m.state) ? kInch : 1;
   if (auto wrong = move(m, block, piece)) return wrong;
-  take_measure(m, how.axis, m.state.work[axis] - point);
+  take_measure(m, number, m.state.work[axis] - point);
   return std::nullopt;
 }
 

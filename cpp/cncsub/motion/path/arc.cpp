@@ -43,10 +43,7 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   double radius = number(m, block, 'R');
   if (m.state.turned.scaling)
     radius *= std::fabs(m.state.turned.scale[static_cast<std::size_t>(plane.a)]);
-  const bool negative_allowed =
-      c.motion.negative_radius.value == NegativeRadius::LongWay ||
-      (c.motion.negative_radius.value == NegativeRadius::MillsOnly && !m.facts.lathe());
-  if (radius < 0 && !negative_allowed) return fault(Cause::NegativeRadius, block);
+  if (radius < 0 && !takes_negative_radius(m.facts)) return fault(Cause::NegativeRadius, block);
   const Axes start = m.state.work + piece.offset;
   const double a0 = start[plane.a] * m.facts.share(plane.a),
                b0 = start[plane.b] * m.facts.share(plane.b);
@@ -64,12 +61,9 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
       return fault(Cause::RadiusTooSmall, block);
     size = chord / 2;
   }
-  const double height = std::sqrt(std::max(0.0, size * size - chord * chord / 4));
   const bool clockwise = piece.kind == MoveKind::Cw;
-  const double side =
-      clockwise == (radius > 0) ? -1 : 1;  // -1: the centre lies on the right of the way
-  const double ca = a0 + da / 2 - side * height * db / chord,
-               cb = b0 + db / 2 + side * height * da / chord;
+  const Point to_centre = centre_by_radius({da, db}, std::copysign(size, radius), clockwise);
+  const double ca = a0 + to_centre.a, cb = b0 + to_centre.b;
   piece.centre[plane.a] = ca / m.facts.share(plane.a);
   piece.centre[plane.b] = cb / m.facts.share(plane.b);
   piece.turn =

@@ -58,31 +58,34 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
   return std::nullopt;
 }
 
-Result through_corner(MoveSink& sink, Piece piece, Axes from) {
+namespace {
+
+/// A move before a corner waits for the one behind it.
+Result wait_for_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
+  if (piece.corner == 0) return through_radius(sink, piece, from);
+  sink.state.held.corner_from = from;
+  sink.state.held.corner.push_back(piece);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   Held& held = sink.state.held;
-  if (!held.corner.empty()) {
-    const Piece first = held.corner.back();
-    held.corner.clear();
-    if (piece.kind != MoveKind::Feed && piece.kind != MoveKind::Cw && piece.kind != MoveKind::Ccw)
-      return Fault{Cause::CornerNextMove, piece.at, 1, {}};
-    CornerPieces corner;
-    const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
-    const bool chamfer_side =
-        sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
-    if (!cut_corner(view, held.corner_from, first, piece, chamfer_side, corner))
-      return Fault{Cause::CornerTooShort, first.at, 1, {}};
-    if (auto wrong = through_radius(sink, corner.first, held.corner_from)) return wrong;
-    if (corner.has_between)
-      if (auto wrong = through_radius(sink, corner.between, corner.at_first)) return wrong;
-    piece = corner.second;
-    from = corner.at_second;
-  }
-  if (piece.corner != 0) {
-    held.corner_from = from;
-    held.corner.push_back(piece);
-    return std::nullopt;
-  }
-  return through_radius(sink, piece, from);
+  if (held.corner.empty()) return wait_for_corner(sink, piece, from);
+  const Piece first = held.corner.back();
+  held.corner.clear();
+  if (piece.kind != MoveKind::Feed && piece.kind != MoveKind::Cw && piece.kind != MoveKind::Ccw)
+    return Fault{Cause::CornerNextMove, piece.at, 1, {}};
+  CornerPieces corner;
+  const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
+  const bool chamfer_side = sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
+  if (!cut_corner(view, held.corner_from, first, piece, chamfer_side, corner))
+    return Fault{Cause::CornerTooShort, first.at, 1, {}};
+  if (auto wrong = through_radius(sink, corner.first, held.corner_from)) return wrong;
+  if (corner.has_between)
+    if (auto wrong = through_radius(sink, corner.between, corner.at_first)) return wrong;
+  return wait_for_corner(sink, corner.second, corner.at_second);
 }
 
 }  // namespace cncsub

@@ -20,6 +20,11 @@ inline bool is_off_circle(const MotionRules& rules, double first, double last, b
   return miss > tolerance * 100 ||
          miss >= rules.arc_tolerance_share.value * 1e-3 * std::max(first, last);
 }
+/// Whether a negative R goes the long way around.
+inline bool takes_negative_radius(const MotionFacts& facts) {
+  const NegativeRadius taken = facts.control->motion.negative_radius.value;
+  return taken == NegativeRadius::LongWay || (taken == NegativeRadius::MillsOnly && !facts.lathe());
+}
 /// An arc through a third point: I and K lead to it from the start, or name it. [TDi 5]
 Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning);
 
@@ -34,8 +39,8 @@ Result check_angle(MotionContext& m, const BlockWords& block, bool waited);
 Result corner_words(MotionView m, const BlockWords& block, Piece& piece);
 /// The way of a piece to the table: through a corner, which waits for the next piece, and through
 /// radius compensation, which does too.
-Result through_corner(MoveSink& sink, Piece piece, Axes from);
-Result through_radius(MoveSink& sink, Piece piece, const Axes& from);
+Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from);
+Result through_radius(MoveSink& sink, const Piece& written, const Axes& from);
 Result flush_radius(MoveSink& sink);
 /// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
 /// the normal.

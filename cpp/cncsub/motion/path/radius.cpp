@@ -221,10 +221,11 @@ Result flush_radius(MoveSink& sink) {
   return RadiusPath(sink, sink.state.held.radius.front().plane).flush();
 }
 
-Result through_radius(MoveSink& sink, Piece piece, const Axes& from) {
+Result through_radius(MoveSink& sink, const Piece& written, const Axes& from) {
   Held& held = sink.state.held;
-  const bool active = piece.side != 0;
-  if (!active && !held.engaged && held.radius.empty()) return record_move(sink, piece, {});
+  const bool active = written.side != 0;
+  if (!active && !held.engaged && held.radius.empty()) return record_move(sink, written, {});
+  Piece piece = written;
   RadiusPath path(sink, piece.plane);
   Axes start = path.start_of(from);
   if (!path.moves_in_plane(piece, start)) {
