@@ -18,6 +18,15 @@ class ExpressionWriter {
   Instruction& instruction(std::size_t place) { return code_.instructions[place]; }
   /// Takes away the instructions from this place on.
   void take_back(std::uint32_t from) { code_.instructions.resize(from); }
+  /// Where it stands: what is written from there on can be taken back.
+  struct Place {
+    std::size_t instructions, expressions;
+  };
+  Place place() const { return {code_.instructions.size(), code_.expressions.size()}; }
+  void take_back(const Place& from) {
+    code_.instructions.resize(from.instructions);
+    code_.expressions.resize(from.expressions);
+  }
   /// Ends the expression that began with instruction `first`: its number.
   std::uint32_t end(std::uint32_t first, std::uint32_t at, std::uint32_t width);
   /// An expression of one instruction: its number.

@@ -8,9 +8,9 @@ namespace cncsub {
 
 namespace {
 
-// Whatever the control allows: values on the stack of an expression, and brackets inside each
-// other. What is inside is read by functions inside each other.
-constexpr int kDeepest = 200, kDeepestBrackets = 64;
+// Whatever the control allows: brackets inside each other. What is inside is read by functions
+// inside each other.
+constexpr int kDeepestBrackets = 64;
 constexpr std::int64_t kComputed = -1;
 constexpr const char* kNoVariable = "behind # stands a number, or an expression in brackets";
 
@@ -148,6 +148,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::variable_value() {
   const std::uint32_t at = s_.offset();
   s_.take('#');
   if (!room()) return std::nullopt;
+  if (auto plain = plain_variable(at)) return plain;
   if (!is_digit(s_.peek()) && starts_name() && !takes(VariableForm::Names))
     return refuse(Cause::ExpressionFormat, at, kNoVariable);
   const auto number = variable_number(at);

@@ -37,6 +37,8 @@ class ExpressionReader {
   const Fault& fault() const { return fault_; }
 
  private:
+  static constexpr int kDeepest = 200;  // values on the stack, whatever the control allows
+
   enum class Type { Number, Condition };
   struct Value {
     Type type = Type::Number;
@@ -69,6 +71,10 @@ class ExpressionReader {
 
   // ---- operators.cpp ----
   std::optional<Value> expression();
+  struct PlainValue;
+  bool plain_value(const char*& at, PlainValue& value) const;
+  std::optional<Value> plain_expression();
+  std::optional<Value> plain_variable(std::uint32_t hash);
   bool ends_here();
   const OperatorName* operator_here();
   bool binds(const OperatorName& of, int level, const Value& value, bool compared) const;

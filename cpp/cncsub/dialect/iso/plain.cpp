@@ -4,6 +4,8 @@
 #include <bit>
 #include <string_view>
 
+#include "cncsub/dialect/iso/expression.hpp"
+
 namespace cncsub {
 
 namespace {
@@ -16,8 +18,9 @@ constexpr std::uint64_t kMostM = 1000;
 }  // namespace
 
 struct PlainReader::Words {
-  std::array<double, 26> values;  // NOLINT: written where the mask says so
-  std::uint32_t mask = 0;
+  std::array<double, 26> values;              // NOLINT: written where the mask says so
+  std::array<std::uint32_t, 26> expressions;  // NOLINT: the same for those of `computed`
+  std::uint32_t mask = 0, computed = 0;
   std::array<int, 6> g;  // NOLINT: the first of them
   std::size_t g_count = 0;
   int m = -1;
@@ -117,13 +120,26 @@ bool pass_comment(const char*& at, const char* end) {
 
 }  // namespace
 
-bool PlainReader::read(const Scanner& s, Block& block) {
-  if (s.end - s.at >= kLongest) return false;
-  Words words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+/// A value that an expression gives.
+bool PlainReader::take_computed(Words& words, char letter, const char*& at, const Scanner& s) {
+  const std::uint32_t mark = bit(letter);
+  if ((words.mask & mark) != 0 || (letter == 'P' && rules_.control.calls.bracket_names.value))
+    return false;
+  Scanner here{at, s.end, s.file};
+  const auto expression = ExpressionReader(to_, here).word_value(letter);
+  if (!expression) return false;
+  words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
+  words.mask |= mark;
+  words.computed |= mark;
+  at = here.at;
+  return true;
+}
+
+bool PlainReader::take_words(const Scanner& s, Words& words) {
   const char* p = s.at;
   for (;;) {
     while (*p == ' ') ++p;
-    if (p >= s.end) break;  // a character that is in no word stands there
+    if (p >= s.end) return true;  // a character that is in no word stands there
     const char letter = *p++;
     const Kind kind = kinds_[static_cast<unsigned char>(letter)];
     if (kind <= Kind::Comment) {
@@ -131,14 +147,47 @@ bool PlainReader::read(const Scanner& s, Block& block) {
       continue;
     }
     if (++words.count > kMostWords) return false;
+    const char begins = *p == '-' ? p[1] : *p;
+    if (kind == Kind::Value && (begins == '#' || begins == '[')) {
+      if (!take_computed(words, letter, p, s)) return false;
+      continue;
+    }
     const bool negative = *p == '-';
     p += negative ? 1 : 0;
     const Mantissa number = scan_mantissa(p);
     if (!fits(number) || !take(words, letter, negative, number)) return false;
   }
-  if (words.mask == 0 && words.g_count == 0 && words.m < 0) return false;
+}
+
+void PlainReader::write(const Words& words, Block& block) {
   block.n = words.n;
-  to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask, words.values);
+  if (words.computed == 0)
+    return to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask,
+                           words.values);
+  WordList list;
+  for (std::size_t i = 0; i < words.g_count; ++i) list.add_g({false, 0, words.g[i] * 10.0});
+  if (words.m >= 0) list.add_m({false, 0, static_cast<double>(words.m)});
+  for (std::uint32_t left = words.mask; left != 0; left &= left - 1) {
+    const int place = std::countr_zero(left);
+    const auto at = static_cast<std::size_t>(place);
+    const bool computed = (words.computed >> place & 1) != 0;
+    list.set(place,
+             computed ? WordValue{true, words.expressions[at], 0}
+                      : WordValue{false, 0, words.values[at]},
+             false);
+  }
+  to_.words(block, list);
+}
+
+bool PlainReader::read(const Scanner& s, Block& block) {
+  if (s.end - s.at >= kLongest) return false;
+  Words words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  const ExpressionWriter::Place before = to_.expressions().place();
+  if (!take_words(s, words) || (words.mask == 0 && words.g_count == 0 && words.m < 0)) {
+    to_.expressions().take_back(before);
+    return false;
+  }
+  write(words, block);
   return true;
 }
 

@@ -29,6 +29,9 @@ class PlainReader {
   bool take_g(Words& words, const Mantissa& number) const;
   bool take_m(Words& words, const Mantissa& number) const;
   bool take_n(Words& words, const Mantissa& number) const;
+  bool take_words(const Scanner& s, Words& words);
+  bool take_computed(Words& words, char letter, const char*& at, const Scanner& s);
+  void write(const Words& words, Block& block);
 
   Builder& to_;
   const BlockRules& rules_;
