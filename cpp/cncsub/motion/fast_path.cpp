@@ -164,7 +164,55 @@ bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t st
   return true;
 }
 
+/// A straight move of other axes than X, Y and Z too, before anything changes.
+struct PlainLine {
+  Axes end{};  // work coordinates
+  std::uint32_t named = 0;
+  double seconds = 0;
+  bool moved = false;
+};
+
+void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves) {
+  MotionState& s = state_;
+  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
+  s.time += line.seconds;
+  s.moved_before = true;
+  s.named |= line.named;
+  s.work = line.end;
+  if (moves == nullptr) return;
+  moves->use(line.named);
+  moves->push(step, rapid ? MoveKind::Rapid : MoveKind::Feed, s.work, s.row_state);
+}
+
 namespace {
+
+/// The axes of a mill beside X, Y and Z, but for letters that say something else there.
+std::uint32_t other_axes(const MotionFacts& facts) {
+  constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
+  const std::uint32_t corners = facts.chamfers.mask | facts.rounds.mask | facts.angles.mask;
+  return facts.lathe() ? 0 : kOthers & ~corners;
+}
+
+/// False where the general path has something to say about it. `feed`: that of the block.
+bool plan_line(MotionView m, const NcWords& words, bool rapid, bool incremental, double feed,
+               PlainLine& line) {
+  const MotionState& s = m.state;
+  line.end = s.work;
+  for (std::size_t i = 0; i < line.end.size(); ++i) {
+    if (!words.has(kAxisNames[i])) continue;
+    line.named |= axis_bit(static_cast<int>(i));
+    line.end[i] = number(m, words, kAxisNames[i]) + (incremental ? s.work[i] : 0);
+    line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= 1e-12;
+  }
+  const Axes from = machine_point(s), to = line.end + s.offset + s.length;
+  const std::uint32_t diameters = m.facts.diameters;
+  const double length = length_of(from, to, diameters), zero = s.offset[0] + s.length[0];
+  MoveState row = move_state(s);
+  row.feed = feed;
+  const MoveKind kind = rapid ? MoveKind::Rapid : MoveKind::Feed;
+  line.seconds = seconds_of({kind, row, from, to, length, zero, 0}, m.facts.rapid, diameters);
+  return in_range(to) && in_range(std::array{length, line.seconds, s.time + line.seconds});
+}
 
 /// What a block of nothing but modes sets. `plain`: all of it is known to be that.
 struct Modes {
@@ -240,7 +288,9 @@ struct Modes {
 bool has_plain_words(const MotionFacts& facts, const NcWords& words) {
   const std::uint32_t known =
       kEndWords | kArcWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
-  if (words.stops || (words.mask & ~known) != 0) return false;
+  const std::uint32_t others = words.mask & other_axes(facts);
+  if (others != 0 && words.has('S')) return false;
+  if (words.stops || (words.mask & ~(known | others)) != 0) return false;
   if (words.has('S') && !(words['S'] > 0)) return false;
   if (!words.has('F')) return true;
   const bool steps = (words.whole & bit('F')) != 0 &&
@@ -272,38 +322,70 @@ std::array<Cell, 8> values_of(MotionView m, const NcWords& words, std::uint32_t 
   return values;
 }
 
+/// A block of the fast path before anything changes: how it moves, and along what.
+struct PlainBlock {
+  enum class Way : std::uint8_t { None, Straight, OtherAxes, Arc } way = Way::None;
+  int path = 0;               // G00 to G03
+  std::uint32_t letters = 0;  // of a plain move, and F
+  std::array<Cell, 8> values{};
+  double feed = 0;  // mm/min, mm/rev
+  PlainArc arc;
+  PlainLine line;
+};
+
+/// False where the general path has something to say about it.
+bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlock& block) {
+  using Way = PlainBlock::Way;
+  const MotionState& s = m.state;
+  const std::uint32_t others = words.mask & other_axes(m.facts);
+  block.path = modes.path >= 0 ? modes.path : s.motion_code;
+  block.letters = words.mask & (kEndWords | kArcWords | bit('F'));
+  block.feed = words.has('F') ? words['F'] * s.unit : s.feed;
+  block.values = values_of(m, words, block.letters);
+  if (((block.letters | others) & ~bit('F')) == 0) return true;
+  if (block.path != 0 && !(block.feed > 0)) return false;
+  if (block.path > 1) {
+    block.way = Way::Arc;
+    block.arc.clockwise = block.path == 2;
+    const bool both = (block.letters & bit('R')) != 0 && (block.letters & kCentreWords) != 0;
+    return others == 0 && !both && !m.facts.lathe() &&
+           plan_arc(m.facts, s, block.letters, block.values.data() + words.has('F'), modes.plane,
+                    modes.incremental, block.arc);
+  }
+  if ((block.letters & kArcWords) != 0) return false;
+  block.way = others == 0 ? Way::Straight : Way::OtherAxes;
+  return others == 0 ||
+         plan_line(m, words, block.path == 0, modes.incremental, block.feed, block.line);
+}
+
 }  // namespace
 
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
+  using Way = PlainBlock::Way;
   MotionState& s = state_;
   if (!s.plain || !has_plain_words(*facts_, words)) return false;
   const Modes modes(*facts_, s, words);
-  if (!modes.plain) return false;
-  const int path = modes.path >= 0 ? modes.path : s.motion_code;
-  const std::uint32_t letters = words.mask & (kEndWords | kArcWords | bit('F'));
-  const bool moves_on = (letters & ~bit('F')) != 0, on_arc = moves_on && path > 1;
-  const double feed = words.has('F') ? words['F'] : s.feed;
-  if (moves_on && path != 0 && !(feed > 0)) return false;
-  if (moves_on && !on_arc && (letters & kArcWords) != 0) return false;
-  if ((letters & bit('R')) != 0 && (letters & kCentreWords) != 0) return false;  // R counts
-  const auto values = values_of(view(), words, letters);
-  PlainArc arc{.clockwise = path == 2};
-  if (on_arc && (facts_->lathe() || !plan_arc(*facts_, s, letters, values.data() + words.has('F'),
-                                              modes.plane, modes.incremental, arc)))
-    return false;
+  PlainBlock block;
+  if (!modes.plain || !plan_block(view(), modes, words, block)) return false;
 
   modes.set(s);
   set_tool_and_spindle(s, facts_->control->calls.roles.value, words);
 
   outcome = {};
+  const bool moves_on = block.way != Way::None;
   if (moves_on) {
     outcome.moved = outcome.axis_word = true;
     outcome.moves = 1;
-    if (!on_arc) return linear(letters, values.data(), path, step, moves, outcome.moved);
   }
-  if (moves_on || modes.path >= 0) take_code(path);
-  if (words.has('F')) take_feed(feed);
-  if (on_arc) go_along(arc, letters, step, moves);
+  if (block.way == Way::Straight)
+    return linear(block.letters, block.values.data(), block.path, step, moves, outcome.moved);
+  if (moves_on || modes.path >= 0) take_code(block.path);
+  if (words.has('F')) take_feed(words['F']);
+  if (block.way == Way::Arc) go_along(block.arc, block.letters, step, moves);
+  if (block.way == Way::OtherAxes) {
+    outcome.moved = block.line.moved;
+    go_along(block.line, block.path == 0, step, moves);
+  }
   return true;
 }
 

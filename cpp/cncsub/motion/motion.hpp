@@ -19,7 +19,8 @@
 
 namespace cncsub {
 
-struct PlainArc;  // an arc of the fast path
+struct PlainArc;   // of the fast path: an arc,
+struct PlainLine;  // a line of more axes than X, Y and Z
 
 class Motion {
  public:
@@ -88,6 +89,7 @@ class Motion {
   void take_feed(double value);
   void new_row_state(Moves& moves);
   void go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves);
+  void go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves);
 
   std::shared_ptr<const MotionFacts> facts_;
   MotionState state_;

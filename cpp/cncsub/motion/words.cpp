@@ -199,8 +199,8 @@ double in_units(MotionView m, const NcWords& words, char address) {
   return (computed ? std::round(value * steps) : value) / steps;
 }
 
-double number(MotionView m, const BlockWords& block, char address) {
-  const double value = in_units(m, block.words, address);
+double number(MotionView m, const NcWords& words, char address) {
+  const double value = in_units(m, words, address);
   // Pulses count on every axis, inches on the straight ones alone. [source 003, G20 G21 G22]
   return turns(address) && !pulses(m.state) ? value : value * m.state.unit;
 }

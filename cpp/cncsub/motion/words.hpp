@@ -16,7 +16,10 @@ Result check_conflicts(MotionView m, const BlockWords& block);
 Result set_modes(MotionContext& m, BlockWords& block);
 
 /// The value of an axis or length word in mm or degrees.
-double number(MotionView m, const BlockWords& block, char address);
+double number(MotionView m, const NcWords& words, char address);
+inline double number(MotionView m, const BlockWords& block, char address) {
+  return number(m, block.words, address);
+}
 /// The same in units of the program.
 double in_units(MotionView m, const NcWords& words, char address);
 /// F of a block as a feed.
