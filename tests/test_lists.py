@@ -109,3 +109,18 @@ def test_a_bad_entry_of_a_list_is_named(rule: str, entry: str, told: str) -> Non
     with pytest.raises(ValueError, match=rule) as raised:
         cncsub.controls["fanuc-0i-f"].replace(**{rule: entry})
     assert told in str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("rule", "entry", "message"),
+    [
+        ("commons", "{}", "commons: 129 ranges are more than the 128 that a control holds"),
+        ("g_meanings", "{}=neutral", "g_meanings: at most 128 entries"),
+    ],
+)
+def test_a_list_says_how_many_entries_it_holds(rule: str, entry: str, message: str) -> None:
+    control = cncsub.controls["fanuc-0i-d"]
+    entries = [entry.format(number) for number in range(500, 758, 2)]
+    assert len(value(control.replace(**{rule: "= " + " ".join(entries[:-1])}), rule).split()) == 128
+    with pytest.raises(ValueError, match=message):
+        control.replace(**{rule: "= " + " ".join(entries)})

@@ -7,16 +7,15 @@
 namespace cncsub {
 
 void Code::list_statements() {
-  const std::string list = " " + control->macros.statements.value + " ";
-  for (std::size_t i = 0; i < static_cast<std::size_t>(StatementKind::Count); ++i) {
-    const std::string name = " " + std::string(statement_name(static_cast<StatementKind>(i)));
-    unheard_of.set(i, list.find(name + "? ") != std::string::npos);
-    lacking.set(i, list.find(name + " ") == std::string::npos);
+  lacking.set();
+  for (const auto& [kind, unsure] : control->macros.statements.value) {
+    unheard_of.set(static_cast<std::size_t>(kind), unsure);
+    lacking.set(static_cast<std::size_t>(kind), unsure);
   }
 }
 
 Fault Code::lacking_fault(StatementKind kind, std::uint32_t at) const {
-  const std::string name(statement_name(kind));
+  const std::string name(cncsub::name_of(kind));
   if (unheard_of.test(static_cast<std::size_t>(kind)))
     return {Cause::StatementNotKnown, at, 1, "no source says whether this control has " + name};
   return {Cause::StatementNotAvailable, at, 1, "this control has no " + name};

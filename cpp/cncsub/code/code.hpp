@@ -27,7 +27,6 @@
 #include "cncsub/code/program.hpp"
 #include "cncsub/code/statement.hpp"
 #include "cncsub/control/control.hpp"
-#include "cncsub/control/rule_lists.hpp"
 #include "cncsub/text/number.hpp"
 #include "cncsub/text/words.hpp"
 

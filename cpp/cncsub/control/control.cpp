@@ -62,6 +62,10 @@ template <class T>
 inline constexpr bool kIsCharacters = false;
 template <class Kind>
 inline constexpr bool kIsCharacters<Characters<Kind>> = true;
+template <class T>
+inline constexpr bool kIsList = false;
+template <class Kind>
+inline constexpr bool kIsList<List<Kind>> = true;
 /// Whether entries of the answer have sources of their own.
 template <class T>
 inline constexpr bool kHasEntries = kIsSet<T> || std::is_same_v<T, Roles>;
@@ -74,8 +78,10 @@ std::string written(const Set<E, Most>& set) {
   return text;
 }
 
-/// What is wrong with what somebody gave, or nothing.
-using Wrong = std::optional<std::string>;
+template <class E>
+inline constexpr const char* kEntryName = "entry of the rule";
+template <>
+inline constexpr const char* kEntryName<Cause> = "cause that may be refused";
 
 /// Changes a set entry by entry, as lists are (rule_lists.hpp).
 template <class E, std::size_t Most>
@@ -85,7 +91,8 @@ Wrong change(std::string_view name, Set<E, Most>& set, std::string_view text) {
   words.reserve(members.size());
   for (const auto& member : members) words.push_back(member.second.slug);
   std::string list = written(set);
-  if (auto wrong = change_list(name, list, text, words)) return wrong;
+  const auto check = [&](std::string_view entry) { return one_of(kEntryName<E>, entry, words); };
+  if (auto wrong = change_list(name, list, text, check)) return wrong;
   set = {};
   for (const std::string_view word : split_entries(list))
     for (const auto& [entry, option] : members)
@@ -104,7 +111,7 @@ std::string written(const Roles& roles) {
 /// Changes the roles code by code, as lists are (rule_lists.hpp).
 Wrong change(std::string_view name, Roles& roles, std::string_view text) {
   std::string list = written(roles);
-  if (auto wrong = change_list(name, list, text)) return wrong;
+  if (auto wrong = change_list(name, list, text, check_role)) return wrong;
   roles = {};
   for (const std::string_view entry : split_entries(list)) {
     const auto equals = entry.find('=');
@@ -117,7 +124,7 @@ Wrong change(std::string_view name, Roles& roles, std::string_view text) {
 /// Changes a set of codes entry by entry, as lists are (rule_lists.hpp).
 Wrong change(std::string_view name, Codes& codes, std::string_view text) {
   std::string list = codes.text();
-  if (auto wrong = change_list(name, list, text)) return wrong;
+  if (auto wrong = change_list(name, list, text, check_code)) return wrong;
   codes = {};
   for (const std::string_view entry : split_entries(list))
     if (const auto code = read_code(entry)) codes.put(*code);
@@ -128,7 +135,7 @@ template <class T>
 RuleValue shown(const T& value) {
   if constexpr (kIsSet<T> || std::is_same_v<T, Roles>)
     return written(value);
-  else if constexpr (std::is_same_v<T, Codes>)
+  else if constexpr (std::is_same_v<T, Codes> || kIsList<T>)
     return value.text();
   else if constexpr (kIsCharacters<T>)
     return std::string(value.text());
@@ -191,24 +198,18 @@ Wrong assign_value(std::string_view name, int& place, const RuleValue& value) {
   return std::nullopt;
 }
 
-/// A text whose entries depend on the control.
-Wrong change_text(const Control& control, std::string_view type, std::string_view name,
-                  std::string& list, const std::string& text) {
-  if (type == "Ranges") return change_commons(control, list, text);
-  if (type == "VariableOptions") return change_variable_options(control, list, text);
-  return change_list(name, list, text);
-}
-
 template <class T>
-Wrong assign([[maybe_unused]] const Control& control, [[maybe_unused]] std::string_view type,
-             std::string_view name, Rule<T>& rule, const RuleValue& value) {
+Wrong assign([[maybe_unused]] const Control& control, std::string_view name, Rule<T>& rule,
+             const RuleValue& value) {
   if constexpr (std::is_enum_v<T> || std::is_integral_v<T>) {
     return assign_value(name, rule.value, value);
   } else {
     const auto* text = std::get_if<std::string>(&value);
     if (text == nullptr) return std::string(name) + " is a text";
-    if constexpr (std::is_same_v<T, std::string>)
-      return change_text(control, type, name, rule.value, *text);
+    if constexpr (std::is_same_v<T, Ranges>)
+      return change_commons(control, rule.value, *text);
+    else if constexpr (std::is_same_v<T, VariableOptions>)
+      return change_variable_options(control, rule.value, *text);
     else
       return change(name, rule.value, *text);
   }
@@ -264,12 +265,12 @@ std::vector<RuleView> rules(const Control& control) {
 std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
                                     const RuleValue& value, const std::string& source,
                                     Evidence evidence) {
-#define RULE(group, type, name, default_value, meaning)                    \
-  if (rule_name == #name) {                                                \
-    const type before = control.group.name.value;                          \
-    auto wrong = assign(control, #type, #name, control.group.name, value); \
-    if (!wrong) set_source(control.group.name, before, source, evidence);  \
-    return wrong;                                                          \
+#define RULE(group, type, name, default_value, meaning)                   \
+  if (rule_name == #name) {                                               \
+    const type before = control.group.name.value;                         \
+    auto wrong = assign(control, #name, control.group.name, value);       \
+    if (!wrong) set_source(control.group.name, before, source, evidence); \
+    return wrong;                                                         \
   }
 #include "cncsub/control/rules.def"
   return "no rule is named " + rule_name;

@@ -14,6 +14,8 @@
 #include "cncsub/control/alarm.hpp"
 #include "cncsub/control/codes.hpp"
 #include "cncsub/control/letters.hpp"
+#include "cncsub/control/macro_lists.hpp"
+#include "cncsub/control/motion_lists.hpp"
 #include "cncsub/control/parameter.hpp"
 #include "cncsub/control/roles.hpp"
 #include "cncsub/control/set.hpp"
@@ -54,9 +56,9 @@ inline std::string_view slug_of(Cause entry) {
   return info(entry).slug;
 }
 
-using EntryList = std::string;        // of a list, separated by blanks
-using Ranges = std::string;           // of variable numbers, from - to, separated by blanks
-using VariableOptions = std::string;  // names, separated by blanks
+/// Names of the control's `variable_choices`, separated by blanks: text, for what there is the
+/// control's file tells.
+using VariableOptions = std::string;
 
 /// The source of an answer that a control's file leaves as the family has it.
 inline constexpr const char* kFamilyDefault = "family default";

@@ -1,11 +1,6 @@
 #include "cncsub/control/g_codes.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-
-#include "cncsub/control/rule_lists.hpp"
-#include "cncsub/text/number.hpp"
 
 namespace cncsub {
 namespace {
@@ -158,66 +153,7 @@ constexpr int kNeutral[] = {54,   401,  502,  504,  505,  506,  512,  611, 631,
                             632,  691,  804,  805,  961,  962,  963,  964, 1130,
                             1141, 1142, 1143, 1201, 1500, 1600, 2500, 2510};
 
-/// What a control may give another code: the words of the rule g_meanings.
-struct Word {
-  std::string_view word;
-  Group group;
-  Meaning meaning;
-  std::int16_t system = 0;
-};
-constexpr Word kWords[] = {
-    {"ignored", G::OneShot, M::Ignored},
-    {"inch", G::Units, M::Inch},
-    {"metric", G::Units, M::Metric},
-    {"pulses", G::Units, M::Pulses},
-    {"mirror", G::Mirror, M::MirrorOn},
-    {"mirror-off", G::Mirror, M::MirrorOff},
-    {"tap-cycle", G::Motion, M::TapCycle},
-    {"thread", G::Motion, M::Thread},
-    {"rotation", G::Rotation, M::RotationOn},
-    {"rotation-off", G::Rotation, M::RotationOff},
-    {"dwell", G::OneShot, M::Dwell},
-    {"skip", G::OneShot, M::Skip},
-    {"measuring", G::OneShot, M::MeasureTool},
-    {"per-minute", G::Feed, M::PerMinute},
-    {"per-revolution", G::Feed, M::PerRevolution},
-    {"neutral", G::OneShot, M::Neutral},
-    {"data-end", G::OneShot, M::DataEnd},
-    {"not-computed", G::OneShot, M::Uncomputed},
-    {"three-points", G::Motion, M::ThreePoints},
-    {"three-points-absolute", G::Motion, M::ThreePointsAbsolute},
-    {"extra-system", G::Work, M::WorkExtra},
-    {"extra-system-1", G::Work, M::WorkExtra, 1},
-    {"extra-system-2", G::Work, M::WorkExtra, 2},
-    {"extra-system-3", G::Work, M::WorkExtra, 3},
-    {"extra-system-4", G::Work, M::WorkExtra, 4},
-    {"extra-system-5", G::Work, M::WorkExtra, 5},
-    {"extra-system-6", G::Work, M::WorkExtra, 6},
-    {"extra-system-7", G::Work, M::WorkExtra, 7},
-    {"extra-system-8", G::Work, M::WorkExtra, 8},
-    {"extra-system-9", G::Work, M::WorkExtra, 9},
-    {"extra-system-10", G::Work, M::WorkExtra, 10},
-    {"extra-system-11", G::Work, M::WorkExtra, 11},
-    {"extra-system-12", G::Work, M::WorkExtra, 12},
-    {"extra-system-13", G::Work, M::WorkExtra, 13},
-    {"extra-system-14", G::Work, M::WorkExtra, 14},
-    {"extra-system-15", G::Work, M::WorkExtra, 15},
-    {"extra-system-16", G::Work, M::WorkExtra, 16},
-    {"extra-system-17", G::Work, M::WorkExtra, 17},
-    {"extra-system-18", G::Work, M::WorkExtra, 18},
-    {"extra-system-19", G::Work, M::WorkExtra, 19},
-    {"extra-system-20", G::Work, M::WorkExtra, 20},
-    {"none", G::OneShot, M::None},
-    {"unknown", G::OneShot, M::Unknown},
-};
-
 }  // namespace
-
-std::vector<std::string_view> meaning_words() {
-  std::vector<std::string_view> words;
-  for (const Word& word : kWords) words.push_back(word.word);
-  return words;
-}
 
 std::string code_name(int code) {
   std::string name = code < 100 ? "G0" : "G";
@@ -247,7 +183,7 @@ GCodes::GCodes(const Control& control, MachineType machine) : places_(kCodes) {
     for (const std::int16_t code : {650, 660, 661, 670}) set({code, G::OneShot, M::None});
   if (!roles.has(Role::ModalCall))
     for (const std::int16_t code : {660, 661, 670}) set({code, G::OneShot, M::None});
-  change(control.motion.g_meanings.value);
+  add(control.motion.g_meanings.value);
 }
 
 /// The family's tables say what the control's own codes mean, and nothing about others. What it
@@ -273,24 +209,6 @@ void GCodes::set(GCode entry) {
     place = static_cast<std::uint16_t>(codes_.size());
   }
   codes_[place - 1U] = entry;
-}
-
-/// "22=pulses 24=mirror": codes in tenths where they have a point, as in "68.1=rotation".
-void GCodes::change(std::string_view text) {
-  while (!text.empty()) {
-    const auto blank = std::min(text.find(' '), text.size());
-    const std::string_view item = text.substr(0, blank);
-    text.remove_prefix(std::min(blank + 1, text.size()));
-    const auto equals = item.find('=');
-    double code = 0;
-    if (equals == std::string_view::npos) continue;
-    const std::string_view number = item.substr(0, equals);
-    std::from_chars(number.data(), number.data() + number.size(), code);
-    if (std::isnan(code) || code < 0 || code > 1000) continue;
-    for (const Word& word : kWords)
-      if (word.word == item.substr(equals + 1))
-        set({to_whole<std::int16_t>(code * 10 + 0.5), word.group, word.meaning, word.system});
-  }
 }
 
 GCode GCodes::of(Meaning meaning) const {

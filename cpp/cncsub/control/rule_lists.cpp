@@ -1,10 +1,11 @@
 #include "cncsub/control/rule_lists.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
+#include <iterator>
 
 #include "cncsub/control/codes.hpp"
+#include "cncsub/control/macro_lists.hpp"
+#include "cncsub/control/motion_lists.hpp"
 #include "cncsub/control/roles.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -55,84 +56,88 @@ std::string near_words(std::string_view word, std::vector<std::string_view> know
 
 namespace {
 
+/// The key of an entry, and what stands behind its equals sign.
 std::string_view key_of(std::string_view entry) { return entry.substr(0, entry.find('=')); }
+std::string_view value_of(std::string_view entry) {
+  return entry.substr(std::min(entry.find('='), entry.size() - 1) + 1);
+}
 
-std::optional<std::string> one_of(std::string_view what, std::string_view word,
-                                  const std::vector<std::string_view>& known) {
-  if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
+std::string no_code(std::string_view text) {
+  return std::string(text) + " is no code: write 54 or 54.1";
+}
+std::string no_such(std::string_view what, std::string_view word,
+                    const std::vector<std::string_view>& known) {
   return std::string(word) + " is no " + std::string(what) + near_words(word, known);
 }
 
-/// A code such as 54 or 54.1.
-std::optional<std::string> code(std::string_view text) {
-  if (read_code(text)) return std::nullopt;
-  return std::string(text) + " is no code: write 54 or 54.1";
+template <class Row, std::size_t Count>
+std::vector<std::string_view> words_of(const Row (&rows)[Count], std::string_view Row::* word) {
+  std::vector<std::string_view> words;
+  for (const Row& row : rows) words.push_back(row.*word);
+  return words;
 }
 
-std::optional<std::string> address(std::string_view text) {
-  const std::string_view letter = text.substr(text.size() == 2 && text[0] == ',' ? 1 : 0);
-  if (letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z') return std::nullopt;
+}  // namespace
+
+Wrong one_of(std::string_view what, std::string_view word,
+             const std::vector<std::string_view>& known) {
+  if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
+  return no_such(what, word, known);
+}
+
+Wrong check_code(std::string_view entry) {
+  return read_code(entry) ? Wrong() : Wrong(no_code(entry));
+}
+
+Wrong check_role(std::string_view entry) {
+  if (entry.find('=') == std::string_view::npos || !CodeName::read(key_of(entry)))
+    return std::string(entry) + " is no code with its role: write M97=jump";
+  return one_of("role of a code", value_of(entry), role_names());
+}
+
+std::string FunctionEntry::wrong(std::string_view text) {
+  return no_such("function", text, {std::begin(kFunctionNames), std::end(kFunctionNames)});
+}
+
+std::string StatementEntry::wrong(std::string_view text) {
+  if (text.ends_with('?')) text.remove_suffix(1);
+  return no_such("macro statement", text, {std::begin(kStatementNames), std::end(kStatementNames)});
+}
+
+std::string MeaningEntry::text(const GCode& entry) {
+  const auto* const word =
+      std::find_if(std::begin(kMeaningWords), std::end(kMeaningWords), [&](const MeaningWord& of) {
+        return of.group == entry.group && of.meaning == entry.meaning && of.system == entry.system;
+      });
+  return code_text(entry.code) + "=" + std::string(word->word);
+}
+
+std::string MeaningEntry::wrong(std::string_view text) {
+  if (text.find('=') == std::string_view::npos)
+    return std::string(text) + " has no meaning: write 68.2=neutral";
+  if (!read_code(key_of(text))) return no_code(key_of(text));
+  return no_such("meaning of a G code", value_of(text),
+                 words_of(kMeaningWords, &MeaningWord::word));
+}
+
+std::string GroupEntry::text(const Entry& entry) {
+  const auto* const name =
+      std::find_if(std::begin(kGroupNames), std::end(kGroupNames),
+                   [&](const GroupName& of) { return of.group == entry.group; });
+  return std::string(name->name) + "=" + std::to_string(entry.number);
+}
+
+std::string GroupEntry::wrong(std::string_view text) {
+  const auto names = words_of(kGroupNames, &GroupName::name);
+  if (auto wrong = one_of("group of G codes", key_of(text), names)) return *wrong;
+  return std::string(text) + " is no group with its number: write plane=2";
+}
+
+std::string CornerEntry::wrong(std::string_view text) {
   return std::string(text) + " is no address: write C or ,C";
 }
 
-std::optional<std::string> group(std::string_view entry) {
-  const auto equals = entry.find('=');
-  if (auto wrong = one_of("group of G codes", key_of(entry), group_names())) return wrong;
-  const std::string_view number = entry.substr(std::min(equals, entry.size() - 1) + 1);
-  int value = 0;
-  const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
-  const bool whole = equals != std::string_view::npos && read.ec == std::errc() &&
-                     read.ptr == number.data() + number.size() && value >= 0 && value < 100;
-  if (whole) return std::nullopt;
-  return std::string(entry) + " is no group with its number: write plane=2";
-}
-
-std::optional<std::string> meaning(std::string_view entry) {
-  const auto equals = entry.find('=');
-  if (equals == std::string_view::npos)
-    return std::string(entry) + " has no meaning: write 68.2=neutral";
-  if (auto wrong = code(key_of(entry))) return wrong;
-  return one_of("meaning of a G code", entry.substr(equals + 1), meaning_words());
-}
-
-std::optional<std::string> role(std::string_view entry) {
-  const auto equals = entry.find('=');
-  if (equals == std::string_view::npos || !CodeName::read(key_of(entry)))
-    return std::string(entry) + " is no code with its role: write M97=jump";
-  return one_of("role of a code", entry.substr(equals + 1), role_names());
-}
-
-std::optional<std::string> statement(std::string_view entry) {
-  if (entry.ends_with('?')) entry.remove_suffix(1);
-  std::vector<std::string_view> known;
-  known.reserve(static_cast<std::size_t>(StatementKind::Count));
-  for (int i = 0; i < static_cast<int>(StatementKind::Count); ++i)
-    known.push_back(statement_name(static_cast<StatementKind>(i)));
-  return one_of("macro statement", entry, known);
-}
-
-std::optional<std::string> function(std::string_view entry) {
-  return one_of("function", entry, function_names());
-}
-
-using Check = std::optional<std::string> (*)(std::string_view);
-
-Check check_of(std::string_view rule) {
-  if (rule == "g_meanings") return meaning;
-  if (rule == "modal_groups") return group;
-  if (rule == "functions") return function;
-  if (rule == "statements") return statement;
-  if (rule == "roles") return role;
-  if (rule == "chamfer_words" || rule == "round_words" || rule == "angle_words") return address;
-  return code;
-}
-
-/// What an entry is where the words that it may be are given.
-std::string_view entry_name(std::string_view rule) {
-  if (rule == "variable_options") return "option that brings them";
-  if (rule == "refuses") return "cause that may be refused";
-  return "entry of the rule";
-}
+namespace {
 
 /// The same entry: of statements, whether or not it is known.
 bool same_entry(std::string_view a, std::string_view b) {
@@ -149,7 +154,7 @@ Entries::iterator find_entry(Entries& entries, std::string_view entry) {
                       [&](std::string_view other) { return same_entry(other, entry); });
 }
 
-std::optional<std::string> take_away(Entries& entries, std::string_view entry) {
+Wrong take_away(Entries& entries, std::string_view entry) {
   const auto found = find_entry(entries, entry);
   if (found == entries.end())
     return "there is no " + std::string(entry) + " to take away" + near_words(entry, entries);
@@ -157,11 +162,8 @@ std::optional<std::string> take_away(Entries& entries, std::string_view entry) {
   return std::nullopt;
 }
 
-std::optional<std::string> put_in(std::string_view rule, Entries& entries, std::string_view entry,
-                                  const Entries& known) {
-  const bool by_kind = known.empty() && rule != "variable_options";
-  auto wrong = by_kind ? check_of(rule)(entry) : one_of(entry_name(rule), entry, known);
-  if (wrong) return wrong;
+Wrong put_in(Entries& entries, std::string_view entry, const CheckEntry& check) {
+  if (auto wrong = check(entry)) return wrong;
   const auto found = find_entry(entries, entry);
   if (found == entries.end())
     entries.push_back(entry);
@@ -172,23 +174,15 @@ std::optional<std::string> put_in(std::string_view rule, Entries& entries, std::
 
 }  // namespace
 
-std::string_view statement_name(StatementKind kind) {
-  static constexpr std::array<std::string_view, static_cast<std::size_t>(StatementKind::Count)>
-      kNames = {"#", "[", "IF", "WHILE", "DO", "GOTO", "DPRNT", "BPRNT", "POPEN", "PCLOS"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
-std::optional<std::string> change_list(std::string_view rule, std::string& list,
-                                       std::string_view text,
-                                       const std::vector<std::string_view>& known) {
+Wrong change_list(std::string_view rule, std::string& list, std::string_view text,
+                  const CheckEntry& check) {
   const bool anew = text.starts_with('=');
   if (anew) text.remove_prefix(1);
   const std::string before = list;
   Entries entries = split_entries(anew ? std::string_view() : before);
   for (const std::string_view entry : split_entries(text)) {
     const bool away = entry.size() > 1 && entry[0] == '-';
-    const auto wrong =
-        away ? take_away(entries, entry.substr(1)) : put_in(rule, entries, entry, known);
+    const auto wrong = away ? take_away(entries, entry.substr(1)) : put_in(entries, entry, check);
     if (wrong) return std::string(rule) + ": " + *wrong;
   }
   std::string changed;

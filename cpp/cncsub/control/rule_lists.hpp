@@ -1,28 +1,48 @@
 // Rules that are lists: what somebody changes in them, entry by entry.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cncsub/control/letters.hpp"
+#include "cncsub/control/list.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
-/// Changes the list of a rule. Each entry of the text is added, or replaces the one with the same
-/// key (`68.2=neutral`); `-entry` takes one away; a `=` at the head gives the whole list anew.
+/// What is wrong with what somebody gave, or nothing.
+using Wrong = std::optional<std::string>;
+using CheckEntry = std::function<Wrong(std::string_view)>;
+
+/// Changes a list as it is written. Each entry of the text is added, or replaces the one with the
+/// same key (`68.2=neutral`); `-entry` takes one away; a `=` at the head gives the whole list anew.
 /// Returns what is wrong with an entry, and what is near it, or nothing.
-/// `known` are the words that may be entries where the rule's kind does not say so.
-std::optional<std::string> change_list(std::string_view rule, std::string& list,
-                                       std::string_view text,
-                                       const std::vector<std::string_view>& known = {});
+Wrong change_list(std::string_view rule, std::string& list, std::string_view text,
+                  const CheckEntry& check);
+
+/// The same for a list of a kind.
+template <class Kind>
+Wrong change(std::string_view rule, List<Kind>& list, std::string_view text) {
+  std::string written = list.text();
+  const auto check = [](std::string_view entry) {
+    return Kind::read(entry) ? Wrong() : Wrong(Kind::wrong(entry));
+  };
+  if (auto wrong = change_list(rule, written, text, check)) return wrong;
+  List<Kind> changed;
+  std::string_view rest = written;
+  for (auto entry = take_entry(rest); !entry.empty(); entry = take_entry(rest))
+    if (const auto read = Kind::read(entry); read && !changed.put(*read))
+      return std::string(rule) + ": at most " + std::to_string(Kind::kMost) + " entries";
+  list = changed;
+  return std::nullopt;
+}
 
 /// The same for a set of characters: the text is the whole set.
 template <class Kind>
-std::optional<std::string> change(std::string_view rule, Characters<Kind>& set,
-                                  std::string_view text) {
+Wrong change(std::string_view rule, Characters<Kind>& set, std::string_view text) {
   if (text.starts_with('=')) text.remove_prefix(1);
   Characters<Kind> changed;
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -37,26 +57,12 @@ std::optional<std::string> change(std::string_view rule, Characters<Kind>& set,
 std::vector<std::string_view> split_entries(std::string_view text);
 /// `; near are ...`: the three known words that are most like this one.
 std::string near_words(std::string_view word, std::vector<std::string_view> known);
+/// Nothing where the word is a known one, else `foo is no such thing; near are ...`.
+Wrong one_of(std::string_view what, std::string_view word,
+             const std::vector<std::string_view>& known);
 
-// What the entries of a list may be; each is told where its meaning is.
-std::vector<std::string_view> function_names();
-std::vector<std::string_view> meaning_words();
-std::vector<std::string_view> group_names();
-
-/// The kinds of macro statements that the rule `statements` may name.
-enum class StatementKind : unsigned char {
-  Variables,
-  Brackets,
-  If,
-  While,
-  Do,
-  Goto,
-  Dprnt,
-  Bprnt,
-  Popen,
-  Pclos,
-  Count
-};
-std::string_view statement_name(StatementKind kind);
+// What the entries of these rules have to be, and what is near.
+Wrong check_code(std::string_view entry);
+Wrong check_role(std::string_view entry);
 
 }  // namespace cncsub

@@ -1,7 +1,6 @@
 #include "cncsub/control/variable_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "cncsub/control/rule_lists.hpp"
 
@@ -9,46 +8,10 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::int32_t kLargestNumber = 999'999'999;
+bool meets(const Span& a, const VariableRange& b) { return a.meets({b.first, b.last}); }
 
-struct Span {
-  std::int32_t first = 0;
-  std::int32_t last = 0;
-};
-
-bool meet(const Span& a, const Span& b) { return a.first <= b.last && b.first <= a.last; }
-bool meet(const Span& a, const VariableRange& b) { return meet(a, Span{b.first, b.last}); }
-bool has(const Span& span, std::int32_t number) {
-  return span.first <= number && number <= span.last;
-}
-
-std::string written(const Span& span) {
-  const std::string first = std::to_string(span.first);
-  return span.first == span.last ? first : first + "-" + std::to_string(span.last);
-}
-
-std::optional<std::int32_t> number_in_full(std::string_view text) {
-  std::int32_t number = 0;
-  const auto read = std::from_chars(text.begin(), text.end(), number);
-  const bool fine = read.ec == std::errc() && read.ptr == text.end() && number >= 0;
-  return fine && number <= kLargestNumber ? std::optional(number) : std::nullopt;
-}
-
-/// `100-199` or `100`; nothing where it is neither.
-std::optional<Span> span_of(std::string_view entry) {
-  const auto dash = entry.find('-');
-  const auto first = number_in_full(entry.substr(0, dash));
-  const auto last = dash == std::string_view::npos ? first : number_in_full(entry.substr(dash + 1));
-  return first && last ? std::optional(Span{*first, *last}) : std::nullopt;
-}
-
-/// The ranges of a list that was checked.
-std::vector<Span> spans_of(std::string_view list) {
-  std::vector<Span> spans;
-  for (const std::string_view entry : split_entries(list))
-    if (const auto span = span_of(entry)) spans.push_back(*span);
-  return spans;
-}
+using Spans = std::vector<Span>;
+Spans spans_of(const Ranges& list) { return {list.begin(), list.end()}; }
 
 const VariableOption* option_named(const Control& control, std::string_view name) {
   for (const VariableOption& option : control.variable_choices)
@@ -60,25 +23,24 @@ const VariableOption* option_named(const Control& control, std::string_view name
 std::optional<std::string> taken(const Control& control, const Span& span) {
   const auto is = [&span](const VariableRange& range, const std::string& what) {
     const std::int32_t first = std::max(span.first, range.first);
-    return written(span) + ": #" + std::to_string(first) + " " + what;
+    return span.text() + ": #" + std::to_string(first) + " " + what;
   };
   for (const VariableRange& range : control.variables)
-    if (meet(span, range))
+    if (meets(span, range))
       return is(range, range.kind == VariableKind::Vacant  ? "is always vacant"
                        : range.kind == VariableKind::Local ? "is a local variable"
                                                            : "is a variable of the control's own");
   for (const VariableOption& option : control.variable_choices)
     for (const VariableRange& range : option.variables)
-      if (meet(span, range))
+      if (meets(span, range))
         return is(range, "is a variable of the control's own, by the option " + option.name);
-  if (control.macros.variable_forms.value.has(VariableForm::Indirect) &&
-      meet(span, Span{9000, 9999}))
-    return written(span) + ": #9000 to #9999 are #[#0] to #[#999] on this control";
+  if (control.macros.variable_forms.value.has(VariableForm::Indirect) && span.meets({9000, 9999}))
+    return span.text() + ": #9000 to #9999 are #[#0] to #[#999] on this control";
   return std::nullopt;
 }
 
 std::optional<std::string> wrong_entry(const Control& control, std::string_view entry) {
-  const auto span = span_of(entry);
+  const auto span = Span::read(entry);
   if (!span) {
     std::vector<std::string_view> known;
     for (const VariableOption& option : control.variable_choices)
@@ -87,15 +49,15 @@ std::optional<std::string> wrong_entry(const Control& control, std::string_view 
            " is no range of numbers and no option: write 100-199" + near_words(entry, known);
   }
   if (span->last < span->first)
-    return written(*span) + " ends before it begins: write " + written({span->last, span->first});
+    return span->text() + " ends before it begins: write " + Span{span->last, span->first}.text();
   return taken(control, *span);
 }
 
 /// By number; where options name the same ones, each once.
-std::vector<Span> joined(std::vector<Span> spans) {
+Spans joined(Spans spans) {
   std::sort(spans.begin(), spans.end(),
             [](const Span& a, const Span& b) { return a.first < b.first; });
-  std::vector<Span> whole;
+  Spans whole;
   for (const Span& span : spans)
     if (whole.empty() || span.first > whole.back().last)
       whole.push_back(span);
@@ -104,16 +66,16 @@ std::vector<Span> joined(std::vector<Span> spans) {
   return whole;
 }
 
-std::optional<std::string> overlap(std::vector<Span> given) {
+std::optional<std::string> overlap(Spans given) {
   std::sort(given.begin(), given.end(),
             [](const Span& a, const Span& b) { return a.first < b.first; });
   for (std::size_t i = 1; i < given.size(); ++i)
-    if (meet(given[i - 1], given[i]))
-      return written(given[i - 1]) + " and " + written(given[i]) + " overlap";
+    if (given[i - 1].meets(given[i]))
+      return given[i - 1].text() + " and " + given[i].text() + " overlap";
   return std::nullopt;
 }
 
-std::optional<std::string> too_many(const std::vector<Span>& spans) {
+std::optional<std::string> too_many(const Spans& spans) {
   std::int64_t count = 0;
   for (const Span& span : spans) count += std::int64_t{span.last} - span.first + 1;
   if (count <= kMostCommons) return std::nullopt;
@@ -122,20 +84,14 @@ std::optional<std::string> too_many(const std::vector<Span>& spans) {
 }
 
 /// The control writes the position of a skip into commons; they have to be there.
-std::optional<std::string> lacking(const Control& control, const std::vector<Span>& spans) {
+std::optional<std::string> lacking(const Control& control, const Spans& spans) {
   const int first = control.motion.skip_variables.value;
   if (first <= 0 || spans.empty()) return std::nullopt;
   for (int number = first; number < first + kSkipAxes; ++number)
     if (std::none_of(spans.begin(), spans.end(),
-                     [number](const Span& span) { return has(span, number); }))
+                     [number](const Span& span) { return span.has(number); }))
       return "#" + std::to_string(number) + " is missing, into which G31 writes";
   return std::nullopt;
-}
-
-Ranges list_of(const std::vector<Span>& spans) {
-  Ranges list;
-  for (const Span& span : spans) list += (list.empty() ? "" : " ") + written(span);
-  return list;
 }
 
 }  // namespace
@@ -143,7 +99,7 @@ Ranges list_of(const std::vector<Span>& spans) {
 std::optional<std::string> change_commons(const Control& control, Ranges& list,
                                           std::string_view text) {
   if (text.starts_with('=')) text.remove_prefix(1);
-  std::vector<Span> spans, given;
+  Spans spans, given;
   for (const std::string_view entry : split_entries(text)) {
     const VariableOption* option = option_named(control, entry);
     if (option != nullptr && !option->commons.empty()) {
@@ -152,14 +108,20 @@ std::optional<std::string> change_commons(const Control& control, Ranges& list,
       continue;
     }
     if (auto wrong = wrong_entry(control, entry)) return "commons: " + *wrong;
-    if (const auto span = span_of(entry)) given.push_back(*span);
+    if (const auto span = Span::read(entry)) given.push_back(*span);
   }
   if (auto wrong = overlap(given)) return "commons: " + *wrong;
   spans.insert(spans.end(), given.begin(), given.end());
-  const std::vector<Span> all = joined(std::move(spans));
+  const Spans all = joined(std::move(spans));
   if (auto wrong = too_many(all)) return "commons: " + *wrong;
   if (auto wrong = lacking(control, all)) return "commons: " + *wrong;
-  list = list_of(all);
+  Ranges changed;
+  for (const Span& span : all)
+    if (!changed.put(span))
+      return "commons: " + std::to_string(all.size()) + " ranges are more than the " +
+             std::to_string(SpanEntry::kMost) +
+             " that a control holds: write 100-199, not each number";
+  list = changed;
   return std::nullopt;
 }
 
@@ -168,7 +130,9 @@ std::optional<std::string> change_variable_options(const Control& control, Varia
   std::vector<std::string_view> known;
   for (const VariableOption& option : control.variable_choices)
     if (option.commons.empty()) known.push_back(option.name);
-  return change_list("variable_options", list, text, known);
+  return change_list("variable_options", list, text, [&known](std::string_view entry) {
+    return one_of("option that brings them", entry, known);
+  });
 }
 
 bool is_fitted(const Control& control, const VariableOption& option) {
@@ -176,8 +140,8 @@ bool is_fitted(const Control& control, const VariableOption& option) {
     const auto fitted = split_entries(control.macros.variable_options.value);
     return std::find(fitted.begin(), fitted.end(), option.name) != fitted.end();
   }
-  const std::vector<Span> held = joined(spans_of(control.macros.commons.value));
-  const std::vector<Span> brings = spans_of(option.commons);
+  const Spans held = joined(spans_of(control.macros.commons.value));
+  const Spans brings = spans_of(option.commons);
   return std::all_of(brings.begin(), brings.end(), [&held](const Span& span) {
     return std::any_of(held.begin(), held.end(), [&span](const Span& of) {
       return of.first <= span.first && span.last <= of.last;
@@ -185,10 +149,20 @@ bool is_fitted(const Control& control, const VariableOption& option) {
   });
 }
 
-Ranges numbers_of(const VariableOption& option) {
-  std::vector<Span> spans = spans_of(option.commons);
+namespace {
+
+Spans spans_brought(const VariableOption& option) {
+  Spans spans = spans_of(option.commons);
   for (const VariableRange& range : option.variables) spans.push_back({range.first, range.last});
-  return list_of(spans);
+  return spans;
+}
+
+}  // namespace
+
+std::string numbers_of(const VariableOption& option) {
+  std::string text;
+  for (const Span& span : spans_brought(option)) text += (text.empty() ? "" : " ") + span.text();
+  return text;
 }
 
 bool is_alias(const VariableRange& range) {
@@ -199,7 +173,7 @@ namespace {
 
 /// Of names of commons those whose commons the control has.
 void add_alias(std::vector<VariableRange>& ranges, const VariableRange& alias,
-               const std::vector<Span>& commons) {
+               const Spans& commons) {
   for (const Span& span : commons) {
     VariableRange part = alias;
     part.from = std::max(alias.from, span.first);
@@ -214,7 +188,7 @@ void add_alias(std::vector<VariableRange>& ranges, const VariableRange& alias,
 
 std::vector<VariableRange> variable_ranges(const Control& control) {
   std::vector<VariableRange> ranges;
-  const std::vector<Span> commons = spans_of(control.macros.commons.value);
+  const Spans commons = spans_of(control.macros.commons.value);
   for (const VariableRange& range : control.variables)
     if (is_alias(range))
       add_alias(ranges, range, commons);
@@ -241,11 +215,11 @@ std::vector<VariableRange> variable_ranges(const Control& control) {
 
 std::string no_variable(const Control& control, std::int64_t number) {
   std::string text = "there is no #" + std::to_string(number);
-  if (number < 0 || number > kLargestNumber) return text;
+  if (number < 0 || number > Span::kLargest) return text;
   const auto at = static_cast<std::int32_t>(number);
   for (const VariableOption& option : control.variable_choices)
-    for (const Span& span : spans_of(numbers_of(option)))
-      if (has(span, at))
+    for (const Span& span : spans_brought(option))
+      if (span.has(at))
         return text + "; a control with the option " + option.name + " (" + option.meaning +
                ") has it: control.replace(" +
                (option.commons.empty() ? "variable_options" : "commons") + "=\"" + option.name +

@@ -29,7 +29,7 @@ std::optional<std::string> change_variable_options(const Control& control, Varia
 bool is_fitted(const Control& control, const VariableOption& option);
 
 /// What the option brings, as the rule `commons` is written.
-Ranges numbers_of(const VariableOption& option);
+std::string numbers_of(const VariableOption& option);
 
 /// Whether these are other names of commons.
 bool is_alias(const VariableRange& range);

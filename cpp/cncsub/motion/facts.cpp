@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "cncsub/control/rule_lists.hpp"
-
 namespace cncsub {
 namespace {
 
@@ -16,55 +14,22 @@ MachineType machine_of(const Control& control, const std::string& name) {
   return control.motion.machine.value;
 }
 
-struct GroupName {
-  std::string_view name;
-  Group group;
-  int mill, lathe;  // #4000 + this
-};
-
-// [REG; general knowledge of lathes]
-constexpr GroupName kGroupNames[] = {
-    {"motion", Group::Motion, 1, 1},
-    {"plane", Group::Plane, 2, 16},
-    {"distance", Group::Distance, 3, 3},
-    {"stroke", Group::Stroke, 4, 9},
-    {"feed", Group::Feed, 5, 5},
-    {"units", Group::Units, 6, 6},
-    {"radius", Group::Radius, 7, 7},
-    {"length", Group::Length, 8, 0},
-    {"cycle", Group::Cycle, 9, 10},
-    {"return", Group::Return, 10, 11},
-    {"scaling", Group::Scaling, 11, 0},
-    {"macro", Group::Macro, 12, 12},
-    {"surface", Group::Surface, 13, 2},
-    {"work", Group::Work, 14, 14},
-    {"path", Group::Path, 15, 0},
-    {"rotation", Group::Rotation, 16, 0},
-    {"polar", Group::Polar, 17, 0},
-    {"mirror", Group::Mirror, 22, 0},
-    {"turret", Group::Turret, 0, 4},
-    {"fluctuation", Group::Fluctuation, 0, 8},
-    {"polar-milling", Group::PolarMilling, 0, 21},
-};
-
-void number_groups(MotionFacts& facts, const std::string& changes) {
-  for (const GroupName& g : kGroupNames) {
-    int number = facts.lathe() ? g.lathe : g.mill;
-    const std::string key = std::string(g.name) + "=";
-    const auto found = (" " + changes).find(" " + key);
-    if (found != std::string::npos)
-      std::from_chars(changes.data() + found + key.size(), changes.data() + changes.size(), number);
-    facts.group_numbers[at(g.group)] = number;
-  }
+void number_groups(MotionFacts& facts) {
+  for (const GroupName& g : kGroupNames)
+    facts.group_numbers[at(g.group)] = facts.lathe() ? g.lathe : g.mill;
+  for (const auto& own : facts.control->motion.modal_groups.value)
+    facts.group_numbers[at(own.group)] = own.number;
 }
 
 /// The place of a corner word in a block's mask, -1 where the machine has none of that name.
-int place_of(std::string_view name, bool lathe) {
-  if (name == ",C") return kCommaC;
-  if (name == ",R") return kCommaR;
-  if (name == ",A") return kCommaA;
-  const bool of_lathes = name == "A" || name == "C" || name == "R";
-  return name.size() != 1 || (of_lathes && !lathe) ? -1 : name[0] - 'A';
+int place_of(CornerLetters::Entry word, bool lathe) {
+  if (word.comma)
+    return word.letter == 'C'   ? kCommaC
+           : word.letter == 'R' ? kCommaR
+           : word.letter == 'A' ? kCommaA
+                                : -1;
+  const bool of_lathes = word.letter == 'A' || word.letter == 'C' || word.letter == 'R';
+  return of_lathes && !lathe ? -1 : word.letter - 'A';
 }
 
 }  // namespace
@@ -72,12 +37,6 @@ int place_of(std::string_view name, bool lathe) {
 void fill(Axes& axes, const std::map<char, double>& values) {
   for (const auto& [name, value] : values)
     if (const int axis = axis_of(name); axis >= 0) axes[static_cast<std::size_t>(axis)] = value;
-}
-
-std::vector<std::string_view> group_names() {
-  std::vector<std::string_view> names;
-  for (const GroupName& g : kGroupNames) names.push_back(g.name);
-  return names;
 }
 
 int system_of(const std::string& name) {
@@ -105,7 +64,7 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
       angles(control->motion.angle_words.value, lathe()),
       skips(*control),
       measuring(measuring_moves(*control)) {
-  number_groups(*this, control->motion.modal_groups.value);
+  number_groups(*this);
   rapid.fill(control->motion.rapid_rate.value);
   fill(rapid, setup.rapid);
   for (const auto& [number, values] : setup.reference) fill(reference[number], values);
@@ -115,9 +74,9 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
     if (axis_of(name) >= 0) limits.push_back({axis_of(name), range.first, range.second});
 }
 
-CornerWords::CornerWords(std::string_view names, bool lathe) {
-  for (const std::string_view name : split_entries(names)) {
-    const int place = place_of(name, lathe);
+CornerWords::CornerWords(const CornerLetters& words, bool lathe) {
+  for (const auto& word : words) {
+    const int place = place_of(word, lathe);
     if (place < 0) continue;
     places.push_back(place);
     mask |= 1u << place;

@@ -74,7 +74,7 @@ inline Axes operator-(Axes a, const Axes& b) {
 /// Words of a block by what they say of a corner: their places in its mask, and these as a mask.
 /// C and R without a comma are words of lathes only.
 struct CornerWords {
-  CornerWords(std::string_view names, bool lathe);
+  CornerWords(const CornerLetters& words, bool lathe);
   /// The place of the first that the block has, -1 where it has none.
   int find(std::uint32_t words) const;
 

@@ -215,7 +215,7 @@ void variable_choices(Control& c) {
   const std::string programs = "real programs of an M700-class machine use them; their name ";
   c.macros.commons = {"100-199 500-999", kGeneral + ": 600 sets", Inferred};
   c.macros.variable_options = {"", kPolicy, Inferred};
-  const auto sets = [&c](const char* name, const char* meaning, const char* commons,
+  const auto sets = [&c](const char* name, const char* meaning, const Ranges& commons,
                          const std::string& source) {
     c.variable_choices.push_back({name, meaning, commons, {}, source, Inferred});
   };

@@ -288,7 +288,7 @@ std::optional<Fault> MeaningReader::check_g_codes() const {
 /// The chamfer or corner word that the control refuses beside M98. An L is one only beside an axis
 /// word: else it is the count of the call.
 std::optional<Fault> MeaningReader::check_corner() const {
-  const std::string& refused = rules_.corners_not_with_call;
+  const CornerLetters& refused = rules_.corners_not_with_call;
   if (refused.empty() || !meaning_.calls() || meaning_.kind != CallKind::Subprogram)
     return std::nullopt;
   const auto is_axis = [](const Token& token) {
@@ -296,8 +296,7 @@ std::optional<Fault> MeaningReader::check_corner() const {
   };
   const bool moves = std::any_of(tokens_.begin(), tokens_.end(), is_axis);
   for (const Token& token : tokens_) {
-    const std::string word = std::string(token.comma ? " ," : " ") + token.letter + ' ';
-    if ((moves || token.letter != 'L') && refused.find(word) != std::string::npos)
+    if ((moves || token.letter != 'L') && refused.has({token.comma, token.letter}))
       return fault_of(token, Cause::CornerWithCall,
                       "a chamfer or corner round may not stand with M98");
   }

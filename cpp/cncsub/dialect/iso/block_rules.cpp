@@ -10,8 +10,9 @@ BlockRules::BlockRules(const Code& of) : code(of), control(*of.control), calling
   mark(control.reading.minus_addresses.value, kMinus);
   if (control.reading.whole_numbers.value == WholeNumbers::Increments) mark(kLengths, kIncrements);
   if (control.common.refuses.value.has(Cause::CornerWithCall))
-    corners_not_with_call =
-        " " + control.motion.chamfer_words.value + " " + control.motion.round_words.value + " ";
+    for (const CornerLetters& words :
+         {control.motion.chamfer_words.value, control.motion.round_words.value})
+      for (const auto& word : words) corners_not_with_call.put(word);
 }
 
 }  // namespace cncsub

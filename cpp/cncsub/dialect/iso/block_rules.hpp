@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 #include "cncsub/code/code.hpp"
@@ -23,7 +22,7 @@ struct BlockRules {
   const Code& code;
   const Control& control;
   CallingCodes calling;
-  std::string corners_not_with_call;  // the chamfer and corner words that M98 refuses: " ,C L "
+  CornerLetters corners_not_with_call;  // the chamfer and corner words that M98 refuses
 
   bool takes_point(char letter) const { return has(letter, kPoint); }
   bool takes_minus(char letter) const { return has(letter, kMinus); }

@@ -83,7 +83,7 @@ class ExpressionReader {
 
   // ---- functions.cpp ----
   std::optional<Value> word();
-  bool has(std::string_view name) const;
+  bool has(Function function) const;
   const FunctionName* find_function(std::string_view word) const;
   std::optional<Value> function(const FunctionName& of, std::uint32_t at);
   std::optional<Value> arc_tangent(std::uint32_t at);

@@ -1,11 +1,10 @@
 // The functions of expressions: SIN[30], ATAN[1]/[2], PRM[6001, 5], and words that are values.
-#include "cncsub/control/rule_lists.hpp"
 #include "cncsub/dialect/iso/expression.hpp"
 
 namespace cncsub {
 
 struct FunctionName {
-  std::string_view name;
+  Function function;
   Ins one, two = Ins::End;  // of one argument, of two; End: it does not take so many
 };
 
@@ -13,69 +12,54 @@ namespace {
 
 constexpr int kMostNots = 64;  // before one condition: they are read inside each other
 
-constexpr FunctionName kFunctions[] = {{"SIN", Ins::Sin},
-                                       {"COS", Ins::Cos},
-                                       {"TAN", Ins::Tan},
-                                       {"ASIN", Ins::Asin},
-                                       {"ACOS", Ins::Acos},
-                                       {"ATAN", Ins::Atan},
-                                       {"ATAN2", Ins::End, Ins::Atan2},
-                                       {"SQRT", Ins::Sqrt},
-                                       {"SQR", Ins::Sqrt},
-                                       {"ABS", Ins::Abs},
-                                       {"ROUND", Ins::Round},
-                                       {"RND", Ins::Round},
-                                       {"FIX", Ins::Fix},
-                                       {"INT", Ins::Fix},
-                                       {"FUP", Ins::Fup},
-                                       {"LN", Ins::Ln},
-                                       {"EXP", Ins::Exp},
-                                       {"POW", Ins::End, Ins::Pow},
-                                       {"BIN", Ins::Bin},
-                                       {"BCD", Ins::Bcd},
-                                       {"ADP", Ins::Adp},
-                                       {"PRM", Ins::Parameter, Ins::ParameterBit},
-                                       {"SIGN", Ins::Sign},
-                                       {"RAND", Ins::Random},
-                                       {"SRAND", Ins::End, Ins::RandomBetween},
-                                       {"AR", Ins::Programmed}};
+constexpr FunctionName kFunctions[] = {{Function::Sin, Ins::Sin},
+                                       {Function::Cos, Ins::Cos},
+                                       {Function::Tan, Ins::Tan},
+                                       {Function::Asin, Ins::Asin},
+                                       {Function::Acos, Ins::Acos},
+                                       {Function::Atan, Ins::Atan},
+                                       {Function::Atan2, Ins::End, Ins::Atan2},
+                                       {Function::Sqrt, Ins::Sqrt},
+                                       {Function::Sqr, Ins::Sqrt},
+                                       {Function::Abs, Ins::Abs},
+                                       {Function::Round, Ins::Round},
+                                       {Function::Rnd, Ins::Round},
+                                       {Function::Fix, Ins::Fix},
+                                       {Function::Int, Ins::Fix},
+                                       {Function::Fup, Ins::Fup},
+                                       {Function::Ln, Ins::Ln},
+                                       {Function::Exp, Ins::Exp},
+                                       {Function::Pow, Ins::End, Ins::Pow},
+                                       {Function::Bin, Ins::Bin},
+                                       {Function::Bcd, Ins::Bcd},
+                                       {Function::Adp, Ins::Adp},
+                                       {Function::Prm, Ins::Parameter, Ins::ParameterBit},
+                                       {Function::Sign, Ins::Sign},
+                                       {Function::Rand, Ins::Random},
+                                       {Function::Srand, Ins::End, Ins::RandomBetween},
+                                       {Function::Ar, Ins::Programmed}};
 
 struct ConstantName {
-  std::string_view name;
+  Function word;
   double value;
 };
-constexpr ConstantName kConstants[] = {{"PI", 3.14159265358979323846}, {"TRUE", 1}, {"FALSE", 0}};
+constexpr ConstantName kConstants[] = {
+    {Function::Pi, 3.14159265358979323846}, {Function::True, 1}, {Function::False, 0}};
 
 }  // namespace
 
-std::vector<std::string_view> function_names() {
-  std::vector<std::string_view> names;
-  for (const ConstantName& c : kConstants) names.push_back(c.name);
-  names.emplace_back("MOD");
-  for (const FunctionName& f : kFunctions) names.push_back(f.name);
-  return names;
-}
-
 /// Whether the control has a function, or an operator that some have not.
-bool ExpressionReader::has(std::string_view name) const {
-  const EntryList& list = code_.control->macros.functions.value;
-  std::size_t at = 0;
-  while ((at = list.find(name, at)) != std::string::npos) {
-    const bool starts = at == 0 || list[at - 1] == ' ';
-    const bool ends = at + name.size() == list.size() || list[at + name.size()] == ' ';
-    if (starts && ends) return true;
-    ++at;
-  }
-  return false;
+bool ExpressionReader::has(Function function) const {
+  return code_.control->macros.functions.value.has(function);
 }
 
 /// The function of this name, or of the name that it abbreviates.
 const FunctionName* ExpressionReader::find_function(std::string_view word) const {
   for (const FunctionName& f : kFunctions)
-    if (f.name == word && has(f.name)) return &f;
+    if (name_of(f.function) == word && has(f.function)) return &f;
   if (!code_.control->macros.short_functions.value || word.size() < 2) return nullptr;
   for (const FunctionName& f : kFunctions)
-    if (f.name.substr(0, word.size()) == word && has(f.name)) return &f;
+    if (name_of(f.function).starts_with(word) && has(f.function)) return &f;
   return nullptr;
 }
 
@@ -88,7 +72,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::word() {
     if (word.size() > 8) break;
   }
   for (const ConstantName& of : kConstants) {
-    if (word != of.name || !has(word)) continue;
+    if (word != name_of(of.word) || !has(of.word)) continue;
     if (!room()) return std::nullopt;
     emit(Ins::Constant, at, of.value);
     return Value{};
@@ -98,7 +82,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::word() {
   const FunctionName* found = find_function(word);
   if (found == nullptr)
     return refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
-  if (found->one == Ins::Atan && !has("ATAN2")) return arc_tangent(at);
+  if (found->one == Ins::Atan && !has(Function::Atan2)) return arc_tangent(at);
   if (found->one == Ins::Programmed) return programmed(at);
   return function(*found, at);
 }

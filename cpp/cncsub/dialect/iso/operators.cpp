@@ -116,7 +116,7 @@ bool ExpressionReader::ends_here() {
 const OperatorName* ExpressionReader::operator_here() {
   if (ends_here()) return nullptr;
   if (const OperatorName* found = find_operator(kOperators, s_))
-    return found->op == Ins::Modulo && !has("MOD") ? nullptr : found;
+    return found->op == Ins::Modulo && !has(Function::Mod) ? nullptr : found;
   const bool symbols = code_.control->macros.conditions.value.has(Condition::Symbols);
   return symbols ? find_operator(kSymbols, s_) : nullptr;
 }

@@ -70,8 +70,7 @@ bool StatementReader::keyword(std::string_view word) {
 bool StatementReader::lacks(StatementKind kind, std::uint32_t at, std::string_view name) {
   auto wrong = code_.lacks(kind, at);
   if (wrong && !name.empty())
-    wrong->detail.replace(wrong->detail.size() - statement_name(kind).size(), std::string::npos,
-                          name);
+    wrong->detail.replace(wrong->detail.size() - name_of(kind).size(), std::string::npos, name);
   if (wrong) refuse(*wrong);
   return wrong.has_value();
 }

@@ -1,0 +1,229 @@
+// The lists of a control's motion: what its G codes mean, the numbers of their groups, the words of
+// corners.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cncsub/control/codes.hpp"
+#include "cncsub/control/list.hpp"
+
+namespace cncsub {
+
+enum class Group : std::uint8_t {
+  OneShot,
+  Motion,
+  Plane,
+  Distance,
+  Stroke,
+  Feed,
+  Units,
+  Radius,
+  Length,
+  Cycle,
+  Return,
+  Scaling,
+  Macro,
+  Surface,
+  Work,
+  Path,
+  Rotation,
+  Polar,
+  Mirror,
+  Turret,
+  Fluctuation,
+  PolarMilling,
+  Count
+};
+constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
+
+// clang-format off
+#define CNCSUB_MEANINGS(M) \
+  M(None) M(Unknown) M(Neutral) M(DataEnd) M(Uncomputed) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
+  M(FromReference) M(SecondReference) M(Skip) M(MeasureTool) M(Local) M(Machine) M(SetCoordinate) \
+  M(ClearCoordinate) M(Lengthen) M(Shorten) M(LengthenTwice) M(ShortenTwice) M(OneWay) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
+  M(PeckTurn) M(MultipleThread) M(Rapid) M(Line) M(Cw) M(Ccw) M(Thread) M(VariableThread) \
+  M(TurnCycle) M(ThreadCycle) M(FaceCycle) M(TapCycle) M(ThreePoints) M(ThreePointsAbsolute) M(PlaneXY) M(PlaneZX) M(PlaneYZ) \
+  M(Absolute) M(Incremental) M(StrokeOn) M(StrokeOff) M(PerMinute) M(PerRevolution) \
+  M(InverseTime) M(Inch) M(Metric) M(Pulses) M(RadiusOff) M(RadiusLeft) M(RadiusRight) \
+  M(LengthPlus) M(LengthMinus) M(LengthOff) M(PeckFast) M(LeftTap) M(FineBore) M(CycleOff) \
+  M(Drill) M(DrillDwell) M(Peck) M(Tap) M(Bore) M(BoreStop) M(BackBore) M(BoreManual) \
+  M(BoreDwell) M(ReturnInitial) M(ReturnR) M(ScalingOn) M(ScalingOff) M(MacroOn) \
+  M(MacroOff) M(SurfaceSpeed) M(SpindleSpeed) M(Work1) M(Work2) M(Work3) M(Work4) M(Work5) \
+  M(Work6) M(WorkExtra) M(PathExact) M(PathCorner) M(PathTap) M(PathCut) M(RotationOn) \
+  M(RotationOff) M(PolarOn) M(PolarOff) M(MirrorOn) M(MirrorOff)
+// clang-format on
+
+enum class Meaning : std::uint8_t {
+#define CNCSUB_MEANING(name) name,
+  CNCSUB_MEANINGS(CNCSUB_MEANING)
+#undef CNCSUB_MEANING
+};
+
+struct GCode {
+  std::int16_t code = -1;  // ten times the number
+  Group group = Group::OneShot;
+  Meaning meaning = Meaning::None;
+  std::int16_t system = 0;  // the extra work system that the code itself names, 0 = P does
+
+  bool operator==(const GCode&) const = default;
+};
+
+/// What a control may give another code: the words of the rule g_meanings.
+struct MeaningWord {
+  std::string_view word;
+  Group group;
+  Meaning meaning;
+  std::int16_t system = 0;
+};
+inline constexpr MeaningWord kMeaningWords[] = {
+    {"ignored", Group::OneShot, Meaning::Ignored},
+    {"inch", Group::Units, Meaning::Inch},
+    {"metric", Group::Units, Meaning::Metric},
+    {"pulses", Group::Units, Meaning::Pulses},
+    {"mirror", Group::Mirror, Meaning::MirrorOn},
+    {"mirror-off", Group::Mirror, Meaning::MirrorOff},
+    {"tap-cycle", Group::Motion, Meaning::TapCycle},
+    {"thread", Group::Motion, Meaning::Thread},
+    {"rotation", Group::Rotation, Meaning::RotationOn},
+    {"rotation-off", Group::Rotation, Meaning::RotationOff},
+    {"dwell", Group::OneShot, Meaning::Dwell},
+    {"skip", Group::OneShot, Meaning::Skip},
+    {"measuring", Group::OneShot, Meaning::MeasureTool},
+    {"per-minute", Group::Feed, Meaning::PerMinute},
+    {"per-revolution", Group::Feed, Meaning::PerRevolution},
+    {"neutral", Group::OneShot, Meaning::Neutral},
+    {"data-end", Group::OneShot, Meaning::DataEnd},
+    {"not-computed", Group::OneShot, Meaning::Uncomputed},
+    {"three-points", Group::Motion, Meaning::ThreePoints},
+    {"three-points-absolute", Group::Motion, Meaning::ThreePointsAbsolute},
+    {"extra-system", Group::Work, Meaning::WorkExtra},
+    {"extra-system-1", Group::Work, Meaning::WorkExtra, 1},
+    {"extra-system-2", Group::Work, Meaning::WorkExtra, 2},
+    {"extra-system-3", Group::Work, Meaning::WorkExtra, 3},
+    {"extra-system-4", Group::Work, Meaning::WorkExtra, 4},
+    {"extra-system-5", Group::Work, Meaning::WorkExtra, 5},
+    {"extra-system-6", Group::Work, Meaning::WorkExtra, 6},
+    {"extra-system-7", Group::Work, Meaning::WorkExtra, 7},
+    {"extra-system-8", Group::Work, Meaning::WorkExtra, 8},
+    {"extra-system-9", Group::Work, Meaning::WorkExtra, 9},
+    {"extra-system-10", Group::Work, Meaning::WorkExtra, 10},
+    {"extra-system-11", Group::Work, Meaning::WorkExtra, 11},
+    {"extra-system-12", Group::Work, Meaning::WorkExtra, 12},
+    {"extra-system-13", Group::Work, Meaning::WorkExtra, 13},
+    {"extra-system-14", Group::Work, Meaning::WorkExtra, 14},
+    {"extra-system-15", Group::Work, Meaning::WorkExtra, 15},
+    {"extra-system-16", Group::Work, Meaning::WorkExtra, 16},
+    {"extra-system-17", Group::Work, Meaning::WorkExtra, 17},
+    {"extra-system-18", Group::Work, Meaning::WorkExtra, 18},
+    {"extra-system-19", Group::Work, Meaning::WorkExtra, 19},
+    {"extra-system-20", Group::Work, Meaning::WorkExtra, 20},
+    {"none", Group::OneShot, Meaning::None},
+    {"unknown", Group::OneShot, Meaning::Unknown},
+};
+
+/// `68.2=neutral`
+struct MeaningEntry {
+  using Entry = GCode;
+  static constexpr std::size_t kMost = 128;
+  static constexpr std::optional<GCode> read(std::string_view text) {
+    const auto equals = std::min(text.find('='), text.size());
+    const auto code = read_code(text.substr(0, equals));
+    if (!code || equals == text.size()) return std::nullopt;
+    for (const MeaningWord& known : kMeaningWords)
+      if (known.word == text.substr(equals + 1))
+        return GCode{static_cast<std::int16_t>(*code), known.group, known.meaning, known.system};
+    return std::nullopt;
+  }
+  static constexpr bool same(const GCode& a, const GCode& b) { return a.code == b.code; }
+  static std::string text(const GCode& entry);
+  static std::string wrong(std::string_view text);
+};
+
+/// A group of G codes as it is called, and its number on mills and lathes.
+struct GroupName {
+  std::string_view name;
+  Group group;
+  int mill, lathe;  // #4000 + this
+};
+
+// [REG; general knowledge of lathes]
+inline constexpr GroupName kGroupNames[] = {
+    {"motion", Group::Motion, 1, 1},
+    {"plane", Group::Plane, 2, 16},
+    {"distance", Group::Distance, 3, 3},
+    {"stroke", Group::Stroke, 4, 9},
+    {"feed", Group::Feed, 5, 5},
+    {"units", Group::Units, 6, 6},
+    {"radius", Group::Radius, 7, 7},
+    {"length", Group::Length, 8, 0},
+    {"cycle", Group::Cycle, 9, 10},
+    {"return", Group::Return, 10, 11},
+    {"scaling", Group::Scaling, 11, 0},
+    {"macro", Group::Macro, 12, 12},
+    {"surface", Group::Surface, 13, 2},
+    {"work", Group::Work, 14, 14},
+    {"path", Group::Path, 15, 0},
+    {"rotation", Group::Rotation, 16, 0},
+    {"polar", Group::Polar, 17, 0},
+    {"mirror", Group::Mirror, 22, 0},
+    {"turret", Group::Turret, 0, 4},
+    {"fluctuation", Group::Fluctuation, 0, 8},
+    {"polar-milling", Group::PolarMilling, 0, 21},
+};
+
+/// `plane=2`
+struct GroupEntry {
+  struct Entry {
+    Group group{};
+    std::uint8_t number = 0;  // #4000 + this
+    bool operator==(const Entry&) const = default;
+  };
+  static constexpr std::size_t kMost = std::size(kGroupNames);
+  static constexpr std::optional<Entry> read(std::string_view text) {
+    const auto equals = std::min(text.find('='), text.size());
+    const std::string_view digits = text.substr(std::min(equals + 1, text.size()));
+    if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
+      return std::nullopt;
+    int number = 0;
+    for (const char digit : digits) number = std::min(number * 10 + (digit - '0'), 100);
+    for (const GroupName& known : kGroupNames)
+      if (known.name == text.substr(0, equals) && number < 100)
+        return Entry{known.group, static_cast<std::uint8_t>(number)};
+    return std::nullopt;
+  }
+  static constexpr bool same(const Entry& a, const Entry& b) { return a.group == b.group; }
+  static std::string text(const Entry& entry);
+  static std::string wrong(std::string_view text);
+};
+
+/// `C`, or `,C` with the comma in front of it.
+struct CornerEntry {
+  struct Entry {
+    bool comma = false;
+    char letter = 0;
+    bool operator==(const Entry&) const = default;
+  };
+  static constexpr std::size_t kMost = 52;
+  static constexpr std::optional<Entry> read(std::string_view text) {
+    const bool comma = text.starts_with(',');
+    if (comma) text.remove_prefix(1);
+    if (text.size() != 1 || text[0] < 'A' || text[0] > 'Z') return std::nullopt;
+    return Entry{comma, text[0]};
+  }
+  static constexpr bool same(const Entry& a, const Entry& b) { return a == b; }
+  static std::string text(const Entry& entry) {
+    return std::string(entry.comma ? "," : "") + entry.letter;
+  }
+  static std::string wrong(std::string_view text);
+};
+
+using Meanings = List<MeaningEntry>;
+using GroupNumbers = List<GroupEntry>;
+using CornerLetters = List<CornerEntry>;
+
+}  // namespace cncsub
