@@ -17,6 +17,7 @@ LINUXCNC = "linuxcnc"
 GSK_LATHES = (TA, T, TDI, TE)
 MILLS = (MDI, HNC, HAAS)
 EVERY = (*GSK_LATHES, MDI, *MITSUBISHI, *FANUC, HNC, HAAS)
+NOT_MDI = tuple(name for name in EVERY if name != MDI)
 
 NO_MACROS = "the control has no macro statements"
 NO_MACRO_CALLS = "the control has no macro calls"
@@ -86,6 +87,7 @@ _TABLE = _joined(
     _all("return_search jump_search max_jump_number refuses:jump-in-mdi", (TE, HNC), NO_JUMP),
     _all("refuses:jump-in-offset", (TE, HNC), NO_JUMP),
     _all("code_cascade", (TDI, MDI, TE, HNC), NO_CODE_CALLS),
+    _all("registered_codes", EVERY, "no code is registered as delivered: rows register theirs"),
     # Macro statements
     _all("commons variable_forms:point", (TE,), NO_MACROS),
     _all("variable_options", (*GSK_LATHES, *MILLS), "no source tells of variables that are bought"),
@@ -127,6 +129,7 @@ _TABLE = _joined(
     _all("user_alarm_offset", MITSUBISHI, "the alarm of #3000 has one number, whatever the value"),
     # Motion
     _all("g_meanings", (MDI,), "it has none of the codes that mean something else elsewhere"),
+    _all("codes_not_turned pattern_codes", NOT_MDI, "it does not refuse what these codes do"),
     _all("power_on:G91", (TDI, TE), "the control has no G91"),
     _all("rotation_words", (TDI, TE), NO_ROTATION),
     _all("rapid_way", (TE,), "without the area of G22 no alarm tells the way of a rapid"),

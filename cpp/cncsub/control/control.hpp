@@ -17,6 +17,7 @@
 #include "cncsub/control/macro_lists.hpp"
 #include "cncsub/control/motion_lists.hpp"
 #include "cncsub/control/parameter.hpp"
+#include "cncsub/control/registered_codes.hpp"
 #include "cncsub/control/roles.hpp"
 #include "cncsub/control/set.hpp"
 #include "cncsub/control/source.hpp"
@@ -203,12 +204,10 @@ struct VariableOption {
   Evidence evidence = Evidence::Inferred;
 };
 
-/// How a code calls a program.
-enum class CodeCallKind : std::uint8_t { Subprogram, Macro, Modal, ModalEveryBlock };
-
 /// Codes that call programs, by parameters. Either a list (parameters `parameter`, `parameter + 1`
 /// ... hold the codes and call `program`, `program + 1` ...), a range (three parameters: first
-/// code, first program, how many), or a switch (every code of the address calls `program`).
+/// code, first program, how many), or a switch (every code of the address calls `program`). A list
+/// of no parameters says what may be registered by the rule `registered_codes`.
 struct CodeCall {
   enum class Form : std::uint8_t { List, Range, Switch } form = Form::List;
   char address = 'M';

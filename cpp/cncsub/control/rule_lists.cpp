@@ -6,6 +6,7 @@
 #include "cncsub/control/codes.hpp"
 #include "cncsub/control/macro_lists.hpp"
 #include "cncsub/control/motion_lists.hpp"
+#include "cncsub/control/registered_codes.hpp"
 #include "cncsub/control/roles.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -135,6 +136,11 @@ std::string GroupEntry::wrong(std::string_view text) {
 
 std::string CornerEntry::wrong(std::string_view text) {
   return std::string(text) + " is no address: write C or ,C";
+}
+
+std::string RegisteredEntry::wrong(std::string_view text) {
+  return std::string(text) +
+         " is no code with what it calls: write M50=call:9001, G101=macro-call:9010, T=call:9000";
 }
 
 namespace {

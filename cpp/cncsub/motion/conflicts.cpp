@@ -1,9 +1,7 @@
 // What does not go together: a block's codes and words with each other, or with the state that they
 // meet. Each conflict is a cause; a control refuses those that its rule `refuses` names.
 #include <algorithm>
-#include <initializer_list>
 
-#include "cncsub/control/rule_lists.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
@@ -51,17 +49,6 @@ bool names_xz(const Block& b) {
   return b.words.has('X') || b.words.has('Z') || b.words.has('U') || b.words.has('W');
 }
 bool other_axis(const Block& b) { return b.words.has('Y') || b.words.has('V'); }
-struct CodeRange {
-  int first, last;
-};
-/// Whether a G code of the block lies in one of these ranges.
-bool code_among(const Block& b, std::initializer_list<CodeRange> ranges) {
-  return any_code(b.words, [&](int code) {
-    return std::any_of(ranges.begin(), ranges.end(), [g = code / 10](const CodeRange& range) {
-      return g >= range.first && g <= range.last;
-    });
-  });
-}
 bool stops(const Block& b) {
   return b.words.ends || b.words.has(Role::Stop) || b.words.has(Role::OptionalStop) ||
          b.words.has(Role::End);
@@ -100,7 +87,15 @@ bool moves_axes(const Block& b) {
 struct Conflict {
   Cause cause;
   bool (*applies)(const MotionState&, const BlockWords&);
-  bool of_words = false;  // a block without G codes may have it
+  bool of_words = false;                       // a block without G codes may have it
+  Rule<Codes> MotionRules::* codes = nullptr;  // and the block has one of these
+
+  bool is_in(MotionView m, const BlockWords& block) const {
+    if (!applies(m.state, block)) return false;
+    if (codes == nullptr) return true;
+    const Codes& list = (m.facts.control->motion.*codes).value;
+    return any_code(block.words, [&list](int code) { return list.has(code); });
+  }
 };
 
 namespace {
@@ -185,10 +180,8 @@ constexpr Conflict kConflicts[] = {
        return s.turned.rotation && does(b, Meaning::SetData) &&
               (b.words['L'] == 2 || b.words['L'] == 20);
      }},
-    {Cause::TurnedCycle,
-     [](const State& s, const Block& b) {
-       return turned(s) && code_among(b, {{110, 117}, {126, 127}, {132, 144}});
-     }},
+    {Cause::TurnedCycle, [](const State& s, const Block&) { return turned(s); }, false,
+     &MotionRules::codes_not_turned},
     {Cause::RotatedCycle,
      [](const State& s, const Block& b) {
        return b.was_cycle && s.plane != 17 && b.meaning(Group::Rotation) == Meaning::RotationOn;
@@ -207,9 +200,8 @@ constexpr Conflict kConflicts[] = {
     {Cause::TurningAxis,
      [](const State& s, const Block& b) { return turning(s, b) && other_axis(b); }, true},
     {Cause::PatternWithoutCycle,
-     [](const State&, const Block& b) {
-       return code_among(b, {{140, 144}}) && !b.was_cycle && !cycles(b);
-     }},
+     [](const State&, const Block& b) { return !b.was_cycle && !cycles(b); }, false,
+     &MotionRules::pattern_codes},
 };
 
 }  // namespace
@@ -226,7 +218,7 @@ void MotionFacts::list_conflicts() {
 std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
   const auto& list = block.words.g_count > 0 ? m.facts.conflicts : m.facts.conflicts_of_words;
   for (const Conflict* conflict : list)
-    if (conflict->applies(m.state, block)) return fault(conflict->cause, block);
+    if (conflict->is_in(m, block)) return fault(conflict->cause, block);
   return std::nullopt;
 }
 

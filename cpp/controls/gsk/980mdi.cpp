@@ -100,6 +100,10 @@ void mill_motion(Control& c) {
       "MDib 0013, 0014, 0022, 0029, 0032, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, "
       "0204, 0216, 0218, 0230, 0243, 0247, 0278",
       Manual);
+  c.motion.codes_not_turned = {
+      "110 111 112 113 114 115 116 117 126 127 132 133 134 135 136 137 138 139 140 141 142 143 144",
+      "MDib 0162", Manual};
+  c.motion.pattern_codes = {"140 141 142 143 144", "MDib 0216", Manual};
   c.turning.set_coordinate_without_tool = {false, kKnown, Inferred};
   c.motion.max_offset_number = {32, "MDib 0016", Manual};
   has(c.common.refuses, {Cause::JumpInCompensation}, "MDib 0100", Manual);

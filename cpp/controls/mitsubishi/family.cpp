@@ -243,46 +243,27 @@ void variable_choices(Control& c) {
           range(100010, 100010, VariableKind::ParameterValue, Access::ReadOnly)});
 }
 
-/// The control registers its call codes on a screen; FANUC's parameter numbers stand for it.
+/// The control registers its call codes on a screen: they have no numbers of their own.
 void call_codes(Control& c) {
-  const std::string screen = "policy: FANUC's numbers stand for the registration screen";
-  const auto list = [&](char address, CodeCallKind kind, std::int32_t parameter,
-                        std::int32_t program, std::int32_t count) {
-    for (std::int32_t i = 0; i < count; ++i)
-      c.parameters.push_back(
-          {std::to_string(parameter + i), 0,
-           std::string(1, address) + " code that calls O" + std::to_string(program + i), screen,
-           Inferred});
-    CodeCall call;
-    call.form = CodeCall::Form::List;
-    call.address = address;
-    call.kind = kind;
-    call.parameter = parameter;
-    call.program = program;
-    call.count = count;
-    call.first_code = 1;
-    if (address == 'M') call.refused = "1 2 30 96 97 98 99 198";
-    call.source = kGeneral + ": ten codes; " + screen;
-    call.evidence = Inferred;
-    c.code_calls.push_back(call);
-  };
-  list('G', CodeCallKind::Macro, 6050, 9010, 10);
-  list('M', CodeCallKind::Subprogram, 6071, 9001, 9);
-  list('M', CodeCallKind::Macro, 6080, 9020, 10);
-  c.parameters.push_back({"6001#5", 0, "1: T codes call O9000", screen, Inferred});
-  CodeCall tool;
-  tool.form = CodeCall::Form::Switch;
-  tool.address = 'T';
-  tool.kind = CodeCallKind::Subprogram;
-  tool.program = 9000;
-  tool.enable = "6001#5";
-  tool.variable = 149;
-  tool.source = kGeneral + ": T calls one program; " + screen;
-  tool.evidence = Inferred;
-  c.code_calls.push_back(tool);
+  const std::string source =
+      kGeneral + ": ten G codes and ten M codes; S, T and B each one program";
+  c.calls.registered_codes = {"", source + "; none is registered", Inferred};
+  CodeCall list;
+  list.first_code = 1;
+  list.source = source;
+  list.evidence = Inferred;
+  list.address = 'G';
+  c.code_calls.push_back(list);
+  list.address = 'T';
+  list.variable = 149;
+  c.code_calls.push_back(list);
+  list.address = 'M';
+  list.variable = 0;
+  list.refused = "1 2 30 96 97 98 99 198";
+  c.code_calls.push_back(list);
 }
 
-/// The parameters that set rules, and those of codes that call.
+/// The parameters that set rules, and those that the engine reads.
 const Parameter kParameters[] = {
     {"1174", 0, "skip_F, the feed of G31 without F, mm/min", kM7 + "p.547; its default " + kPolicy,
      Manual},

@@ -10,6 +10,7 @@ CallingCodes::CallingCodes(const Code& code) {
   const Control& control = *code.control;
   for (const CodeCall& list : control.code_calls)
     if (list.enable.empty() || control.parameter(list.enable) != 0) add_list(code, list);
+  for (const auto& entry : control.calls.registered_codes.value) add_registered(code, entry);
 }
 
 void CallingCodes::add_list(const Code& code, const CodeCall& list) {
@@ -32,6 +33,21 @@ void CallingCodes::add_list(const Code& code, const CodeCall& list) {
       add_letter(list.address, {list.kind, list.program, list.variable});
       break;
   }
+}
+
+/// What a rule registers is held to what the control says of the address.
+void CallingCodes::add_registered(const Code& code, const RegisteredCodes::Entry& entry) {
+  const auto& lists = code.control->code_calls;
+  const auto own = std::find_if(lists.begin(), lists.end(), [&entry](const CodeCall& list) {
+    return list.address == entry.letter;
+  });
+  CodeCall list = own == lists.end() ? CodeCall{} : *own;
+  list.address = entry.letter;
+  list.kind = entry.kind;
+  if (entry.code == 0)
+    add_letter(list.address, {list.kind, entry.program, list.variable});
+  else
+    add_code(code, list, entry.code, entry.program);
 }
 
 void CallingCodes::add_code(const Code& code, const CodeCall& list, std::int32_t number,

@@ -1,4 +1,4 @@
-// Codes that call programs, as the control's parameters register them.
+// Codes that call programs, as parameters or a rule of the control register them.
 #pragma once
 
 #include <array>
@@ -29,6 +29,7 @@ class CallingCodes {
 
  private:
   void add_list(const Code& code, const CodeCall& list);
+  void add_registered(const Code& code, const RegisteredCodes::Entry& entry);
   void add_code(const Code& code, const CodeCall& list, std::int32_t number, std::int32_t program);
   void add_letter(char address, const RegisteredCall& call);
   static std::size_t place(char address) { return static_cast<std::size_t>(address - 'A'); }

@@ -16,12 +16,15 @@ def on_fanuc(number):
     return {F16: number, **dict.fromkeys(FANUC_PS, f"PS0{number}")}
 
 
-def refused(claim, control, first, second, cause, number, source, setup=MILL, evidence=None, word=None):
+def refused(
+    claim, control, first, second, cause, number, source, setup=MILL, evidence=None, word=None,
+    pins="max_extra_systems",
+):
     """The second block alarms behind the first, which does not."""
     evidence = evidence or ("maker's manual" if source.startswith(("MDib", "TA")) else "secondary")
     case(
         claim, control=control, source=source, evidence=evidence, setup=setup,
-        pins="max_extra_systems",
+        pins=pins,
         program=f"O1\nN10 {first}\nN20 {second}\nN30 M30",
         runs="N10", alarm=cause, number=number, at="O1 N20", word=word,
     )
@@ -101,6 +104,7 @@ refused(
 refused(
     "a pocket cycle alarms in a rotation on the 980MDi",
     MDI, "G68 X0 Y0 R30", "G110 Z-5 R2 I20 F100", "cycle-in-rotation", "0162", "MDib 0162", word="G110",
+    pins="codes_not_turned",
 )
 refused(
     "a rotation in a block with G01 alarms on the 980MDi",
@@ -134,6 +138,7 @@ refused(
 refused(
     "a pattern of holes without a drilling cycle alarms on the 980MDi",
     MDI, "G0 X0", "G140 X10 Y10 I5", "pattern-without-cycle", "0216", "MDib 0216", word="G140",
+    pins="pattern_codes",
 )
 refused(
     "tapping without a lead alarms on the 980MDi",
