@@ -761,3 +761,18 @@ def test_travel_limits_alarm() -> None:
 def test_the_package_exports_what_it_says() -> None:
     assert all(hasattr(cncsub, name) for name in cncsub.__all__)
     assert sorted(cncsub.__all__) == cncsub.__all__
+
+
+@pytest.mark.parametrize(
+    ("name", "group", "rule"),
+    [("gsk-928te", "macros", "max_loops"), ("gsk-980mdi", "turning", "rough_depth")],
+)
+def test_a_group_of_rules_that_a_control_lacks_is_absent(name: str, group: str, rule: str) -> None:
+    control = cncsub.controls[name]
+    source, evidence = control.absent[group]
+    assert source
+    assert evidence
+    assert group not in {row.group for row in control.rules}
+    with pytest.raises(ValueError, match=f"{name} has no rules of {group}, such as {rule}: "):
+        control.replace(**{rule: 2})
+    assert not cncsub.controls["fanuc-0i-f"].absent

@@ -30,6 +30,18 @@ whole (`"= 0 1 2"`). `commons` is always given as a whole: ranges of variable nu
 Traceback (most recent call last):
 ValueError: commons: 199-100 ends before it begins: write 100-199
 )";
+constexpr const char* kAbsent = R"(The groups of rules that the control does not have.
+
+Each with its source and evidence: a control without macros answers no rule of macros.
+
+>>> import cncsub
+>>> control = cncsub.controls["gsk-928te"]
+>>> list(control.absent), {"macros"} & {rule.group for rule in control.rules}
+(['macros'], set())
+>>> control.replace(max_loops=2)
+Traceback (most recent call last):
+ValueError: gsk-928te has no rules of macros, such as max_loops: general knowledge: no macro statements
+)";
 constexpr const char* kVariableOptions = R"(Variables that a shop buys, by the name of the option.
 
 Each has `meaning`, `numbers`, `fitted` (whether the control as it is set has them all), `source`,
@@ -310,6 +322,16 @@ void add_controls(py::module_& m) {
                                  rows[i] = py::cast(list[i]);
                                return rows;
                              })
+      .def_property_readonly(
+          "absent",
+          [](const Control& c) {
+            py::dict rows;
+            for (const AbsentGroup& group : c.absent)
+              rows[py::str(std::string(to_string(group.group)))] =
+                  py::make_tuple(group.source, std::string(to_string(group.evidence)));
+            return rows;
+          },
+          kAbsent)
       .def_property_readonly("parameters",
                              [](const Control& c) {
                                py::dict rows;

@@ -128,6 +128,7 @@ def sources_of(control: Control) -> list[Source]:
     """The sources that the facts of a control cite, in the order of `sources`."""
     texts = {rule.source for rule in control.rules}
     texts |= {source for rule in control.rules for source, _ in rule.sources.values()}
+    texts |= {source for source, _ in control.absent.values()}
     texts |= {parameter.source for parameter in control.parameters.values()}
     texts |= {option.source for option in control.variable_options.values()}
     texts |= {alarm.source for alarm in control.alarms.values()}

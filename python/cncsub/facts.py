@@ -88,6 +88,10 @@ def control_facts(control: cncsub.Control) -> dict[str, Any]:
             }
             for rule in control.rules
         ],
+        "absent": {
+            group: {"source": source, "evidence": evidence}
+            for group, (source, evidence) in control.absent.items()
+        },
         "parameters": [
             {
                 "name": parameter.name,

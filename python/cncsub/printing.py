@@ -116,6 +116,9 @@ def print_control(console: Console, control: cncsub.Control) -> None:
     console.print(Text(f"{control.title} ({control.name})", style="bold"))
     rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
     _print_facts(console, "Rules", rules)
+    for group, (source, evidence) in control.absent.items():
+        console.print(Text.assemble(("  no rules of ", ""), (group, "cyan")))
+        console.print(Text(f"      [{source}; {evidence}]", style="dim"))
     parameters = (
         (
             f"{p.name} = {p.value:g}",

@@ -88,7 +88,7 @@ def kin(name: str) -> list[str]:
     """The controls that answer most rules as this one does."""
     own = answers(name)
     others = (other for other in cncsub.controls if other != name)
-    return [o for o in others if sum(answers(o)[r] != own[r] for r in own) <= APART * len(own)]
+    return [o for o in others if sum(answers(o).get(r) != own[r] for r in own) <= APART * len(own)]
 
 
 @functools.cache
@@ -127,7 +127,9 @@ def notices(case: Case, control: cncsub.Control, word: str) -> bool:
 def mutants(control: cncsub.Control, word: str) -> Iterator[cncsub.Control]:
     """The control with another value of the rule, for each value worth trying."""
     name, _, entry = word.partition(":")
-    rule = next(rule for rule in control.rules if rule.name == name)
+    rule = next((rule for rule in control.rules if rule.name == name), None)
+    if rule is None:  # of a group that the control does not have
+        return
     if entry:
         there = entry in str(rule.value).split()
         yield control.replace(**{name: f"-{entry}" if there else entry})
@@ -158,7 +160,7 @@ def _other_lists(rule: Any) -> Iterator[str]:
     entries = rule.value.split() if separator else list(rule.value)
     for entry in dict.fromkeys(entries):
         yield separator.join(other for other in entries if other != entry)
-    yield from sorted({str(answers(control)[rule.name]) for control in cncsub.controls})
+    yield from sorted({str(answers(control).get(rule.name, "")) for control in cncsub.controls})
 
 
 def passes(case: Case, control: cncsub.Control) -> bool:

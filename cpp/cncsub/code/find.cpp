@@ -141,7 +141,7 @@ Address Code::last_of(const Program& program, std::int64_t n, Address before) co
 }
 
 Address Code::jump_target(const Program& program, std::int64_t n, Address from) const {
-  if (control->macros.jump_search.value == JumpSearch::ForwardThenHead) {
+  if (control->calls.jump_search.value == JumpSearch::ForwardThenHead) {
     const Address next = next_of(program, n, from);
     if (next != kNowhere) return next;
   }

@@ -240,6 +240,14 @@ void follow_rule(Rule<T>& rule, const T& before, const std::string& source, Evid
     rule = {rule.value, source, evidence};
 }
 
+/// Why the control has no rule of this name, where its group is absent.
+Wrong no_such_rule(const Control& control, RuleGroup group, std::string_view rule) {
+  const AbsentGroup* const absent = control.lacks(group);
+  if (absent == nullptr) return std::nullopt;
+  return control.name + " has no rules of " + std::string(to_string(group)) + ", such as " +
+         std::string(rule) + ": " + absent->source;
+}
+
 /// Somebody gave the answer; of a set only what came or went is theirs.
 template <class T>
 void set_source(Rule<T>& rule, [[maybe_unused]] const T& before, const std::string& source,
@@ -254,19 +262,56 @@ void set_source(Rule<T>& rule, [[maybe_unused]] const T& before, const std::stri
 
 }  // namespace
 
-std::vector<RuleView> rules(const Control& control) {
-  return {
-#define RULE(group, type, name, standard, meaning) \
-  view<type>(#name, #group, meaning, control.group.name, standard),
+std::string_view to_string(RuleGroup group) {
+  static constexpr std::string_view kNames[] = {
+#define GROUP(Type, name, meaning) #name,
+#define END_GROUP(Type, name)
+#define RULE(group, type, name, value, meaning)
 #include "cncsub/control/rules.def"
   };
+  return kNames[static_cast<std::size_t>(group)];
+}
+
+const AbsentGroup* Control::lacks(RuleGroup group) const {
+  const auto found = std::find_if(absent.begin(), absent.end(),
+                                  [group](const AbsentGroup& of) { return of.group == group; });
+  return found == absent.end() ? nullptr : &*found;
+}
+
+void leave_out(Control& control, RuleGroup group, const std::string& source, Evidence evidence) {
+  control.absent.push_back({group, source, evidence});
+#define GROUP(Type, name, meaning) \
+  if (group == RuleGroup::Type) control.name = Type();
+#define END_GROUP(Type, name)
+#define RULE(group, type, name, value, meaning)
+#include "cncsub/control/rules.def"
+  if (group != RuleGroup::MacroRules) return;
+  // No statement is one of the control's, so none is read and asked about.
+  control.macros.statements.value = {};
+  control.macros.functions.value = {};
+  control.macros.short_functions.value = false;
+}
+
+std::vector<RuleView> rules(const Control& control) {
+  std::vector<RuleView> all;
+#define GROUP(Type, name, meaning) if (control.lacks(RuleGroup::Type) == nullptr) {
+#define END_GROUP(Type, name) }
+#define RULE(group, type, name, standard, meaning) \
+  all.push_back(view<type>(#name, #group, meaning, control.group.name, standard));
+#include "cncsub/control/rules.def"
+  return all;
 }
 
 std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
                                     const RuleValue& value, const std::string& source,
                                     Evidence evidence) {
+#define GROUP(Type, name, meaning) \
+  {                                \
+    constexpr auto kGroup = RuleGroup::Type;
+#define END_GROUP(Type, name) }
 #define RULE(group, type, name, default_value, meaning)                   \
   if (rule_name == #name) {                                               \
+    if (auto none = no_such_rule(control, kGroup, #name)) return none;    \
     const type before = control.group.name.value;                         \
     auto wrong = assign(control, #name, control.group.name, value);       \
     if (!wrong) set_source(control.group.name, before, source, evidence); \
@@ -322,6 +367,7 @@ void judge(Control& c) {
   weaken(c.group.name.source, c.group.name.evidence); \
   for (EntrySource& told : c.group.name.entries) weaken(told.source, told.evidence);
 #include "cncsub/control/rules.def"
+  for (AbsentGroup& group : c.absent) weaken(group.source, group.evidence);
   for (Parameter& p : c.parameters) weaken(p.source, p.evidence);
   for (VariableRange& v : c.variables) weaken(v.source, v.evidence);
   for (VariableOption& option : c.variable_choices) weaken(option.source, option.evidence);

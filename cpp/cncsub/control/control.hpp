@@ -233,6 +233,22 @@ struct CodeCall {
 #define RULE(group, type, name, value, meaning) Rule<type> name{value};
 #include "cncsub/control/rules.def"
 
+/// Their groups.
+enum class RuleGroup : std::uint8_t {
+#define GROUP(Type, name, meaning) Type,
+#define END_GROUP(Type, name)
+#define RULE(group, type, name, value, meaning)
+#include "cncsub/control/rules.def"
+};
+std::string_view to_string(RuleGroup group);  // "calls"
+
+/// A group of rules that a control does not have, and who says so.
+struct AbsentGroup {
+  RuleGroup group{};
+  std::string source;
+  Evidence evidence = Evidence::Inferred;
+};
+
 struct Control {
   std::string name;             // "gsk-988ta"
   std::string title;            // "GSK 988TA lathe"
@@ -242,6 +258,8 @@ struct Control {
 #define END_GROUP(Type, name)
 #define RULE(group, type, name, value, meaning)
 #include "cncsub/control/rules.def"
+
+  std::vector<AbsentGroup> absent;  // their rules are not answered, leave_out takes them away
 
   std::vector<Parameter> parameters;
   std::vector<VariableRange> variables;  // besides the commons
@@ -253,12 +271,18 @@ struct Control {
   std::string user_alarm_number;  // the one number of all user alarms ("P277"), or empty
 
   const AlarmEntry* alarm(Cause cause) const;
+  /// A group that the control does not have, null where it has it.
+  const AbsentGroup* lacks(RuleGroup group) const;
   /// The value of a parameter, 0 where the control has none of this name.
   double parameter(std::string_view parameter_name) const;
   /// Sets a parameter of the control and lets it have its effect on the rules. Returns what is
   /// wrong with the name or the value, or nothing.
   std::optional<std::string> set_parameter(const std::string& parameter_name, double value);
 };
+
+/// The control does not have this group of rules: nobody is told of one or may set it, and the
+/// engine meets nothing that it would be asked about.
+void leave_out(Control& control, RuleGroup group, const std::string& source, Evidence evidence);
 
 /// The answers of a control without their sources.
 struct Answers {

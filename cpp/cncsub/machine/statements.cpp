@@ -95,7 +95,7 @@ bool jump_by_goto(Run& run, const Statement& statement) {
     double value = 0;
     if (!evaluate(run, statement.variable, value)) return false;
     const double rounded = is_vacant(value) ? 0 : std::round(value);
-    const int most = run.control().macros.max_jump_number.value;
+    const int most = run.control().calls.max_jump_number.value;
     if (rounded < 1 || rounded > most)
       return alarm(run, {Cause::IllegalJumpNumber, statement.variable_at, statement.variable_width,
                          "GOTO takes 1 to " + std::to_string(most)});

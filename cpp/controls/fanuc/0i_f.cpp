@@ -30,7 +30,7 @@ Control fanuc_0i_f() {
   c.reading.max_program_number = {99999999, kKnown, Inferred};
   c.reading.max_sequence_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}),
                                    Inferred};
-  c.macros.max_jump_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}),
+  c.calls.max_jump_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}),
                               Inferred};
   c.reading.max_digits = {9, kKnown, Inferred};
   c.reading.g_codes = {kCodes0iF, cite({k0iMd, kReg, kCncs, "the rest general knowledge"}),

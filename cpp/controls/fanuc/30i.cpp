@@ -55,7 +55,7 @@ Control fanuc_30i() {
   Control c = fanuc_0i_f();
   c.title = "FANUC Series 30i/31i/32i";
   c.reading.max_sequence_number = {99999999, cite({kAlm, "PS1128"}), Secondary};
-  c.macros.max_jump_number = {99999999, cite({kAlm, "PS1128"}), Secondary};
+  c.calls.max_jump_number = {99999999, cite({kAlm, "PS1128"}), Secondary};
   c.calls.max_repeats = {99999999, kKnown, Inferred};
   c.reading.g_codes = {kCodes30i, cite({kReg, kCncs, kAlm, "the rest general knowledge"}),
                        Inferred};

@@ -90,9 +90,9 @@ void macro_statements(Control& c) {
   c.macros.if_form = {IfForm::GotoThen, cite({kXGo, kFin}), Secondary};
   c.macros.loop_form = {LoopForm::DoEnd, cite({kXGo, kAlm}), Secondary};
   has(c.common.refuses, {Cause::JumpInMdi}, cite({kAlm, "0123"}), Secondary);
-  c.macros.jump_search = {JumpSearch::ForwardThenHead, cite({kFin, "the order is policy"}),
-                          Inferred};
-  c.macros.max_jump_number = {99999, kXGo, Secondary};
+  c.calls.jump_search = {JumpSearch::ForwardThenHead, cite({kFin, "the order is policy"}),
+                         Inferred};
+  c.calls.max_jump_number = {99999, kXGo, Secondary};
   c.macros.max_loop_number = {3, cite({kAlm, kIso}), Secondary};
   c.macros.max_loops = {3, cite({kKnown, kIso}), Inferred};
   c.macros.loops_count_across_calls = {false, kPolicy, Inferred};
@@ -114,10 +114,10 @@ void macro_statements(Control& c) {
 }
 
 void macro_calls(Control& c) {
-  c.calls.codes_not_with_macro_call = {
+  c.macros.codes_not_with_macro_call = {
       "", "general knowledge: G as an argument is illegal-argument", Inferred};
-  c.calls.m_codes_not_with_macro_call = {"", "general knowledge: M is the argument #13", Inferred};
-  c.calls.codes_not_with_modal_call = {
+  c.macros.m_codes_not_with_macro_call = {"", "general knowledge: M is the argument #13", Inferred};
+  c.macros.codes_not_with_modal_call = {
       "", "general knowledge: G as an argument is illegal-argument", Inferred};
   give_role(c.calls.roles, "G65", Role::MacroCall, cite({kSource002, kPb304}), SourceDocument);
   no_role(c.calls.roles, {"G66.1"}, kKnown, Inferred);

@@ -76,64 +76,15 @@ void call_928(Control& c) {
   c.calls.codes_not_with_call = {"", kPolicy, Inferred};
 }
 
-/// The 928TE has none of these: its jumps are M97, and the r variables of the 928T are of another
-/// kind.
-void no_statements(Control& c) {
-  const std::string none = kGeneral + ": no macro statements";
-  c.macros.statements = {"", none, Inferred};
-  c.macros.statements.tell("GOTO", k001 + "jumps are M97", SourceDocument);
-  c.macros.commons = {"", none, Inferred};
-  c.macros.variable_options = {"", none, Inferred};
-  c.macros.if_form = {IfForm::GotoThen, none, Inferred};
-  c.macros.loop_form = {LoopForm::DoEnd, none, Inferred};
-  has(c.common.refuses, {Cause::JumpInMdi}, none, Inferred);
-  c.macros.jump_search = {JumpSearch::FromHead, kPolicy + "; source 001 has two blocks N0140",
-                          Inferred};
-  c.macros.max_jump_number = {9999, k001 + "N of four digits", SourceDocument};
-  c.macros.max_loop_number = {3, none, Inferred};
-  c.macros.max_loops = {3, none, Inferred};
-  c.macros.loops_count_across_calls = {false, none, Inferred};
-  c.macros.max_ifs = {10, none, Inferred};
-  c.macros.max_brackets = {5, none, Inferred};
-  c.macros.angle_unit = {AngleUnit::Degrees, none, Inferred};
-  c.macros.atan_range = {AngleRange::FullTurn, none, Inferred};
-  c.macros.asin_range = {AngleRange::FullTurn, none, Inferred};
-  c.macros.short_functions = {false, none, Inferred};
-  c.macros.functions = {"", none, Inferred};
-  c.macros.vacant_address = {VacantAddress::Zero, none, Inferred};
-  c.macros.vacant_comparison = {VacantComparison::Zero, none, Inferred};
-  c.macros.logic_order = {LogicOrder::LikeArithmetic, none, Inferred};
-}
-
-void no_macro_calls(Control& c) {
-  const std::string none = kGeneral + ": no macro statements";
-  c.macros.max_macro_digits = {4, none, Inferred};
-  c.macros.argument_sets = {ArgumentSets::ByOrder, none, Inferred};
-  c.macros.numbered_axis_arguments = {false, none, Inferred};
-  c.macros.call_passes_words = {false, k001 + "M98 P L", SourceDocument};
-  c.macros.words_before_macro_call = {WordsBeforeMacroCall::Alarm, none, Inferred};
-  c.macros.repeated_argument = {RepeatedAddress::LastWins, none, Inferred};
-  c.macros.modal_locals = {ModalLocals::Rewritten, none, Inferred};
-  c.macros.modal_trigger = {ModalTrigger::Move, none, Inferred};
-  c.macros.second_modal_call = {SecondModal::Replaces, none, Inferred};
-  c.macros.max_modal_calls = {4, none, Inferred};
-  c.macros.cancel_alone = {CancelAlone::Alarm, none, Inferred};
-  c.macros.code_cascade = {CodeCascade::None, none, Inferred};
-  c.macros.user_alarm_offset = {0, none, Inferred};
-  c.macros.user_alarm_last = {0, none, Inferred};
-  c.macros.h99_offset = {0, none, Inferred};
-}
-
+/// Its jumps are M97, and the r variables of the 928T are of another kind.
 void no_macros_928(Control& c) {
+  const std::string none = kGeneral + ": no macro statements";
+  leave_out(c, RuleGroup::MacroRules, none, Inferred);
+  has(c.common.refuses, {Cause::JumpInMdi}, none, Inferred);
   lacks(c.common.reset_clears, {Cleared::Commons}, kPolicy, Inferred);
-  c.macros.max_constant_digits = {12, kPolicy, Inferred};
-  c.macros.max_condition_length = {0, kPolicy, Inferred};
-  c.calls.codes_not_with_macro_call = {"", "general knowledge: there are no macro calls", Inferred};
-  c.calls.m_codes_not_with_macro_call = {"", "general knowledge: there are no macro calls",
-                                         Inferred};
-  c.calls.codes_not_with_modal_call = {"", "general knowledge: there are no macro calls", Inferred};
-  no_statements(c);
-  no_macro_calls(c);
+  c.calls.jump_search = {JumpSearch::FromHead, kPolicy + "; source 001 has two blocks N0140",
+                         Inferred};
+  c.calls.max_jump_number = {9999, k001 + "N of four digits", SourceDocument};
 }
 
 }  // namespace

@@ -92,6 +92,7 @@ void calls_by_code(Control& c) {
 
 void mill_motion(Control& c) {
   c.motion.machine = {MachineType::Mill, "MDib", Manual};
+  leave_out(c, RuleGroup::TurningRules, "MDib", Manual);
   c.motion.g_meanings = {"", kKnown, Inferred};
   c.motion.unit_change = {UnitChange::Alone, "MDib 0038", Manual};
   has(c.common.refuses, {Cause::NotHomed}, "MDib 0166", Manual);
@@ -104,7 +105,6 @@ void mill_motion(Control& c) {
       "110 111 112 113 114 115 116 117 126 127 132 133 134 135 136 137 138 139 140 141 142 143 144",
       "MDib 0162", Manual};
   c.motion.pattern_codes = {"140 141 142 143 144", "MDib 0216", Manual};
-  c.turning.set_coordinate_without_tool = {false, kKnown, Inferred};
   c.motion.max_offset_number = {32, "MDib 0016", Manual};
   has(c.common.refuses, {Cause::JumpInCompensation}, "MDib 0100", Manual);
   has(c.common.refuses, {Cause::ReturnInCompensation}, "MDib 0099", Manual);
@@ -118,7 +118,6 @@ void mill_motion(Control& c) {
   c.motion.small_radius = {SmallRadius::Alarm, kTDi + "4, note 3", Secondary};
   c.motion.chamfer_words = {",C L", "MDib 0039", Manual};
   c.motion.round_words = {",R U", "MDib 0039", Manual};
-  c.turning.chamfer_length = {ChamferLength::Corner, kKnown, Inferred};
   c.motion.helix = {Helix::Everywhere, "MDib 0032", Manual};
   c.motion.measuring = {Measuring::Of5040, "MDipar 5040, 5043, 5044; TDi 17: the moves", Secondary};
   for (const auto& [name, meaning] :
@@ -129,7 +128,6 @@ void mill_motion(Control& c) {
   c.motion.skip_signals = {SkipSignals::Numbered, "MDipar 5431 to 5434: P1 to P4 have one each",
                            Manual};
   c.motion.max_skip_signals = {4, "MDipar 5431 to 5434", Manual};
-  c.turning.groove_p_diameter = {false, kKnown, Inferred};
   lacks(c.common.power_on, {PowerOn::G01}, kTDi + "2: G00", Secondary);
 }
 

@@ -84,8 +84,8 @@ void statements_980(Control& c) {
   c.macros.if_form = {IfForm::GotoThen, kTDi + "29 3.29.2 (2)", Manual};
   c.macros.loop_form = {LoopForm::DoEnd, kTDi + "29 3.29.2 (3)", Manual};
   has(c.common.refuses, {Cause::JumpInMdi}, kPolicy, Inferred);
-  c.macros.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
-  c.macros.max_jump_number = {99999, kTDi + "29 3.29.2 (1)", Manual};
+  c.calls.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
+  c.calls.max_jump_number = {99999, kTDi + "29 3.29.2 (1)", Manual};
   c.macros.max_loop_number = {3, kTDi + "29 3.29.2 (3)", Manual};
   c.macros.max_loops = {3, "inferred from TDi29: three numbers", Inferred};
   c.macros.loops_count_across_calls = {false, kGeneral, Inferred};
@@ -109,9 +109,9 @@ void statements_980(Control& c) {
 }
 
 void macros_980(Control& c) {
-  c.calls.codes_not_with_macro_call = {"43 44 49", kMDib + "115", Manual};
-  c.calls.m_codes_not_with_macro_call = {"0 1 2 30 98 99", kMDib + "116", Manual};
-  c.calls.codes_not_with_modal_call = {
+  c.macros.codes_not_with_macro_call = {"43 44 49", kMDib + "115", Manual};
+  c.macros.m_codes_not_with_macro_call = {"0 1 2 30 98 99", kMDib + "116", Manual};
+  c.macros.codes_not_with_modal_call = {
       "0 1 2 3 4 5 6.2 6.3 7.2 7.3 28 30 31 32 33 34 36 37 50 52 53 70 71 72 73 74 75 76 84 88 90 "
       "92 94",
       kMDia + "044", Manual};

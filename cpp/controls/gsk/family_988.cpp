@@ -94,8 +94,8 @@ void statements_988(Control& c) {
   c.macros.if_form = {IfForm::GotoThen, kTA + "27, example; THEN from general knowledge", Manual};
   c.macros.loop_form = {LoopForm::DoEnd, kTalm + "209, 211", Manual};
   has(c.common.refuses, {Cause::JumpInMdi}, kTalm + "208", Manual);
-  c.macros.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
-  c.macros.max_jump_number = {99999, kTalm + "213", Manual};
+  c.calls.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
+  c.calls.max_jump_number = {99999, kTalm + "213", Manual};
   c.macros.max_loop_number = {3, kTalm + "211", Manual};
   c.macros.max_loops = {3, "inferred from Talm 211", Inferred};
   c.macros.loops_count_across_calls = {false, kGeneral, Inferred};
@@ -116,11 +116,11 @@ void statements_988(Control& c) {
 }
 
 void macros_988(Control& c) {
-  c.calls.codes_not_with_macro_call = {c.reading.g_codes.value, kTA + "27 note 6; Talm 212",
-                                       Manual};
-  c.calls.m_codes_not_with_macro_call = {"", "M is the argument #13 [TA27]", Manual};
-  c.calls.codes_not_with_modal_call = {c.reading.g_codes.value, kTA + "27 note 6; Talm 212",
-                                       Manual};
+  c.macros.codes_not_with_macro_call = {c.reading.g_codes.value, kTA + "27 note 6; Talm 212",
+                                        Manual};
+  c.macros.m_codes_not_with_macro_call = {"", "M is the argument #13 [TA27]", Manual};
+  c.macros.codes_not_with_modal_call = {c.reading.g_codes.value, kTA + "27 note 6; Talm 212",
+                                        Manual};
   give_role(c.calls.roles, "G65", Role::MacroCall, kTA + "27", Manual);
   no_role(c.calls.roles, {"G66.1"}, kTA + "27 names G65, G66 and G67", Manual);
   c.macros.max_macro_digits = {4, kTA + "27, format 1 (2)", Manual};

@@ -89,8 +89,8 @@ void macro_statements(Control& c) {
   c.macros.if_form = {IfForm::Blocks, kHd, Secondary};
   c.macros.loop_form = {LoopForm::WhileEndw, kHd, Secondary};
   has(c.common.refuses, {Cause::JumpInMdi}, kPolicy, Inferred);
-  c.macros.jump_search = {JumpSearch::FromHead, kNone, Inferred};
-  c.macros.max_jump_number = {99999999, kNone, Inferred};
+  c.calls.jump_search = {JumpSearch::FromHead, kNone, Inferred};
+  c.calls.max_jump_number = {99999999, kNone, Inferred};
   c.macros.max_loop_number = {0, "HD: loops have no numbers", Secondary};
   c.macros.max_loops = {9, kHs, Inferred};
   c.macros.loops_count_across_calls = {false, kPolicy, Inferred};
@@ -111,10 +111,12 @@ void macro_statements(Control& c) {
 }
 
 void macro_calls(Control& c) {
-  c.calls.codes_not_with_macro_call = {"", "general knowledge: there are no macro calls", Inferred};
-  c.calls.m_codes_not_with_macro_call = {"", "general knowledge: there are no macro calls",
-                                         Inferred};
-  c.calls.codes_not_with_modal_call = {"", "general knowledge: there are no macro calls", Inferred};
+  c.macros.codes_not_with_macro_call = {"", "general knowledge: there are no macro calls",
+                                        Inferred};
+  c.macros.m_codes_not_with_macro_call = {"", "general knowledge: there are no macro calls",
+                                          Inferred};
+  c.macros.codes_not_with_modal_call = {"", "general knowledge: there are no macro calls",
+                                        Inferred};
   no_role(c.calls.roles, {"G65", "G66", "G67"},
           "general knowledge: M98 does what G65 does elsewhere", Inferred);
   no_role(c.calls.roles, {"G66.1"}, kKnown, Inferred);
@@ -175,6 +177,7 @@ void motion(Control& c) {
 Control hnc_21m() {
   Control c;
   c.title = "Huazhong HNC-21M";
+  leave_out(c, RuleGroup::TurningRules, "source 003, a text on milling", Inferred);
   reading(c);
   calls_and_returns(c);
   macro_statements(c);

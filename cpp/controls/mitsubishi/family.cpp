@@ -98,8 +98,8 @@ void statements(Control& c) {
   c.macros.loop_form = {LoopForm::DoEnd, kMZ + "865, 868", Secondary};
   lacks(c.common.refuses, {Cause::JumpInMdi}, kGeneral + ": only tape and DNC refuse them",
         Inferred);
-  c.macros.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
-  c.macros.max_jump_number = {99999, kIMD + "sequence numbers from 1 to 99999", Secondary};
+  c.calls.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
+  c.calls.max_jump_number = {99999, kIMD + "sequence numbers from 1 to 99999", Secondary};
   c.macros.max_loop_number = {127, kGeneral, Inferred};
   c.macros.max_loops = {27, kMZ + "867: more than 27", Secondary};
   c.macros.loops_count_across_calls = {true, kGeneral, Inferred};
@@ -133,9 +133,9 @@ void statements(Control& c) {
 }
 
 void macros(Control& c) {
-  c.calls.codes_not_with_macro_call = {"", kPolicy, Inferred};
-  c.calls.m_codes_not_with_macro_call = {"", kPolicy, Inferred};
-  c.calls.codes_not_with_modal_call = {"", kPolicy, Inferred};
+  c.macros.codes_not_with_macro_call = {"", kPolicy, Inferred};
+  c.macros.m_codes_not_with_macro_call = {"", kPolicy, Inferred};
+  c.macros.codes_not_with_modal_call = {"", kPolicy, Inferred};
   give_role(c.calls.roles, "G65", Role::MacroCall, kSM + "differences of M98 and G65", Manual);
   give_role(c.calls.roles, "G66.1", Role::ModalCallEveryBlock, kSM + "difference (6) names G66.1",
             Manual);

@@ -55,7 +55,7 @@ std::optional<Fault> MacroArguments::add(const Token& token, int& variable) {
 std::optional<Fault> MacroArguments::refused_code(const Token& token) const {
   if (token.letter != 'G' && token.letter != 'M') return std::nullopt;
   const auto code = static_cast<int>(code_index(token.operand));
-  const CallRules& rules = rules_.control.calls;
+  const MacroRules& rules = rules_.control.macros;
   const bool g = token.letter == 'G', once = meaning_.kind == CallKind::Macro;
   const auto refused = [&](Cause cause) {
     return fault_of(token, cause, "this code may not stand with a macro call");

@@ -300,7 +300,7 @@ void StatementReader::jump(Op op, Statement& statement) {
     statement.variable = *value;
   } else if (is_digit(c) || c == '-' || c == '.' || c == '+') {
     const Number number = scan_number(s_);
-    const int most = code_.control->macros.max_jump_number.value;
+    const int most = code_.control->calls.max_jump_number.value;
     if (number.points != 0)
       return refuse(Cause::IllegalDecimalPoint, at, 1, "a sequence number has no point");
     if (!number.any) return refuse(format, at, 1, "GOTO without a sequence number");

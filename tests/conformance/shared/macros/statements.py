@@ -23,7 +23,6 @@ for _text in (
 ):
     case(
         f"the 928TE, which has no macro statements, refuses {_text}", control=TE,
-        pins="statements",
         source="general knowledge: no macro statements", evidence="inferred", program=block(_text),
         runs="N10", alarm="statement-not-available", number=None, at="O1 N20",
     )

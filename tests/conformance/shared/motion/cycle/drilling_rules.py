@@ -95,7 +95,7 @@ case(
 )
 case(
     "G73 of the HNC without K draws back by half a millimetre",
-    pins="peck_retract drill_retract", control=HNC, **POLICY, setup=MILL,
+    pins="peck_retract", control=HNC, **POLICY, setup=MILL,
     program="O1\nN10 G90 G73 Z-10. R0 Q-4. F10.\nN20 M30",
     time=66.066,
 )
@@ -108,7 +108,7 @@ case(
 )
 case(
     "G83 of the HNC without K draws back by half a millimetre",
-    pins="peck_clearance drill_retract", control=HNC, **POLICY, setup=MILL,
+    pins="peck_clearance", control=HNC, **POLICY, setup=MILL,
     program="O1\nN10 G90 G83 Z-10. R0 Q-4. F10.\nN20 M30",
     time=66.198,
 )
