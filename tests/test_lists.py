@@ -16,7 +16,7 @@ def codes(control: cncsub.Control) -> list[str]:
 
 
 def stopped(control: cncsub.Control, machine: str, code: str) -> cncsub.Alarm | None:
-    text = f"O1\nN10 G{code}\nN20 M30\n"
+    text = f"N10 G{code}\nN20 M30\n"
     return cncsub.loads(text, control=control).run(setup=cncsub.Setup(machine=machine)).alarm
 
 

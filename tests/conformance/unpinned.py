@@ -14,6 +14,7 @@ F16, F0D, F0F, F30 = FANUC = ("fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30
 HNC = "hnc-21m"
 HAAS = "haas-ngc"
 LINUXCNC = "linuxcnc"
+ONE = "siemens-one"
 GSK_LATHES = (TA, T, TDI, TE)
 MILLS = (MDI, HNC, HAAS)
 EVERY = (*GSK_LATHES, MDI, *MITSUBISHI, *FANUC, HNC, HAAS)
@@ -229,6 +230,19 @@ _TABLE = _joined(
         LINUXCNC,
         "motion turning",
         "arc_tolerance arc_tolerance_inch arc_tolerance_share",
+        FAMILY_MOTION,
+    ),
+    # SINUMERIK
+    _group(
+        ONE,
+        "common reading calls macros",
+        "roles g_codes max_nesting main_return missing_end max_repeats zero_repeats power_on",
+        ANOTHER_LANGUAGE,
+    ),
+    _group(
+        ONE,
+        "motion turning",
+        "g_meanings arc_tolerance arc_tolerance_share dwell_words",
         FAMILY_MOTION,
     ),
 )

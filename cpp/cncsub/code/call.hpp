@@ -18,6 +18,7 @@ enum class CallKind : std::uint8_t {
   External,         // M198: a program of the external device
   Local,            // M97: blocks of the own program
   Labelled,         // o100 call
+  Named,            // the name of a program alone: L100, SUB
   Macro,            // G65
   Modal,            // G66
   ModalEveryBlock,  // G66.1
@@ -36,6 +37,7 @@ inline bool is_macro(CallKind kind, CodeCallKind code) {
     case CallKind::External:
     case CallKind::Local:
     case CallKind::Labelled:
+    case CallKind::Named:
       return false;
     case CallKind::Macro:
     case CallKind::Modal:

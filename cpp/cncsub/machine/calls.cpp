@@ -31,6 +31,7 @@ bool by_name(CallKind kind) {
     case CallKind::External:
     case CallKind::Local:
     case CallKind::Labelled:
+    case CallKind::Named:
     case CallKind::Macro:
     case CallKind::Modal:
     case CallKind::ModalEveryBlock:

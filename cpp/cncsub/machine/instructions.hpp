@@ -266,6 +266,11 @@ inline Fallible random_between(E e, I at, double a, double b) {
 // ---- as LinuxCNC computes ----
 
 constexpr long double kLongPi = 3.141592653589793238462643383279502884L;
+inline double compared(E, I at, double a, double b) {
+  const double apart = at.value * std::fmax(std::fabs(a), std::fabs(b));
+  return std::fabs(a - b) <= apart ? 0 : a < b ? -1 : 1;
+}
+
 constexpr double kNearly = 1e-4;  // values that differ by less are equal
 
 inline double nearly_equal(E, I, double a, double b) { return std::fabs(a - b) < kNearly ? 1 : 0; }

@@ -1,0 +1,264 @@
+// Words, assignments and messages.
+#include "cncsub/dialect/sinumerik/block.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "cncsub/dialect/sinumerik/keywords.hpp"
+
+namespace cncsub::sinumerik {
+
+namespace {
+
+constexpr int kMostM = 5;  // of a block [NCI groups; general knowledge]
+constexpr std::size_t kLongestLabel = 32, kShortestLabel = 2;  // [NCI labels: manual 4.1.5.2]
+constexpr std::string_view kAddresses = "ABCFIJKSTUVWXYZ";
+constexpr std::string_view kDropped = "DH";  // they are told, and do nothing here
+
+WordValue word_of(const Value& value, double factor = 1) {
+  return {value.computed, value.expression, value.number * factor};
+}
+
+}  // namespace
+
+bool BlockReader::refuse(Block& block, Cause cause, std::string detail, std::uint32_t at) {
+  to_.refuse(block, {cause, at, line_.width_from(at), std::move(detail)});
+  return false;
+}
+
+bool BlockReader::refuse(Block& block) {
+  if (auto fault = std::exchange(expression_.fault, std::nullopt))
+    to_.refuse(block, std::move(*fault));
+  return false;
+}
+
+bool BlockReader::not_computed(Block& block, std::string_view what, std::uint32_t at) {
+  return refuse(block, Cause::CodeNotComputed, capitals(what) + " is not computed here", at);
+}
+
+bool BlockReader::read(std::string_view text, Block& block, std::string& label, Link& link) {
+  line_.set(text, block.text);
+  expression_.begin_block();
+  if (line_.at_end()) return false;
+  skip_level(block);
+  if (!number(block)) return true;
+  take_label(label);
+  bool read_it = true;
+  if (statement(block, link, read_it)) return true;
+  Words words;
+  while (!line_.at_end())
+    if (!item(block, words)) return true;
+  write(block, words);
+  return true;
+}
+
+/// `/` and `/0` are the first switch, `/1` the one of this number.
+void BlockReader::skip_level(Block& block) {
+  while (line_.take('/')) {
+    const char level = line_.ahead(0);
+    if (is_digit(level)) line_.pass(1);
+    block.skip |= 1u << (is_digit(level) && level > '1' ? level - '0' : 1);
+  }
+}
+
+/// N10, or :10 of a main block. [802D p.133]
+bool BlockReader::number(Block& block) {
+  const std::uint32_t at = line_.offset();
+  const char c = line_.peek();
+  if ((c != 'N' && c != ':') || !is_digit(line_.ahead(1))) return true;
+  line_.pass(1);
+  const std::string_view digits = line_.take_digits();
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), block.n);
+  if (read.ec == std::errc() && block.n <= to_.control().reading.max_sequence_number.value)
+    return true;
+  block.n = -1;
+  return refuse(block, Cause::IllegalSequenceNumber, "a block number that is too large", at);
+}
+
+/// The label that begins the block: two letters or _ and more, with a colon. [NCI labels]
+void BlockReader::take_label(std::string& label) {
+  const std::string_view name = line_.name();
+  if (name.size() < kShortestLabel || name.size() > kLongestLabel || is_digit(name[1])) return;
+  if (line_.ahead(name.size()) != ':') return;
+  label = capitals(name);
+  line_.pass(name.size() + 1);
+}
+
+bool BlockReader::item(Block& block, Words& words) {
+  const std::uint32_t at = line_.offset();
+  const std::string_view name = line_.name();
+  if (name.size() > 1 && !is_digit(name[1])) return named(block, words);
+  if (!name.empty() && is_letter(name[0])) return address(block, words);
+  const bool system = line_.peek() == '$';
+  line_.pass(first_character(line_.rest()).size());
+  if (system) {
+    line_.pass(line_.name().size());
+    return not_computed(block, "a system variable", at);
+  }
+  return refuse(block, Cause::IllegalCharacter, "no word begins with this character", at);
+}
+
+/// X10, X=R1, G1, M30, L100, R1=5.
+bool BlockReader::address(Block& block, Words& words) {
+  const std::uint32_t at = line_.offset();
+  const char letter = line_.peek();
+  if (letter == 'R') return assignment(block, words);
+  if (letter == 'L') return call(block, words, line_.name());
+  line_.pass(1);
+  std::size_t digits = 0;
+  while (is_digit(line_.ahead(digits))) ++digits;
+  if (digits > 0 && line_.ahead(digits) == '=') {  // X1=10, M2=3: of an axis, or a spindle
+    line_.pass(digits + 1);
+    return not_computed(block, "an address with a number", at);
+  }
+  return word(block, words, letter, at);
+}
+
+bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at) {
+  const bool code = letter == 'G' || letter == 'M';
+  const bool known = code || kAddresses.find(letter) != std::string_view::npos;
+  if (!known && kDropped.find(letter) == std::string_view::npos)
+    return refuse(block, Cause::AddressNotUsable,
+                  std::string(1, letter) + " is no address of a block of its own", at);
+  const bool equals = line_.take('=');
+  Value value;
+  if (equals ? !expression_.value(value) : !expression_.number(value)) return refuse(block);
+  value.at = at;
+  value.width = line_.width_from(at);
+  words.any = true;
+  if (letter == 'G')
+    return equals ? refuse(block, Cause::StatementFormat, "G takes no =", at)
+                  : g_code(block, words, value);
+  if (letter == 'M') return m_code(block, words, value);
+  if (!known) {
+    words.drops.push_back({0, value.at, value.width});
+    return true;
+  }
+  if ((words.list.mask & bit(letter)) != 0)
+    return refuse(block, Cause::AddressGivenTwice, std::string("two words ") + letter, at);
+  words.list.set(letter - 'A', word_of(value), false);
+  return true;
+}
+
+bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
+  const auto code = to_whole<int>(std::round(value.number * 10));
+  if (value.number < 0 || !to_.control().reading.g_codes.value.has(code))
+    return refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at);
+  if (words.list.g_count == static_cast<int>(words.list.g.size()))
+    return refuse(block, Cause::TooManyWords, "more G codes than are read here", value.at);
+  words.list.add_g({false, 0, static_cast<double>(code)});
+  return true;
+}
+
+bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
+  if (words.list.m_count == kMostM)
+    return refuse(block, Cause::TooManyWords, "more than five M codes", value.at);
+  const int code = to_whole<int>(std::clamp(std::round(value.number), -1.0, kLargestCode));
+  const Role role = value.computed ? Role::None : to_.control().calls.roles.value.of_m(code);
+  if (role == Role::Return) {
+    words.back = value.at;
+    return true;
+  }
+  words.ends = words.ends || role == Role::End;
+  words.list.add_m(word_of(value));
+  return true;
+}
+
+bool BlockReader::assignment(Block& block, Words& words) {
+  const std::uint32_t at = line_.offset();
+  if (!is_digit(line_.ahead(1)) && line_.ahead(1) != '[') {
+    line_.pass(1);
+    return refuse(block, Cause::StatementFormat, "R without the number of a parameter", at);
+  }
+  Statement statement;
+  if (!expression_.assignment(statement)) return refuse(block);
+  words.statements.push_back(statement);
+  return true;
+}
+
+/// A word of two letters and more: CR=5, MSG("..."), BRISK, or the name of a program.
+bool BlockReader::named(Block& block, Words& words) {
+  const std::uint32_t at = line_.offset();
+  const std::string_view written = line_.name();
+  const std::string name = capitals(written);
+  if (name == "MSG") return message(block, words, at);
+  if (name == "CR") {
+    line_.pass(name.size());
+    if (!line_.take('=')) return refuse(block, Cause::MissingEquals, "CR without =", at);
+    Value value;
+    if (!expression_.value(value)) return refuse(block);
+    words.any = true;
+    words.list.set('R' - 'A', word_of(value), false);
+    return true;
+  }
+  if (is_neutral(name)) {
+    line_.pass(name.size());
+    words.drops.push_back({0, at, line_.width_from(at)});
+    words.any = true;
+    return true;
+  }
+  if (name == "RET") {
+    line_.pass(name.size());
+    if (line_.peek() == '(') return not_computed(block, "RET with values", at);
+    words.back = at;
+    return true;
+  }
+  if (!is_not_computed(name) && line_.ahead(written.size()) != '=' &&
+      line_.ahead(written.size()) != '[')
+    return call(block, words, written);
+  line_.pass(name.size());
+  return not_computed(block, name, at);
+}
+
+/// MSG("text"), and MSG() that takes it away.
+bool BlockReader::message(Block& block, Words& words, std::uint32_t at) {
+  line_.pass(3);
+  if (!line_.take('(')) return refuse(block, Cause::BracketNotOpened, "( is missing", at);
+  std::string text;
+  if (line_.take('"') && !line_.take_up_to('"', text))
+    return refuse(block, Cause::StatementFormat, "the quote is not closed", at);
+  if (!line_.take(')')) return not_computed(block, "a message of several parts", at);
+  words.print.emplace();
+  words.print->fields.push_back({.text = std::move(text)});
+  words.print->at = at;
+  return true;
+}
+
+bool BlockReader::write(Block& block, Words& words) {
+  if (words.call) return write_call(block, words);
+  for (const Drop& drop : words.drops) to_.drop(drop.at, drop.width);
+  const bool beside = !words.statements.empty() || words.print;
+  if (words.back) {
+    if (beside || words.ends)
+      return not_computed(block, "an assignment, a message or M30 beside the return", *words.back);
+    to_.words(block, words.list);
+    CallRecord back;
+    back.at = *words.back;
+    back.width = line_.width_from(back.at);
+    to_.become(block, Op::Return, std::move(back));
+    return true;
+  }
+  if (!beside) {
+    to_.words(block, words.list);
+    if (words.ends) block.op = Op::EndProgram;
+    return true;
+  }
+  if (!words.any && words.statements.size() == 1 && !words.print) {
+    to_.become(block, Op::Assign, words.statements.front());
+  } else if (!words.any && words.statements.empty()) {
+    to_.become(block, Op::Print, *words.print);
+  } else {
+    Block own = block;
+    if (words.any) {
+      to_.words(own, words.list);
+      own.op = words.ends ? Op::EndProgram : Op::Words;  // no plain move: more stands beside it
+    }
+    to_.together(block, words.statements, words.print ? &*words.print : nullptr,
+                 words.any ? &own : nullptr);
+  }
+  return true;
+}
+
+}  // namespace cncsub::sinumerik

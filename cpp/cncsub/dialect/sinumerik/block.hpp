@@ -1,0 +1,85 @@
+// A block of words, assignments and a message, a call or a statement, compiled.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cncsub/dialect/sinumerik/expression.hpp"
+
+namespace cncsub::sinumerik {
+
+/// What a block is to the other blocks of its program: what of it is known at their end.
+struct Link {
+  enum class Kind : std::uint8_t {
+    None,
+    Jump,  // GOTOF, GOTOB, GOTO, GOTOC, behind a condition or not
+    If,
+    Else,
+    EndIf,
+    While,
+    EndWhile,
+    Loop,
+    EndLoop,
+    Repeat,
+    Until
+  } kind = Kind::None;
+  char direction = '\0';     // of a jump: F, B, C, or none
+  bool conditional = false;  // IF stands before it
+  std::string target;        // its label, in capitals; empty: the number
+  std::int32_t number = -1;
+  std::uint32_t at = 0, width = 1;  // of the target
+};
+
+class BlockReader {
+ public:
+  explicit BlockReader(Builder& to) : to_(to), expression_(to, line_) {}
+
+  /// Compiles a line into `block`, whose text and line are set; its label, in capitals. False where
+  /// nothing stands there.
+  bool read(std::string_view text, Block& block, std::string& label, Link& link);
+
+ private:
+  struct Words {
+    WordList list;
+    std::vector<Statement> statements;
+    std::optional<Print> print;
+    std::vector<Drop> drops;
+    std::optional<CallRecord> call;
+    std::optional<std::uint32_t> back;  // where M17 or RET stands
+    bool any = false;
+    bool ends = false;
+  };
+
+  bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at);
+  bool refuse(Block& block);
+  bool not_computed(Block& block, std::string_view what, std::uint32_t at);
+
+  void skip_level(Block& block);
+  bool number(Block& block);
+  void take_label(std::string& label);
+
+  bool item(Block& block, Words& words);
+  bool address(Block& block, Words& words);
+  bool word(Block& block, Words& words, char letter, std::uint32_t at);
+  bool g_code(Block& block, Words& words, const Value& value);
+  bool m_code(Block& block, Words& words, const Value& value);
+  bool assignment(Block& block, Words& words);
+  bool named(Block& block, Words& words);
+  bool message(Block& block, Words& words, std::uint32_t at);
+  bool call(Block& block, Words& words, std::string_view name);
+  bool write(Block& block, Words& words);
+  bool write_call(Block& block, Words& words);
+
+  /// Whether a statement stands here; `read_it`: without a fault.
+  bool statement(Block& block, Link& link, bool& read_it);
+  bool conditional(Block& block, Link& link);
+  bool jump(Block& block, Link& link, std::string_view word, Statement jump);
+  bool end_of_statement(Block& block);
+
+  Builder& to_;
+  Line line_;
+  ExpressionReader expression_;
+};
+
+}  // namespace cncsub::sinumerik

@@ -1,0 +1,304 @@
+#include "cncsub/dialect/sinumerik/expression.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace cncsub::sinumerik {
+
+namespace {
+
+constexpr int kDeepest = 100;                // values inside each other
+constexpr double kAlike = 1e-12;             // a share by which values differ that are equal
+constexpr std::int32_t kLastNumber = 99999;  // of a parameter, more than any control has
+
+struct Function {
+  std::string_view name;
+  Ins op;
+  int values;
+};
+constexpr std::array<Function, 12> kFunctions = {{{"SIN", Ins::SineOf, 1},
+                                                  {"COS", Ins::CosineOf, 1},
+                                                  {"TAN", Ins::TangentOf, 1},
+                                                  {"ASIN", Ins::ArcSineOf, 1},
+                                                  {"ACOS", Ins::ArcCosineOf, 1},
+                                                  {"ATAN2", Ins::ArcTangentOf, 2},
+                                                  {"SQRT", Ins::Sqrt, 1},
+                                                  {"ABS", Ins::Abs, 1},
+                                                  {"TRUNC", Ins::Fix, 1},
+                                                  {"ROUND", Ins::Round, 1},
+                                                  {"LN", Ins::Ln, 1},
+                                                  {"POT", Ins::Raise, 1}}};
+
+}  // namespace
+
+// By how strong they bind, from NOT down to the comparisons. [NCI precedence: manual 4.1.3.3]
+// What begins like another comes before it.
+const ExpressionReader::Operator ExpressionReader::kOperators[] = {
+    {"*", 9, Ins::Multiply, Ins::End},
+    {"/", 9, Ins::Divide, Ins::End},
+    {"DIV", 9, Ins::Divide, Ins::Fix},
+    {"MOD", 9, Ins::Modulo, Ins::End},
+    {"+", 8, Ins::Add, Ins::End},
+    {"-", 8, Ins::Subtract, Ins::End},
+    {"AND", 4, Ins::BothTrue, Ins::End},
+    {"XOR", 3, Ins::OneTrue, Ins::End},
+    {"OR", 2, Ins::EitherTrue, Ins::End},
+    {"==", 1, Ins::Compare, Ins::Equal},
+    {"<>", 1, Ins::Compare, Ins::NotEqual},
+    {"<=", 1, Ins::Compare, Ins::LessEqual},
+    {">=", 1, Ins::Compare, Ins::GreaterEqual},
+    {"<", 1, Ins::Compare, Ins::Less},
+    {">", 1, Ins::Compare, Ins::Greater}};
+
+void ExpressionReader::begin_block() {
+  assigned_.clear();
+  assigned_any_ = false;
+  fault.reset();
+}
+
+bool ExpressionReader::wrong(Cause cause, std::string detail, std::uint32_t at) {
+  fault =
+      Fault{.cause = cause, .at = at, .width = line_.width_from(at), .detail = std::move(detail)};
+  return false;
+}
+
+bool ExpressionReader::not_computed(std::string_view what, std::uint32_t at) {
+  return wrong(Cause::CodeNotComputed, capitals(what) + " is not computed here", at);
+}
+
+void ExpressionReader::emit(Ins op, double value) {
+  to_.expressions().emit({op, 0, line_.offset(), value});
+}
+
+bool ExpressionReader::finish(Value& value, std::uint32_t first, std::uint32_t at) {
+  value.at = at;
+  value.width = line_.width_from(at);
+  value.computed = !constant_;
+  value.number = constant_.value_or(0);
+  if (value.computed)
+    value.expression = to_.expressions().end(first, at, value.width);
+  else
+    to_.expressions().take_back(first);
+  return true;
+}
+
+std::uint32_t ExpressionReader::expression_of(const Value& value) {
+  if (value.computed) return value.expression;
+  return to_.expressions().one({Ins::Constant, 0, value.at, value.number}, value.at, value.width);
+}
+
+bool ExpressionReader::number(Value& value) {
+  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  const bool minus = line_.take('-');
+  if (!minus) line_.take('+');
+  if (!read_number()) return false;
+  if (minus) constant_ = -*constant_;
+  return finish(value, first, at);
+}
+
+bool ExpressionReader::value(Value& value) {
+  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  return read(0) && finish(value, first, at);
+}
+
+bool ExpressionReader::condition(std::uint32_t& expression, bool otherwise) {
+  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  if (!read(0)) return false;
+  if (otherwise) emit(Ins::Not);
+  expression = to_.expressions().end(first, at, line_.width_from(at));
+  return true;
+}
+
+/// The operator that stands here, which is taken; null where none does.
+const ExpressionReader::Operator* ExpressionReader::next_operator() {
+  const std::string name = capitals(line_.name());
+  for (const Operator& of : kOperators)
+    if (is_letter(of.name[0]) ? name == of.name : line_.peek() != '\0' && line_.take(of.name)) {
+      if (is_letter(of.name[0])) line_.pass(name.size());
+      return &of;
+    }
+  return nullptr;
+}
+
+/// Comparisons are of the values' difference, to which their size is asked. [NCI comparisons]
+void ExpressionReader::emit_operator(const Operator& of) {
+  emit(of.first, of.first == Ins::Compare ? kAlike : 0);
+  if (of.first == Ins::Compare) emit(Ins::Constant, 0);
+  if (of.second != Ins::End) emit(of.second);
+  constant_.reset();
+}
+
+/// Operators wait for their second value until one comes that does not bind closer. Of those that
+/// bind alike the first comes first.
+bool ExpressionReader::read(int depth) {
+  if (!read_operand(depth)) return false;
+  std::vector<const Operator*> waiting;
+  while (const Operator* next = next_operator()) {
+    while (!waiting.empty() && waiting.back()->strength >= next->strength) {
+      emit_operator(*waiting.back());
+      waiting.pop_back();
+    }
+    waiting.push_back(next);
+    if (!read_operand(depth)) return false;
+    constant_.reset();
+  }
+  for (; !waiting.empty(); waiting.pop_back()) emit_operator(*waiting.back());
+  return true;
+}
+
+/// A value with its signs, which bind closest.
+bool ExpressionReader::read_operand(int depth) {
+  const std::uint32_t at = line_.offset();
+  if (depth > kDeepest)
+    return wrong(Cause::BracketsTooDeep, "more brackets than are read here", at);
+  const char c = line_.peek();
+  const std::string name = capitals(line_.name());
+  if (c == '-' || c == '+' || name == "NOT") {
+    line_.pass(name.empty() ? 1 : name.size());
+    if (!read_operand(depth + 1)) return false;
+    if (c == '+') return true;
+    if (constant_ && c == '-') constant_ = -*constant_;
+    if (c != '-') constant_.reset();
+    emit(c == '-' ? Ins::Negate : Ins::Not);
+    return true;
+  }
+  if (c == '(') return read_bracket('(', ')', depth + 1);
+  if (is_digit(c) || c == '.') return read_number();
+  if (c == '\0') return wrong(Cause::ExpressionFormat, "a value is missing", at);
+  if (c == '$') {
+    line_.pass(1);
+    line_.pass(line_.name().size());
+    return not_computed("a system variable", at);
+  }
+  if (name.empty()) return wrong(Cause::ExpressionFormat, "no value begins like this", at);
+  if (name[0] == 'R' && (name.size() == 1 ? line_.ahead(1) == '[' : is_digit(name[1])))
+    return read_parameter(depth);
+  return read_function(name, depth);
+}
+
+bool ExpressionReader::read_bracket(char open, char close, int depth) {
+  const std::uint32_t at = line_.offset();
+  if (!line_.take(open))
+    return wrong(Cause::BracketNotOpened, std::string(1, open) + " is missing", at);
+  if (!read(depth)) return false;
+  if (line_.take(close)) return true;
+  return wrong(Cause::BracketNotClosed, std::string(1, close) + " is missing", at);
+}
+
+/// 10, 10.5, .5, and 1.5EX3 for 1500.
+bool ExpressionReader::read_number() {
+  const std::uint32_t at = line_.offset();
+  std::string text(line_.take_digits());
+  if (line_.ahead(0) == '.') {
+    line_.pass(1);
+    text += '.';
+    text += line_.take_digits();
+  }
+  if (text.empty() || text == ".")
+    return wrong(Cause::AddressWithoutValue, "a number is missing", at);
+  if (line_.ahead(0) == 'E' && line_.ahead(1) == 'X') {
+    line_.pass(2);
+    text += 'e';
+    const char sign = line_.ahead(0);
+    if (sign == '-' || sign == '+') line_.pass(1);
+    if (sign == '-') text += '-';
+    text += line_.take_digits();
+  }
+  double number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || number > kLargest)
+    return wrong(Cause::ValueOutOfRange, "no number is read here", at);
+  constant_ = number;
+  emit(Ins::Constant, number);
+  return true;
+}
+
+bool ExpressionReader::parameter_number(std::string_view digits, std::uint32_t at,
+                                        VariablePlace& place, std::int32_t& number) {
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (read.ec == std::errc() && number <= kLastNumber) place = to_.code().place(number);
+  if (place.is_common()) return true;
+  return wrong(Cause::IllegalVariable,
+               "R" + std::string(digits) + " is no parameter of this control", at);
+}
+
+bool ExpressionReader::read_parameter(int depth) {
+  const std::uint32_t at = line_.offset();
+  line_.pass(1);
+  constant_.reset();
+  const auto late = [&] {
+    return wrong(Cause::CodeNotComputed,
+                 "what a parameter is to its block that assigns to it is not computed here", at);
+  };
+  if (line_.ahead(0) == '[') {
+    if (!read_bracket('[', ']', depth + 1)) return false;
+    constant_.reset();
+    emit(Ins::Indirect);
+    return (!assigned_any_ && assigned_.empty()) || late();
+  }
+  VariablePlace place;
+  std::int32_t number = 0;
+  if (!parameter_number(line_.take_digits(), at, place, number)) return false;
+  to_.expressions().emit(
+      {Ins::Common, 0, static_cast<std::uint32_t>(place.index), static_cast<double>(number)});
+  return (!assigned_any_ && !assigned_.contains(number)) || late();
+}
+
+bool ExpressionReader::read_function(std::string_view name, int depth) {
+  const std::uint32_t at = line_.offset();
+  line_.pass(name.size());
+  if (name == "TRUE" || name == "FALSE") {
+    constant_ = name == "TRUE" ? 1 : 0;
+    emit(Ins::Constant, *constant_);
+    return true;
+  }
+  for (const Function& of : kFunctions) {
+    if (of.name != name) continue;
+    if (!line_.take('(')) return wrong(Cause::BracketNotOpened, "( is missing", at);
+    for (int i = 0; i < of.values; ++i) {
+      if (i > 0 && !line_.take(','))
+        return wrong(Cause::MissingComma, "a second value is missing", at);
+      if (!read(depth + 1)) return false;
+    }
+    if (!line_.take(')')) return wrong(Cause::BracketNotClosed, ") is missing", at);
+    constant_.reset();
+    if (of.op == Ins::Raise) emit(Ins::Constant, 2);  // POT: the square
+    emit(of.op);
+    return true;
+  }
+  return not_computed(name, at);
+}
+
+/// What is on the left, its value, and only then is it assigned to: R1=R1+1.
+bool ExpressionReader::assignment(Statement& statement) {
+  const std::uint32_t at = line_.offset();
+  std::int32_t number = -1;
+  statement.variable_at = at;
+  line_.pass(1);  // R
+  if (line_.ahead(0) == '[') {
+    const std::uint32_t first = to_.expressions().next();
+    if (!read_bracket('[', ']', 0)) return false;
+    statement.target = Statement::Target::Indirect;
+    statement.variable = to_.expressions().end(first, at, line_.width_from(at));
+  } else {
+    VariablePlace place;
+    if (!parameter_number(line_.take_digits(), at, place, number)) return false;
+    statement.target = Statement::Target::Common;
+    statement.index = place.index;
+  }
+  statement.variable_width = line_.width_from(at);
+  if (!line_.take('='))
+    return wrong(Cause::MissingEquals, "R1 stands alone: write R1=5, or X=R1", at);
+  Value assigned;
+  if (!value(assigned)) return false;
+  statement.expression = expression_of(assigned);
+  statement.at = assigned.at;
+  statement.width = assigned.width;
+  if (number >= 0)
+    assigned_.insert(number);
+  else
+    assigned_any_ = true;
+  return true;
+}
+
+}  // namespace cncsub::sinumerik

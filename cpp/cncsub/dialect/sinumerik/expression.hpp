@@ -1,0 +1,69 @@
+// Values: 10.5, R1, R[R2 + 1], (1 + 2) * SIN(30), compiled into instructions.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/sinumerik/line.hpp"
+
+namespace cncsub::sinumerik {
+
+struct Value {
+  bool computed = false;
+  double number = 0;
+  std::uint32_t expression = 0;
+  std::uint32_t at = 0, width = 1;
+};
+
+class ExpressionReader {
+ public:
+  ExpressionReader(Builder& to, Line& line) : to_(to), line_(line) {}
+
+  /// What was read on a block before is forgotten.
+  void begin_block();
+  /// The number behind an address, with its sign.
+  bool number(Value& value);
+  /// The expression behind =.
+  bool value(Value& value);
+  /// The expression of a condition; `otherwise`: of its contrary.
+  bool condition(std::uint32_t& expression, bool otherwise = false);
+  /// R1=5, R[R2]=R1+1.
+  bool assignment(Statement& statement);
+  /// The expression of a value, of a number too.
+  std::uint32_t expression_of(const Value& value);
+
+  std::optional<Fault> fault;  // why what was asked for last does not stand here
+
+ private:
+  struct Operator {
+    std::string_view name;
+    int strength;
+    Ins first, second;  // what computes it; End where one instruction does
+  };
+  static const Operator kOperators[];
+
+  bool read(int depth);
+  bool read_operand(int depth);
+  bool read_number();
+  bool read_parameter(int depth);
+  bool read_function(std::string_view name, int depth);
+  bool read_bracket(char open, char close, int depth);
+  const Operator* next_operator();
+  void emit_operator(const Operator& of);
+  bool parameter_number(std::string_view digits, std::uint32_t at, VariablePlace& place,
+                        std::int32_t& number);
+  bool wrong(Cause cause, std::string detail, std::uint32_t at);
+  bool not_computed(std::string_view what, std::uint32_t at);
+  bool finish(Value& value, std::uint32_t first, std::uint32_t at);
+  void emit(Ins op, double value = 0);
+
+  Builder& to_;
+  Line& line_;
+  std::set<std::int32_t> assigned_;  // parameters that the block has assigned to
+  bool assigned_any_ = false;        // one of a computed number among them
+  std::optional<double> constant_;   // the value is this number and nothing else
+};
+
+}  // namespace cncsub::sinumerik

@@ -1,0 +1,54 @@
+#include "cncsub/dialect/sinumerik/line.hpp"
+
+#include <algorithm>
+
+namespace cncsub::sinumerik {
+
+std::string_view name_in(std::string_view text) {
+  if (text.empty() || is_digit(text[0])) return {};
+  const auto ends = [](char c) { return !is_letter(c) && !is_digit(c) && c != '_'; };
+  const auto end = std::find_if(text.begin(), text.end(), ends);
+  return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+}
+
+std::string capitals(std::string_view name) {
+  std::string capital(name);
+  for (char& c : capital) c = upper(c);
+  return capital;
+}
+
+std::size_t before_comment(std::string_view text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (text[i] == ';' && !quoted) return i;
+  }
+  // A quote that is not closed hides no comment.
+  return quoted ? std::min(text.find(';'), text.size()) : text.size();
+}
+
+bool Line::take(std::string_view characters) {
+  peek();
+  for (std::size_t i = 0; i < characters.size(); ++i)
+    if (ahead(i) != characters[i]) return false;
+  pass(characters.size());
+  return true;
+}
+
+std::string_view Line::take_digits() {
+  const std::string_view here = rest();
+  const auto end = std::find_if_not(here.begin(), here.end(), is_digit);
+  const std::string_view digits = here.substr(0, static_cast<std::size_t>(end - here.begin()));
+  if (!digits.empty()) pass(digits.size());
+  return digits;
+}
+
+bool Line::take_up_to(char close, std::string& text) {
+  const std::size_t end = rest().find(close);
+  if (end == std::string_view::npos) return false;
+  text = rest().substr(0, end);
+  pass(end + 1);
+  return true;
+}
+
+}  // namespace cncsub::sinumerik

@@ -1,0 +1,51 @@
+// What is known of a program's jumps and control structures once all its blocks are read.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "cncsub/dialect/sinumerik/block.hpp"
+
+namespace cncsub::sinumerik {
+
+class Structure {
+ public:
+  explicit Structure(Builder& to) : to_(to) {}
+
+  void begin() {
+    labels_.clear();
+    links_.clear();
+  }
+  /// The block that is appended next.
+  void add(const std::string& label, const Link& link);
+  /// The last program of the builder has ended.
+  void match();
+
+ private:
+  struct Met {
+    Address address;
+    Link link;
+  };
+  struct Open {
+    Address address;
+    Link::Kind kind;
+    Address other = kNowhere;  // of an IF: its ELSE
+  };
+
+  void match(const Met& met);
+  void close(const Met& met, Link::Kind opener);
+  void match_else(Address address);
+  void resolve(const Met& met);
+  Address target(const Met& met);
+  bool runs(Address address, Op op) { return to_.block(address).op == op; }
+  Statement& statement(Address address) { return to_.record<Statement>(to_.block(address).aux); }
+  void refuse(Address address, Cause cause, const char* detail);
+
+  Builder& to_;
+  std::unordered_map<std::string, std::vector<Address>> labels_;
+  std::vector<Met> links_;
+  std::vector<Open> open_;
+};
+
+}  // namespace cncsub::sinumerik

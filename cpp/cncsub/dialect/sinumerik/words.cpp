@@ -1,0 +1,112 @@
+// The words of a block as they are written: a statement is one with all that stands behind it, and
+// so is an address with its expression.
+#include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/sinumerik/line.hpp"
+
+namespace cncsub {
+
+namespace sinumerik {
+
+namespace {
+
+constexpr std::string_view kStatements[] = {"GOTO", "GOTOB", "GOTOC", "GOTOF",  "IF",  "WHILE",
+                                            "FOR",  "CASE",  "UNTIL", "REPEAT", "DEF", "PROC"};
+constexpr std::string_view kBetween[] = {"DIV", "MOD", "AND", "OR", "XOR", "TO", "B_AND", "B_OR"};
+
+template <class List>
+bool is_in(const List& list, std::string_view word) {
+  for (const std::string_view of : list)
+    if (of == word) return true;
+  return false;
+}
+
+/// What stands in brackets, with them.
+void pass_bracket(Line& line, char open, char close) {
+  int depth = 0;
+  for (char c = line.peek(); c != '\0'; c = line.peek()) {
+    line.pass(1);
+    depth += c == open ? 1 : c == close ? -1 : 0;
+    if (depth == 0) return;
+  }
+}
+
+void pass_operand(Line& line) {
+  while (line.peek() == '-' || line.peek() == '+' || capitals(line.name()) == "NOT")
+    line.pass(line.name().empty() ? 1 : line.name().size());
+  if (line.take('$')) line.peek();
+  if (!line.name().empty())
+    line.pass(line.name().size());
+  else
+    while (is_digit(line.ahead(0)) || line.ahead(0) == '.') line.pass(1);
+  if (line.ahead(0) == 'E' && line.ahead(1) == 'X') line.pass(line.name().size());
+  if (line.ahead(0) == '(') pass_bracket(line, '(', ')');
+  if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
+}
+
+/// An expression: operands as long as operators stand between them.
+void pass_expression(Line& line) {
+  for (;;) {
+    pass_operand(line);
+    const char c = line.peek();
+    if (is_in(kBetween, capitals(line.name())))
+      line.pass(line.name().size());
+    else if (c != '\0' && std::string_view("+-*/<>=").find(c) != std::string_view::npos)
+      line.pass(1);
+    else
+      return;
+  }
+}
+
+void pass_word(Line& line, WrittenWord& word) {
+  const std::string_view name = line.name();
+  const std::string capital = capitals(name);
+  if (is_in(kStatements, capital)) {
+    line.pass(line.rest().size());
+  } else if (name.size() > 1 && !is_digit(name[1])) {
+    line.pass(name.size());
+    if (line.ahead(0) == ':') return line.pass(1);
+    if (line.ahead(0) == '(') pass_bracket(line, '(', ')');
+    if (line.take('=')) pass_expression(line);
+  } else if (!name.empty()) {
+    word.address = capital.substr(0, 1);
+    line.pass(1);
+    const std::string_view here = line.rest();
+    Scanner ahead{here.data(), here.data() + here.size(), here.data()};
+    take_number(ahead, word);
+    if (line.ahead(0) == '-' || line.ahead(0) == '+') line.pass(1);
+    while (is_digit(line.ahead(0)) || line.ahead(0) == '.') line.pass(1);
+    if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
+    if (line.peek() != '=') return;
+    line.pass(1);
+    word.known = false;
+    pass_expression(line);
+  } else {
+    const std::string_view first = first_character(line.rest());
+    word.address = first;
+    line.pass(first.size());
+    if (first == "/" && is_digit(line.ahead(0))) line.pass(1);
+  }
+}
+
+}  // namespace
+
+}  // namespace sinumerik
+
+std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& from) {
+  using namespace sinumerik;
+  Line line;
+  line.set(block.substr(0, before_comment(block)), 0);
+  line.pass(from);
+  if (line.at_end()) return std::nullopt;
+  WrittenWord word;
+  word.at = line.offset();
+  pass_word(line, word);
+  word.width = line.width_from(word.at);
+  const std::string_view text = block.substr(word.at, word.width);
+  for (const char c : text)
+    if (!is_blank(c)) word.text += upper(c);
+  from = std::size_t{word.at} + word.width;
+  return word;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,70 @@
+"""SINUMERIK: IF, WHILE, LOOP, REPEAT."""
+
+from conformance import case
+
+ONE = "siemens-one"
+MANUAL = {"control": ONE, "source": "840Dsl p.107, control structures", "evidence": "secondary"}
+TESTS = {"control": ONE, "source": "NCI, test_jumps.py: manual 4.1.7", "evidence": "secondary"}
+KNOWN = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
+
+case(
+    "IF runs its blocks where the condition holds", **MANUAL,
+    program="N10 R1=1\nN20 IF R1==1\nN30 R2=1\nN40 ELSE\nN50 R2=2\nN60 ENDIF\nN70 M30", runs="N10 N20 N30 N40 N60 N70",
+)
+case(
+    "and those behind ELSE where it does not", **MANUAL,
+    program="N20 IF R1==1\nN30 R2=1\nN40 ELSE\nN50 R2=2\nN60 ENDIF\nN70 M30", runs="N20 N50 N60 N70", vars={2: 2},
+)
+case(
+    "IF stands inside IF", **MANUAL,
+    program="N10 IF R1==0\nN20 IF R2==1\nN30 R3=1\nN40 ENDIF\nN50 ELSE\nN60 R3=2\nN70 ENDIF\nN80 M30",
+    runs="N10 N20 N40 N50 N70 N80",
+)
+case(
+    "WHILE asks before each pass", **KNOWN,
+    program="N10 WHILE R1<2\nN20 R1=R1+1\nN30 ENDWHILE\nN40 M30", runs="(N10 N20 N30)*2 N10 N40", vars={1: 2},
+)
+case(
+    "LOOP has no end but a jump out of it", **TESTS,
+    program="N10 R1=0\nN20 LOOP\nN30 R1=R1+1\nN40 IF R1>=3 GOTOF DONE\nN50 ENDLOOP\nN60 DONE: M30",
+    runs="N10 (N20 N30 N40 N50)*2 N20 N30 N40 N60",
+)
+case(
+    "REPEAT asks behind each pass", **KNOWN,
+    program="N10 REPEAT\nN20 R1=R1+1\nN30 UNTIL R1>=2\nN40 M30", runs="(N10 N20 N30)*2 N40",
+)
+case(
+    "a jump leaves a branch", **TESTS,
+    program="N10 R1=1\nN20 IF R1==1\nN30 GOTOF DONE\nN40 ENDIF\nN50 R2=9\nN60 DONE: M30", runs="N10 N20 N30 N60",
+)
+case(
+    "an IF without ENDIF", **KNOWN, program="N10 IF R1==1\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
+)
+case(
+    "an ENDIF without IF", **KNOWN, program="N10 ENDIF\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
+)
+case(
+    "an ELSE without IF", **KNOWN, program="N10 ELSE\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
+)
+case(
+    "a loop without its end", **KNOWN, program="N10 WHILE R1==1\nN20 M30", runs="", alarm="missing-end", at="MAIN N10",
+)
+case(
+    "an end without its loop", **KNOWN, program="N10 ENDLOOP\nN20 M30", runs="", alarm="missing-do", at="MAIN N10",
+)
+case(
+    "a loop does not cross a branch", **KNOWN,
+    program="N10 LOOP\nN20 IF R1==0\nN30 ENDLOOP\nN40 ENDIF\nN50 M30", runs="", alarm="missing-end", at="MAIN N10",
+)
+case(
+    "nothing stands behind a statement", **KNOWN,
+    program="N10 LOOP X5\nN20 ENDLOOP\nN30 M30", runs="", alarm="statement-format", at="MAIN N10", word="X5",
+)
+case(
+    "FOR is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
+    program="N10 FOR R1=1 TO 3\nN20 ENDFOR\nN30 M30", runs="", alarm="code-not-computed", at="MAIN N10",
+)
+case(
+    "nor is the repetition of a part of a program", control=ONE, source="policy, nobody says", evidence="inferred",
+    program="N10 LAB: G0 X1\nN20 REPEAT LAB P=2\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
+)

@@ -1,0 +1,95 @@
+"""SINUMERIK: blocks, words and moves."""
+
+from conformance import case
+
+ONE = "siemens-one"
+GROUPS = {"control": ONE, "source": "NCI, ggroups.json: the G groups of the manual", "evidence": "secondary"}
+KNOWN = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
+POLICY = {"control": ONE, "source": "policy, nobody says", "evidence": "inferred"}
+
+case(
+    "a semicolon begins a comment, and brackets begin none", **KNOWN,
+    program="N10 G0 X1 ; X2\n; X3\nN20 X(1+1)\nN30 M30", runs="N10", alarm="address-without-value", at="MAIN N20",
+)
+case(
+    "an address takes a number, or = and an expression", **KNOWN,
+    program="N10 R1=2\nN20 G0 X=R1*3 Y-1.5 Z=-(R1+1)\nN30 M30", moves="R X6 Y-1.5 Z-3",
+)
+case(
+    "a length without a point is millimetres", **KNOWN, program="N10 G0 X10\nN20 M30", moves_x=[10],
+)
+case(
+    "G1 is in force at power-on", pins="power_on:G01", **KNOWN,
+    program="N10 X10 F100\nN20 M30", moves="F X10",
+)
+case(
+    "CR is the radius of an arc, negative for the long way", **KNOWN,
+    program="N10 G0 X0 Y0\nN20 G2 X10 Y0 CR=5 F100\nN30 G3 X0 Y0 I-5 J0\nN40 M30", moves="R X0 Y0\nCW X10 Y0 C X5 Y0\nCCW X0 Y0 C X5 Y0",
+)
+case(
+    "an end that misses its circle by more than a hundredth is 14040",
+    control=ONE, source="HSA 14040; MD 21000 is general knowledge", evidence="inferred", pins="arc_tolerance",
+    program="N10 G0 X0 Y0\nN20 G2 X2.0105 Y0 I1 J0 F100\nN30 M30",
+    runs="N10", alarm="radius-tolerance", number="14040", at="MAIN N20", word="X2.0105",
+)
+case(
+    "of a large circle a thousandth of the radius may be missed",
+    control=ONE, source="HSA 14040; MD 21010 is general knowledge", evidence="inferred", pins="arc_tolerance_share",
+    program="N10 G0 X0 Y0\nN20 G2 X200.05 Y0 I100 J0 F100\nN30 G0 X0\nN40 G2 X200.15 Y0 I100 J0\nN50 M30",
+    runs="N10 N20 N30", alarm="radius-tolerance", number="14040", at="MAIN N40", word="X200.15",
+)
+case(
+    "G71 and G70 are the units", **GROUPS, program="N10 G70 G0 X1\nN20 G71 X1\nN30 M30", moves="R X25.4\nR X1",
+)
+case(
+    "F of G4 is its seconds", pins="dwell_words", **KNOWN, program="N10 G4 F2.5\nN20 M30", time=2.5,
+)
+case(
+    "G1 ends rapid traverse", **GROUPS, program="N10 G0 X1\nN20 G1 X5 F100\nN30 M30", moves="R X1\nF X5",
+)
+case(
+    "G60 is an exact stop of the move in force", **GROUPS, program="N10 G1 G60 X5 F100\nN20 M30", moves="F X5",
+)
+case(
+    "G91 is added, G90 is not", **GROUPS, program="N10 G0 X5\nN20 G91 X1\nN30 X1\nN40 G90 X1\nN50 M30", moves_x=[5, 6, 7, 1],
+)
+case(
+    "a G code that is in no group is 12470", control=ONE, source="NCI, sinumerik-execution-model.md: 12470", evidence="secondary",
+    program="N10 G999\nN20 M30", runs="", alarm="g-code-not-available", number="12470", at="MAIN N10", word="G999",
+)
+case(
+    "five M codes stand in a block", **KNOWN, program="N10 M3 M7 M8 M20 M21\nN20 M30", m=[3, 7, 8, 20, 21, 30],
+)
+case(
+    "and no sixth", **KNOWN, program="N10 M3 M7 M8 M20 M21 M22\nN20 M30", runs="", alarm="too-many-words", at="MAIN N10", word="M22",
+)
+case(
+    "MSG shows a text", **KNOWN, program='N10 MSG("drill; then tap")\nN20 M30', messages=["drill; then tap"],
+)
+case(
+    "a slash leaves its block out, with the number of its switch", **KNOWN,
+    program="/ N10 R1=1\n/2 N20 R2=1\nN30 M30", skip=[1], runs="N20 N30",
+)
+case(
+    "a colon is the number of a main block", control=ONE, source="802D p.133, main blocks", evidence="secondary",
+    program=":10 R1=1\nN20 M30", runs="N10 N20",
+)
+case(
+    "the edge of a tool and an H are told and do nothing", **POLICY, program="N10 T1 D1 H5\nN20 M30", t=[1], dropped=["D1", "H5"],
+)
+case(
+    "so are words that say how an axis starts", **POLICY, program="N10 G0 X1 SOFT\nN20 M30", dropped=["SOFT"],
+)
+case("an address twice", **KNOWN, program="N10 G0 X1 X2\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="X2")
+case("G takes no =", **KNOWN, program="N10 G=R1\nN20 M30", runs="", alarm="statement-format", at="MAIN N10")
+case("E is no address", **KNOWN, program="N10 E5\nN20 M30", runs="", alarm="address-not-usable", at="MAIN N10", word="E5")
+case("CR needs =", **KNOWN, program="N10 G2 X1 CR 5\nN20 M30", runs="", alarm="missing-equals", at="MAIN N10")
+case("a character that begins no word", **KNOWN, program="N10 G0 #1\nN20 M30", runs="", alarm="illegal-character", at="MAIN N10", word="#1")
+for text, word in (
+    ("X=IC(5)", "X=IC(5)"), ("TRANS X10", "TRANS"), ("G41 X5", "G41"), ("G54 G500", "G500"), ("X1=5", "X1=5"), ("DEF REAL A", "DEF"),
+    ("R1=$P_UIFR", "R1=$P_UIFR"), ("MCALL HOLE", "MCALL"), ("SPOS=90", "SPOS"), ('MSG("a"<<R1)', 'MSG("a"'),
+):
+    case(
+        f"{text} is not computed, and says so", **POLICY,
+        program=f"N10 {text}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=word,
+    )
