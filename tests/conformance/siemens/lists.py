@@ -15,7 +15,7 @@ _PLANES = "17 18 19"
 _NOT_COMPUTED = """5 7 25 26 33 34 35 41 42 53 58 59 63 74 75 93 96 97 110 111 112 140 141 142 143 147 148
     153 247 248 290 291 331 332 335 336 340 341 347 348 460 461 462 500 700 710 931 942 952 961 962
     971 972 973"""
-_CHANGED = {*"5 25 26 33 41 42 53 58 59 63 74 93 96 97".split()}  # other codes with FANUC
+_CHANGED = {5, 25, 26, 33, 41, 42, 53, 58, 59, 63, 74, 93, 96, 97}  # other codes with FANUC
 
 for number in f"{_NEUTRAL} {_SYSTEMS} {_PLANES} 94 95".split():
     case(
@@ -24,6 +24,6 @@ for number in f"{_NEUTRAL} {_SYSTEMS} {_PLANES} 94 95".split():
     )
 for number in (*_NOT_COMPUTED.split(), *range(505, 600), *range(810, 830)):
     case(
-        f"G{number} of a SINUMERIK is not computed", pins="g_meanings" if str(number) in _CHANGED else "g_codes", **GROUPS,
+        f"G{number} of a SINUMERIK is not computed", pins="g_meanings" if int(number) in _CHANGED else "g_codes", **GROUPS,
         program=f"N10 G{number}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=f"G{number}",
     )
