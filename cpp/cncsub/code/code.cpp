@@ -75,17 +75,30 @@ std::uint32_t Code::label(std::int64_t number) const {
   return found == label_places.end() ? Labelled::kNone : found->second;
 }
 
-Address Code::head_from(std::uint32_t label, Address from) const {
+namespace {
+
+/// The first head from an address on, in the text that holds `text_of`.
+Address first_head(const Code& code, std::uint32_t label, Address from, Address text_of) {
+  const auto& heads = code.heads;
   const auto found = std::lower_bound(
       heads.begin(), heads.end(), from, [label](const LabelledHead& head, Address address) {
         return head.label != label ? head.label < label : head.address < address;
       });
   if (found == heads.end() || found->label != label) return kNowhere;
-  const std::int32_t at = program_at(from);
-  return programs[static_cast<std::size_t>(at)].file ==
-                 programs[static_cast<std::size_t>(program_at(found->address))].file
-             ? found->address
-             : kNowhere;
+  const auto file = [&code](Address at) {
+    return code.programs[static_cast<std::size_t>(code.program_at(at))].file;
+  };
+  return file(text_of) == file(found->address) ? found->address : kNowhere;
+}
+
+}  // namespace
+
+Address Code::head_from(std::uint32_t label, Address from) const {
+  return first_head(*this, label, from, from);
+}
+
+Address Code::head_behind(std::uint32_t label, Address at) const {
+  return first_head(*this, label, at + 1, at);
 }
 
 std::string_view Code::text_of(const Block& block, const Program& program) const {

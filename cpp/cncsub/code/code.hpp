@@ -116,6 +116,8 @@ struct Code {
   /// The nearest head of a subprogram from an address on, in the text that its program is a part
   /// of.
   Address head_from(std::uint32_t label, Address from) const;
+  /// The nearest one behind a block.
+  Address head_behind(std::uint32_t label, Address at) const;
   std::string name_of(const Program& program) const;
   std::string name_of(std::int32_t program) const {
     return name_of(programs[static_cast<std::size_t>(program)]);

@@ -111,14 +111,17 @@ void show(Alarm& alarm, std::string_view text, std::size_t at, std::uint32_t wid
   while (!alarm.word.empty() && is_blank(alarm.word.back())) alarm.word.pop_back();
 }
 
-/// A text of the list may have places for what the control puts in: {line}, {block}, {name}.
+/// A text of the list may have places for what the control puts in: {line}, {block}, {name},
+/// {file}.
 void fill_in(Alarm& alarm, std::string_view name, std::string_view block) {
   const auto put = [&alarm](std::string_view mark, std::string_view what) {
-    const std::size_t at = alarm.text.find(mark);
-    if (at != std::string::npos) alarm.text.replace(at, mark.size(), what);
+    std::size_t at = alarm.text.find(mark);
+    for (; at != std::string::npos; at = alarm.text.find(mark, at + what.size()))
+      alarm.text.replace(at, mark.size(), what);
   };
   if (alarm.text.find('{') == std::string::npos) return;
   put("{line}", std::to_string(alarm.line));
+  put("{file}", alarm.file);
   put("{name}", name);
   put("{block}", block);
 }

@@ -16,6 +16,7 @@ enum class LabelledKind : std::uint8_t {
   Back,       // M99
   Call,       // o1 call [value] ...
   Call98,     // M98 P1 L1
+  TapeEnd,    // the % behind a program: passing over comes no farther
   If,         // o1 if [value]
   ElseIf,     // o1 elseif [value]
   Else,       // o1 else
@@ -37,14 +38,20 @@ struct Labelled {
   std::uint32_t value = kNone;    // the expression of a condition, a count, a returned value
   std::uint32_t next = kNone;     // the address that passing over leads to
   std::uint32_t call = kNone;     // of a call: into Code::calls
-  std::uint32_t refused = kNone;  // of a return: the fault that it is in a call, into Code::faults
-  // What the control says where a subprogram is called, or ended, as those of another kind are.
+  // Into Code::faults: of M99 the fault that it is in a call, of endsub the one that it is outside
+  // of one after another call came back.
+  std::uint32_t refused = kNone;
+  // What the control says where a subprogram is called, or ended, as those of another kind are; at
+  // the end of a tape, that what was looked for is not there.
   const char* of_another_kind = "";
   std::uint32_t at = 0, width = 1;
 };
 
-/// Where a subprogram begins that a call finds by its label.
+/// Where a subprogram begins that a call finds by its label; with the label `kReadOnTheWay` a block
+/// that is read although it is passed over.
 struct LabelledHead {
+  static constexpr std::uint32_t kReadOnTheWay = 0xfffffffe;
+
   std::uint32_t label = 0;
   std::uint32_t address = 0;
 };

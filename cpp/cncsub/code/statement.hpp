@@ -37,7 +37,7 @@ struct HCode : Statement {
 };
 
 struct PrintField {
-  static constexpr int kPlain = -1;  // of decimals: six, and no blanks
+  static constexpr int kPlain = -1;  // of whole_digits: as many as there are, and no blanks
 
   bool is_variable = false;
   std::string text;

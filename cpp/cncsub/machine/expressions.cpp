@@ -101,6 +101,7 @@ bool evaluate_long(Run& run, const Expression& e, const Places& places, double& 
                                                   : name + " cannot be read";
   }
   Fault fault{trap.cause, inside ? trap.at : e.at, 0, std::move(detail)};
+  fault.name = trap.function;
   if (!trap.name.empty()) {
     fault.name = trap.name;
     fault.detail = "#<" + fault.name + "> has no value";

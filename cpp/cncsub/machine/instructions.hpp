@@ -26,7 +26,8 @@ struct Trap {
   const char* detail = "";
   std::int64_t variable = kNoVariable;  // the one that cannot be read
   static constexpr std::int64_t kNoVariable = std::numeric_limits<std::int64_t>::min();
-  std::string_view name = {};  // or its name
+  std::string_view name = {};      // or its name
+  std::string_view function = {};  // whose value cannot be
 };
 
 /// The expression that is being evaluated.
@@ -301,15 +302,15 @@ inline double plain_tangent(E, I, double a) {
 inline double plain_degrees(double radians) {
   return static_cast<double>(radians * 180.0L / kLongPi);
 }
+inline Fallible outside_one(E e, I at, std::string_view function) {
+  e.trap.function = function;
+  return fails(e, at, Cause::ArcSineOutOfRange, "the value is outside -1 to 1");
+}
 inline Fallible plain_arc_sine(E e, I at, double a) {
-  if (!(std::fabs(a) <= 1))
-    return fails(e, at, Cause::ArcSineOutOfRange, "the value is outside -1 to 1");
-  return plain_degrees(std::asin(a));
+  return std::fabs(a) <= 1 ? plain_degrees(std::asin(a)) : outside_one(e, at, "asin");
 }
 inline Fallible plain_arc_cosine(E e, I at, double a) {
-  if (!(std::fabs(a) <= 1))
-    return fails(e, at, Cause::ArcSineOutOfRange, "the value is outside -1 to 1");
-  return plain_degrees(std::acos(a));
+  return std::fabs(a) <= 1 ? plain_degrees(std::acos(a)) : outside_one(e, at, "acos");
 }
 inline double plain_arc_tangent(E, I, double a, double b) {
   return plain_degrees(std::atan2(a, b));

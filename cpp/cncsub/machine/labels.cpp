@@ -33,6 +33,8 @@ const char* name_of(LabelledKind kind) {
       return "call";
     case LabelledKind::Call98:
       return "M98";
+    case LabelledKind::TapeEnd:
+      return "%";
     case LabelledKind::If:
       return "if";
     case LabelledKind::ElseIf:
@@ -75,9 +77,31 @@ Fault labelled_fault(const Labelled& own, Cause cause, std::string detail) {
   return {cause, own.at, own.width, std::move(detail)};
 }
 
-Fault of_another_kind(const Labelled& own, LabelledKind kind) {
-  return labelled_fault(own, Cause::LabelOfAnotherKind,
-                        std::string("the label is one of ") + name_of(kind));
+void put(std::string& text, std::string_view mark, std::string_view what) {
+  const std::size_t at = text.find(mark);
+  if (at != std::string::npos) text.replace(at, mark.size(), what);
+}
+
+/// The label as the control calls it: that of a subprogram, behind it that of a branch or a loop.
+std::string full_name(const Run& run, std::uint32_t label) {
+  const std::vector<std::string>& labels = run.code->labels;
+  const std::uint32_t inside = run.frame().label;
+  return (inside < labels.size() ? labels[inside] : "") + "#" + labels[label];
+}
+
+/// The label was met with another statement, or one that does not belong to this.
+Fault misfit(const Run& run, const Labelled& own, Cause cause, const Labels::Met& met) {
+  const std::string line = std::to_string(run.code->blocks[met.address].line);
+  const char* kind = name_of(met.kind);
+  Fault fault =
+      labelled_fault(own, cause,
+                     cause == Cause::LabelGivenTwice ? "line " + line + " has the label already"
+                                                     : std::string("the label is one of ") + kind);
+  fault.text = own.of_another_kind;
+  fault.name = full_name(run, own.label);
+  put(fault.text, "{kind}", kind);
+  put(fault.text, "{other}", line);
+  return fault;
 }
 
 bool own_value(Run& run, const Labelled& own, double& value) {
@@ -85,11 +109,68 @@ bool own_value(Run& run, const Labelled& own, double& value) {
   return own.value == Labelled::kNone || evaluate(run, own.value, value);
 }
 
-/// Goes on at the next statement of the label.
+constexpr std::uint32_t kOnTheWay = LabelledHead::kReadOnTheWay;
+
+void set_returned(Run& run, double value, bool any) {
+  if (run.code->returned < 0) return;
+  run.state.commons[static_cast<std::size_t>(run.code->returned)] = value;
+  run.state.commons[static_cast<std::size_t>(run.code->returned) + 1] = any ? 1 : 0;
+}
+
+/// The number of an M98 and its count, vacant where it has none.
+bool read_98(Run& run, const CallRecord& record, double& p, double& l) {
+  if (!value_of(run, record.p, p) || !value_of(run, record.l, l)) return false;
+  return !(l < 0) ||
+         alarm(run, {Cause::IllegalRepeatCount, record.l.at, record.l.width, "L is negative"});
+}
+
+/// Passing over has come to a block that cannot be passed.
+bool stopped_at(Run& run, Address at, Fault fault, const std::string& sought) {
+  fault.block = at;
+  fault.name = sought;
+  return alarm(run, fault);
+}
+
+/// The values of each M98 are read on the way, and nothing passes over the end of a tape. A search
+/// stops at what cannot be read, too, and an M99 says to it that nothing was returned. [rs274 2.9]
+bool read_on_the_way(Run& run, Address first, Address to, const std::string& sought) {
+  const Address start = run.state.pc;
+  Address at = first;
+  for (; at != kNowhere && at <= to; at = run.code->head_behind(kOnTheWay, at)) {
+    const Block& block = run.code->blocks[at];
+    if (block.op == Op::Fault) {
+      if (!run.state.labels.searching) continue;
+      return stopped_at(run, at, run.code->faults[block.aux], sought);
+    }
+    const Labelled& met = run.code->labelled[block.aux];
+    if (met.kind == LabelledKind::TapeEnd) {
+      Fault fault{Cause::ProgramNotFound, met.at, met.width, "nothing lies behind the %"};
+      fault.text = met.of_another_kind;
+      return stopped_at(run, at, std::move(fault), sought);
+    }
+    if (at == to) break;
+    if (met.kind == LabelledKind::Back) {
+      if (run.state.labels.searching) set_returned(run, 0, false);
+      continue;
+    }
+    double p = 0, l = kVacant;
+    run.state.pc = at;
+    if (!read_98(run, run.code->calls[met.call], p, l)) return false;
+  }
+  run.state.pc = start;
+  return true;
+}
+
+/// Passes over to the next statement of the label.
+bool pass_over(Run& run, const Labelled& own, const std::string& sought) {
+  run.block.next = own.next;
+  const Address first = run.code->head_behind(kOnTheWay, run.state.pc);
+  return read_on_the_way(run, first, own.next, sought);
+}
+
 bool pass_on(Run& run, const Labelled& own) {
   run.state.labels.passing = true;
-  run.block.next = own.next;
-  return true;
+  return pass_over(run, own, full_name(run, own.label));
 }
 
 /// What the label was met with before; an alarm where it was not.
@@ -109,12 +190,21 @@ bool meet(Run& run, const Labelled& own, Labels::Met*& met) {
   if (met->address == kNowhere) *met = {run.state.pc, own.kind, -1};
   const bool end_of_do = own.kind == LabelledKind::While && met->kind == LabelledKind::Do;
   if (met->address == run.state.pc || end_of_do) return true;
-  return alarm(run, labelled_fault(own, Cause::LabelGivenTwice,
-                                   "line " + std::to_string(run.code->blocks[met->address].line) +
-                                       " has the label already"));
+  return alarm(run, misfit(run, own, Cause::LabelGivenTwice, *met));
 }
 
 // ---- subprograms ----
+
+Fault head_again(const Run& run, const Labelled& own, Address met) {
+  const bool same = met == run.state.pc;
+  Fault fault = labelled_fault(own, Cause::SubprogramGivenTwice,
+                               same ? "the program has run into a sub that was called before"
+                                    : "line " + std::to_string(run.code->blocks[met].line) +
+                                          " is the head of this sub already");
+  fault.name = run.code->labels[own.label];
+  if (same && own.refused != Labelled::kNone) fault.text = run.code->faults[own.refused].text;
+  return fault;
+}
 
 /// A head that is met while the main program runs is the beginning of what is passed over; one that
 /// a call leads to is entered.
@@ -131,24 +221,11 @@ bool head(Run& run, const Labelled& own) {
   if (!sub && !searched) return true;
   if (run.state.frames.size() > 1 && !searched) return true;
   auto& met = run.state.labels.met[key(kEverywhere, own.label)];
-  if (met.address != kNowhere)
-    return alarm(run,
-                 labelled_fault(own, Cause::SubprogramGivenTwice,
-                                met.address == run.state.pc
-                                    ? "the program has run into a sub that was called before"
-                                    : "line " + std::to_string(run.code->blocks[met.address].line) +
-                                          " is the head of this sub already"));
+  if (met.address != kNowhere) return alarm(run, head_again(run, own, met.address));
   met = {run.state.pc, own.kind, -1};
   if (searched) return true;
   run.state.labels.defining = true;
-  run.block.next = own.next;
-  return true;
-}
-
-void set_returned(Run& run, double value, bool any) {
-  if (run.code->returned < 0) return;
-  run.state.commons[static_cast<std::size_t>(run.code->returned)] = value;
-  run.state.commons[static_cast<std::size_t>(run.code->returned) + 1] = any ? 1 : 0;
+  return pass_over(run, own, run.code->labels[own.label]);
 }
 
 bool end_of_subprogram(Run& run, const Labelled& own) {
@@ -157,57 +234,54 @@ bool end_of_subprogram(Run& run, const Labelled& own) {
   if (!own_value(run, own, value)) return false;
   if (run.state.labels.defining) {
     set_returned(run, value, own.value != Labelled::kNone);
-    if (own.kind == LabelledKind::EndSub) {
-      run.state.labels.defining = false;
-      return true;
-    }
-    run.block.next = own.next;
+    if (own.kind != LabelledKind::EndSub) return pass_over(run, own, run.code->labels[own.label]);
+    run.state.labels.defining = run.state.labels.back = false;
     return true;
   }
   if (run.state.frames.size() == 1) {
     if (back) return return_now(run, run.code->calls[own.call], kVacant, kVacant);
+    set_returned(run, value, own.value != Labelled::kNone);
+    if (run.state.labels.back && own.kind == LabelledKind::Return) return true;
+    if (run.state.labels.back) return alarm(run, run.code->faults[own.refused]);
     return alarm(run, labelled_fault(own, Cause::ReturnInMainProgram, "no subprogram is open"));
   }
   if (back != (run.frame().kind == CallKind::Subprogram))
     return alarm(run,
                  of_another_kind(own, back ? "M99 in a sub that O call has called"
                                            : "the end of a sub in a program that M98 has called"));
-  if (own.refused != Labelled::kNone) return alarm(run, run.code->faults[own.refused]);
+  if (back && own.refused != Labelled::kNone) return alarm(run, run.code->faults[own.refused]);
   set_returned(run, value, own.value != Labelled::kNone);
   record_step(run);
+  run.state.labels.back = run.state.frames.size() == 2;
   return leave(run, run.frame().return_to);
-}
-
-/// A search reads the M99 that it passes, which says that nothing was returned. [rs274 2.9]
-void pass_returns(Run& run, Address from, Address to) {
-  for (; from < to; ++from) {
-    const Block& block = run.code->blocks[from];
-    if (block.op == Op::Labelled && run.code->labelled[block.aux].kind == LabelledKind::Back)
-      return set_returned(run, 0, false);
-  }
 }
 
 /// Where a label leads: to the head that was met last, to the file of its name, or to the next head
 /// behind the call.
-bool find_label(Run& run, const Labelled& own, std::uint32_t label, Target& target) {
+bool find_label(Run& run, const Labelled& own, std::uint32_t label, const std::string& name,
+                Target& target) {
   const auto met = run.state.labels.met.find(key(kEverywhere, label));
   if (label != Labelled::kNone && met != run.state.labels.met.end()) {
     target.start = met->second.address;
-  } else if (label != Labelled::kNone) {
+  } else {
     run.state.labels.searching = true;
-    const std::int32_t file = run.code->find(run.code->labels[label]);
+    const std::int32_t file = run.code->find(name);
     const bool of_file =
         file != kNoProgram &&
         run.code->programs[static_cast<std::size_t>(file)].inside == kNoProgram &&
         run.code->programs[static_cast<std::size_t>(file)].name_length == Program::kOfFile;
     const Address from =
         of_file ? run.code->programs[static_cast<std::size_t>(file)].first : run.state.pc;
-    target.start = run.code->head_from(label, from);
-    if (target.start != kNowhere) pass_returns(run, from, target.start);
+    if (label != Labelled::kNone) target.start = run.code->head_from(label, from);
+    const Address first =
+        of_file ? run.code->head_from(kOnTheWay, from) : run.code->head_behind(kOnTheWay, from);
+    if (!read_on_the_way(run, first, target.start, name)) return false;
   }
-  if (label == Labelled::kNone || target.start == kNowhere)
-    return alarm(run,
-                 labelled_fault(own, Cause::ProgramNotFound, "the label of the call is not there"));
+  if (target.start == kNowhere) {
+    Fault fault = labelled_fault(own, Cause::ProgramNotFound, "the label of the call is not there");
+    fault.name = name;
+    return alarm(run, fault);
+  }
   target.program = run.code->program_at(target.start);
   return true;
 }
@@ -235,22 +309,19 @@ bool labelled_call(Run& run, const Labelled& own) {
   if (auto fault = refused_here(run, record)) return alarm(run, *fault);
   double p = 0, l = kVacant;
   std::uint32_t label = own.label;
-  if (label == Labelled::kNone) {
-    if (!value_of(run, record.p, p) || !value_of(run, record.l, l)) return false;
-    label = run.code->label(to_whole<std::int64_t>(std::clamp(p, -1e9, 1e9)));
-  } else if (!value_of(run, record.l, l)) {
-    return false;
-  }
+  if (!read_98(run, record, p, l)) return false;
+  const auto number = to_whole<std::int64_t>(std::clamp(is_vacant(p) ? 0 : p, -1e9, 1e9));
+  if (label == Labelled::kNone) label = run.code->label(number);
   Target target;
   bool again = false;
-  if (l < 0)
-    return alarm(run, {Cause::IllegalRepeatCount, record.l.at, record.l.width, "L is negative"});
   if (!is_vacant(l)) again = another_pass(run.frame().passes_left, l);
   if (!is_vacant(l) && l == 0) {  // nothing is called, but the level is open [rs274 2.9]
     target.start = run.block.next;
     target.program = run.frame().program;
-  } else if (!find_label(run, own, label, target)) {
-    return false;
+  } else {
+    const bool known = label != Labelled::kNone;
+    const std::string name = known ? run.code->labels[label] : std::to_string(number);
+    if (!find_label(run, own, label, name, target)) return false;
   }
   if (again) run.block.next = run.state.pc;
   if (record.locals == CallRecord::Locals::OwnByName)
@@ -275,7 +346,8 @@ bool branch_of_if(Run& run, const Labelled& own) {
     return run.state.labels.entered || pass_on(run, own);
   }
   if (!met_before(run, own, met)) return false;
-  if (met->kind != LabelledKind::If) return alarm(run, of_another_kind(own, met->kind));
+  if (met->kind != LabelledKind::If)
+    return alarm(run, misfit(run, own, Cause::LabelOfAnotherKind, *met));
   if (own.kind == LabelledKind::EndIf) {
     run.state.labels.entered = true;
     return true;
@@ -326,7 +398,7 @@ bool end_of_loop(Run& run, const Labelled& own) {
   if (!met_before(run, own, met)) return false;
   const LabelledKind wanted =
       own.kind == LabelledKind::EndWhile ? LabelledKind::While : LabelledKind::Repeat;
-  if (met->kind != wanted) return alarm(run, of_another_kind(own, met->kind));
+  if (met->kind != wanted) return alarm(run, misfit(run, own, Cause::LabelOfAnotherKind, *met));
   if (passing && !std::exchange(run.state.labels.continues, false)) return true;
   run.block.next = met->address;
   return true;
@@ -337,7 +409,7 @@ bool leave_loop(Run& run, const Labelled& own) {
   Labels::Met* met = nullptr;
   if (!met_before(run, own, met)) return false;
   if (met->kind != LabelledKind::While && met->kind != LabelledKind::Do)
-    return alarm(run, of_another_kind(own, met->kind));
+    return alarm(run, misfit(run, own, Cause::LabelOfAnotherKind, *met));
   if (own.kind == LabelledKind::Break)
     run.state.labels.breaks = true;
   else if (!run.state.labels.passing)
@@ -361,6 +433,9 @@ bool obey(Run& run, const Labelled& own) {
     case LabelledKind::Call:
     case LabelledKind::Call98:
       return labelled_call(run, own);
+    case LabelledKind::TapeEnd:
+      record_step(run);
+      return end_run(run, Stop::End);
     case LabelledKind::If:
     case LabelledKind::ElseIf:
     case LabelledKind::Else:

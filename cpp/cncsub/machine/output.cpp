@@ -1,6 +1,7 @@
 #include "cncsub/machine/output.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -88,10 +89,18 @@ void tell_dropped(Run& run, const Block& block, const NcWords& words) {
 
 namespace {
 
+/// Without blanks; what has no value or no room is crossed out.
+std::string plainly(double value, int decimals) {
+  constexpr int kRoom = 30;  // with the end of the text [rs274 2.9, DEBUG]
+  std::array<char, kRoom> text{};
+  const double shown = std::fabs(value) < kShown ? 0 : value;
+  const int length = std::snprintf(text.data(), text.size(), "%.*f", decimals, shown);
+  return is_vacant(value) || length >= kRoom ? "######" : text.data();
+}
+
 /// A value as a field of the line shows it.
 std::string shown(const Run& run, const Print& print, const PrintField& field, double value) {
-  if (field.decimals == PrintField::kPlain)
-    return is_vacant(value) ? "######" : std::to_string(std::fabs(value) < kShown ? 0 : value);
+  if (field.whole_digits == PrintField::kPlain) return plainly(value, field.decimals);
   if (is_vacant(value)) value = 0;
   if (!print.binary) return written(value, field, run.control().parameter("6001#1") != 0);
   return std::to_string(to_whole<std::int64_t>(

@@ -82,6 +82,7 @@ struct Labels {
   bool searching = false;  // a call goes to a head that nobody has met
   bool passing = false;    // the block was reached by passing over others
   bool entered = false;    // a branch of the innermost IF
+  bool back = false;       // the main program was returned to, and defined nothing since
   // What the last break and continue leave, until the end of a loop asks. [rs274 2.9: a break of a
   // WHILE is still there when the next DO ends]
   bool breaks = false, continues = false;

@@ -2,8 +2,10 @@
 #include "cncsub/dialect/linuxcnc/block.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "cncsub/dialect/linuxcnc/codes.hpp"
@@ -17,6 +19,15 @@ constexpr std::size_t kLongestLine = 253;  // characters [rs274 2.9: 254 are too
 
 WordValue word_of(const Value& value, double factor = 1) {
   return {value.computed, value.expression, value.number * factor};
+}
+
+/// A byte beyond ASCII is shown by its number. [rs274 2.9]
+std::string shown(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  if (byte < 0x80) return {c};
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "\\%03o", byte);
+  return text.data();
 }
 
 }  // namespace
@@ -53,12 +64,13 @@ bool BlockReader::read(std::string_view text, Block& block, Label& label) {
   if (line_.peek() == 'n' && !number(block)) return true;
   if (line_.at_end()) return block.n >= 0;
   const std::optional<int> m = plain_m();
+  const Role role = m ? to_.control().calls.roles.value.of_m(*m) : Role::None;
   if (line_.peek() == 'o')
     o_word(block, label);
-  else if (m == 98)
-    call_98(block, label);
-  else if (m == 99)
-    back_99(block, label);
+  else if (role == Role::Call)
+    label.unreadable = !call_98(block, *m, label);
+  else if (role == Role::Return)
+    back_99(block, *m, label);
   else
     return words(block);
   return true;
@@ -114,8 +126,7 @@ bool BlockReader::item(Block& block, Words& words) {
     return refuse(block, Cause::CodeNotComputed, std::string(1, c) + " is not computed here", at);
   }
   line_.take(character.substr(1));
-  return refuse(block, Cause::IllegalCharacter,
-                "Bad character '" + std::string(character) + "' used", at);
+  return refuse(block, Cause::IllegalCharacter, "Bad character '" + shown(c) + "' used", at);
 }
 
 bool BlockReader::word(Block& block, Words& words, char letter) {
@@ -165,14 +176,15 @@ bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
   const int code = to_whole<int>(std::min(value.number, 1e6));
   const std::string text = std::to_string(code);
   if (code > 199)
-    return refuse(block, Cause::MCodeNotAvailable, "M code greater than 199: M" + text, value.at);
+    return refuse(block, Cause::MCodeNotAvailable, "M-code greater than 199: M" + text, value.at);
   const int group = group_of_m(code);
   if (group < 0)
     return refuse(block, Cause::MCodeNotAvailable, "Unknown m code used: M" + text, value.at);
   if (!words.m_groups.insert(group).second)
     return refuse(block, Cause::AddressGivenTwice, "Two m codes used from same modal group",
                   value.at);
-  words.ends = words.ends || code == 2 || code == 30 || code == 99;
+  const Role role = to_.control().calls.roles.value.of_m(code);
+  words.ends = words.ends || role == Role::End || role == Role::Return;
   if (words.list.m_count < 6) words.list.add_m({false, 0, static_cast<double>(code)});
   return true;
 }
@@ -227,31 +239,52 @@ bool BlockReader::comment(Block& block, Words& words) {
   return true;
 }
 
-/// `#5` and `#<name>` in a message are their values; a # before anything else is left out.
+namespace {
+
+/// %d, %f or %.3f: so many decimals have the values behind it. Of what is no such format the
+/// percent sign, or that of %. the sign alone, is no part of the text. [rs274 2.9]
+int take_format(std::string_view& text, std::string& plain, int decimals) {
+  const auto at = [&text](std::size_t place) { return place < text.size() ? text[place] : '\0'; };
+  if (at(1) == 'd' || at(1) == 'f') {
+    decimals = at(1) == 'd' ? 0 : 4;
+    text.remove_prefix(2);
+  } else if (at(1) == '.' && is_digit(at(2)) && at(3) == 'f') {
+    decimals = at(2) - '0';
+    text.remove_prefix(4);
+  } else {
+    plain += at(1) == '.' ? '.' : '%';
+    text.remove_prefix(at(1) == '.' ? 2 : 1);
+  }
+  return decimals;
+}
+
+}  // namespace
+
+/// `#5` and `#<name>` in a message are their values.
 void BlockReader::message(std::string_view text, std::uint32_t at, Print& print) {
   std::string plain;
+  int decimals = 6;
   const Line kept = line_;
   while (!text.empty()) {
-    if (text.front() != '#') {
-      plain += text.front();
-      text.remove_prefix(1);
+    if (text.front() == '%') {
+      decimals = take_format(text, plain, decimals);
       continue;
     }
-    text.remove_prefix(1);
-    line_.set(text, at);
+    const bool names = text.size() > 1 && (text[1] == '<' || is_digit(text[1]));
     Value value;
-    const std::size_t before = line_.place();
-    const bool names = line_.peek() == '<' || is_digit(line_.peek());
-    if (!names || !expression_.shown(value)) {
-      line_.go_back(before);
+    if (text.front() == '#' && names) line_.set(text.substr(1), at);
+    if (text.front() != '#' || !names || !expression_.shown(value)) {
+      plain += text.front();
+      text.remove_prefix(1);
       continue;
     }
     if (!plain.empty()) print.fields.push_back({.text = std::exchange(plain, {})});
     print.fields.push_back({.is_variable = true,
                             .text = {},
                             .expression = value.expression,
-                            .decimals = PrintField::kPlain});
-    text.remove_prefix(std::min<std::size_t>(line_.width_from(at), text.size()));
+                            .whole_digits = PrintField::kPlain,
+                            .decimals = decimals});
+    text.remove_prefix(std::min<std::size_t>(1 + line_.width_from(at), text.size()));
   }
   if (!plain.empty()) print.fields.push_back({.text = plain});
   line_ = kept;

@@ -15,6 +15,8 @@ struct Label {
   std::uint32_t label = Labelled::kNone;
   std::optional<LabelledKind> kind;  // none: the line is none of them, or a fault stands there
   bool unreadable = false;           // nothing passes this line over: its fault is told at once
+  bool unknown = false;              // nor this one, but where a subprogram is defined
+  bool computed = false;             // values of an M98, which are read where it is passed over
 
   bool is_head() const { return kind && *kind <= LabelledKind::Head; }
 };
@@ -54,12 +56,14 @@ class BlockReader {
   bool o_word(Block& block, Label& label);
   bool o_label(Block& block, Labelled& own);
   bool statement(Block& block, Labelled& own, std::string_view word);
+  void keep_refusal(Labelled& own, Cause cause, const char* text);
   bool o_call(Block& block, Labelled& own);
   bool condition(Block& block, Labelled& own, std::string_view word);
   bool arguments(Block& block, CallRecord& call);
   bool end_of_o_word(Block& block);
-  bool call_98(Block& block, Label& label);
-  void back_99(Block& block, Label& label);
+  void take_m(int number);
+  bool call_98(Block& block, int m, Label& label);
+  void back_99(Block& block, int m, Label& label);
   std::optional<int> plain_m() const;
 
   Builder& to_;

@@ -405,10 +405,11 @@ bool ExpressionReader::shown(Value& value) {
   }
   const std::string_view digits = line_.take_digits();
   std::int64_t number = 0;
-  if (digits.size() > 9) return false;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (!to_.code().can_name(number, kLastVariable)) return false;
-  emit_load(number);
+  if (digits.size() <= 9 && to_.code().can_name(number, kLastVariable))
+    emit_load(number);
+  else
+    emit(Ins::Constant, digits.size() <= 9 && number == 0 ? 0 : kVacant);
   return finish(value, first, at);
 }
 

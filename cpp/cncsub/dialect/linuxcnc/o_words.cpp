@@ -38,14 +38,57 @@ constexpr Word kWords[] = {{"sub", LabelledKind::Sub},
                            {"endrepeat", LabelledKind::EndRepeat},
                            {"return", LabelledKind::Return}};
 
+/// What is said where the label was met with another statement, or the subprogram is of another
+/// kind. [rs274 2.9]
+const char* refusal(LabelledKind kind) {
+  using enum LabelledKind;
+  switch (kind) {
+    case Sub:
+      return "'O.... sub' subroutine must be called with 'O.... call'";
+    case Head:
+      return "Fanuc 'O....' subroutine must be called with 'M98'";
+    case EndSub:
+    case Return:
+      return "Fanuc 'O....' subroutine definition must end with 'M99'";
+    case If:
+      return "{line}: duplicate O-word label - already defined in line {other}: '{block}'";
+    case While:
+    case Repeat:
+      return "{line}: duplicate O-word label: '{block}' - defined in line {other}";
+    case ElseIf:
+    case Else:
+      return "{line}: no matching 'if' label: '{block}' (found '{kind}' in line {other})";
+    case EndIf:
+      return "{line}: no matching label: '{name}' (found '{kind}' in line {other}): '{block}'";
+    case EndWhile:
+    case EndRepeat:
+      return "{line}: no matching label: '{block}' (found '{kind}' in line {other})";
+    case Break:
+    case Continue:
+      return "{line}: no matching while/do label: '{block}' (found '{kind}' in line {other})";
+    case Back:
+    case Call:
+    case Call98:
+    case TapeEnd:
+    case Do:
+      break;
+  }
+  return "";
+}
+
 }  // namespace
 
 // ---- M98, M99 ----
 
+/// The letter, and as many characters as the number has digits. [rs274 2.9: M098 leaves its 8]
+void BlockReader::take_m(int number) {
+  for (std::size_t left = 1 + std::to_string(number).size(); left > 0; --left) line_.take();
+}
+
 /// M98 stands first, and its words behind it; of other words nothing happens.
-bool BlockReader::call_98(Block& block, Label& label) {
+bool BlockReader::call_98(Block& block, int m, Label& label) {
   const std::uint32_t at = line_.offset();
-  line_.take(std::string_view("m98"));
+  take_m(m);
   CallRecord call;
   call.kind = CallKind::Subprogram;
   call.locals = CallRecord::Locals::OwnByName;
@@ -69,7 +112,8 @@ bool BlockReader::call_98(Block& block, Label& label) {
     (letter == 'p' ? call.p : call.l) = operand_of(value);
   }
   if (!call.p.present())
-    return refuse(block, Cause::ProgramNumberMissing, "Found 'm98' code with no P-word", at);
+    return refuse(block, Cause::ProgramNumberMissing,
+                  "Found 'm" + std::to_string(m) + "' code with no P-word", at);
   Labelled own;
   own.kind = LabelledKind::Call98;
   own.label = Labelled::kNone;
@@ -78,17 +122,19 @@ bool BlockReader::call_98(Block& block, Label& label) {
         to_whole<std::int64_t>(std::clamp(call.p.value, -2147483648.0, 2147483647.0))));
   own.at = at;
   own.width = call.width;
+  using enum Operand::Kind;
+  label.computed = call.p.kind == Expression || call.l.kind == Expression;
   own.call = to_.keep(std::move(call));
   to_.become(block, Op::Labelled, own);
   label.kind = own.kind;
   return true;
 }
 
-void BlockReader::back_99(Block& block, Label& label) {
+void BlockReader::back_99(Block& block, int m, Label& label) {
   Labelled own;
   own.kind = LabelledKind::Back;
   own.at = line_.offset();
-  line_.take(std::string_view("m99"));
+  take_m(m);
   own.width = line_.width_from(own.at);
   own.of_another_kind =
       "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition";
@@ -147,7 +193,7 @@ bool BlockReader::o_word(Block& block, Label& label) {
   const char c = line_.peek();
   if (!label.kind && (c == '(' || c == ';' || c == '\0')) label.kind = LabelledKind::Head;
   if (!label.kind) {
-    label.unreadable = true;
+    label.unknown = true;
     return refuse(block, Cause::StatementNotAvailable, "Unknown control command in o word", own.at);
   }
   own.kind = *label.kind;
@@ -170,20 +216,31 @@ bool BlockReader::statement(Block& block, Labelled& own, std::string_view word) 
     case LabelledKind::EndSub:
     case LabelledKind::Return:
       if (line_.peek() == '[' && !condition(block, own, "return")) return false;
+      if (own.kind == LabelledKind::EndSub)
+        keep_refusal(own, Cause::ReturnInMainProgram, "Not in subroutine definition");
       break;
     case LabelledKind::Call:
       if (!o_call(block, own)) return false;
+      break;
+    case LabelledKind::Sub:
+      keep_refusal(own, Cause::SubprogramGivenTwice,
+                   "File:{file} line:{line} sub: o|{name}| found in illegal location");
       break;
     default:
       break;
   }
   if (!end_of_o_word(block)) return false;
-  own.of_another_kind =
-      own.kind == LabelledKind::Sub    ? "'O.... sub' subroutine must be called with 'O.... call'"
-      : own.kind == LabelledKind::Head ? "Fanuc 'O....' subroutine must be called with 'M98'"
-                                       : "Fanuc 'O....' subroutine definition must end with 'M99'";
+  own.of_another_kind = refusal(own.kind);
   to_.become(block, Op::Labelled, own);
   return true;
+}
+
+/// What is said of an endsub in the main program once a call has come back to it, and where the
+/// program runs into a sub that was called before. [rs274 2.9]
+void BlockReader::keep_refusal(Labelled& own, Cause cause, const char* text) {
+  Fault fault{cause, own.at, own.width, ""};
+  fault.text = text;
+  own.refused = to_.keep(std::move(fault));
 }
 
 bool BlockReader::o_call(Block& block, Labelled& own) {

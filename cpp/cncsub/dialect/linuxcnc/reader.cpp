@@ -61,47 +61,73 @@ class FileReader {
     block.length = static_cast<std::uint16_t>(std::min<std::size_t>(text.size(), 65535));
     Label label;
     if (tape && text == "%") {
-      block.op = Op::EndProgram;
+      end_of_tape(block);
       label.unreadable = true;  // nobody looks behind it
     } else if (!blocks_.read(text, block, label)) {
       return;
     }
-    if (label.unreadable || label.kind) lines_.push_back({to_.next_address(), label});
+    if (label.unreadable || label.unknown || label.kind)
+      lines_.push_back({to_.next_address(), label});
     to_.append(block);
   }
 
+  void end_of_tape(Block& block) {
+    Labelled own;
+    own.kind = LabelledKind::TapeEnd;
+    own.at = block.text;
+    own.of_another_kind = "Failed to find sub 'O{name}' before EOF";
+    to_.become(block, Op::Labelled, own);
+  }
+
+  /// What lies behind a line, as far as it matters where passing over leads.
+  struct Ahead {
+    Address end;
+    Address wall = end;        // the next line that nothing passes over
+    Address thick_wall = end;  // the next one that a definition does not pass over either
+    Address head = end;        // the next head of any subprogram
+    std::unordered_map<std::uint32_t, Address> of_label = {};
+    std::unordered_map<std::uint32_t, Address> end_of_sub = {};  // endsub, return
+
+    Address next(std::uint32_t label) const { return std::min(wall, nearest(of_label, label)); }
+    Address next_end(std::uint32_t label) const {
+      return std::min({thick_wall, head, nearest(end_of_sub, label)});
+    }
+
+   private:
+    Address nearest(const std::unordered_map<std::uint32_t, Address>& of,
+                    std::uint32_t label) const {
+      const auto found = of.find(label);
+      return found == of.end() ? end : found->second;
+    }
+  };
+
   /// Where passing over leads from each statement, from behind.
   void link(Address end) {
-    std::unordered_map<std::uint32_t, Address> next;      // of each label
-    Address wall = end;                                   // the next line that nothing passes over
-    Address next_head = end;                              // the next head of any subprogram
-    std::unordered_map<std::uint32_t, Address> next_end;  // of each subprogram: endsub, return
-    for (auto met = lines_.rbegin(); met != lines_.rend(); ++met) {
-      const Label& label = met->label;
-      const Address at = met->address;
-      const auto nearest = [&](const std::unordered_map<std::uint32_t, Address>& of) {
-        const auto found = of.find(label.label);
-        return std::min(wall, found == of.end() ? end : found->second);
-      };
-      if (label.unreadable) {
-        wall = at;
-        continue;
+    Ahead ahead{end};
+    for (auto met = lines_.rbegin(); met != lines_.rend(); ++met)
+      link(met->address, met->label, ahead);
+  }
+
+  void link(Address at, const Label& label, Ahead& ahead) {
+    const bool readable = to_.block(at).op == Op::Labelled;
+    const bool wall = label.unreadable || label.unknown;
+    if (wall || label.computed || label.kind == LabelledKind::Back)
+      to_.names().head(LabelledHead::kReadOnTheWay, at);
+    if (wall) {
+      ahead.wall = at;
+      if (label.unreadable) ahead.thick_wall = at;
+    } else if (label.kind >= LabelledKind::If) {
+      if (readable) to_.record<Labelled>(to_.block(at).aux).next = ahead.next(label.label);
+      ahead.of_label[label.label] = at;
+    } else if (label.is_head()) {
+      if (readable) {
+        to_.record<Labelled>(to_.block(at).aux).next = ahead.next_end(label.label);
+        to_.names().head(label.label, at);
       }
-      const bool readable = to_.block(at).op == Op::Labelled;
-      if (label.kind >= LabelledKind::If) {
-        if (readable) to_.record<Labelled>(to_.block(at).aux).next = nearest(next);
-        next[label.label] = at;
-      } else if (label.is_head()) {
-        if (readable) {
-          to_.record<Labelled>(to_.block(at).aux).next = std::min(next_head, nearest(next_end));
-          to_.names().head(label.label, at);
-        }
-        next_head = at;
-      } else if (label.kind == LabelledKind::EndSub || label.kind == LabelledKind::Return) {
-        if (readable)
-          to_.record<Labelled>(to_.block(at).aux).next = std::min(next_head, nearest(next_end));
-        next_end[label.label] = at;
-      }
+      ahead.head = at;
+    } else if (label.kind == LabelledKind::EndSub || label.kind == LabelledKind::Return) {
+      if (readable) to_.record<Labelled>(to_.block(at).aux).next = ahead.next_end(label.label);
+      ahead.end_of_sub[label.label] = at;
     }
   }
 
