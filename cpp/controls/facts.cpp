@@ -41,6 +41,11 @@ std::string cite(std::initializer_list<const char*> sources) {
   return text;
 }
 
+Codes with(Codes codes, const Codes& more) {
+  more.for_each([&codes](int code) { codes.put(code); });
+  return codes;
+}
+
 std::int32_t modal_word_number(char address) {
   switch (address) {
     case 'D':

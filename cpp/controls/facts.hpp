@@ -21,6 +21,9 @@ inline constexpr const char* kKnown = "general knowledge";
 /// Several sources of one fact.
 std::string cite(std::initializer_list<const char*> sources);
 
+/// A relative's codes, and more.
+Codes with(Codes codes, const Codes& more);
+
 /// The number of a modal word among #4101 to #4120: B, M, N, O, S and T by the alphabet, D, E, F
 /// and H as the locals of a macro's arguments. All makers of the family share it. [M7 printed
 /// p.331; TDi28 3.28.1.3, F to T; REG]
