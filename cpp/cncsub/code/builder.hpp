@@ -130,6 +130,8 @@ class Builder {
       return code_.variants;
     else if constexpr (std::is_same_v<Record, CallRecord>)
       return code_.calls;
+    else if constexpr (std::is_same_v<Record, JumpRecord>)
+      return code_.jumps;
     else if constexpr (std::is_same_v<Record, Argument>)
       return code_.arguments;
     else if constexpr (std::is_same_v<Record, Statement>)

@@ -66,6 +66,14 @@ struct Target {
   bool external = false;  // on the external device
 };
 
+/// M97 P: a jump in the running program; M96 P Q: while an input is 0.
+struct JumpRecord {
+  Operand p;
+  bool reads_input = false;
+  std::uint32_t input = 0;  // the expression that gives it
+  std::uint32_t at = 0, width = 1;
+};
+
 struct CallRecord {
   CallKind kind = CallKind::Subprogram;
   CodeCallKind code_kind = CodeCallKind::Subprogram;

@@ -79,6 +79,7 @@ struct Code {
   LargeVector<Instruction> instructions;
   LargeVector<Expression> expressions;
   std::vector<CallRecord> calls;
+  std::vector<JumpRecord> jumps;
   std::vector<Argument> arguments;
   LargeVector<Statement> statements;
   std::vector<HCode> h_codes;

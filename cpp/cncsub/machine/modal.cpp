@@ -153,7 +153,7 @@ bool resume_waiting(Run& run) {
     if (waiting.op == Op::Return)
       runs = return_now(run, run.code->calls[waiting.aux], waiting.p, waiting.l);
     else if (waiting.op == Op::Jump)
-      runs = jump_now(run, run.code->calls[waiting.aux], waiting.p);
+      runs = jump_now(run, run.code->jumps[waiting.aux], waiting.p);
     else
       runs = call_now(run, waiting.aux, waiting.target);
     block.is_step = false;

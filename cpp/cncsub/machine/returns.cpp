@@ -134,7 +134,7 @@ bool return_now(Run& run, const CallRecord& back, double p, double l) {
 }
 
 bool jump(Run& run, const Block& block) {
-  const CallRecord& record = run.code->calls[block.aux];
+  const JumpRecord& record = run.code->jumps[block.aux];
   double p = 0;
   if (!value_of(run, record.p, p)) return false;
   if (!execute_words(run, block)) return false;
@@ -144,8 +144,20 @@ bool jump(Run& run, const Block& block) {
   return do_behind_modal(run, std::move(waiting));
 }
 
-bool jump_now(Run& run, const CallRecord& record, double p) {
-  return go_to_own_block(run, Cause::JumpTargetNotFound, record.p, p);
+bool jump_now(Run& run, const JumpRecord& jump, double p) {
+  if (jump.reads_input) {
+    double input = 0;
+    if (!evaluate(run, jump.input, input)) return false;
+    run.state.last_condition = jump.input;
+    if (input != 0) {
+      record_block(run);
+      ++run.state.pc;
+      return true;
+    }
+    const Address to = run.code->first_of(run.program(), number_of(p));
+    if (to <= run.state.pc && waits(run)) return false;
+  }
+  return go_to_own_block(run, Cause::JumpTargetNotFound, jump.p, p);
 }
 
 bool end_program(Run& run, const Block& block) {

@@ -13,7 +13,7 @@ bool return_now(Run& run, const CallRecord& back, double p, double l);
 
 /// M97: to a block of the running program; it waits as M99 does.
 bool jump(Run& run, const Block& block);
-bool jump_now(Run& run, const CallRecord& record, double p);
+bool jump_now(Run& run, const JumpRecord& jump, double p);
 
 /// M02, M30.
 bool end_program(Run& run, const Block& block);

@@ -70,19 +70,6 @@ bool waits_for(Run& run, std::uint32_t condition) {
   return true;
 }
 
-/// A jump back that is reached twice with nothing changed in between can only wait for the world
-/// outside.
-inline bool waits(Run& run) {
-  State& s = run.state;
-  const bool idle =
-      s.jumped_from == s.pc && s.changes_at_jump == s.changes && s.last_condition != kNowhere;
-  const std::uint32_t condition = s.last_condition;
-  s.jumped_from = s.pc;
-  s.changes_at_jump = s.changes;
-  s.last_condition = kNowhere;  // the next pass must ask again
-  return idle && waits_for(run, condition);
-}
-
 /// GOTO 10, GOTO #1.
 bool jump_by_goto(Run& run, const Statement& statement) {
   if (!may_jump(run, statement)) return false;
@@ -291,6 +278,17 @@ bool store_number(Run& run, std::int64_t number, double value, const Statement& 
   }
   ++run.state.changes;
   return true;
+}
+
+bool waits(Run& run) {
+  State& s = run.state;
+  const bool idle =
+      s.jumped_from == s.pc && s.changes_at_jump == s.changes && s.last_condition != kNowhere;
+  const std::uint32_t condition = s.last_condition;
+  s.jumped_from = s.pc;
+  s.changes_at_jump = s.changes;
+  s.last_condition = kNowhere;  // the next pass must ask again
+  return idle && waits_for(run, condition);
 }
 
 bool may_jump(Run& run, const Statement& statement) {

@@ -18,6 +18,9 @@ bool store_number(Run& run, std::int64_t number, double value, const Statement& 
 
 /// A jump alarms in the main program of MDI where the control says so.
 bool may_jump(Run& run, const Statement& statement);
+/// A jump back that is reached twice with nothing changed in between can only wait for the world
+/// outside: for what the condition that was asked last reads.
+bool waits(Run& run);
 /// Goes on at a block of the running program, or waits there for the world outside.
 bool jump_to(Run& run, Address to);
 /// Leaves the loops that do not hold the block.

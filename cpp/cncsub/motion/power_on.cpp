@@ -89,15 +89,19 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
         c.common.power_on.value.has(PowerOn::G91) ? Meaning::Incremental : Meaning::Absolute,
         !lathe || !c.common.power_on.value.has(PowerOn::G95) ? Meaning::PerMinute
                                                              : Meaning::PerRevolution,
-        Meaning::SpindleSpeed, Meaning::Metric, Meaning::RadiusOff, Meaning::LengthOff,
-        Meaning::CycleOff, Meaning::ReturnInitial, Meaning::ScalingOff, Meaning::MacroOff,
-        Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
-        Meaning::MirrorOff,
+        Meaning::SpindleSpeed,
+        c.common.power_on.value.has(PowerOn::G20) ? Meaning::Inch : Meaning::Metric,
+        Meaning::RadiusOff, Meaning::LengthOff, Meaning::CycleOff, Meaning::ReturnInitial,
+        Meaning::ScalingOff, Meaning::MacroOff, Meaning::Work1, Meaning::PathCut,
+        Meaning::RotationOff, Meaning::PolarOff, Meaning::MirrorOff,
         c.common.power_on.value.has(PowerOn::G22) ? Meaning::StrokeOn : Meaning::StrokeOff})
     set(meaning);
   state.plane = lathe ? 18 : 17;
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
-  if (!reset) state.feed = c.motion.power_on_feed.value;
+  if (!reset) {
+    state.feed = c.motion.power_on_feed.value;
+    state.unit = state.modal[at(Group::Units)].meaning == Meaning::Inch ? kInch : 1;
+  }
   MultipleData& data = state.multiple;
   data.finish_passes = c.turning.thread_passes.value;
   data.chamfer = c.turning.thread_chamfer.value;

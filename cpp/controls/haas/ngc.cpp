@@ -44,6 +44,7 @@ void calls_and_returns(Control& c) {
                            Manual};
   c.calls.main_return = {MainReturn::Restarts, kHaas, Inferred};
   give_role(c.calls.roles, "M97", Role::LocalCall, "H96 p.217, M97", Secondary);
+  give_role(c.calls.roles, "M96", Role::JumpUnlessInput, "H96 p.217, M96; p.91", Secondary);
   c.calls.conditional_return = {true, "HDIY, N50 [#10000 LT 10] M99 P10", Manual};
 }
 
@@ -98,6 +99,7 @@ void variables(Control& c) {
   c.variables = {
       {0, 0, Kind::Vacant, kReadOnly, 0, "H96 p.113", Secondary},
       {1, 33, Kind::Local, kReadWrite, 0, "HAA", Secondary},
+      {1000, 1063, Kind::Input, kReadOnly, 0, kHaas, Inferred},
       {2001, 2200, Kind::LengthGeometry, kReadWrite, 0, zap, Secondary},
       {2201, 2400, Kind::LengthWear, kReadWrite, 0, zap, Secondary},
       {2401, 2600, Kind::RadiusGeometry, kReadWrite, 0, zap, Secondary},
@@ -132,15 +134,23 @@ void variables(Control& c) {
 /// Settings by their numbers; the aliases of codes by the program they call.
 void settings(Control& c) {
   const auto add = [&c](const char* name, double value, const char* meaning,
-                        std::vector<Setting> sets) {
-    c.parameters.push_back({name, value, meaning, kHaas, Inferred, std::move(sets)});
+                        std::vector<Setting> sets, const char* source = kHaas,
+                        Evidence evidence = Inferred) {
+    c.parameters.push_back({name, value, meaning, source, evidence, std::move(sets)});
     apply(c, c.parameters.back(), "setting " + std::string(name) + " as delivered: " + kHaas,
           Inferred);
   };
+  add("9", 0, "the unit before G20 or G21: 0 = mm, 1 = inch", {entry(rule::power_on, PowerOn::G20)},
+      "H96 p.152, G20 and G21", Secondary);
   add("33", 0, "what M02 and M30 do to G52: 0 = FANUC, they end it, 1 = HAAS, it stays",
       {entry_while_zero(rule::reset_clears, Cleared::LocalSystem)});
+  add("40", 0, "an offset of D is 0 = a radius, 1 = a diameter",
+      {bit(rule::radius_offset_diameter)}, "HEL, D: setting 40; its values are general knowledge",
+      Inferred);
   add("43", 0, "the start-up of cutter compensation: 0 = type A, 1 = type B",
       {bit(rule::start_up, StartUp::TypeA, StartUp::TypeB)});
+  add("52", 0, "how far above R a peck of G83 draws back, mm", {micrometres(rule::peck_above)},
+      "HVF p.192, setting 52", Secondary);
   add("56", 0, "M30 brings back the G codes of power-on: 0 = no, 1 = yes",
       {entry(rule::reset_clears, Cleared::Codes)});
   add("85", 0.05, "how far a corner may be rounded, mm; no path is drawn otherwise for it", {});

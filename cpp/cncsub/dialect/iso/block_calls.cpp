@@ -128,17 +128,40 @@ void BlockWriter::back() {
   to_.become(block_, Op::Return, std::move(back));
 }
 
+/// Q names an input; the jump is made while it is 0.
+std::optional<Fault> BlockWriter::input_of_jump(JumpRecord& jump) {
+  Operand q;
+  for (const Token& token : tokens_)
+    if (token.letter == 'Q' && !token.comma) q = token.operand;
+  if (!q.present())
+    return Fault{Cause::StatementFormat, jump.at, jump.width, "Q does not say which input"};
+  if (q.kind == Operand::Kind::Expression)
+    return Fault{Cause::CodeNotComputed, q.at, q.width,
+                 "an input of a computed number is not read here"};
+  double first = -1;
+  for (const PlacedRange& placed : rules_.code.variables)
+    if (placed.range.kind == VariableKind::Input && first < 0) first = placed.range.first;
+  if (first < 0)
+    return Fault{Cause::IllegalVariable, q.at, q.width, "the control has no inputs"};
+  const Instruction input{Ins::Variable, 0, q.at, first + q.value};
+  jump.reads_input = true;
+  jump.input = to_.expressions().one(input, q.at, q.width);
+  return std::nullopt;
+}
+
 void BlockWriter::jump() {
-  CallRecord jump;
+  JumpRecord jump;
   jump.at = meaning_.jump->operand.at;
   jump.width = meaning_.jump->operand.width;
   for (const Token& token : tokens_)
     if (token.letter == 'P' && !token.comma) jump.p = token.operand;
   if (!jump.p.present())
     return refuse(
-        {Cause::ProgramNumberMissing, jump.at, jump.width, "M97 does not say where to jump"});
+        {Cause::ProgramNumberMissing, jump.at, jump.width, "the jump does not say where to"});
+  if (meaning_.jump_reads_input)
+    if (auto fault = input_of_jump(jump)) return refuse(std::move(*fault));
   words();
-  to_.become(block_, Op::Jump, std::move(jump));
+  to_.become(block_, Op::Jump, jump);
 }
 
 /// H makes G65 a statement, unless words stand there that only a macro call has.

@@ -125,7 +125,9 @@ std::optional<Fault> MeaningReader::sort_m(const Token& token) {
       meaning_.back = &token;
       return std::nullopt;
     case Role::Jump:
+    case Role::JumpUnlessInput:
       meaning_.jump = &token;
+      meaning_.jump_reads_input = role == Role::JumpUnlessInput;
       return std::nullopt;
     case Role::End:
       meaning_.end = &token;

@@ -38,6 +38,7 @@ struct BlockMeaning {
   const RegisteredCall* registered = nullptr;
   const Token* back = nullptr;    // M99
   const Token* jump = nullptr;    // M97
+  bool jump_reads_input = false;  // M96: Q names the input
   const Token* end = nullptr;     // M02, M30
   const Token* cancel = nullptr;  // G67
   CodeWords g, m;

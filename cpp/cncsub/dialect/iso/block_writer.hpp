@@ -40,6 +40,7 @@ class BlockWriter {
   void h_code();
   void back();
   void jump();
+  std::optional<Fault> input_of_jump(JumpRecord& jump);
   void refuse(Fault fault) { to_.refuse(block_, std::move(fault)); }
 
   Builder& to_;

@@ -81,10 +81,11 @@ Result peck(MotionContext& m, BlockWords& block, int axis, double r, double z) {
   if (c.motion.peck_words.value == PeckWords::K && cycle.has_k) gap = std::fabs(cycle.k);
   if (cycle.clearance >= 0) gap = cycle.clearance;
   if (c.turning.drill_retract.value) gap = std::fabs(cycle.r);
+  const double clear = r - down * c.motion.peck_above.value * 1e-3;
   for (double depth = r + down * q; (z - depth) * down > 1e-9; depth += down * q) {
     if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, depth)) return wrong;
     if (!fast)
-      if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, r)) return wrong;
+      if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, clear)) return wrong;
     if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, depth - down * gap)) return wrong;
   }
   return move_axis(m, block, MoveKind::Feed, axis, z);

@@ -126,9 +126,9 @@ double radius_value(MotionView m) {
     return found == m.state.tables.tools.end() ? 0 : found->second.radius;
   }
   const auto number = static_cast<std::size_t>(m.state.d);
-  return m.state.d == 0 || number >= m.state.tables.radius.size()
-             ? 0
-             : m.state.tables.radius[number] + m.state.tables.radius_wear[number];
+  if (m.state.d == 0 || number >= m.state.tables.radius.size()) return 0;
+  const double offset = m.state.tables.radius[number] + m.state.tables.radius_wear[number];
+  return m.facts.control->motion.radius_offset_diameter.value ? offset / 2 : offset;
 }
 
 Result set_longer(MotionView m, BlockWords& block) {
