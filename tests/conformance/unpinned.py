@@ -59,7 +59,10 @@ def _group(control: str, groups: str, but: str, reason: str) -> Unpinned:
         if rule.group in groups.split() and rule.name not in but.split():
             own = [f"{rule.name}:{entry}" for entry in entries_of(rule)] or [rule.name]
             words += [
-                word for word in own if rule.name not in ("refuses", "roles") or word in pinned
+                word
+                for word in own
+                if word not in but.split()
+                if rule.name not in ("refuses", "roles") or word in pinned
             ]
     return dict.fromkeys(words, ((control,), reason))
 
@@ -224,13 +227,15 @@ _TABLE = _joined(
     _group(
         LINUXCNC,
         "common reading calls macros",
-        "max_nesting main_return missing_end",
+        "max_nesting main_return missing_end self_call caller_call reset_clears:locals",
         ANOTHER_LANGUAGE,
     ),
     _group(
         LINUXCNC,
         "motion turning",
-        "arc_tolerance arc_tolerance_inch arc_tolerance_share",
+        "arc_tolerance arc_tolerance_inch arc_tolerance_share no_radius negative_radius"
+        " helix unit_change machine_move cycle_repeats zero_cycle_repeats peck_retract"
+        " peck_clearance power_on_feed dwell_words dwell_point",
         FAMILY_MOTION,
     ),
     # SINUMERIK

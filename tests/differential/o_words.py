@@ -9,7 +9,8 @@ used twice, a subprogram that is not there, a division by 0. Compared are the mo
 how the run stopped: at its end, or by which error in which words.
 
 Left out is what rs274 computes without looking, and cncsub refuses: a MOD by 0 right in the brackets
-of a condition, an argument or a returned value; and an M99 with words in the main program.
+of a condition, an argument or a returned value; words beside P and L of an M98, which cncsub does not
+compute; and an M99 with words in the main program.
 """
 
 from __future__ import annotations
@@ -270,7 +271,8 @@ class Writer:
             number = label[1:]
             if number.isdigit() and self.chance(0.1):
                 label = r.choice((f"o[{number}]", f"o[{int(number) - 1} + 1]", f"o0{number}"))
-            self.put(f"{label} call {r.choice((' ', '', ' (c) ')).join(arguments)}")
+            between = r.choice((" ", "", " (c) " if count < 5 else " "))
+            self.put(f"{label} call {between.join(arguments)}")
 
     def mistake(self) -> None:
         self.put(
@@ -303,7 +305,6 @@ class Writer:
                     "o983 repeat [1] G0",
                     "M98",
                     "M98 P1 L-1",
-                    "M98 P1 X#<nobody>",
                     *(("M99 P1",) if self.inside == "M99" else ()),
                     "(abort, %d#1 stop)",
                     "(a (b))",
@@ -332,7 +333,6 @@ class Writer:
                     "G0 X1 N5",
                     "G2 X1 Y1 F10",
                     "G2 X9 Y0 R1 F10",
-                    "G2 X90 Y0 I3 F10",
                     "o1.5 if [1]",
                     "#31 = 1 " + "(" + "c" * 260 + ")",
                     "G0 X1 ü",

@@ -300,7 +300,7 @@ inline double plain_tangent(E, I, double a) {
   return static_cast<double>(std::tan(a * kLongPi / 180));
 }
 inline double plain_degrees(double radians) {
-  return static_cast<double>(radians * 180.0L / kLongPi);
+  return static_cast<double>(radians * 180.0 / kLongPi);
 }
 inline Fallible outside_one(E e, I at, std::string_view function) {
   e.trap.function = function;

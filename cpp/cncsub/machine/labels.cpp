@@ -259,7 +259,7 @@ bool end_of_subprogram(Run& run, const Labelled& own) {
 /// Where a label leads: to the head that was met last, to the file of its name, or to the next head
 /// behind the call.
 bool find_label(Run& run, const Labelled& own, std::uint32_t label, const std::string& name,
-                Target& target) {
+                Target& target, Address& on_the_way) {
   const auto met = run.state.labels.met.find(key(kEverywhere, label));
   if (label != Labelled::kNone && met != run.state.labels.met.end()) {
     target.start = met->second.address;
@@ -273,9 +273,9 @@ bool find_label(Run& run, const Labelled& own, std::uint32_t label, const std::s
     const Address from =
         of_file ? run.code->programs[static_cast<std::size_t>(file)].first : run.state.pc;
     if (label != Labelled::kNone) target.start = run.code->head_from(label, from);
-    const Address first =
+    on_the_way =
         of_file ? run.code->head_from(kOnTheWay, from) : run.code->head_behind(kOnTheWay, from);
-    if (!read_on_the_way(run, first, target.start, name)) return false;
+    if (target.start == kNowhere && !read_on_the_way(run, on_the_way, kNowhere, name)) return false;
   }
   if (target.start == kNowhere) {
     Fault fault = labelled_fault(own, Cause::ProgramNotFound, "the label of the call is not there");
@@ -313,6 +313,7 @@ bool labelled_call(Run& run, const Labelled& own) {
   const auto number = to_whole<std::int64_t>(std::clamp(is_vacant(p) ? 0 : p, -1e9, 1e9));
   if (label == Labelled::kNone) label = run.code->label(number);
   Target target;
+  Address on_the_way = kNowhere;  // what a search reads, with the variables of the new level
   bool again = false;
   if (!is_vacant(l)) again = another_pass(run.frame().passes_left, l);
   if (!is_vacant(l) && l == 0) {  // nothing is called, but the level is open [rs274 2.9]
@@ -321,7 +322,7 @@ bool labelled_call(Run& run, const Labelled& own) {
   } else {
     const bool known = label != Labelled::kNone;
     const std::string name = known ? run.code->labels[label] : std::to_string(number);
-    if (!find_label(run, own, label, name, target)) return false;
+    if (!find_label(run, own, label, name, target, on_the_way)) return false;
   }
   if (again) run.block.next = run.state.pc;
   if (record.locals == CallRecord::Locals::OwnByName)
@@ -330,7 +331,8 @@ bool labelled_call(Run& run, const Labelled& own) {
     return false;
   if (!enter(run, own.call, target, -1)) return false;
   run.frame().label = label;
-  return true;
+  if (on_the_way == kNowhere) return true;
+  return read_on_the_way(run, on_the_way, target.start, run.code->labels[label]);
 }
 
 // ---- branches ----

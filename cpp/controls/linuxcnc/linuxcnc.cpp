@@ -31,6 +31,10 @@ void motion(Control& c) {
   c.motion.dwell_words = {"P", kGCode, Manual};
   c.motion.dwell_point = {DwellPoint::Seconds, kGCode, Manual};
   c.motion.cycle_repeats = {"L", kGCode, Manual};
+  c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, kRun, SourceDocument};
+  c.motion.peck_retract = {254, kRun, SourceDocument};
+  c.motion.peck_clearance = {254, kRun, SourceDocument};
+  c.motion.machine_move = {MachineMove::Modal, kRun, SourceDocument};
   c.motion.arc_tolerance = {28, kRun, SourceDocument};
   c.motion.arc_tolerance_inch = {72, kRun, SourceDocument};
   c.motion.arc_tolerance_share = {1, kRun, SourceDocument};
@@ -67,6 +71,7 @@ void alarms(Control& c) {
       {ArgumentOutOfRange, "Calculation resulted in 'not a number'"},
       {BracketNotClosed, "Unclosed expression"},
       {CommentInComment, "Nested comment found"},
+      {CycleRepeats, "Cannot do zero repeats of cycle"},
       {CommentNotClosed, "Unclosed comment found"},
       {BlockTooLong, "Command too long"},
       {DivisionByZero, "Attempt to divide by zero"},

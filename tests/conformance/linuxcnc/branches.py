@@ -47,6 +47,15 @@ case(
     program="N10 o1 if [0]\nN20 G0 X1\nN30 M2", runs="N10", alarm="end-of-record",
 )
 case(
+    "and in a program that % ends it looks no farther than that", **RUN,
+    program="%\nN10 o1 if [0]\nN20 G0 X1\n%\nN30 o1 endif\nN40 M2", runs="", alarm="program-not-found",
+)
+case(
+    "a label is whole where it is passed over, too", **RUN,
+    program="N10 o1 if [0]\nN20 o2.5 if [1]\nN30 o1 endif\nN40 M2", runs="N10", alarm="whole-number-expected",
+    at="MAIN N20",
+)
+case(
     "the condition of an if stands in brackets", **RUN,
     program="N10 o1 if 1\nN20 o1 endif\nN30 M2", runs="", alarm="statement-format", at="MAIN N10",
 )

@@ -24,6 +24,7 @@ _values("ATAN has two values and its angle a sign", "#31=ATAN[1]/[-1]\n#32=ATAN[
 _values("ASIN and ACOS are in degrees", "#31=ASIN[-1]\n#32=ACOS[0]", {31: -90, 32: 90})
 _values("the cosine of 90 is not quite 0, and so it holds",
         "o1 if [COS[90]]\n#31=1\no1 endif\n#32=SIN[30]", {31: 1, 32: 0.5})
+_values("angles are those of rs274 to the last bit", "#31=[ACOS[SIN[4]] GT 86]\n#32=[ASIN[SIN[5]] EQ 5]", {31: 1, 32: 1})
 _values("ABS, SQRT, LN and EXP", "#31=ABS[-3]\n#32=SQRT[16]\n#33=LN[1]\n#34=EXP[0]", {31: 3, 32: 4, 33: 0, 34: 1})
 _values("signs may stand before signs", "#31=--3\n#32=-[3]\n#33=+-4", {31: 3, 32: -3, 33: -4})
 _values("a function needs no brackets around it", "#31=SIN[90]", {31: 1})

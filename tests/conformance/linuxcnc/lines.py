@@ -26,7 +26,7 @@ case("N stands first", **RUN, program="N10 G0 X3 N7\nN20 M2", runs="", alarm="il
 case("an O-word stands first", **RUN, program="N10 G0 X1 o1 if [1]\nN20 M2", runs="", alarm="illegal-character")
 case("a G code that is none", **RUN, program="N10 G37 X1\nN20 M2", runs="", alarm="g-code-not-available")
 case("an M code that is none", **RUN, program="N10 M55\nN20 M2", runs="", alarm="m-code-not-available")
-case("G1 needs a feed", **RUN, program="N10 G1 X1\nN20 M2", runs="", alarm="no-feed", word="G1")
+case("G1 needs a feed", pins="power_on_feed", **RUN, program="N10 G1 X1\nN20 M2", runs="", alarm="no-feed", word="G1")
 case("a comment is no part of the word before it", **RUN,
      program="N10 G1 (cut) X1\nN20 M2", runs="", alarm="no-feed", word="G1")
 case("a slash drops its line where the switch is on", **RUN, program="/N10 G0 X1\nN20 M2", skip=(1,), runs="N20")
@@ -35,7 +35,7 @@ case("a program that ends without M2, M30 or %", pins="missing_end", **RUN, prog
 case("% ends a program that begins with one", **RUN, program="%\nN10 G0 X1\n%\nN20 G0 X2\nN30 M2", moves_x=[1])
 case("a % that begins no program is no line of one", **RUN,
      program="N10 G0 X1\n%\nN20 M2", runs="N10", alarm="illegal-character")
-case("M2 ends the program from a subprogram too", **RUN,
+case("M30 ends the program from a subprogram too", **RUN,
      program="N10 o1 call\nN20 M2\nN30 o1 sub\nN40 M30\nN50 o1 endsub", runs="N10 N30 N40")
 case("MSG says its text as it is", **RUN, program="N10 G0 X1 (MSG, raw #1)\nN20 M2", messages=[" raw #1"], moves_x=[1])
 case(
@@ -43,13 +43,23 @@ case(
     program="N10 #<a>=2.5\nN20 (DEBUG, a #1 b #<a> c #<zz> d)\nN30 (print,p #<a> q)\nN40 M2",
     messages=[" a 0.000000 b 2.500000 c ###### d", "p 2.500000 q"],
 )
+case(
+    "%d, %f and %.1f say how many decimals the values behind them have", **RUN,
+    program="N10 #<a>=2.56789\nN20 (DEBUG,%d#<a> %f#<a> %.1f#<a> #<a> %g %.x #x)\nN30 (DEBUG,#<a>)\nN40 M2",
+    messages=["3 2.5679 2.6 2.6 %g .x #x", "2.567890"],
+)
+case(
+    "a value of more than 29 characters is crossed out, and so is what is no parameter", **RUN,
+    program="N10 #1=12345678901234567890123456789.\nN20 (DEBUG,#1 %d#1 #5602 #0)\nN30 M2",
+    messages=["###### 12345678901234568227576610816 ###### 0"],
+)
 case("of several comments of a line the last counts", **RUN,
      program="N10 (MSG, one)(MSG, two)\nN20 M2", messages=[" two"])
 case("a message that is passed over is not said", **RUN,
      program="N10 o1 if [0]\nN20 (MSG, no)\nN30 o1 else\nN40 (MSG, yes)\nN50 o1 endif\nN60 M2", messages=[" yes"])
 case("ABORT stops the program with its text", **RUN,
      program="N10 G0 X1\nN20 (ABORT, stop #1)\nN30 M2", runs="N10", alarm="user-alarm", at="MAIN N20")
-case("G4 waits for seconds", **RUN, program="N10 G4 P1.5\nN20 M2", time=1.5)
+case("G4 waits for seconds", pins="dwell_words dwell_point", **RUN, program="N10 G4 P1.5\nN20 M2", time=1.5)
 case(
     "an arc that ends off its circle by more than a hair is refused", pins="arc_tolerance", **RUN,
     program="N10 G2 X2.0284 Y0 I1 F100\nN20 M2", runs="", alarm="radius-tolerance", word="X2.0284",

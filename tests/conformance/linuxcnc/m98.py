@@ -44,6 +44,29 @@ case(
     moves_x=[2],
 )
 case(
+    "an M98 that is passed over is read", **RUN,
+    program="N10 o1 if [0]\nN20 M98 P1.5\nN30 o1 endif\nN40 M2", runs="N10", alarm="whole-number-expected",
+    at="MAIN N20",
+)
+case(
+    "and so are its values", **RUN,
+    program="N10 #1=-1\nN20 o1 if [0]\nN30 M98 P1 L#1\nN40 o1 endif\nN50 M2",
+    runs="N10", alarm="illegal-repeat-count", at="MAIN N30",
+)
+case(
+    "a search reads them with the variables of the level it calls", **RUN,
+    program="N10 #1=1.5\nN20 o1 call\nN30 M2\nN40 M98 P#1\nN50 o1 sub\nN60 o1 endsub", runs="N10 N20 N50 N60 N30",
+)
+case(
+    "P and L may be expressions", **RUN,
+    program="N10 #10=4\nN20 M98 P[#10*25] L[#10/2]\nN30 M30\nO100\nN40 #11=[#11+1]\nN50 G0 X#11\nN60 M99", moves_x=[1, 2],
+)
+case(
+    "nine programs of M98 may be open", pins="max_nesting", **RUN,
+    program="N10 M98 P1\nN20 M30\nO1\nN30 #1=[#1+1]\nN40 G0 X#1\nN50 M98 P1\nN60 M99",
+    moves_x=[1, 2, 3, 4, 5, 6, 7, 8, 9], alarm="nesting-too-deep",
+)
+case(
     "M98 needs P", **RUN, program="N10 M98 L2\nN20 M30", runs="", alarm="program-number-missing", at="MAIN N10",
 )
 case(

@@ -76,6 +76,28 @@ case(
     runs="N10 N40 N50 N20 N30", moves_x=[5],
 )
 case(
+    "once a call has come back, a return of the main program gives a value and goes on", **RUN,
+    program="N10 o1 sub\nN20 o1 endsub\nN30 o1 call\nN40 o2 return [4]\nN50 G0 X#<_value>\nN60 M2", moves_x=[4],
+)
+case(
+    "and an endsub is refused", **RUN,
+    program="N10 o1 sub\nN20 o1 endsub\nN30 o1 call\nN40 o2 endsub\nN50 M2",
+    runs="N10 N20 N30 N10 N20", alarm="return-in-main-program", at="MAIN N40",
+)
+case(
+    "a search for a sub stops at an O-word that cannot be read", **RUN,
+    program="N10 o1 call\nN20 M2\nN30 o2 foo\nN40 o1 sub\nN50 o1 endsub",
+    runs="N10", alarm="statement-not-available", at="MAIN N30",
+)
+case(
+    "the definition of a sub passes over it", **RUN,
+    program="N10 o1 sub\nN20 o2 foo\nN30 o1 endsub\nN40 M2", runs="N10 N30 N40",
+)
+case(
+    "no call leads behind the % that ends a program", **RUN,
+    program="%\nN10 o1 call\nN20 M2\n%\nN30 o1 sub\nN40 o1 endsub", alarm="program-not-found", runs="N10",
+)
+case(
     "endsub outside a sub is refused", **RUN,
     program="N10 o1 endsub\nN20 M2", runs="", alarm="return-in-main-program", at="MAIN N10",
 )
@@ -112,7 +134,7 @@ case(
     runs="", alarm="program-not-found", at="a N10",
 )
 case(
-    "a file calls the subs of the program that were met", control="linuxcnc", source="rs274 2.9",
+    "a file calls the subs of the program that were met", pins="caller_call", control="linuxcnc", source="rs274 2.9",
     evidence="source document",
     files={"a.ngc": "N10 o<a> sub\nN20 G0 X1\nN30 o<a> endsub\nN40 o<fs> call\nN50 M2\n",
            "fs.ngc": "N60 o<fs> sub\nN70 o<a> call\nN80 o<fs> endsub\n"},

@@ -17,6 +17,11 @@ case(
     program="N10 #1=1 #1=2 #1=3\nN20 M2", vars={1: 3},
 )
 case(
+    "a reset leaves the parameters as they are", pins="reset_clears:locals", control="linuxcnc",
+    source="LC overview", evidence="maker's manual",
+    program="N10 #1=7\nN20 #<_g>=2\nN30 #31=5\nN40 M2", vars_after_reset={1: 7, 31: 5},
+)
+case(
     "a parameter may say the number of another", **RUN,
     program="N10 #1=2\nN20 #2=9\nN30 #3=##1\nN40 #[#1+2]=7\nN50 M2", vars={3: 9, 4: 7},
 )

@@ -182,7 +182,8 @@ bool BlockReader::o_label(Block& block, Labelled& own) {
 bool BlockReader::o_word(Block& block, Label& label) {
   Labelled own;
   own.at = line_.offset();
-  if (!o_label(block, own)) return false;
+  label.unreadable = !o_label(block, own);
+  if (label.unreadable) return false;
   std::string_view name;
   for (const Word& word : kWords) {
     if (!line_.take(word.name)) continue;

@@ -1,0 +1,27 @@
+"""LinuxCNC: arcs, units, G53 and canned cycles."""
+
+from conformance import case
+
+RUN = {"control": "linuxcnc", "source": "rs274 2.9", "evidence": "source document"}
+
+case("an arc has R or a centre", pins="no_radius", **RUN,
+     program="N10 G2 X1 F100\nN20 M2", runs="", alarm="no-radius", word="G2")
+case("R reaches the end of its arc", **RUN,
+     program="N10 G2 X9 R1 F100\nN20 M2", runs="", alarm="radius-too-small", word="R1")
+case("LinuxCNC takes the long way round for a negative R", pins="negative_radius", **RUN,
+     program="N10 G2 X1 R-1 F100\nN20 M2", moves="CW X1 Y0 C X0.5 Y0.866025")
+case("an arc of any plane may be a helix", pins="helix", **RUN,
+     program="N10 G18 G2 X1 Y2 I0.5 F100\nN20 M2", final_work="X1 Y2")
+case("the unit changes anywhere", pins="unit_change", **RUN,
+     program="N10 G0 X1\nN20 G20 G0 X1\nN30 M2", moves="R X1\nR X25.4")
+case("G53 is a feed in G1", pins="machine_move", **RUN,
+     program="N10 G1 X1 F100\nN20 G53 X3\nN30 M2", moves="F X1\nF X3")
+case("a canned cycle runs as often as its L says", pins="cycle_repeats", **RUN,
+     program="N10 G0 Z1\nN20 G91 G81 X1 Z-1 R0 L2 F100\nN30 G80 M2",
+     final_work="X2 Z1")
+case("but not zero times", pins="zero_cycle_repeats", **RUN,
+     program="N10 G0 Z1\nN20 G91 G81 X1 Z-1 R0 L0 F100\nN30 M2", runs="N10", alarm="cycle-repeats", word="L0")
+case("G73 draws back by a hundredth of an inch", pins="peck_retract", **RUN,
+     program="N10 G0 Z1\nN20 G73 Z-1 R1 Q1 F100\nN30 G80 M2", moves="R Z1\nR Z1\nF Z0\nR Z0.254\nF Z-1\nR Z1")
+case("G83 goes back to a hundredth of an inch above", pins="peck_clearance", **RUN,
+     program="N10 G0 Z1\nN20 G83 Z-1 R1 Q1 F100\nN30 G80 M2", moves="R Z1\nR Z1\nF Z0\nR Z1\nR Z0.254\nF Z-1\nR Z1")
