@@ -27,7 +27,7 @@ def test_programs_of_o_words_do_what_they_do_on_linuxcnc(
     assert report.programs > 0.8 * programs
     assert report.moves > 3 * programs
     if together == 1:
-        assert {"nesting-too-deep", "division-by-zero", "variable-name-unknown"} <= set(
+        assert {"nesting-too-deep", "illegal-variable", "variable-name-unknown"} <= set(
             report.errors
         )
 

@@ -11,6 +11,7 @@
 #include "cncsub/machine/calls.hpp"
 #include "cncsub/machine/ends.hpp"
 #include "cncsub/machine/expressions.hpp"
+#include "cncsub/machine/passing.hpp"
 #include "cncsub/machine/returns.hpp"
 
 namespace cncsub {
@@ -82,13 +83,6 @@ void put(std::string& text, std::string_view mark, std::string_view what) {
   if (at != std::string::npos) text.replace(at, mark.size(), what);
 }
 
-/// The label as the control calls it: that of a subprogram, behind it that of a branch or a loop.
-std::string full_name(const Run& run, std::uint32_t label) {
-  const std::vector<std::string>& labels = run.code->labels;
-  const std::uint32_t inside = run.frame().label;
-  return (inside < labels.size() ? labels[inside] : "") + "#" + labels[label];
-}
-
 /// The label was met with another statement, or one that does not belong to this.
 Fault misfit(const Run& run, const Labelled& own, Cause cause, const Labels::Met& met) {
   const std::string line = std::to_string(run.code->blocks[met.address].line);
@@ -107,70 +101,6 @@ Fault misfit(const Run& run, const Labelled& own, Cause cause, const Labels::Met
 bool own_value(Run& run, const Labelled& own, double& value) {
   value = 0;
   return own.value == Labelled::kNone || evaluate(run, own.value, value);
-}
-
-constexpr std::uint32_t kOnTheWay = LabelledHead::kReadOnTheWay;
-
-void set_returned(Run& run, double value, bool any) {
-  if (run.code->returned < 0) return;
-  run.state.commons[static_cast<std::size_t>(run.code->returned)] = value;
-  run.state.commons[static_cast<std::size_t>(run.code->returned) + 1] = any ? 1 : 0;
-}
-
-/// The number of an M98 and its count, vacant where it has none.
-bool read_98(Run& run, const CallRecord& record, double& p, double& l) {
-  if (!value_of(run, record.p, p) || !value_of(run, record.l, l)) return false;
-  return !(l < 0) ||
-         alarm(run, {Cause::IllegalRepeatCount, record.l.at, record.l.width, "L is negative"});
-}
-
-/// Passing over has come to a block that cannot be passed.
-bool stopped_at(Run& run, Address at, Fault fault, const std::string& sought) {
-  fault.block = at;
-  fault.name = sought;
-  return alarm(run, fault);
-}
-
-/// The values of each M98 are read on the way, and nothing passes over the end of a tape. A search
-/// stops at what cannot be read, too, and an M99 says to it that nothing was returned. [rs274 2.9]
-bool read_on_the_way(Run& run, Address first, Address to, const std::string& sought) {
-  const Address start = run.state.pc;
-  Address at = first;
-  for (; at != kNowhere && at <= to; at = run.code->head_behind(kOnTheWay, at)) {
-    const Block& block = run.code->blocks[at];
-    if (block.op == Op::Fault) {
-      if (!run.state.labels.searching) continue;
-      return stopped_at(run, at, run.code->faults[block.aux], sought);
-    }
-    const Labelled& met = run.code->labelled[block.aux];
-    if (met.kind == LabelledKind::TapeEnd) {
-      Fault fault{Cause::ProgramNotFound, met.at, met.width, "nothing lies behind the %"};
-      fault.text = met.of_another_kind;
-      return stopped_at(run, at, std::move(fault), sought);
-    }
-    if (at == to) break;
-    if (met.kind == LabelledKind::Back) {
-      if (run.state.labels.searching) set_returned(run, 0, false);
-      continue;
-    }
-    double p = 0, l = kVacant;
-    run.state.pc = at;
-    if (!read_98(run, run.code->calls[met.call], p, l)) return false;
-  }
-  run.state.pc = start;
-  return true;
-}
-
-/// Passes over to the next statement of the label.
-bool pass_over(Run& run, const Labelled& own, const std::string& sought) {
-  run.block.next = own.next;
-  const Address first = run.code->head_behind(kOnTheWay, run.state.pc);
-  return read_on_the_way(run, first, own.next, sought);
-}
-
-bool pass_on(Run& run, const Labelled& own) {
-  run.state.labels.passing = true;
-  return pass_over(run, own, full_name(run, own.label));
 }
 
 /// What the label was met with before; an alarm where it was not.

@@ -397,8 +397,7 @@ bool ExpressionReader::named_place(Place& place) {
 bool ExpressionReader::shown(Value& value) {
   const std::uint32_t first = to_.expressions().next(), at = line_.offset();
   constant_.reset();
-  if (line_.peek() == '<') {
-    std::string name;
+  if (std::string name; line_.peek() == '<') {
     if (!read_name(name, line_.place())) return false;
     if (!built_in(name)) emit_raw(name);
     return finish(value, first, at);
@@ -406,10 +405,10 @@ bool ExpressionReader::shown(Value& value) {
   const std::string_view digits = line_.take_digits();
   std::int64_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (digits.size() <= 9 && to_.code().can_name(number, kLastVariable))
-    emit_load(number);
-  else
+  if (digits.size() > 9 || !to_.code().can_name(number, kLastVariable))
     emit(Ins::Constant, digits.size() <= 9 && number == 0 ? 0 : kVacant);
+  else
+    emit_load(number);
   return finish(value, first, at);
 }
 
