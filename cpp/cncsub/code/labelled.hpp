@@ -34,10 +34,10 @@ struct Labelled {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   LabelledKind kind = LabelledKind::Sub;
-  std::uint32_t label = 0;        // into Code::labels; kNone: the call's P says it
-  std::uint32_t value = kNone;    // the expression of a condition, a count, a returned value
-  std::uint32_t next = kNone;     // the address that passing over leads to
-  std::uint32_t call = kNone;     // of a call: into Code::calls
+  std::uint32_t label = 0;      // into Code::labels; kNone: the call's P says it
+  std::uint32_t value = kNone;  // the expression of a condition, a count, a returned value
+  std::uint32_t next = kNone;   // the address that passing over leads to
+  std::uint32_t call = kNone;   // of a call: into Code::calls
   // Into Code::faults: of M99 the fault that it is in a call, of endsub the one that it is outside
   // of one after another call came back.
   std::uint32_t refused = kNone;

@@ -70,6 +70,19 @@ bool waits_for(Run& run, std::uint32_t condition) {
   return true;
 }
 
+/// A jump back that is reached twice with nothing changed in between can only wait for the world
+/// outside. Asked in every pass of a loop, it is part of it.
+[[gnu::always_inline]] inline bool waits_here(Run& run) {
+  State& s = run.state;
+  const bool idle =
+      s.jumped_from == s.pc && s.changes_at_jump == s.changes && s.last_condition != kNowhere;
+  const std::uint32_t condition = s.last_condition;
+  s.jumped_from = s.pc;
+  s.changes_at_jump = s.changes;
+  s.last_condition = kNowhere;  // the next pass must ask again
+  return idle && waits_for(run, condition);
+}
+
 /// GOTO 10, GOTO #1.
 bool jump_by_goto(Run& run, const Statement& statement) {
   if (!may_jump(run, statement)) return false;
@@ -123,7 +136,7 @@ bool end_loop(Run& run, const Statement& statement) {
   if (loops.size() == run.frame().loops)
     return alarm(run,
                  {Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"});
-  if (waits(run)) return false;
+  if (waits_here(run)) return false;
   run.block.next = statement.to;
   return true;
 }
@@ -280,17 +293,6 @@ bool store_number(Run& run, std::int64_t number, double value, const Statement& 
   return true;
 }
 
-bool waits(Run& run) {
-  State& s = run.state;
-  const bool idle =
-      s.jumped_from == s.pc && s.changes_at_jump == s.changes && s.last_condition != kNowhere;
-  const std::uint32_t condition = s.last_condition;
-  s.jumped_from = s.pc;
-  s.changes_at_jump = s.changes;
-  s.last_condition = kNowhere;  // the next pass must ask again
-  return idle && waits_for(run, condition);
-}
-
 bool may_jump(Run& run, const Statement& statement) {
   return !run.jumps_refused || run.state.frames.size() > 1 ||
          alarm(run, {Cause::JumpInMdi, statement.at, statement.width, "a jump or a loop in MDI"});
@@ -307,9 +309,11 @@ void leave_loops(Run& run, Address to) {
 
 bool jump_to(Run& run, Address to) {
   leave_loops(run, to);
-  if (to <= run.state.pc && waits(run)) return false;
+  if (to <= run.state.pc && waits_here(run)) return false;
   run.block.next = to;
   return true;
 }
+
+bool waits(Run& run) { return waits_here(run); }
 
 }  // namespace cncsub

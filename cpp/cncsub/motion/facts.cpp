@@ -65,6 +65,8 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
       skips(*control),
       measuring(measuring_moves(*control)) {
   number_groups(*this);
+  constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
+  if (!lathe()) other_axes = kOthers & ~(chamfers.mask | rounds.mask | angles.mask);
   rapid.fill(control->motion.rapid_rate.value);
   fill(rapid, setup.rapid);
   for (const auto& [number, values] : setup.reference) fill(reference[number], values);

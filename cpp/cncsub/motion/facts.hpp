@@ -124,6 +124,7 @@ struct MotionFacts {
   std::vector<Limit> limits;
   std::vector<const Conflict*> conflicts, conflicts_of_words;  // those a block without G codes has
   CornerWords chamfers, rounds, angles;
+  std::uint32_t other_axes = 0;  // of a mill beside X, Y and Z, the letters that say nothing else
   SkipParameters skips;
   std::array<MeasuringMove, 2> measuring;
 

@@ -186,13 +186,6 @@ void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Mov
 
 namespace {
 
-/// The axes of a mill beside X, Y and Z, but for letters that say something else there.
-std::uint32_t other_axes(const MotionFacts& facts) {
-  constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
-  const std::uint32_t corners = facts.chamfers.mask | facts.rounds.mask | facts.angles.mask;
-  return facts.lathe() ? 0 : kOthers & ~corners;
-}
-
 /// False where the general path has something to say about it. `feed`: that of the block.
 bool plan_line(MotionView m, const NcWords& words, bool rapid, bool incremental, double feed,
                PlainLine& line) {
@@ -288,7 +281,7 @@ struct Modes {
 bool has_plain_words(const MotionFacts& facts, const NcWords& words) {
   const std::uint32_t known =
       kEndWords | kArcWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
-  const std::uint32_t others = words.mask & other_axes(facts);
+  const std::uint32_t others = words.mask & facts.other_axes;
   if (others != 0 && words.has('S')) return false;
   if (words.stops || (words.mask & ~(known | others)) != 0) return false;
   if (words.has('S') && !(words['S'] > 0)) return false;
@@ -337,7 +330,7 @@ struct PlainBlock {
 bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlock& block) {
   using Way = PlainBlock::Way;
   const MotionState& s = m.state;
-  const std::uint32_t others = words.mask & other_axes(m.facts);
+  const std::uint32_t others = words.mask & m.facts.other_axes;
   block.path = modes.path >= 0 ? modes.path : s.motion_code;
   block.letters = words.mask & (kEndWords | kArcWords | bit('F'));
   block.feed = words.has('F') ? words['F'] * s.unit : s.feed;

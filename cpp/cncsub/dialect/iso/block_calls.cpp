@@ -141,8 +141,7 @@ std::optional<Fault> BlockWriter::input_of_jump(JumpRecord& jump) {
   double first = -1;
   for (const PlacedRange& placed : rules_.code.variables)
     if (placed.range.kind == VariableKind::Input && first < 0) first = placed.range.first;
-  if (first < 0)
-    return Fault{Cause::IllegalVariable, q.at, q.width, "the control has no inputs"};
+  if (first < 0) return Fault{Cause::IllegalVariable, q.at, q.width, "the control has no inputs"};
   const Instruction input{Ins::Variable, 0, q.at, first + q.value};
   jump.reads_input = true;
   jump.input = to_.expressions().one(input, q.at, q.width);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "cncsub/dialect/iso/plain_expression.hpp"
+
 namespace cncsub {
 
 namespace {
@@ -13,6 +15,8 @@ namespace {
 constexpr int kDeepestBrackets = 64;
 constexpr std::int64_t kComputed = -1;
 constexpr const char* kNoVariable = "behind # stands a number, or an expression in brackets";
+
+bool starts_name(Scanner& s) { return is_letter(s.peek()) || s.peek() == '_'; }
 
 Ins computed(Ins raw) {
   switch (raw) {
@@ -148,8 +152,8 @@ std::optional<ExpressionReader::Value> ExpressionReader::variable_value() {
   const std::uint32_t at = s_.offset();
   s_.take('#');
   if (!room()) return std::nullopt;
-  if (auto plain = plain_variable(at)) return plain;
-  if (!is_digit(s_.peek()) && starts_name() && !takes(VariableForm::Names))
+  if (const auto plain = plain_variable(code_, s_, at)) return take(*plain);
+  if (!is_digit(s_.peek()) && starts_name(s_) && !takes(VariableForm::Names))
     return refuse(Cause::ExpressionFormat, at, kNoVariable);
   const auto number = variable_number(at);
   if (!number) return std::nullopt;
@@ -169,7 +173,7 @@ std::optional<std::int64_t> ExpressionReader::variable_number(std::uint32_t at) 
     if (!inner || !arithmetic(*inner)) return std::nullopt;
     return kComputed;
   }
-  if (!is_digit(first) && starts_name() && takes(VariableForm::Names)) {
+  if (!is_digit(first) && starts_name(s_) && takes(VariableForm::Names)) {
     emit(Ins::Named, at, to_.names().text(s_.take_name()));
     return kComputed;
   }
@@ -195,7 +199,13 @@ std::optional<std::int64_t> ExpressionReader::written_number() {
   return to_whole<std::int64_t>(number.value);
 }
 
-bool ExpressionReader::starts_name() { return is_letter(s_.peek()) || s_.peek() == '_'; }
+/// What was read at once.
+ExpressionReader::Value ExpressionReader::take(const PlainExpression& plain) {
+  for (std::size_t i = 0; i < plain.count; ++i)
+    emit(plain.steps[i].op, plain.steps[i].at, plain.steps[i].value);
+  s_.at = plain.end;
+  return plain.may_be_vacant() ? last() : Value{};
+}
 
 bool ExpressionReader::takes(VariableForm form) const {
   return code_.control->macros.variable_forms.value.has(form);

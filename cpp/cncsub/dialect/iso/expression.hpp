@@ -11,6 +11,7 @@
 namespace cncsub {
 
 struct FunctionName;
+struct PlainExpression;
 struct OperatorName;
 
 /// Compiles what stands in brackets, behind an equals sign or behind an address.
@@ -64,18 +65,13 @@ class ExpressionReader {
   std::optional<std::int64_t> variable_number(std::uint32_t at);
   std::optional<std::int64_t> written_number();
   void load(std::int64_t number, std::uint32_t at);
-  bool starts_name();
   bool takes(VariableForm form) const;
+  Value take(const PlainExpression& plain);
   /// The value of the last instruction, which may be vacant.
   Value last() const { return {Type::Number, std::int64_t{to_.expressions().next()} - 1}; }
 
   // ---- operators.cpp ----
   std::optional<Value> expression();
-  struct PlainValue;
-  bool plain_value(const char*& at, PlainValue& value) const;
-  std::optional<Value> plain_expression();
-  std::optional<Value> plain_variable(std::uint32_t hash);
-  bool ends_here();
   const OperatorName* operator_here();
   bool binds(const OperatorName& of, int level, const Value& value, bool compared) const;
   std::optional<Value> apply(const Waiting& waiting, Value right);

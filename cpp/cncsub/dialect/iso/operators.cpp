@@ -3,6 +3,7 @@
 #include <array>
 
 #include "cncsub/dialect/iso/expression.hpp"
+#include "cncsub/dialect/iso/plain_expression.hpp"
 
 namespace cncsub {
 
@@ -45,6 +46,12 @@ const OperatorName* find_operator(const OperatorName (&names)[N], Scanner s) {
   for (const OperatorName& of : names)
     if (of.text[0] == c && s.take_word(of.text)) return &of;
   return nullptr;
+}
+
+/// Whether the expression ends here, or the bracket that holds it.
+bool ends_here(Scanner& s) {
+  s.blanks();
+  return s.at == s.end || *s.at == ']';
 }
 
 /// Goes through what stands behind a logic operator, as far as the next one.
@@ -106,15 +113,9 @@ class Lookahead {
 
 }  // namespace
 
-/// Whether the expression ends here, or the bracket that holds it.
-bool ExpressionReader::ends_here() {
-  s_.blanks();
-  return s_.at == s_.end || *s_.at == ']';
-}
-
 /// The operator that stands here, null where none does.
 const OperatorName* ExpressionReader::operator_here() {
-  if (ends_here()) return nullptr;
+  if (ends_here(s_)) return nullptr;
   if (const OperatorName* found = find_operator(kOperators, s_))
     return found->op == Ins::Modulo && !has(Function::Mod) ? nullptr : found;
   const bool symbols = code_.control->macros.conditions.value.has(Condition::Symbols);
@@ -175,85 +176,11 @@ std::optional<ExpressionReader::Value> ExpressionReader::compare(const Waiting& 
   return Value{Type::Condition, -1};
 }
 
-/// A local, a common or a number, as it stands in the text.
-struct ExpressionReader::PlainValue {
-  std::uint32_t at = 0;
-  bool variable = false, local = false;
-  std::int32_t index = 0;
-  double value = 0;  // of a variable: its number
-
-  Ins load(bool raw) const {
-    if (!variable) return Ins::Constant;
-    return local ? (raw ? Ins::LocalRaw : Ins::Local) : (raw ? Ins::CommonRaw : Ins::Common);
-  }
-  std::uint32_t place() const { return variable ? static_cast<std::uint32_t>(index) : at; }
-};
-
-bool ExpressionReader::plain_value(const char*& at, PlainValue& value) const {
-  value.at = static_cast<std::uint32_t>(at - s_.file);
-  value.variable = *at == '#';
-  at += value.variable ? 1 : 0;
-  const Mantissa number = scan_mantissa(at);
-  const auto digits = number.whole + number.decimals;
-  if (at > s_.end || digits == 0) return false;
-  value.value = static_cast<double>(static_cast<std::int64_t>(number.value));
-  if (!value.variable) {
-    if (digits > std::min(code_.control->macros.max_constant_digits.value, kMostDigits))
-      return false;
-    value.value /= kPowersOfTen[number.decimals];
-    return true;
-  }
-  if (number.point || digits > 9 || takes(VariableForm::Indirect)) return false;
-  const VariablePlace place = code_.place(static_cast<std::int64_t>(number.value));
-  value.index = place.index;
-  value.local = place.is_local();
-  return value.local || place.is_common();
-}
-
-/// What most expressions are: one value, or two that + - * or / joins, without blanks. Nothing
-/// where it is more: then nothing was read.
-std::optional<ExpressionReader::Value> ExpressionReader::plain_expression() {
-  constexpr std::string_view kJoining = "+-*/";  // the first of kOperators
-  const char* at = s_.at;
-  PlainValue first, second;
-  if (at == s_.end || depth_ + 2 > kDeepest || !plain_value(at, first)) return std::nullopt;
-  const auto ends = [&] { return at == s_.end || *at == ']'; };
-  if (ends()) {
-    s_.at = at;
-    emit(first.load(true), first.place(), first.value);
-    return first.variable ? last() : Value{};
-  }
-  const std::size_t joining = kJoining.find(*at);
-  if (joining == std::string_view::npos) return std::nullopt;
-  const auto operator_at = static_cast<std::uint32_t>(at++ - s_.file);
-  if (at == s_.end || !plain_value(at, second) || !ends()) return std::nullopt;
-  const OperatorName& of = kOperators[joining];
-  if (of.op == Ins::Divide && !second.variable && second.value == 0) return std::nullopt;
-  s_.at = at;
-  emit(first.load(false), first.place(), first.value);
-  if (second.variable) emit(second.load(false), second.place(), second.value);
-  if (second.variable)
-    emit(of.op, operator_at);
-  else
-    emit(of.other, operator_at, second.value);
-  return Value{};
-}
-
-/// The local or common of the # that was read, where its number ends without doubt.
-std::optional<ExpressionReader::Value> ExpressionReader::plain_variable(std::uint32_t hash) {
-  const char* at = s_.file + hash;
-  PlainValue value;
-  if (!plain_value(at, value) || (at != s_.end && (is_blank(*at) || *at == '(')))
-    return std::nullopt;
-  s_.at = at;
-  emit(value.load(true), value.place(), value.value);
-  return last();
-}
-
 /// Operands and operators: a value waits with its operator until what stands on the right does not
 /// bind closer.
 std::optional<ExpressionReader::Value> ExpressionReader::expression() {
-  if (auto plain = plain_expression()) return plain;
+  if (depth_ + 2 <= kDeepest)
+    if (const auto plain = plain_expression(code_, s_)) return take(*plain);
   std::array<Waiting, kTightest + 1> waiting;  // NOLINT: the first `count`, looser ones first
   std::size_t count = 0;
   const bool alike = code_.control->macros.logic_order.value == LogicOrder::LikeArithmetic;
@@ -264,7 +191,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::expression() {
   };
   auto value = operand();
   while (value) {
-    if (count == 0 && ends_here()) return value;
+    if (count == 0 && ends_here(s_)) return value;
     const OperatorName* next = nullptr;
     for (int level = tightest;; --level) {
       if (count > 0 && waiting[count - 1].level == level) value = apply(waiting[--count], *value);

@@ -120,22 +120,16 @@ bool pass_comment(const char*& at, const char* end) {
 
 }  // namespace
 
-/// A value that an expression gives.
-bool PlainReader::take_computed(Words& words, char letter, const char*& at, const Scanner& s) {
-  const std::uint32_t mark = bit(letter);
-  if ((words.mask & mark) != 0 || (letter == 'P' && rules_.control.calls.bracket_names.value))
-    return false;
+/// The expression that gives a value, which is at `at`.
+std::optional<std::uint32_t> PlainReader::computed(char letter, const char*& at, const Scanner& s) {
+  if (letter == 'P' && rules_.control.calls.bracket_names.value) return std::nullopt;
   Scanner here{at, s.end, s.file};
   const auto expression = ExpressionReader(to_, here).word_value(letter);
-  if (!expression) return false;
-  words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
-  words.mask |= mark;
-  words.computed |= mark;
   at = here.at;
-  return true;
+  return expression;
 }
 
-bool PlainReader::take_words(const Scanner& s, Words& words) {
+[[gnu::always_inline]] inline bool PlainReader::take_words(const Scanner& s, Words& words) {
   const char* p = s.at;
   for (;;) {
     while (*p == ' ') ++p;
@@ -147,23 +141,26 @@ bool PlainReader::take_words(const Scanner& s, Words& words) {
       continue;
     }
     if (++words.count > kMostWords) return false;
-    const char begins = *p == '-' ? p[1] : *p;
-    if (kind == Kind::Value && (begins == '#' || begins == '[')) {
-      if (!take_computed(words, letter, p, s)) return false;
-      continue;
-    }
+    const char* const value = p;
     const bool negative = *p == '-';
     p += negative ? 1 : 0;
     const Mantissa number = scan_mantissa(p);
-    if (!fits(number) || !take(words, letter, negative, number)) return false;
+    if (fits(number)) {
+      if (!take(words, letter, negative, number)) return false;
+      continue;
+    }
+    if (kind != Kind::Value || number.whole != 0 || (*p != '#' && *p != '[')) return false;
+    p = value;
+    const auto expression = computed(letter, p, s);
+    const std::uint32_t mark = bit(letter);
+    if (!expression || (words.mask & mark) != 0) return false;
+    words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
+    words.mask |= mark;
+    words.computed |= mark;
   }
 }
 
-void PlainReader::write(const Words& words, Block& block) {
-  block.n = words.n;
-  if (words.computed == 0)
-    return to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask,
-                           words.values);
+void PlainReader::write_computed(const Words& words, Block& block) {
   WordList list;
   for (std::size_t i = 0; i < words.g_count; ++i) list.add_g({false, 0, words.g[i] * 10.0});
   if (words.m >= 0) list.add_m({false, 0, static_cast<double>(words.m)});
@@ -187,7 +184,11 @@ bool PlainReader::read(const Scanner& s, Block& block) {
     to_.expressions().take_back(before);
     return false;
   }
-  write(words, block);
+  block.n = words.n;
+  if (words.computed == 0)
+    to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask, words.values);
+  else
+    write_computed(words, block);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <optional>
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/block_rules.hpp"
@@ -30,8 +31,8 @@ class PlainReader {
   bool take_m(Words& words, const Mantissa& number) const;
   bool take_n(Words& words, const Mantissa& number) const;
   bool take_words(const Scanner& s, Words& words);
-  bool take_computed(Words& words, char letter, const char*& at, const Scanner& s);
-  void write(const Words& words, Block& block);
+  std::optional<std::uint32_t> computed(char letter, const char*& at, const Scanner& s);
+  void write_computed(const Words& words, Block& block);
 
   Builder& to_;
   const BlockRules& rules_;
