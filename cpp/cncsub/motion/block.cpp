@@ -12,6 +12,7 @@ namespace {
 
 /// How much of a dwell is waited until a skip signal ends it.
 double dwell_part(MotionContext& m, const BlockWords& block) {
+  if (!m.outside.skips.any()) return 1;
   const SignalMask signals = signals_of(m, block);
   double part = 1;
   if (signals != 0)

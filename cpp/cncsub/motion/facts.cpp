@@ -61,9 +61,7 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
       increment(setup.increment > 0 ? setup.increment : 0.001),
       chamfers(control->motion.chamfer_words.value, lathe()),
       rounds(control->motion.round_words.value, lathe()),
-      angles(control->motion.angle_words.value, lathe()),
-      skips(*control),
-      measuring(measuring_moves(*control)) {
+      angles(control->motion.angle_words.value, lathe()) {
   number_groups(*this);
   constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
   if (!lathe()) other_axes = kOthers & ~(chamfers.mask | rounds.mask | angles.mask);

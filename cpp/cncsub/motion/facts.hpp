@@ -15,7 +15,6 @@
 #include "cncsub/code/code.hpp"
 #include "cncsub/control/control.hpp"
 #include "cncsub/motion/setup.hpp"
-#include "cncsub/motion/signals.hpp"
 #include "cncsub/motion/state.hpp"
 #include "cncsub/text/number.hpp"
 
@@ -84,25 +83,6 @@ struct CornerWords {
 
 struct Conflict;  // what does not go together
 
-/// The parameters of G31 and of a dwell that a signal ends.
-struct SkipParameters {
-  explicit SkipParameters(const Control& control);
-
-  std::array<double, 4> feeds{};         // of G31, G31.1, G31.2 and G31.3
-  std::array<SignalMask, 4> of_form{};   // their signals
-  std::array<SignalMask, 4> numbered{};  // those of P1 to P4, or Q1 to Q4 of the dwell
-  SignalMask of_dwell = 0;               // without Q
-};
-
-/// How a tool is measured.
-struct MeasuringMove {
-  double feed = 0;  // mm/min
-  double near = 0;  // from the measuring position to where the feed begins
-  double zone = 0;  // on both sides of the measuring position: where the tool may arrive
-};
-/// The same as its parameters say: of an axis, and of Z of a lathe.
-std::array<MeasuringMove, 2> measuring_moves(const Control& control);
-
 struct MotionFacts {
   MotionFacts(std::shared_ptr<const Control> c, const Setup& setup);
 
@@ -125,8 +105,6 @@ struct MotionFacts {
   std::vector<const Conflict*> conflicts, conflicts_of_words;  // those a block without G codes has
   CornerWords chamfers, rounds, angles;
   std::uint32_t other_axes = 0;  // of a mill beside X, Y and Z, the letters that say nothing else
-  SkipParameters skips;
-  std::array<MeasuringMove, 2> measuring;
 
   /// Whether the control refuses what this cause names.
   bool refuses(Cause cause) const { return control->common.refuses.value.has(cause); }

@@ -48,6 +48,9 @@ struct Outside {
   /// Whether to break off a block that takes very long; or nothing.
   std::function<bool()> interrupted;
 
+  /// Whether a signal can come: one was told, or there is a workpiece to touch.
+  bool has_signals() const { return skips.any() || workpiece != nullptr; }
+
   /// Asks that now and then; `work` is what was done since the last time, a move being 1.
   bool over(std::size_t work) {
     worked += work;

@@ -1,6 +1,13 @@
 #include "cncsub/motion/signals.hpp"
 
+#include <algorithm>
+
 namespace cncsub {
+
+bool SkipLists::any() const {
+  return lists != nullptr &&
+         std::any_of(lists->begin(), lists->end(), [](const auto& list) { return !list.empty(); });
+}
 
 SkipsTold SkipLists::take(SignalMask signals) {
   SkipsTold told{{}, signals};

@@ -37,6 +37,8 @@ struct SkipLists {
   const Next* used = nullptr;  // before this block
   std::optional<Next> taken;   // with what this block takes, where it takes any
 
+  /// Whether anything was told of any signal.
+  bool any() const;
   /// The next that is told of these signals. What is told of any signal comes first.
   SkipsTold take(SignalMask signals);
 };

@@ -228,7 +228,7 @@ bool ExpressionReader::read_parameter(int depth) {
   constant_.reset();
   const auto late = [&] {
     return wrong(Cause::CodeNotComputed,
-                 "what a parameter is to its block that assigns to it is not computed here", at);
+                 "a parameter that its own block assigns is not computed here", at);
   };
   if (line_.ahead(0) == '[') {
     if (!read_bracket('[', ']', depth + 1)) return false;

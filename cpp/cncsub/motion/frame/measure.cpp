@@ -10,6 +10,36 @@
 namespace cncsub {
 namespace {
 
+/// How a tool is measured.
+struct MeasuringMove {
+  double feed = 0;  // mm/min
+  double near = 0;  // from the measuring position to where the feed begins
+  double zone = 0;  // on both sides of the measuring position: where the tool may arrive
+};
+
+/// The same as the parameters say; `z`: of Z of a lathe.
+MeasuringMove measuring_move(const Control& control, bool z) {
+  const auto move = [&](int feed, int near, int zone) {
+    const auto parameter = [&](int number) {
+      return std::max(0.0, control.parameter(std::to_string(number)));
+    };
+    return MeasuringMove{parameter(feed), parameter(near), parameter(zone)};
+  };
+  switch (control.motion.measuring.value) {
+    case Measuring::None:
+      break;
+    case Measuring::Of6241:
+      return z ? move(6241, 6252, 6255) : move(6241, 6251, 6254);
+    case Measuring::Of141:
+      return z ? move(141, 143, 145) : move(141, 142, 144);
+    case Measuring::Of5040:
+      return move(5040, 5043, 5044);
+    case Measuring::Words:
+      return move(8004, 8005, 8006);
+  }
+  return {};
+}
+
 /// The axis that a block of G36 or G37 names; or what is wrong with that.
 Result measuring_axis(MotionView m, const BlockWords& block, int& axis) {
   const bool lathe = m.facts.lathe();
@@ -41,7 +71,7 @@ Result check_measuring(MotionView m, const BlockWords& block, int& axis, Measuri
   if (block.words.has(lathe ? 'T' : 'H')) return fault(Cause::MeasuringWithOffset, block);
   if (auto wrong = measuring_axis(m, block, axis)) return wrong;
   if ((lathe ? m.state.tool_offset : m.state.h) == 0) return fault(Cause::MeasuringOffset, block);
-  how = m.facts.measuring[lathe && axis == 2 ? 1 : 0];
+  how = measuring_move(*m.facts.control, lathe && axis == 2);
   if (auto wrong = measuring_words(m, block, how)) return wrong;
   const bool z_alone = m.facts.control->motion.measuring.value == Measuring::Of5040;
   const bool inside =
@@ -71,28 +101,6 @@ void take_measure(MotionContext& m, int axis, double off) {
 }
 
 }  // namespace
-
-std::array<MeasuringMove, 2> measuring_moves(const Control& control) {
-  const auto move = [&](int feed, int near, int zone) {
-    const auto parameter = [&](int number) {
-      return std::max(0.0, control.parameter(std::to_string(number)));
-    };
-    return MeasuringMove{parameter(feed), parameter(near), parameter(zone)};
-  };
-  switch (control.motion.measuring.value) {
-    case Measuring::None:
-      break;
-    case Measuring::Of6241:
-      return {move(6241, 6251, 6254), move(6241, 6252, 6255)};
-    case Measuring::Of141:
-      return {move(141, 142, 144), move(141, 143, 145)};
-    case Measuring::Of5040:
-      return {move(5040, 5043, 5044), move(5040, 5043, 5044)};
-    case Measuring::Words:
-      return {move(8004, 8005, 8006), move(8004, 8005, 8006)};
-  }
-  return {};
-}
 
 Result measure_tool(MotionContext& m, BlockWords& block) {
   MeasuringMove how;

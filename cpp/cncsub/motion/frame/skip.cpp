@@ -8,11 +8,6 @@
 namespace cncsub {
 namespace {
 
-/// Which of G31, G31.1, G31.2 and G31.3 a block holds.
-std::size_t form_of(const BlockWords& block) {
-  return static_cast<std::size_t>(std::clamp(block.codes[at(Group::OneShot)].code - 310, 0, 3));
-}
-
 /// The feed of G31, and the numbers of its signals: P.
 Result skip_feed(MotionView m, const BlockWords& block, double& feed) {
   const Control& c = *m.facts.control;
@@ -20,7 +15,9 @@ Result skip_feed(MotionView m, const BlockWords& block, double& feed) {
     if (const double p = block.words['P']; p < 1 || p > most)
       return fault(Cause::ValueOutOfRange, block, "P of G31 is 1 to " + std::to_string(most));
   if (!c.motion.skip_own_feed.value) return need_feed(m, block, Meaning::Line);
-  feed = m.facts.skips.feeds[form_of(block)];
+  // Parameters of G31, G31.1, G31.2 and G31.3. [M7 p.547, p.552]
+  const int form = block.codes[at(Group::OneShot)].code - 310;
+  feed = c.parameter(std::to_string(1174 + 2 * form));
   if (block.words.has('F'))
     if (auto wrong = feed_of(m, block, feed)) return wrong;
   if (feed <= 0) return fault(Cause::NoSkipFeed, block);
@@ -59,57 +56,45 @@ std::optional<double> touch(MotionView m, const Workpiece& workpiece, SignalMask
   return first_contact(workpiece, signals, ball(m.state.work), ball(end));
 }
 
+/// Signals 1 to 8 as the bits of a parameter.
+SignalMask signals_of_parameter(const Control& c, int number) {
+  return static_cast<SignalMask>(to_whole<int>(c.parameter(std::to_string(number)), 0, 255)) << 1;
+}
+
 /// The signals of G31 and its forms G31.1 to G31.3, P naming them.
-SignalMask signals_of_skip(const MotionFacts& facts, const BlockWords& block, double p) {
-  const SkipParameters& parameters = facts.skips;
-  switch (facts.control->motion.skip_signals.value) {
+SignalMask signals_of_skip(const Control& c, const BlockWords& block, double p) {
+  const int form = block.codes[at(Group::OneShot)].code - 310;
+  switch (c.motion.skip_signals.value) {
     case SkipSignals::Any:
       return kAnySignal;
     case SkipSignals::Numbered:
       if (p >= 1 && p < kArrivalSignal) return signal_bit(whole(p));
       return p != 0 ? 0 : signal_bit(1);
     case SkipSignals::Parameters:
-      return parameters.numbered[p >= 1 && p < 5 ? static_cast<std::size_t>(p) - 1 : 0];
+      return signals_of_parameter(c, p >= 1 && p < 5 ? 6201 + whole(p) : 6202);
     case SkipSignals::Bits:
       if (p >= 1) return static_cast<SignalMask>(to_whole<int>(p, 1, 255)) << 1;
-      return parameters.of_form[form_of(block)];
+      return form == 0 ? signal_bit(1) : signals_of_parameter(c, 1173 + 2 * form);
   }
   return kAnySignal;
 }
 
 /// The signals that end a dwell, Q naming them.
-SignalMask signals_of_dwell(const MotionFacts& facts, double q) {
-  const SkipParameters& parameters = facts.skips;
-  switch (facts.control->motion.skip_signals.value) {
+SignalMask signals_of_dwell(const Control& c, double q) {
+  switch (c.motion.skip_signals.value) {
     case SkipSignals::Any:
       return 0;
     case SkipSignals::Numbered:
       return q >= 1 && q < kArrivalSignal ? signal_bit(whole(q)) : 0;
     case SkipSignals::Parameters:
-      return q >= 1 && q < 5 ? parameters.numbered[static_cast<std::size_t>(q) - 1]
-                             : parameters.of_dwell;
+      return signals_of_parameter(c, q >= 1 && q < 5 ? 6201 + whole(q) : 6206);
     case SkipSignals::Bits:
-      return parameters.of_dwell;
+      return signals_of_parameter(c, 1173);
   }
   return 0;
 }
 
 }  // namespace
-
-SkipParameters::SkipParameters(const Control& control) {
-  const auto parameter = [&](std::size_t number) {
-    return control.parameter(std::to_string(number));
-  };
-  const auto signals = [&](std::size_t number) {  // 1 to 8, as its bits
-    return static_cast<SignalMask>(to_whole<int>(parameter(number), 0, 255)) << 1;
-  };
-  for (std::size_t form = 0; form < feeds.size(); ++form) {
-    feeds[form] = parameter(1174 + 2 * form);  // [M7 p.547, p.552]
-    of_form[form] = form == 0 ? signal_bit(1) : signals(1173 + 2 * form);
-  }
-  for (std::size_t i = 0; i < numbered.size(); ++i) numbered[i] = signals(6202 + i);
-  of_dwell = signals(control.motion.skip_signals.value == SkipSignals::Bits ? 1173 : 6206);
-}
 
 Result skip(MotionContext& m, BlockWords& block) {
   if (compensating(m.state)) return fault(Cause::CompensationSkip, block);
@@ -121,7 +106,8 @@ Result skip(MotionContext& m, BlockWords& block) {
   if (named == 0) return std::nullopt;
   double feed = m.state.feed;
   if (auto wrong = skip_feed(m, block, feed)) return wrong;
-  const bool touched = signal_on_way(m, signals_of(m, block), end).has_value();
+  const bool touched =
+      m.outside.has_signals() && signal_on_way(m, signals_of(m, block), end).has_value();
   Piece piece = make_piece(m, block, MoveKind::Feed, end, named);
   piece.state.feed = held_skip_feed(m, feed, piece.state.feed_mode);
   piece.skip = touched ? SkipMove::Touched : SkipMove::Missed;
@@ -139,10 +125,11 @@ double held_skip_feed(MotionView m, double feed, FeedMode mode) {
 }
 
 SignalMask signals_of(MotionView m, const BlockWords& block) {
+  const Control& c = *m.facts.control;
   const NcWords& w = block.words;
   return block.meaning(Group::OneShot) == Meaning::Dwell
-             ? signals_of_dwell(m.facts, w.has('Q') ? w['Q'] : 0)
-             : signals_of_skip(m.facts, block, w.has('P') ? w['P'] : 0);
+             ? signals_of_dwell(c, w.has('Q') ? w['Q'] : 0)
+             : signals_of_skip(c, block, w.has('P') ? w['P'] : 0);
 }
 
 std::optional<double> signal_on_way(MotionContext& m, SignalMask signals, Axes& end) {
