@@ -14,7 +14,7 @@ import pytest
 
 import cncsub
 from comparison import Comparison
-from machines import LINUXCNC, LinuxCnc, Station, rs274
+from machines import LINUXCNC, OTHER_LANGUAGES, LinuxCnc, Station, rs274
 from programs import Call
 
 FOLDER = Path(__file__).resolve().parent / "differential"
@@ -26,7 +26,7 @@ def test_every_control_makes_the_moves_that_were_meant(capsys: pytest.CaptureFix
     comparison = Comparison(SEED)
     comparison.compare(PLACES, None)
     assert comparison.differences == 0, capsys.readouterr().out
-    assert {s.control for s in comparison.stations} == set(cncsub.controls) - {"linuxcnc"}
+    assert {s.control for s in comparison.stations} == set(cncsub.controls) - OTHER_LANGUAGES
     assert set(comparison.runs) == {station.name for station in comparison.stations}
 
 
@@ -87,5 +87,5 @@ def test_a_program_can_be_shown() -> None:
     command = [sys.executable, str(FOLDER), "--show", "7"]
     shown = [subprocess.check_output(command, text=True) for _ in range(2)]
     assert shown[0] == shown[1]
-    assert all(f"---- {name}\n" in shown[0] for name in set(cncsub.controls) - {"linuxcnc"})
+    assert all(f"---- {name}\n" in shown[0] for name in set(cncsub.controls) - OTHER_LANGUAGES)
     assert "Move(kind='" in shown[0]

@@ -26,7 +26,10 @@ def runs(text, stops=("end", "alarm"), **options):
     "Runs a text on every control, with its own limits and with none, as a mill and as a lathe."
     seen = set()
     for name in NAMES:
-        for control in (cncsub.controls[name], cncsub.controls[name].replace(**ANY)):
+        own = cncsub.controls[name]
+        rules = {rule.name for rule in own.rules}
+        wide = own.replace(**{rule: most for rule, most in ANY.items() if rule in rules})
+        for control in (own, wide):
             for machine in ("mill", "lathe-a", "lathe-b"):
                 asked = dict(setup={"machine": machine}, max_blocks=100_000, **options)
                 run = cncsub.loads(text, control=control).run(**asked)

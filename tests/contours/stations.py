@@ -17,7 +17,8 @@ PLANES = {17: "XYIJZ", 18: "ZXKIY", 19: "YZJKX"}
 # From the nose's centre to the imaginary tip, as Z and X.
 TIPS = [(0, 0), (1, 1), (-1, 1), (-1, -1), (1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (0, 0)]
 NO_INCH = {"gsk-980tdi"}
-NONE = {"gsk-928te"}  # no source tells of radius compensation there
+# No source tells of radius compensation there, or the engine does not compute it.
+NONE = {"gsk-928te", "siemens-one"}
 
 
 @dataclass(frozen=True)

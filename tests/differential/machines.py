@@ -71,11 +71,14 @@ class Station:
         return _with_length(as_lengths(rows) if self.style.diameter else rows)
 
 
+OTHER_LANGUAGES = {"linuxcnc", "siemens-one"}
+
+
 def stations() -> list[Station]:
     """Every control of the ISO language as its own kind of machine, and mills that can be lathes as
     these too.
     """
-    names = [name for name in cncsub.controls if name != "linuxcnc"]
+    names = [name for name in cncsub.controls if name not in OTHER_LANGUAGES]
     return [station for name in names for station in _stations_of(name)]
 
 

@@ -18,48 +18,31 @@ namespace cncsub {
 
 namespace {
 
+constexpr std::pair<LabelledKind, const char*> kKindNames[] = {
+    {LabelledKind::Sub, "sub"},
+    {LabelledKind::Head, ""},
+    {LabelledKind::EndSub, "endsub"},
+    {LabelledKind::Return, "return"},
+    {LabelledKind::Back, "M99"},
+    {LabelledKind::Call, "call"},
+    {LabelledKind::Call98, "M98"},
+    {LabelledKind::TapeEnd, "%"},
+    {LabelledKind::If, "if"},
+    {LabelledKind::ElseIf, "elseif"},
+    {LabelledKind::Else, "else"},
+    {LabelledKind::EndIf, "endif"},
+    {LabelledKind::While, "while"},
+    {LabelledKind::EndWhile, "endwhile"},
+    {LabelledKind::Do, "do"},
+    {LabelledKind::Repeat, "repeat"},
+    {LabelledKind::EndRepeat, "endrepeat"},
+    {LabelledKind::Break, "break"},
+    {LabelledKind::Continue, "continue"}};
+
 const char* name_of(LabelledKind kind) {
-  switch (kind) {
-    case LabelledKind::Sub:
-      return "sub";
-    case LabelledKind::Head:
-      return "";
-    case LabelledKind::EndSub:
-      return "endsub";
-    case LabelledKind::Return:
-      return "return";
-    case LabelledKind::Back:
-      return "M99";
-    case LabelledKind::Call:
-      return "call";
-    case LabelledKind::Call98:
-      return "M98";
-    case LabelledKind::TapeEnd:
-      return "%";
-    case LabelledKind::If:
-      return "if";
-    case LabelledKind::ElseIf:
-      return "elseif";
-    case LabelledKind::Else:
-      return "else";
-    case LabelledKind::EndIf:
-      return "endif";
-    case LabelledKind::While:
-      return "while";
-    case LabelledKind::EndWhile:
-      return "endwhile";
-    case LabelledKind::Do:
-      return "do";
-    case LabelledKind::Repeat:
-      return "repeat";
-    case LabelledKind::EndRepeat:
-      return "endrepeat";
-    case LabelledKind::Break:
-      return "break";
-    case LabelledKind::Continue:
-      return "continue";
-  }
-  return "";
+  const auto* const found = std::find_if(std::begin(kKindNames), std::end(kKindNames),
+                                         [kind](const auto& named) { return named.first == kind; });
+  return found == std::end(kKindNames) ? "" : found->second;
 }
 
 constexpr std::uint64_t key(std::uint32_t inside, std::uint32_t label) {

@@ -83,18 +83,19 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
     const bool kept = reset && (code.group == Group::Units || code.group == Group::Work);
     if (code.code >= 0 && !kept) state.modal[at(code.group)] = code;
   };
+  const auto where = [&](PowerOn code, Meaning meaning, Meaning other) {
+    return c.common.power_on.value.has(code) ? meaning : other;
+  };
+  const Meaning turning = where(PowerOn::G95, Meaning::PerRevolution, Meaning::PerMinute);
   for (const Meaning meaning :
-       {c.common.power_on.value.has(PowerOn::G01) ? Meaning::Line : Meaning::Rapid,
+       {where(PowerOn::G01, Meaning::Line, Meaning::Rapid),
         lathe ? Meaning::PlaneZX : Meaning::PlaneXY,
-        c.common.power_on.value.has(PowerOn::G91) ? Meaning::Incremental : Meaning::Absolute,
-        !lathe || !c.common.power_on.value.has(PowerOn::G95) ? Meaning::PerMinute
-                                                             : Meaning::PerRevolution,
-        Meaning::SpindleSpeed,
-        c.common.power_on.value.has(PowerOn::G20) ? Meaning::Inch : Meaning::Metric,
-        Meaning::RadiusOff, Meaning::LengthOff, Meaning::CycleOff, Meaning::ReturnInitial,
-        Meaning::ScalingOff, Meaning::MacroOff, Meaning::Work1, Meaning::PathCut,
-        Meaning::RotationOff, Meaning::PolarOff, Meaning::MirrorOff,
-        c.common.power_on.value.has(PowerOn::G22) ? Meaning::StrokeOn : Meaning::StrokeOff})
+        where(PowerOn::G91, Meaning::Incremental, Meaning::Absolute),
+        lathe ? turning : Meaning::PerMinute, Meaning::SpindleSpeed,
+        where(PowerOn::G20, Meaning::Inch, Meaning::Metric), Meaning::RadiusOff, Meaning::LengthOff,
+        Meaning::CycleOff, Meaning::ReturnInitial, Meaning::ScalingOff, Meaning::MacroOff,
+        Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
+        Meaning::MirrorOff, where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
     set(meaning);
   state.plane = lathe ? 18 : 17;
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;

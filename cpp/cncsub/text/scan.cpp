@@ -45,6 +45,21 @@ bool pass_gap(Scanner& s) {
   return true;
 }
 
+/// Whether a number may go on here, behind a gap or with another point.
+bool may_go_on(const char* at, const char* end) {
+  while (at != end && *at == ' ') ++at;
+  return at != end && (is_digit(*at) || *at == '.' || *at == '(' || is_blank(*at));
+}
+
+/// Takes zeros in front of a number out of the counts of its digits.
+void drop_zeros(const char* first, const char* end, Number& number) {
+  for (; first != end && (*first == '0' || *first == '.'); ++first) {
+    if (*first == '.') continue;
+    --number.digits;
+    if (number.whole_digits > 0) --number.whole_digits;
+  }
+}
+
 /// A number as nearly all are: a sign perhaps, digits and one point, nothing between them. False
 /// where it is another, or may go on behind a gap.
 bool scan_plain(Scanner& s, Number& number) {
@@ -56,20 +71,10 @@ bool scan_plain(Scanner& s, Number& number) {
   const char* const first = at;
   const Mantissa m = scan_mantissa(at);
   const auto written = static_cast<std::uint32_t>(m.whole + m.decimals);
-  if (at > s.end || written == 0 || written > kPlainDigits) return false;
-  const char* behind = at;
-  while (behind != s.end && *behind == ' ') ++behind;
-  if (behind != s.end &&
-      (is_digit(*behind) || *behind == '.' || *behind == '(' || is_blank(*behind)))
-    return false;
-  number.digits = written;
+  if (at > s.end || written == 0 || written > kPlainDigits || may_go_on(at, s.end)) return false;
+  number.digits = number.written = written;
   number.whole_digits = static_cast<std::uint32_t>(m.whole);
-  for (const char* zero = first; zero != at && (*zero == '0' || *zero == '.'); ++zero) {
-    if (*zero == '.') continue;
-    --number.digits;
-    if (number.whole_digits > 0) --number.whole_digits;
-  }
-  number.written = written;
+  drop_zeros(first, at, number);
   number.decimals = static_cast<std::uint32_t>(m.decimals);
   number.points = m.point ? 1 : 0;
   number.has_sign = sign;

@@ -85,7 +85,8 @@ std::optional<std::uint32_t> ExpressionReader::number() {
   const auto first = to_.expressions().next();
   s_.blanks();
   const std::uint32_t at = s_.offset();
-  auto value = expression();
+  auto value = take(plain_expression(code_, s_));
+  if (!value) value = expression();
   if (!value) return std::nullopt;
   if (!is_number(*value))
     return refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
@@ -152,7 +153,7 @@ std::optional<ExpressionReader::Value> ExpressionReader::variable_value() {
   const std::uint32_t at = s_.offset();
   s_.take('#');
   if (!room()) return std::nullopt;
-  if (const auto plain = plain_variable(code_, s_, at)) return take(*plain);
+  if (auto plain = take(plain_variable(code_, s_, at))) return plain;
   if (!is_digit(s_.peek()) && starts_name(s_) && !takes(VariableForm::Names))
     return refuse(Cause::ExpressionFormat, at, kNoVariable);
   const auto number = variable_number(at);
@@ -199,12 +200,14 @@ std::optional<std::int64_t> ExpressionReader::written_number() {
   return to_whole<std::int64_t>(number.value);
 }
 
-/// What was read at once.
-ExpressionReader::Value ExpressionReader::take(const PlainExpression& plain) {
-  for (std::size_t i = 0; i < plain.count; ++i)
-    emit(plain.steps[i].op, plain.steps[i].at, plain.steps[i].value);
-  s_.at = plain.end;
-  return plain.may_be_vacant() ? last() : Value{};
+/// What was read at once, if anything was.
+std::optional<ExpressionReader::Value> ExpressionReader::take(
+    const std::optional<PlainExpression>& plain) {
+  if (!plain || depth_ + 2 > kDeepest) return std::nullopt;
+  for (std::size_t i = 0; i < plain->count; ++i)
+    emit(plain->steps[i].op, plain->steps[i].at, plain->steps[i].value);
+  s_.at = plain->end;
+  return plain->may_be_vacant() ? last() : Value{};
 }
 
 bool ExpressionReader::takes(VariableForm form) const {
@@ -261,7 +264,8 @@ bool ExpressionReader::close() {
 
 std::optional<ExpressionReader::Value> ExpressionReader::bracket() {
   if (!open()) return std::nullopt;
-  const auto inner = expression();
+  auto inner = take(plain_expression(code_, s_));
+  if (!inner) inner = expression();
   if (!inner || !close()) return std::nullopt;
   return inner;
 }

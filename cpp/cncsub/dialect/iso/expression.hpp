@@ -66,7 +66,7 @@ class ExpressionReader {
   std::optional<std::int64_t> written_number();
   void load(std::int64_t number, std::uint32_t at);
   bool takes(VariableForm form) const;
-  Value take(const PlainExpression& plain);
+  std::optional<Value> take(const std::optional<PlainExpression>& plain);
   /// The value of the last instruction, which may be vacant.
   Value last() const { return {Type::Number, std::int64_t{to_.expressions().next()} - 1}; }
 

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "cncsub/dialect/iso/expression.hpp"
-#include "cncsub/dialect/iso/plain_expression.hpp"
 
 namespace cncsub {
 
@@ -179,8 +178,6 @@ std::optional<ExpressionReader::Value> ExpressionReader::compare(const Waiting& 
 /// Operands and operators: a value waits with its operator until what stands on the right does not
 /// bind closer.
 std::optional<ExpressionReader::Value> ExpressionReader::expression() {
-  if (depth_ + 2 <= kDeepest)
-    if (const auto plain = plain_expression(code_, s_)) return take(*plain);
   std::array<Waiting, kTightest + 1> waiting;  // NOLINT: the first `count`, looser ones first
   std::size_t count = 0;
   const bool alike = code_.control->macros.logic_order.value == LogicOrder::LikeArithmetic;
@@ -191,7 +188,6 @@ std::optional<ExpressionReader::Value> ExpressionReader::expression() {
   };
   auto value = operand();
   while (value) {
-    if (count == 0 && ends_here(s_)) return value;
     const OperatorName* next = nullptr;
     for (int level = tightest;; --level) {
       if (count > 0 && waiting[count - 1].level == level) value = apply(waiting[--count], *value);

@@ -120,13 +120,19 @@ bool pass_comment(const char*& at, const char* end) {
 
 }  // namespace
 
-/// The expression that gives a value, which is at `at`.
-std::optional<std::uint32_t> PlainReader::computed(char letter, const char*& at, const Scanner& s) {
-  if (letter == 'P' && rules_.control.calls.bracket_names.value) return std::nullopt;
+/// A value that an expression at `at` gives.
+bool PlainReader::take_computed(Words& words, char letter, const char*& at, const Scanner& s) {
+  const std::uint32_t mark = bit(letter);
+  if ((words.mask & mark) != 0 || (letter == 'P' && rules_.control.calls.bracket_names.value))
+    return false;
   Scanner here{at, s.end, s.file};
   const auto expression = ExpressionReader(to_, here).word_value(letter);
+  if (!expression) return false;
+  words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
+  words.mask |= mark;
+  words.computed |= mark;
   at = here.at;
-  return expression;
+  return true;
 }
 
 [[gnu::always_inline]] inline bool PlainReader::take_words(const Scanner& s, Words& words) {
@@ -136,27 +142,17 @@ std::optional<std::uint32_t> PlainReader::computed(char letter, const char*& at,
     if (p >= s.end) return true;  // a character that is in no word stands there
     const char letter = *p++;
     const Kind kind = kinds_[static_cast<unsigned char>(letter)];
-    if (kind <= Kind::Comment) {
-      if (kind == Kind::No || !pass_comment(p, s.end)) return false;
-      continue;
-    }
-    if (++words.count > kMostWords) return false;
+    if (kind == Kind::Comment && pass_comment(p, s.end)) continue;
+    if (kind <= Kind::Comment || ++words.count > kMostWords) return false;
     const char* const value = p;
     const bool negative = *p == '-';
     p += negative ? 1 : 0;
     const Mantissa number = scan_mantissa(p);
-    if (fits(number)) {
-      if (!take(words, letter, negative, number)) return false;
-      continue;
-    }
-    if (kind != Kind::Value || number.whole != 0 || (*p != '#' && *p != '[')) return false;
-    p = value;
-    const auto expression = computed(letter, p, s);
-    const std::uint32_t mark = bit(letter);
-    if (!expression || (words.mask & mark) != 0) return false;
-    words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
-    words.mask |= mark;
-    words.computed |= mark;
+    const bool taken = fits(number)
+                           ? take(words, letter, negative, number)
+                           : kind == Kind::Value && number.whole == 0 && (*p == '#' || *p == '[') &&
+                                 take_computed(words, letter, p = value, s);
+    if (!taken) return false;
   }
 }
 

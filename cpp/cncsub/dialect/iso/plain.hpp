@@ -5,7 +5,6 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
-#include <optional>
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/block_rules.hpp"
@@ -31,7 +30,7 @@ class PlainReader {
   bool take_m(Words& words, const Mantissa& number) const;
   bool take_n(Words& words, const Mantissa& number) const;
   bool take_words(const Scanner& s, Words& words);
-  std::optional<std::uint32_t> computed(char letter, const char*& at, const Scanner& s);
+  bool take_computed(Words& words, char letter, const char*& at, const Scanner& s);
   void write_computed(const Words& words, Block& block);
 
   Builder& to_;

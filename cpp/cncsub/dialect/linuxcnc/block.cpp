@@ -68,9 +68,9 @@ bool BlockReader::read(std::string_view text, Block& block, Label& label) {
   if (line_.peek() == 'o')
     o_word(block, label);
   else if (role == Role::Call)
-    label.unreadable = !call_98(block, *m, label);
+    label.unreadable = !call_98(block, m.value_or(0), label);
   else if (role == Role::Return)
-    back_99(block, *m, label);
+    back_99(block, m.value_or(0), label);
   else
     return words(block);
   return true;

@@ -62,6 +62,7 @@ class BlockReader {
   bool arguments(Block& block, CallRecord& call);
   bool end_of_o_word(Block& block);
   void take_m(int number);
+  bool words_of_98(Block& block, CallRecord& call);
   bool call_98(Block& block, int m, Label& label);
   void back_99(Block& block, int m, Label& label);
   std::optional<int> plain_m() const;

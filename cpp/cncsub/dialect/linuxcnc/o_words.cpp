@@ -85,15 +85,8 @@ void BlockReader::take_m(int number) {
   for (std::size_t left = 1 + std::to_string(number).size(); left > 0; --left) line_.take();
 }
 
-/// M98 stands first, and its words behind it; of other words nothing happens.
-bool BlockReader::call_98(Block& block, int m, Label& label) {
-  const std::uint32_t at = line_.offset();
-  take_m(m);
-  CallRecord call;
-  call.kind = CallKind::Subprogram;
-  call.locals = CallRecord::Locals::OwnByName;
-  call.at = at;
-  call.width = line_.width_from(at);
+/// The words behind M98; of others than P and L nothing happens.
+bool BlockReader::words_of_98(Block& block, CallRecord& call) {
   Words words;
   while (!line_.at_end()) {
     const char letter = line_.peek();
@@ -104,13 +97,26 @@ bool BlockReader::call_98(Block& block, int m, Label& label) {
     line_.take();
     if (!words.letters.insert(letter).second)
       return refuse(block, Cause::AddressGivenTwice,
-                    std::string("Multiple ") + letter + " words on one line", at);
+                    std::string("Multiple ") + letter + " words on one line", call.at);
     Value value;
     if (!expression_.whole(value)) return refuse(block);
     if (letter == 'l' && !value.computed && value.number < 0)
       return refuse(block, Cause::IllegalRepeatCount, "Negative l word used", value.at);
     (letter == 'p' ? call.p : call.l) = operand_of(value);
   }
+  return true;
+}
+
+/// M98 stands first, and its words behind it.
+bool BlockReader::call_98(Block& block, int m, Label& label) {
+  const std::uint32_t at = line_.offset();
+  take_m(m);
+  CallRecord call;
+  call.kind = CallKind::Subprogram;
+  call.locals = CallRecord::Locals::OwnByName;
+  call.at = at;
+  call.width = line_.width_from(at);
+  if (!words_of_98(block, call)) return false;
   if (!call.p.present())
     return refuse(block, Cause::ProgramNumberMissing,
                   "Found 'm" + std::to_string(m) + "' code with no P-word", at);

@@ -227,27 +227,34 @@ bool BlockReader::message(Block& block, Words& words, std::uint32_t at) {
 }
 
 bool BlockReader::write(Block& block, Words& words) {
-  if (words.call) return write_call(block, words);
+  if (words.call) return write_call(block, words, std::move(*words.call));
   for (const Drop& drop : words.drops) to_.drop(drop.at, drop.width);
-  const bool beside = !words.statements.empty() || words.print;
-  if (words.back) {
-    if (beside || words.ends)
-      return not_computed(block, "an assignment, a message or M30 beside the return", *words.back);
-    to_.words(block, words.list);
-    CallRecord back;
-    back.at = *words.back;
-    back.width = line_.width_from(back.at);
-    to_.become(block, Op::Return, std::move(back));
-    return true;
-  }
-  if (!beside) {
+  if (words.back) return write_return(block, words, *words.back);
+  if (words.statements.empty() && !words.print) {
     to_.words(block, words.list);
     if (words.ends) block.op = Op::EndProgram;
     return true;
   }
+  write_beside(block, words);
+  return true;
+}
+
+bool BlockReader::write_return(Block& block, const Words& words, std::uint32_t at) {
+  if (!words.statements.empty() || words.print || words.ends)
+    return not_computed(block, "an assignment, a message or M30 beside the return", at);
+  to_.words(block, words.list);
+  CallRecord back;
+  back.at = at;
+  back.width = line_.width_from(at);
+  to_.become(block, Op::Return, std::move(back));
+  return true;
+}
+
+/// Assignments and a message, perhaps with words beside them.
+void BlockReader::write_beside(Block& block, const Words& words) {
   if (!words.any && words.statements.size() == 1 && !words.print) {
     to_.become(block, Op::Assign, words.statements.front());
-  } else if (!words.any && words.statements.empty()) {
+  } else if (!words.any && words.statements.empty() && words.print) {
     to_.become(block, Op::Print, *words.print);
   } else {
     Block own = block;
@@ -258,7 +265,6 @@ bool BlockReader::write(Block& block, Words& words) {
     to_.together(block, words.statements, words.print ? &*words.print : nullptr,
                  words.any ? &own : nullptr);
   }
-  return true;
 }
 
 }  // namespace cncsub::sinumerik

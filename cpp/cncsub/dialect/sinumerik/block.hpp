@@ -69,7 +69,9 @@ class BlockReader {
   bool message(Block& block, Words& words, std::uint32_t at);
   bool call(Block& block, Words& words, std::string_view name);
   bool write(Block& block, Words& words);
-  bool write_call(Block& block, Words& words);
+  bool write_call(Block& block, const Words& words, CallRecord call);
+  bool write_return(Block& block, const Words& words, std::uint32_t at);
+  void write_beside(Block& block, const Words& words);
 
   /// Whether a statement stands here; `read_it`: without a fault.
   bool statement(Block& block, Link& link, bool& read_it);

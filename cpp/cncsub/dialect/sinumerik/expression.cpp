@@ -92,7 +92,7 @@ bool ExpressionReader::number(Value& value) {
   const bool minus = line_.take('-');
   if (!minus) line_.take('+');
   if (!read_number()) return false;
-  if (minus) constant_ = -*constant_;
+  if (minus) constant_ = -constant_.value_or(0);
   return finish(value, first, at);
 }
 
@@ -146,6 +146,17 @@ bool ExpressionReader::read(int depth) {
   return true;
 }
 
+/// The sign that stands here, or NOT, and what it is of.
+bool ExpressionReader::read_signed(char sign, std::string_view name, int depth) {
+  line_.pass(name.empty() ? 1 : name.size());
+  if (!read_operand(depth + 1)) return false;
+  if (sign == '+') return true;
+  if (constant_ && sign == '-') constant_ = -*constant_;
+  if (sign != '-') constant_.reset();
+  emit(sign == '-' ? Ins::Negate : Ins::Not);
+  return true;
+}
+
 /// A value with its signs, which bind closest.
 bool ExpressionReader::read_operand(int depth) {
   const std::uint32_t at = line_.offset();
@@ -153,15 +164,7 @@ bool ExpressionReader::read_operand(int depth) {
     return wrong(Cause::BracketsTooDeep, "more brackets than are read here", at);
   const char c = line_.peek();
   const std::string name = capitals(line_.name());
-  if (c == '-' || c == '+' || name == "NOT") {
-    line_.pass(name.empty() ? 1 : name.size());
-    if (!read_operand(depth + 1)) return false;
-    if (c == '+') return true;
-    if (constant_ && c == '-') constant_ = -*constant_;
-    if (c != '-') constant_.reset();
-    emit(c == '-' ? Ins::Negate : Ins::Not);
-    return true;
-  }
+  if (c == '-' || c == '+' || name == "NOT") return read_signed(c, name, depth);
   if (c == '(') return read_bracket('(', ')', depth + 1);
   if (is_digit(c) || c == '.') return read_number();
   if (c == '\0') return wrong(Cause::ExpressionFormat, "a value is missing", at);
@@ -252,21 +255,25 @@ bool ExpressionReader::read_function(std::string_view name, int depth) {
     emit(Ins::Constant, *constant_);
     return true;
   }
-  for (const Function& of : kFunctions) {
-    if (of.name != name) continue;
-    if (!line_.take('(')) return wrong(Cause::BracketNotOpened, "( is missing", at);
-    for (int i = 0; i < of.values; ++i) {
-      if (i > 0 && !line_.take(','))
-        return wrong(Cause::MissingComma, "a second value is missing", at);
-      if (!read(depth + 1)) return false;
-    }
-    if (!line_.take(')')) return wrong(Cause::BracketNotClosed, ") is missing", at);
-    constant_.reset();
-    if (of.op == Ins::Raise) emit(Ins::Constant, 2);  // POT: the square
-    emit(of.op);
-    return true;
+  const auto* const of = std::find_if(std::begin(kFunctions), std::end(kFunctions),
+                                      [name](const Function& known) { return known.name == name; });
+  if (of == std::end(kFunctions)) return not_computed(name, at);
+  if (!read_values(of->values, at, depth)) return false;
+  constant_.reset();
+  if (of->op == Ins::Raise) emit(Ins::Constant, 2);  // POT: the square
+  emit(of->op);
+  return true;
+}
+
+/// The values of the function at `at`, in their brackets.
+bool ExpressionReader::read_values(int count, std::uint32_t at, int depth) {
+  if (!line_.take('(')) return wrong(Cause::BracketNotOpened, "( is missing", at);
+  for (int i = 0; i < count; ++i) {
+    if (i > 0 && !line_.take(','))
+      return wrong(Cause::MissingComma, "a second value is missing", at);
+    if (!read(depth + 1)) return false;
   }
-  return not_computed(name, at);
+  return line_.take(')') || wrong(Cause::BracketNotClosed, ") is missing", at);
 }
 
 /// What is on the left, its value, and only then is it assigned to: R1=R1+1.

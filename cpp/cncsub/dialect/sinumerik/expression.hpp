@@ -48,6 +48,8 @@ class ExpressionReader {
   bool read_operand(int depth);
   bool read_number();
   bool read_parameter(int depth);
+  bool read_signed(char sign, std::string_view name, int depth);
+  bool read_values(int count, std::uint32_t at, int depth);
   bool read_function(std::string_view name, int depth);
   bool read_bracket(char open, char close, int depth);
   const Operator* next_operator();

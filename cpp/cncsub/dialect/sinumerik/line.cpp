@@ -7,7 +7,7 @@ namespace cncsub::sinumerik {
 std::string_view name_in(std::string_view text) {
   if (text.empty() || is_digit(text[0])) return {};
   const auto ends = [](char c) { return !is_letter(c) && !is_digit(c) && c != '_'; };
-  const auto end = std::find_if(text.begin(), text.end(), ends);
+  const auto* const end = std::find_if(text.begin(), text.end(), ends);
   return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
@@ -37,7 +37,7 @@ bool Line::take(std::string_view characters) {
 
 std::string_view Line::take_digits() {
   const std::string_view here = rest();
-  const auto end = std::find_if_not(here.begin(), here.end(), is_digit);
+  const auto* const end = std::find_if_not(here.begin(), here.end(), is_digit);
   const std::string_view digits = here.substr(0, static_cast<std::size_t>(end - here.begin()));
   if (!digits.empty()) pass(digits.size());
   return digits;

@@ -83,12 +83,11 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
 }
 
 /// A call has a block of its own.
-bool BlockReader::write_call(Block& block, Words& words) {
+bool BlockReader::write_call(Block& block, const Words& words, CallRecord call) {
   const bool alone = !words.any && words.statements.empty() && !words.print && !words.back;
   if (!alone)
-    return refuse(block, Cause::IllegalWordWithCall, "a call has a block of its own",
-                  words.call->at);
-  to_.become(block, Op::Call, std::move(*words.call));
+    return refuse(block, Cause::IllegalWordWithCall, "a call has a block of its own", call.at);
+  to_.become(block, Op::Call, std::move(call));
   return true;
 }
 
@@ -97,8 +96,8 @@ bool BlockReader::write_call(Block& block, Words& words) {
 bool BlockReader::statement(Block& block, Link& link, bool& read_it) {
   const std::uint32_t at = line_.offset();
   const std::string word = capitals(line_.name());
-  const auto known = std::find_if(std::begin(kStructures), std::end(kStructures),
-                                  [&](const Structure& of) { return of.word == word; });
+  const auto* const known = std::find_if(std::begin(kStructures), std::end(kStructures),
+                                         [&](const Structure& of) { return of.word == word; });
   const bool structure = known != std::end(kStructures);
   if (!structure && word != "IF" && word != "REPEAT" && !is_jump(word)) return false;
   line_.pass(word.size());

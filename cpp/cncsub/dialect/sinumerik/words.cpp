@@ -57,6 +57,22 @@ void pass_expression(Line& line) {
   }
 }
 
+/// X10, X=R1, G54: a letter, and what belongs to it.
+void pass_address(Line& line, char letter, WrittenWord& word) {
+  word.address = letter;
+  line.pass(1);
+  const std::string_view here = line.rest();
+  Scanner ahead{here.data(), here.data() + here.size(), here.data()};
+  take_number(ahead, word);
+  if (line.ahead(0) == '-' || line.ahead(0) == '+') line.pass(1);
+  while (is_digit(line.ahead(0)) || line.ahead(0) == '.') line.pass(1);
+  if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
+  if (line.peek() != '=') return;
+  line.pass(1);
+  word.known = false;
+  pass_expression(line);
+}
+
 void pass_word(Line& line, WrittenWord& word) {
   const std::string_view name = line.name();
   const std::string capital = capitals(name);
@@ -68,18 +84,7 @@ void pass_word(Line& line, WrittenWord& word) {
     if (line.ahead(0) == '(') pass_bracket(line, '(', ')');
     if (line.take('=')) pass_expression(line);
   } else if (!name.empty()) {
-    word.address = capital.substr(0, 1);
-    line.pass(1);
-    const std::string_view here = line.rest();
-    Scanner ahead{here.data(), here.data() + here.size(), here.data()};
-    take_number(ahead, word);
-    if (line.ahead(0) == '-' || line.ahead(0) == '+') line.pass(1);
-    while (is_digit(line.ahead(0)) || line.ahead(0) == '.') line.pass(1);
-    if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
-    if (line.peek() != '=') return;
-    line.pass(1);
-    word.known = false;
-    pass_expression(line);
+    pass_address(line, capital[0], word);
   } else {
     const std::string_view first = first_character(line.rest());
     word.address = first;
