@@ -132,6 +132,32 @@ def test_a_block_that_alarms_changes_nothing(
         assert second == again
 
 
+# Blocks of other languages, that assign and speak and do something besides.
+TOGETHER = {
+    "linuxcnc": [
+        "#31=12 A-12.392 G84", "#1=2 D-0.001", "#501=0 G73", "#5221=3 #5222=4 G1 X1 F0 G93", "#<_a>=3 G2 X1",
+        "#<_a>=3 (MSG, said) G2 X1", "#1=7 #2=8 #5420=1", "#[30+1]=5 G2 X9", "#[5000+221]=5 G2 X9",
+        "#1=5 #5221=9 M199 G2 X5", "#31=[1/0] #1=3", "#4=6 (ABORT, here)", "G10 L2 P1 X5 #5=6 G2 X1",
+    ],
+    "siemens-one": ["R1=R1+1 G42", "R2=7 R3=8 G2 X5", "R4=R1 N5 G1 X=R1/R9", "R1=5 M6 G3 Y9", "MSG(\"A\") G2 X5"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("control", "block"), [(control, block) for control in TOGETHER for block in TOGETHER[control]]
+)
+def test_what_a_block_assigns_and_says_is_taken_back_where_it_alarms(
+    control: str, block: str
+) -> None:
+    head = {"linuxcnc": "#1=9\n#<_a>=1\n(MSG, before)\nG0 X3\n", "siemens-one": "R1=9\nG0 X3\n"}
+    library = cncsub.loads(f"{head[control]}{block}\nM30\n", control=control)
+    shown = to_the_alarm(library)
+    assert shown is not None, "the block alarms"
+    before, after, again, second = shown
+    assert after == before
+    assert second == again
+
+
 BOTH = [
     ("fanuc-0i-f", "mill"),
     ("fanuc-16i", "lathe-a"),

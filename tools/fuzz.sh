@@ -1,8 +1,8 @@
 #!/bin/sh
 # Fuzzes the engine: builds the targets under the sanitizers, writes the seeds, and runs each target for so many seconds
 # (60 without an argument): sh tools/fuzz.sh 3600. What it learned stays in build/fuzz/corpus for the next time, and an input
-# that broke the engine in build/fuzz/found; `build/fuzz/cpp/fuzz/fuzz_run FILE` runs one again. Whole programs are made from
-# the number SEED, today's date where it is not set.
+# that broke the engine in build/fuzz/found; `build/fuzz/cpp/fuzz/fuzz_run FILE` runs one again. Inputs and whole programs are
+# made from the number SEED, today's date where it is not set.
 # Needs Clang with libFuzzer; exit status 77 where there is none.
 set -eu
 cd "$(dirname "$0")/.."
@@ -23,6 +23,7 @@ find_clang() {
 }
 
 seconds=${1:-60}
+seed=${SEED:-$(date +%Y%m%d)}
 clang=$(find_clang) || exit $?
 install .
 PATH=$PWD/$VENV/bin:$PATH
@@ -35,13 +36,13 @@ mkdir -p $build/found $build/corpus/read $build/corpus/run
 failed=0
 for target in read run; do
     echo "== fuzzing: $target, $seconds s"
-    $build/cpp/fuzz/fuzz_$target -max_total_time="$seconds" -max_len=4096 -timeout=25 -rss_limit_mb=2560 \
+    $build/cpp/fuzz/fuzz_$target -seed="$seed" -max_total_time="$seconds" -max_len=4096 -timeout=25 -rss_limit_mb=2560 \
         -dict=$build/seeds/nc.dict -artifact_prefix=$build/found/$target- -print_final_stats=1 -verbosity=1 \
         $build/corpus/$target $build/seeds/$target >$build/$target.log 2>&1 || failed=1
     grep -E 'ERROR|SUMMARY|not so:|runtime error|Test unit written|^stat::' $build/$target.log || true
 done
 echo "== whole programs, $seconds s"
-timeout $((seconds + 120)) $build/cpp/fuzz/fuzz_programs --seed "${SEED:-$(date +%Y%m%d)}" --count 1000000000 --seconds "$seconds" \
+timeout $((seconds + 120)) $build/cpp/fuzz/fuzz_programs --seed "$seed" --count 1000000000 --seconds "$seconds" \
     $build/seeds/run >$build/programs.log 2>&1 || failed=1
 tail -n 60 $build/programs.log
 exit $failed

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,6 +17,27 @@
 #include "cncsub/trace/trace.hpp"
 
 namespace cncsub {
+
+/// What a block assigned and said that does something else besides, as it was before: it may alarm
+/// behind that.
+struct BeforeTogether {
+  struct Variable {
+    bool local = false;  // or a common
+    std::size_t index = 0;
+    double value = 0;
+    std::uint8_t programmed = 0;  // of a local
+  };
+  struct System {
+    std::vector<double> locals;  // which images of levels write
+    std::map<std::int64_t, double> variables;
+    Motion motion;
+  };
+  std::vector<Variable> variables;
+  std::optional<System> system;  // from the first assignment to a variable of the system on
+  std::optional<std::size_t> messages;  // how many there were
+
+  void forget() { *this = {}; }
+};
 
 /// Between two blocks nothing of this counts.
 struct RunningBlock {
@@ -32,6 +54,7 @@ struct RunningBlock {
   const Together* together = nullptr;    // what it does besides its words, and has not done yet
   std::int64_t took = -1;  // `before` is what had been taken when that many blocks were executed
   Taken before;
+  BeforeTogether before_together;
 
   // Instead of the address of a block: an M code starts the main program over, or M#1 ends it.
   static constexpr Address kRestart = kNowhere, kEnd = kNowhere - 1;

@@ -37,7 +37,28 @@ bool alarm_of_motion(Run& run, Fault fault) {
   return alarm(run, fault);
 }
 
+namespace {
+
+void take_back_together(Run& run) {
+  BeforeTogether& before = run.block.before_together;
+  State& s = run.state;
+  for (auto of = before.variables.rbegin(); of != before.variables.rend(); ++of) {
+    (of->local ? s.locals : s.commons)[of->index] = of->value;
+    if (of->local && !s.programmed.empty()) s.programmed[of->index] = of->programmed;
+  }
+  if (before.messages) run.trace.keep_messages(*before.messages);
+  if (before.system) {
+    s.locals = std::move(before.system->locals);
+    s.system = std::move(before.system->variables);
+    run.motion = std::move(before.system->motion);
+  }
+  before.forget();
+}
+
+}  // namespace
+
 void give_back(Run& run) {
+  take_back_together(run);
   if (run.block.took != run.state.executed) return;
   run.state.taken = run.block.before;
   run.block.took = -1;

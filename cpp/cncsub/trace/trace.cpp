@@ -36,6 +36,11 @@ void Trace::say(std::string message) {
   messages.push(std::move(message));
 }
 
+void Trace::keep_messages(std::size_t count) {
+  for (std::size_t i = count; i < messages.size(); ++i) text -= messages[i].size();
+  messages.keep(count);
+}
+
 Trace Trace::take(const std::vector<std::int32_t>& open_calls, bool last, std::int64_t next_step) {
   Trace rest;
   rest.depth = depth;

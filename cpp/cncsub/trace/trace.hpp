@@ -75,6 +75,8 @@ struct Trace {
   std::size_t bytes() const;
 
   void say(std::string message);
+  /// Forgets the messages from `count` on.
+  void keep_messages(std::size_t count);
   /// Gives away what was recorded and goes on empty, with the open calls, from step `next_step`.
   Trace take(const std::vector<std::int32_t>& open_calls, bool last, std::int64_t next_step);
 };
