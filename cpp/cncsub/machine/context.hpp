@@ -33,7 +33,7 @@ struct BeforeTogether {
     Motion motion;
   };
   std::vector<Variable> variables;
-  std::optional<System> system;  // from the first assignment to a variable of the system on
+  std::optional<System> system;         // from the first assignment to a variable of the system on
   std::optional<std::size_t> messages;  // how many there were
 
   void forget() { *this = {}; }

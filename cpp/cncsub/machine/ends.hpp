@@ -14,8 +14,8 @@ bool end_run(Run& run, Stop stop);
 bool alarm(Run& run, const Fault& fault);
 /// The same for a fault of the motion, which knows the block it stands in and no text.
 bool alarm_of_motion(Run& run, Fault fault);
-/// Puts back what the running block has assigned and said, and what it has taken from outside: it alarms, or
-/// is to be run again.
+/// Puts back what the running block has assigned and said, and what it has taken from outside: it
+/// alarms, or is to be run again.
 void give_back(Run& run);
 /// The calls that are open end with the last block that was executed.
 void finish_calls(Run& run);

@@ -6,18 +6,19 @@
 #include <string_view>
 
 #include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/iso/value_writer.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
 struct FunctionName;
 struct PlainExpression;
-struct OperatorName;
 
 /// Compiles what stands in brackets, behind an equals sign or behind an address.
 class ExpressionReader {
  public:
-  ExpressionReader(Builder& to, Scanner& scanner) : to_(to), code_(to.code()), s_(scanner) {}
+  ExpressionReader(Builder& to, Scanner& scanner)
+      : code_(to.code()), names_(to.names()), out_(to), s_(scanner) {}
 
   /// An expression that gives a number; nothing where it is faulty (see `fault`). Reads as far as
   /// the expression goes.
@@ -35,24 +36,9 @@ class ExpressionReader {
   };
   std::optional<Variable> variable(std::uint32_t hash);
 
-  const Fault& fault() const { return fault_; }
+  const Fault& fault() const { return out_.fault(); }
 
  private:
-  static constexpr int kDeepest = 200;  // values on the stack, whatever the control allows
-
-  enum class Type { Number, Condition };
-  struct Value {
-    Type type = Type::Number;
-    std::int64_t raw = -1;  // the instruction, where it is one variable and may still be vacant
-  };
-
-  struct Waiting {  // for its right value
-    Value left;
-    const OperatorName* of = nullptr;
-    std::uint32_t at = 0;
-    int level = 0;
-  };
-
   std::optional<Value> operand();
   std::optional<Value> sign();
   std::optional<Value> constant();
@@ -64,47 +50,24 @@ class ExpressionReader {
   std::optional<Value> variable_value();
   std::optional<std::int64_t> variable_number(std::uint32_t at);
   std::optional<std::int64_t> written_number();
-  void load(std::int64_t number, std::uint32_t at);
-  bool takes(VariableForm form) const;
   std::optional<Value> take(const std::optional<PlainExpression>& plain);
-  /// The value of the last instruction, which may be vacant.
-  Value last() const { return {Type::Number, std::int64_t{to_.expressions().next()} - 1}; }
 
-  // ---- operators.cpp ----
-  std::optional<Value> expression();
-  const OperatorName* operator_here();
-  bool binds(const OperatorName& of, int level, const Value& value, bool compared) const;
-  std::optional<Value> apply(const Waiting& waiting, Value right);
-  std::optional<Value> compare(const Waiting& waiting, Value right);
+  std::optional<Value> expression();  // operators.cpp
 
   // ---- functions.cpp ----
   std::optional<Value> word();
-  bool has(Function function) const;
-  const FunctionName* find_function(std::string_view word) const;
   std::optional<Value> function(const FunctionName& of, std::uint32_t at);
   std::optional<Value> arc_tangent(std::uint32_t at);
   std::optional<Value> programmed(std::uint32_t at);
   std::optional<Value> negated(std::uint32_t at);
   bool argument();
-  bool comma();
 
-  // ---- what all of them use ----
-  bool is_number(Value& value) const;
-  bool arithmetic(Value& value);
-  bool room();
-  void emit(Ins op, std::uint32_t at, double value = 0);
-  std::nullopt_t refuse(Cause cause, std::uint32_t at, std::string detail = {});
-  std::uint32_t finish(std::uint32_t first, std::uint32_t at, std::uint32_t width);
-
-  Builder& to_;
   const Code& code_;
+  Names& names_;
+  ValueWriter out_;
   Scanner& s_;
-  Fault fault_;
-  bool failed_ = false;
-  char address_ = 0;  // of the word the expression stands in
   int brackets_ = 0;
-  int depth_ = 0;  // values on the stack
-  int nots_ = 0;   // NOT before NOT
+  int nots_ = 0;  // NOT before NOT
 };
 
 }  // namespace cncsub

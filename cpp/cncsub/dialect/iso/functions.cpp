@@ -46,24 +46,23 @@ struct ConstantName {
 constexpr ConstantName kConstants[] = {
     {Function::Pi, 3.14159265358979323846}, {Function::True, 1}, {Function::False, 0}};
 
-}  // namespace
-
-/// Whether the control has a function, or an operator that some have not.
-bool ExpressionReader::has(Function function) const {
-  return code_.control->macros.functions.value.has(function);
-}
-
 /// The function of this name, or of the name that it abbreviates.
-const FunctionName* ExpressionReader::find_function(std::string_view word) const {
+const FunctionName* find_function(const Code& code, std::string_view word) {
   for (const FunctionName& f : kFunctions)
-    if (name_of(f.function) == word && has(f.function)) return &f;
-  if (!code_.control->macros.short_functions.value || word.size() < 2) return nullptr;
+    if (name_of(f.function) == word && has_function(code, f.function)) return &f;
+  if (!code.control->macros.short_functions.value || word.size() < 2) return nullptr;
   for (const FunctionName& f : kFunctions)
-    if (name_of(f.function).starts_with(word) && has(f.function)) return &f;
+    if (name_of(f.function).starts_with(word) && has_function(code, f.function)) return &f;
   return nullptr;
 }
 
-std::optional<ExpressionReader::Value> ExpressionReader::word() {
+}  // namespace
+
+bool has_function(const Code& code, Function function) {
+  return code.control->macros.functions.value.has(function);
+}
+
+std::optional<Value> ExpressionReader::word() {
   const std::uint32_t at = s_.offset();
   std::string word;
   while (is_letter(s_.peek()) || (word == "ATAN" && s_.peek() == '2')) {
@@ -72,46 +71,41 @@ std::optional<ExpressionReader::Value> ExpressionReader::word() {
     if (word.size() > 8) break;
   }
   for (const ConstantName& of : kConstants) {
-    if (word != name_of(of.word) || !has(of.word)) continue;
-    if (!room()) return std::nullopt;
-    emit(Ins::Constant, at, of.value);
+    if (word != name_of(of.word) || !has_function(code_, of.word)) continue;
+    if (!out_.has_room(s_.offset())) return std::nullopt;
+    out_.emit(Ins::Constant, at, of.value);
     return Value{};
   }
   if (word == "NOT" && code_.control->macros.conditions.value.has(Condition::Bare))
     return negated(at);
-  const FunctionName* found = find_function(word);
+  const FunctionName* found = find_function(code_, word);
   if (found == nullptr)
-    return refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
-  if (found->one == Ins::Atan && !has(Function::Atan2)) return arc_tangent(at);
+    return out_.refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
+  if (found->one == Ins::Atan && !has_function(code_, Function::Atan2)) return arc_tangent(at);
   if (found->one == Ins::Programmed) return programmed(at);
   return function(*found, at);
 }
 
-std::optional<ExpressionReader::Value> ExpressionReader::function(const FunctionName& of,
-                                                                  std::uint32_t at) {
+std::optional<Value> ExpressionReader::function(const FunctionName& of, std::uint32_t at) {
   if (!open() || !argument()) return std::nullopt;
   const bool two = of.one == Ins::End || (of.two != Ins::End && s_.peek() == ',');
-  if (two && (!comma() || !argument())) return std::nullopt;
+  if (two && !s_.take(','))
+    return out_.refuse(Cause::MissingComma, s_.offset(), "the function takes two arguments");
+  if (two && !argument()) return std::nullopt;
   if (!close()) return std::nullopt;
   Ins op = two ? of.two : of.one;
-  if (op == Ins::Round && address_ != 0) op = Ins::RoundWord;
-  emit(op, at);
+  if (op == Ins::Round && out_.in_word()) op = Ins::RoundWord;
+  out_.emit(op, at);
   return Value{};
 }
 
 bool ExpressionReader::argument() {
   auto value = expression();
-  return value && arithmetic(*value);
-}
-
-bool ExpressionReader::comma() {
-  if (s_.take(',')) return true;
-  refuse(Cause::MissingComma, s_.offset(), "the function takes two arguments");
-  return false;
+  return value && out_.arithmetic(*value, s_.offset());
 }
 
 /// ATAN[a]/[b], ATAN[a,b] and ATAN[a].
-std::optional<ExpressionReader::Value> ExpressionReader::arc_tangent(std::uint32_t at) {
+std::optional<Value> ExpressionReader::arc_tangent(std::uint32_t at) {
   if (!open() || !argument()) return std::nullopt;
   bool two = s_.take(',');
   if (two && !argument()) return std::nullopt;
@@ -120,36 +114,36 @@ std::optional<ExpressionReader::Value> ExpressionReader::arc_tangent(std::uint32
   if (!two && ahead.take('/') && ahead.peek() == '[') {
     s_ = ahead;
     auto second = bracket();
-    if (!second || !arithmetic(*second)) return std::nullopt;
+    if (!second || !out_.arithmetic(*second, s_.offset())) return std::nullopt;
     two = true;
   }
-  emit(two ? Ins::Atan2 : Ins::Atan, at);
+  out_.emit(two ? Ins::Atan2 : Ins::Atan, at);
   return Value{};
 }
 
 /// AR[#23]: how the word was programmed, so the variable itself counts.
-std::optional<ExpressionReader::Value> ExpressionReader::programmed(std::uint32_t at) {
+std::optional<Value> ExpressionReader::programmed(std::uint32_t at) {
   if (!open() || s_.peek() != '#')
-    return refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+    return out_.refuse(Cause::ExpressionFormat, at, "AR takes a variable");
   const std::uint32_t hash = s_.offset();
   s_.take('#');
   const auto target = variable(hash);
   if (!target || target->number < 0)
-    return refuse(Cause::ExpressionFormat, at, "AR takes a variable");
-  if (!close() || !room()) return std::nullopt;
-  emit(Ins::Programmed, at, static_cast<double>(target->number));
+    return out_.refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+  if (!close() || !out_.has_room(s_.offset())) return std::nullopt;
+  out_.emit(Ins::Programmed, at, static_cast<double>(target->number));
   return Value{};
 }
 
 /// NOT before a condition.
-std::optional<ExpressionReader::Value> ExpressionReader::negated(std::uint32_t at) {
-  if (++nots_ > kMostNots) return refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
+std::optional<Value> ExpressionReader::negated(std::uint32_t at) {
+  if (++nots_ > kMostNots) return out_.refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
   auto value = operand();
   if (!value) return std::nullopt;
   --nots_;
-  if (value->type != Type::Condition)
-    return refuse(Cause::ExpressionFormat, at, "NOT takes a condition");
-  emit(Ins::Not, at);
+  if (value->type != Value::Type::Condition)
+    return out_.refuse(Cause::ExpressionFormat, at, "NOT takes a condition");
+  out_.emit(Ins::Not, at);
   return value;
 }
 

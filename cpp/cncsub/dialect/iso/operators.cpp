@@ -110,74 +110,75 @@ class Lookahead {
   bool value_ = false;  // the value of an operand has ended: an operator follows
 };
 
-}  // namespace
+struct Waiting {  // for its right value
+  Value left;
+  const OperatorName* of = nullptr;
+  std::uint32_t at = 0;
+  int level = 0;
+};
 
 /// The operator that stands here, null where none does.
-const OperatorName* ExpressionReader::operator_here() {
-  if (ends_here(s_)) return nullptr;
-  if (const OperatorName* found = find_operator(kOperators, s_))
-    return found->op == Ins::Modulo && !has(Function::Mod) ? nullptr : found;
-  const bool symbols = code_.control->macros.conditions.value.has(Condition::Symbols);
-  return symbols ? find_operator(kSymbols, s_) : nullptr;
+const OperatorName* operator_here(const Code& code, Scanner& s) {
+  if (ends_here(s)) return nullptr;
+  if (const OperatorName* found = find_operator(kOperators, s))
+    return found->op == Ins::Modulo && !has_function(code, Function::Mod) ? nullptr : found;
+  const bool symbols = code.control->macros.conditions.value.has(Condition::Symbols);
+  return symbols ? find_operator(kSymbols, s) : nullptr;
 }
 
 /// Whether an operator binds at this level behind a value. Where logic of numbers binds first, it
 /// counts whether the value is a number, and whether it is the right side of a comparison:
 /// `#1EQ3AND#2EQ4` joins two, `3EQ#1AND3` is one.
-bool ExpressionReader::binds(const OperatorName& of, int level, const Value& value,
-                             bool compared) const {
-  const LogicOrder order = code_.control->macros.logic_order.value;
+bool binds(const Control& control, const Scanner& s, const OperatorName& of, int level,
+           const Value& value, bool compared) {
+  const LogicOrder order = control.macros.logic_order.value;
   if (level == (order == LogicOrder::LikeArithmetic ? of.alike : of.last)) return true;
   if (order != LogicOrder::LastOfConditions || !of.is_logic()) return false;
-  if (value.type != Type::Number || level != of.alike + 1) return false;
+  if (value.type != Value::Type::Number || level != of.alike + 1) return false;
   if (!compared) return true;
-  Scanner behind = s_;
+  Scanner behind = s;
   behind.take_word(of.text);
   return !Lookahead(behind).finds_condition();
 }
 
-/// Joins two values; the left one waited for the right one.
-std::optional<ExpressionReader::Value> ExpressionReader::apply(const Waiting& waiting,
-                                                               Value right) {
-  const OperatorName& of = *waiting.of;
-  Value left = waiting.left;
-  if (of.compares()) return compare(waiting, right);
-  if (of.is_logic() && left.type == Type::Condition && right.type == Type::Condition) {
-    if (!code_.control->macros.conditions.value.has(Condition::Joined))
-      return refuse(Cause::IfFormat, waiting.at, "conditions cannot be joined on this control");
-    emit(of.other, waiting.at);
-    return Value{Type::Condition, -1};
-  }
-  if (!arithmetic(left) || !arithmetic(right)) return std::nullopt;
-  Instruction& last = to_.expressions().instruction(to_.expressions().next() - 1);
-  const bool constant = last.op == Ins::Constant && !of.is_logic() && of.other != Ins::End;
-  if (!constant || (of.op == Ins::Divide && last.value == 0)) {
-    emit(of.op, waiting.at);
-    return Value{};
-  }
-  last.op = of.other;
-  last.at = waiting.at;
-  depth_ += stack_effect(last.op) - stack_effect(Ins::Constant);
-  return Value{};
-}
-
-std::optional<ExpressionReader::Value> ExpressionReader::compare(const Waiting& waiting,
-                                                                 Value right) {
+std::optional<Value> compare(ValueWriter& out, const Waiting& waiting, Value right,
+                             std::uint32_t end) {
   Value left = waiting.left;
   const Ins op = waiting.of->op;
   const bool tells_vacant =
-      code_.control->macros.vacant_comparison.value == VacantComparison::Distinguished &&
+      out.control().macros.vacant_comparison.value == VacantComparison::Distinguished &&
       (op == Ins::Equal || op == Ins::NotEqual);
-  if (!is_number(left) || !is_number(right))
-    return refuse(Cause::ExpressionFormat, waiting.at, "a comparison compares two values");
-  if (!tells_vacant && (!arithmetic(left) || !arithmetic(right))) return std::nullopt;
-  emit(op, waiting.at);
-  return Value{Type::Condition, -1};
+  if (!out.is_number(left) || !out.is_number(right))
+    return out.refuse(Cause::ExpressionFormat, waiting.at, "a comparison compares two values");
+  if (!tells_vacant && (!out.arithmetic(left, end) || !out.arithmetic(right, end)))
+    return std::nullopt;
+  out.emit(op, waiting.at);
+  return Value{Value::Type::Condition, -1};
 }
+
+/// Joins two values; the left one waited for the right one.
+std::optional<Value> apply(ValueWriter& out, const Waiting& waiting, Value right,
+                           std::uint32_t end) {
+  const OperatorName& of = *waiting.of;
+  Value left = waiting.left;
+  if (of.compares()) return compare(out, waiting, right, end);
+  if (of.is_logic() && left.type == Value::Type::Condition &&
+      right.type == Value::Type::Condition) {
+    if (!out.control().macros.conditions.value.has(Condition::Joined))
+      return out.refuse(Cause::IfFormat, waiting.at, "conditions cannot be joined on this control");
+    out.emit(of.other, waiting.at);
+    return Value{Value::Type::Condition, -1};
+  }
+  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return std::nullopt;
+  out.emit_operator(of.op, of.is_logic() ? Ins::End : of.other, waiting.at);
+  return Value{};
+}
+
+}  // namespace
 
 /// Operands and operators: a value waits with its operator until what stands on the right does not
 /// bind closer.
-std::optional<ExpressionReader::Value> ExpressionReader::expression() {
+std::optional<Value> ExpressionReader::expression() {
   std::array<Waiting, kTightest + 1> waiting;  // NOLINT: the first `count`, looser ones first
   std::size_t count = 0;
   const bool alike = code_.control->macros.logic_order.value == LogicOrder::LikeArithmetic;
@@ -190,10 +191,12 @@ std::optional<ExpressionReader::Value> ExpressionReader::expression() {
   while (value) {
     const OperatorName* next = nullptr;
     for (int level = tightest;; --level) {
-      if (count > 0 && waiting[count - 1].level == level) value = apply(waiting[--count], *value);
+      if (count > 0 && waiting[count - 1].level == level)
+        value = apply(out_, waiting[--count], *value, s_.offset());
       if (!value) return std::nullopt;
-      if (level == tightest) next = operator_here();
-      if (next != nullptr && binds(*next, level, *value, next->is_logic() && compared())) {
+      if (level == tightest) next = operator_here(code_, s_);
+      if (next != nullptr &&
+          binds(*code_.control, s_, *next, level, *value, next->is_logic() && compared())) {
         waiting[count++] = {*value, next, s_.offset(), level};
         break;
       }

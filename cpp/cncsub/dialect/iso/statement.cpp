@@ -9,13 +9,39 @@ namespace cncsub {
 // No control takes an IF behind THEN; what stands there is read to tell what is wrong with it.
 constexpr int kDeepestThen = 10;
 
-/// A word that a statement begins with.
-struct StatementReader::Keyword {
-  std::string_view word;
-  void (StatementReader::*read)(const Keyword& keyword, Statement& statement);
-  Op op = Op::Goto;
-  std::optional<StatementKind> kind;  // what the control may not have
-};
+namespace {
+
+/// Where the value of an assignment goes.
+void set_target(const Code& code, const ExpressionReader::Variable& variable,
+                Statement& statement) {
+  if (variable.number < 0) {
+    statement.target = Statement::Target::Indirect;
+    statement.variable = variable.expression;
+    return;
+  }
+  const VariablePlace place = code.place(variable.number);
+  const bool common = place.is_common() && place.range->access == Access::ReadWrite;
+  statement.target = place.is_local() ? Statement::Target::Local
+                     : common         ? Statement::Target::Common
+                                      : Statement::Target::Variable;
+  statement.index =
+      place.is_local() || common
+          ? place.index
+          : to_whole<std::int32_t>(static_cast<double>(variable.number), 0, 2000000000);
+}
+
+/// The comment behind the value is data of #3000 and #3006.
+void keep_comment(const Code& code, const Scanner& s, Statement& statement) {
+  const std::uint32_t from = code.expressions[statement.expression].at;
+  const std::string_view rest(s.file + from, static_cast<std::size_t>(s.end - s.file) - from);
+  const std::size_t open = rest.find('(');
+  if (open == std::string_view::npos) return;
+  const std::size_t close = std::min(rest.find(')', open), rest.size());
+  statement.text = from + static_cast<std::uint32_t>(open) + 1;
+  statement.text_length = static_cast<std::uint32_t>(close - open - 1);
+}
+
+}  // namespace
 
 // END begins ENDIF and ENDW too.
 const StatementReader::Keyword StatementReader::kKeywords[] = {
@@ -142,7 +168,7 @@ void StatementReader::assignment(bool bracketed) {
   ExpressionReader reader(to_, s_);
   const auto variable = reader.variable(statement.at);
   if (!variable) return refuse(reader.fault());
-  set_target(statement, *variable);
+  set_target(code_, *variable, statement);
   if (bracketed && !s_.take(']'))
     return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the name's bracket is not closed");
   statement.variable_width = std::max<std::uint32_t>(1, s_.offset() - statement.variable_at);
@@ -152,39 +178,9 @@ void StatementReader::assignment(bool bracketed) {
   if (!value) return refuse(reader.fault());
   statement.expression = *value;
   statement.width = std::max<std::uint32_t>(1, s_.offset() - statement.at);
-  keep_comment(statement);
+  keep_comment(code_, s_, statement);
   block_.op = Op::Assign;
   if (at_end(Cause::NcAndMacroInBlock)) finish(Op::Assign, statement);
-}
-
-/// Where the value of an assignment goes.
-void StatementReader::set_target(Statement& statement,
-                                 const ExpressionReader::Variable& variable) const {
-  if (variable.number < 0) {
-    statement.target = Statement::Target::Indirect;
-    statement.variable = variable.expression;
-    return;
-  }
-  const VariablePlace place = code_.place(variable.number);
-  const bool common = place.is_common() && place.range->access == Access::ReadWrite;
-  statement.target = place.is_local() ? Statement::Target::Local
-                     : common         ? Statement::Target::Common
-                                      : Statement::Target::Variable;
-  statement.index =
-      place.is_local() || common
-          ? place.index
-          : to_whole<std::int32_t>(static_cast<double>(variable.number), 0, 2000000000);
-}
-
-/// The comment behind the value is data of #3000 and #3006.
-void StatementReader::keep_comment(Statement& statement) const {
-  const std::uint32_t from = code_.expressions[statement.expression].at;
-  const std::string_view rest(s_.file + from, static_cast<std::size_t>(s_.end - s_.file) - from);
-  const std::size_t open = rest.find('(');
-  if (open == std::string_view::npos) return;
-  const std::size_t close = std::min(rest.find(')', open), rest.size());
-  statement.text = from + static_cast<std::uint32_t>(open) + 1;
-  statement.text_length = static_cast<std::uint32_t>(close - open - 1);
 }
 
 /// A statement that is its keyword and nothing else.
@@ -313,87 +309,6 @@ void StatementReader::jump(Op op, Statement& statement) {
   }
   statement.variable_width = std::max(1u, s_.offset() - at);
   if (at_end(Cause::NcAndMacroInBlock)) finish(op, statement);
-}
-
-void StatementReader::print(const Keyword& keyword, Statement& /*statement*/) {
-  Print print;
-  print.binary = keyword.kind == StatementKind::Bprnt;
-  print.at = s_.offset();
-  if (!s_.take('['))
-    return refuse(Cause::OutputFormat, s_.offset(), 1, "the output stands in brackets");
-  while (s_.peek() != ']') {
-    if (s_.peek() == '\0')
-      return refuse(Cause::OutputFormat, s_.offset(), 1, "the output's bracket is not closed");
-    if (s_.peek() == '#') {
-      if (!print_field(print)) return;
-      continue;
-    }
-    if (print.fields.empty() || print.fields.back().is_variable) print.fields.push_back({});
-    print.fields.back().text += *s_.at == '*' ? ' ' : *s_.at;
-    ++s_.at;
-  }
-  s_.take(']');
-  if (!at_end(Cause::NcAndMacroInBlock)) return;
-  to_.become(block_, Op::Print, std::move(print));
-}
-
-/// `#100[53]`: five digits before the point, three behind it.
-bool StatementReader::print_field(Print& print) {
-  PrintField field;
-  field.is_variable = true;
-  ExpressionReader reader(to_, s_);
-  const auto value = reader.word_value('\0');
-  if (!value) {
-    refuse(reader.fault());
-    return false;
-  }
-  field.expression = *value;
-  const std::uint32_t at = s_.offset();
-  if (!s_.take('[')) {
-    refuse(Cause::OutputFormat, at, 1, "behind the variable stands the number of digits, as [53]");
-    return false;
-  }
-  const Number format = scan_number(s_);
-  const bool good =
-      format.written == (print.binary ? 1 : 2) && !format.negative && format.points == 0;
-  if (!good || !s_.take(']')) {
-    refuse(Cause::OutputFormat, at, 1, "the number of digits is two digits in brackets, as [53]");
-    return false;
-  }
-  const int digits = to_whole<int>(format.value);
-  field.whole_digits = print.binary ? 0 : digits / 10;
-  field.decimals = digits % 10;
-  print.fields.push_back(field);
-  return true;
-}
-
-/// SETVN 510[TOOLNO, WORKNO].
-void StatementReader::name_variables(const Keyword& /*keyword*/, Statement& statement) {
-  if (!code_.control->macros.variable_forms.value.has(VariableForm::Names))
-    return refuse(Cause::StatementNotAvailable, statement.at, 5, "this control has no SETVN");
-  const Number first = scan_number(s_);
-  if (!first.any || first.points != 0 || first.negative || first.value > 1e9 || !s_.take('['))
-    return refuse(Cause::SetvnFormat, s_.offset(), 1, "write SETVN n[NAME, NAME]");
-  statement.number = to_whole<std::int32_t>(first.value);
-  statement.index = static_cast<std::int32_t>(code_.names.size());
-  for (;;) {
-    const std::uint32_t at = s_.offset();
-    const std::string name = s_.take_name();
-    if (name.size() > 8)
-      return refuse(Cause::VariableNameTooLong, at, 1, "a variable name has at most 8 characters");
-    const char behind = s_.peek();
-    const bool ends = behind == ']' || behind == ',' || behind == '\0';
-    if (!ends || name.empty() || is_digit(name[0]))
-      return refuse(Cause::IllegalVariableName, ends ? at : s_.offset(), 1,
-                    "a variable name is a letter, then letters, digits and _");
-    to_.names().text(name);
-    if (s_.take(']')) break;
-    if (!s_.take(','))
-      return refuse(Cause::SetvnFormat, s_.offset(), 1, "the list of names is not closed");
-  }
-  statement.variable_width =
-      static_cast<std::uint32_t>(code_.names.size()) - static_cast<std::uint32_t>(statement.index);
-  if (at_end(Cause::NcAndMacroInBlock)) finish(Op::NameVariables, statement);
 }
 
 }  // namespace cncsub

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "cncsub/dialect/iso/expression.hpp"
 
@@ -17,7 +18,13 @@ class StatementReader {
   bool read();
 
  private:
-  struct Keyword;
+  /// A word that a statement begins with.
+  struct Keyword {
+    std::string_view word;
+    void (StatementReader::*read)(const Keyword& keyword, Statement& statement);
+    Op op = Op::Goto;
+    std::optional<StatementKind> kind;  // what the control may not have
+  };
   static const Keyword kKeywords[];
 
   bool has(const Keyword& keyword) const;
@@ -25,8 +32,6 @@ class StatementReader {
   bool lacks(StatementKind kind, std::uint32_t at, std::string_view name = {});
   bool named_assignment();
   void assignment(bool bracketed);
-  void set_target(Statement& statement, const ExpressionReader::Variable& variable) const;
-  void keep_comment(Statement& statement) const;
 
   // What stands behind a keyword; `statement` has its place.
   void bare(const Keyword& keyword, Statement& statement);

@@ -28,6 +28,9 @@ struct Place {
   std::uint32_t number = 0;  // Indirect: the expression of its number
 };
 
+/// Writes an instruction of what stands at this place of the line.
+void push(Builder& to, const Line& line, Ins op, double value = 0, std::uint32_t index = 0);
+
 class ExpressionReader {
  public:
   ExpressionReader(Builder& to, Line& line) : to_(to), line_(line) {}
@@ -74,10 +77,6 @@ class ExpressionReader {
   std::optional<std::int64_t> variable_number(std::size_t place);
   /// The number that a value is but for a hair; nothing where it is not whole: `fault` says why.
   std::optional<double> whole_number(double value, std::size_t place);
-  void emit_load(std::int64_t number);
-  void emit_raw(const std::string& name);
-  std::uint32_t named(const std::string& name);
-  bool built_in(const std::string& name);
 
   Builder& to_;
   Line& line_;

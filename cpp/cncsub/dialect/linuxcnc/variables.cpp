@@ -1,0 +1,190 @@
+// Variables, by number and by name, where they are read, assigned to and shown.
+#include <charconv>
+
+#include "cncsub/control/variable_table.hpp"
+#include "cncsub/dialect/linuxcnc/built_in.hpp"
+#include "cncsub/dialect/linuxcnc/expression.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub::linuxcnc {
+
+namespace {
+
+/// The place of a name among Code::named_variables.
+std::uint32_t named(Builder& to, const std::string& name) {
+  return to.names().variable(name, name.starts_with('_'));
+}
+
+void push_load(Builder& to, const Line& line, std::int64_t number) {
+  const VariablePlace place = to.code().place(number);
+  const Ins load = place.is_local() ? Ins::Local : place.is_common() ? Ins::Common : Ins::Variable;
+  push(to, line, load, static_cast<double>(number), static_cast<std::uint32_t>(place.index));
+}
+
+/// The variable of a name, vacant where it is not set.
+void push_raw(Builder& to, const Line& line, const std::string& name) {
+  const NamedVariable& variable = to.code().named_variables[named(to, name)];
+  push(to, line, variable.common ? Ins::CommonRaw : Ins::LocalRaw, 0,
+       static_cast<std::uint32_t>(variable.index));
+}
+
+bool push_built_in(Builder& to, const Line& line, const std::string& name) {
+  const BuiltIn* found = find_built_in(name);
+  if (found == nullptr) return false;
+  for (const BuiltIn::Step& step : found->steps) {
+    if (step.op == Ins::End) break;
+    if (step.op == Ins::Common)
+      push(to, line, Ins::Common, 0,
+           static_cast<std::uint32_t>(to.names().returned() + to_whole<int>(step.value)));
+    else
+      push(to, line, step.op, step.value);
+  }
+  return true;
+}
+
+}  // namespace
+
+bool is_read_only(std::int64_t number) {
+  return (number >= 5400 && number <= 5413) || (number >= 5420 && number <= 5428);
+}
+
+std::optional<std::int64_t> ExpressionReader::variable_number(std::size_t place) {
+  const auto whole = whole_number(constant_.value_or(0), place);
+  if (!whole) return std::nullopt;
+  const auto number = to_whole<std::int64_t>(*whole);
+  if (to_.code().can_name(number, kLastVariable)) return number;
+  wrong(Cause::IllegalVariable, "Parameter number out of range", place);
+  if (fault) fault->detail = no_variable(to_.control(), number);
+  return std::nullopt;
+}
+
+bool ExpressionReader::read_variable(int depth) {
+  if (line_.peek() == '<') return read_named();
+  const std::size_t place = line_.place();
+  const std::uint32_t first = to_.expressions().next();
+  if (!read_value(depth)) return false;
+  if (!constant_) {
+    emit(Ins::VariableNumber, static_cast<double>(kLastVariable));
+    emit(Ins::Indirect);
+    return true;
+  }
+  const auto number = variable_number(place);
+  if (!number) return false;
+  constant_.reset();
+  to_.expressions().take_back(first);
+  push_load(to_, line_, *number);
+  return true;
+}
+
+/// <name>
+bool ExpressionReader::read_name(std::string& name, std::size_t place) {
+  line_.take('<');
+  if (line_.take_up_to('>', name)) return true;
+  return wrong(Cause::IllegalVariableName, "Named parameter not terminated", place);
+}
+
+bool ExpressionReader::read_named() {
+  const std::size_t place = line_.place();
+  std::string name;
+  if (!read_name(name, place)) return false;
+  constant_.reset();
+  if (push_built_in(to_, line_, name)) return true;
+  if (tells_of_machine(name))
+    return wrong(Cause::CodeNotComputed, "#<" + name + "> tells of a machine", place);
+  const std::uint32_t at = named(to_, name);
+  const NamedVariable& variable = to_.code().named_variables[at];
+  const auto index = static_cast<std::uint32_t>(variable.index);
+  if (set_here_.contains(name))
+    emit(variable.common ? Ins::Common : Ins::Local, 0, index);
+  else
+    emit(variable.common ? Ins::NamedCommon : Ins::NamedLocal, at, index);
+  return true;
+}
+
+bool ExpressionReader::read_exists(int depth) {
+  const std::size_t place = line_.place();
+  if (line_.peek() != '[')
+    return wrong(Cause::ExpressionFormat, "Left bracket missing after unary operation name", place);
+  line_.take();
+  if (!line_.take('#'))
+    return wrong(Cause::ExpressionFormat, "Expected # reading parameter", place);
+  if (line_.peek() == '<') {
+    std::string name;
+    if (!read_name(name, place)) return false;
+    constant_.reset();
+    if (is_read_only(name) || set_here_.contains(name)) {
+      emit(Ins::Constant, 1);
+    } else {
+      push_raw(to_, line_, name);
+      emit(Ins::IsSet);
+    }
+  } else {
+    if (!read_value(depth)) return false;
+    constant_.reset();
+    emit(Ins::WholeNumber);  // of a number: whether there is a variable of this number
+    emit(Ins::Constant, 1);
+    emit(Ins::IsWithin, static_cast<double>(kLastVariable));
+  }
+  if (!line_.take(']'))
+    return wrong(Cause::BracketNotClosed, "Expected ] reading bracketed parameter", place);
+  return true;
+}
+
+bool ExpressionReader::place(Place& place) {
+  if (line_.peek() == '<') return named_place(place);
+  const std::size_t start = line_.place();
+  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  if (!read_value(0)) return false;
+  if (!constant_) {
+    emit(Ins::VariableNumber, static_cast<double>(kLastVariable));
+    place.target = Statement::Target::Indirect;
+    place.number = to_.expressions().end(first, at, line_.width_from(at));
+    return true;
+  }
+  to_.expressions().take_back(first);
+  const auto number = variable_number(start);
+  if (!number) return false;
+  if (is_read_only(*number))
+    return wrong(Cause::VariableWriteProtected, "Parameter is readonly", start);
+  const VariablePlace where = to_.code().place(*number);
+  place.target = where.is_local()    ? Statement::Target::Local
+                 : where.is_common() ? Statement::Target::Common
+                                     : Statement::Target::Variable;
+  place.index = place.target == Statement::Target::Variable ? static_cast<std::int32_t>(*number)
+                                                            : where.index;
+  return true;
+}
+
+bool ExpressionReader::named_place(Place& place) {
+  const std::size_t start = line_.place();
+  std::string name;
+  if (!read_name(name, start)) return false;
+  if (is_read_only(name))
+    return wrong(Cause::VariableWriteProtected,
+                 "Cannot assign to read-only parameter #<" + name + ">", start);
+  const NamedVariable& variable = to_.code().named_variables[named(to_, name)];
+  place.target = variable.common ? Statement::Target::Common : Statement::Target::Local;
+  place.index = variable.index;
+  set_here_.insert(name);
+  return true;
+}
+
+bool ExpressionReader::shown(Value& value) {
+  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  constant_.reset();
+  if (std::string name; line_.peek() == '<') {
+    if (!read_name(name, line_.place())) return false;
+    if (!push_built_in(to_, line_, name)) push_raw(to_, line_, name);
+    return finish(value, first, at);
+  }
+  const std::string_view digits = line_.take_digits();
+  std::int64_t number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (digits.size() > 9 || !to_.code().can_name(number, kLastVariable))
+    emit(Ins::Constant, digits.size() <= 9 && number == 0 ? 0 : kVacant);
+  else
+    push_load(to_, line_, number);
+  return finish(value, first, at);
+}
+
+}  // namespace cncsub::linuxcnc
