@@ -71,6 +71,7 @@ void macros(Control& c) {
 }
 
 void motion(Control& c) {
+  leave_out(c, RuleGroup::TurningRules, "H96 p", Manual);  // of mills
   c.motion.g_meanings = {
       "47=not-computed 87=not-computed 88=not-computed 103=neutral "
       "110=extra-system-1 111=extra-system-2 112=extra-system-3 113=extra-system-4 "

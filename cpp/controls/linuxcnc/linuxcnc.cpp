@@ -28,6 +28,7 @@ void language(Control& c) {
 }
 
 void motion(Control& c) {
+  leave_out(c, RuleGroup::TurningRules, kOverview, Inferred);
   c.motion.dwell_words = {"P", kGCode, Manual};
   c.motion.dwell_point = {DwellPoint::Seconds, kGCode, Manual};
   c.motion.cycle_repeats = {"L", kGCode, Manual};

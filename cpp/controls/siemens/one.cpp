@@ -12,6 +12,7 @@ using siemens::kKnown;
 constexpr const char* kManual = "SONE p.45, the words that end a program";
 
 void calls_and_returns(Control& c) {
+  leave_out(c, RuleGroup::TurningRules, kManual, Inferred);
   c.calls.max_nesting = {15, "828D p.490: 16 program levels, the main program is on the first",
                          Secondary};
   c.calls.main_return = {MainReturn::Ends, kManual, Manual};
