@@ -173,6 +173,7 @@ _TABLE = _joined(
     _all("peck_clearance peck_above", GSK_LATHES, "a drilling cycle draws back a little, not to R"),
     _all("max_rotation", (TDI, TE), NO_ROTATION),
     _all("scale_unit", GSK_LATHES, "a lathe has no scaling"),
+    _all("cycle_approach tap_return", GSK_LATHES, A_LATHE),
     _all("cycle_repeats zero_cycle_repeats max_cycle_repeats", (TDI, TE), NO_REPEATS),
     _all("rapid_way power_on:G22 stroke_area", MILLS, "it has no stroke check"),
     _all("longer_words", (*GSK_LATHES, *MILLS), "the control has no G45 to G48"),
@@ -192,8 +193,6 @@ _TABLE = _joined(
     _all("angles_on_mills", GSK_LATHES, A_LATHE),
     _all("angles_on_mills", MILLS, "the control knows no angles"),
     _all("angle_words", MILLS, A_MILL),
-    _all("rough_type pocket_pass", (HAAS,), A_MILL),
-    _all("thread_starts thread_words_not_computed", (HAAS,), A_MILL),
     _all("roles:G66=modal-call", (TE, HNC), NO_MACRO_CALLS),
     _all("conditional_return", (TE,), NO_MACROS),
     _all("conditions:values", (HNC,), "its conditions take values anyway"),
@@ -220,9 +219,7 @@ _TABLE = _joined(
         (HAAS,),
         "its other signals and its G37 are not computed",
     ),
-    _all(
-        "refuses:spindle-stopped lead_apart run_out_words", (HAAS,), "the control cuts no threads"
-    ),
+    _all("refuses:spindle-stopped", (HAAS,), "the control cuts no threads"),
     # LinuxCNC
     _group(
         LINUXCNC,
@@ -232,9 +229,10 @@ _TABLE = _joined(
     ),
     _group(
         LINUXCNC,
-        "motion turning",
+        "motion",
         "arc_tolerance arc_tolerance_inch arc_tolerance_share no_radius negative_radius"
-        " helix unit_change machine_move cycle_repeats zero_cycle_repeats peck_retract"
+        " helix unit_change machine_move cycle_repeats zero_cycle_repeats peck_retract cycle_approach"
+        " tap_return"
         " peck_clearance power_on_feed dwell_words dwell_point",
         FAMILY_MOTION,
     ),
@@ -247,7 +245,7 @@ _TABLE = _joined(
     ),
     _group(
         ONE,
-        "motion turning",
+        "motion",
         "g_meanings arc_tolerance arc_tolerance_share dwell_words",
         FAMILY_MOTION,
     ),

@@ -33,6 +33,8 @@ void motion(Control& c) {
   c.motion.dwell_point = {DwellPoint::Seconds, kGCode, Manual};
   c.motion.cycle_repeats = {"L", kGCode, Manual};
   c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, kRun, SourceDocument};
+  c.motion.cycle_approach = {CycleApproach::RFirst, kRun, SourceDocument};
+  c.motion.tap_return = {TapReturn::Level, kRun, SourceDocument};
   c.motion.peck_retract = {254, kRun, SourceDocument};
   c.motion.peck_clearance = {254, kRun, SourceDocument};
   c.motion.machine_move = {MachineMove::Modal, kRun, SourceDocument};

@@ -25,3 +25,10 @@ case("G73 draws back by a hundredth of an inch", pins="peck_retract", **RUN,
      program="N10 G0 Z1\nN20 G73 Z-1 R1 Q1 F100\nN30 G80 M2", moves="R Z1\nR Z1\nF Z0\nR Z0.254\nF Z-1\nR Z1")
 case("G83 goes back to a hundredth of an inch above", pins="peck_clearance", **RUN,
      program="N10 G0 Z1\nN20 G83 Z-1 R1 Q1 F100\nN30 G80 M2", moves="R Z1\nR Z1\nF Z0\nR Z1\nR Z0.254\nF Z-1\nR Z1")
+case("a cycle that begins below R goes to R before it goes over the hole", pins="cycle_approach", **RUN,
+     program="N10 G98 G81 X1 Z-1 R2 F100\nN20 G80 M2", moves="R Z2\nR X1\nR Z2\nF Z-1\nR Z2")
+case("and each hole begins there, where G91 counts on", pins="cycle_approach", **RUN,
+     program="N10 G0 Z0.25\nN20 G91 G99 G81 X1 Z-1 R0.25 L2 F100\nN30 G80 M2",
+     moves="R Z0.25\nR Z0.5\nR X1\nR Z0.5\nF Z-0.5\nR Z0.5\nR X2\nR Z0.5\nF Z-0.5\nR Z0.5")
+case("a tap is fed out to the level of G98", pins="tap_return", **RUN,
+     program="N10 G0 Z5 S100 M3\nN20 G98 G84 Z-1 R2 F100\nN30 G80 M2", moves="R Z5\nR Z2\nF Z-1\nF Z5")

@@ -124,13 +124,18 @@ Result shift_tool(MotionContext& m, BlockWords& block, const Axes& hole, bool aw
   return move(m, block, MoveKind::Rapid, end, named);
 }
 
-Result drill_up(MotionContext& m, BlockWords& block, int axis, double r) {
+Result drill_up(MotionContext& m, BlockWords& block, int axis, double r, double z) {
   const CycleData cycle = m.state.cycle;
-  const bool to_r = m.state.modal[at(Group::Return)].meaning == Meaning::ReturnR;
+  const bool below = m.facts.control->motion.cycle_approach.value == CycleApproach::RFirst &&
+                     (r - cycle.initial) * (r - z) > 0;
+  const bool to_r = below || m.state.modal[at(Group::Return)].meaning == Meaning::ReturnR;
   const double level = to_r ? r : cycle.initial;
   switch (cycle.cycle) {
     case Meaning::LeftTap:
     case Meaning::Tap:
+      if (m.facts.control->motion.tap_return.value == TapReturn::Level)
+        return move_axis(m, block, MoveKind::Feed, axis, level);
+      [[fallthrough]];
     case Meaning::Bore:
     case Meaning::BoreDwell:
       if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, r)) return wrong;
@@ -162,25 +167,33 @@ Result bore_shifted(MotionContext& m, BlockWords& block, double r, double z) {
   return shift_tool(m, block, hole, false);
 }
 
+/// Where the control says so: out to R before the way to the hole.
+Result leave_to_r(MotionContext& m, BlockWords& block, int axis, double r, double z) {
+  const double present = m.state.work[static_cast<std::size_t>(axis)];
+  const bool first = m.facts.control->motion.cycle_approach.value == CycleApproach::RFirst;
+  if (!first || (r - present) * (r - z) <= 0) return std::nullopt;
+  return move_axis(m, block, MoveKind::Rapid, axis, r);
+}
+
 /// One hole: to the place, to R, down, up.
 Result drill(MotionContext& m, BlockWords& block) {
   const CycleData cycle = m.state.cycle;
   const int axis = drill_axis(m, cycle.code);
-  const double present = m.state.work[static_cast<std::size_t>(axis)];
   const double r = !cycle.has_r          ? cycle.initial
                    : cycle.r_incremental ? cycle.initial + cycle.r
                                          : cycle.r;
   const double z = !cycle.has_z ? r : cycle.z_incremental ? r + cycle.z : cycle.z;
   std::uint32_t named = 0;
   Axes place = target(m, block, named);
-  place[static_cast<std::size_t>(axis)] = present;
+  if (auto wrong = leave_to_r(m, block, axis, r, z)) return wrong;
+  place[static_cast<std::size_t>(axis)] = m.state.work[static_cast<std::size_t>(axis)];
   named &= ~axis_bit(axis);
   if (named != 0)
     if (auto wrong = move(m, block, MoveKind::Rapid, place, named)) return wrong;
   if (cycle.cycle == Meaning::BackBore) return bore_shifted(m, block, r, z);
   if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, r)) return wrong;
   if (auto wrong = drill_down(m, block, axis, r, z)) return wrong;
-  return drill_up(m, block, axis, r);
+  return drill_up(m, block, axis, r, z);
 }
 
 /// Whether R names a level between the one where the cycle begins and the hole.

@@ -51,6 +51,18 @@ case(
     moves="F Z-5\nR Z0\nF Z-5\nR Z0",
 )
 case(
+    "a canned cycle that begins below R goes over the hole before it goes to R",
+    pins="cycle_approach", control=[MDI, *MITSUBISHI, *FANUC, HNC, HAAS], **KNOWN, setup=MILL,
+    program="O1\nN10 G90 G98 G81 X5. Z-5. R2. F100.\nN20 M30",
+    moves="R X5\nR Z2\nF Z-5\nR Z0",
+)
+case(
+    "a tap is fed out to R, and goes on in rapid to where the cycle began",
+    pins="tap_return", control=[MDI, *MITSUBISHI, *FANUC, HNC, HAAS], **KNOWN, setup=MILL,
+    program="O1\nN10 G90 G0 Z5. S100 M3\nN20 G98 G84 Z-5. R2. F100.\nN30 M30",
+    moves="R Z5\nR Z2\nF Z-5\nF Z2\nR Z5",
+)
+case(
     "K0 stores the data of a canned cycle and drills nothing",
     pins="zero_cycle_repeats", control=FANUC, **KNOWN, setup=MILL,
     program="O1\nN10 G90 G81 X5. Z-5. R1. F100. K0\nN20 X10.\nN30 M30",
