@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -418,3 +419,37 @@ def test_typed_text_has_no_table_of_moves(job: Path) -> None:
     done = Done("run", "--mdi", "G0 X1.", "-c", CONTROL, "--format", "csv")
     assert done.status == 2
     assert "--mdi takes text or json" in done.error
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("run", "good.nc", "-c", CONTROL),
+        ("tree", "bad.nc", "-c", CONTROL),
+        ("controls",),
+        ("controls", CONTROL),
+        ("explain", "program-not-found"),
+    ],
+)
+def test_colours_are_all_that_a_terminal_sees_more(
+    job: Path, arguments: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(job)
+    plain = Done(*arguments).out
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.setenv("TERM", "xterm")
+    coloured = Done(*arguments).out
+    assert "\x1b[" in coloured
+    assert "\x1b[" not in plain
+    assert re.sub("\x1b\\[[0-9;]*m", "", coloured) == plain
+
+
+def test_a_command_that_prints_into_a_file_does_without_rich(job: Path) -> None:
+    code = (
+        "import sys; from cncsub.cli import main\n"
+        "try: main()\n"
+        "except SystemExit: print([m for m in ('rich.console', 'numpy') if m in sys.modules])\n"
+    )
+    command = [sys.executable, "-c", code, "run", str(job / "good.nc"), "-c", CONTROL]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "[]"

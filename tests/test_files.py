@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import codecs
+import errno
 import os
 import pickle
 import signal
@@ -15,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import cncsub
-from cncsub import files
+from cncsub import _core, files
 from cncsub.files import decode, name_order, read_paths
 
 CONTROL = "fanuc-0i-f"
@@ -324,3 +325,81 @@ def test_the_leader_of_a_tape_is_told_and_its_lines_are_counted() -> None:
     assert pickle.loads(pickle.dumps(library)).skipped == library.skipped
     plain = cncsub.loads("N10 M98 P2\nM30\nO2\nM99\n", control="fanuc-0i-f")
     assert plain.skipped == ()
+
+
+# ---- read by the engine ----
+
+
+def is_utf8(data: bytes) -> bool:
+    try:
+        return not data.startswith(codecs.BOM_UTF8) and data.decode("utf-8") is not None
+    except UnicodeDecodeError:
+        return False
+
+
+EDGES = [
+    *(b"\xc1\xbf", b"\xc2\x80", b"\xdf\xbf", b"\xe0\x9f\xbf", b"\xe0\xa0\x80", b"\xed\x9f\xbf"),
+    *(
+        b"\xed\xa0\x80",
+        b"\xee\x80\x80",
+        b"\xf0\x8f\xbf\xbf",
+        b"\xf0\x90\x80\x80",
+        b"\xf4\x8f\xbf\xbf",
+    ),
+    *(
+        b"\xf4\x90\x80\x80",
+        b"\xf5\x80\x80\x80",
+        b"\xe4\xb8",
+        b"\x80",
+        b"N1\xff",
+        b"",
+        codecs.BOM_UTF8,
+    ),
+    b"(" + "é".encode() * 70_000 + b")",
+    b"x" * 65_535 + "中".encode(),
+    b"x" * 65_535 + "中".encode()[:2],
+    b"x" * (1 << 20) + b"\xe9",
+]
+
+
+@pytest.mark.parametrize("data", EDGES, ids=range(len(EDGES)))
+def test_the_engine_takes_for_utf8_what_python_takes_for_it(tmp_path: Path, data: bytes) -> None:
+    file = tmp_path / "O1.nc"
+    file.write_bytes(data)
+    (text,) = _core.read_files([str(file)], 1 << 30, only_texts=False)
+    assert isinstance(text, _core.Text)
+    assert text.part(0, 1 << 30) == data
+    assert text.utf8 == is_utf8(data)
+
+
+@given(st.lists(st.binary(max_size=40) | st.text(max_size=20).map(str.encode), max_size=5))
+def test_utf8_is_told_of_any_bytes(
+    tmp_path_factory: pytest.TempPathFactory, d: list[bytes]
+) -> None:
+    folder = tmp_path_factory.getbasetemp()
+    names = [str(folder / f"utf8-{place}.nc") for place in range(len(d))]
+    for name, data in zip(names, d, strict=True):
+        Path(name).write_bytes(data)
+    texts = _core.read_files(names, 1 << 30, only_texts=False)
+    assert [isinstance(t, _core.Text) and t.utf8 for t in texts] == [is_utf8(data) for data in d]
+
+
+def test_many_files_of_any_encoding_come_in_order_each_with_its_own_text(tmp_path: Path) -> None:
+    encodings = ("ascii", "utf-8", "gb18030", "utf-8-sig", "utf-16")
+    comments = ("PART", "铣削零件", "铣削零件", "铣削零件", "铣削零件")
+    for n in range(1, 501):
+        text = f"O{n} ({comments[n % 5]})\nN{n} M30\n"
+        (tmp_path / f"O{n}.nc").write_bytes(text.encode(encodings[n % 5]))
+    (tmp_path / "O250.bin").write_bytes(b"\1\2\3\4" * 99)
+    library = cncsub.load(tmp_path, control=CONTROL)
+    assert list(library) == [f"O{n}" for n in range(1, 501)]
+    assert [p.comment for p in library.values()] == [comments[n % 5] for n in range(1, 501)]
+    assert library.skipped == ((str(tmp_path / "O250.bin"), "not a text"),)
+
+
+def test_what_the_system_refuses_is_told_in_its_words(tmp_path: Path) -> None:
+    missing = str(tmp_path / "O1.nc")
+    assert _core.read_files([missing], 99, only_texts=True) == [errno.ENOENT]
+    assert _core.read_files(["/dev/null"], 99, only_texts=True) == ["not a regular file"]
+    with pytest.raises(OSError, match="Input/output error"):
+        cncsub.load("/proc/self/mem", control=CONTROL)

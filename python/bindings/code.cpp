@@ -9,6 +9,7 @@
 #include "cncsub/dialect/library.hpp"
 #include "cncsub/text/words.hpp"
 #include "gil.hpp"
+#include "text.hpp"
 
 namespace py = pybind11;
 
@@ -61,25 +62,6 @@ std::optional<std::size_t> first_of_memory(const Code& code) {
 
 using FileRow = std::tuple<std::string, std::string, std::vector<py::object>, bool>;
 
-/// The ASCII text of a file, put together while it is read: memory that is touched once.
-struct Text {
-  std::string text;
-
-  explicit Text(std::size_t bytes) {
-    text.reserve(bytes);
-    advise_large_pages(text.data(), bytes);
-  }
-  /// Takes the first `count` bytes, or nothing where one of them is not ASCII.
-  bool add(const py::bytearray& piece, std::size_t count) {
-    const std::string_view bytes(PyByteArray_AS_STRING(piece.ptr()), std::min(count, piece.size()));
-    unsigned char any = 0;
-    for (const char c : bytes) any |= static_cast<unsigned char>(c);
-    if (any >= 0x80) return false;
-    text += bytes;
-    return true;
-  }
-};
-
 /// What stands in a piece: a text, or bytes that are UTF-8.
 std::string_view view_of(const py::object& piece) {
   if (PyByteArray_Check(piece.ptr()) != 0)
@@ -128,16 +110,6 @@ std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
 }  // namespace
 
 void add_code(py::module_& m) {
-  py::class_<Text>(m, "Text", py::is_final())
-      .def("add", &Text::add, py::arg("piece"), py::arg("count"))
-      .def(
-          "part",
-          [](const Text& t, std::size_t at, std::size_t count) {
-            return py::bytes(t.text.substr(std::min(at, t.text.size()), count));
-          },
-          py::arg("at"), py::arg("count"))
-      .def("__len__", [](const Text& t) { return t.text.size(); });
-  m.def("text", [](std::size_t bytes) { return Text(bytes); }, py::arg("bytes"));
   py::class_<ProgramData>(m, "ProgramData", py::is_final())
       .def_property_readonly(
           "code", [](const ProgramData& p) { return std::const_pointer_cast<Code>(p.code); })

@@ -36,6 +36,7 @@ PYBIND11_MODULE_EXEC(engine, m) {
   m.attr("__version__") = CNCSUB_VERSION;
   cncsub::bindings::add_controls(m);
   cncsub::bindings::add_alarms(m);
+  cncsub::bindings::add_files(m);
   cncsub::bindings::add_code(m);
   cncsub::bindings::add_trace(m);
   cncsub::bindings::add_machine(m);

@@ -221,13 +221,17 @@ class Code:
 
 @final
 class Text:
-    """The ASCII text of a file, put together while it is read; `compile` takes it over."""
-    def add(self, piece: bytearray, count: int) -> bool:
-        """Take the first `count` bytes; `False`, and nothing taken, where one is not ASCII."""
+    """The bytes of a file; `compile` takes them over."""
+    @property
+    def utf8(self) -> bool: ...  # and without a byte-order mark: it may be compiled as it is
     def part(self, at: int, count: int) -> bytes: ...
     def __len__(self) -> int: ...
 
-def text(bytes: int) -> Text: ...
+def read_files(paths: list[str], largest: int, only_texts: bool) -> list[Text | int | str]:
+    """Of each regular file a `Text`; the number of the system's error where it cannot be opened,
+    or why it is left. On all cores; audited as `open`.
+    """
+
 def compile(
     control: Control,
     files: Sequence[tuple[str, str, Sequence[str | bytes | bytearray | Text], bool]],

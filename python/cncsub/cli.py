@@ -19,12 +19,12 @@ from typing import IO, Annotated, Any
 
 import typer
 import typer.core
-from rich.console import Console
 
 import cncsub
 from cncsub.controls import did_you_mean
 from cncsub.facts import control_facts, explanations, run_facts, tree_facts, unknown_alarm
 from cncsub.printing import (
+    Console,
     console_on,
     print_control,
     print_explanations,

@@ -21,6 +21,7 @@ import stat
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any, NamedTuple
 
 from cncsub import _core
 from cncsub._core import Text
@@ -31,9 +32,8 @@ Piece = str | Data | Text  # of a text, for the engine
 
 LARGEST_FILE = 1 << 30  # bytes
 _PIECE = 1 << 22  # what is read, decoded or copied in one go
-_READ = 1 << 20  # of a file that may be ASCII: little enough to stay near the processor
 
-# Endings and first bytes of files that people keep beside their programs.
+# Endings of files that people keep beside their programs; the engine knows their first bytes.
 _OTHER_ENDINGS = frozenset(
     """
     .7z .bak .bmp .bz2 .c .cfg .cpp .css .csv .db .doc .docx .dll .dwg .dxf .exe .gif .gz .h .htm
@@ -42,28 +42,7 @@ _OTHER_ENDINGS = frozenset(
     .toml .webp .xls .xlsx .xml .xz .yaml .yml .zip
     """.split()  # noqa: SIM905
 )
-_OTHER_STARTS = (
-    b"PK\x03\x04",
-    b"PK\x05\x06",
-    b"%PDF-",
-    b"\x89PNG",
-    b"\xff\xd8\xff",
-    b"GIF8",
-    b"\x7fELF",
-    b"MZ\x90",
-    b"\x1f\x8b",
-    b"BZh",
-    b"\xfd7zXZ",
-    b"7z\xbc\xaf",
-    b"Rar!",
-    b"SQLite format",
-    b"\xd0\xcf\x11\xe0",
-)
-# Bytes of a text or of a punched tape: NUL, tab, line ends, DC1 to DC4, the DOS end of file,
-# rubout.
-_TEXT_CONTROLS = frozenset(b"\0\t\n\v\f\r\x0e\x0f\x11\x12\x13\x14\x1a\x1b\x7f")
-_STRANGE = bytes(set(range(0x20)) - _TEXT_CONTROLS)
-_SAMPLE = 4096
+_NUMBERS = re.compile(r"([0-9]+)")
 _CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f]")
 
 _BOMS = (
@@ -75,8 +54,7 @@ _BOMS = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class TextFile:
+class TextFile(NamedTuple):
     """A file as text: the name to show, the name of a program in it that has none of its own, and
     the text, in pieces.
     """
@@ -179,20 +157,24 @@ def _near_files(path: Path) -> list[str]:
 def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None:
     if not _first_time(os.path.realpath(path.parent), path.name, reading):
         return
-    data, fault = _read_bytes(path)
-    if data is None:
-        raise ValueError(f"{path} cannot be read as a program: {fault}")
-    reading.files.append(_text_file(path, data, encoding))
+    (text,) = _core.read_files([str(path)], LARGEST_FILE, only_texts=False)
+    if not isinstance(text, Text):
+        raise ValueError(f"{path} cannot be read as a program: {_why_not(text)}")
+    reading.files.append(_text_file(str(path), path.stem, text, encoding))
 
 
-def _text_file(path: Path, data: Data | Text, encoding: str | None) -> TextFile:
+def _text_file(path: str, stem: str, text: Text, encoding: str | None) -> TextFile:
     pieces: Sequence[Piece]
-    if not isinstance(data, Text):
-        pieces = decoded(data, encoding)
+    if encoding is None and text.utf8:
+        pieces = [text]
     else:
-        pieces = [data] if encoding is None else decoded(_bytes_of(data), encoding)
+        pieces = decoded(_bytes_of(text), encoding)
     # A name that is no text, as Linux allows, is shown with question marks.
-    return TextFile(clean(str(path)), clean(path.stem), pieces)
+    return TextFile(clean(path), clean(stem), pieces)
+
+
+def _why_not(fault: int | str) -> str:
+    return os.strerror(fault) if isinstance(fault, int) else fault
 
 
 def _first_time(folder: str, name: str, reading: Reading) -> bool:
@@ -213,7 +195,12 @@ def _read_folder(top: Path, encoding: str | None, reading: Reading) -> int:
             continue
         reading._read.add(real)
         files, folders = [], []
+        before = str(folder / "_")[:-1]  # what stands before the names
+        searchable = os.access(folder, os.X_OK)
         for entry in _entries(folder, reading):
+            if searchable and _plain_file(entry):
+                files.append(entry.name)
+                continue
             path = folder / entry.name
             fault = _refused_entry(entry, path, Path(root))
             if fault is not None:
@@ -224,8 +211,8 @@ def _read_folder(top: Path, encoding: str | None, reading: Reading) -> int:
                     (path, os.path.realpath(path) if link else f"{real}{os.sep}{entry.name}")
                 )
             else:
-                files.append(path)
-        found += sum(_read_found_file(path, real, encoding, reading) for path in files)
+                files.append(entry.name)
+        found += _read_found_files(before, files, real, encoding, reading)
         waiting += reversed(folders)
     return found
 
@@ -239,15 +226,27 @@ def _entries(folder: Path, reading: Reading) -> list[os.DirEntry[str]]:
         return []
 
 
-def name_order(name: str) -> tuple[tuple[tuple[int, str], ...], str]:
+def name_order(name: str) -> tuple[list[Any], str]:
     """The place of a file's name: without regard to case, numbers by their value."""
-    parts: list[str] = re.split(r"([0-9]+)", name.casefold())
     # Texts and numbers alternate, so that only like is compared with like.
-    values = tuple(
-        (0, part) if i % 2 == 0 else (len(part.lstrip("0")), part.lstrip("0"))
-        for i, part in enumerate(parts)
+    parts: list[Any] = _NUMBERS.split(name.casefold())
+    for i in range(1, len(parts), 2):
+        digits = parts[i].lstrip("0")
+        parts[i] = len(digits), digits
+    return parts, name
+
+
+def _plain_file(entry: os.DirEntry[str]) -> bool:
+    """Whether nothing can be said against a file by what the folder tells of it: the system is not
+    asked again.
+    """
+    name = entry.name
+    return (
+        not name.startswith(".")
+        and _CONTROLS.search(name) is None
+        and entry.is_file(follow_symlinks=False)
+        and name[name.rfind(".") :].lower() not in _OTHER_ENDINGS
     )
-    return values, name
 
 
 def _refused_entry(entry: os.DirEntry[str], path: Path, root: Path) -> str | None:
@@ -272,49 +271,30 @@ def _refused_entry(entry: os.DirEntry[str], path: Path, root: Path) -> str | Non
     return None
 
 
-def _read_found_file(path: Path, folder: str, encoding: str | None, reading: Reading) -> bool:
-    """Whether this is a program; one that was read before is not read again. `folder`: the real
-    path of the file's folder.
+def _read_found_files(
+    before: str, names: list[str], folder: str, encoding: str | None, reading: Reading
+) -> int:
+    """How many of these files of a folder are programs; one that was read before is not read again.
+    `before`: of their paths; `folder`: its real path.
     """
-    if not _first_time(folder, path.name, reading):
-        return True
-    data, fault = _read_bytes(path)
-    if data is not None and not _looks_like_text(data):
-        fault = "not a text"
-    if data is None or fault:
-        reading.skipped.append((str(path), fault))
-        return False
-    reading.files.append(_text_file(path, data, encoding))
-    return True
-
-
-def _read_bytes(path: Path) -> tuple[Data | Text | None, str]:
-    """The bytes of a regular file, a `Text` where all are ASCII; or None and why not. A pipe or a
-    device is never waited for.
-    """
-    try:
-        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | os.O_NOCTTY)
-    except OSError as error:
-        return None, error.strerror or "it cannot be opened"
-    with os.fdopen(descriptor, "rb", buffering=0) as file:
-        status = os.fstat(descriptor)
-        if not stat.S_ISREG(status.st_mode):
-            return None, "not a regular file"
-        if status.st_size > LARGEST_FILE:
-            return None, f"larger than {LARGEST_FILE >> 20} MiB"
-        # Piece by piece: Python looks for Ctrl-C in between, and nothing goes over the whole. A
-        # file that grows meanwhile is read on.
-        text, piece = _core.text(status.st_size), bytearray(min(status.st_size + 1, _READ))
-        while len(text) < LARGEST_FILE and (count := file.readinto(piece)):
-            if not text.add(piece, count):
-                break
+    new = [name for name in names if _first_time(folder, name, reading)]
+    paths = [before + name for name in new]
+    found = len(names) - len(new)
+    for path, name, text in zip(
+        paths, new, _core.read_files(paths, LARGEST_FILE, only_texts=True), strict=True
+    ):
+        if isinstance(text, Text):
+            reading.files.append(_text_file(path, _stem(name), text, encoding))
+            found += 1
         else:
-            return text, ""
-        data = _bytes_of(text)
-        while True:
-            data += piece[:count]
-            if len(data) >= LARGEST_FILE or not (count := file.readinto(piece)):
-                return data, ""
+            reading.skipped.append((path, _why_not(text)))
+    return found
+
+
+def _stem(name: str) -> str:
+    """The name without its ending; a dot at its end begins none."""
+    dot = name.rfind(".")
+    return name[:dot] if 0 < dot < len(name) - 1 else name
 
 
 def _bytes_of(text: Text) -> bytearray:
@@ -322,16 +302,6 @@ def _bytes_of(text: Text) -> bytearray:
     for at in range(0, len(text), _PIECE):
         data += text.part(at, _PIECE)
     return data
-
-
-def _looks_like_text(data: Data | Text) -> bool:
-    sample = data.part(0, _SAMPLE) if isinstance(data, Text) else data[:_SAMPLE]
-    if sample.startswith(_OTHER_STARTS):
-        return False
-    if sample.startswith(tuple(bom for bom, _ in _BOMS)):
-        return True
-    strange = len(sample) - len(sample.translate(None, _STRANGE))
-    return strange * 20 <= len(sample)
 
 
 # ---- bytes to text ----

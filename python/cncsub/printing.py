@@ -3,25 +3,68 @@
 from __future__ import annotations
 
 import itertools
+import os
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from typing import IO, Any
-
-from rich.console import Console
-from rich.text import Text
+from typing import IO, TYPE_CHECKING, Any
 
 import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import sources_of
+
+if TYPE_CHECKING:
+    import rich.console
 
 MOST_CALLS = 100_000  # drawn in a tree
 MOST_LINES = 200  # printed of it
 MOST_MISSED = 20  # blocks of G31
 
 
+class Text:
+    """A text in parts, each with its style."""
+
+    def __init__(self, text: str, style: str = "") -> None:
+        self.parts = [(text, style)]
+
+    @classmethod
+    def assemble(cls, *parts: str | tuple[str, str]) -> Text:
+        made = cls("")
+        made.parts = [(part, "") if isinstance(part, str) else part for part in parts]
+        return made
+
+
+class Console:
+    """Where text is printed: by rich on a terminal, in plain letters elsewhere, where rich would
+    take longer to import than most programs to run.
+    """
+
+    def __init__(self, file: IO[str]) -> None:
+        self._file = file
+        self._rich: rich.console.Console | None = None
+        # What makes rich take a file for a terminal, or not.
+        told = any(os.environ.get(name) for name in ("FORCE_COLOR", "TTY_COMPATIBLE"))
+        if told or file.isatty():
+            from rich.console import Console
+
+            self._rich = Console(
+                file=file, highlight=False, markup=False, emoji=False, soft_wrap=True
+            )
+
+    def print(self, text: str | Text = "", end: str = "\n") -> None:
+        """Nothing is wrapped or marked up."""
+        parts = [(text, "")] if isinstance(text, str) else text.parts
+        if self._rich is None:
+            self._file.write("".join(part for part, _ in parts) + end)
+            self._file.flush()
+            return
+        from rich.text import Text as RichText
+
+        self._rich.print(RichText.assemble(*parts), end=end)
+
+
 def console_on(file: IO[str]) -> Console:
-    """Colour on a terminal only; nothing is wrapped or marked up by rich."""
-    return Console(file=file, highlight=False, markup=False, emoji=False, soft_wrap=True)
+    """Colour on a terminal only."""
+    return Console(file)
 
 
 _COLOURS = {"end": "green", "cycles": "green", "alarm": "bold red"}

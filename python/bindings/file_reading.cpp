@@ -1,0 +1,219 @@
+#include "file_reading.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <system_error>
+#include <thread>
+
+#include "cncsub/code/large_pages.hpp"
+#include "utf8.hpp"
+
+namespace cncsub::bindings {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::size_t kPiece = std::size_t{1} << 20;  // little enough to stay near the processor
+constexpr std::size_t kSample = 4096;
+constexpr std::size_t kAtOnce = 64;  // files for which a further thread is worth its start
+constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf"sv;
+
+// First bytes of files that people keep beside their programs.
+constexpr std::string_view kOtherStarts[] = {"PK\x03\x04"sv,
+                                             "PK\x05\x06"sv,
+                                             "%PDF-"sv,
+                                             "\x89PNG"sv,
+                                             "\xff\xd8\xff"sv,
+                                             "GIF8"sv,
+                                             "\x7f"
+                                             "ELF"sv,
+                                             "MZ\x90"sv,
+                                             "\x1f\x8b"sv,
+                                             "BZh"sv,
+                                             "\xfd"
+                                             "7zXZ"sv,
+                                             "7z\xbc\xaf"sv,
+                                             "Rar!"sv,
+                                             "SQLite format"sv,
+                                             "\xd0\xcf\x11\xe0"sv};
+constexpr std::string_view kMarks[] = {kUtf8Mark, "\xff\xfe"sv, "\xfe\xff"sv, "\0\0\xfe\xff"sv};
+
+/// Bytes of no text and no punched tape: those have NUL, tab, line ends, SO, SI, DC1 to DC4 but
+/// DLE, the DOS end of file and ESC.
+constexpr bool is_strange(char c) {
+  constexpr std::string_view kKnown = "\0\t\n\v\f\r\x0e\x0f\x11\x12\x13\x14\x1a\x1b"sv;
+  return static_cast<unsigned char>(c) < 0x20 && kKnown.find(c) == std::string_view::npos;
+}
+
+bool starts_like(std::string_view bytes, std::span<const std::string_view> starts) {
+  return std::any_of(starts.begin(), starts.end(),
+                     [&](std::string_view start) { return bytes.starts_with(start); });
+}
+
+/// An open file.
+class Descriptor {
+ public:
+  explicit Descriptor(const std::string& path) {
+    do number_ = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    while (number_ < 0 && errno == EINTR);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+using Stopped = std::function<bool(std::size_t)>;  // asked behind so many bytes
+
+FileText failed(FileFault fault, int error = 0) {
+  FileText file;
+  file.fault = fault;
+  file.error = error;
+  return file;
+}
+
+/// The bytes of an open file. One that grows meanwhile is read on.
+FileText read_open(int descriptor, std::size_t size, char* piece, const ReadingBounds& bounds,
+                   const Stopped& stopped) {
+  FileText file;
+  file.text.reserve(size);
+  advise_large_pages(file.text.data(), size);
+  const std::size_t once = std::min(size + 1, kPiece);
+  while (file.text.size() < bounds.largest && !stopped(once)) {
+    const ssize_t count = read(descriptor, piece, once);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return failed(FileFault::NotRead, errno);
+    if (count == 0) break;
+    const bool first = file.text.empty();
+    file.text.append(piece, static_cast<std::size_t>(count));
+    if (first && bounds.only_texts && !looks_like_text(file.text))
+      return failed(FileFault::NotText);
+    // Less than was asked for is the end, where the file is as long as the system said.
+    if (static_cast<std::size_t>(count) < once && file.text.size() == size) break;
+  }
+  return file;
+}
+
+FileText read_file(const std::string& path, char* piece, const ReadingBounds& bounds,
+                   const Stopped& stopped) {
+  const Descriptor descriptor(path);
+  if (descriptor.number() < 0) return failed(FileFault::NotOpened, errno);
+  struct stat status{};
+  if (fstat(descriptor.number(), &status) != 0) return failed(FileFault::NotRead, errno);
+  if (!S_ISREG(status.st_mode)) return failed(FileFault::NotRegular);
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > bounds.largest) return failed(FileFault::TooLarge);
+  FileText file = read_open(descriptor.number(), size, piece, bounds, stopped);
+  file.utf8 = !file.text.starts_with(kUtf8Mark) && is_utf8(file.text, stopped);
+  return file;
+}
+
+/// The files of one call, taken one after the other by several threads.
+class Pool {
+ public:
+  Pool(const std::vector<std::string>& paths, const ReadingBounds& bounds)
+      : paths_(paths), bounds_(bounds), files_(paths.size()) {}
+
+  std::vector<FileText> read(InterruptCheck& interrupt) {
+    start_helpers();
+    work([&](std::size_t bytes) {
+      if (interrupt.requested(bytes)) stop_ = true;
+      return stop_.load(std::memory_order_relaxed);
+    });
+    await(interrupt);
+    for (std::thread& helper : helpers_) helper.join();
+    if (fault_) std::rethrow_exception(fault_);
+    return std::move(files_);
+  }
+
+ private:
+  void start_helpers() {
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t wanted = std::min(cores, paths_.size() / kAtOnce + 1) - 1;
+    helpers_.reserve(wanted);
+    try {
+      while (helpers_.size() < wanted) {
+        const std::scoped_lock lock(mutex_);
+        helpers_.emplace_back([this] { help(); });
+        ++busy_;
+      }
+    } catch (const std::system_error&) {  // NOLINT: those that there are do it
+    }
+  }
+
+  void help() {
+    work([this](std::size_t) { return stop_.load(std::memory_order_relaxed); });
+    const std::scoped_lock lock(mutex_);
+    --busy_;
+    ended_.notify_one();
+  }
+
+  void work(const Stopped& stopped) noexcept {
+    try {
+      const auto piece = std::make_unique_for_overwrite<char[]>(kPiece);  // NOLINT: bytes
+      for (std::size_t i = 0; (i = next_++) < paths_.size() && !stopped(kSample);)
+        files_[i] = read_file(paths_[i], piece.get(), bounds_, stopped);
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      fault_ = std::current_exception();
+      stop_ = true;
+    }
+  }
+
+  /// The others may still read a large file: the interrupt is asked meanwhile.
+  void await(InterruptCheck& interrupt) {
+    constexpr std::size_t kLook = std::size_t{1} << 16;  // bytes behind which a look is due
+    std::unique_lock lock(mutex_);
+    while (!ended_.wait_for(lock, std::chrono::milliseconds(20), [this] { return busy_ == 0; })) {
+      lock.unlock();
+      if (interrupt.requested(kLook)) stop_ = true;
+      lock.lock();
+    }
+  }
+
+  const std::vector<std::string>& paths_;
+  const ReadingBounds& bounds_;
+  std::vector<FileText> files_;
+  std::vector<std::thread> helpers_;
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<bool> stop_ = false;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  std::size_t busy_ = 0;
+  std::exception_ptr fault_;
+};
+
+}  // namespace
+
+bool looks_like_text(std::string_view bytes) {
+  if (starts_like(bytes, kOtherStarts)) return false;
+  if (starts_like(bytes, kMarks)) return true;
+  const std::string_view sample = bytes.substr(0, kSample);
+  const auto strange = std::count_if(sample.begin(), sample.end(), is_strange);
+  return static_cast<std::size_t>(strange) * 20 <= sample.size();
+}
+
+std::vector<FileText> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
+                                 InterruptCheck& interrupt) {
+  return Pool(paths, bounds).read(interrupt);
+}
+
+}  // namespace cncsub::bindings

@@ -1,0 +1,36 @@
+// Files opened and read side by side, without Python.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/text/interrupt_check.hpp"
+
+namespace cncsub::bindings {
+
+enum class FileFault { None, NotOpened, NotRead, NotRegular, TooLarge, NotText };
+
+/// The bytes of a file, or why there are none.
+struct FileText {
+  std::string text;
+  FileFault fault = FileFault::None;
+  int error = 0;      // of the system, where the file was not opened or not read
+  bool utf8 = false;  // and without a mark of the order of bytes
+};
+
+struct ReadingBounds {
+  std::size_t largest;  // bytes
+  bool only_texts;      // whether what is plainly no text is left
+};
+
+/// Reads regular files, on as many cores as there are; a pipe or a device is never waited for.
+/// Nothing is to be made of the answer where the interrupt was requested.
+std::vector<FileText> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
+                                 InterruptCheck& interrupt);
+
+/// Whether the first bytes of a file are those of a text or of a punched tape.
+bool looks_like_text(std::string_view bytes);
+
+}  // namespace cncsub::bindings
