@@ -131,6 +131,9 @@ trace = cncsub.loads(TEXT, control="fanuc-0i-f").run()._core.trace
 for name in ("step_column", "call_column", "move_columns", "step_row", "call_row", "move_row", "call_arguments"):
     for value in (*RUBBISH, -1, 2**31, 2**63, ["x"], "step", ["step", "x", "x"]):
         tried(getattr(trace, name), value)
+for value in (*RUBBISH, int, object, type("Short", (), {"__match_args__": ("step",)}), cncsub.Library):
+    tried(trace.step_row, 0, value)
+    tried(cncsub.loads(TEXT, control="fanuc-0i-f").machine()._core.step, value)
 """,
     "inherited from": """
 for cls in sorted(classes, key=str):

@@ -9,6 +9,7 @@
 #include "gil.hpp"
 #include "live.hpp"
 #include "options.hpp"
+#include "rows.hpp"
 
 namespace py = pybind11;
 
@@ -96,11 +97,15 @@ void run(Live& live, const std::optional<std::pair<std::int64_t, std::int64_t>>&
   run_released(*machine, pause);
 }
 
-bool step(Live& live) {
+/// The step that was executed, None where the run has stopped.
+py::object step(Live& live, const py::type& row) {
   const Work machine(live);
   const bool done = machine->step([] { return PyErr_CheckSignals() != 0; });
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
-  return done;
+  const Trace& trace = machine->trace();
+  if (!done) return py::none();
+  if (trace.steps.empty()) throw py::index_error("no step was recorded");
+  return step_object(trace, machine->code(), trace.steps.size() - 1, row);
 }
 
 void run_blocks(Live& live, std::int64_t blocks) {
@@ -188,7 +193,7 @@ using Class = py::class_<Live, std::shared_ptr<Live>>;
 void add_run(Class& machine) {
   machine.def("run", &run, py::arg("until") = py::none())
       .def("run_blocks", &run_blocks, py::arg("blocks"))
-      .def("step", &step)
+      .def("step", &step, py::arg("row"))
       .def("copy", [](Live& live) { return std::make_shared<Live>(*Look(live)); })
       .def("interrupt", [](Live& live) { Work(live)->interrupt(); })
       .def("take",

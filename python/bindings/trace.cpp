@@ -8,8 +8,10 @@
 #include <type_traits>
 
 #include "bindings.hpp"
+#include "cncsub/trace/parts.hpp"
 #include "gil.hpp"
 #include "live.hpp"
+#include "rows.hpp"
 
 namespace py = pybind11;
 
@@ -29,22 +31,26 @@ struct Array {
   T* data;
 };
 
+/// `value` is copied for each part of the steps: it may remember the step before.
 template <class T, class Value>
-py::object step_array(const Record& record, Value&& value) {
+py::object step_array(const Record& record, const Value& value) {
   const auto& steps = record.trace().steps;
   const Array<T> array(steps.size());
+  T* const out = array.data;
   work_away([&](InterruptCheck& interrupt) {
-    T* out = array.data;
-    steps.for_each_run([&](const Trace::Step* rows, std::size_t count) {
-      if (interrupt.requested(count * sizeof(Trace::Step))) return;
-      for (std::size_t i = 0; i < count; ++i) *out++ = static_cast<T>(value(rows[i]));
+    in_parts(steps.size(), &interrupt, [&](std::size_t first, std::size_t last) {
+      Value own = value;
+      T* next = out + first;
+      steps.for_each_run(first, last, [&](const Trace::Step* rows, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) *next++ = static_cast<T>(own(rows[i]));
+      });
     });
   });
   return array.object;
 }
 
-std::int32_t depth_of_call(const Record& record, std::int32_t call) {
-  return call < 0 ? 0 : record.trace().calls[record.trace().call_row(call)].depth;
+std::int32_t depth_of_call(const Trace& trace, std::int32_t call) {
+  return call < 0 ? 0 : trace.calls[trace.call_row(call)].depth;
 }
 
 py::object step_column(const Record& record, const std::string& name) {
@@ -72,7 +78,7 @@ py::object step_column(const Record& record, const std::string& name) {
         record, [&](const Trace::Step& s) { return code.blocks[s.address].line; });
   if (name == "depth")
     return step_array<std::int32_t>(
-        record, [&](const Trace::Step& s) { return depth_of_call(record, s.call); });
+        record, [&](const Trace::Step& s) { return depth_of_call(record.trace(), s.call); });
   if (name == "frame")
     return step_array<std::int32_t>(record, [](const Trace::Step& s) { return s.call; });
   if (name == "repeat")
@@ -80,15 +86,10 @@ py::object step_column(const Record& record, const std::string& name) {
   throw py::key_error(name);
 }
 
-py::tuple step_row(const Record& record, std::size_t index) {
+py::object step_row(const Record& record, std::size_t index, const py::type& row) {
   const Record::Reading reading(record);
   if (index >= record.trace().steps.size()) throw py::index_error("no such step");
-  const Trace::Step step = record.trace().steps[index];
-  const Code& code = record.code();
-  const Block& block = code.blocks[step.address];
-  return py::make_tuple(record.trace().first_step + static_cast<std::int64_t>(index),
-                        code.name_of(code.program_at(step.address)), sequence_number(block.n),
-                        block.line, depth_of_call(record, step.call), step.call, step.repeat);
+  return step_object(record.trace(), record.code(), index, row);
 }
 
 py::list dropped(const Record& record) {
@@ -180,6 +181,13 @@ bool is_whole(const std::string& name) {
          name == "h" || name == "d" || name == "feed_mode" || name == "skip";
 }
 
+/// Steps and moves of this part by their numbers in the run.
+void number_through(const Trace& trace, bool steps, std::int64_t* first, const std::int64_t* last) {
+  for (; first != last; ++first)
+    *first =
+        steps ? trace.step_of_move(static_cast<std::uint32_t>(*first)) : *first + trace.first_move;
+}
+
 template <class Whole>
 py::object whole_move_column(const Record& record, const std::string& name) {
   const Moves& moves = record.trace().moves;
@@ -187,14 +195,11 @@ py::object whole_move_column(const Record& record, const std::string& name) {
   Whole* const out = array.data;
   work_away([&](InterruptCheck& interrupt) {
     moves.column(name, out, &interrupt);
-    if (interrupt.requested(0)) return;
-    if constexpr (sizeof(Whole) == 8) {
-      if (name == "step")
-        for (std::size_t i = 0; i < moves.size(); ++i)
-          out[i] = record.trace().step_of_move(static_cast<std::uint32_t>(out[i]));
-      if (name == "move")
-        for (std::size_t i = 0; i < moves.size(); ++i) out[i] += record.trace().first_move;
-    }
+    if constexpr (sizeof(Whole) == 8)
+      if (name == "step" || name == "move")
+        in_parts(moves.size(), &interrupt, [&](std::size_t first, std::size_t last) {
+          number_through(record.trace(), name == "step", out + first, out + last);
+        });
   });
   return array.object;
 }
@@ -326,7 +331,32 @@ std::vector<std::string> move_axes(const Record& record) {
   return names;
 }
 
+/// A row of a frozen class: its fields, in their order, are set as the class itself sets them.
+template <class... Values>
+py::object row_object(const py::type& row, const Values&... values) {
+  const py::tuple names = row.attr("__match_args__");
+  py::object object = row.attr("__new__")(row);
+  std::size_t place = 0;
+  const auto set = [&](const py::object& value) {
+    const py::object name = names[place++];
+    if (PyObject_GenericSetAttr(object.ptr(), name.ptr(), value.ptr()) != 0)
+      throw py::error_already_set();
+  };
+  (set(values), ...);
+  return object;
+}
+
 }  // namespace
+
+py::object step_object(const Trace& trace, const Code& code, std::size_t index,
+                       const py::type& row) {
+  const Trace::Step step = trace.steps[index];
+  const Block& block = code.blocks[step.address];
+  return row_object(row, py::int_(trace.first_step + static_cast<std::int64_t>(index)),
+                    py::str(code.name_of(code.program_at(step.address))), sequence_number(block.n),
+                    py::int_(block.line), py::int_(depth_of_call(trace, step.call)),
+                    py::int_(step.call), py::int_(step.repeat));
+}
 
 void add_trace(py::module_& m) {
   const auto size = [](auto rows) {
@@ -337,7 +367,7 @@ void add_trace(py::module_& m) {
   };
   py::class_<Record>(m, "Trace", py::is_final())
       .def_property_readonly("steps", size([](const Trace& trace) { return trace.steps.size(); }))
-      .def("step_row", &step_row, py::arg("index"))
+      .def("step_row", &step_row, py::arg("index"), py::arg("row"))
       .def("step_column", &step_column, py::arg("name"))
       .def_property_readonly("program_names", &program_names)
       .def_property_readonly("calls", size([](const Trace& trace) { return trace.ended_calls(); }))

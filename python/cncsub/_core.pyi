@@ -5,6 +5,8 @@ from typing import Any, final
 
 import numpy as np
 
+from cncsub.rows import Step
+
 __version__: str
 
 def causes() -> list[tuple[str, str, str]]:
@@ -244,7 +246,7 @@ class Trace:
     """What was recorded: by a machine, which may go on, or in one part of a stream."""
     @property
     def steps(self) -> int: ...  # rows of the table of steps
-    def step_row(self, index: int) -> tuple[int, str, int | None, int, int, int, int]: ...
+    def step_row(self, index: int, row: type[Step]) -> Step: ...
     def step_column(self, name: str) -> np.ndarray[Any, Any]: ...
     @property
     def program_names(self) -> list[str]: ...
@@ -293,8 +295,10 @@ class Machine:
         """Runs on, to `until`: (program, line) or (-1, depth). Ctrl-C stops it as interrupted."""
     def run_blocks(self, blocks: int) -> None:
         """Runs on for about that many blocks."""
-    def step(self) -> bool:
-        """Executes one block. False where nothing was executed because the run has stopped."""
+    def step(self, row: type[Step]) -> Step | None:
+        """Executes one block and returns its row as an object of the class it is given. None where
+        nothing was executed because the run has stopped.
+        """
     def interrupt(self) -> None:
         """Stops the run as Ctrl-C does."""
     def copy(self) -> Machine: ...

@@ -397,7 +397,7 @@ class Machine(_Outcome):
 
     def step(self) -> Step | None:
         """Execute one block. `None` where the run has stopped and nothing was executed."""
-        return self.steps[-1] if self._core.step() else None
+        return self._core.step(Step)
 
     def run(self, until: Until | None = None) -> Run | None:
         """Run on until the program stops; then return what `Library.run` would have returned.

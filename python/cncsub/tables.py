@@ -263,8 +263,7 @@ class Steps(Table[Step]):
         return self._core.steps
 
     def _row(self, index: int) -> Step:
-        step, program, n, line, depth, frame, repeat = self._core.step_row(index)
-        return Step(step, program, _known(n), line, depth, frame, repeat)
+        return self._core.step_row(index, Step)
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
         return {name: self._core.step_column(name) for name in names}
@@ -349,6 +348,7 @@ class Calls(Table[Call]):
 
 
 _ALL_AXES = "xyzabcuvw"
+_WORKED_OUT = frozenset(("length", "time"))
 _FEED_MODES = ["per-minute", "per-revolution", "inverse-time"]
 
 
@@ -452,6 +452,8 @@ class Moves(Table[Move]):
         return Move(**{**values, "feed_mode": self.feed_modes[row["feed_mode"]]})
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
+        if not _WORKED_OUT.isdisjoint(names):  # one pass over the moves tells both
+            names = [*names, *_WORKED_OUT.difference(names)]
         return self._core.move_columns(names)
 
     def _texts(self, name: str) -> list[str] | None:

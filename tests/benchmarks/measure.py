@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 Figures = dict[str, Any]
+STEPPED = 50_000  # blocks that are executed one by one
 PATIENCE = 20  # seconds, after which nothing is done once more
 
 
@@ -55,14 +56,16 @@ def expect(what: str, found: int, expected: int) -> None:
 def run_cncsub(files: list[str], control: str, trace: str, blocks: int) -> Figures:
     """Load and run one file, and once more: memory is that of the first time."""
     first = load_and_run(files[0], control, trace, blocks)[0]  # whose moves are given back
-    again, moves = load_and_run(files[0], control, trace, blocks)
+    again, run = load_and_run(files[0], control, trace, blocks)
     times = {key: again[key] for key in ("seconds", "read", "run")}
+    stepped = step_through(files[0], control, trace)
     # NumPy comes last: its threads turn round for a while, and their seconds would count.
-    return first | times | {"first": first["seconds"], "columns": open_columns(moves)}
+    opened = {"columns": open_columns(run.moves), "step columns": open_columns(run.steps)}
+    return first | times | {"first": first["seconds"], "stepped": stepped} | opened
 
 
 def load_and_run(file: str, control: str, trace: str, blocks: int) -> tuple[Figures, Any]:
-    """The figures, and the table of moves."""
+    """The figures, and the run."""
     import cncsub
 
     began = time.process_time()
@@ -86,15 +89,27 @@ def load_and_run(file: str, control: str, trace: str, blocks: int) -> tuple[Figu
         "above": peak - before,
         "result": run.variables[2],
     }
-    return figures, run.moves
+    return figures, run
 
 
-def open_columns(moves: Any) -> float:
-    """Seconds for all columns of a table as NumPy arrays; the import of NumPy is not counted."""
+def step_through(file: str, control: str, trace: str) -> float:
+    """Seconds of a block that is executed by `machine.step()`, over the first blocks of a file."""
+    import cncsub
+
+    machine = cncsub.load(file, control=control).machine(trace=trace)
+    began = time.process_time()
+    steps = sum(machine.step() is not None for _ in range(STEPPED))
+    return (time.process_time() - began) / max(steps, 1)
+
+
+def open_columns(table: Any) -> float:
+    """Seconds for all columns of a table as NumPy arrays; the import of NumPy is not counted. Those
+    of all threads count.
+    """
     importlib.import_module("numpy")
     began = time.process_time()
-    for name in moves.columns:
-        getattr(moves, name)
+    for name in table.columns:
+        getattr(table, name)
     return time.process_time() - began
 
 

@@ -209,6 +209,14 @@ def trace_rows(results: Results, workload: Workload) -> Iterator[Row]:
         seconds_text(columns),
         f"{columns / workload.moves * 1e9:.0f} ns a move",
     )
+    columns = results.median(name, "cncsub", "step columns")
+    yield (
+        "all columns of the steps",
+        seconds_text(columns),
+        f"{columns / workload.blocks * 1e9:.0f} ns a step",
+    )
+    stepped = results.median(name, "cncsub", "stepped")
+    yield "`machine.step()`, block by block", f"{stepped * 1e6:.1f} µs", "a block"
 
 
 def seconds_text(seconds: float) -> str:

@@ -108,14 +108,13 @@ class Column {
     return chunk.rows[row % kChunk];
   }
 
-  /// Calls `use(pointer, count)` for each run of rows that lie together, in order.
+  /// Calls `use(pointer, count)` for each run of rows of [first, last) that lie together, in order.
   template <class Use>
-  void for_each_run(Use&& use) const {
-    std::size_t left = size();
-    for (std::size_t i = 0; left > 0; ++i) {
-      const std::size_t count = std::min(kChunk, left);
-      use(chunks_[i].rows, count);
-      left -= count;
+  void for_each_run(std::size_t first, std::size_t last, Use&& use) const {
+    while (first < last) {
+      const std::size_t place = first % kChunk, count = std::min(kChunk - place, last - first);
+      use(chunks_[first / kChunk].rows + place, count);
+      first += count;
     }
   }
   std::size_t bytes() const { return chunks_.size() * sizeof(Chunk); }

@@ -48,7 +48,8 @@ class Moves {
   };
   Bounds bounds(InterruptCheck* interrupt = nullptr) const;
   /// Writes whole columns, each to its place, in one pass over the moves: x y z a b c u v w, mx my
-  /// mz ma ..., cx cy cz, feed, spindle, length, time. False where a name is another one.
+  /// mz ma ..., cx cy cz, feed, spindle, length, time. False where a name is another one. Many rows
+  /// are shared out to threads.
   bool columns(const std::vector<std::string>& names, const std::vector<double*>& out,
                InterruptCheck* interrupt = nullptr) const;
   /// move, step, kind, plane, tool, h, d, feed_mode, skip.
@@ -123,7 +124,7 @@ class Moves {
     std::uint32_t row;
     SkipMove how;
   };
-  struct Walk;
+  class Walk;
   /// Where rows may be written: the last chunk, and the first row that is not in it. A copy of the
   /// table has no room, because the chunk is not its own.
   struct Room {
@@ -142,11 +143,19 @@ class Moves {
   };
 
   void grow();
-  bool plain_column(std::string_view name, double* out, InterruptCheck* interrupt) const;
-  template <class Use>
-  void each_row(InterruptCheck* interrupt, Use&& use) const;
   void push_extras(const Axes& point);
-  Axes point(std::size_t row) const;
+  // Rows [first, last) of one column.
+  template <class Use>
+  void each_row(std::size_t first, std::size_t last, Use&& use) const;
+  template <class Out, class Value>
+  void by_state(std::size_t first, std::size_t last, Out* out, Value&& value) const;
+  void point_column(int axis, std::size_t first, std::size_t last, double* out) const;
+  void machine_column(int axis, std::size_t first, std::size_t last, double* out) const;
+  void centre_column(std::size_t axis, std::size_t first, std::size_t last, double* out) const;
+  void spindle_column(std::size_t first, std::size_t last, double* out) const;
+  bool plain_column(std::string_view name, std::size_t first, std::size_t last, double* out) const;
+  template <class Whole>
+  bool whole_column(std::string_view name, std::size_t first, std::size_t last, Whole* out) const;
   template <class Use>
   void walk(InterruptCheck* interrupt, Use&& use) const;
 

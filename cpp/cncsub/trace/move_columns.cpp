@@ -1,0 +1,210 @@
+// The moves as columns: each is written for some rows at a time, by the thread that has them.
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "cncsub/trace/move_walk.hpp"
+#include "cncsub/trace/parts.hpp"
+
+namespace cncsub {
+
+namespace {
+
+int axis_of(char name) {
+  const auto found = kAxisNames.find(static_cast<char>(name >= 'a' ? name - 'a' + 'A' : name));
+  return found == std::string_view::npos ? -1 : static_cast<int>(found);
+}
+
+/// A column that follows from a row and the one before it.
+struct Derived {
+  double MoveRow::* value = nullptr;
+  double* out = nullptr;
+};
+
+Derived derived(std::string_view name) {
+  if (name == "feed") return {&MoveRow::feed};
+  if (name == "length") return {&MoveRow::length};
+  if (name == "time") return {&MoveRow::time};
+  return {};
+}
+
+/// Whether the feed of every row is that of its state, whatever turns: a degree counts as one unit.
+bool even_degrees(const Column<MoveState>& states) {
+  bool even = true;
+  states.for_each_run(0, states.size(), [&](const MoveState* some, std::size_t count) {
+    even =
+        even && std::all_of(some, some + count, [](const MoveState& s) { return s.degree == 1; });
+  });
+  return even;
+}
+
+}  // namespace
+
+/// Calls `use(chunk, place, index)` for these rows.
+template <class Use>
+void Moves::each_row(std::size_t first, std::size_t last, Use&& use) const {
+  for (std::size_t i = first; i < last;) {
+    const Chunk& chunk = chunks_[i / Chunk::kRows];
+    const std::size_t end = std::min(last, (i / Chunk::kRows + 1) * Chunk::kRows);
+    for (; i < end; ++i) use(chunk, i % Chunk::kRows, i);
+  }
+}
+
+/// What holds for many rows is looked up where it changes.
+template <class Out, class Value>
+void Moves::by_state(std::size_t first, std::size_t last, Out* out, Value&& value) const {
+  if (first == last) return;
+  std::uint32_t known = chunks_[first / Chunk::kRows].state[first % Chunk::kRows];
+  Out held = static_cast<Out>(value(states_[known]));
+  each_row(first, last, [&](const Chunk& chunk, std::size_t place, std::size_t i) {
+    if (chunk.state[place] != known) {
+      known = chunk.state[place];
+      held = static_cast<Out>(value(states_[known]));
+    }
+    out[i] = held;
+  });
+}
+
+/// The programmed point. An axis without a column stands where it stood, in any coordinates.
+void Moves::point_column(int axis, std::size_t first, std::size_t last, double* out) const {
+  const auto place = static_cast<std::size_t>(axis);
+  if (axis >= 3) {
+    by_state(first, last, out,
+             [&](const MoveState& s) { return start_[place] - offsets_[s.offset][place]; });
+    for (const Extra& extra : extras_)
+      for (std::size_t i = std::max(first, extra.first); extra.axis == axis && i < last; ++i)
+        out[i] = extra.values[i - extra.first];
+    return;
+  }
+  for (std::size_t i = first; i < last;) {
+    const Chunk& chunk = chunks_[i / Chunk::kRows];
+    const std::size_t at = i % Chunk::kRows, count = std::min(Chunk::kRows - at, last - i);
+    const double* const from = axis == 0 ? chunk.x : axis == 1 ? chunk.y : chunk.z;
+    std::copy_n(from + at, count, out + i);
+    i += count;
+  }
+}
+
+void Moves::machine_column(int axis, std::size_t first, std::size_t last, double* out) const {
+  const auto place = static_cast<std::size_t>(axis);
+  point_column(axis, first, last, out);
+  std::uint32_t known = std::numeric_limits<std::uint32_t>::max();
+  double offset = 0;
+  each_row(first, last, [&](const Chunk& chunk, std::size_t at, std::size_t i) {
+    if (chunk.state[at] != known) {
+      known = chunk.state[at];
+      offset = offsets_[states_[known].offset][place];
+    }
+    out[i] += offset;
+  });
+  if (axis >= 3) return;
+  for (std::size_t i = find_row(vectors_, first); i < vectors_.size() && vectors_[i].row < last;
+       ++i)
+    out[vectors_[i].row] += vectors_[i].vector[place];
+}
+
+void Moves::centre_column(std::size_t axis, std::size_t first, std::size_t last,
+                          double* out) const {
+  std::fill(out + first, out + last, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = find_row(arcs_, first); i < arcs_.size() && arcs_[i].row < last; ++i)
+    out[arcs_[i].row] = arcs_[i].centre[axis];
+}
+
+void Moves::spindle_column(std::size_t first, std::size_t last, double* out) const {
+  if ((diameters_ & 1) == 0)
+    return by_state(first, last, out, [](const MoveState& s) { return s.spindle; });
+  each_row(first, last, [&](const Chunk& chunk, std::size_t place, std::size_t i) {
+    out[i] = spindle_at(states_[chunk.state[place]], chunk.x[place]);
+  });
+}
+
+/// A column for which no row needs the one before it. False where the name is that of another one.
+bool Moves::plain_column(std::string_view name, std::size_t first, std::size_t last,
+                         double* out) const {
+  const int axis = name.empty() || name.size() > 2 ? -1 : axis_of(name.back());
+  if (name == "spindle")
+    spindle_column(first, last, out);
+  else if (axis >= 0 && name.size() == 1)
+    point_column(axis, first, last, out);
+  else if (axis >= 0 && name[0] == 'm')
+    machine_column(axis, first, last, out);
+  else if (axis >= 0 && axis < 3 && name[0] == 'c')
+    centre_column(static_cast<std::size_t>(axis), first, last, out);
+  else
+    return false;
+  return true;
+}
+
+bool Moves::columns(const std::vector<std::string>& names, const std::vector<double*>& out,
+                    InterruptCheck* interrupt) const {
+  const bool even = even_degrees(states_);
+  std::vector<Derived> follow;
+  double* feed = nullptr;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (plain_column(names[i], 0, 0, out[i])) continue;
+    if (even && names[i] == "feed") {
+      feed = out[i];
+      continue;
+    }
+    follow.push_back(derived(names[i]));
+    if (follow.back().value == nullptr) return false;
+    follow.back().out = out[i];
+  }
+  in_parts(rows_, interrupt, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = 0; i < names.size(); ++i) plain_column(names[i], first, last, out[i]);
+    if (feed != nullptr) by_state(first, last, feed, [](const MoveState& s) { return s.feed; });
+    if (follow.empty()) return;
+    Walk walk(*this);
+    walk.seek(first);
+    for (std::size_t i = first; i < last; ++i) {
+      const MoveRow row = walk.next(i);
+      for (const Derived& column : follow) column.out[i] = row.*column.value;
+    }
+  });
+  return true;
+}
+
+/// False where the name is that of another column.
+template <class Whole>
+bool Moves::whole_column(std::string_view name, std::size_t first, std::size_t last,
+                         Whole* out) const {
+  const auto state = [&](auto value) {
+    by_state(first, last, out, value);
+    return true;
+  };
+  const auto row = [&](auto value) {
+    each_row(first, last, [&](const Chunk& chunk, std::size_t place, std::size_t i) {
+      out[i] = static_cast<Whole>(value(chunk, place));
+    });
+    return true;
+  };
+  if (name == "step") return row([](const Chunk& c, std::size_t p) { return c.step[p]; });
+  if (name == "kind") return row([](const Chunk& c, std::size_t p) { return c.kind[p]; });
+  if (name == "plane") return state([](const MoveState& s) { return s.plane; });
+  if (name == "tool") return state([](const MoveState& s) { return s.tool; });
+  if (name == "h") return state([](const MoveState& s) { return s.h; });
+  if (name == "d") return state([](const MoveState& s) { return s.d; });
+  if (name == "feed_mode") return state([](const MoveState& s) { return s.feed_mode; });
+  if (name == "move") {
+    std::iota(out + first, out + last, static_cast<Whole>(first));
+    return true;
+  }
+  if (name != "skip") return false;
+  std::fill(out + first, out + last, static_cast<Whole>(SkipMove::No));
+  for (std::size_t i = find_row(skips_, first); i < skips_.size() && skips_[i].row < last; ++i)
+    out[skips_[i].row] = static_cast<Whole>(skips_[i].how);
+  return true;
+}
+
+template <class Whole>
+bool Moves::column(std::string_view name, Whole* out, InterruptCheck* interrupt) const {
+  if (!whole_column(name, 0, 0, out)) return false;
+  in_parts(rows_, interrupt,
+           [&](std::size_t first, std::size_t last) { whole_column(name, first, last, out); });
+  return true;
+}
+
+template bool Moves::column(std::string_view name, std::int32_t* out, InterruptCheck*) const;
+template bool Moves::column(std::string_view name, std::int64_t* out, InterruptCheck*) const;
+
+}  // namespace cncsub

@@ -1,0 +1,134 @@
+// Going along the moves row by row: what the table and its columns have in common.
+#pragma once
+
+#include <limits>
+
+#include "cncsub/trace/moves.hpp"
+
+namespace cncsub {
+
+/// The first entry of a list by row that belongs to this row or one behind it.
+template <class List>
+std::size_t find_row(const List& list, std::size_t row) {
+  std::size_t low = 0, high = list.size();
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    (list[middle].row < row ? low : high) = list[middle].row < row ? middle + 1 : middle;
+  }
+  return low;
+}
+
+/// Goes along a list by row, which most rows are not in.
+template <class Entry>
+class Along {
+ public:
+  explicit Along(const Column<Entry>& list) : list_(list) {}
+  void seek(std::size_t row) {
+    next_ = find_row(list_, row);
+    look();
+  }
+  /// The entry of this row, if there is one. Rows are asked for in order.
+  const Entry* at(std::size_t row) {
+    if (row != row_) return nullptr;
+    const Entry* const entry = &list_[next_++];
+    look();
+    return entry;
+  }
+
+ private:
+  void look() {
+    row_ = next_ < list_.size() ? list_[next_].row : std::numeric_limits<std::size_t>::max();
+  }
+
+  const Column<Entry>& list_;
+  std::size_t next_ = 0;
+  std::size_t row_ = 0;  // of the next entry
+};
+
+/// Visits rows in order with everything that follows from them.
+class Moves::Walk {
+ public:
+  explicit Walk(const Moves& moves)
+      : moves_(moves), arcs_(moves.arcs_), vectors_(moves.vectors_), seconds_(moves.seconds_) {}
+
+  void seek(std::size_t row) {
+    from_ = moves_.start_;
+    if (row > 0) {
+      stand_at(row - 1);
+      from_ = next(row - 1).machine;
+    }
+    stand_at(row);
+  }
+
+  MoveRow next(std::size_t index) {
+    const std::size_t place = index % Chunk::kRows;
+    if (place == 0 || chunk_ == nullptr) chunk_ = &moves_.chunks_[index / Chunk::kRows];
+    if (state_ == nullptr || chunk_->state[place] != state_index_) take_state(chunk_->state[place]);
+    MoveRow row;
+    row.step = chunk_->step[place];
+    row.kind = chunk_->kind[place];
+    row.state = state_;
+    row.point = still_;
+    row.point[0] = chunk_->x[place];
+    row.point[1] = chunk_->y[place];
+    row.point[2] = chunk_->z[place];
+    for (const Extra& extra : moves_.extras_)
+      if (index >= extra.first) row.point[extra.axis] = extra.values[index - extra.first];
+    for (int i = 0; i < kAxes; ++i) row.machine[i] = row.point[i] + offset_[i];
+    if (const Vector* const vector = vectors_.at(index))
+      for (int i = 0; i < 3; ++i) row.machine[i] += vector->vector[i];
+    const Seconds* const seconds = seconds_.at(index);
+    follow(row, arcs_.at(index), seconds == nullptr ? 0 : seconds->time);
+    from_ = row.machine;
+    return row;
+  }
+
+ private:
+  void stand_at(std::size_t row) {
+    arcs_.seek(row);
+    vectors_.seek(row);
+    seconds_.seek(row);
+    chunk_ = nullptr;
+  }
+
+  void take_state(std::uint32_t index) {
+    state_index_ = index;
+    state_ = &moves_.states_[index];
+    offset_ = moves_.offsets_[state_->offset];
+    still_ = moves_.start_;
+    for (std::size_t i = 3; i < still_.size(); ++i) still_[i] -= offset_[i];
+  }
+
+  /// What follows from where the move begins.
+  void follow(MoveRow& row, const Arc* arc, double dwell) const {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    row.centre = {kNone, kNone, kNone};
+    double path = row.length = length_of(from_, row.machine, moves_.diameters_);
+    if (arc != nullptr) {
+      row.centre = arc->centre;
+      path = arc->in_plane;
+      row.length = arc_length(path, state_->plane, from_, row.machine, moves_.diameters_);
+    }
+    const bool lathe = (moves_.diameters_ & 1) != 0;
+    row.spindle = lathe ? spindle_at(*state_, row.point[0]) : state_->spindle;
+    row.feed = state_->feed / (row.length < kNoWay && turns(row) ? state_->degree : 1);
+    row.time = seconds_of({row.kind, *state_, from_, row.machine, path, offset_[0], dwell},
+                          moves_.rapid_, moves_.diameters_);
+  }
+  bool turns(const MoveRow& row) const {
+    return row.machine[3] != from_[3] || row.machine[4] != from_[4] || row.machine[5] != from_[5];
+  }
+
+  const Moves& moves_;
+  Along<Arc> arcs_;
+  Along<Vector> vectors_;
+  Along<Seconds> seconds_;
+  Axes from_{};  // machine position before the row
+  const Chunk* chunk_ = nullptr;
+  std::uint32_t state_index_ = 0;
+  const MoveState* state_ = nullptr;
+  Axes offset_{};  // that goes with the state
+  Axes still_{};   // where an axis without a column stands, in any coordinates
+};
+
+}  // namespace cncsub
