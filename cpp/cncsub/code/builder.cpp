@@ -47,6 +47,16 @@ void sort_entries(std::vector<SequenceEntry>& entries, std::size_t from,
       std::inplace_merge(at(i), at(i + piece), at(i + 2 * piece), by_number);
 }
 
+/// The blocks of a program can be found by their numbers from now on.
+void list_numbers(Code& code, InterruptCheck& interrupt, Program& program) {
+  program.first_entry = static_cast<std::uint32_t>(code.sequence.size());
+  for (Address a = program.first; a < program.last && !interrupt.requested(InterruptCheck::kBlock);
+       ++a)
+    if (code.blocks[a].n >= 0) code.sequence.push_back({code.blocks[a].n, a});
+  program.last_entry = static_cast<std::uint32_t>(code.sequence.size());
+  sort_entries(code.sequence, program.first_entry, interrupt);
+}
+
 }  // namespace
 
 // ---- programs ----
@@ -67,21 +77,12 @@ void Builder::end_program(std::uint32_t text_end, std::uint32_t line) {
   end.line = line;
   end.text = text_end;
   append(end);
-  list_numbers(program);
+  list_numbers(code_, interrupt_, program);
 }
 
 void Builder::part(const Program& program) {
   code_.programs.push_back(program);
-  list_numbers(code_.programs.back());
-}
-
-void Builder::list_numbers(Program& program) {
-  program.first_entry = static_cast<std::uint32_t>(code_.sequence.size());
-  for (Address a = program.first; a < program.last && !interrupt_.requested(InterruptCheck::kBlock);
-       ++a)
-    if (code_.blocks[a].n >= 0) code_.sequence.push_back({code_.blocks[a].n, a});
-  program.last_entry = static_cast<std::uint32_t>(code_.sequence.size());
-  sort_entries(code_.sequence, program.first_entry, interrupt_);
+  list_numbers(code_, interrupt_, code_.programs.back());
 }
 
 void Builder::drop_program(std::int32_t leader) {

@@ -122,8 +122,6 @@ class Builder {
                    const std::array<double, 26>& values);
 
  private:
-  /// The blocks of a program can be found by their numbers from now on.
-  void list_numbers(Program& program);
   template <class Record>
   auto& table() {
     if constexpr (std::is_same_v<Record, Block>)

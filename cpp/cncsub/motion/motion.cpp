@@ -32,10 +32,6 @@ Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup)
     : facts_(std::make_shared<MotionFacts>(std::move(control), setup)),
       state_(state_of(*facts_, setup)) {}
 
-std::optional<ProfileNumbers> Motion::named_profile(const NcWords& words) const {
-  return cncsub::named_profile(*facts_, words);
-}
-
 /// Puts everything back when the work ends in a fault.
 template <class Work>
 std::optional<Fault> Motion::whole_or_nothing(Moves* moves, const Work& work) {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string_view>
 
 #include "cncsub/code/code.hpp"
 #include "cncsub/control/control.hpp"
@@ -21,6 +20,7 @@ namespace cncsub {
 
 struct PlainArc;   // of the fast path: an arc,
 struct PlainLine;  // a line of more axes than X, Y and Z
+std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWords& words);
 
 class Motion {
  public:
@@ -30,7 +30,7 @@ class Motion {
 
   /// The profile that a block names, G70 to G73: to be handed in with the block.
   std::optional<ProfileNumbers> wanted_profile(const NcWords& words) const {
-    return words.has('P') && words.has('Q') ? named_profile(words) : std::nullopt;
+    return words.has('P') && words.has('Q') ? named_profile(*facts_, words) : std::nullopt;
   }
 
   /// Executes the motion words of a block. When it returns a fault nothing has changed.
@@ -81,7 +81,6 @@ class Motion {
   }
 
  private:
-  std::optional<ProfileNumbers> named_profile(const NcWords& words) const;
   template <class Work>
   std::optional<Fault> whole_or_nothing(Moves* moves, const Work& work);
   void write(Axes& values, int axis, double value);

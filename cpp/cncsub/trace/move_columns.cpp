@@ -40,140 +40,133 @@ bool even_degrees(const Column<MoveState>& states) {
 
 }  // namespace
 
-/// Calls `use(chunk, place, index)` for these rows.
+/// Rows [first, last) of the table, whose columns are written to their places.
+class Moves::Part {
+ public:
+  Part(const Moves& of, std::size_t first, std::size_t last)
+      : of_(of), first_(first), last_(last) {}
+
+  /// A column for which no row needs the one before it. False where the name is that of another
+  /// one.
+  bool plain_column(std::string_view name, double* out) const;
+  /// False where the name is that of another column.
+  template <class Whole>
+  bool whole_column(std::string_view name, Whole* out) const;
+  /// What holds for many rows is looked up where it changes.
+  template <class Out, class Value>
+  void by_state(Out* out, Value&& value) const;
+
+ private:
+  /// Calls `use(chunk, place, index)` for these rows.
+  template <class Use>
+  void each_row(Use&& use) const;
+  /// The programmed point. An axis without a column stands where it stood, in any coordinates.
+  void point_column(int axis, double* out) const;
+  void machine_column(int axis, double* out) const;
+  void centre_column(std::size_t axis, double* out) const;
+  void spindle_column(double* out) const;
+
+  const Moves& of_;
+  std::size_t first_, last_;
+};
+
 template <class Use>
-void Moves::each_row(std::size_t first, std::size_t last, Use&& use) const {
-  for (std::size_t i = first; i < last;) {
-    const Chunk& chunk = chunks_[i / Chunk::kRows];
-    const std::size_t end = std::min(last, (i / Chunk::kRows + 1) * Chunk::kRows);
+void Moves::Part::each_row(Use&& use) const {
+  for (std::size_t i = first_; i < last_;) {
+    const Chunk& chunk = of_.chunks_[i / Chunk::kRows];
+    const std::size_t end = std::min(last_, (i / Chunk::kRows + 1) * Chunk::kRows);
     for (; i < end; ++i) use(chunk, i % Chunk::kRows, i);
   }
 }
 
-/// What holds for many rows is looked up where it changes.
 template <class Out, class Value>
-void Moves::by_state(std::size_t first, std::size_t last, Out* out, Value&& value) const {
-  if (first == last) return;
-  std::uint32_t known = chunks_[first / Chunk::kRows].state[first % Chunk::kRows];
-  Out held = static_cast<Out>(value(states_[known]));
-  each_row(first, last, [&](const Chunk& chunk, std::size_t place, std::size_t i) {
+void Moves::Part::by_state(Out* out, Value&& value) const {
+  if (first_ == last_) return;
+  std::uint32_t known = of_.chunks_[first_ / Chunk::kRows].state[first_ % Chunk::kRows];
+  Out held = static_cast<Out>(value(of_.states_[known]));
+  each_row([&](const Chunk& chunk, std::size_t place, std::size_t i) {
     if (chunk.state[place] != known) {
       known = chunk.state[place];
-      held = static_cast<Out>(value(states_[known]));
+      held = static_cast<Out>(value(of_.states_[known]));
     }
     out[i] = held;
   });
 }
 
-/// The programmed point. An axis without a column stands where it stood, in any coordinates.
-void Moves::point_column(int axis, std::size_t first, std::size_t last, double* out) const {
+void Moves::Part::point_column(int axis, double* out) const {
   const auto place = static_cast<std::size_t>(axis);
   if (axis >= 3) {
-    by_state(first, last, out,
-             [&](const MoveState& s) { return start_[place] - offsets_[s.offset][place]; });
-    for (const Extra& extra : extras_)
-      for (std::size_t i = std::max(first, extra.first); extra.axis == axis && i < last; ++i)
+    by_state(out,
+             [&](const MoveState& s) { return of_.start_[place] - of_.offsets_[s.offset][place]; });
+    for (const Extra& extra : of_.extras_)
+      for (std::size_t i = std::max(first_, extra.first); extra.axis == axis && i < last_; ++i)
         out[i] = extra.values[i - extra.first];
     return;
   }
-  for (std::size_t i = first; i < last;) {
-    const Chunk& chunk = chunks_[i / Chunk::kRows];
-    const std::size_t at = i % Chunk::kRows, count = std::min(Chunk::kRows - at, last - i);
+  for (std::size_t i = first_; i < last_;) {
+    const Chunk& chunk = of_.chunks_[i / Chunk::kRows];
+    const std::size_t at = i % Chunk::kRows, count = std::min(Chunk::kRows - at, last_ - i);
     const double* const from = axis == 0 ? chunk.x : axis == 1 ? chunk.y : chunk.z;
     std::copy_n(from + at, count, out + i);
     i += count;
   }
 }
 
-void Moves::machine_column(int axis, std::size_t first, std::size_t last, double* out) const {
+void Moves::Part::machine_column(int axis, double* out) const {
   const auto place = static_cast<std::size_t>(axis);
-  point_column(axis, first, last, out);
+  point_column(axis, out);
   std::uint32_t known = std::numeric_limits<std::uint32_t>::max();
   double offset = 0;
-  each_row(first, last, [&](const Chunk& chunk, std::size_t at, std::size_t i) {
+  each_row([&](const Chunk& chunk, std::size_t at, std::size_t i) {
     if (chunk.state[at] != known) {
       known = chunk.state[at];
-      offset = offsets_[states_[known].offset][place];
+      offset = of_.offsets_[of_.states_[known].offset][place];
     }
     out[i] += offset;
   });
   if (axis >= 3) return;
-  for (std::size_t i = find_row(vectors_, first); i < vectors_.size() && vectors_[i].row < last;
-       ++i)
-    out[vectors_[i].row] += vectors_[i].vector[place];
+  for (std::size_t i = find_row(of_.vectors_, first_);
+       i < of_.vectors_.size() && of_.vectors_[i].row < last_; ++i)
+    out[of_.vectors_[i].row] += of_.vectors_[i].vector[place];
 }
 
-void Moves::centre_column(std::size_t axis, std::size_t first, std::size_t last,
-                          double* out) const {
-  std::fill(out + first, out + last, std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t i = find_row(arcs_, first); i < arcs_.size() && arcs_[i].row < last; ++i)
-    out[arcs_[i].row] = arcs_[i].centre[axis];
+void Moves::Part::centre_column(std::size_t axis, double* out) const {
+  std::fill(out + first_, out + last_, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = find_row(of_.arcs_, first_);
+       i < of_.arcs_.size() && of_.arcs_[i].row < last_; ++i)
+    out[of_.arcs_[i].row] = of_.arcs_[i].centre[axis];
 }
 
-void Moves::spindle_column(std::size_t first, std::size_t last, double* out) const {
-  if ((diameters_ & 1) == 0)
-    return by_state(first, last, out, [](const MoveState& s) { return s.spindle; });
-  each_row(first, last, [&](const Chunk& chunk, std::size_t place, std::size_t i) {
-    out[i] = spindle_at(states_[chunk.state[place]], chunk.x[place]);
+void Moves::Part::spindle_column(double* out) const {
+  if ((of_.diameters_ & 1) == 0) return by_state(out, [](const MoveState& s) { return s.spindle; });
+  each_row([&](const Chunk& chunk, std::size_t place, std::size_t i) {
+    out[i] = spindle_at(of_.states_[chunk.state[place]], chunk.x[place]);
   });
 }
 
-/// A column for which no row needs the one before it. False where the name is that of another one.
-bool Moves::plain_column(std::string_view name, std::size_t first, std::size_t last,
-                         double* out) const {
+bool Moves::Part::plain_column(std::string_view name, double* out) const {
   const int axis = name.empty() || name.size() > 2 ? -1 : axis_of(name.back());
   if (name == "spindle")
-    spindle_column(first, last, out);
+    spindle_column(out);
   else if (axis >= 0 && name.size() == 1)
-    point_column(axis, first, last, out);
+    point_column(axis, out);
   else if (axis >= 0 && name[0] == 'm')
-    machine_column(axis, first, last, out);
+    machine_column(axis, out);
   else if (axis >= 0 && axis < 3 && name[0] == 'c')
-    centre_column(static_cast<std::size_t>(axis), first, last, out);
+    centre_column(static_cast<std::size_t>(axis), out);
   else
     return false;
   return true;
 }
 
-bool Moves::columns(const std::vector<std::string>& names, const std::vector<double*>& out,
-                    InterruptCheck* interrupt) const {
-  const bool even = even_degrees(states_);
-  std::vector<Derived> follow;
-  double* feed = nullptr;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (plain_column(names[i], 0, 0, out[i])) continue;
-    if (even && names[i] == "feed") {
-      feed = out[i];
-      continue;
-    }
-    follow.push_back(derived(names[i]));
-    if (follow.back().value == nullptr) return false;
-    follow.back().out = out[i];
-  }
-  in_parts(rows_, interrupt, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = 0; i < names.size(); ++i) plain_column(names[i], first, last, out[i]);
-    if (feed != nullptr) by_state(first, last, feed, [](const MoveState& s) { return s.feed; });
-    if (follow.empty()) return;
-    Walk walk(*this);
-    walk.seek(first);
-    for (std::size_t i = first; i < last; ++i) {
-      const MoveRow row = walk.next(i);
-      for (const Derived& column : follow) column.out[i] = row.*column.value;
-    }
-  });
-  return true;
-}
-
-/// False where the name is that of another column.
 template <class Whole>
-bool Moves::whole_column(std::string_view name, std::size_t first, std::size_t last,
-                         Whole* out) const {
+bool Moves::Part::whole_column(std::string_view name, Whole* out) const {
   const auto state = [&](auto value) {
-    by_state(first, last, out, value);
+    by_state(out, value);
     return true;
   };
   const auto row = [&](auto value) {
-    each_row(first, last, [&](const Chunk& chunk, std::size_t place, std::size_t i) {
+    each_row([&](const Chunk& chunk, std::size_t place, std::size_t i) {
       out[i] = static_cast<Whole>(value(chunk, place));
     });
     return true;
@@ -186,21 +179,53 @@ bool Moves::whole_column(std::string_view name, std::size_t first, std::size_t l
   if (name == "d") return state([](const MoveState& s) { return s.d; });
   if (name == "feed_mode") return state([](const MoveState& s) { return s.feed_mode; });
   if (name == "move") {
-    std::iota(out + first, out + last, static_cast<Whole>(first));
+    std::iota(out + first_, out + last_, static_cast<Whole>(first_));
     return true;
   }
   if (name != "skip") return false;
-  std::fill(out + first, out + last, static_cast<Whole>(SkipMove::No));
-  for (std::size_t i = find_row(skips_, first); i < skips_.size() && skips_[i].row < last; ++i)
-    out[skips_[i].row] = static_cast<Whole>(skips_[i].how);
+  std::fill(out + first_, out + last_, static_cast<Whole>(SkipMove::No));
+  for (std::size_t i = find_row(of_.skips_, first_);
+       i < of_.skips_.size() && of_.skips_[i].row < last_; ++i)
+    out[of_.skips_[i].row] = static_cast<Whole>(of_.skips_[i].how);
+  return true;
+}
+
+bool Moves::columns(const std::vector<std::string>& names, const std::vector<double*>& out,
+                    InterruptCheck* interrupt) const {
+  const bool even = even_degrees(states_);
+  std::vector<Derived> follow;
+  double* feed = nullptr;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (Part(*this, 0, 0).plain_column(names[i], out[i])) continue;
+    if (even && names[i] == "feed") {
+      feed = out[i];
+      continue;
+    }
+    follow.push_back(derived(names[i]));
+    if (follow.back().value == nullptr) return false;
+    follow.back().out = out[i];
+  }
+  in_parts(rows_, interrupt, [&](std::size_t first, std::size_t last) {
+    const Part part(*this, first, last);
+    for (std::size_t i = 0; i < names.size(); ++i) part.plain_column(names[i], out[i]);
+    if (feed != nullptr) part.by_state(feed, [](const MoveState& s) { return s.feed; });
+    if (follow.empty()) return;
+    Walk walk(*this);
+    walk.seek(first);
+    for (std::size_t i = first; i < last; ++i) {
+      const MoveRow row = walk.next(i);
+      for (const Derived& column : follow) column.out[i] = row.*column.value;
+    }
+  });
   return true;
 }
 
 template <class Whole>
 bool Moves::column(std::string_view name, Whole* out, InterruptCheck* interrupt) const {
-  if (!whole_column(name, 0, 0, out)) return false;
-  in_parts(rows_, interrupt,
-           [&](std::size_t first, std::size_t last) { whole_column(name, first, last, out); });
+  if (!Part(*this, 0, 0).whole_column(name, out)) return false;
+  in_parts(rows_, interrupt, [&](std::size_t first, std::size_t last) {
+    Part(*this, first, last).whole_column(name, out);
+  });
   return true;
 }
 

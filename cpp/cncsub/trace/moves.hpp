@@ -125,6 +125,7 @@ class Moves {
     SkipMove how;
   };
   class Walk;
+  class Part;
   /// Where rows may be written: the last chunk, and the first row that is not in it. A copy of the
   /// table has no room, because the chunk is not its own.
   struct Room {
@@ -144,18 +145,6 @@ class Moves {
 
   void grow();
   void push_extras(const Axes& point);
-  // Rows [first, last) of one column.
-  template <class Use>
-  void each_row(std::size_t first, std::size_t last, Use&& use) const;
-  template <class Out, class Value>
-  void by_state(std::size_t first, std::size_t last, Out* out, Value&& value) const;
-  void point_column(int axis, std::size_t first, std::size_t last, double* out) const;
-  void machine_column(int axis, std::size_t first, std::size_t last, double* out) const;
-  void centre_column(std::size_t axis, std::size_t first, std::size_t last, double* out) const;
-  void spindle_column(std::size_t first, std::size_t last, double* out) const;
-  bool plain_column(std::string_view name, std::size_t first, std::size_t last, double* out) const;
-  template <class Whole>
-  bool whole_column(std::string_view name, std::size_t first, std::size_t last, Whole* out) const;
   template <class Use>
   void walk(InterruptCheck* interrupt, Use&& use) const;
 

@@ -1,10 +1,13 @@
 // The operators of expressions: how tightly each binds, and what it makes of two values.
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "cncsub/dialect/iso/expression.hpp"
 
 namespace cncsub {
+
+namespace {
 
 struct OperatorName {
   std::string_view text;
@@ -16,8 +19,6 @@ struct OperatorName {
   bool compares() const { return op >= Ins::Equal && op <= Ins::LessEqual; }
   bool is_logic() const { return last == 0; }
 };
-
-namespace {
 
 constexpr int kTightest = 3;  // of the levels where logic binds last
 
@@ -129,15 +130,18 @@ const OperatorName* operator_here(const Code& code, Scanner& s) {
 /// Whether an operator binds at this level behind a value. Where logic of numbers binds first, it
 /// counts whether the value is a number, and whether it is the right side of a comparison:
 /// `#1EQ3AND#2EQ4` joins two, `3EQ#1AND3` is one.
-bool binds(const Control& control, const Scanner& s, const OperatorName& of, int level,
-           const Value& value, bool compared) {
+bool binds(const Control& control, const Scanner& s, const OperatorName* of, int level,
+           const Value& value, std::span<const Waiting> waiting) {
+  if (of == nullptr) return false;
   const LogicOrder order = control.macros.logic_order.value;
-  if (level == (order == LogicOrder::LikeArithmetic ? of.alike : of.last)) return true;
-  if (order != LogicOrder::LastOfConditions || !of.is_logic()) return false;
-  if (value.type != Value::Type::Number || level != of.alike + 1) return false;
+  if (level == (order == LogicOrder::LikeArithmetic ? of->alike : of->last)) return true;
+  if (order != LogicOrder::LastOfConditions || !of->is_logic()) return false;
+  if (value.type != Value::Type::Number || level != of->alike + 1) return false;
+  const bool compared = std::any_of(waiting.begin(), waiting.end(),
+                                    [](const Waiting& left) { return left.of->compares(); });
   if (!compared) return true;
   Scanner behind = s;
-  behind.take_word(of.text);
+  behind.take_word(of->text);
   return !Lookahead(behind).finds_condition();
 }
 
@@ -183,10 +187,6 @@ std::optional<Value> ExpressionReader::expression() {
   std::size_t count = 0;
   const bool alike = code_.control->macros.logic_order.value == LogicOrder::LikeArithmetic;
   const int tightest = kTightest - static_cast<int>(alike);
-  const auto compared = [&] {
-    return std::any_of(waiting.begin(), waiting.begin() + count,
-                       [](const Waiting& left) { return left.of->compares(); });
-  };
   auto value = operand();
   while (value) {
     const OperatorName* next = nullptr;
@@ -195,8 +195,7 @@ std::optional<Value> ExpressionReader::expression() {
         value = apply(out_, waiting[--count], *value, s_.offset());
       if (!value) return std::nullopt;
       if (level == tightest) next = operator_here(code_, s_);
-      if (next != nullptr &&
-          binds(*code_.control, s_, *next, level, *value, next->is_logic() && compared())) {
+      if (binds(*code_.control, s_, next, level, *value, {waiting.data(), count})) {
         waiting[count++] = {*value, next, s_.offset(), level};
         break;
       }

@@ -30,6 +30,19 @@ std::string shown(char c) {
   return text.data();
 }
 
+/// The number of the M code that stands here, where it is written as one.
+std::optional<int> plain_m(const Line& line) {
+  std::string_view rest = line.rest();
+  if (!rest.starts_with('m')) return std::nullopt;
+  rest.remove_prefix(1);
+  int number = 0;
+  const char* const first = rest.begin();
+  const char* const end = rest.end();
+  const auto read = std::from_chars(first, first + std::min<std::size_t>(rest.size(), 5), number);
+  const bool whole = read.ec == std::errc() && (read.ptr == end || *read.ptr != '.');
+  return whole ? std::optional<int>(number) : std::nullopt;
+}
+
 }  // namespace
 
 bool BlockReader::refuse(Block& block, Cause cause, std::string text, std::uint32_t at) {
@@ -63,7 +76,7 @@ bool BlockReader::read(std::string_view text, Block& block, Label& label) {
   if (line_.take('/')) block.skip = 1u << 1;
   if (line_.peek() == 'n' && !number(block)) return true;
   if (line_.at_end()) return block.n >= 0;
-  const std::optional<int> m = plain_m();
+  const std::optional<int> m = plain_m(line_);
   const Role role = m ? to_.control().calls.roles.value.of_m(*m) : Role::None;
   if (line_.peek() == 'o')
     o_word(block, label);
@@ -85,19 +98,6 @@ bool BlockReader::number(Block& block) {
   if (digits.size() <= 9) std::from_chars(digits.data(), digits.data() + digits.size(), block.n);
   if (line_.take('.')) line_.take_digits();  // a fraction is read and forgotten
   return true;
-}
-
-/// The number of the M code that stands here, where it is written as one.
-std::optional<int> BlockReader::plain_m() const {
-  std::string_view rest = line_.rest();
-  if (!rest.starts_with('m')) return std::nullopt;
-  rest.remove_prefix(1);
-  int number = 0;
-  const char* const first = rest.begin();
-  const char* const end = rest.end();
-  const auto read = std::from_chars(first, first + std::min<std::size_t>(rest.size(), 5), number);
-  const bool whole = read.ec == std::errc() && (read.ptr == end || *read.ptr != '.');
-  return whole ? std::optional<int>(number) : std::nullopt;
 }
 
 bool BlockReader::words(Block& block) {

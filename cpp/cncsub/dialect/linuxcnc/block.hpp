@@ -56,16 +56,13 @@ class BlockReader {
   bool o_word(Block& block, Label& label);
   bool o_label(Block& block, Labelled& own);
   bool statement(Block& block, Labelled& own, std::string_view word);
-  void keep_refusal(Labelled& own, Cause cause, const char* text);
   bool o_call(Block& block, Labelled& own);
   bool condition(Block& block, Labelled& own, std::string_view word);
   bool arguments(Block& block, CallRecord& call);
   bool end_of_o_word(Block& block);
-  void take_m(int number);
   bool words_of_98(Block& block, CallRecord& call);
   bool call_98(Block& block, int m, Label& label);
   void back_99(Block& block, int m, Label& label);
-  std::optional<int> plain_m() const;
 
   Builder& to_;
   Line line_;

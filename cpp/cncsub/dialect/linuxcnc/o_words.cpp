@@ -76,15 +76,23 @@ const char* refusal(LabelledKind kind) {
   return "";
 }
 
+void take_m(Line& line, int number) {
+  for (std::size_t left = 1 + std::to_string(number).size(); left > 0; --left) line.take();
+}
+
+/// What is said of an endsub in the main program once a call has come back to it, and where the
+/// program runs into a sub that was called before. [rs274 2.9]
+void keep_refusal(Builder& to, Labelled& own, Cause cause, const char* text) {
+  Fault fault{cause, own.at, own.width, ""};
+  fault.text = text;
+  own.refused = to.keep(std::move(fault));
+}
+
 }  // namespace
 
 // ---- M98, M99 ----
 
 /// The letter, and as many characters as the number has digits. [rs274 2.9: M098 leaves its 8]
-void BlockReader::take_m(int number) {
-  for (std::size_t left = 1 + std::to_string(number).size(); left > 0; --left) line_.take();
-}
-
 /// The words behind M98; of others than P and L nothing happens.
 bool BlockReader::words_of_98(Block& block, CallRecord& call) {
   Words words;
@@ -110,7 +118,7 @@ bool BlockReader::words_of_98(Block& block, CallRecord& call) {
 /// M98 stands first, and its words behind it.
 bool BlockReader::call_98(Block& block, int m, Label& label) {
   const std::uint32_t at = line_.offset();
-  take_m(m);
+  take_m(line_, m);
   CallRecord call;
   call.kind = CallKind::Subprogram;
   call.locals = CallRecord::Locals::OwnByName;
@@ -140,7 +148,7 @@ void BlockReader::back_99(Block& block, int m, Label& label) {
   Labelled own;
   own.kind = LabelledKind::Back;
   own.at = line_.offset();
-  take_m(m);
+  take_m(line_, m);
   own.width = line_.width_from(own.at);
   own.of_another_kind =
       "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition";
@@ -224,13 +232,13 @@ bool BlockReader::statement(Block& block, Labelled& own, std::string_view word) 
     case LabelledKind::Return:
       if (line_.peek() == '[' && !condition(block, own, "return")) return false;
       if (own.kind == LabelledKind::EndSub)
-        keep_refusal(own, Cause::ReturnInMainProgram, "Not in subroutine definition");
+        keep_refusal(to_, own, Cause::ReturnInMainProgram, "Not in subroutine definition");
       break;
     case LabelledKind::Call:
       if (!o_call(block, own)) return false;
       break;
     case LabelledKind::Sub:
-      keep_refusal(own, Cause::SubprogramGivenTwice,
+      keep_refusal(to_, own, Cause::SubprogramGivenTwice,
                    "File:{file} line:{line} sub: o|{name}| found in illegal location");
       break;
     default:
@@ -240,14 +248,6 @@ bool BlockReader::statement(Block& block, Labelled& own, std::string_view word) 
   own.of_another_kind = refusal(own.kind);
   to_.become(block, Op::Labelled, own);
   return true;
-}
-
-/// What is said of an endsub in the main program once a call has come back to it, and where the
-/// program runs into a sub that was called before. [rs274 2.9]
-void BlockReader::keep_refusal(Labelled& own, Cause cause, const char* text) {
-  Fault fault{cause, own.at, own.width, ""};
-  fault.text = text;
-  own.refused = to_.keep(std::move(fault));
 }
 
 bool BlockReader::o_call(Block& block, Labelled& own) {
