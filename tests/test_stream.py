@@ -233,6 +233,27 @@ def test_a_stream_goes_to_parquet(tmp_path: Path) -> None:
         library.stream().to_parquet(tmp_path / "run")
 
 
+def test_a_ctrl_c_between_a_file_and_its_writer_leaves_no_part_of_a_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+
+    real = parquet.ParquetWriter
+    interrupts = iter([KeyboardInterrupt])
+
+    def writer(*arguments: object, **options: object) -> object:
+        made = real(*arguments, **options)
+        for interrupt in interrupts:
+            raise interrupt
+        return made
+
+    monkeypatch.setattr(parquet, "ParquetWriter", writer)
+    stream = cncsub.loads(LOOP, control=CONTROL).stream(max_cycles=10**6, max_blocks=10**6)
+    stream.to_parquet(tmp_path)
+    assert stream.stop == cncsub.Stop.INTERRUPTED
+    assert not list(tmp_path.glob("*.part"))
+
+
 def test_a_stream_that_is_cut_off_leaves_whole_files(tmp_path: Path) -> None:
     code = f"""
         import cncsub

@@ -160,7 +160,9 @@ class _Files:
         if self._writer is None:
             return
         self._writer.close()
-        self._path(whole=False).rename(self._path(whole=True))
+        part = self._path(whole=False)
+        if part.exists():  # Ctrl-C may have come behind the line below
+            part.rename(self._path(whole=True))
         self._writer = None
         self._number += 1
         self._rows = 0
@@ -174,3 +176,5 @@ class _Files:
             parquet = optional_module("pyarrow.parquet")
             self._writer = parquet.ParquetWriter(self._path(whole=False), self._schema)
         self._finish()
+        # Ctrl-C may have come when the next file was there and its writer was not.
+        self._path(whole=False).unlink(missing_ok=True)
