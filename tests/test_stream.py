@@ -239,15 +239,16 @@ def test_a_ctrl_c_between_a_file_and_its_writer_leaves_no_part_of_a_file(
     parquet = pytest.importorskip("pyarrow.parquet")
 
     real = parquet.ParquetWriter
-    interrupts = iter([KeyboardInterrupt])
+    made = []
 
     def writer(*arguments: object, **options: object) -> object:
-        made = real(*arguments, **options)
-        for interrupt in interrupts:
-            raise interrupt
-        return made
+        made.append(real(*arguments, **options))
+        if len(made) == 8:  # none of them is the first of its table
+            raise KeyboardInterrupt
+        return made[-1]
 
     monkeypatch.setattr(parquet, "ParquetWriter", writer)
+    monkeypatch.setattr(cncsub.stream._Files, "_FULL", 1000)
     stream = cncsub.loads(LOOP, control=CONTROL).stream(max_cycles=10**6, max_blocks=10**6)
     stream.to_parquet(tmp_path)
     assert stream.stop == cncsub.Stop.INTERRUPTED
