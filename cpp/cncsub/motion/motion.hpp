@@ -20,7 +20,6 @@ namespace cncsub {
 
 struct PlainArc;   // of the fast path: an arc,
 struct PlainLine;  // a line of more axes than X, Y and Z
-std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWords& words);
 
 class Motion {
  public:

@@ -18,6 +18,9 @@ namespace cncsub {
 struct ProfileNumbers {
   std::int64_t ns = 0, nf = 0;
 };
+struct MotionFacts;
+/// Of a block with P and Q: the profile that its cycle takes, if it is one that does.
+std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWords& words);
 
 struct Profile {
   std::vector<NcWords> blocks;

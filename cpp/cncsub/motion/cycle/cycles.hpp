@@ -47,7 +47,6 @@ Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, do
 Result multiple_thread(MotionContext& m, BlockWords& block);
 
 // G70 to G73: what follows a profile.
-std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWords& words);
 Result contour(MotionContext& m, BlockWords& block, Meaning meaning);
 
 }  // namespace cncsub
