@@ -438,6 +438,7 @@ def test_colours_are_all_that_a_terminal_sees_more(
     plain = Done(*arguments).out
     monkeypatch.setenv("FORCE_COLOR", "1")
     monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.delenv("NO_COLOR", raising=False)
     coloured = Done(*arguments).out
     assert "\x1b[" in coloured
     assert "\x1b[" not in plain

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "cncsub/code/code.hpp"
+#include "shared.hpp"
 
 namespace cncsub::bindings {
 
