@@ -38,10 +38,30 @@ number = st.builds(
 word = st.builds(str.__add__, st.sampled_from("XYZUVWABCIJKRFGNMST"), number)
 block = st.lists(word, max_size=6).map(lambda words: " ".join(words))
 code = st.sampled_from(["G0 ", "G1 ", "G90 ", "G91 ", "N10 ", "", ""])
-text = st.lists(st.builds(str.__add__, code, block), max_size=8)
+variable = st.integers(0, 160).map(lambda n: f"#{n}") | st.sampled_from(["#9001", "#500", "#3000"])
+value = variable | number
+formula = st.one_of(
+    value,
+    st.builds(lambda a, sign, b: f"{a}{sign}{b}", value, st.sampled_from("+-*/"), value),
+).flatmap(lambda inner: st.sampled_from([inner, f"[{inner}]", f"-{inner}", f"[[{inner}]]"]))
+assignment = st.builds(
+    lambda head, name, value: f"{head}{name}={value}",
+    st.sampled_from(["", "N7", "N7 "]),
+    variable,
+    formula,
+)
+dwell = st.builds(
+    lambda code, letter, value: f"{code} {letter}{value}",
+    st.sampled_from(["G4", "G04", "N7 G4", "G4 G90", "G1 G4"]),
+    st.sampled_from("PXUZFQ"),
+    number,
+)
+text = st.lists(st.builds(str.__add__, code, block) | assignment | dwell, max_size=8)
+# LinuxCNC reads a bare address otherwise where a comment stands behind it.
+OTHERS = [name for name in NAMES if name != "linuxcnc"]
 
 
-@given(control=st.sampled_from(NAMES), blocks=text)
+@given(control=st.sampled_from(OTHERS), blocks=text)
 def test_a_comment_changes_nothing(control: str, blocks: list[str]) -> None:
     plain = "O1\n" + "".join(f"{b}\n" for b in blocks) + "M30\n"
     commented = "O1\n" + "".join(f"{b}()\n" if b.strip() else "\n" for b in blocks) + "M30\n"

@@ -1,5 +1,6 @@
 #include "cncsub/machine/words.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -136,6 +137,13 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
   return true;
 }
 
+/// G04 that no signal ends, at once.
+bool dwells(Run& run, const NcWords& words, Motion::Outcome& outcome) {
+  const auto& signals = run.options.inputs.skips;
+  return std::all_of(signals.begin(), signals.end(), [](const auto& of) { return of.empty(); }) &&
+         run.motion.dwell(words, run.step(), run.moves(), outcome);
+}
+
 /// The motion of a block: moves, modes, offsets.
 bool move(Run& run, const Block& block, NcWords& words) {
   Motion::Outcome& outcome = run.block.outcome;
@@ -146,7 +154,7 @@ bool move(Run& run, const Block& block, NcWords& words) {
     words.roles |= 1U << static_cast<unsigned>(role);
     words.stops = words.stops || waits_at(run, role) || role == Role::End;
   }
-  if (run.motion.modes(words, run.step(), run.moves(), outcome)) {
+  if (run.motion.modes(words, run.step(), run.moves(), outcome) || dwells(run, words, outcome)) {
     run.watch.moves += outcome.moves;
     if (run.watch.moves > run.watch.look_moves) look_soon(run);
     return true;

@@ -10,44 +10,6 @@
 namespace cncsub {
 namespace {
 
-/// How much of a dwell is waited until a skip signal ends it.
-double dwell_part(MotionContext& m, const BlockWords& block) {
-  if (!m.outside.skips.any()) return 1;
-  const SignalMask signals = signals_of(m, block);
-  double part = 1;
-  if (signals != 0)
-    for (const SkipSignal& told : m.outside.skips.take(signals).told)
-      if (told.comes == SkipSignal::Comes::AtFraction) part = std::min(part, told.value);
-  return part;
-}
-
-/// What a letter of G04 says, in seconds.
-double seconds_of_word(MotionView m, const NcWords& w, char letter) {
-  const Control& c = *m.facts.control;
-  double value = w[letter];
-  if (letter != 'P') {
-    const bool increments = c.motion.dwell_unit.value == DwellUnit::Milliseconds ||
-                            c.reading.whole_numbers.value == WholeNumbers::Increments;
-    return increments && (w.whole & bit(letter)) != 0 ? value * 0.001 : value;
-  }
-  const bool point = ((w.whole | w.computed) & bit('P')) == 0;
-  if (point && c.motion.dwell_point.value == DwellPoint::Cut) value = std::floor(value);
-  const bool counts_seconds = point && c.motion.dwell_point.value == DwellPoint::Seconds;
-  return c.motion.dwell_unit.value == DwellUnit::PSeconds || counts_seconds ? value : value * 0.001;
-}
-
-Result dwell(MotionContext& m, BlockWords& block) {
-  const auto& letters = m.facts.control->motion.dwell_words.value;
-  const auto* const first = std::find_if(letters.begin(), letters.end(),
-                                         [&](char letter) { return block.words.has(letter); });
-  if (first == letters.end()) return std::nullopt;
-  for (const char other : letters)
-    if (other != *first) m.outcome.drop(bit(other));
-  const double seconds = seconds_of_word(m, block.words, *first);
-  if (seconds <= 0) return std::nullopt;
-  return add_dwell(m, block, seconds * dwell_part(m, block));
-}
-
 Result one_shot(MotionContext& m, BlockWords& block) {
   switch (block.meaning(Group::OneShot)) {
     case Meaning::Dwell:

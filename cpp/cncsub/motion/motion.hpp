@@ -49,6 +49,9 @@ class Motion {
   /// the state want the general path; then nothing has changed.
   bool modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
 
+  /// G04 alone, with one word, where no signal ends it. As `modes`.
+  bool dwell(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
+
   /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the
   /// run. When it returns a fault nothing has changed.
   std::optional<Fault> finish(Moves* moves);

@@ -22,6 +22,8 @@ inline double number(MotionView m, const BlockWords& block, char address) {
 }
 /// The same in units of the program.
 double in_units(MotionView m, const NcWords& words, char address);
+/// G04.
+Result dwell(MotionContext& m, BlockWords& block);
 /// F of a block as a feed.
 Result feed_of(MotionView m, const BlockWords& block, double& feed);
 /// What an M code does to the spindle and the tool in it.

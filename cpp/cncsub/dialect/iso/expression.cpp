@@ -29,6 +29,7 @@ std::optional<std::uint32_t> ExpressionReader::number() {
   s_.blanks();
   const std::uint32_t at = s_.offset();
   auto value = take(plain_expression(code_, s_));
+  if (!value) value = take(plain_bracket(code_, s_));
   if (!value) value = expression();
   if (!value) return std::nullopt;
   if (!out_.is_number(*value))
@@ -202,13 +203,14 @@ std::optional<Value> ExpressionReader::operand() {
 
 std::optional<Value> ExpressionReader::sign() {
   const std::uint32_t at = s_.offset();
+  const auto first = out_.first();
   const bool negative = *s_.at++ == '-';
   const char next = s_.peek();
   if (next == '-' || next == '+')
     return out_.refuse(Cause::ExpressionFormat, s_.offset(), "two signs in a row");
   auto value = operand();
   if (!value || !out_.arithmetic(*value, s_.offset())) return std::nullopt;
-  if (negative) out_.emit(Ins::Negate, at);
+  if (negative) out_.negate(first, at);
   return value;
 }
 

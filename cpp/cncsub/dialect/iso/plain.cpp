@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cncsub/dialect/iso/expression.hpp"
+#include "cncsub/dialect/iso/plain_expression.hpp"
 
 namespace cncsub {
 
@@ -12,7 +13,7 @@ namespace {
 
 constexpr int kLongest = 200;  // bytes; a plain block is short
 constexpr int kMostWords = 20;
-constexpr std::size_t kDwell = 4;  // G04 reads its words in ways of its own
+constexpr std::size_t kDwell = 4;  // of G04 it counts whether a value has a point
 constexpr std::uint64_t kMostM = 1000;
 
 }  // namespace
@@ -23,6 +24,7 @@ struct PlainReader::Words {
   std::uint32_t mask = 0, computed = 0;
   std::array<int, 6> g;  // NOLINT: the first of them
   std::size_t g_count = 0;
+  bool dwell = false;
   int m = -1;
   std::int32_t n = -1;
   int count = 0;
@@ -39,6 +41,7 @@ PlainReader::PlainReader(Builder& to, const BlockRules& rules)
   if (tight(rules.control.reading.max_block_length.value, kLongest) ||
       tight(rules.control.reading.max_words.value, kMostWords))
     return;
+  assigns_ = !rules.code.lacks(StatementKind::Variables, 0);
   kinds_['('] = Kind::Comment;
   for (const char c : std::string_view("ABCDEFHIJKLPQRSTUVWXYZ"))
     if (!rules.calling.any(c)) kinds_[static_cast<unsigned char>(c)] = Kind::Value;
@@ -46,9 +49,13 @@ PlainReader::PlainReader(Builder& to, const BlockRules& rules)
   if (rules.control.reading.m_codes_per_block.value != 0) kinds_['M'] = Kind::M;
   kinds_['N'] = Kind::N;
   for (std::size_t g = 0; g < g_.size(); ++g)
-    g_[g] = rules.code.g_codes.test(g * 10) && g != kDwell &&
+    g_[g] = rules.code.g_codes.test(g * 10) &&
             rules.control.calls.roles.value.of_g(static_cast<int>(g * 10)) == Role::None &&
             rules.calling.find('G', static_cast<double>(g)) == nullptr;
+  dwells_ = g_[kDwell];
+  g_[kDwell] = false;
+  whole_dwell_ = rules.control.motion.dwell_unit.value == DwellUnit::Milliseconds ||
+                 rules.control.motion.dwell_point.value != DwellPoint::Refused;
 }
 
 inline bool PlainReader::fits(const Mantissa& number) const {
@@ -76,8 +83,11 @@ inline bool PlainReader::take_value(Words& words, char letter, bool negative,
 }
 
 inline bool PlainReader::take_g(Words& words, const Mantissa& number) const {
-  if (words.g_count == words.g.size() || number.value >= g_.size() || !g_[number.value])
-    return false;
+  if (words.g_count == words.g.size() || number.value >= g_.size()) return false;
+  if (!g_[number.value]) {
+    if (number.value != kDwell || !dwells_) return false;
+    words.dwell = true;
+  }
   words.g[words.g_count++] = static_cast<int>(number.value);
   return true;
 }
@@ -156,7 +166,15 @@ bool PlainReader::take_computed(Words& words, char letter, const char*& at, cons
   }
 }
 
-void PlainReader::write_computed(const Words& words, Block& block) {
+/// Whether a dwell is one value and nothing else of which a point tells something.
+bool PlainReader::is_plain_dwell(const Scanner& s, const Words& words) {
+  const std::string_view text(s.at, static_cast<std::size_t>(s.end - s.at));
+  return std::has_single_bit(words.mask) && words.computed == 0 &&
+         text.find('(') == std::string_view::npos;
+}
+
+/// Words of which some are computed, or of a dwell, whose values are `whole` without a point.
+void PlainReader::write_list(const Words& words, bool whole, Block& block) {
   WordList list;
   for (std::size_t i = 0; i < words.g_count; ++i) list.add_g({false, 0, words.g[i] * 10.0});
   if (words.m >= 0) list.add_m({false, 0, static_cast<double>(words.m)});
@@ -167,24 +185,61 @@ void PlainReader::write_computed(const Words& words, Block& block) {
     list.set(place,
              computed ? WordValue{true, words.expressions[at], 0}
                       : WordValue{false, 0, words.values[at]},
-             false);
+             whole);
   }
   to_.words(block, list);
 }
 
+/// An assignment whose block ends with its value.
+bool PlainReader::assignment(const Scanner& s, Block& block) {
+  Scanner here = s;
+  Words head;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  if (*here.at == 'N') {
+    const Mantissa number = scan_mantissa(++here.at);
+    if (number.point || !fits(number) || !take_n(head, number)) return false;
+    while (*here.at == ' ') ++here.at;
+  }
+  if (*here.at != '#' || !assigns_) return false;
+  Statement statement;
+  statement.at = statement.variable_at = here.offset();
+  const auto variable = plain_variable(to_.code(), here, here.offset());
+  if (!variable || !variable->writable || *variable->end != '=') return false;
+  here.at = variable->end;
+  statement.variable_width = here.offset() - statement.at;
+  if (++here.at == s.end) return false;
+  const ExpressionWriter::Place before = to_.expressions().place();
+  const auto value = ExpressionReader(to_, here).number();
+  if (!value || here.at != s.end) {
+    to_.expressions().take_back(before);
+    return false;
+  }
+  statement.target =
+      variable->steps[0].op == Ins::LocalRaw ? Statement::Target::Local : Statement::Target::Common;
+  statement.index = static_cast<std::int32_t>(variable->steps[0].at);
+  statement.expression = *value;
+  statement.width = here.offset() - statement.at;
+  block.n = head.n;
+  to_.become(block, Op::Assign, statement);
+  return true;
+}
+
 bool PlainReader::read(const Scanner& s, Block& block) {
   if (s.end - s.at >= kLongest) return false;
+  if ((*s.at == '#' || *s.at == 'N') && assignment(s, block)) return true;
   Words words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   const ExpressionWriter::Place before = to_.expressions().place();
-  if (!take_words(s, words) || (words.mask == 0 && words.g_count == 0 && words.m < 0)) {
+  if (!take_words(s, words) || (words.mask == 0 && words.g_count == 0 && words.m < 0) ||
+      (words.dwell && !is_plain_dwell(s, words))) {
     to_.expressions().take_back(before);
     return false;
   }
   block.n = words.n;
-  if (words.computed == 0)
-    to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask, words.values);
+  if (words.dwell)
+    write_list(words, whole_dwell_ && std::find(s.at, s.end, '.') == s.end, block);
+  else if (words.computed != 0)
+    write_list(words, false, block);
   else
-    write_computed(words, block);
+    to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask, words.values);
   return true;
 }
 

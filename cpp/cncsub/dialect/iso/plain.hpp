@@ -1,5 +1,6 @@
 // Blocks such as `N10 G90 G1 X10.5 Y-3. F200` or `S500 M3`, which are most of what is read, and
-// which every control reads alike: they are compiled in one pass.
+// which every control reads alike, and assignments such as `#101=[#102+1.5]`: they are compiled in
+// one pass.
 #pragma once
 
 #include <array>
@@ -29,9 +30,11 @@ class PlainReader {
   bool take_g(Words& words, const Mantissa& number) const;
   bool take_m(Words& words, const Mantissa& number) const;
   bool take_n(Words& words, const Mantissa& number) const;
+  bool assignment(const Scanner& s, Block& block);
   bool take_words(const Scanner& s, Words& words);
   bool take_computed(Words& words, char letter, const char*& at, const Scanner& s);
-  void write_computed(const Words& words, Block& block);
+  static bool is_plain_dwell(const Scanner& s, const Words& words);
+  void write_list(const Words& words, bool whole, Block& block);
 
   Builder& to_;
   const BlockRules& rules_;
@@ -40,6 +43,8 @@ class PlainReader {
   int max_digits_;
   int max_n_;
   bool cuts_fine_digits_;
+  bool assigns_ = false, dwells_ = false;
+  bool whole_dwell_ = false;  // whether a value has a point counts in G04
 };
 
 }  // namespace cncsub

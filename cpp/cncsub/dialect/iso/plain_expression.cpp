@@ -19,7 +19,7 @@ constexpr Joining kJoining[] = {{'+', Ins::Add, Ins::AddConstant},
 /// A local, a common or a number, as it stands in the text.
 struct PlainValue {
   std::uint32_t at = 0;
-  bool variable = false, local = false;
+  bool variable = false, local = false, writable = false;
   std::uint32_t index = 0;
   double value = 0;  // of a variable: its number
 
@@ -27,6 +27,7 @@ struct PlainValue {
     const Ins of_local = raw ? Ins::LocalRaw : Ins::Local;
     const Ins of_common = raw ? Ins::CommonRaw : Ins::Common;
     to.add(!variable ? Ins::Constant : local ? of_local : of_common, variable ? index : at, value);
+    to.writable = writable;
   }
 };
 
@@ -49,7 +50,17 @@ bool read_value(const Code& code, const Scanner& s, const char*& at, PlainValue&
   const VariablePlace place = code.place(static_cast<std::int64_t>(number.value));
   value.index = static_cast<std::uint32_t>(place.index);
   value.local = place.is_local();
+  value.writable = value.local || (place.is_common() && place.range->access == Access::ReadWrite);
   return value.local || place.is_common();
+}
+
+/// The first value of an expression: a number may have a minus.
+bool read_first(const Code& code, const Scanner& s, const char*& at, PlainValue& value) {
+  const bool negative = *at == '-';
+  if (negative && !is_digit(*++at)) return false;
+  if (!read_value(code, s, at, value)) return false;
+  if (negative) value.value = -value.value;
+  return true;
 }
 
 }  // namespace
@@ -57,7 +68,7 @@ bool read_value(const Code& code, const Scanner& s, const char*& at, PlainValue&
 std::optional<PlainExpression> plain_expression(const Code& code, const Scanner& s) {
   const char* at = s.at;
   PlainValue first, second;
-  if (at == s.end || !read_value(code, s, at, first)) return std::nullopt;
+  if (at == s.end || !read_first(code, s, at, first)) return std::nullopt;
   const auto ends = [&] { return at == s.end || *at == ']'; };
   PlainExpression plain;
   plain.end = at;
@@ -79,6 +90,14 @@ std::optional<PlainExpression> plain_expression(const Code& code, const Scanner&
   } else {
     plain.add(joining->constant, sign_at, second.value);
   }
+  return plain;
+}
+
+std::optional<PlainExpression> plain_bracket(const Code& code, const Scanner& s) {
+  if (s.at == s.end || *s.at != '[' || code.control->macros.max_brackets.value < 1)
+    return std::nullopt;
+  auto plain = plain_expression(code, {s.at + 1, s.end, s.file});
+  if (!plain || plain->end == s.end || ++plain->end != s.end) return std::nullopt;
   return plain;
 }
 

@@ -16,6 +16,7 @@ struct PlainExpression {
   std::array<Instruction, 3> steps;  // NOLINT: the first `count`
   std::size_t count = 0;
   const char* end = nullptr;  // where it ends in the text
+  bool writable = false;      // one variable that programs write
 
   void add(Ins op, std::uint32_t at, double value = 0) { steps[count++] = {op, 0, at, value}; }
   bool may_be_vacant() const { return count == 1 && steps[0].op != Ins::Constant; }
@@ -23,6 +24,8 @@ struct PlainExpression {
 
 /// The whole expression from here to the bracket behind it, or to the end of the block.
 std::optional<PlainExpression> plain_expression(const Code& code, const Scanner& s);
+/// The same in brackets, which end the block.
+std::optional<PlainExpression> plain_bracket(const Code& code, const Scanner& s);
 /// The variable whose # is at `hash`, where its number ends without doubt.
 std::optional<PlainExpression> plain_variable(const Code& code, const Scanner& s,
                                               std::uint32_t hash);

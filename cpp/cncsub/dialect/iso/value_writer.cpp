@@ -57,6 +57,14 @@ bool ValueWriter::arithmetic(Value& value, std::uint32_t at) {
   return true;
 }
 
+void ValueWriter::negate(std::uint32_t first, std::uint32_t at) {
+  Instruction& last = to_.expressions().instruction(this->first() - 1);
+  if (this->first() == first + 1 && last.op == Ins::Constant)
+    last.value = -last.value;
+  else
+    emit(Ins::Negate, at);
+}
+
 void ValueWriter::emit_operator(Ins op, Ins with_constant, std::uint32_t at) {
   Instruction& last = to_.expressions().instruction(first() - 1);
   const bool constant = last.op == Ins::Constant && with_constant != Ins::End;

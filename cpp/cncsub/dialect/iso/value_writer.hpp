@@ -38,6 +38,8 @@ class ValueWriter {
     to_.expressions().emit({op, static_cast<std::uint8_t>(address_), at, value});
     depth_ += stack_effect(op);
   }
+  /// The sign at `at` of the operand that began with instruction `first`.
+  void negate(std::uint32_t first, std::uint32_t at);
   /// An operator of arithmetic or logic; `with_constant` is the same with a constant on its right,
   /// Ins::End where there is none.
   void emit_operator(Ins op, Ins with_constant, std::uint32_t at);
