@@ -9,6 +9,7 @@
 #include "cncsub/dialect/library.hpp"
 #include "cncsub/text/words.hpp"
 #include "gil.hpp"
+#include "program_data.hpp"
 #include "text.hpp"
 
 namespace py = pybind11;
@@ -16,18 +17,6 @@ namespace py = pybind11;
 namespace cncsub::bindings {
 
 namespace {
-
-struct ProgramData {
-  std::shared_ptr<const Code> code;
-  std::size_t index;
-
-  const Program& program() const { return code->programs[index]; }
-  const SourceFile& file() const { return code->files[program().file]; }
-  const Block& block(std::size_t i) const {
-    if (i >= program().last - program().first) throw py::index_error("no such block");
-    return code->blocks[program().first + i];
-  }
-};
 
 /// The programs that a name leads to, in their order: of the memory, or of the external device.
 template <class Row>

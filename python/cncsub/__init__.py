@@ -15,6 +15,7 @@ from cncsub.controls import Cause, Source, causes, controls, sources
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
+from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
 from cncsub.rows import Call, Dropped, MissedSkip, Move, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
@@ -27,12 +28,17 @@ __all__ = [
     "Block",
     "Box",
     "Call",
+    "CallGraph",
+    "CallTo",
     "Cause",
+    "Computed",
     "Control",
     "Cylinder",
     "Dropped",
+    "Edge",
     "Frame",
     "Inputs",
+    "JumpTo",
     "Library",
     "Machine",
     "MissedSkip",
@@ -47,6 +53,7 @@ __all__ = [
     "Step",
     "Stop",
     "Stream",
+    "VariableUse",
     "Word",
     "Workpiece",
     "__version__",

@@ -199,6 +199,26 @@ class ProgramData:
     def block(self, index: int) -> tuple[int | None, int, str]: ...  # n, line, text
     def words(self, index: int) -> list[tuple[str, float | None, str]]: ...  # address, value, text
 
+# kind, program, found, external, start, repeats, then the texts of a computed program, start and
+# count, the word and its column
+_CallRow = tuple[
+    str, str | None, int | None, bool, int | None, int, str | None, str | None, str | None, str, int
+]
+# kind, conditional, in the caller, n, place of the block, text of a computed n, word, column
+_JumpRow = tuple[str, bool, bool, int | None, int | None, str | None, str, int]
+# number, name, computed, text, column
+_VariableRow = tuple[int | None, str | None, bool, str, int]
+
+def references(
+    program: ProgramData, block: int
+) -> tuple[
+    tuple[_CallRow, ...], tuple[_JumpRow, ...], tuple[_VariableRow, ...], tuple[_VariableRow, ...]
+]:
+    """Calls, jumps, reads and writes of a block."""
+
+def all_calls(code: Code) -> list[tuple[int, int, _CallRow]]:
+    """Every call: the place of its program, and of its block there."""
+
 @final
 class Code:
     """The compiled programs of a library."""

@@ -13,6 +13,7 @@ from cncsub.controls import Named, control_of, did_you_mean
 from cncsub.files import Piece, StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.inputs import Inputs, checked_variables, inputs_of
 from cncsub.program import Program, find_program
+from cncsub.references import CallGraph, call_graph
 from cncsub.run import Machine, Run
 from cncsub.setup import Setup, setup_of
 from cncsub.stream import Stream
@@ -167,6 +168,10 @@ class Library(Mapping[str, Program]):
     def duplicates(self) -> tuple[Program, ...]:
         """Programs the control never calls, because another one of the same name counts."""
         return tuple(self._program(index) for index in self._code.duplicates)
+
+    def call_graph(self) -> CallGraph:
+        """Who calls whom, told by the blocks without running them: see `CallGraph`."""
+        return call_graph(self._code)
 
     # Running.
 

@@ -9,6 +9,7 @@ from typing import NamedTuple, overload
 
 from cncsub import _core
 from cncsub.files import clean
+from cncsub.references import CallTo, JumpTo, References, VariableUse, references_of
 from cncsub.staying import Stays
 
 
@@ -53,6 +54,44 @@ class Block:
     def words(self) -> tuple[Word, ...]:
         """The words of the block, as the control reads them; none in a macro statement."""
         return tuple(Word(*word) for word in self._program._data.words(self._index))
+
+    @property
+    def calls(self) -> tuple[CallTo, ...]:
+        """The programs that the block calls, as the control reads it. A block that the control
+        refuses refers to nothing: this, `jumps`, `reads` and `writes` are empty.
+
+        >>> import cncsub
+        >>> library = cncsub.loads("O1\\nN10 M98 P#100 L2\\nM30\\n", control="fanuc-0i-f")
+        >>> call = library["O1"].blocks[0].calls[0]
+        >>> call.kind, call.program, call.repeats
+        ('M98', Computed(expression='#100'), 2)
+        """
+        return self._references.calls
+
+    @property
+    def jumps(self) -> tuple[JumpTo, ...]:
+        """The blocks that the block jumps to: GOTO, M99 P, M97. Loops and branches are none."""
+        return self._references.jumps
+
+    @property
+    def reads(self) -> tuple[VariableUse, ...]:
+        """The variables that the block reads, in the order of its values.
+
+        >>> import cncsub
+        >>> library = cncsub.loads("O1\\n#100=#1+#[#2]\\nM30\\n", control="fanuc-0i-f")
+        >>> [use.variable for use in library["O1"].blocks[0].reads]
+        [1, 2, Computed(expression='#1+#[#2]')]
+        """
+        return self._references.reads
+
+    @property
+    def writes(self) -> tuple[VariableUse, ...]:
+        """The variables that the block writes."""
+        return self._references.writes
+
+    @property
+    def _references(self) -> References:
+        return references_of(self._program._data, self._index)
 
 
 class Blocks(Stays, Sequence[Block]):

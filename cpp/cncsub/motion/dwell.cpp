@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/fast_path.hpp"
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/motion.hpp"
 #include "cncsub/motion/words.hpp"
@@ -72,7 +73,7 @@ bool Motion::dwell(const NcWords& words, std::uint32_t step, Moves* moves, Outco
   outcome = {};
   s.time += seconds;
   if (moves == nullptr) return true;
-  if (s.row_moves != moves) new_row_state(*moves);
+  if (s.row_moves != moves) begin_row_state(*facts_, s, *moves);
   moves->push(step, MoveKind::Dwell, s.work, s.row_state);
   moves->seconds(seconds);
   return true;

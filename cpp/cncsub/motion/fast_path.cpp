@@ -66,10 +66,10 @@ void Motion::take_feed(double value) {
   set_seconds_per_mm(state_);
 }
 
-void Motion::new_row_state(Moves& moves) {
-  if (moves.size() == 0) moves.begin(machine_point(state_), facts_->rapid, facts_->diameters);
-  state_.row_state = moves.intern(move_state(state_), state_.offset + state_.length);
-  state_.row_moves = &moves;
+void begin_row_state(const MotionFacts& facts, MotionState& state, Moves& moves) {
+  if (moves.size() == 0) moves.begin(machine_point(state), facts.rapid, facts.diameters);
+  state.row_state = moves.intern(move_state(state), state.offset + state.length);
+  state.row_moves = &moves;
 }
 
 /// A plain arc as it is checked, before anything changes: work coordinates.
@@ -138,7 +138,7 @@ bool find_centre(const MotionFacts& facts, Point way, double radius, const Plane
 [[gnu::always_inline]] inline void Motion::go_along(const PlainArc& arc, std::uint32_t mask,
                                                     std::uint32_t step, Moves* moves) {
   MotionState& s = state_;
-  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
+  if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);
   s.time += arc.in_plane * s.seconds_per_mm;
   s.moved_before = true;
   s.named |= straight_axes(mask);
@@ -174,7 +174,7 @@ struct PlainLine {
 
 void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves) {
   MotionState& s = state_;
-  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
+  if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);
   s.time += line.seconds;
   s.moved_before = true;
   s.named |= line.named;

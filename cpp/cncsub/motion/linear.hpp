@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cncsub/motion/fast_path.hpp"
 #include "cncsub/motion/motion.hpp"  // NOLINT(misc-header-include-cycle): it ends with this file
 
 namespace cncsub {
@@ -37,7 +38,7 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
   if (code != s.motion_code) take_code(code);
   if (has_feed) take_feed((values++)->value);
 
-  if (moves != nullptr && s.row_moves != moves) new_row_state(*moves);
+  if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);
 
   const double dx = travel(s, mask, 'X', values), dy = travel(s, mask, 'Y', values),
                dz = travel(s, mask, 'Z', values);

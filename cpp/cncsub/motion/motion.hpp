@@ -88,7 +88,6 @@ class Motion {
   void write(Axes& values, int axis, double value);
   void take_code(int code);
   void take_feed(double value);
-  void new_row_state(Moves& moves);
   void go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves);
   void go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves);
 

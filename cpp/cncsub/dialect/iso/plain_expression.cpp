@@ -97,7 +97,8 @@ std::optional<PlainExpression> plain_bracket(const Code& code, const Scanner& s)
   if (s.at == s.end || *s.at != '[' || code.control->macros.max_brackets.value < 1)
     return std::nullopt;
   auto plain = plain_expression(code, {s.at + 1, s.end, s.file});
-  if (!plain || plain->end == s.end || ++plain->end != s.end) return std::nullopt;
+  if (!plain || plain->end == s.end || plain->end + 1 != s.end) return std::nullopt;
+  plain->end = s.end;
   return plain;
 }
 

@@ -1,0 +1,303 @@
+#include "cncsub/code/references.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "cncsub/code/target.hpp"
+#include "cncsub/code/variables_used.hpp"
+
+namespace cncsub {
+
+namespace {
+
+class ReferenceReader {
+ public:
+  ReferenceReader(const Code& code, std::int32_t program, References& to)
+      : code_(code), program_(program), to_(to), used_(code, to) {}
+
+  void read(const Block& block, bool conditional);
+
+ private:
+  const Program& own() const { return code_.programs[static_cast<std::size_t>(program_)]; }
+  TextPlace place_of(std::uint32_t expression) const { return used_.place_of(expression); }
+  static TextPlace place_of(const Operand& operand) { return {operand.at, operand.width}; }
+
+  void call(const CallRecord& call);
+  void target_of(const CallRecord& call, CallReference& reference);
+  void labelled(const Labelled& own);
+  void label_of(const Labelled& own, CallReference& reference) const;
+  void back(const CallRecord& back, bool conditional);
+  void jump(const JumpRecord& record);
+  void statement(Op op, const Statement& statement, bool conditional);
+  void go_to(const Statement& statement, bool conditional);
+  void h_code(const HCode& h);
+  void print(const Print& print);
+  void together(const Together& all, bool conditional);
+  void choose(const Variant& variant);
+  void drop_twins();
+
+  void operands(const CallRecord& call);
+
+  const Code& code_;
+  std::int32_t program_;
+  References& to_;
+  VariablesUsed used_;
+};
+
+// ---- calls ----
+
+void ReferenceReader::operands(const CallRecord& call) {
+  for (const Operand* of : {&call.p, &call.l, &call.start, &call.device}) used_.operand(*of);
+  for (std::uint32_t i = 0; i < call.arguments; ++i)
+    used_.operand(code_.arguments[call.first_argument + i].operand);
+}
+
+/// What the operands say that are written as numbers; the others are computed.
+void ReferenceReader::target_of(const CallRecord& call, CallReference& reference) {
+  CallRecord known = call;
+  const auto computed = [this](Operand& of, std::optional<TextPlace>& place) {
+    if (of.kind != Operand::Kind::Expression) return;
+    place = place_of(of.expression);
+    of = Operand{};
+  };
+  computed(known.l, reference.computed_repeats);
+  computed(known.start, reference.computed_start);
+  computed(known.p, reference.computed_program);
+  if (reference.computed_program) known.program_number = 0;
+  Target target;
+  const CallOperands values{known.p.value, known.l.value, known.start.value, known.device.value};
+  if (decode_call(code_, known, values, program_, target)) return;
+  const bool found = !reference.computed_program && !find_target(code_, known, target);
+  reference.external = target.external;
+  reference.start = target.start_n;
+  reference.repeats = target.skipped ? 0 : target.repeats;
+  if (target.program != kNoProgram && (found || !reference.computed_program)) {
+    reference.found = target.program;
+    reference.program = code_.name_of(target.program);
+  } else if (!reference.computed_program) {
+    reference.program = call.name.empty() ? "O" + std::to_string(target.program_number) : call.name;
+  }
+}
+
+void ReferenceReader::call(const CallRecord& call) {
+  CallReference reference;
+  reference.kind = call.kind;
+  reference.place = {call.at, call.width};
+  target_of(call, reference);
+  to_.calls.push_back(std::move(reference));
+  operands(call);
+}
+
+/// Where a label leads that is known before anything runs: to a head, or to the file of its name.
+void ReferenceReader::label_of(const Labelled& own, CallReference& reference) const {
+  const CallRecord& call = code_.calls[own.call];
+  std::uint32_t label = own.label;
+  reference.program = label == Labelled::kNone ? "" : code_.labels[label];
+  if (label == Labelled::kNone) {
+    if (call.p.kind == Operand::Kind::Expression) {
+      reference.computed_program = place_of(call.p.expression);
+      return;
+    }
+    const auto number = to_whole<std::int64_t>(std::clamp(call.p.value, 0.0, 1e9));
+    label = code_.label(number);
+    reference.program = std::to_string(number);
+  }
+  const auto head = std::find_if(code_.heads.begin(), code_.heads.end(),
+                                 [label](const LabelledHead& of) { return of.label == label; });
+  if (label != Labelled::kNone && head != code_.heads.end())
+    reference.found = code_.program_at(head->address);
+  else
+    reference.found = code_.find(reference.program);
+  if (reference.found != kNoProgram) reference.program = code_.name_of(reference.found);
+}
+
+void ReferenceReader::labelled(const Labelled& own) {
+  if (own.value != Labelled::kNone) used_.reads(own.value);
+  if (own.call == Labelled::kNone) return;
+  const CallRecord& call = code_.calls[own.call];
+  CallReference reference;
+  reference.kind = call.kind;
+  reference.place = {own.at, own.width};
+  label_of(own, reference);
+  if (call.l.kind == Operand::Kind::Expression)
+    reference.computed_repeats = place_of(call.l.expression);
+  else if (call.l.present())
+    reference.repeats = to_whole<std::int64_t>(std::clamp(call.l.value, 0.0, 1e9));
+  to_.calls.push_back(std::move(reference));
+  operands(call);
+}
+
+// ---- jumps ----
+
+/// M99 P.
+void ReferenceReader::back(const CallRecord& back, bool conditional) {
+  used_.operand(back.p);
+  used_.operand(back.l);
+  if (!back.p.present()) return;
+  JumpReference jump;
+  jump.kind = "M99";
+  jump.conditional = conditional;
+  jump.in_caller = code_.control->calls.return_with_p.value != ReturnWithP::OwnProgram;
+  jump.place = place_of(back.p);
+  if (back.p.kind == Operand::Kind::Expression)
+    jump.computed = place_of(back.p.expression);
+  else
+    jump.n = to_whole<std::int64_t>(back.p.value);
+  if (!jump.in_caller && jump.n >= 0) jump.to = code_.first_of(own(), jump.n);
+  to_.jumps.push_back(jump);
+}
+
+/// M97 P, and M96 P Q while an input is 0.
+void ReferenceReader::jump(const JumpRecord& record) {
+  used_.operand(record.p);
+  if (record.reads_input) used_.reads(record.input);
+  JumpReference jump;
+  jump.kind = record.reads_input ? "M96" : "M97";
+  jump.conditional = record.reads_input;
+  jump.place = {record.at, record.width};
+  if (record.p.kind == Operand::Kind::Expression)
+    jump.computed = place_of(record.p.expression);
+  else
+    jump.n = to_whole<std::int64_t>(record.p.value);
+  if (jump.n >= 0) jump.to = code_.first_of(own(), jump.n);
+  to_.jumps.push_back(jump);
+}
+
+void ReferenceReader::go_to(const Statement& statement, bool conditional) {
+  JumpReference jump;
+  jump.kind = "GOTO";
+  jump.conditional = conditional;
+  jump.n = statement.number > 0 ? statement.number : -1;  // 0: a label
+  jump.to = statement.to;
+  jump.place = {statement.variable_at, statement.variable_width};
+  if (jump.n < 0 && jump.to == kNowhere) {
+    used_.reads(statement.variable);
+    jump.computed = place_of(statement.variable);
+  }
+  to_.jumps.push_back(jump);
+}
+
+/// G65 H: P is the variable that is set, or from H80 on the block it jumps to; Q and R are values.
+void ReferenceReader::h_code(const HCode& h) {
+  constexpr int kJumpAlways = 80;
+  const bool jumps = h.number >= kJumpAlways;
+  used_.operand(h.q);
+  used_.operand(h.r);
+  if (jumps) {
+    used_.operand(h.p);
+    JumpReference jump;
+    jump.kind = "G65";
+    jump.conditional = h.number > kJumpAlways;
+    jump.place = place_of(h.p);
+    if (h.p.kind == Operand::Kind::Expression)
+      jump.computed = place_of(h.p.expression);
+    else
+      jump.n = to_whole<std::int64_t>(h.p.value);
+    if (h.p.present()) to_.jumps.push_back(jump);
+  } else if (h.p.kind == Operand::Kind::Expression) {
+    used_.named_by(h.p);
+  }
+}
+
+// ---- statements ----
+
+void ReferenceReader::print(const Print& print) {
+  for (const PrintField& field : print.fields)
+    if (field.is_variable) used_.reads(field.expression);
+}
+
+void ReferenceReader::statement(Op op, const Statement& statement, bool conditional) {
+  switch (op) {
+    case Op::Assign:
+      used_.reads(statement.expression);
+      used_.written(statement);
+      break;
+    case Op::Goto:
+    case Op::IfGoto:
+      if (op == Op::IfGoto) used_.reads(statement.expression);
+      go_to(statement, conditional || op == Op::IfGoto);
+      break;
+    case Op::If:
+    case Op::While:
+      used_.reads(statement.expression);
+      break;
+    case Op::IfThen:
+      used_.reads(statement.expression);
+      read(code_.variants[statement.then], true);
+      break;
+    default:
+      break;
+  }
+}
+
+void ReferenceReader::together(const Together& all, bool conditional) {
+  for (std::uint32_t i = 0; i < all.statements; ++i)
+    statement(Op::Assign, code_.statements[all.first_statement + i], conditional);
+  if (all.print != Labelled::kNone) print(code_.prints[all.print]);
+  if (all.words != Labelled::kNone) read(code_.variants[all.words], conditional);
+}
+
+/// What both variants of a block refer to is told once.
+void ReferenceReader::choose(const Variant& variant) {
+  read(code_.variants[variant.first], true);
+  read(code_.variants[variant.second], true);
+  drop_twins();
+}
+
+void ReferenceReader::read(const Block& block, bool conditional) {
+  used_.words(block);
+  switch (block.op) {
+    case Op::Call:
+    case Op::MacroCall:
+    case Op::ModalCall:
+      return call(code_.calls[block.aux]);
+    case Op::Return:
+      return back(code_.calls[block.aux], conditional);
+    case Op::Jump:
+      return jump(code_.jumps[block.aux]);
+    case Op::Assign:
+    case Op::Goto:
+    case Op::IfGoto:
+    case Op::IfThen:
+    case Op::If:
+    case Op::While:
+      return statement(block.op, code_.statements[block.aux], conditional);
+    case Op::HCode:
+      return h_code(code_.h_codes[block.aux]);
+    case Op::Print:
+      return print(code_.prints[block.aux]);
+    case Op::Labelled:
+      return labelled(code_.labelled[block.aux]);
+    case Op::Together:
+      return together(code_.together[block.aux], conditional);
+    case Op::Choose:
+      return choose(code_.choices[block.aux]);
+    default:
+      return;
+  }
+}
+
+void ReferenceReader::drop_twins() {
+  const auto once = [](auto& list, const auto& key) {
+    std::set<decltype(key(list[0]))> seen;
+    std::erase_if(list, [&](const auto& of) { return !seen.insert(key(of)).second; });
+  };
+  once(to_.calls, [](const CallReference& of) { return std::tuple(of.kind, of.place.at); });
+  once(to_.jumps, [](const JumpReference& of) { return std::tuple(of.kind, of.place.at); });
+  const auto variable = [](const VariableReference& of) {
+    return std::tuple(of.number, of.name, of.computed, of.place.at);
+  };
+  once(to_.reads, variable);
+  once(to_.writes, variable);
+}
+
+}  // namespace
+
+References references_of(const Code& code, const Block& block, std::int32_t program) {
+  References found;
+  ReferenceReader(code, program, found).read(block, false);
+  return found;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,62 @@
+// What a block refers to: the programs it calls, the blocks it jumps to, the variables it reads and
+// writes. Told by the code, without running it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+
+namespace cncsub {
+
+/// A piece of a file's text.
+struct TextPlace {
+  std::uint32_t at = 0, width = 1;
+};
+
+struct CallReference {
+  CallKind kind = CallKind::Subprogram;
+  std::string program;              // as it is found, or as it is written where it is missing
+  std::int32_t found = kNoProgram;  // among the programs of the code
+  bool external = false;            // of the external device
+  std::int64_t start = -1;          // the sequence number it begins at, -1: its first block
+  std::int64_t repeats = 1;         // 0: it is passed over
+  std::optional<TextPlace> computed_program, computed_start, computed_repeats;
+  TextPlace place;
+};
+
+struct JumpReference {
+  std::string_view kind;  // GOTO, M99, M97, G65
+  bool conditional = false;
+  bool in_caller = false;  // M99 P: a block of the program that called
+  std::int64_t n = -1;     // the sequence number it names
+  Address to = kNowhere;   // the block, where the code knows it
+  std::optional<TextPlace> computed;
+  TextPlace place;
+};
+
+struct VariableReference {
+  std::int64_t number = -1;  // -1 where it has a name
+  std::string name;          // of a dialect or a table of names
+  bool computed = false;     // the number is computed: `place` holds what gives it
+  TextPlace place;           // the value or the word that holds it
+};
+
+struct References {
+  std::vector<CallReference> calls;
+  std::vector<JumpReference> jumps;
+  std::vector<VariableReference> reads, writes;
+};
+
+/// Whether a block of this kind can call.
+constexpr bool may_call(Op op) {
+  return op == Op::Call || op == Op::MacroCall || op == Op::ModalCall || op == Op::Labelled ||
+         op == Op::Choose;
+}
+/// Those of a block of a program. Of blocks that depend on switches or callers, those of each.
+References references_of(const Code& code, const Block& block, std::int32_t program);
+
+}  // namespace cncsub

@@ -1,0 +1,112 @@
+#include "cncsub/code/variables_used.hpp"
+
+namespace cncsub {
+
+namespace {
+
+bool is_local(Ins op) { return op == Ins::Local || op == Ins::LocalRaw; }
+bool is_common(Ins op) { return op == Ins::Common || op == Ins::CommonRaw; }
+bool is_indirect(Ins op) { return op == Ins::Indirect || op == Ins::IndirectRaw; }
+
+}  // namespace
+
+/// One that has a name, or the one that stands at this place.
+VariableReference VariablesUsed::variable(bool common, std::int32_t index, TextPlace place) const {
+  VariableReference found;
+  found.place = place;
+  for (const NamedVariable& of : code_.named_variables)
+    if (of.common == common && of.index == index) found.name = of.name;
+  if (!found.name.empty()) return found;
+  found.number = index;
+  for (const PlacedRange& placed : code_.variables) {
+    const VariableRange& range = placed.range;
+    const bool kept = range.kind == VariableKind::Common || range.kind == VariableKind::Kept;
+    const std::int64_t behind = index - placed.base;
+    if (common && kept && behind >= 0 && behind <= range.last - range.first)
+      found.number = range.first + behind;
+  }
+  return found;
+}
+
+VariableReference VariablesUsed::variable(const Instruction& of, bool local,
+                                          TextPlace place) const {
+  if (of.value == 0) return variable(!local, static_cast<std::int32_t>(of.at), place);
+  VariableReference found;
+  found.place = place;
+  found.number = to_whole<std::int64_t>(of.value);
+  return found;
+}
+
+/// The variables that an expression reads.
+void VariablesUsed::reads(std::uint32_t expression) {
+  const TextPlace place = place_of(expression);
+  for (const Instruction* at = code_.instructions.data() + code_.expressions[expression].first;
+       at->op != Ins::End; ++at) {
+    VariableReference found;
+    found.place = place;
+    if (is_local(at->op) || is_common(at->op)) {
+      if (at->value == 0 && at->at == 0) continue;  // #0
+      found = variable(*at, is_local(at->op), place);
+    } else if (at->op == Ins::Variable || at->op == Ins::VariableRaw) {
+      found.number = to_whole<std::int64_t>(at->value);
+    } else if (at->op == Ins::NamedLocal || at->op == Ins::NamedCommon) {
+      found.name = code_.named_variables[to_whole<std::size_t>(at->value)].name;
+    } else if (at->op == Ins::Named) {
+      found.name = code_.names[to_whole<std::size_t>(at->value)];
+      if (is_indirect(at[1].op)) ++at;
+    } else if (is_indirect(at->op)) {
+      found.computed = true;
+    } else {
+      continue;
+    }
+    to_.reads.push_back(found);
+  }
+}
+
+void VariablesUsed::operand(const Operand& operand) {
+  if (operand.kind == Operand::Kind::Expression) reads(operand.expression);
+}
+
+void VariablesUsed::words(const Block& block) {
+  const Cell* cell = code_.cells.data() + block.data;
+  std::uint32_t expressions = 0;
+  if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;
+  for (int i = 0; i < block.g_count + block.m_count; ++i, ++cell)
+    if ((block.flags & Block::kCodeExpression) != 0 && cell->value < 0)
+      reads(to_whole<std::uint32_t>(-1.0 - cell->value));
+  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell)
+    if ((expressions & left & -left) != 0) reads(static_cast<std::uint32_t>(cell->expression));
+}
+
+void VariablesUsed::written(const Statement& statement) {
+  using Target = Statement::Target;
+  const TextPlace place{statement.variable_at, statement.variable_width};
+  VariableReference to;
+  to.place = place;
+  switch (statement.target) {
+    case Target::None:
+      return;
+    case Target::Local:
+    case Target::Common:
+      to = variable(statement.target == Target::Common, statement.index, place);
+      break;
+    case Target::Variable:
+      to.number = statement.index;
+      break;
+    case Target::Indirect:
+      reads(statement.variable);
+      to.computed = true;
+      break;
+  }
+  to_.writes.push_back(std::move(to));
+}
+
+void VariablesUsed::named_by(const Operand& operand) {
+  const std::size_t before = to_.reads.size();
+  reads(operand.expression);
+  const auto from = to_.reads.begin() + static_cast<std::ptrdiff_t>(before);
+  to_.writes.insert(to_.writes.end(), from, to_.reads.end());
+  to_.reads.erase(from, to_.reads.end());
+}
+
+}  // namespace cncsub

@@ -1,0 +1,36 @@
+// The variables that a block reads and writes, told by its code.
+#pragma once
+
+#include <cstdint>
+
+#include "cncsub/code/references.hpp"
+
+namespace cncsub {
+
+class VariablesUsed {
+ public:
+  VariablesUsed(const Code& code, References& to) : code_(code), to_(to) {}
+
+  /// Those that an expression reads.
+  void reads(std::uint32_t expression);
+  void operand(const Operand& operand);
+  /// Those in the words of a block.
+  void words(const Block& block);
+  /// The one that an assignment writes.
+  void written(const Statement& statement);
+  /// The one that an operand names is written.
+  void named_by(const Operand& operand);
+
+  TextPlace place_of(std::uint32_t expression) const {
+    return {code_.expressions[expression].at, code_.expressions[expression].width};
+  }
+
+ private:
+  VariableReference variable(const Instruction& of, bool local, TextPlace place) const;
+  VariableReference variable(bool common, std::int32_t index, TextPlace place) const;
+
+  const Code& code_;
+  References& to_;
+};
+
+}  // namespace cncsub
