@@ -15,7 +15,7 @@ from cncsub.controls import Cause, Source, causes, controls, sources
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
-from cncsub.rows import Call, Dropped, MissedSkip, Move, Step
+from cncsub.rows import Call, Change, Dropped, MissedSkip, Move, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
@@ -28,6 +28,7 @@ __all__ = [
     "Box",
     "Call",
     "Cause",
+    "Change",
     "Control",
     "Cylinder",
     "Dropped",
