@@ -323,7 +323,7 @@ N100 M30
 def with_every_argument() -> Iterator[tuple[str, dict[str, object]]]:
     options = [
         "main", "mode", "start", "variables", "block_skip", "optional_stop", "max_cycles",
-        "max_blocks", "max_seconds", "trace", "inputs", "setup",
+        "max_blocks", "max_seconds", "trace", "inputs", "setup", "watch",
     ]  # fmt: skip
     for name, value in itertools.product(options, ARGUMENTS):
         yield name, {name: value}

@@ -219,7 +219,7 @@ deep, wide = [], {}
 for _ in range(100_000):
     deep, wide = [deep], {"X": wide}
 for value in (deep, wide):
-    for option in ("main", "start", "variables", "block_skip", "inputs", "setup", "max_seconds", "trace"):
+    for option in ("main", "start", "variables", "block_skip", "inputs", "setup", "max_seconds", "trace", "watch"):
         for given in (value, {option: value}, {1: value}, {"X": value}, {"start": value}, {"signals": value}):
             try:
                 library.run(**{option: given})

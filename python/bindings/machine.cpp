@@ -17,6 +17,17 @@ namespace cncsub::bindings {
 
 namespace {
 
+/// What can be watched can be read.
+void check_watch(const Machine& machine, const std::vector<std::int32_t>& watch) {
+  for (const std::int32_t number : watch) {
+    double value = 0;
+    if (auto fault = machine.read(number, 0, value))
+      throw py::value_error("watch: " + fault->detail);
+    if (machine.code().place(number).kind == VariableKind::Vacant)
+      throw py::value_error("watch: #" + std::to_string(number) + " is always vacant");
+  }
+}
+
 std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32_t main, bool mdi,
                                    std::optional<std::int64_t> start,
                                    const std::optional<py::dict>& variables,
@@ -25,7 +36,8 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
                                    std::optional<double> max_seconds,
                                    std::optional<std::uint64_t> max_memory,
                                    const std::string& trace, const std::optional<py::dict>& inputs,
-                                   const std::optional<py::dict>& setup) {
+                                   const std::optional<py::dict>& setup,
+                                   const std::vector<std::int32_t>& watch) {
   if (main < 0 || static_cast<std::size_t>(main) >= code->programs.size())
     throw py::index_error("no such program");
   Options options;
@@ -45,6 +57,7 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
   options.max_seconds = max_seconds.value_or(0);
   if (max_memory) options.max_memory = *max_memory;
   options.trace = depth_of(trace);
+  options.watch = watch;
   if (inputs) options.inputs = inputs_of(*inputs);
   if (setup) options.setup = setup_of(*setup);
   check_systems(*code->control, options);
@@ -59,6 +72,7 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
     if (auto fault = live->machine.write(number, 0, value))
       throw py::value_error("variables: " + fault->detail);
   check_inputs(*code, around);
+  check_watch(live->machine, watch);
   return live;
 }
 
@@ -270,7 +284,8 @@ void add_machine(py::module_& m) {
         py::arg("block_skip") = std::vector<int>{}, py::arg("optional_stop") = false,
         py::arg("max_cycles") = 1, py::arg("max_blocks") = 10'000'000,
         py::arg("max_seconds") = py::none(), py::arg("max_memory") = py::none(),
-        py::arg("trace") = "moves", py::arg("inputs") = py::none(), py::arg("setup") = py::none());
+        py::arg("trace") = "moves", py::arg("inputs") = py::none(), py::arg("setup") = py::none(),
+        py::arg("watch") = std::vector<std::int32_t>{});
 }
 
 }  // namespace cncsub::bindings

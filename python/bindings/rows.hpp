@@ -1,17 +1,36 @@
-// Rows of tables as objects of the package.
+// Rows of tables as objects of the package, and columns as arrays.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
+#include <string>
+#include <type_traits>
 
 #include "cncsub/trace/trace.hpp"
+#include "live.hpp"
 
 namespace cncsub::bindings {
+
+/// An array of NumPy to be filled. NumPy makes it: Python has imported it where it asks for one.
+template <class T>
+struct Array {
+  explicit Array(std::size_t size)
+      : object(pybind11::module_::import("numpy").attr("empty")(
+            size, std::string(std::is_integral_v<T> ? "i" : "f") + std::to_string(sizeof(T)))),
+        data(static_cast<T*>(
+            pybind11::reinterpret_borrow<pybind11::buffer>(object).request(true).ptr)) {}
+
+  pybind11::object object;
+  T* data;
+};
 
 /// A step as an object of `row`, the class `Step`: whoever asks for one block after another pays
 /// for no more than that.
 pybind11::object step_object(const Trace& trace, const Code& code, std::size_t index,
                              const pybind11::type& row);
+
+/// The table of what was watched.
+void add_watch(pybind11::class_<Record>& trace);
 
 }  // namespace cncsub::bindings

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <numeric>
-#include <type_traits>
 
 #include "bindings.hpp"
 #include "cncsub/trace/parts.hpp"
@@ -18,18 +17,6 @@ namespace py = pybind11;
 namespace cncsub::bindings {
 
 namespace {
-
-/// An array of NumPy to be filled. NumPy makes it: Python has imported it where it asks for one.
-template <class T>
-struct Array {
-  explicit Array(std::size_t size)
-      : object(py::module_::import("numpy").attr("empty")(
-            size, std::string(std::is_integral_v<T> ? "i" : "f") + std::to_string(sizeof(T)))),
-        data(static_cast<T*>(py::reinterpret_borrow<py::buffer>(object).request(true).ptr)) {}
-
-  py::object object;
-  T* data;
-};
 
 /// `value` is copied for each part of the steps: it may remember the step before.
 template <class T, class Value>
@@ -365,8 +352,9 @@ void add_trace(py::module_& m) {
       return rows(record.trace());
     };
   };
-  py::class_<Record>(m, "Trace", py::is_final())
-      .def_property_readonly("steps", size([](const Trace& trace) { return trace.steps.size(); }))
+  py::class_<Record> trace(m, "Trace", py::is_final());
+  add_watch(trace);
+  trace.def_property_readonly("steps", size([](const Trace& trace) { return trace.steps.size(); }))
       .def("step_row", &step_row, py::arg("index"), py::arg("row"))
       .def("step_column", &step_column, py::arg("name"))
       .def_property_readonly("program_names", &program_names)

@@ -16,7 +16,7 @@ from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
 from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
-from cncsub.rows import Call, Dropped, MissedSkip, Move, Step
+from cncsub.rows import Call, Change, Dropped, MissedSkip, Move, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
@@ -31,6 +31,7 @@ __all__ = [
     "CallGraph",
     "CallTo",
     "Cause",
+    "Change",
     "Computed",
     "Control",
     "Cylinder",

@@ -290,6 +290,14 @@ class Trace:
     @property
     def move_axes(self) -> list[str]: ...
     @property
+    def changes(self) -> int: ...  # rows of the table of what was watched
+    def change_row(
+        self, index: int
+    ) -> tuple[int | None, int, float | None, str | None, int | None, int | None]: ...
+    def change_column(self, name: str) -> np.ndarray[Any, Any]: ...
+    @property
+    def watched(self) -> dict[int, float | None]: ...  # before the first row
+    @property
     def path_length(self) -> float: ...  # mm
     @property
     def time(self) -> float: ...  # s
@@ -377,4 +385,5 @@ def machine(
     trace: str = "moves",
     inputs: Mapping[str, Any] | None = None,
     setup: Mapping[str, Any] | None = None,
+    watch: Sequence[int] = (),
 ) -> Machine: ...

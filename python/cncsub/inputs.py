@@ -7,7 +7,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
@@ -167,6 +167,37 @@ def _numbered(values: dict[str, Any]) -> dict[Any, Any]:
 def checked_variables(what: str, values: object) -> dict[int, float | None]:
     """Variables by number, as the engine takes them; `None` is vacant."""
     return _variables(what, values)
+
+
+_MOST_WATCHED = 1000
+
+
+def checked_watch(numbers: object) -> list[int]:
+    """The numbers of the variables to watch, each once."""
+    if hasattr(numbers, "__index__") and not hasattr(numbers, "__iter__"):
+        numbers = (numbers,)
+    if isinstance(numbers, str | bytes) or not isinstance(numbers, Iterable):
+        raise TypeError(
+            f"watch holds the numbers of variables, such as [100, 500], not {numbers!r}"
+        )
+    checked: dict[int, None] = {}
+    for number in numbers:
+        if isinstance(number, str):
+            raise ValueError(
+                f"watch: a variable is watched by its number, such as 100, not by name: {number!r}"
+            )
+        if not _is_whole(number):
+            raise TypeError(
+                f"watch: a variable number is a whole number such as 100, not {number!r}"
+            )
+        if not 0 <= int(number) < 2**31:
+            raise ValueError(f"watch: there is no variable #{number}")
+        checked[int(number)] = None
+        if len(checked) > _MOST_WATCHED:
+            raise ValueError(
+                f"watch: at most {_MOST_WATCHED} variables are watched in one run; name fewer"
+            )
+    return list(checked)
 
 
 def _variables(what: str, values: object) -> dict[int, float | None]:

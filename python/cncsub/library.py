@@ -11,7 +11,7 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.controls import Named, control_of, did_you_mean
 from cncsub.files import Piece, StrPath, check_encoding, clean, cut, decoded, read_paths
-from cncsub.inputs import Inputs, checked_variables, inputs_of
+from cncsub.inputs import Inputs, checked_variables, checked_watch, inputs_of
 from cncsub.program import Program, find_program
 from cncsub.references import CallGraph, call_graph
 from cncsub.run import Machine, Run
@@ -39,6 +39,7 @@ class Options(TypedDict, total=False):
     trace: str
     inputs: Inputs | Mapping[str, Any] | None
     setup: Setup | Mapping[str, Any] | None
+    watch: Iterable[int] | int
 
 
 class ModeOptions(Options, total=False):
@@ -191,6 +192,7 @@ class Library(Mapping[str, Program]):
         trace: str = "moves",
         inputs: Inputs | Mapping[str, Any] | None = None,
         setup: Setup | Mapping[str, Any] | None = None,
+        watch: Iterable[int] | int = (),
     ) -> Run:
         """Execute a program as the control would, and return what it did.
 
@@ -201,7 +203,9 @@ class Library(Mapping[str, Program]):
         `max_blocks`: how many blocks are executed; `max_seconds`: how long the computer may take;
         `max_memory`: how many bytes the tables and messages may take, 4 GiB unless it is given.
         Reaching one of these is a `Stop`, no error. `trace`: what is kept, `"none"`, `"calls"`,
-        `"blocks"` or `"moves"`. `inputs`, `setup`: see `Inputs` and `Setup`.
+        `"blocks"` or `"moves"`. `inputs`, `setup`: see `Inputs` and `Setup`. `watch`: the numbers
+        of variables, a thousand at most, whose changes are kept in `Run.watch`; each costs a look
+        behind every block and 24 bytes a change, and a run that watches nothing pays nothing.
 
         Raises `KeyError` for an unknown `main`, `ValueError` and `TypeError` for other wrong
         arguments. Whatever is wrong with a program is never raised: it is the `alarm` of the `Run`.
@@ -220,6 +224,7 @@ class Library(Mapping[str, Program]):
             trace=trace,
             inputs=inputs,
             setup=setup,
+            watch=watch,
         )
         return _finished(core)
 
@@ -255,9 +260,9 @@ class Library(Mapping[str, Program]):
         self, main: str | int | None = None, *, rows: int = 65536, **options: Unpack[ModeOptions]
     ) -> Stream:
         """Execute a program and hand over what it does while it runs, in parts of `rows` blocks:
-        an iterator of `Part`, each with the `steps`, `calls` and `moves` of its stretch. Memory
-        stays what one part needs, however long the run is: give `max_blocks` what it may take.
-        `options` are those of `run`.
+        an iterator of `Part`, each with the `steps`, `calls`, `moves` and `watch` of its stretch.
+        Memory stays what one part needs, however long the run is: give `max_blocks` what it may
+        take. `options` are those of `run`.
 
         >>> import cncsub
         >>> library = cncsub.loads("O1\\nN10 G91 G1 X1. F100\\nN20 M99\\n", control="fanuc-0i-f")
@@ -393,6 +398,7 @@ def _machine(
     trace: str = "moves",
     inputs: Inputs | Mapping[str, Any] | None = None,
     setup: Setup | Mapping[str, Any] | None = None,
+    watch: Iterable[int] | int = (),
 ) -> _core.Machine:
     """The engine with checked options; `main` is the number of the program, -1 the last."""
     return _core.machine(
@@ -410,6 +416,7 @@ def _machine(
         trace=_one_of("trace", trace, TRACES),
         inputs=inputs_of(inputs),
         setup=setup_of(setup),
+        watch=checked_watch(watch),
     )
 
 

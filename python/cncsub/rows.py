@@ -100,6 +100,22 @@ class Move:
 
 
 @dataclass(frozen=True, slots=True)
+class Change:
+    """What a step made of a variable that is watched; `value` is `None` where it is vacant now.
+
+    `step`, `program`, `n` and `line` are those of the block, `None` where the variable was set from
+    outside between two steps.
+    """
+
+    step: int | None
+    variable: int
+    value: float | None
+    program: str | None
+    n: int | None
+    line: int | None
+
+
+@dataclass(frozen=True, slots=True)
 class MissedSkip:
     """A block of G31 that met nothing, and went to its end. `step` is its row in `run.steps`."""
 

@@ -15,7 +15,7 @@ from cncsub.inputs import checked_variables
 from cncsub.program import Block, find_program
 from cncsub.rows import Dropped, MissedSkip, Step
 from cncsub.staying import Stays
-from cncsub.tables import Calls, Moves, Steps
+from cncsub.tables import Calls, Moves, Steps, Watch
 
 Until = Block | tuple[str | int, int] | int
 
@@ -233,6 +233,11 @@ class Recorded(Stays):
     def moves(self) -> Moves:
         """One row per motion (with `trace="moves"`)."""
         return Moves(self._trace, self._axes)
+
+    @functools.cached_property
+    def watch(self) -> Watch:
+        """One row per change of a variable named in `watch` (with any `trace`)."""
+        return Watch(self._trace)
 
     @property
     def messages(self) -> list[str]:

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 TABLES = ("steps", "calls", "moves")
 
 
+def _tables(trace: _core.Trace) -> tuple[str, ...]:
+    return (*TABLES, "watch") if trace.watched else TABLES
+
+
 class Part(Recorded):
     """What one stretch of a stream recorded.
 
@@ -31,7 +35,7 @@ class Part(Recorded):
     _instead = "send its tables: moves.to_arrow(), steps.to_arrow()"
 
     def __repr__(self) -> str:
-        tables = (getattr(self, name)._size() for name in TABLES)
+        tables = (getattr(self, name)._size() for name in _tables(self._trace))
         return f"<Part: {', '.join(tables)}>"
 
 
@@ -59,7 +63,7 @@ class Stream(State):
 
     def __next__(self) -> Part:
         """Run on for `rows` blocks and hand over what they did. A part is shorter at the end, and
-        where its blocks made more than a million moves.
+        where its blocks made more than a million moves or changes.
         """
         if self._core.stop is not None:
             raise StopIteration
@@ -79,31 +83,32 @@ class Stream(State):
 
     def to_parquet(self, folder: StrPath) -> None:
         """Run to the end and write what comes into Parquet files in a folder, which is made: the
-        files `steps-000000.parquet`, `steps-000001.parquet` ... and so `calls` and `moves`, a
-        million rows and more in each. A table without rows, as `moves` is with `trace="blocks"`, is
-        one file without rows. Needs `cncsub[arrow]`.
+        files `steps-000000.parquet`, `steps-000001.parquet` ... and so `calls`, `moves` and, where
+        variables are watched, `watch`, a million rows and more in each. A table without rows, as
+        `moves` is with `trace="blocks"`, is one file without rows. Needs `cncsub[arrow]`.
 
         Ctrl-C ends the run as `Stop.INTERRUPTED`. A file has its name when it is whole: whatever
         stops the run, a power cut too, every file in the folder can be read, and
         `pandas.read_parquet(sorted(folder.glob("moves-*.parquet")))` or
         `duckdb.sql("from 'folder/moves-*.parquet'")` is what was written so far. `FileExistsError`
         where the folder holds such files already; `ValueError` where parts of the stream were taken
-        before, and with `trace="none"`, which leaves nothing to write.
+        before, and with `trace="none"` and nothing watched, which leaves nothing to write.
         """
         if self._begun:
             raise ValueError(
                 "parts of this stream were taken already and would be missing from the files;"
                 " make a new stream"
             )
-        if self._trace == "none":
+        tables = _tables(self._core.trace)
+        if self._trace == "none" and tables == TABLES:
             raise ValueError("a stream with trace='none' keeps nothing that could be written")
         folder = Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
-        for name in TABLES:
+        for name in tables:
             if next(folder.glob(f"{name}-*.parquet*"), None) is not None:
                 raise FileExistsError(f"{folder} holds {name} of another run; name another folder")
         with contextlib.ExitStack() as open_files:
-            files = {name: open_files.enter_context(_Files(folder, name)) for name in TABLES}
+            files = {name: open_files.enter_context(_Files(folder, name)) for name in tables}
             try:
                 for part in self:
                     for name, table in files.items():

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
 from cncsub import _core
 from cncsub.calltree import CallTree, trees, write_lines
-from cncsub.rows import Call, Move, Step
+from cncsub.rows import Call, Change, Move, Step
 from cncsub.staying import Stays
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     Column = np.ndarray[Any, Any]
 
-Row = TypeVar("Row", bound=Step | Call | Move)
+Row = TypeVar("Row", bound=Step | Call | Move | Change)
 
 _DRAWN = 2000  # calls in a printed tree
 _SHOWN = 5  # rows at the head and at the end of a printed table
@@ -37,7 +37,7 @@ class Table(Stays, Generic[Row]):
 
     A column is a NumPy array as long as the table, to be read. A column of texts holds `int32`
     codes; the texts stand beside it (`table.programs[code]`) and are written out in rows, pandas
-    and Arrow. Where a row has `None`, an integer column has -1 and a column of lengths NaN.
+    and Arrow. Where a row has `None`, an integer column has -1 and any other one NaN.
     """
 
     _title: ClassVar[str]
@@ -47,7 +47,7 @@ class Table(Stays, Generic[Row]):
         self._core = core
         self._columns: dict[str, Column] = {}
 
-    # What the three tables differ in.
+    # What the tables differ in.
 
     @property
     def columns(self) -> list[str]:
@@ -141,7 +141,10 @@ class Table(Stays, Generic[Row]):
         import numpy as np
 
         texts = self._texts(name)
-        return column if texts is None else np.array(texts or [""], dtype=object)[column]
+        if texts is None:
+            return column
+        written: Column = np.array([*texts, None], dtype=object)[column]  # the code -1 is the last
+        return written
 
     def to_arrow(self) -> pa.Table:
         """A `pyarrow.Table` on the columns as they are; a column of texts is a dictionary of its
@@ -151,11 +154,13 @@ class Table(Stays, Generic[Row]):
         self._fetched(self.columns)
 
         def array(name: str) -> Any:
-            values = arrow.array(self.column(name))
+            column = self.column(name)
             texts = self._texts(name)
             if texts is None:
-                return values
-            return arrow.DictionaryArray.from_arrays(values, arrow.array(texts, arrow.string()))
+                return arrow.array(column)
+            none = column < 0
+            codes = arrow.array(column, mask=none if none.any() else None)
+            return arrow.DictionaryArray.from_arrays(codes, arrow.array(texts, arrow.string()))
 
         return arrow.table({name: array(name) for name in self.columns})
 
@@ -232,7 +237,7 @@ def _known(index: int | None) -> int | None:
     return None if index is None or index < 0 else index
 
 
-def _field_names(row: type[Step | Call | Move]) -> list[str]:
+def _field_names(row: type[Step | Call | Move | Change]) -> list[str]:
     return [f.name for f in fields(row)]
 
 
@@ -270,6 +275,65 @@ class Steps(Table[Step]):
 
     def _texts(self, name: str) -> list[str] | None:
         return self.programs if name == "program" else None
+
+
+class Watch(Table[Change]):
+    """One row per change of a variable that is watched: `step, variable, value, program, n, line`.
+
+    A row says what a step made of the variable, whatever wrote it: an assignment, an argument, a
+    return to the caller's locals, a move where the variable is a position, another program while
+    the run waits. `#1` and so on are those of the level that is open behind the step. A step that
+    writes what is there already makes no row, and one that writes a variable twice makes one.
+
+    `value` is `None` (in the column NaN) where the variable became vacant. What
+    `machine.variables[100] = 5` sets between two steps has no `step`, `program`, `n` and `line`
+    (`None`; in a column -1). What a block that alarms had written is taken back, and is no row.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 #100=#100+1\\nN20 IF[#100LT3]GOTO10\\nN30 #500=#100\\nN40 #100=#0\\nM30\\n"
+    >>> library = cncsub.loads(text, control="fanuc-0i-f")
+    >>> run = library.run(variables={100: 0}, watch=[100, 500])
+    >>> run.watch.value[run.watch.variable == 100].tolist()
+    [1.0, 2.0, 3.0, nan]
+    >>> run.watch[3]
+    Change(step=6, variable=500, value=3.0, program='O1', n=30, line=4)
+    >>> run.watch.beginning
+    {100: 0.0, 500: None}
+    """
+
+    _title = "changes"
+
+    @property
+    def columns(self) -> list[str]:
+        return _field_names(Change)
+
+    @property
+    def beginning(self) -> dict[int, float | None]:
+        """What is watched, and its value before the first row: what `variables` gave it; in a part
+        of a stream, what the part before left. Empty where nothing is watched.
+        """
+        return self._core.watched
+
+    @property
+    def programs(self) -> list[str]:
+        """The names behind the codes of the column `program`."""
+        return self._core.program_names
+
+    def _rows(self) -> int:
+        return self._core.changes
+
+    def _row(self, index: int) -> Change:
+        return Change(*self._core.change_row(index))
+
+    def _fetch(self, names: list[str]) -> dict[str, Column]:
+        return {name: self._core.change_column(name) for name in names}
+
+    def _texts(self, name: str) -> list[str] | None:
+        return self.programs if name == "program" else None
+
+    def _size(self) -> str:
+        watched = ", ".join(f"#{number}" for number in self.beginning)
+        return f"{super()._size()} of {watched or 'nothing: run(watch=[100]) watches #100'}"
 
 
 class Calls(Table[Call]):
@@ -476,14 +540,14 @@ def records(table: Table[Any]) -> Iterator[Mapping[str, Any]]:
         yield dict(zip(names, values, strict=True))
 
 
-_NO_INDEX = frozenset(("n", "parent", "start_n", "last_step"))
+_NO_INDEX = frozenset(("step", "n", "line", "parent", "start_n", "last_step"))
 
 
 def _plain_values(table: Table[Any], name: str) -> list[Any]:
     texts = table._texts(name)
     values = table.column(name).tolist()
     if texts is not None:
-        return [texts[code] for code in values]
+        return [None if code < 0 else texts[code] for code in values]
     if name in _NO_INDEX:
         return [_known(value) for value in values]
     return [_number(value) for value in values]

@@ -87,6 +87,7 @@ struct Run {
   Trace trace;
   RunningBlock block;
   Watch watch;
+  std::vector<VariablePlace> watched;  // of Trace::watched, one by one
 
   const Control& control() const { return *code->control; }
   /// Whether this is something that the control refuses.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cncsub/machine/changes.hpp"
 #include "cncsub/machine/ends.hpp"
 #include "cncsub/machine/limits.hpp"
 #include "cncsub/machine/run.hpp"
@@ -46,6 +47,7 @@ Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options op
     const Address start = run_.code->first_of(program, given.start);
     if (start != kNowhere) s.pc = start;
   }
+  begin_watching(run_);
 }
 
 bool Machine::step(const std::function<bool()>& interrupted) { return run_one(run_, interrupted); }
@@ -84,6 +86,7 @@ void Machine::reset() {
   s.alarm.reset();
   s.waiting_for.clear();
   s.pc = s.frames[0].restart;
+  note_changes_from_outside(run_);
 }
 
 std::vector<Frame> Machine::frames() const { return open_calls(run_); }
@@ -114,11 +117,14 @@ std::optional<Fault> Machine::read(std::int64_t number, int level, double& value
 }
 
 std::optional<Fault> Machine::write(std::int64_t number, int level, double value) {
-  return write_variable(run_, number, level, value);
+  auto fault = write_variable(run_, number, level, value);
+  note_changes_from_outside(run_);
+  return fault;
 }
 
 void Machine::set_from_outside(std::int32_t number, double value) {
   cncsub::set_from_outside(run_, number, value);
+  note_changes_from_outside(run_);
 }
 
 }  // namespace cncsub

@@ -45,6 +45,7 @@ struct Options {
   double max_seconds = 0;                             // 0 = any
   std::uint64_t max_memory = std::uint64_t{4} << 30;  // bytes of what is recorded
   Trace::Depth trace = Trace::Depth::Moves;
+  std::vector<std::int32_t> watch;  // variables that can be read, whose changes are kept
   Inputs inputs;
   Setup setup;
 };

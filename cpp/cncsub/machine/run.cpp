@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cncsub/machine/calls.hpp"
+#include "cncsub/machine/changes.hpp"
 #include "cncsub/machine/ends.hpp"
 #include "cncsub/machine/labels.hpp"
 #include "cncsub/machine/limits.hpp"
@@ -17,7 +18,7 @@ namespace cncsub {
 namespace {
 
 constexpr std::int64_t kLookSkipped = 1 << 20;  // blocks passed over between two looks around
-constexpr std::size_t kPartMoves = 1 << 20;     // a part of a run that has more ends early
+constexpr std::size_t kPartRows = 1 << 20;      // of moves or changes: a part with more ends early
 constexpr std::size_t kManySkipped = 1'000'000;
 constexpr Op kFirstStatement = Op::Assign, kLastStatement = Op::EndDo;
 
@@ -106,7 +107,17 @@ bool choose(Run& run, const Block& block) {
   return dispatch(run, run.code->variants[second ? variant.second : variant.first]);
 }
 
-/// Blocks and nothing else, until the run is to look around. False where it is to `pause`.
+/// One block, and what it made of the variables that are watched.
+void execute_watched(Run& run, const Block& block) {
+  const std::int64_t before = run.state.executed;
+  const Address at = run.state.pc;
+  execute(run, block, true);
+  if (run.state.executed != before) note_changes(run, run.state.executed - 1, at);
+}
+
+/// Blocks and nothing else, until the run is to look around. False where it is to `pause`. Whether
+/// variables are watched is asked by the caller, not in every pass.
+template <bool watched>
 inline bool run_blocks(Run& run, const std::function<bool()>& pause, std::int64_t& passed) {
   State& s = run.state;
   const Block* blocks = run.code->blocks.data();
@@ -118,9 +129,17 @@ inline bool run_blocks(Run& run, const std::function<bool()>& pause, std::int64_
       continue;
     }
     if (pause && pause()) return false;
-    execute(run, block, static_cast<bool>(pause));
+    if constexpr (watched)
+      execute_watched(run, block);
+    else
+      execute(run, block, static_cast<bool>(pause));
   }
   return true;
+}
+
+/// Whether a part of a stream has rows enough.
+bool is_full(const Trace& trace) {
+  return trace.moves.size() > kPartRows || trace.changes.size() > kPartRows;
 }
 
 /// A run that was interrupted goes on.
@@ -140,7 +159,7 @@ bool run_one(Run& run, const std::function<bool()>& interrupted) {
   while (s.stop == Stop::Running && s.executed == before && broken_off == Stop::Running) {
     if (s.executed >= run.options.max_blocks) return end_run(run, Stop::Limit);
     const Block& block = run.code->blocks[s.pc];
-    if (!passes_over(run, block)) execute(run, block, true);
+    if (!passes_over(run, block)) execute_watched(run, block);
   }
   const bool limited = broken_off == Stop::Limit || stops(run) == Stop::Limit;
   if (s.stop == Stop::Running && limited) end_run(run, Stop::Limit);
@@ -158,14 +177,16 @@ void run_on(Run& run, const std::function<bool()>& interrupted, const std::funct
   while (s.stop == Stop::Running) {
     // Between two looks at the clock, the memory and Ctrl-C nothing but blocks.
     look_later(run, last);
-    if (!run_blocks(run, pause, passed) || s.stop != Stop::Running) return;
+    const bool on = run.watched.empty() ? run_blocks<false>(run, pause, passed)
+                                        : run_blocks<true>(run, pause, passed);
+    if (!on || s.stop != Stop::Running) return;
     const Stop broken_off = run.watch.broken_off;
     const Stop why = broken_off != Stop::Running ? broken_off : stops(run);
     if (why != Stop::Running)
       end_run(run, why);
     else if (s.executed >= run.options.max_blocks)
       end_run(run, Stop::Limit);
-    else if (s.executed >= until || (until != kAllBlocks && run.trace.moves.size() > kPartMoves))
+    else if (s.executed >= until || (until != kAllBlocks && is_full(run.trace)))
       return;
   }
 }

@@ -28,7 +28,8 @@ std::int64_t Trace::step_of_move(std::uint32_t step) const {
 
 std::size_t Trace::bytes() const {
   return steps.bytes() + calls.bytes() + arguments.bytes() + moves.bytes() + m_codes.bytes() +
-         t_codes.bytes() + messages.bytes() + dropped.bytes() + text + missed_skips.bytes();
+         t_codes.bytes() + messages.bytes() + dropped.bytes() + text + missed_skips.bytes() +
+         changes.bytes();
 }
 
 void Trace::say(std::string message) {
@@ -48,6 +49,8 @@ Trace Trace::take(const std::vector<std::int32_t>& open_calls, bool last, std::i
   rest.first_move = first_move + static_cast<std::int64_t>(moves.size());
   rest.first_call = call_number(calls.size());
   rest.moves = moves.next_part();
+  rest.watched = watched;
+  for (Watched& variable : rest.watched) variable.before = variable.now;
   for (const std::int32_t number : open_calls) {
     const std::size_t row = call_row(number);
     CallRow call = calls[row];

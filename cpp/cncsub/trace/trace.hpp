@@ -1,5 +1,5 @@
-// What a run leaves behind: a row per executed block, per call and per move, and what was sent to
-// the machine. A run that is streamed leaves it in parts.
+// What a run leaves behind: a row per executed block, per call and per move, per change of what is
+// watched, and what was sent to the machine. A run that is streamed leaves it in parts.
 #pragma once
 
 #include <cstdint>
@@ -48,6 +48,19 @@ struct Trace {
     std::string text;
   };
 
+  /// A variable that is watched: what it was when this part began, and what it is.
+  struct Watched {
+    std::int32_t number;
+    double before, now;
+  };
+  /// What a step made of it.
+  struct Change {
+    std::int64_t step;  // -1: none, somebody outside between two steps
+    double value;
+    std::int32_t variable;
+    Address address;
+  };
+
   Depth depth = Depth::Moves;
   Column<Step> steps;
   Column<CallRow> calls;
@@ -57,6 +70,8 @@ struct Trace {
   Column<std::string> messages;
   Column<Place> missed_skips;  // the blocks of G31 that met nothing
   Column<Dropped> dropped;
+  std::vector<Watched> watched;
+  Column<Change> changes;
   std::size_t text = 0;  // characters of the messages
 
   // Steps, calls and moves are numbered through the run; a part begins anywhere.
