@@ -8,7 +8,7 @@ import operator
 from collections.abc import Iterator, Mapping, MutableMapping
 from typing import Any
 
-from cncsub import _core
+from cncsub import _core, asserting
 from cncsub._core import Alarm, Frame
 from cncsub.controls import did_you_mean
 from cncsub.inputs import checked_variables
@@ -356,6 +356,28 @@ class Run(_Outcome):
     def stop(self) -> Stop:
         """Why the run stopped."""
         return Stop(self._core.stop or "interrupted")
+
+    def assert_ends(self) -> None:
+        """Raise `AssertionError` where the program did not come to its end, with what a test needs
+        to see: the alarm and the blocks that called, what ran last, the variables.
+
+        >>> import cncsub
+        >>> cncsub.loads("O1\\nM30\\n", control="fanuc-0i-f").run().assert_ends()
+        """
+        asserting.assert_ends(self)
+
+    def assert_alarm(self, expected: str, at: str | None = None) -> None:
+        """Raise `AssertionError` where the program did not stop with this alarm. `expected` is its
+        number or its cause, `at` the program, the sequence number, or both: `"O10 N30"`.
+
+        Raises `ValueError` where `at` names a program that the library does not have.
+
+        >>> import cncsub
+        >>> run = cncsub.loads("O1\\nN10 M98 P2\\nM30\\n", control="fanuc-16i").run()
+        >>> run.assert_alarm("078", at="O1 N10")
+        >>> run.assert_alarm("program-not-found")
+        """
+        asserting.assert_alarm(self, expected, at)
 
     @functools.cached_property
     def variables(self) -> Variables:
