@@ -445,6 +445,48 @@ def test_colours_are_all_that_a_terminal_sees_more(
     assert re.sub("\x1b\\[[0-9;]*m", "", coloured) == plain
 
 
+def test_two_controls_are_compared(tmp_path: Path) -> None:
+    program = tmp_path / "O1.nc"
+    program.write_text("O1\nN10 M98 P2 L0\nN20 M30\nO2\nN30 M99\n")
+    done = Done("compare", str(program), "-c", "fanuc-0i-f", "-c", "mitsubishi-m700")
+    assert (done.status, done.error) == (1, "")
+    assert done.out.splitlines() == [
+        "fanuc-0i-f: O1 N10, line 2: M98 O2, 1 pass",
+        "mitsubishi-m700: no further call before: end",
+        "the rules that make it: zero_repeats",
+    ]
+    same = Done("compare", str(program), "-c", "fanuc-0i-f", "-c", "fanuc-0i-d")
+    assert (same.status, same.out) == (0, "the same\n")
+    told = json.loads(
+        Done("compare", str(program), "-c", CONTROL, "-c", CONTROL, "--format", "json").out
+    )
+    assert told == {
+        "version": 1, "same": True, "where": [], "what": "the same", "rules": [], "untried": [],
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("controls", [(), ("-c", CONTROL), ("-c", CONTROL) * 3])
+def test_a_comparison_takes_two_controls(job: Path, controls: tuple[str, ...]) -> None:
+    done = Done("compare", str(job / "good.nc"), *controls)
+    assert (done.status, done.out) == (2, "")
+    assert "-c ONE -c ANOTHER" in done.error
+
+
+def test_two_versions_are_compared(tmp_path: Path) -> None:
+    old, new = tmp_path / "old.nc", tmp_path / "new.nc"
+    old.write_text("O1\nN10 G0 X1.\nM30\n")
+    new.write_text("O1\n(NEW)\nN10 G0 X2.\nM30\n")
+    done = Done("diff", str(old), str(new), "-c", "fanuc-0i-f", "--format", "json")
+    told = json.loads(done.out)
+    assert (done.status, told["same"], [step["line"] for step in told["where"]]) == (
+        1, False, [2, 3],
+    )  # fmt: skip
+    assert Done("diff", str(old), str(old), "-c", "fanuc-0i-f").status == 0
+    missing = Done("diff", str(old), str(tmp_path / "none.nc"), "-c", "fanuc-0i-f")
+    assert (missing.status, missing.out) == (2, "")
+    assert "none.nc" in missing.error
+
+
 def test_a_command_that_prints_into_a_file_does_without_rich(job: Path) -> None:
     code = (
         "import sys; from cncsub.cli import main\n"

@@ -11,6 +11,7 @@ screen.
 """
 
 from cncsub._core import Alarm, Control, Frame, __version__
+from cncsub.comparison import Comparison, compare
 from cncsub.controls import Cause, Source, causes, controls, sources
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
@@ -32,6 +33,7 @@ __all__ = [
     "CallTo",
     "Cause",
     "Change",
+    "Comparison",
     "Computed",
     "Control",
     "Cylinder",
@@ -59,6 +61,7 @@ __all__ = [
     "Workpiece",
     "__version__",
     "causes",
+    "compare",
     "controls",
     "load",
     "loads",

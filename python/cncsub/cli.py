@@ -1,6 +1,7 @@
-"""The command line: `cncsub run`, `tree`, `controls`, `explain`.
+"""The command line: `cncsub run`, `tree`, `compare`, `diff`, `controls`, `explain`.
 
-Exit status: 0 where the program ran to its end (or used up its cycles), 1 for an alarm, 2 for wrong
+Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
+is the same, 1 for an alarm and for a difference, 2 for wrong
 use, which is told in one line, 3 where the run waits for an input nobody gave, 4 at a limit, 130
 for Ctrl-C.
 """
@@ -22,7 +23,14 @@ import typer.core
 
 import cncsub
 from cncsub.controls import did_you_mean
-from cncsub.facts import control_facts, explanations, run_facts, tree_facts, unknown_alarm
+from cncsub.facts import (
+    comparison_facts,
+    control_facts,
+    explanations,
+    run_facts,
+    tree_facts,
+    unknown_alarm,
+)
 from cncsub.printing import (
     Console,
     console_on,
@@ -226,6 +234,76 @@ def tree(
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
             print_stop(console_on(sys.stderr), made)
     raise typer.Exit(_status(made))
+
+
+@app.command()
+def compare(
+    paths: Paths = None,
+    control: Annotated[
+        list[str] | None,
+        typer.Option("-c", "--control", help="The controls: give it twice.", show_default=False),
+    ] = None,
+    main: Main = None,
+    set: Set = None,
+    skip: Skip = None,
+    external: External = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    format: Annotated[Format, typer.Option()] = Format.TEXT,
+    output: Output = None,
+) -> None:
+    """Run a program on two controls: where they part, and the rules that make it."""
+    options = {**locals(), "mdi": None, "param": None}
+    with _wrong_use():
+        if control is None or len(control) != 2:
+            raise ValueError("compare takes two controls: -c ONE -c ANOTHER")
+        pair = [_control(name) for name in control]
+        library = _library({**options, "control": control[0]})
+        asked = _asked(options, "moves")
+        compared = cncsub.compare(library, controls=pair, main=main, **asked)
+    _tell(compared, format, output)
+
+
+@app.command()
+def diff(
+    before: Annotated[str, typer.Argument(help="A file or a folder.", show_default=False)],
+    after: Annotated[str, typer.Argument(help="Its new version.", show_default=False)],
+    control: ControlName = None,
+    main: Main = None,
+    set: Set = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    format: Annotated[Format, typer.Option()] = Format.TEXT,
+    output: Output = None,
+) -> None:
+    """Run two versions of a program: what the new one does otherwise."""
+    options = {**locals(), "mdi": None}
+    with _wrong_use():
+        old, new = (_library({**options, "paths": [path]}) for path in (before, after))
+        compared = cncsub.compare(old, new, main=main, **_asked(options, "moves"))
+    _tell(compared, format, output)
+
+
+def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> None:
+    if format is Format.JSON:
+        _write_json(output, comparison_facts(compared))
+    else:
+        lines = "\n".join(shown(line) for line in str(compared).split("\n"))
+        _write_text(output, lambda console: console.print(lines))
+    raise typer.Exit(0 if compared.same else 1)
 
 
 @app.command()

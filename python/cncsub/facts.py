@@ -48,6 +48,18 @@ def _frame_facts(frame: cncsub.Frame) -> dict[str, Any]:
     return {name: getattr(frame, name) for name in names}
 
 
+def comparison_facts(compared: cncsub.Comparison) -> dict[str, Any]:
+    where = [None if step is None else asdict(step) for step in compared.where or ()]
+    return {
+        "version": 1,
+        "same": compared.same,
+        "where": where,
+        "what": compared.what,
+        "rules": list(compared.rules),
+        "untried": list(compared.untried),
+    }
+
+
 def tree_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
     return {
         "title": title,

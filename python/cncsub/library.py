@@ -170,6 +170,17 @@ class Library(Mapping[str, Program]):
         """Programs the control never calls, because another one of the same name counts."""
         return tuple(self._program(index) for index in self._code.duplicates)
 
+    def read_for(self, control: str | Control) -> Library:
+        """The same texts, read again as the memory of another control.
+
+        >>> import cncsub
+        >>> cncsub.loads("O1\\nM30\\n", control="fanuc-0i-f").read_for("gsk-988ta").control.name
+        'gsk-988ta'
+        """
+        known = control_of(control)
+        sources, device = self._code.sources, self._code.external_device
+        return _read_again(known, sources, device, self._files, self._skipped)
+
     def call_graph(self) -> CallGraph:
         """Who calls whom, told by the blocks without running them: see `CallGraph`."""
         return call_graph(self._code)

@@ -1,0 +1,376 @@
+"""The same programs on two controls, or two versions of them on one: where they part, and why."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
+
+from cncsub._core import Control
+from cncsub.controls import control_of
+from cncsub.exchanging import rules_between
+from cncsub.library import Library, Options, load
+from cncsub.rows import Step
+from cncsub.run import Run
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    Column = np.ndarray[Any, Any]
+
+_NEAR = 1e-9  # mm, degrees, mm/min: values that differ by less are alike
+_WATCHED = 1000  # variables that can be watched at once
+_LISTS = {"m_codes": "M code", "t_codes": "T code", "messages": "message"}
+_CALLS = ("kind", "program", "start_n", "repeats", "level")
+_NOT_COMPARED = ("move", "step", "length", "time")  # of moves: what follows from the others
+
+
+class _Parting(NamedTuple):
+    """Where two runs part: a step of each, the count of steps where it has none."""
+
+    first: int
+    second: int
+    what: str
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """How two runs compare.
+
+    `same`: whether they make the same calls, moves, codes, messages and variables and stop alike;
+    of the same programs, whether they execute the same blocks too. An alarm is the same by its
+    cause and place: its number is each control's own. `where`: the first step of each that the
+    other does not do likewise, `None` for one that has stopped before. `what`: what each does.
+    `rules`: names of rules that make the difference: the first control with the second one's values
+    for these does what the second one does. Empty where programs are compared, and where no rules
+    make it: then it lies in the languages, or in tables of a control that are no rules. `untried`:
+    rules whose values could not be exchanged.
+
+    >>> import cncsub
+    >>> library = cncsub.loads("O1\\nN10 M98 P2 L0\\nM30\\nO2\\nM99\\n", control="fanuc-0i-f")
+    >>> compared = cncsub.compare(library, controls=["fanuc-0i-f", "mitsubishi-m700"])
+    >>> compared.same, compared.rules
+    (False, ('zero_repeats',))
+    """
+
+    same: bool
+    where: tuple[Step | None, Step | None] | None
+    what: str
+    rules: tuple[str, ...]
+    untried: tuple[str, ...]
+    runs: tuple[Run, Run] = field(repr=False)
+
+    def __str__(self) -> str:
+        if self.same:
+            return "the same"
+        lines = [self.what]
+        if self.rules:
+            lines.append("the rules that make it: " + ", ".join(self.rules))
+        if self.untried:
+            lines.append("rules that could not be exchanged: " + ", ".join(self.untried))
+        return "\n".join(lines)
+
+
+def compare(
+    first: Library | str | os.PathLike[str],
+    second: Library | str | os.PathLike[str] | None = None,
+    *,
+    controls: Sequence[str | Control] | None = None,
+    control: str | Control | None = None,
+    main: str | int | None = None,
+    **options: Unpack[Options],
+) -> Comparison:
+    """Run the same programs on two `controls`, or two versions of programs, and tell where they
+    part.
+
+    `first`, `second`: libraries, or paths, which `control` reads. `controls`: two of them, names or
+    objects; then there is no `second`. `main` and `options` are those of `Library.run`, for both.
+    Raises what `load` and `run` raise, and `TypeError` where it is not clear what to compare.
+
+    >>> import cncsub
+    >>> before = cncsub.loads("O1\\nN10 G0 X1.\\nM30\\n", control="fanuc-0i-f")
+    >>> after = cncsub.loads("O1\\n(ROUGH)\\nN10 G0 X2.\\nM30\\n", control="fanuc-0i-f")
+    >>> print(cncsub.compare(before, after))
+    before: O1 N10, line 2: move 0 with x = 1
+    after: O1 N10, line 3: move 0 with x = 2
+    """
+    if options.get("trace", "moves") != "moves":
+        raise TypeError("compare looks at all that a run does and takes no trace")
+    if controls is not None:
+        if second is not None:
+            raise TypeError("compare takes a second library or two controls, not both")
+        return _compare_controls(first, controls, control, main, options)
+    if second is None:
+        raise TypeError("compare takes a second library, or controls=[one, another]")
+    a, b = _library(first, control), _library(second, control)
+    pair = _Pair((a, b), ("before", "after"), main, options, same_texts=False)
+    runs = pair.runs()
+    parting = pair.parting(*runs)
+    return _told(pair, runs, parting, (), ())
+
+
+def _library(of: Library | str | os.PathLike[str], control: str | Control | None) -> Library:
+    if isinstance(of, Library):
+        return of
+    if control is None:
+        raise TypeError(f"compare reads {os.fspath(of)} for a control: give control=")
+    return load(of, control=control)
+
+
+def _compare_controls(
+    of: Library | str | os.PathLike[str],
+    controls: Sequence[str | Control],
+    control: str | Control | None,
+    main: str | int | None,
+    options: Options,
+) -> Comparison:
+    if isinstance(controls, str | Control) or len(controls) != 2:
+        raise TypeError("compare takes two controls: controls=[one, another]")
+    one, other = (control_of(each) for each in controls)
+    library = _library(of, control or one)
+    texts = (library.read_for(one), library.read_for(other))
+    names = (one.name, other.name) if one.name != other.name else ("first", "second")
+    pair = _Pair(texts, names, main, options, same_texts=True)
+    runs = pair.runs()
+    parting = pair.parting(*runs)
+    if parting is None:
+        return _told(pair, runs, None, (), ())
+    blocks = min(parting.first, parting.second) + 1  # as far as the first difference
+    limit = min(blocks, options.get("max_blocks", 10_000_000))
+    wanted = pair.run(texts[1], max_blocks=limit)
+
+    def explains(control: Control) -> bool:
+        try:
+            tried = pair.run(library.read_for(control), max_blocks=limit)
+        except KeyError:  # read so, there is no such main program
+            return False
+        return pair.parting(tried, wanted) is None
+
+    rules, untried = rules_between(one, other, explains)
+    return _told(pair, runs, parting, rules, untried)
+
+
+def _told(
+    pair: _Pair,
+    runs: tuple[Run, Run],
+    parting: _Parting | None,
+    rules: tuple[str, ...],
+    untried: tuple[str, ...],
+) -> Comparison:
+    if parting is None:
+        return Comparison(True, None, "the same", (), (), runs)
+    steps = (parting.first, parting.second)
+    where = tuple(run.steps[at] if at < len(run.steps) else None for run, at in zip(runs, steps))
+    return Comparison(False, (where[0], where[1]), parting.what, rules, untried, runs)
+
+
+def _side(run: Run, at: int, does: str) -> str:
+    """What a run does at a step, or that it has stopped without doing it."""
+    if at >= len(run.steps):
+        stopped = f"{run._summary()}" if does else f"stopped: {run._summary()}"
+        return f"{does} before: {stopped}" if does else stopped
+    step = run.steps[at]
+    n = "" if step.n is None else f" N{step.n}"
+    return f"{step.program}{n}, line {step.line}{': ' if does else ''}{does}"
+
+
+class _Pair:
+    """Two libraries, and how they are run."""
+
+    def __init__(
+        self,
+        libraries: tuple[Library, Library],
+        names: tuple[str, str],
+        main: str | int | None,
+        options: Options,
+        *,
+        same_texts: bool,
+    ) -> None:
+        self.libraries = libraries
+        self.names = names
+        self.same_texts = same_texts
+        self._main = main
+        self._options = options
+
+    def run(self, library: Library, **more: Any) -> Run:
+        return library.run(self._main, **{**self._options, **more})
+
+    def runs(self) -> tuple[Run, Run]:
+        return self.run(self.libraries[0]), self.run(self.libraries[1])
+
+    def parting(self, a: Run, b: Run) -> _Parting | None:
+        """The earliest of all differences."""
+        found = list(self._partings(a, b))
+        return min(found, key=lambda parting: (parting.first, parting.second), default=None)
+
+    def _partings(self, a: Run, b: Run) -> Iterator[_Parting]:
+        yield from self._of_calls(a, b)
+        yield from self._of_moves(a, b)
+        for name in _LISTS:
+            yield from self._of_list(a, b, name)
+        yield from self._of_variables(a, b)
+        if self.same_texts:
+            yield from self._of_steps(a, b)
+        yield from self._of_stop(a, b)
+
+    def _say(self, runs: tuple[Run, Run], at: tuple[int, int], does: tuple[str, str]) -> _Parting:
+        sides = zip(self.names, runs, at, does, strict=True)
+        lines = (f"{name}: {_side(run, step, text)}" for name, run, step, text in sides)
+        return _Parting(*at, "\n".join(lines))
+
+    def _of_steps(self, a: Run, b: Run) -> Iterator[_Parting]:
+        at = _first(
+            [(_column(a.steps, name), _column(b.steps, name)) for name in ("program", "line")]
+        )
+        if at is not None:
+            yield self._say((a, b), (at, at), ("", ""))
+
+    def _of_calls(self, a: Run, b: Run) -> Iterator[_Parting]:
+        columns = [(_column(a.calls, name), _column(b.calls, name)) for name in _CALLS]
+        at = _first(columns)
+        if at is None:
+            return
+        steps, does = [], []
+        for run in (a, b):
+            call = run.calls[at] if at < len(run.calls) else None
+            steps.append(len(run.steps) if call is None else call.caller_step)
+            does.append(
+                "no further call"
+                if call is None
+                else f"{call.kind} {call.program}, {call.repeats} pass"
+                + ("es" if call.repeats != 1 else "")
+            )
+        yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
+
+    def _of_moves(self, a: Run, b: Run) -> Iterator[_Parting]:
+        names = list(dict.fromkeys([*a.moves.columns, *b.moves.columns]))
+        best, which = None, ""
+        for name in names:
+            if name in _NOT_COMPARED:
+                continue
+            at = _first([(_column(a.moves, name), _column(b.moves, name))])
+            if at is not None and (best is None or at < best):
+                best, which = at, name
+        if best is None:
+            return
+        steps, does = [], []
+        for run in (a, b):
+            there = best < len(run.moves)
+            steps.append(int(run.moves.step[best]) if there else len(run.steps))
+            value = getattr(run.moves[best], which, None) if there else None
+            shown = f"{value:g}" if isinstance(value, float) else value
+            does.append(f"move {best} with {which} = {shown}" if there else "no further move")
+        yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
+
+    def _of_list(self, a: Run, b: Run, name: str) -> Iterator[_Parting]:
+        """Lists that grow while a run goes on: the step is found by shorter and shorter runs."""
+        lists = (getattr(a, name), getattr(b, name))
+        count = min(len(lists[0]), len(lists[1]))
+        at = next((i for i in range(count) if lists[0][i] != lists[1][i]), count)
+        if at == len(lists[0]) == len(lists[1]):
+            return
+        steps, does = [], []
+        for library, run, values in zip(self.libraries, (a, b), lists, strict=True):
+            there = at < len(values)
+            steps.append(self._step_of(library, run, name, at) if there else len(run.steps))
+            if not there:
+                does.append(f"no further {_LISTS[name]}")
+            else:
+                value = values[at]
+                does.append(
+                    f"message {value!r}" if name == "messages" else f"{name[0].upper()}{value}"
+                )
+        yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
+
+    def _step_of(self, library: Library, run: Run, name: str, at: int) -> int:
+        low, high = 0, len(run.steps)
+        while low < high:
+            middle = (low + high) // 2
+            if len(getattr(self.run(library, max_blocks=middle + 1), name)) > at:
+                high = middle
+            else:
+                low = middle + 1
+        return low
+
+    def _of_variables(self, a: Run, b: Run) -> Iterator[_Parting]:
+        values = [
+            {number: value for number, value in run.variables.items() if value is not None}
+            for run in (a, b)
+        ]
+        other = [
+            number
+            for number in sorted(values[0].keys() | values[1].keys())
+            if not _alike(values[0].get(number), values[1].get(number))
+        ]
+        numbers = [n for n in other if _has(a, n) and _has(b, n)]
+        if not numbers:
+            return
+        watched = [self.run(library, watch=numbers[:_WATCHED]).watch for library in self.libraries]
+        names = ("variable", "value")
+        at = _first([(watched[0][name], watched[1][name]) for name in names])
+        if at is None:  # what they began with differs
+            at = 0
+        steps, does = [], []
+        for run, rows in zip((a, b), watched, strict=True):
+            row = rows[at] if at < len(rows) else None
+            steps.append(len(run.steps) if row is None or row.step is None else row.step)
+            shown = "vacant" if row is None or row.value is None else f"{row.value:g}"
+            does.append("no further change" if row is None else f"#{row.variable} = {shown}")
+        yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
+
+    def _of_stop(self, a: Run, b: Run) -> Iterator[_Parting]:
+        def stop(run: Run) -> tuple[object, ...]:
+            alarm = run.alarm
+            where = (alarm.cause, alarm.program, alarm.n) if alarm is not None else ()
+            lines = (alarm.line,) if alarm is not None and self.same_texts else ()
+            return (run.stop, run.waiting_for, *where, *lines)
+
+        if stop(a) != stop(b):
+            yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
+
+
+def _has(run: Run, number: int) -> bool:
+    """Whether the control has the variable."""
+    try:
+        run.variables[number]
+    except KeyError:
+        return False
+    return True
+
+
+def _alike(a: float | None, b: float | None) -> bool:
+    return a == b or (a is not None and b is not None and abs(a - b) < _NEAR)
+
+
+def _column(table: Any, name: str) -> Column:
+    """A column with its texts written out; NaN where the table has no such column."""
+    import numpy as np
+
+    if name not in table.columns:
+        return np.full(len(table), np.nan)
+    column: Column = table[name]
+    texts = table._texts(name)
+    if texts is None:
+        return column
+    written: Column = np.asarray([*texts, None], dtype=object)
+    return written[column]
+
+
+def _first(pairs: Sequence[tuple[Column, Column]]) -> int | None:
+    """The first row in which one of the columns differs, or the end of the shorter table."""
+    import numpy as np
+
+    a, b = pairs[0]
+    count = min(len(a), len(b))
+    differs = np.zeros(count, dtype=bool)
+    for one, other in pairs:
+        x, y = one[:count], other[:count]
+        if x.dtype.kind == "f" and y.dtype.kind == "f":
+            differs |= ~((np.abs(x - y) < _NEAR) | (np.isnan(x) & np.isnan(y)))
+        else:
+            differs |= x != y
+    found = np.flatnonzero(differs)
+    if len(found):
+        return int(found[0])
+    return None if len(a) == len(b) else count

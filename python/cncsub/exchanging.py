@@ -1,0 +1,72 @@
+"""Which rules of two controls make a difference: found by exchanging them until it goes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from cncsub._core import Control
+
+Value = bool | int | str
+
+
+def rules_between(
+    one: Control, other: Control, explains: Callable[[Control], bool]
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The fewest rules of `other` with which `one` is a control that `explains`, and those whose
+    values could not be given to it. None where even all of them do not.
+    """
+    values = {rule.name: rule.value for rule in other.rules}
+    changes: dict[str, Value] = {}
+    untried = []
+    for rule in one.rules:
+        if rule.name not in values or rule.value == values[rule.name]:
+            continue
+        written = _written(one, rule.name, values[rule.name])
+        if written is None:
+            untried.append(rule.name)
+        else:
+            changes[rule.name] = written
+
+    def exchanged(names: Sequence[str]) -> bool:
+        try:
+            control = one.replace(**{name: changes[name] for name in names})
+        except ValueError:  # these values do not go together
+            return False
+        return explains(control)
+
+    return tuple(_fewest(list(changes), exchanged)), tuple(untried)
+
+
+def _written(control: Control, name: str, value: Value) -> Value | None:
+    """How a rule is given this value: a set is merged, unless = is before it."""
+    for written in (value, f"= {value}"):
+        try:
+            changed = control.replace(**{name: written})
+        except (TypeError, ValueError):
+            continue
+        if any(rule.name == name and rule.value == value for rule in changed.rules):
+            return written
+    return None
+
+
+def _fewest(names: list[str], explains: Callable[[Sequence[str]], bool]) -> list[str]:
+    """A set of names that explains and of which none can be left out; none where all do not."""
+    if not explains(names):
+        return []
+    parts = 2
+    while len(names) > 1:
+        size = -(-len(names) // parts)
+        pieces = [names[i : i + size] for i in range(0, len(names), size)]
+        for i, piece in enumerate(pieces):
+            rest = [name for other in pieces[:i] + pieces[i + 1 :] for name in other]
+            if explains(piece):
+                names, parts = piece, 2
+                break
+            if len(pieces) > 2 and explains(rest):
+                names, parts = rest, max(parts - 1, 2)
+                break
+        else:
+            if size == 1:
+                break
+            parts = min(len(names), 2 * parts)
+    return names
