@@ -3,26 +3,45 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from typing import Protocol
 
+from cncsub._core import Alarm, Machine
 from cncsub.program import find_program
-
-if TYPE_CHECKING:
-    from cncsub.run import Run
+from cncsub.tables import Steps
 
 _LAST = 8  # steps that are shown, of those before the stop
 _VARIABLES = 24
 _WORD = re.compile(r"N(\d{1,9})", re.IGNORECASE)
 
 
-def assert_ends(run: Run) -> None:
+class Stopped(Protocol):
+    """What is looked at of a run."""
+
+    _core: Machine
+
+    @property
+    def stop(self) -> str: ...
+    @property
+    def alarm(self) -> Alarm | None: ...
+    @property
+    def waiting_for(self) -> str: ...
+    @property
+    def blocks(self) -> int: ...
+    @property
+    def steps(self) -> Steps: ...
+    @property
+    def variables(self) -> Mapping[int, float | None]: ...
+    def _summary(self) -> str: ...
+
+
+def assert_ends(run: Stopped) -> None:
     """Raise `AssertionError` where the run did not come to its end."""
     if run.stop != "end":
         raise AssertionError(f"the program does not end: {_why(run)}\n{_report(run)}")
 
 
-def assert_alarm(run: Run, expected: str, at: str | None) -> None:
+def assert_alarm(run: Stopped, expected: str, at: str | None) -> None:
     """Raise `AssertionError` where the run did not stop with this alarm, or not at this place."""
     if not isinstance(expected, str):
         raise TypeError(
@@ -40,7 +59,7 @@ def assert_alarm(run: Run, expected: str, at: str | None) -> None:
         raise AssertionError(f"expected alarm {expected} at {at}, but {_why(run)}\n{_report(run)}")
 
 
-def _place(run: Run, at: object) -> tuple[int | None, int | None]:
+def _place(run: Stopped, at: object) -> tuple[int | None, int | None]:
     """The place of the program among those of the library, and N."""
     words = at.split() if isinstance(at, str) else []
     n = _WORD.fullmatch(words[-1]) if words else None
@@ -56,18 +75,18 @@ def _place(run: Run, at: object) -> tuple[int | None, int | None]:
     return program, int(n[1]) if n else None
 
 
-def _why(run: Run) -> str:
+def _why(run: Stopped) -> str:
     if run.alarm is not None:
         return f"it stopped with {run._summary()}"
     waiting = f" for {run.waiting_for}" if run.waiting_for else ""
     return f"it stopped with {run.stop!r}{waiting}"
 
 
-def _report(run: Run) -> str:
+def _report(run: Stopped) -> str:
     return "\n".join(_lines(run))
 
 
-def _lines(run: Run) -> Iterator[str]:
+def _lines(run: Stopped) -> Iterator[str]:
     if run.alarm is not None:
         yield from str(run.alarm).splitlines()
     count = len(run.steps)
