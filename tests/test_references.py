@@ -110,6 +110,9 @@ VARIABLES: list[tuple[str, str, list[object], list[object]]] = [
     ("#<a>=[#<a>+#5]", "linuxcnc", ["a", 5], ["a"]),
     ("#<_g>=1", "linuxcnc", [], ["_g"]),
     ("R1=R2+1", "siemens-one", [2], [1]),
+    ("[#ABC]=[#ABC]+1", "fanuc-30i", ["ABC"], ["ABC"]),
+    ("M98 P[#1] L2", "hnc-21m", [1], []),
+    ("#1=#2+#2", MILL, [2], [1]),
     ("G1 X1 (NO VARIABLE #5)", MILL, [], []),
     ("G1 X1.5.", MILL, [], []),  # refused
 ]
@@ -121,6 +124,14 @@ def test_variables_are_told(row: tuple[str, str, list[object], list[object]]) ->
     block = cncsub.loads(f"{text}\n", control=control, name="A.MPF").main.blocks[0]  # type: ignore[union-attr]
     assert [use.variable for use in block.reads] == reads
     assert [use.variable for use in block.writes] == writes
+
+
+def test_texts_are_what_is_written() -> None:
+    library = cncsub.loads("O1\r\n\tN10 #1=#2 ;[#AB]=[#1 + 2]\r\nM30\r\n", control="fanuc-30i")
+    uses = [use for block in library["O1"].blocks for use in (*block.reads, *block.writes)]
+    assert [(use.text, use.column) for use in uses] == [
+        ("#2", 9), ("#1", 6), ("[#1 + 2]", 19), ("#AB", 14),
+    ]  # fmt: skip
 
 
 def test_columns_count_characters() -> None:

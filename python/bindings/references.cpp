@@ -45,7 +45,9 @@ class Rows {
  private:
   py::str text(const TextPlace& place) const {
     const std::size_t at = std::min<std::size_t>(place.at, text_.size());
-    return py::str(text_.substr(at, place.width));
+    const std::string found = text_.substr(at, place.width);
+    const std::size_t last = found.find_last_not_of(" \t\r");
+    return py::str(found.substr(0, last == std::string::npos ? 0 : last + 1));
   }
   py::object text(const std::optional<TextPlace>& place) const {
     return place ? py::object(text(*place)) : py::none();

@@ -35,7 +35,6 @@ class ReferenceReader {
   void print(const Print& print);
   void together(const Together& all, bool conditional);
   void choose(const Variant& variant);
-  void drop_twins();
 
   void operands(const CallRecord& call);
 
@@ -238,11 +237,9 @@ void ReferenceReader::together(const Together& all, bool conditional) {
   if (all.words != Labelled::kNone) read(code_.variants[all.words], conditional);
 }
 
-/// What both variants of a block refer to is told once.
 void ReferenceReader::choose(const Variant& variant) {
   read(code_.variants[variant.first], true);
   read(code_.variants[variant.second], true);
-  drop_twins();
 }
 
 void ReferenceReader::read(const Block& block, bool conditional) {
@@ -278,18 +275,20 @@ void ReferenceReader::read(const Block& block, bool conditional) {
   }
 }
 
-void ReferenceReader::drop_twins() {
+/// What stands in both variants of a block, or in a word and in the call that it belongs to, is
+/// told once.
+void drop_twins(References& of_block) {
   const auto once = [](auto& list, const auto& key) {
     std::set<decltype(key(list[0]))> seen;
     std::erase_if(list, [&](const auto& of) { return !seen.insert(key(of)).second; });
   };
-  once(to_.calls, [](const CallReference& of) { return std::tuple(of.kind, of.place.at); });
-  once(to_.jumps, [](const JumpReference& of) { return std::tuple(of.kind, of.place.at); });
+  once(of_block.calls, [](const CallReference& of) { return std::tuple(of.kind, of.place.at); });
+  once(of_block.jumps, [](const JumpReference& of) { return std::tuple(of.kind, of.place.at); });
   const auto variable = [](const VariableReference& of) {
     return std::tuple(of.number, of.name, of.computed, of.place.at);
   };
-  once(to_.reads, variable);
-  once(to_.writes, variable);
+  once(of_block.reads, variable);
+  once(of_block.writes, variable);
 }
 
 }  // namespace
@@ -297,6 +296,7 @@ void ReferenceReader::drop_twins() {
 References references_of(const Code& code, const Block& block, std::int32_t program) {
   References found;
   ReferenceReader(code, program, found).read(block, false);
+  drop_twins(found);
   return found;
 }
 

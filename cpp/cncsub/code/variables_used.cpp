@@ -93,10 +93,18 @@ void VariablesUsed::written(const Statement& statement) {
     case Target::Variable:
       to.number = statement.index;
       break;
-    case Target::Indirect:
+    case Target::Indirect: {
+      const Instruction* number =
+          code_.instructions.data() + code_.expressions[statement.variable].first;
+      if (number->op == Ins::Named && number[1].op == Ins::End) {
+        to.name = code_.names[to_whole<std::size_t>(number->value)];
+        to.place.width = static_cast<std::uint32_t>(to.name.size()) + 1;
+        break;
+      }
       reads(statement.variable);
       to.computed = true;
       break;
+    }
   }
   to_.writes.push_back(std::move(to));
 }
