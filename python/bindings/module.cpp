@@ -39,6 +39,7 @@ PYBIND11_MODULE_EXEC(engine, m) {
   cncsub::bindings::add_files(m);
   cncsub::bindings::add_code(m);
   cncsub::bindings::add_references(m);
+  cncsub::bindings::add_check(m);
   cncsub::bindings::add_trace(m);
   cncsub::bindings::add_machine(m);
 }

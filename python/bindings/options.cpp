@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "cncsub/code/variable_faults.hpp"
 #include "cncsub/machine/variables.hpp"
 
 namespace py = pybind11;

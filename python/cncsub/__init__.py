@@ -11,6 +11,7 @@ screen.
 """
 
 from cncsub._core import Alarm, Control, Frame, __version__
+from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
 from cncsub.comparison import Comparison, compare
 from cncsub.controls import Cause, Source, causes, controls, sources
 from cncsub.inputs import Inputs
@@ -33,12 +34,17 @@ __all__ = [
     "CallTo",
     "Cause",
     "Change",
+    "CheckRule",
     "Comparison",
     "Computed",
     "Control",
     "Cylinder",
     "Dropped",
     "Edge",
+    "Edit",
+    "Finding",
+    "Flow",
+    "FlowEdge",
     "Frame",
     "Inputs",
     "JumpTo",

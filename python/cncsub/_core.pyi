@@ -219,6 +219,20 @@ def references(
 def all_calls(code: Code) -> list[tuple[int, int, _CallRow]]:
     """Every call: the place of its program, and of its block there."""
 
+# which of the rules, where (its words: what is wrong), the text of the line, the alarm, the calls
+_FindingRow = tuple[int, Alarm, str, Alarm | None, tuple[Frame, ...]]
+
+def check(code: Code, main: int, machine: str) -> list[_FindingRow]:
+    """What is wrong with the programs, by their blocks."""
+
+def checks() -> list[tuple[str, str, str, str, str, str, str]]:
+    """Every rule: number, slug, severity, meaning, hint, example, its control."""
+
+def flow(
+    program: ProgramData,
+) -> tuple[list[tuple[int | None, int | None, str]], list[int], list[int], list[int]]:
+    """The ways between blocks; those that return, that end, that nothing leads to."""
+
 @final
 class Code:
     """The compiled programs of a library."""

@@ -9,6 +9,7 @@ from typing import Any, TypedDict, Unpack
 
 from cncsub import _core
 from cncsub._core import Control
+from cncsub.checking import Finding, Flow, check, flow_of
 from cncsub.controls import Named, control_of, did_you_mean
 from cncsub.files import Piece, StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.inputs import Inputs, checked_variables, checked_watch, inputs_of
@@ -184,6 +185,38 @@ class Library(Mapping[str, Program]):
     def call_graph(self) -> CallGraph:
         """Who calls whom, told by the blocks without running them: see `CallGraph`."""
         return call_graph(self._code)
+
+    def flow(self, program: str | int) -> Flow:
+        """The ways through a program, told by its blocks without running them: see `Flow`."""
+        index = self._find(program)
+        data = self._code.program(index)
+        return flow_of(data, data.blocks)
+
+    def check(
+        self,
+        main: str | int | None = None,
+        rules: Iterable[str] | None = None,
+        *,
+        setup: Setup | Mapping[str, Any] | None = None,
+    ) -> list[Finding]:
+        """What the control would refuse or what will surprise, in any block, reached or not,
+        without running: see `Finding`; `cncsub.checking.RULES` lists the rules.
+
+        `main`: the program that is run first, the first one without it. `rules`: the numbers
+        (`CS201`), slugs or beginnings of numbers (`CS2`) of the rules to ask, all without it.
+        `setup`: tells the kind of machine. A comment `(cncsub: ignore CS201)` switches a rule off
+        for its line.
+
+        Raises `KeyError` for an unknown `main` or rule.
+
+        >>> import cncsub
+        >>> library = cncsub.loads("O1\\nN10 M98 P9\\nN20 M30\\n", control="fanuc-0i-f")
+        >>> [(f.rule, f.name, f.n, f.alarm.number) for f in library.check()]
+        [('CS201', 'program-missing', 10, 'PS0078')]
+        """
+        first = self._code.main if main is None else self._find(main)
+        kind = (setup_of(setup) or {}).get("machine")
+        return check(self._code, -1 if first is None else first, rules, kind)
 
     # Running.
 

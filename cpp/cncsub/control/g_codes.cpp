@@ -218,4 +218,11 @@ GCode GCodes::of(Meaning meaning) const {
   return lowest;
 }
 
+MachineType machine_of(const Control& control, const std::string& name) {
+  const auto& names = options<MachineType>();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i].slug == name) return static_cast<MachineType>(i);
+  return control.motion.machine.value;
+}
+
 }  // namespace cncsub

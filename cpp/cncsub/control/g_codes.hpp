@@ -20,6 +20,9 @@ inline bool is_neutral(Meaning meaning) {
 /// "G54.1" of 541.
 std::string code_name(int code);
 
+/// The kind of machine of a name such as "lathe-a"; the control's own where the name is none.
+MachineType machine_of(const Control& control, const std::string& name);
+
 class GCodes {
  public:
   GCodes(const Control& control, MachineType machine);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "cncsub/code/variable_faults.hpp"
 #include "cncsub/control/variable_table.hpp"
 
 namespace cncsub {
@@ -11,28 +12,6 @@ namespace cncsub {
 namespace {
 
 constexpr int kSystems = 20;  // numbers from one work coordinate system to the next
-
-Fault missing(const Code& code, std::int64_t number) {
-  return {.cause = Cause::IllegalVariable, .detail = no_variable(*code.control, number)};
-}
-
-std::optional<Fault> refused_write(const Code& code, const VariablePlace& place,
-                                   std::int64_t number) {
-  if (place.range == nullptr) return missing(code, number);
-  if (place.kind == VariableKind::Vacant)
-    return Fault{.cause = Cause::VacantAssigned, .detail = "#0 is always vacant"};
-  switch (place.range->access) {
-    case Access::ReadWrite:
-      break;
-    case Access::ReadOnly:
-      return Fault{.cause = Cause::VariableWriteProtected,
-                   .detail = "#" + std::to_string(number) + " cannot be written"};
-    case Access::WriteOnly:  // it is a statement: the block that writes it has done it already
-      return Fault{.cause = Cause::VariableWriteProtected,
-                   .detail = "#" + std::to_string(number) + " takes a value from a program only"};
-  }
-  return std::nullopt;
-}
 
 /// The axis of #2500 to #2506, #2600 to #2606 and so on, from 0.
 int axis_of(const VariableRange& range) { return range.first / 100 % 10 - 5; }
@@ -171,10 +150,7 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
 
 std::optional<Fault> read_at(const Run& run, const VariablePlace& place, std::int64_t number,
                              int level, double& value) {
-  if (place.range == nullptr) return missing(*run.code, number);
-  if (place.range->access == Access::WriteOnly)
-    return Fault{.cause = Cause::VariableReadProtected,
-                 .detail = "#" + std::to_string(number) + " cannot be read"};
+  if (auto fault = unreadable(*run.code, place, number)) return fault;
   switch (place.kind) {
     case VariableKind::Vacant:
       value = kVacant;
@@ -217,7 +193,7 @@ std::optional<Fault> read_variable(const Run& run, std::int64_t number, int leve
 
 std::optional<Fault> write_variable(Run& run, std::int64_t number, int level, double value) {
   const VariablePlace place = run.code->place(number);
-  if (auto fault = refused_write(*run.code, place, number)) return fault;
+  if (auto fault = unwritable(*run.code, place, number)) return fault;
   switch (place.kind) {
     case VariableKind::Local:
       run.state.locals[run.local_at(level, place.index)] = value;
@@ -243,10 +219,6 @@ void set_from_outside(Run& run, std::int32_t number, double value) {
     run.state.signals[number] = value;
   else
     write_variable(run, number, value);
-}
-
-std::optional<Fault> unwritable(const Code& code, std::int64_t number) {
-  return refused_write(code, code.place(number), number);
 }
 
 bool can_be_vacant(const Code& code, std::int64_t number) {

@@ -27,8 +27,6 @@ std::map<std::int32_t, double> variables(const Run& run, int level);
 
 // What is true of a variable in every run.
 
-/// Why nobody can give it a value, or nothing.
-std::optional<Fault> unwritable(const Code& code, std::int64_t number);
 /// Whether it may hold no value: a local or a common.
 bool can_be_vacant(const Code& code, std::int64_t number);
 /// Whether it is set by the machine, from outside.

@@ -7,13 +7,6 @@
 namespace cncsub {
 namespace {
 
-MachineType machine_of(const Control& control, const std::string& name) {
-  const auto& names = options<MachineType>();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i].slug == name) return static_cast<MachineType>(i);
-  return control.motion.machine.value;
-}
-
 void number_groups(MotionFacts& facts) {
   for (const GroupName& g : kGroupNames)
     facts.group_numbers[at(g.group)] = facts.lathe() ? g.lathe : g.mill;

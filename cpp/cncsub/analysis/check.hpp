@@ -1,0 +1,52 @@
+// What is wrong with the programs of a memory, or will surprise, told without running them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/code/references.hpp"
+
+namespace cncsub {
+
+enum class Check : std::uint8_t {
+#define CHECK(name, number, slug, severity, meaning, hint, example, control) name,
+#include "cncsub/analysis/checks.def"
+#undef CHECK
+};
+
+struct CheckInfo {
+  std::string_view number;    // "CS201"
+  std::string_view slug;      // "program-missing"
+  std::string_view severity;  // error, warning, note
+  std::string_view meaning;   // what it finds
+  std::string_view hint;      // what to write instead
+  std::string_view example;   // a program in which it is found
+  std::string_view control;   // and its control
+};
+
+const std::vector<CheckInfo>& all_checks();
+inline const CheckInfo& info(Check check) { return all_checks()[static_cast<std::size_t>(check)]; }
+
+struct Finding {
+  Check check{};
+  Address block = kNowhere;
+  TextPlace place;
+  std::string detail;
+  // What the control raises, and in which block; nothing where it raises nothing, or nobody knows.
+  std::optional<Fault> alarm;
+  Address alarm_block = kNowhere;
+  std::vector<Address> path;  // the blocks that call, the outermost first
+};
+
+/// All findings, by their blocks. `main`: the program that is run first, kNoProgram where nobody
+/// says so. `machine`: its kind, empty for the control's own. `over`: asked now and then, may end
+/// it.
+std::vector<Finding> check(const Code& code, std::int32_t main, const std::string& machine,
+                           const std::function<bool()>& over);
+
+}  // namespace cncsub

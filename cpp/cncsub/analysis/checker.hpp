@@ -1,0 +1,81 @@
+// The parts of a check: each looks at all programs and adds what it finds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cncsub/analysis/check.hpp"
+#include "cncsub/analysis/flow.hpp"
+#include "cncsub/control/g_codes.hpp"
+
+namespace cncsub {
+
+/// What the parts look at, and where their findings go.
+struct Checker {
+  const Code& code;
+  std::int32_t main;
+  MachineType machine;
+  GCodes g_codes;
+  std::vector<ProgramFlow> flows;
+  std::vector<std::vector<CallEdge>> callers;  // by the called program
+  std::vector<Finding> findings;
+
+  const Program& program(std::int32_t index) const {
+    return code.programs[static_cast<std::size_t>(index)];
+  }
+  const ProgramFlow& flow(std::int32_t index) const {
+    return flows[static_cast<std::size_t>(index)];
+  }
+  /// Whether a program is a part of another one, whose blocks are looked at with that.
+  bool inside(const ProgramFlow& flow) const {
+    return program(flow.program()).inside != kNoProgram;
+  }
+  bool is_called(std::int32_t index) const {
+    return !callers[static_cast<std::size_t>(index)].empty();
+  }
+  Finding& found(Check check, Address block, TextPlace place, std::string detail);
+  /// What the control says is wrong, with its alarm.
+  Finding& refused(Check check, Address block, Fault fault);
+};
+
+/// Faults, codes, calls and variables that the control refuses.
+void check_refusals(Checker& c);
+/// Where calls, jumps and returns lead.
+void check_targets(Checker& c);
+/// What is reached, and how programs end.
+void check_reach(Checker& c);
+/// How deep calls go, and circles of calls.
+void check_nesting(Checker& c);
+/// Modes that called programs leave on.
+void check_modes(Checker& c);
+/// Locals, arguments and commons.
+void check_variables(Checker& c);
+/// Values that people trip over.
+void check_values(Checker& c);
+
+/// The blocks that one block is, as the switches or a condition choose. What it is in a program
+/// that a code has called, where no code calls, is left out: that it does not call is its purpose.
+template <class Look>
+void each_variant(const Code& code, const Block& block, const Look& look) {
+  look(block);
+  if (block.op == Op::IfThen)
+    each_variant(code, code.variants[code.statements[block.aux].then], look);
+  if (block.op == Op::Choose) {
+    const Variant& variant = code.choices[block.aux];
+    each_variant(code, code.variants[variant.first], look);
+    if (variant.address == 0) each_variant(code, code.variants[variant.second], look);
+  }
+  if (block.op == Op::Together && code.together[block.aux].words != Labelled::kNone)
+    each_variant(code, code.variants[code.together[block.aux].words], look);
+}
+
+/// The G codes of a block that are written as numbers, ten times each.
+template <class Take>
+void each_g(const Code& code, const Block& block, const Take& take) {
+  const Cell* cell = code.cells.data() + block.data;
+  if ((block.flags & Block::kHasExtra) != 0) ++cell;
+  for (int i = 0; i < block.g_count; ++i, ++cell)
+    if (cell->value >= 0 && cell->value <= kLargestCode) take(to_whole<int>(cell->value));
+}
+
+}  // namespace cncsub

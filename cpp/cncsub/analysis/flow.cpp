@@ -1,0 +1,325 @@
+#include "cncsub/analysis/flow.hpp"
+
+#include <algorithm>
+
+#include "cncsub/code/target.hpp"
+
+namespace cncsub {
+
+std::string_view to_string(Way way) {
+  switch (way) {
+    case Way::Jump:
+      return "jump";
+    case Way::Computed:
+      return "computed";
+    case Way::Returned:
+      return "returned";
+    default:
+      return "next";
+  }
+}
+
+/// Writes down what one block may do behind itself.
+class FlowReader {
+ public:
+  explicit FlowReader(ProgramFlow& to)
+      : to_(to), code_(to.code_), program_(code_.programs[static_cast<std::size_t>(to.program_)]) {}
+
+  void read(Address at);
+
+ private:
+  void variant(const Block& block);
+  void next() { exit(at_ + 1, Way::Next); }
+  void exit(Address to, Way way);
+  void mark(std::uint8_t mark) { marks_ = static_cast<std::uint8_t>(marks_ | mark); }
+  void jump(const Operand& number);
+  void go_to(const Statement& statement);
+  void back(const CallRecord& record);
+  void call(const Block& block);
+  void h_code(const HCode& h);
+  void labelled(const Labelled& own);
+  void words(const Block& block);
+  bool raises_alarm(const Statement& statement) const;
+
+  ProgramFlow& to_;
+  const Code& code_;
+  const Program& program_;
+  Address at_ = 0;
+  std::uint8_t marks_ = 0;
+  std::vector<Exit> found_;
+};
+
+void FlowReader::exit(Address to, Way way) {
+  if (to == kNowhere || to < to_.first_ || to > to_.anywhere()) return;
+  const bool known = std::any_of(found_.begin(), found_.end(),
+                                 [&](const Exit& of) { return of.to == to && of.way <= way; });
+  if (!known) found_.push_back({to, way});
+}
+
+/// A jump to the block of a number; where it is computed, to any that has one.
+void FlowReader::jump(const Operand& number) {
+  if (number.kind != Operand::Kind::Expression) {
+    exit(code_.jump_target(program_, to_whole<std::int64_t>(number.value), at_), Way::Jump);
+    return;
+  }
+  exit(to_.anywhere(), Way::Computed);
+}
+
+void FlowReader::go_to(const Statement& statement) {
+  if (statement.number >= 0 || statement.to != kNowhere) {
+    exit(statement.to, Way::Jump);
+    return;
+  }
+  Operand computed;
+  computed.kind = Operand::Kind::Expression;
+  jump(computed);
+}
+
+void FlowReader::back(const CallRecord& record) {
+  const bool own = code_.control->calls.return_with_p.value == ReturnWithP::OwnProgram;
+  if (!record.p.present()) {
+    mark(ProgramFlow::kReturns);
+    return;
+  }
+  if (own) {
+    jump(record.p);
+    return;
+  }
+  mark(ProgramFlow::kReturns);
+  const bool computed = record.p.kind == Operand::Kind::Expression;
+  to_.return_numbers_.push_back({at_, computed ? -1 : to_whole<std::int64_t>(record.p.value),
+                                 TextPlace{record.p.at, record.p.width}});
+}
+
+void FlowReader::call(const Block& block) {
+  const CallRecord& record = code_.calls[block.aux];
+  if (!record.constant) {
+    mark(ProgramFlow::kCallsComputed);
+    if (record.start.present() || record.kind == CallKind::Local)
+      mark(ProgramFlow::kStartsComputed);
+    return next();
+  }
+  const Target& target = record.target;
+  if (target.jump) return exit(target.start, Way::Jump);
+  next();
+  if (target.skipped) return;
+  to_.calls_.push_back({at_, to_.program_, target.program, block.aux, target.start, record.macro});
+  if (target.program == to_.program_) to_.entries_.push_back(target.start);
+}
+
+/// G65 H80 to H86 jump to N(P), H99 raises an alarm; the others compute.
+void FlowReader::h_code(const HCode& h) {
+  constexpr int kJumpAlways = 80, kLastJump = 86, kAlarm = 99;
+  if (h.number == kAlarm) return;
+  if (h.number >= kJumpAlways && h.number <= kLastJump) jump(h.p);
+  if (h.number != kJumpAlways) next();
+}
+
+/// What a label leads to is found while it runs: both ways count.
+void FlowReader::labelled(const Labelled& own) {
+  mark(ProgramFlow::kLabels);
+  switch (own.kind) {
+    case LabelledKind::EndSub:
+    case LabelledKind::Return:
+    case LabelledKind::Back:
+      mark(ProgramFlow::kReturns);
+      break;
+    case LabelledKind::Call:
+    case LabelledKind::Call98:
+      mark(ProgramFlow::kCallsComputed);
+      break;
+    default:
+      break;
+  }
+  next();
+  const bool known = own.next != Labelled::kNone && own.next < to_.last_;
+  if (known) exit(own.next, Way::Jump);
+}
+
+void FlowReader::variant(const Block& block) {
+  const auto statement = [&]() -> const Statement& { return code_.statements[block.aux]; };
+  switch (block.op) {
+    case Op::Return:
+      return back(code_.calls[block.aux]);
+    case Op::EndProgram:
+      return mark(ProgramFlow::kEnds);
+    case Op::Goto:
+      return go_to(statement());
+    case Op::IfGoto:
+      next();
+      return go_to(statement());
+    case Op::If:
+    case Op::While:
+      next();
+      return exit(statement().to, Way::Jump);
+    case Op::Else:
+    case Op::EndDo:
+      return exit(statement().to, Way::Jump);
+    case Op::IfThen:
+      next();
+      return variant(code_.variants[statement().then]);
+    case Op::Jump:
+      if (code_.jumps[block.aux].reads_input) next();
+      return jump(code_.jumps[block.aux].p);
+    case Op::Call:
+    case Op::MacroCall:
+    case Op::ModalCall:
+      return call(block);
+    case Op::HCode:
+      return h_code(code_.h_codes[block.aux]);
+    case Op::Labelled:
+      return labelled(code_.labelled[block.aux]);
+    case Op::Choose:
+      variant(code_.variants[code_.choices[block.aux].first]);
+      return variant(code_.variants[code_.choices[block.aux].second]);
+    case Op::Fault:  // what stands behind it is no less meant to run, and it might have called
+      mark(ProgramFlow::kCallsComputed);
+      return next();
+    case Op::Words:
+      return words(block);
+    case Op::Assign:  // #3000 raises an alarm: nothing comes behind it
+      if (!raises_alarm(statement())) next();
+      return;
+    default:
+      return next();
+  }
+}
+
+bool FlowReader::raises_alarm(const Statement& statement) const {
+  if (statement.target != Statement::Target::Variable) return false;
+  const VariablePlace place = code_.place(statement.index);
+  return place.range != nullptr && place.kind == VariableKind::UserAlarm;
+}
+
+/// Words alone; of them an M code may start the program over.
+void FlowReader::words(const Block& block) {
+  const Roles& roles = code_.control->calls.roles.value;
+  const Cell* cell = code_.cells.data() + block.data + block.g_count;
+  if ((block.flags & Block::kHasExtra) != 0) ++cell;
+  for (int i = 0; i < block.m_count; ++i, ++cell)
+    if (cell->value >= 0 && cell->value < kLargestCode &&
+        roles.of_m(to_whole<int>(cell->value)) == Role::StartOver)
+      return exit(to_.first_, Way::Jump);
+  next();
+}
+
+void FlowReader::read(Address at) {
+  at_ = at;
+  marks_ = 0;
+  found_.clear();
+  const Block& block = code_.blocks[at];
+  if (block.skip != 0) next();
+  variant(block);
+  to_.exits_.insert(to_.exits_.end(), found_.begin(), found_.end());
+  to_.marks_.push_back(marks_);
+  to_.all_marks_ = static_cast<std::uint8_t>(to_.all_marks_ | marks_);
+}
+
+ProgramFlow::ProgramFlow(const Code& code, std::int32_t program) : code_(code), program_(program) {
+  const Program& own = code.programs[static_cast<std::size_t>(program)];
+  first_ = own.first;
+  last_ = own.last;
+  FlowReader reader(*this);
+  places_.reserve(last_ - first_ + 2);
+  exits_.reserve(last_ - first_);
+  for (Address at = first_; at < last_; ++at) {
+    places_.push_back(static_cast<std::uint32_t>(exits_.size()));
+    reader.read(at);
+  }
+  places_.push_back(static_cast<std::uint32_t>(exits_.size()));  // of the end: it leads nowhere
+  places_.push_back(static_cast<std::uint32_t>(exits_.size()));
+  for (std::uint32_t i = own.first_entry; i < own.last_entry; ++i)
+    if (code.sequence[i].address < last_)
+      exits_.push_back({code.sequence[i].address, Way::Computed});
+  places_.push_back(static_cast<std::uint32_t>(exits_.size()));
+  marks_.insert(marks_.end(), 2, 0);
+}
+
+void ProgramFlow::close() {
+  if (added_.empty()) return;
+  std::stable_sort(added_.begin(), added_.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Exit> exits;
+  std::vector<std::uint32_t> places;
+  auto more = added_.begin();
+  for (Address at = first_; at <= anywhere(); ++at) {
+    places.push_back(static_cast<std::uint32_t>(exits.size()));
+    exits.insert(exits.end(), begin(at), end(at));
+    for (; more != added_.end() && more->first == at; ++more) exits.push_back(more->second);
+  }
+  places.push_back(static_cast<std::uint32_t>(exits.size()));
+  exits_ = std::move(exits);
+  places_ = std::move(places);
+  added_.clear();
+}
+
+std::vector<bool> ProgramFlow::reached() const {
+  std::vector<bool> found(size(), false);
+  std::vector<Address> waiting{first_};
+  waiting.insert(waiting.end(), entries_.begin(), entries_.end());
+  while (!waiting.empty()) {
+    const Address at = waiting.back();
+    waiting.pop_back();
+    if (at < first_ || at > anywhere() || found[at - first_]) continue;
+    found[at - first_] = true;
+    for (const Exit* exit = begin(at); exit != end(at); ++exit) waiting.push_back(exit->to);
+  }
+  return found;
+}
+
+namespace {
+
+constexpr std::size_t kManyReturns = 64;  // as many as these may lead anywhere
+
+/// The ways of one call: where the called program returns to, and where it begins.
+void add_call(const Code& code, std::vector<ProgramFlow>& all, const CallEdge& edge) {
+  ProgramFlow& caller = all[static_cast<std::size_t>(edge.caller)];
+  ProgramFlow& called = all[static_cast<std::size_t>(edge.called)];
+  if (edge.start != kNowhere && edge.start != called.first())
+    called.entries().push_back(edge.start);
+  const Program& program = code.programs[static_cast<std::size_t>(edge.caller)];
+  if (called.return_numbers().size() > kManyReturns) {
+    caller.add(edge.from, {caller.anywhere(), Way::Returned});
+    return;
+  }
+  for (const ProgramFlow::ReturnTo& to : called.return_numbers()) {
+    const Address found = to.n < 0 ? caller.anywhere()  // computed
+                                   : code.return_target(program, to.n, edge.from);
+    if (found != kNowhere) caller.add(edge.from, {found, Way::Returned});
+  }
+}
+
+/// M99 of a main program starts it over, M99 P goes on in it.
+void add_main(const Code& code, ProgramFlow& flow) {
+  if (code.control->calls.main_return.value != MainReturn::Restarts) return;
+  for (Address at = flow.first(); at < flow.last(); ++at)
+    if (flow.returns(at)) flow.add(at, {flow.first(), Way::Jump});
+  const Program& program = code.programs[static_cast<std::size_t>(flow.program())];
+  for (const ProgramFlow::ReturnTo& to : flow.return_numbers()) {
+    const Address found = to.n < 0 ? flow.anywhere() : code.first_of(program, to.n);
+    if (found != kNowhere) flow.add(to.from, {found, Way::Jump});
+  }
+}
+
+}  // namespace
+
+std::vector<ProgramFlow> flow_of(const Code& code) {
+  std::vector<ProgramFlow> all;
+  all.reserve(code.programs.size());
+  for (std::size_t i = 0; i < code.programs.size(); ++i)
+    all.emplace_back(code, static_cast<std::int32_t>(i));
+  std::vector<bool> called(all.size(), false);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < all[i].calls().size(); ++k) {
+      const CallEdge edge = all[i].calls()[k];
+      called[static_cast<std::size_t>(edge.called)] = true;
+      add_call(code, all, edge);
+    }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!called[i]) add_main(code, all[i]);
+    all[i].close();
+  }
+  return all;
+}
+
+}  // namespace cncsub

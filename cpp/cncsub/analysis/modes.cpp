@@ -1,0 +1,245 @@
+// Modes that a called program switches on and leaves on for its caller.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "cncsub/analysis/checker.hpp"
+
+namespace cncsub {
+
+namespace {
+
+// What may be in force, as four bits for each mode: what was found, the usual value, and two
+// others.
+using Modes = std::uint32_t;
+constexpr int kBits = 4;
+constexpr Modes kFound = 1, kUsual = 2, kOther = 4, kSecond = 8, kOne = 15;
+enum Mode : std::uint8_t { Distance, Plane, Units, Radius, Cycle, Length, kModes };
+
+constexpr Modes all(Modes value) {
+  Modes modes = 0;
+  for (int mode = 0; mode < kModes; ++mode) modes |= value << (kBits * mode);
+  return modes;
+}
+constexpr Modes of(Mode mode, Modes value) { return value << (kBits * mode); }
+constexpr Modes value(Modes modes, int mode) { return modes >> (kBits * mode) & kOne; }
+
+struct Meant {
+  Mode mode;
+  Modes value;
+  Meaning meaning;
+};
+
+/// The values of the modes, the usual ones of a machine.
+std::vector<Meant> meant(bool lathe) {
+  return {{Distance, kUsual, Meaning::Absolute},
+          {Distance, kOther, Meaning::Incremental},
+          {Plane, lathe ? kOther : kUsual, Meaning::PlaneXY},
+          {Plane, lathe ? kUsual : kOther, Meaning::PlaneZX},
+          {Plane, kSecond, Meaning::PlaneYZ},
+          {Units, kUsual, Meaning::Metric},
+          {Units, kOther, Meaning::Inch},
+          {Radius, kUsual, Meaning::RadiusOff},
+          {Radius, kOther, Meaning::RadiusLeft},
+          {Radius, kSecond, Meaning::RadiusRight},
+          {Cycle, kUsual, Meaning::CycleOff},
+          {Length, kUsual, Meaning::LengthOff},
+          {Length, kOther, Meaning::LengthPlus},
+          {Length, kSecond, Meaning::LengthMinus}};
+}
+
+constexpr std::uint32_t kMoves =
+    kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
+
+class ModeCheck {
+ public:
+  explicit ModeCheck(Checker& c)
+      : c_(c), meant_(meant(c.machine != MachineType::Mill)), left_(c.flows.size(), all(kFound)) {}
+
+  void run();
+
+ private:
+  Modes set_by(Meaning meaning, Group group) const;
+  Modes after(Modes before, Address at) const;
+  std::vector<Modes> states(const ProgramFlow& flow) const;
+  Modes leaves(const ProgramFlow& flow, const std::vector<Modes>& states) const;
+  void settle();
+  void leaks(const ProgramFlow& flow);
+  Address moves_with(const ProgramFlow& flow, Address call, int mode) const;
+  std::string name(int mode, Modes which) const;
+
+  Checker& c_;
+  std::vector<Meant> meant_;
+  std::vector<Modes> left_;  // by program: what it leaves
+};
+
+/// The modes that a code sets, 0 where it sets none.
+Modes ModeCheck::set_by(Meaning meaning, Group group) const {
+  for (const Meant& each : meant_)
+    if (each.meaning == meaning) return of(each.mode, each.value);
+  if (group == Group::Cycle) return of(Cycle, kOther);
+  return group == Group::Motion ? of(Cycle, kUsual) : 0;
+}
+
+/// What is in force behind a block and what it calls.
+Modes ModeCheck::after(Modes before, Address at) const {
+  const Block& block = c_.code.blocks[at];
+  Modes modes = before;
+  const bool sometimes = block.skip != 0 || block.op == Op::IfThen || block.op == Op::Choose;
+  const auto set = [&](Meaning meaning, Group group) {
+    const Modes own = set_by(meaning, group);
+    for (int mode = 0; mode < kModes; ++mode)
+      if (value(own, mode) != 0)
+        modes = (sometimes ? modes : modes & ~(kOne << (kBits * mode))) | own;
+  };
+  each_variant(c_.code, block, [&](const Block& each) {
+    if (each.op == Op::Linear || each.op == Op::Arc) {
+      if ((each.flags & Block::kNoG) == 0) set(Meaning::Line, Group::Motion);
+      return;
+    }
+    each_g(c_.code, each, [&](int g) {
+      const GCode code = c_.g_codes.find(g);
+      set(code.meaning, code.group);
+    });
+  });
+  return modes;
+}
+
+/// What may be in force before each block.
+std::vector<Modes> ModeCheck::states(const ProgramFlow& flow) const {
+  std::vector<Modes> before(flow.size(), 0);
+  std::vector<Address> waiting;
+  const auto reach = [&](Address at, Modes modes) {
+    Modes& own = before[at - flow.first()];
+    if ((own | modes) == own) return;
+    own |= modes;
+    waiting.push_back(at);
+  };
+  const bool called = c_.is_called(flow.program());
+  const Modes usual = (all(kUsual) & ~of(Units, kOne)) | of(Units, kFound);
+  reach(flow.first(), called ? all(kFound) : usual);
+  for (const Address entry : flow.entries()) reach(entry, all(kFound));
+  std::vector<const CallEdge*> calls(flow.size(), nullptr);
+  for (const CallEdge& edge : flow.calls()) calls[edge.from - flow.first()] = &edge;
+  while (!waiting.empty()) {
+    const Address at = waiting.back();
+    waiting.pop_back();
+    Modes modes = before[at - flow.first()];
+    if (at < flow.last()) modes = after(modes, at);
+    if (const CallEdge* edge = calls[at - flow.first()]) {
+      const Modes left = left_[static_cast<std::size_t>(edge->called)];
+      Modes kept = 0;
+      for (int mode = 0; mode < kModes; ++mode)
+        if ((value(left, mode) & kFound) != 0) kept |= modes & kOne << (kBits * mode);
+      modes = kept | (left & ~all(kFound));
+    }
+    for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit) reach(exit->to, modes);
+  }
+  return before;
+}
+
+/// What a called program leaves where it returns.
+Modes ModeCheck::leaves(const ProgramFlow& flow, const std::vector<Modes>& states) const {
+  Modes left = all(kFound);
+  bool returned = false;
+  for (Address at = flow.first(); at < flow.last(); ++at) {
+    const Modes before = states[at - flow.first()];
+    if (!flow.returns(at) || before == 0) continue;
+    left = (returned ? left : 0) | after(before, at);
+    returned = true;
+  }
+  return left;
+}
+
+/// Until no program leaves more than was known.
+void ModeCheck::settle() {
+  std::vector<std::int32_t> waiting;
+  for (const ProgramFlow& flow : c_.flows)
+    if (c_.is_called(flow.program()) && !c_.inside(flow)) waiting.push_back(flow.program());
+  std::vector<bool> first(c_.flows.size(), true);
+  while (!waiting.empty()) {
+    const std::int32_t program = waiting.back();
+    waiting.pop_back();
+    const auto place = static_cast<std::size_t>(program);
+    const ProgramFlow& flow = c_.flow(program);
+    const Modes found = leaves(flow, states(flow));
+    const Modes left = first[place] ? found : left_[place] | found;
+    first[place] = false;
+    if (left == left_[place]) continue;
+    left_[place] = left;
+    for (const CallEdge& edge : c_.callers[place])
+      if (c_.is_called(edge.caller)) waiting.push_back(edge.caller);
+  }
+}
+
+/// The first block behind a call that moves in a mode, kNowhere where all ways set it before.
+Address ModeCheck::moves_with(const ProgramFlow& flow, Address call, int mode) const {
+  constexpr std::size_t kFar = 4096;
+  std::vector<bool> seen(flow.size(), false);
+  std::vector<Address> waiting;
+  const auto go_on = [&](Address at) {
+    for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit)
+      waiting.push_back(exit->to);
+  };
+  go_on(call);
+  for (std::size_t count = 0; !waiting.empty() && count < kFar; ++count) {
+    const Address at = waiting.back();
+    waiting.pop_back();
+    if (at >= flow.last() || seen[at - flow.first()]) continue;
+    seen[at - flow.first()] = true;
+    const Block& block = c_.code.blocks[at];
+    if (value(after(0, at), mode) != 0) continue;
+    if (is_words(block.op) && (block.mask & kMoves) != 0) return at;
+    if (block.op == Op::Words || block.op > Op::Return) go_on(at);
+  }
+  return kNowhere;
+}
+
+std::string ModeCheck::name(int mode, Modes which) const {
+  for (const Meant& each : meant_)
+    if (each.mode == mode && (each.value & which) != 0)
+      if (const GCode code = c_.g_codes.of(each.meaning); code.code >= 0)
+        return code_name(code.code);
+  return "a canned cycle";
+}
+
+void ModeCheck::leaks(const ProgramFlow& flow) {
+  const std::vector<Modes> before = states(flow);
+  std::set<std::tuple<std::int32_t, int>> told;
+  for (const CallEdge& edge : flow.calls()) {
+    const Modes left = left_[static_cast<std::size_t>(edge.called)];
+    if (before[edge.from - flow.first()] == 0) continue;
+    const Modes own = after(before[edge.from - flow.first()], edge.from);
+    for (int mode = 0; mode < kModes; ++mode) {
+      const Modes counts = mode == Units ? kUsual | kOther : kOther | kSecond;
+      const Modes leak = value(left, mode) & counts & ~value(own, mode);
+      if (leak == 0 || (value(own, mode) & kFound) != 0 || told.contains({edge.called, mode}))
+        continue;
+      const Address moves = moves_with(flow, edge.from, mode);
+      if (moves == kNowhere) continue;
+      told.insert({edge.called, mode});
+      const CallRecord& record = c_.code.calls[edge.record];
+      c_.found(mode == Length ? Check::LeavesLength : Check::LeavesOn, edge.from,
+               {record.at, record.width},
+               c_.code.name_of(edge.called) + " leaves " + name(mode, leak) + " on, and line " +
+                   std::to_string(c_.code.blocks[moves].line) + " moves with it");
+    }
+  }
+}
+
+void ModeCheck::run() {
+  settle();
+  for (const ProgramFlow& flow : c_.flows)
+    if (!flow.calls().empty() && !c_.inside(flow)) leaks(flow);
+}
+
+}  // namespace
+
+void check_modes(Checker& c) {
+  const bool calls = std::any_of(c.flows.begin(), c.flows.end(),
+                                 [](const ProgramFlow& flow) { return !flow.calls().empty(); });
+  if (calls) ModeCheck(c).run();
+}
+
+}  // namespace cncsub

@@ -1,0 +1,111 @@
+// What the control refuses in a block whenever it is reached: faults, codes, calls, variables.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "cncsub/analysis/checker.hpp"
+#include "cncsub/code/target.hpp"
+#include "cncsub/code/variable_faults.hpp"
+#include "cncsub/code/variables_used.hpp"
+
+namespace cncsub {
+
+namespace {
+
+bool is_computed(const Control& control, Meaning meaning) {
+  if (meaning == Meaning::MeasureTool) return control.motion.measuring.value != Measuring::None;
+  return meaning != Meaning::Uncomputed && meaning != Meaning::None && meaning != Meaning::Unknown;
+}
+
+void check_code(Checker& c, Address at, int g) {
+  const bool listed = g <= 10000 && c.code.g_codes.test(static_cast<std::size_t>(g));
+  const Meaning meaning = listed ? c.g_codes.find(g).meaning : Meaning::None;
+  if (is_computed(*c.code.control, meaning)) return;
+  Fault fault{.cause = Cause::GCodeNotAvailable,
+              .detail = "the control has no " + code_name(g),
+              .address = 'G',
+              .code = g};
+  if (meaning == Meaning::Unknown) {
+    fault.cause = Cause::CodeNotKnown;
+    fault.detail = "no source says whether the control has " + code_name(g);
+  }
+  const bool refused = meaning == Meaning::None || meaning == Meaning::Unknown;
+  if (!refused) {
+    fault.cause = Cause::CodeNotComputed;
+    fault.detail = "the moves of " + code_name(g) + " are not computed";
+  }
+  c.refused(refused ? Check::CodeMissing : Check::NotComputed, at, std::move(fault));
+}
+
+bool is_computed(const CallRecord& record) {
+  for (const Operand* of : {&record.p, &record.l, &record.start, &record.device})
+    if (of->kind == Operand::Kind::Expression) return true;
+  return false;
+}
+
+/// A call whose words are all numbers, and that has no target all the same.
+void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& record) {
+  if (record.constant || is_computed(record)) return;
+  Target target;
+  const CallOperands values{record.p.value, record.l.value, record.start.value,
+                            record.device.value};
+  if (auto fault = decode_call(c.code, record, values, program, target)) {
+    c.refused(Check::Refused, at, std::move(*fault));
+    return;
+  }
+  if (auto fault = find_target(c.code, record, target))
+    c.refused(Check::ProgramMissing, at, std::move(*fault));
+}
+
+/// A call by a label that no file and no block has.
+void check_labelled(Checker& c, Address at, std::int32_t program, const Block& block) {
+  for (const CallReference& call : references_of(c.code, block, program).calls)
+    if (call.found == kNoProgram && !call.computed_program && !call.program.empty())
+      c.found(Check::ProgramMissing, at, call.place, "o<" + call.program + "> is nowhere");
+}
+
+void check_variable(Checker& c, Address at, const VariableReference& of, bool written) {
+  if (of.number < 0 || of.computed) return;
+  auto fault = written ? unwritable(c.code, of.number) : unreadable(c.code, of.number);
+  const VariablePlace place = c.code.place(of.number);
+  const bool statement =
+      written && place.range != nullptr && place.range->access == Access::WriteOnly;
+  if (!fault || statement) return;  // #3000 and #3006 are written by statements
+  fault->at = of.place.at;
+  fault->width = of.place.width;
+  c.refused(Check::VariableMissing, at, std::move(*fault));
+}
+
+bool has_expressions(const Code& code, const Block& block) {
+  const bool extra =
+      (block.flags & Block::kHasExtra) != 0 && code.cells[block.data].extra.expressions != 0;
+  return extra || (block.flags & Block::kCodeExpression) != 0 || block.op > Op::Arc;
+}
+
+void check_uses(Checker& c, Address at, std::int32_t program, const Block& block) {
+  const References uses = references_of(c.code, block, program);
+  for (const VariableReference& of : uses.reads) check_variable(c, at, of, false);
+  for (const VariableReference& of : uses.writes) check_variable(c, at, of, true);
+}
+
+}  // namespace
+
+void check_refusals(Checker& c) {
+  for (const ProgramFlow& flow : c.flows) {
+    if (c.inside(flow)) continue;
+    for (Address at = flow.first(); at < flow.last(); ++at) {
+      const Block& block = c.code.blocks[at];
+      each_variant(c.code, block, [&](const Block& of) {
+        each_g(c.code, of, [&](int g) { check_code(c, at, g); });
+        if (of.op == Op::Fault) c.refused(Check::Refused, at, c.code.faults[of.aux]);
+        if (of.op == Op::Call || of.op == Op::MacroCall || of.op == Op::ModalCall)
+          check_call(c, at, flow.program(), c.code.calls[of.aux]);
+      });
+      if (block.op == Op::Labelled) check_labelled(c, at, flow.program(), block);
+      if (has_expressions(c.code, block) && block.op != Op::Fault)
+        check_uses(c, at, flow.program(), block);
+    }
+  }
+}
+
+}  // namespace cncsub

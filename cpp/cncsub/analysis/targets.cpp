@@ -1,0 +1,201 @@
+// Where calls, jumps and returns lead.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "cncsub/analysis/checker.hpp"
+
+namespace cncsub {
+
+namespace {
+
+constexpr std::size_t kToldCallers = 16;  // of one M99 P
+
+/// The lines of the blocks of a number: "lines 3, 9"; empty where there is but one.
+std::string lines_of(const Code& code, const Program& program, std::int64_t n) {
+  std::string lines;
+  int count = 0;
+  constexpr int kTold = 4;
+  for (Address at = code.first_of(program, n); at != kNowhere; at = code.next_of(program, n, at)) {
+    if (++count > kTold) return lines + " ...";
+    lines += (count == 1 ? "lines " : ", ") + std::to_string(code.blocks[at].line);
+  }
+  return count > 1 ? lines : "";
+}
+
+/// The loops of a program: each block knows the innermost one around it.
+class Loops {
+ public:
+  Loops(const Code& code, const ProgramFlow& flow) : first_(flow.first()) {
+    for (Address at = flow.first(); at < flow.last(); ++at) {
+      while (!open_.empty() && at > loops_[open_.back()].end) open_.pop_back();
+      const Op op = code.blocks[at].op;
+      const bool begins = op == Op::While || op == Op::Do;
+      if (begins && of_.empty()) of_.assign(at - first_, -1);
+      if (!of_.empty() || begins) of_.push_back(open_.empty() ? -1 : open_.back());
+      if (!begins) continue;
+      const Address end = code.statements[code.blocks[at].aux].end;
+      if (end == kNowhere || end <= at) continue;
+      loops_.push_back({at, end, open_.empty() ? -1 : open_.back()});
+      open_.push_back(static_cast<int>(loops_.size()) - 1);
+    }
+  }
+  /// Where a loop ends that holds `to` and not `from`, kNowhere where none does. Its head is
+  /// outside of it.
+  Address entered(Address from, Address to) const {
+    if (of_.size() <= to - first_) return kNowhere;
+    for (int loop = of_[to - first_]; loop >= 0; loop = at(loop).parent)
+      if (from <= at(loop).start || from > at(loop).end) return at(loop).end;
+    return kNowhere;
+  }
+
+ private:
+  struct Loop {
+    Address start, end;
+    int parent;
+  };
+  const Loop& at(int loop) const { return loops_[static_cast<std::size_t>(loop)]; }
+
+  Address first_;
+  std::vector<int> open_, of_;
+  std::vector<Loop> loops_;
+};
+
+class TargetCheck {
+ public:
+  TargetCheck(Checker& c, const ProgramFlow& flow)
+      : c_(c), flow_(flow), program_(c.program(flow.program())), loops_(c.code, flow) {}
+
+  void block(Address at, const Block& block);
+  void returns();
+
+ private:
+  void jump(Address at, std::int64_t n, Address to, TextPlace place, Cause otherwise);
+  void jump(Address at, const Operand& p);
+  void ambiguous(Address at, const Program& program, std::int64_t n, TextPlace place);
+  void one_return(const ProgramFlow::ReturnTo& to);
+
+  Checker& c_;
+  const ProgramFlow& flow_;
+  const Program& program_;
+  Loops loops_;
+  std::set<std::pair<std::int32_t, std::int64_t>> told_;
+};
+
+void TargetCheck::ambiguous(Address at, const Program& program, std::int64_t n, TextPlace place) {
+  const auto index = static_cast<std::int32_t>(&program - c_.code.programs.data());
+  if (!told_.insert({index, n}).second) return;
+  const std::string lines = lines_of(c_.code, program, n);
+  if (!lines.empty())
+    c_.found(Check::Ambiguous, at, place, "N" + std::to_string(n) + " stands in " + lines);
+}
+
+void TargetCheck::jump(Address at, std::int64_t n, Address to, TextPlace place, Cause otherwise) {
+  if (to == kNowhere) {
+    c_.refused(Check::TargetMissing, at,
+               {otherwise, place.at, place.width, c_.code.no_block(n, program_)});
+    return;
+  }
+  if (n >= 0) ambiguous(at, program_, n, place);
+  const Address end = loops_.entered(at, to);
+  if (end == kNowhere) return;
+  Finding& into = c_.found(Check::IntoLoop, at, place,
+                           "the loop ends in line " + std::to_string(c_.code.blocks[end].line));
+  const Statement& statement = c_.code.statements[c_.code.blocks[end].aux];
+  into.alarm = Fault{Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"};
+  into.alarm_block = end;
+}
+
+void TargetCheck::jump(Address at, const Operand& p) {
+  if (p.kind != Operand::Kind::Constant) return;
+  const auto n = to_whole<std::int64_t>(p.value);
+  jump(at, n, c_.code.first_of(program_, n), {p.at, p.width}, Cause::JumpTargetNotFound);
+}
+
+void TargetCheck::block(Address at, const Block& block) {
+  constexpr int kJumpAlways = 80, kLastJump = 86;
+  if (block.op == Op::Goto || block.op == Op::IfGoto) {
+    const Statement& go = c_.code.statements[block.aux];
+    const TextPlace place{go.variable_at, go.variable_width};
+    if (go.number >= 0 || go.to != kNowhere)
+      jump(at, go.number > 0 ? go.number : -1, go.to, place, Cause::JumpTargetNotFound);
+  } else if (block.op == Op::Jump) {
+    jump(at, c_.code.jumps[block.aux].p);
+  } else if (block.op == Op::HCode) {
+    const HCode& h = c_.code.h_codes[block.aux];
+    if (h.number >= kJumpAlways && h.number <= kLastJump) jump(at, h.p);
+  } else if (block.op == Op::Return) {
+    const CallRecord& back = c_.code.calls[block.aux];
+    if (back.p.kind != Operand::Kind::Constant ||
+        c_.code.control->calls.return_with_p.value != ReturnWithP::OwnProgram)
+      return;
+    const auto n = to_whole<std::int64_t>(back.p.value);
+    const Address to = c_.code.first_of(program_, n);
+    if (to == kNowhere)
+      c_.refused(
+          Check::ReturnMissing, at,
+          {Cause::ReturnTargetNotFound, back.p.at, back.p.width, c_.code.no_block(n, program_)});
+    else
+      ambiguous(at, program_, n, {back.p.at, back.p.width});
+  }
+}
+
+/// M99 P leads into each program that calls; of a main program that starts over, into itself.
+void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
+  const auto missing = [&](const Program& where) -> Finding& {
+    return c_.refused(
+        Check::ReturnMissing, to.from,
+        {Cause::ReturnTargetNotFound, to.place.at, to.place.width, c_.code.no_block(to.n, where)});
+  };
+  const auto& callers = c_.callers[static_cast<std::size_t>(flow_.program())];
+  if (callers.empty()) {
+    const bool over = c_.code.control->calls.main_return.value == MainReturn::Restarts;
+    if (over && c_.code.first_of(program_, to.n) == kNowhere && flow_.program() == c_.main)
+      missing(program_);
+    return;
+  }
+  std::set<std::int32_t> seen;
+  for (const CallEdge& edge : callers) {
+    if (seen.size() >= kToldCallers) break;
+    if (!seen.insert(edge.caller).second) continue;
+    const Program& caller = c_.program(edge.caller);
+    if (c_.code.return_target(caller, to.n, edge.from) == kNowhere)
+      missing(caller).path = {edge.from};
+    else
+      ambiguous(to.from, caller, to.n, to.place);
+  }
+}
+
+void TargetCheck::returns() {
+  for (const ProgramFlow::ReturnTo& to : flow_.return_numbers())
+    if (to.n >= 0) one_return(to);
+  for (const CallEdge& edge : flow_.calls()) {
+    const CallRecord& record = c_.code.calls[edge.record];
+    if (record.target.start_n >= 0)
+      ambiguous(edge.from, c_.program(edge.called), record.target.start_n,
+                {record.start.at, record.start.width});
+  }
+}
+
+}  // namespace
+
+void check_targets(Checker& c) {
+  for (const ProgramFlow& flow : c.flows) {
+    if (c.inside(flow)) continue;
+    TargetCheck targets(c, flow);
+    for (Address at = flow.first(); at < flow.last(); ++at)
+      each_variant(c.code, c.code.blocks[at],
+                   [&](const Block& block) { targets.block(at, block); });
+    targets.returns();
+    const Program& program = c.program(flow.program());
+    if (program.duplicate_of == kNoProgram || program.first >= program.last) continue;
+    const Program& first = c.program(program.duplicate_of);
+    const Block& block = c.code.blocks[program.first];
+    c.found(Check::Duplicate, program.first, {block.text, block.length},
+            c.code.name_of(program) + " stands in " + c.code.files[first.file].name + ", line " +
+                std::to_string(first.line) + ", too, and that one runs");
+  }
+}
+
+}  // namespace cncsub

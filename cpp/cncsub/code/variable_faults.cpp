@@ -1,0 +1,42 @@
+#include "cncsub/code/variable_faults.hpp"
+
+#include <string>
+
+#include "cncsub/control/variable_table.hpp"
+
+namespace cncsub {
+
+namespace {
+
+Fault missing(const Code& code, std::int64_t number) {
+  return {.cause = Cause::IllegalVariable, .detail = no_variable(*code.control, number)};
+}
+
+}  // namespace
+
+std::optional<Fault> unreadable(const Code& code, const VariablePlace& place, std::int64_t number) {
+  if (place.range == nullptr) return missing(code, number);
+  if (place.range->access == Access::WriteOnly)
+    return Fault{.cause = Cause::VariableReadProtected,
+                 .detail = "#" + std::to_string(number) + " cannot be read"};
+  return std::nullopt;
+}
+
+std::optional<Fault> unwritable(const Code& code, const VariablePlace& place, std::int64_t number) {
+  if (place.range == nullptr) return missing(code, number);
+  if (place.kind == VariableKind::Vacant)
+    return Fault{.cause = Cause::VacantAssigned, .detail = "#0 is always vacant"};
+  switch (place.range->access) {
+    case Access::ReadWrite:
+      break;
+    case Access::ReadOnly:
+      return Fault{.cause = Cause::VariableWriteProtected,
+                   .detail = "#" + std::to_string(number) + " cannot be written"};
+    case Access::WriteOnly:  // it is a statement: the block that writes it has done it already
+      return Fault{.cause = Cause::VariableWriteProtected,
+                   .detail = "#" + std::to_string(number) + " takes a value from a program only"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace cncsub

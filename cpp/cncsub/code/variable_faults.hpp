@@ -1,0 +1,22 @@
+// What is wrong with a variable in every run.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "cncsub/code/code.hpp"
+
+namespace cncsub {
+
+/// Why no program can read it, or nothing.
+std::optional<Fault> unreadable(const Code& code, const VariablePlace& place, std::int64_t number);
+inline std::optional<Fault> unreadable(const Code& code, std::int64_t number) {
+  return unreadable(code, code.place(number), number);
+}
+/// Why nobody can give it a value, or nothing.
+std::optional<Fault> unwritable(const Code& code, const VariablePlace& place, std::int64_t number);
+inline std::optional<Fault> unwritable(const Code& code, std::int64_t number) {
+  return unwritable(code, code.place(number), number);
+}
+
+}  // namespace cncsub

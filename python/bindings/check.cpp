@@ -1,0 +1,119 @@
+#include "cncsub/analysis/check.hpp"
+
+#include <pybind11/stl.h>
+
+#include <string>
+#include <utility>
+
+#include "bindings.hpp"
+#include "cncsub/analysis/flow.hpp"
+#include "gil.hpp"
+#include "program_data.hpp"
+
+namespace py = pybind11;
+
+namespace cncsub::bindings {
+
+namespace {
+
+Frame frame_of(const Code& code, Address at) {
+  const std::int32_t index = code.program_at(at);
+  const Program& program = code.programs[static_cast<std::size_t>(index)];
+  const Block& block = code.blocks[at];
+  Frame frame{.program = code.name_of(program),
+              .n = block.n,
+              .line = block.line,
+              .file = code.files[program.file].name,
+              .kind = {},
+              .called = {}};
+  const References references = references_of(code, block, index);
+  if (references.calls.empty()) return frame;
+  const CallReference& call = references.calls.front();
+  frame.kind = to_string(call.kind);
+  frame.called = call.program;
+  frame.repeats = call.repeats;
+  return frame;
+}
+
+/// What was found, ready for Python: texts are made without the GIL.
+struct Told {
+  Check check{};
+  Alarm place;
+  std::optional<Alarm> alarm;
+  std::vector<Frame> path;
+};
+
+Told told(const Code& code, const Finding& finding) {
+  Told row{.check = finding.check,
+           .place = alarm_of(
+               code, finding.block,
+               {.at = finding.place.at, .width = finding.place.width, .detail = finding.detail}),
+           .alarm = std::nullopt,
+           .path = {}};
+  if (finding.alarm) row.alarm = alarm_of(code, finding.alarm_block, *finding.alarm);
+  for (const Address at : finding.path) row.path.push_back(frame_of(code, at));
+  if (row.alarm && finding.alarm_block == finding.block) row.place = *row.alarm;
+  if (row.alarm) row.alarm->frames.assign(row.path.rbegin(), row.path.rend());
+  return row;
+}
+
+py::list check_all(const Code& code, std::int32_t main, const std::string& machine) {
+  std::vector<Told> all;
+  work_away([&](InterruptCheck& interrupt) {
+    for (const Finding& finding : check(code, main, machine, [&] {
+           return interrupt.requested(InterruptCheck::kBlock << 16);
+         }))
+      all.push_back(told(code, finding));
+  });
+  py::list rows;
+  for (Told& row : all) {
+    py::tuple path(row.path.size());
+    for (std::size_t i = 0; i < row.path.size(); ++i) path[i] = py::cast(std::move(row.path[i]));
+    const std::string line = row.place.source_line;
+    rows.append(py::make_tuple(static_cast<int>(row.check), std::move(row.place), line,
+                               row.alarm ? py::cast(std::move(*row.alarm)) : py::none(), path));
+  }
+  return rows;
+}
+
+py::list all_rules() {
+  const auto text = [](std::string_view of) { return py::str(of.data(), of.size()); };
+  py::list rows;
+  for (const CheckInfo& of : all_checks())
+    rows.append(py::make_tuple(text(of.number), text(of.slug), text(of.severity), text(of.meaning),
+                               text(of.hint), text(of.example), text(of.control)));
+  return rows;
+}
+
+/// The ways of a program: (block, where it goes on, why). The end stands behind the last block,
+/// and None for any block with a number.
+py::tuple flow(const ProgramData& program) {
+  std::vector<ProgramFlow> flows;
+  work_away([&](InterruptCheck&) { flows = flow_of(*program.code); });
+  const ProgramFlow& own = flows[program.index];
+  py::list edges, returns, ends;
+  for (Address at = own.first(); at <= own.anywhere(); ++at) {
+    const auto place = [&](Address of) -> py::object {
+      return of == own.anywhere() ? py::object(py::none()) : py::int_(of - own.first());
+    };
+    for (const Exit* exit = own.begin(at); exit != own.end(at); ++exit)
+      edges.append(py::make_tuple(place(at), place(exit->to), std::string(to_string(exit->way))));
+    if (own.returns(at)) returns.append(place(at));
+    if (own.ends(at)) ends.append(place(at));
+  }
+  const std::vector<bool> reached = own.reached();
+  py::list unreached;
+  for (Address at = own.first(); at < own.last(); ++at)
+    if (!reached[at - own.first()]) unreached.append(at - own.first());
+  return py::make_tuple(edges, returns, ends, unreached);
+}
+
+}  // namespace
+
+void add_check(py::module_& m) {
+  m.def("check", &check_all, py::arg("code"), py::arg("main"), py::arg("machine"));
+  m.def("checks", &all_rules);
+  m.def("flow", &flow, py::arg("program"));
+}
+
+}  // namespace cncsub::bindings

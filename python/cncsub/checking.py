@@ -1,0 +1,251 @@
+"""What is wrong with programs, or will surprise, told without running them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from cncsub import _core
+from cncsub.controls import causes, did_you_mean
+
+SEVERITIES = ("error", "warning", "note")
+
+
+class CheckRule(NamedTuple):
+    """A rule of `Library.check`.
+
+    `number`: such as `CS201`. `name`: its slug. `severity`: `"error"`, `"warning"` or `"note"`.
+    `meaning`: what it finds. `hint`: what to write instead. `example`: a program in which it is
+    found on `control`.
+    """
+
+    number: str
+    name: str
+    severity: str
+    meaning: str
+    hint: str
+    example: str
+    control: str
+
+
+RULES: tuple[CheckRule, ...] = tuple(CheckRule(*row) for row in _core.checks())
+_BY_NAME = {key: rule for rule in RULES for key in (rule.number, rule.name)}
+
+
+class Edit(NamedTuple):
+    """A change of a file's text that is certain: `old` at `line` and `column` becomes `new`."""
+
+    file: str
+    line: int
+    column: int
+    old: str
+    new: str
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that `Library.check` has found.
+
+    `rule`: its number, such as `CS201`; `name`: its slug; `severity`: `"error"`, `"warning"` or
+    `"note"`. `program`, `n`, `line`, `column`, `file`, `word`: where, as in an `Alarm`. `message`:
+    what is wrong there. `hint`: what to write instead. `alarm`: what the control raises when the
+    block runs, `None` where it raises nothing or nobody knows. `path`: the calls that lead there,
+    the outermost first. `fix`: edits that mend it, `None` where none is certain.
+    """
+
+    rule: str
+    name: str
+    severity: str
+    program: str
+    n: int | None
+    line: int
+    column: int
+    file: str
+    word: str
+    message: str
+    hint: str
+    alarm: _core.Alarm | None
+    path: tuple[_core.Frame, ...]
+    fix: tuple[Edit, ...] | None
+    source: str  # the text of the line
+
+    def __str__(self) -> str:
+        number = f" [{self.alarm.number}]" if self.alarm is not None and self.alarm.number else ""
+        at = self.program if self.n is None else f"{self.program} N{self.n}"
+        before = self.source[: self.column - 1]
+        blank = "".join("\t" if letter == "\t" else " " for letter in before)
+        lines = [
+            f"{self.severity} {self.rule} {self.name}{number}: {self.message}",
+            f"  --> {at}, {self.file}:{self.line}:{self.column}",
+            f"   | {self.source}",
+            f"   | {blank}{'^' * max(1, len(self.word))}",
+        ]
+        for frame in reversed(self.path):
+            caller = frame.program if frame.n is None else f"{frame.program} N{frame.n}"
+            lines.append(f"called from {caller} ({frame.kind}), {frame.file}:{frame.line}")
+        lines.append(f"hint: {self.hint}")
+        return "\n".join(lines)
+
+
+def rule_named(name: str) -> CheckRule:
+    """The rule of a number or a slug; `KeyError` says what is near.
+
+    >>> from cncsub.checking import rule_named
+    >>> rule_named("CS201").name
+    'program-missing'
+    """
+    found = _BY_NAME.get(name) or _BY_NAME.get(name.upper()) or _BY_NAME.get(name.lower())
+    if found is None:
+        raise KeyError(f"check has no rule {name!r}{did_you_mean(name, _BY_NAME)}")
+    return found
+
+
+def chosen_rules(names: Iterable[str] | None) -> frozenset[str]:
+    """The numbers of rules by their numbers, slugs or beginnings of numbers (`CS2`); all without
+    names.
+    """
+    if names is None:
+        return frozenset(rule.number for rule in RULES)
+    if isinstance(names, str):
+        raise TypeError(f"rules are a list of names, not the text {names!r}")
+    chosen: set[str] = set()
+    for name in names:
+        if not isinstance(name, str):
+            raise TypeError(f"a rule is named by a text such as CS201, not {name!r}")
+        group = {rule.number for rule in RULES if rule.number.startswith(name.upper())}
+        is_group = re.fullmatch(r"CS\d?", name.upper()) is not None and bool(group)
+        chosen |= group if is_group else {rule_named(name).number}
+    return frozenset(chosen)
+
+
+def check(
+    code: _core.Code, main: int, rules: Iterable[str] | None, machine: str | None
+) -> list[Finding]:
+    """All findings, by their places."""
+    chosen = chosen_rules(rules)
+    found = (_finding(*row) for row in _core.check(code, main, machine or ""))
+    return [finding for finding in found if finding.rule in chosen and not _ignored(finding)]
+
+
+def _finding(
+    index: int,
+    place: _core.Alarm,
+    source: str,
+    alarm: _core.Alarm | None,
+    path: tuple[_core.Frame, ...],
+) -> Finding:
+    rule = RULES[index]
+    hint = rule.hint if alarm is None else causes[alarm.cause].cure
+    detail = place.detail or (alarm.detail if alarm is not None else "")
+    message = detail or rule.meaning
+    if alarm is not None and not detail:
+        message = causes[alarm.cause].meaning
+    return Finding(
+        rule.number,
+        rule.name,
+        rule.severity,
+        place.program,
+        place.n,
+        place.line,
+        place.column,
+        place.file,
+        place.word,
+        message,
+        hint if alarm is not None and rule.name in _OF_ANY_CAUSE else rule.hint,
+        alarm,
+        path,
+        _fix(rule, place),
+        source,
+    )
+
+
+# What these find has many causes, each with a cure of its own.
+_OF_ANY_CAUSE = ("refused", "code-not-available", "variable-not-available")
+
+
+def _fix(rule: CheckRule, place: _core.Alarm) -> tuple[Edit, ...] | None:
+    if rule.name != "g99-for-m99":
+        return None
+    at = place.word.upper().find("G99")
+    if at < 0:
+        return None
+    return (Edit(place.file, place.line, place.column + at, place.word[at : at + 3], "M99"),)
+
+
+_COMMENT = re.compile(r"cncsub:\s*ignore\b([^()]*)", re.IGNORECASE)
+
+
+def _ignored(finding: Finding) -> bool:
+    """Whether a comment in the line switches the rule off: `(cncsub: ignore CS701)`."""
+    told = _COMMENT.search(finding.source)
+    if told is None:
+        return False
+    names = set(re.findall(r"[A-Za-z][\w-]*", told[1]))
+    return not names or finding.rule in {n.upper() for n in names} or finding.name in names
+
+
+def counts(findings: Iterable[Finding]) -> Iterator[tuple[str, int]]:
+    """How many there are of each severity."""
+    every = [finding.severity for finding in findings]
+    for severity in SEVERITIES:
+        if severity in every:
+            yield severity, every.count(severity)
+
+
+class FlowEdge(NamedTuple):
+    """One way from a block to another: places among the blocks of the program.
+
+    `to` is the number of blocks for the end of the program, `None` for any block with a number,
+    where a jump is computed; `block` is `None` there for the way on from it. `kind`: `"next"`,
+    `"jump"`, `"computed"` or `"returned"` (by M99 P of a called program).
+    """
+
+    block: int | None
+    to: int | None
+    kind: str
+
+
+@dataclass(frozen=True)
+class Flow:
+    """The ways through a program, as its blocks are written.
+
+    `blocks`: how many blocks it has. `edges`: the ways between them. `returns`, `ends`: the blocks
+    that may return to a caller and that may end the run. `unreached`: the blocks no way leads to.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 GOTO 30\\nN20 G4 P1\\nN30 M30\\n"
+    >>> flow = cncsub.loads(text, control="fanuc-0i-f").flow("O1")
+    >>> [(edge.block, edge.to, edge.kind) for edge in flow.edges], flow.ends, flow.unreached
+    ([(0, 2, 'jump'), (1, 2, 'next')], (2,), (1,))
+    """
+
+    program: str
+    blocks: int
+    edges: tuple[FlowEdge, ...]
+    returns: tuple[int, ...]
+    ends: tuple[int, ...]
+    unreached: tuple[int, ...]
+
+    def to_dot(self) -> str:
+        """The graph in the language of Graphviz."""
+
+        def name(place: int | None) -> str:
+            return "anywhere" if place is None else "end" if place == self.blocks else str(place)
+
+        ways = (
+            f"  {name(edge.block)} -> {name(edge.to)}"
+            + ("" if edge.kind == "next" else f' [label="{edge.kind}"]')
+            + ";"
+            for edge in self.edges
+        )
+        return "\n".join(["digraph flow {", *ways, "}"]) + "\n"
+
+
+def flow_of(data: _core.ProgramData, blocks: int) -> Flow:
+    edges, returns, ends, unreached = _core.flow(data)
+    return Flow(
+        data.name, blocks, tuple(FlowEdge(*row) for row in edges), tuple(returns), tuple(ends),
+        tuple(unreached),
+    )
