@@ -246,6 +246,10 @@ class Flow:
 def flow_of(data: _core.ProgramData, blocks: int) -> Flow:
     edges, returns, ends, unreached = _core.flow(data)
     return Flow(
-        data.name, blocks, tuple(FlowEdge(*row) for row in edges), tuple(returns), tuple(ends),
+        data.name,
+        blocks,
+        tuple(FlowEdge(*row) for row in edges),
+        tuple(returns),
+        tuple(ends),
         tuple(unreached),
     )

@@ -1,4 +1,4 @@
-"""The command line: `cncsub run`, `tree`, `compare`, `diff`, `controls`, `explain`.
+"""The command line: `cncsub run`, `tree`, `check`, `compare`, `diff`, `controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong
@@ -9,12 +9,10 @@ for Ctrl-C.
 from __future__ import annotations
 
 import contextlib
-import enum
-import json
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import IO, Annotated, Any
 
@@ -22,7 +20,8 @@ import typer
 import typer.core
 
 import cncsub
-from cncsub.controls import did_you_mean
+from cncsub.check_command import check
+from cncsub.checking import rule_named
 from cncsub.facts import (
     comparison_facts,
     control_facts,
@@ -31,8 +30,35 @@ from cncsub.facts import (
     tree_facts,
     unknown_alarm,
 )
+from cncsub.options import (
+    ControlName,
+    Encoding,
+    External,
+    Format,
+    InputsFile,
+    Main,
+    MaxBlocks,
+    MaxCycles,
+    Mdi,
+    OptionalStop,
+    Output,
+    Param,
+    Paths,
+    RunFormat,
+    Set,
+    SetupFile,
+    Skip,
+    Start,
+    WrongUseError,
+    control_named,
+    library_of,
+    opened,
+    run_options,
+    write_json,
+    write_text,
+    wrong_use,
+)
 from cncsub.printing import (
-    Console,
     console_on,
     print_control,
     print_explanations,
@@ -43,10 +69,6 @@ from cncsub.printing import (
     shown,
 )
 from cncsub.tables import records
-
-
-class WrongUseError(Exception):
-    """What the caller can mend; its text is the line that is printed."""
 
 
 class OneLineGroup(typer.core.TyperGroup):
@@ -110,65 +132,6 @@ def main() -> None:
     app(prog_name="cncsub")
 
 
-class Format(enum.StrEnum):
-    TEXT = "text"
-    JSON = "json"
-
-
-class RunFormat(enum.StrEnum):
-    TEXT = "text"
-    JSON = "json"
-    CSV = "csv"
-    PARQUET = "parquet"
-
-
-# ---- options ----
-
-Paths = Annotated[
-    list[str] | None,  # an empty path is not the folder one stands in
-    typer.Argument(
-        help="Files and folders: the memory of the control. The first program runs.",
-        show_default=False,
-    ),
-]
-ControlName = Annotated[
-    str | None, typer.Option("-c", "--control", help="The control; `cncsub controls` lists them.")
-]
-Main = Annotated[str | None, typer.Option(help="The program to run, such as O20.")]
-Mdi = Annotated[str | None, typer.Option(help="Run this text as if it was typed in MDI.")]
-Set = Annotated[
-    list[str] | None,
-    typer.Option("--set", help="A variable before the run: 100=23.34.", metavar="N=VALUE"),
-]
-Param = Annotated[
-    list[str] | None,
-    typer.Option(help="A parameter of the control: 6050=70, 6001#5=1.", metavar="NAME=VALUE"),
-]
-Skip = Annotated[
-    list[int] | None, typer.Option(help="A block-skip switch that is on, 1 to 9.", metavar="N")
-]
-External = Annotated[
-    Path | None, typer.Option(help="The folder of the external device, which M198 reads.")
-]
-Encoding = Annotated[str | None, typer.Option(help="Of comments and names; found out without it.")]
-MaxCycles = Annotated[
-    int, typer.Option(help="How often a main program that ends in M99 runs.", min=1)
-]
-MaxBlocks = Annotated[int, typer.Option(help="How many blocks are executed at most.", min=0)]
-SetupFile = Annotated[
-    Path | None, typer.Option("--setup", help="A TOML file with offsets, tools, limits.")
-]
-InputsFile = Annotated[
-    Path | None,
-    typer.Option("--inputs", help="A TOML file with signals, answers, a workpiece to probe."),
-]
-Start = Annotated[int | None, typer.Option(help="The sequence number to begin at.")]
-OptionalStop = Annotated[bool, typer.Option("--optional-stop", help="M01 stops.")]
-Output = Annotated[
-    Path | None, typer.Option("-o", "--output", help="Write to this file, not to the terminal.")
-]
-
-
 @app.command()
 def run(
     paths: Paths = None,
@@ -199,9 +162,9 @@ def run(
         raise typer.Exit(_status(stream))
     made, title = _run(locals(), trace="moves")
     if format is RunFormat.TEXT:
-        _write_text(output, lambda console: print_run(console, made, title))
+        write_text(output, lambda console: print_run(console, made, title))
     else:
-        _write_json(output, run_facts(made, title))
+        write_json(output, run_facts(made, title))
     raise typer.Exit(_status(made))
 
 
@@ -228,12 +191,15 @@ def tree(
     """Draw the calls a program makes."""
     made, title = _run(locals(), trace="blocks")
     if format is Format.JSON:
-        _write_json(output, tree_facts(made, title))
+        write_json(output, tree_facts(made, title))
     else:
-        _write_text(output, lambda console: print_tree(console, made, title))
+        write_text(output, lambda console: print_tree(console, made, title))
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
             print_stop(console_on(sys.stderr), made)
     raise typer.Exit(_status(made))
+
+
+app.command()(check)
 
 
 @app.command()
@@ -259,12 +225,12 @@ def compare(
 ) -> None:
     """Run a program on two controls: where they part, and the rules that make it."""
     options = {**locals(), "mdi": None, "param": None}
-    with _wrong_use():
+    with wrong_use():
         if control is None or len(control) != 2:
             raise ValueError("compare takes two controls: -c ONE -c ANOTHER")
-        pair = [_control(name) for name in control]
-        library = _library({**options, "control": control[0]})
-        asked = _asked(options, "moves")
+        pair = [control_named(name) for name in control]
+        library = library_of({**options, "control": control[0]})
+        asked = run_options(options, "moves")
         compared = cncsub.compare(library, controls=pair, main=main, **asked)
     _tell(compared, format, output)
 
@@ -291,18 +257,18 @@ def diff(
 ) -> None:
     """Run two versions of a program: what the new one does otherwise."""
     options = {**locals(), "mdi": None}
-    with _wrong_use():
-        old, new = (_library({**options, "paths": [path]}) for path in (before, after))
-        compared = cncsub.compare(old, new, main=main, **_asked(options, "moves"))
+    with wrong_use():
+        old, new = (library_of({**options, "paths": [path]}) for path in (before, after))
+        compared = cncsub.compare(old, new, main=main, **run_options(options, "moves"))
     _tell(compared, format, output)
 
 
 def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> None:
     if format is Format.JSON:
-        _write_json(output, comparison_facts(compared))
+        write_json(output, comparison_facts(compared))
     else:
         lines = "\n".join(shown(line) for line in str(compared).split("\n"))
-        _write_text(output, lambda console: console.print(lines))
+        write_text(output, lambda console: console.print(lines))
     raise typer.Exit(0 if compared.same else 1)
 
 
@@ -316,33 +282,53 @@ def controls(
     if name is None:
         listed = {known.name: known.title for known in cncsub.controls.values()}
         if format is Format.JSON:
-            _write_json(output, [{"name": key, "title": title} for key, title in listed.items()])
+            write_json(output, [{"name": key, "title": title} for key, title in listed.items()])
         else:
-            _write_text(output, lambda console: print_pairs(console, listed))
+            write_text(output, lambda console: print_pairs(console, listed))
         return
-    control = _control(name)
+    control = control_named(name)
     if format is Format.JSON:
-        _write_json(output, control_facts(control))
+        write_json(output, control_facts(control))
     else:
-        _write_text(output, lambda console: print_control(console, control))
+        write_text(output, lambda console: print_control(console, control))
 
 
 @app.command()
 def explain(
-    alarm: Annotated[str, typer.Argument(help="An alarm number such as P232, or a cause.")],
+    alarm: Annotated[str, typer.Argument(help="An alarm number such as P232, a cause, or a rule.")],
     control: ControlName = None,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
 ) -> None:
-    """Tell what an alarm means, what raises it and how to cure it."""
-    among = list(cncsub.controls.values()) if control is None else [_control(control)]
+    """Tell what an alarm means, what raises it and how to cure it; or what a rule finds."""
+    if re.fullmatch(r"CS\d{3}", alarm, re.IGNORECASE):
+        _explain_rule(alarm, format, output)
+        return
+    among = list(cncsub.controls.values()) if control is None else [control_named(control)]
     facts = explanations(alarm, among)
     if not facts:
         raise WrongUseError(unknown_alarm(alarm, among))
     if format is Format.JSON:
-        _write_json(output, facts)
+        write_json(output, facts)
     else:
-        _write_text(output, lambda console: print_explanations(console, facts))
+        write_text(output, lambda console: print_explanations(console, facts))
+
+
+def _explain_rule(name: str, format: Format, output: Path | None) -> None:
+    with wrong_use():
+        rule = rule_named(name)
+    if format is Format.JSON:
+        write_json(output, rule._asdict())
+        return
+    example = "".join(f"      {line}\n" for line in rule.example.splitlines())
+    lines = [
+        f"{rule.number} {rule.name}, {rule.severity}",
+        f"  finds: {rule.meaning}",
+        f"  cure: {rule.hint}",
+        f"  such as, on {rule.control}:",
+        example.rstrip("\n"),
+    ]
+    write_text(output, lambda console: console.print("\n".join(lines)))
 
 
 # ---- running ----
@@ -350,9 +336,9 @@ def explain(
 
 def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str]:
     """Run what the options say, and name what ran."""
-    with _wrong_use():
-        library = _library(options)
-        asked = _asked(options, trace)
+    with wrong_use():
+        library = library_of(options)
+        asked = run_options(options, trace)
         where = f"on {library.control.title}"
         if options["mdi"] is not None:
             return library.mdi(options["mdi"], **asked), f"MDI {where}"
@@ -363,96 +349,10 @@ def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str]:
 
 def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
     """What the options say, to be run while its moves are written."""
-    with _wrong_use():
+    with wrong_use():
         if options["mdi"] is not None:
             raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
-        return _library(options).stream(options["main"], **_asked(options, "moves"))
-
-
-@contextlib.contextmanager
-def _wrong_use() -> Iterator[None]:
-    """Every wrong option is a usage error."""
-    try:
-        yield
-    except KeyError as error:
-        raise WrongUseError(str(error.args[0])) from None
-    except OSError as error:
-        named = f"{error.filename}: " if error.filename else ""
-        raise WrongUseError(f"{named}{error.strerror or error}") from None
-    except (ValueError, TypeError) as error:
-        raise WrongUseError(str(error)) from None
-
-
-def _asked(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
-    if options["mdi"] is not None and options["main"] is not None:
-        raise ValueError("--mdi runs what was typed and --main a program; give one of them")
-    asked: dict[str, Any] = {
-        "start": options["start"],
-        "variables": dict(_assignment("--set", text, _vacant) for text in options["set"] or ()),
-        "block_skip": options["skip"] or (),
-        "optional_stop": options["optional_stop"],
-        "max_cycles": options["max_cycles"],
-        "max_blocks": options["max_blocks"],
-        "trace": trace,
-    }
-    if options["setup"] is not None:
-        asked["setup"] = cncsub.Setup.from_toml(options["setup"])
-    if options["inputs"] is not None:
-        asked["inputs"] = cncsub.Inputs.from_toml(options["inputs"])
-    return asked
-
-
-def _library(options: Mapping[str, Any]) -> cncsub.Library:
-    output = options["output"]
-    if output is not None and any(
-        output.resolve() == Path(path).resolve() for path in options["paths"] or ()
-    ):
-        raise ValueError(f"{output} is the program; name another file to write to")
-    control = _control(options["control"])
-    if options["param"]:
-        pairs = (_named_value("--param", text) for text in options["param"])
-        control = control.with_parameters(dict(pairs))
-    places = {"control": control, "external": options["external"]}
-    if options["paths"]:
-        return cncsub.load(*options["paths"], encoding=options["encoding"], **places)
-    if options["mdi"] is None:
-        raise ValueError("which program? Name a file or a folder, or give --mdi")
-    return cncsub.loads("", **places)
-
-
-def _control(name: str | None) -> cncsub.Control:
-    if name is None:
-        raise WrongUseError(f"which control? Give -c and one of {', '.join(cncsub.controls)}")
-    if name not in cncsub.controls:
-        near = did_you_mean(name, cncsub.controls, f"; there are {', '.join(cncsub.controls)}")
-        raise WrongUseError(f"no control is called {name!r}{near}")
-    return cncsub.controls[name]
-
-
-def _named_value(option: str, text: str) -> tuple[str, float]:
-    name, equals, value = text.partition("=")
-    try:
-        if not equals or not name.strip():
-            raise ValueError
-        return name.strip(), float(value)
-    except ValueError:
-        raise ValueError(f"{option} takes NAME=VALUE, such as 6050=70, not {text!r}") from None
-
-
-def _vacant(value: str) -> float | None:
-    return None if value.strip().lower() in ("vacant", "none", "#0") else float(value)
-
-
-def _assignment(
-    option: str, text: str, read: Callable[[str], float | None]
-) -> tuple[int, float | None]:
-    number, _, value = text.strip().removeprefix("#").partition("=")
-    try:
-        return int(number), read(value)
-    except ValueError:
-        raise ValueError(
-            f"{option} takes NUMBER=VALUE, such as 100=23.34 or 100=vacant, not {text!r}"
-        ) from None
+        return library_of(options).stream(options["main"], **run_options(options, "moves"))
 
 
 STATUS = {
@@ -469,46 +369,12 @@ def _status(run: cncsub.Run | cncsub.Stream) -> int:
     return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
 
 
-# ---- writing ----
-
-
-def _escaped(character: str) -> str:
-    """A character as JSON writes it in plain ASCII."""
-    return json.dumps(character).strip('"')
-
-
-def _write_text(output: Path | None, write: Callable[[Console], None]) -> None:
-    if output is None:
-        write(console_on(sys.stdout))
-        return
-    with _opened(output, "w") as file:
-        write(console_on(file))
-
-
-def _opened(output: Path, mode: str) -> IO[Any]:
-    try:
-        return output.open(mode, encoding=None if "b" in mode else "utf-8", newline=None)
-    except OSError as error:
-        raise WrongUseError(f"{output}: {error.strerror or error}") from None
-
-
-def _write_json(output: Path | None, facts: object) -> None:
-    text = json.dumps(facts, ensure_ascii=False, indent=2, allow_nan=False)
-    # What a terminal would obey is written as an escape; everything outside ASCII is in a string.
-    text = re.sub(r"[^\x20-\x7e\n]", lambda c: c[0] if c[0].isprintable() else _escaped(c[0]), text)
-    if output is None:
-        typer.echo(text)
-    else:
-        with _opened(output, "w") as file:
-            file.write(text + "\n")
-
-
 def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> None:
     if format is RunFormat.CSV:
         if output is None:
             _write_csv(stream, sys.stdout)
         else:
-            with _opened(output, "w") as file:
+            with opened(output, "w") as file:
                 _write_csv(stream, file)
         return
     if output is None:
@@ -518,7 +384,7 @@ def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) 
     except ImportError:
         raise WrongUseError("parquet needs pyarrow: pip install 'cncsub[arrow]'") from None
     with contextlib.ExitStack() as files:
-        file = files.enter_context(_opened(output, "wb"))
+        file = files.enter_context(opened(output, "wb"))
         writer = None
         for part in stream:
             rows = part.moves.to_arrow()

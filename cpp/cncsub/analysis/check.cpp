@@ -43,8 +43,9 @@ Finding& Checker::refused(Check check, Address block, Fault fault) {
 std::vector<Finding> check(const Code& code, std::int32_t main, const std::string& machine,
                            const std::function<bool()>& over) {
   const MachineType kind = machine_of(*code.control, machine);
-  Checker checker{code, main, kind, GCodes(*code.control, kind), flow_of(code), {}, {}};
+  Checker checker{code, main, kind, GCodes(*code.control, kind), flow_of(code), {}, {}, {}};
   checker.callers.resize(code.programs.size());
+  checker.named.resize(code.programs.size());
   for (const ProgramFlow& flow : checker.flows)
     for (const CallEdge& edge : flow.calls())
       checker.callers[static_cast<std::size_t>(edge.called)].push_back(edge);

@@ -19,6 +19,7 @@ struct Checker {
   std::vector<ProgramFlow> flows;
   std::vector<std::vector<CallEdge>> callers;  // by the called program
   std::vector<Finding> findings;
+  std::vector<bool> named;  // programs that a call names which leads nowhere
 
   const Program& program(std::int32_t index) const {
     return code.programs[static_cast<std::size_t>(index)];

@@ -19,6 +19,12 @@ std::string_view to_string(Way way) {
   }
 }
 
+bool is_computed(const CallRecord& record) {
+  for (const Operand* of : {&record.p, &record.l, &record.start, &record.device})
+    if (of->kind == Operand::Kind::Expression) return true;
+  return false;
+}
+
 /// Writes down what one block may do behind itself.
 class FlowReader {
  public:
@@ -94,6 +100,7 @@ void FlowReader::back(const CallRecord& record) {
 void FlowReader::call(const Block& block) {
   const CallRecord& record = code_.calls[block.aux];
   if (!record.constant) {
+    if (!is_computed(record)) return next();  // it leads nowhere
     mark(ProgramFlow::kCallsComputed);
     if (record.start.present() || record.kind == CallKind::Local)
       mark(ProgramFlow::kStartsComputed);

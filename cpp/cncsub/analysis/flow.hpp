@@ -25,6 +25,9 @@ struct Exit {
   Way way = Way::Next;
 };
 
+/// Whether a call says something that is known only when it runs.
+bool is_computed(const CallRecord& record);
+
 /// A call whose program is known before anything runs.
 struct CallEdge {
   Address from = kNowhere;

@@ -91,12 +91,13 @@ void check_end(Checker& c, const ProgramFlow& flow, bool reached) {
   const Program& program = c.program(flow.program());
   const bool alarms = c.code.control->reading.missing_end.value == MissingEnd::Alarm;
   const std::string what = c.code.name_of(program) + " ends without M02, M30 or M99";
-  if (alarms) {
-    c.refused(Check::NoEnd, flow.last(), {Cause::EndOfRecord, program.text_end, 1, what});
-  } else if (c.is_called(flow.program()) && flow.last() > flow.first()) {
-    const Block& last = c.code.blocks[flow.last() - 1];
-    c.found(Check::NoEnd, flow.last() - 1, {last.text, last.length}, what);
-  }
+  if (!alarms && (!c.is_called(flow.program()) || flow.last() == flow.first())) return;
+  const Address at = flow.last() > flow.first() ? flow.last() - 1 : flow.last();
+  const Block& last = c.code.blocks[at];
+  Finding& found = c.found(Check::NoEnd, at, {last.text, last.length}, what);
+  if (!alarms) return;
+  found.alarm = Fault{Cause::EndOfRecord, program.text_end, 1, what};
+  found.alarm_block = flow.last();
 }
 
 void check_ends_in_call(Checker& c, const ProgramFlow& flow) {
@@ -131,7 +132,8 @@ void check_reach(Checker& c) {
     check_ends_in_call(c, flow);
     const bool only_called = flow.ever_returns() && !flow.ever_ends();
     if (!computed && only_called && !c.is_called(flow.program()) && flow.program() != c.main &&
-        program.duplicate_of == kNoProgram && c.flows.size() > 1)
+        program.duplicate_of == kNoProgram && c.flows.size() > 1 &&
+        !c.named[static_cast<std::size_t>(flow.program())])
       c.found(Check::NeverCalled, flow.first(),
               {c.code.blocks[flow.first()].text, c.code.blocks[flow.first()].length},
               "no program here calls " + c.code.name_of(program));

@@ -37,12 +37,6 @@ void check_code(Checker& c, Address at, int g) {
   c.refused(refused ? Check::CodeMissing : Check::NotComputed, at, std::move(fault));
 }
 
-bool is_computed(const CallRecord& record) {
-  for (const Operand* of : {&record.p, &record.l, &record.start, &record.device})
-    if (of->kind == Operand::Kind::Expression) return true;
-  return false;
-}
-
 /// A call whose words are all numbers, and that has no target all the same.
 void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& record) {
   if (record.constant || is_computed(record)) return;
@@ -55,6 +49,7 @@ void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& 
   }
   if (auto fault = find_target(c.code, record, target))
     c.refused(Check::ProgramMissing, at, std::move(*fault));
+  if (target.program != kNoProgram) c.named[static_cast<std::size_t>(target.program)] = true;
 }
 
 /// A call by a label that no file and no block has.

@@ -1,0 +1,229 @@
+"""Findings for other tools: JSON, SARIF 2.1.0, JUnit, annotations of a forge; and their edits."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import cncsub
+from cncsub.checking import RULES, Edit, Finding
+
+VERSION = 1  # of the JSON; it grows when a key changes its meaning or goes
+
+
+def finding_facts(findings: Sequence[Finding]) -> dict[str, Any]:
+    """All of them as JSON can hold them; docs/findings.schema.json is the schema."""
+    return {"version": VERSION, "findings": [_facts(finding) for finding in findings]}
+
+
+def _facts(finding: Finding) -> dict[str, Any]:
+    alarm = finding.alarm
+    return {
+        "rule": finding.rule,
+        "name": finding.name,
+        "severity": finding.severity,
+        "program": finding.program,
+        "n": finding.n,
+        "file": finding.file,
+        "line": finding.line,
+        "column": finding.column,
+        "word": finding.word,
+        "message": finding.message,
+        "hint": finding.hint,
+        "alarm": None
+        if alarm is None
+        else {"cause": alarm.cause, "number": alarm.number, "text": alarm.text},
+        "path": [
+            {"program": f.program, "n": f.n, "file": f.file, "line": f.line, "kind": f.kind}
+            for f in finding.path
+        ],
+        "fix": None if finding.fix is None else [edit._asdict() for edit in finding.fix],
+    }
+
+
+_LEVELS = {"error": "error", "warning": "warning", "note": "note"}
+
+
+def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
+    """A log of SARIF 2.1.0: the calls that lead to a finding are its code flow."""
+    rules = [
+        {
+            "id": rule.number,
+            "name": rule.name,
+            "shortDescription": {"text": rule.meaning},
+            "help": {"text": rule.hint},
+            "defaultConfiguration": {"level": _LEVELS[rule.severity]},
+        }
+        for rule in RULES
+    ]
+    driver = {
+        "name": "cncsub",
+        "version": cncsub.__version__,
+        "semanticVersion": cncsub.__version__,
+        "rules": rules,
+    }
+    numbers = [rule.number for rule in RULES]
+    return {
+        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "version": "2.1.0",
+        "runs": [
+            {
+                "tool": {"driver": driver},
+                "columnKind": "unicodeCodePoints",
+                "results": [_result(finding, numbers) for finding in findings],
+            }
+        ],
+    }
+
+
+def _result(finding: Finding, numbers: Sequence[str]) -> dict[str, Any]:
+    number = finding.alarm.number if finding.alarm is not None else None
+    told = f"{finding.message} [alarm {number}]" if number else finding.message
+    result: dict[str, Any] = {
+        "ruleId": finding.rule,
+        "ruleIndex": numbers.index(finding.rule),
+        "level": _LEVELS[finding.severity],
+        "message": {"text": f"{told}. {finding.hint}"},
+        "locations": [_location(finding.file, finding.line, finding.column, len(finding.word))],
+    }
+    if finding.path:
+        steps = [
+            {"location": _location(frame.file, frame.line, 1, 0, f"{frame.program} {frame.kind}")}
+            for frame in finding.path
+        ]
+        last = _location(finding.file, finding.line, finding.column, 0, finding.message)
+        result["codeFlows"] = [{"threadFlows": [{"locations": [*steps, {"location": last}]}]}]
+    if finding.fix is not None:
+        result["fixes"] = [{"artifactChanges": [_change(edit) for edit in finding.fix]}]
+    return result
+
+
+def _location(file: str, line: int, column: int, width: int, text: str = "") -> dict[str, Any]:
+    region: dict[str, Any] = {"startLine": max(1, line), "startColumn": max(1, column)}
+    if width:
+        region["endColumn"] = max(1, column) + width
+    location: dict[str, Any] = {
+        "physicalLocation": {"artifactLocation": {"uri": _uri(file)}, "region": region}
+    }
+    if text:
+        location["message"] = {"text": text}
+    return location
+
+
+def _uri(file: str) -> str:
+    path = Path(file)
+    return path.as_uri() if path.is_absolute() else path.as_posix().replace(" ", "%20")
+
+
+def _change(edit: Edit) -> dict[str, Any]:
+    deleted = {
+        "startLine": edit.line,
+        "startColumn": edit.column,
+        "endColumn": edit.column + len(edit.old),
+    }
+    return {
+        "artifactLocation": {"uri": _uri(edit.file)},
+        "replacements": [{"deletedRegion": deleted, "insertedContent": {"text": edit.new}}],
+    }
+
+
+_NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
+    """A test suite of JUnit: a case for each file, with its findings as failures."""
+
+    def clean(text: str) -> str:
+        return _NOT_XML.sub("?", text)
+
+    by_file: dict[str, list[Finding]] = {file: [] for file in files}
+    for finding in findings:
+        by_file.setdefault(finding.file, []).append(finding)
+    failed = sum(1 for found in by_file.values() if found)
+    suite = ElementTree.Element(
+        "testsuite", name="cncsub check", tests=str(len(by_file)), failures=str(failed)
+    )
+    for file, found in by_file.items():
+        case = ElementTree.SubElement(suite, "testcase", name=clean(file), classname="cncsub.check")
+        if found:
+            told = ElementTree.SubElement(
+                case, "failure", type=found[0].rule, message=clean(found[0].message)
+            )
+            told.text = clean("\n\n".join(map(str, found)))
+    ElementTree.indent(suite)
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + ElementTree.tostring(
+        suite, encoding="unicode"
+    )
+
+
+def github_annotations(findings: Iterable[Finding]) -> str:
+    """Workflow commands that GitHub shows beside the lines of a change."""
+
+    def escaped(text: str, property: bool = False) -> str:
+        marks = {
+            "%": "%25",
+            "\r": "%0D",
+            "\n": "%0A",
+            **({":": "%3A", ",": "%2C"} if property else {}),
+        }
+        return "".join(marks.get(letter, letter) for letter in text)
+
+    kinds = {"error": "error", "warning": "warning", "note": "notice"}
+    lines = (
+        f"::{kinds[f.severity]} file={escaped(f.file, True)},line={f.line},col={f.column},"
+        f"title={escaped(f'{f.rule} {f.name}', True)}::{escaped(f'{f.message}. {f.hint}')}"
+        for f in findings
+    )
+    return "\n".join(lines)
+
+
+class Mended:
+    """Files with the edits that are certain; nothing is written before `write`."""
+
+    def __init__(self, findings: Iterable[Finding]) -> None:
+        self.left = 0  # edits whose text is not where it was
+        self._old: dict[str, bytes] = {}
+        self._new: dict[str, bytes] = {}
+        for finding in findings:
+            for edit in finding.fix or ():
+                self._apply(edit)
+
+    def _apply(self, edit: Edit) -> None:
+        """Words of NC programs are ASCII: what stands once in its line is replaced as bytes,
+        whatever the encoding of its comments."""
+        if edit.file not in self._new:
+            self._old[edit.file] = self._new[edit.file] = Path(edit.file).read_bytes()
+        lines = self._new[edit.file].split(b"\n")
+        line, old = lines[edit.line - 1], edit.old.encode()
+        if line.count(old) != 1:
+            self.left += 1
+            return
+        lines[edit.line - 1] = line.replace(old, edit.new.encode())
+        self._new[edit.file] = b"\n".join(lines)
+
+    def diff(self) -> str:
+        parts: list[str] = []
+        for file, old in self._old.items():
+            before, after = (
+                text.decode("utf-8", "replace").splitlines(keepends=True)
+                for text in (old, self._new[file])
+            )
+            parts += difflib.unified_diff(before, after, file, file)
+        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+
+    def write(self) -> list[str]:
+        """Writes the files that change, and names them."""
+        changed = [file for file, text in self._new.items() if text != self._old[file]]
+        for file in changed:
+            Path(file).write_bytes(self._new[file])
+        return changed
+
+
+def with_severity(findings: Iterable[Finding], severities: dict[str, str]) -> list[Finding]:
+    """The same with the severities that a project gives its rules."""
+    return [replace(f, severity=severities.get(f.rule, f.severity)) for f in findings]

@@ -1,0 +1,219 @@
+"""What the commands share: their options, what they make of them, and how they write."""
+
+from __future__ import annotations
+
+import contextlib
+import enum
+import json
+import re
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import IO, Annotated, Any
+
+import typer
+
+import cncsub
+from cncsub.controls import did_you_mean
+from cncsub.printing import Console, console_on
+from cncsub.project import Project, find_project
+
+
+class WrongUseError(Exception):
+    """What the caller can mend; its text is the line that is printed."""
+
+
+class Format(enum.StrEnum):
+    TEXT = "text"
+    JSON = "json"
+
+
+class RunFormat(enum.StrEnum):
+    TEXT = "text"
+    JSON = "json"
+    CSV = "csv"
+    PARQUET = "parquet"
+
+
+# ---- options ----
+
+Paths = Annotated[
+    list[str] | None,  # an empty path is not the folder one stands in
+    typer.Argument(
+        help="Files and folders: the memory of the control. The first program runs.",
+        show_default=False,
+    ),
+]
+ControlName = Annotated[
+    str | None, typer.Option("-c", "--control", help="The control; `cncsub controls` lists them.")
+]
+Main = Annotated[str | None, typer.Option(help="The program to run, such as O20.")]
+Mdi = Annotated[str | None, typer.Option(help="Run this text as if it was typed in MDI.")]
+Set = Annotated[
+    list[str] | None,
+    typer.Option("--set", help="A variable before the run: 100=23.34.", metavar="N=VALUE"),
+]
+Param = Annotated[
+    list[str] | None,
+    typer.Option(help="A parameter of the control: 6050=70, 6001#5=1.", metavar="NAME=VALUE"),
+]
+Skip = Annotated[
+    list[int] | None, typer.Option(help="A block-skip switch that is on, 1 to 9.", metavar="N")
+]
+External = Annotated[
+    Path | None, typer.Option(help="The folder of the external device, which M198 reads.")
+]
+Encoding = Annotated[str | None, typer.Option(help="Of comments and names; found out without it.")]
+MaxCycles = Annotated[
+    int, typer.Option(help="How often a main program that ends in M99 runs.", min=1)
+]
+MaxBlocks = Annotated[int, typer.Option(help="How many blocks are executed at most.", min=0)]
+SetupFile = Annotated[
+    Path | None, typer.Option("--setup", help="A TOML file with offsets, tools, limits.")
+]
+InputsFile = Annotated[
+    Path | None,
+    typer.Option("--inputs", help="A TOML file with signals, answers, a workpiece to probe."),
+]
+Start = Annotated[int | None, typer.Option(help="The sequence number to begin at.")]
+OptionalStop = Annotated[bool, typer.Option("--optional-stop", help="M01 stops.")]
+Output = Annotated[
+    Path | None, typer.Option("-o", "--output", help="Write to this file, not to the terminal.")
+]
+
+
+@contextlib.contextmanager
+def wrong_use() -> Iterator[None]:
+    """Every wrong option is a usage error."""
+    try:
+        yield
+    except KeyError as error:
+        raise WrongUseError(str(error.args[0])) from None
+    except OSError as error:
+        named = f"{error.filename}: " if error.filename else ""
+        raise WrongUseError(f"{named}{error.strerror or error}") from None
+    except (ValueError, TypeError) as error:
+        raise WrongUseError(str(error)) from None
+
+
+def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
+    if options["mdi"] is not None and options["main"] is not None:
+        raise ValueError("--mdi runs what was typed and --main a program; give one of them")
+    asked: dict[str, Any] = {
+        "start": options["start"],
+        "variables": dict(_assignment("--set", text, _vacant) for text in options["set"] or ()),
+        "block_skip": options["skip"] or (),
+        "optional_stop": options["optional_stop"],
+        "max_cycles": options["max_cycles"],
+        "max_blocks": options["max_blocks"],
+        "trace": trace,
+    }
+    project = project_here()
+    if (setup := options["setup"] or project.setup) is not None:
+        asked["setup"] = cncsub.Setup.from_toml(setup)
+    if (inputs := options["inputs"] or project.inputs) is not None:
+        asked["inputs"] = cncsub.Inputs.from_toml(inputs)
+    return asked
+
+
+def project_here() -> Project:
+    """What the project says whose folder one stands in."""
+    return find_project(Path.cwd())
+
+
+def library_of(options: Mapping[str, Any]) -> cncsub.Library:
+    output = options["output"]
+    if output is not None and any(
+        output.resolve() == Path(path).resolve() for path in options["paths"] or ()
+    ):
+        raise ValueError(f"{output} is the program; name another file to write to")
+    project = project_here()
+    named = options["control"] or project.control
+    control = control_named(named)
+    if named == project.control and project.parameters:
+        control = control.with_parameters(dict(project.parameters))
+    if options["param"]:
+        pairs = (_named_value("--param", text) for text in options["param"])
+        control = control.with_parameters(dict(pairs))
+    places: dict[str, Any] = {
+        "control": control,
+        "external": options["external"] or project.external,
+    }
+    paths = options["paths"] or (project.folders if options["mdi"] is None else ())
+    if paths == ["-"]:
+        text = sys.stdin.buffer.read()
+        return cncsub.loads(text, encoding=options["encoding"], **places)
+    if paths:
+        return cncsub.load(*paths, encoding=options["encoding"], **places)
+    if options["mdi"] is None:
+        raise ValueError("which program? Name a file or a folder, or give --mdi")
+    return cncsub.loads("", **places)
+
+
+def control_named(name: str | None) -> cncsub.Control:
+    if name is None:
+        raise WrongUseError(f"which control? Give -c and one of {', '.join(cncsub.controls)}")
+    if name not in cncsub.controls:
+        near = did_you_mean(name, cncsub.controls, f"; there are {', '.join(cncsub.controls)}")
+        raise WrongUseError(f"no control is called {name!r}{near}")
+    return cncsub.controls[name]
+
+
+def _named_value(option: str, text: str) -> tuple[str, float]:
+    name, equals, value = text.partition("=")
+    try:
+        if not equals or not name.strip():
+            raise ValueError
+        return name.strip(), float(value)
+    except ValueError:
+        raise ValueError(f"{option} takes NAME=VALUE, such as 6050=70, not {text!r}") from None
+
+
+def _vacant(value: str) -> float | None:
+    return None if value.strip().lower() in ("vacant", "none", "#0") else float(value)
+
+
+def _assignment(
+    option: str, text: str, read: Callable[[str], float | None]
+) -> tuple[int, float | None]:
+    number, _, value = text.strip().removeprefix("#").partition("=")
+    try:
+        return int(number), read(value)
+    except ValueError:
+        raise ValueError(
+            f"{option} takes NUMBER=VALUE, such as 100=23.34 or 100=vacant, not {text!r}"
+        ) from None
+
+
+# ---- writing ----
+
+
+def _escaped(character: str) -> str:
+    """A character as JSON writes it in plain ASCII."""
+    return json.dumps(character).strip('"')
+
+
+def write_text(output: Path | None, write: Callable[[Console], None]) -> None:
+    if output is None:
+        write(console_on(sys.stdout))
+        return
+    with opened(output, "w") as file:
+        write(console_on(file))
+
+
+def opened(output: Path, mode: str) -> IO[Any]:
+    try:
+        return output.open(mode, encoding=None if "b" in mode else "utf-8", newline=None)
+    except OSError as error:
+        raise WrongUseError(f"{output}: {error.strerror or error}") from None
+
+
+def write_json(output: Path | None, facts: object) -> None:
+    text = json.dumps(facts, ensure_ascii=False, indent=2, allow_nan=False)
+    # What a terminal would obey is written as an escape; everything outside ASCII is in a string.
+    text = re.sub(r"[^\x20-\x7e\n]", lambda c: c[0] if c[0].isprintable() else _escaped(c[0]), text)
+    if output is None:
+        typer.echo(text)
+    else:
+        with opened(output, "w") as file:
+            file.write(text + "\n")

@@ -1,0 +1,441 @@
+"""What check finds, and near misses that it leaves alone."""
+
+from __future__ import annotations
+
+import json
+import sys
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from typer.testing import CliRunner
+
+import cncsub
+from cncsub.checking import RULES, CheckRule
+from cncsub.cli import app
+from cncsub.findings import finding_facts, github_annotations, junit, sarif
+
+sys.path.insert(0, str(Path(__file__).with_name("conformance")))
+import outcome
+from conformance import Row, rows
+
+MILL = "fanuc-0i-f"
+EXAMPLES = Path(__file__).parent.parent / "examples"
+
+
+def found(text: str, control: str = MILL, **options: Any) -> list[str]:
+    """`CS201 N20`: the rules and their blocks, by the line where there is no N."""
+    findings = cncsub.loads(text, control=control).check(**options)
+    return [f"{f.rule} {f':{f.line}' if f.n is None else f'N{f.n}'}" for f in findings]
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.name)
+def test_the_example_of_a_rule_is_found(rule: CheckRule) -> None:
+    findings = cncsub.loads(rule.example, control=rule.control).check()
+    own = [finding for finding in findings if finding.rule == rule.number]
+    assert len(own) == 1
+    assert (own[0].name, own[0].severity) == (rule.name, rule.severity)
+    assert own[0].message
+    assert own[0].hint
+
+
+END = "N90 M30\n"
+
+# Programs, and all that is found in them.
+TABLE: dict[str, tuple[str, str, str]] = {
+    # What the control refuses
+    "a fault that is never reached": ("", "O1\nN10 GOTO 30\nN20 G0 X1.5.2\nN30 M30\n", "CS101 N20, CS301 N20"),
+    "a fault behind a slash": ("", "O1\n/N10 M98 P-2\nN20 M30\n", "CS101 N10"),
+    "a fault behind THEN": ("", "O1\nN10 IF[#500 EQ 1]THEN #501=[1\nN20 M30\n", "CS101 N10"),
+    "codes of another kind of machine": ("gsk-988ta", "O1\nN10 G43 H1\nN20 M30\n", "CS101 N10"),
+    "a code no source tells of": ("hnc-21m", "%1\nN10 G5.9\nN20 M30\n", "CS102 N10"),
+    "#3000 and #3006 are written by statements": ("", "O1\nN10 #3006=1(LOOK)\nN20 IF[#500 EQ 1]THEN #3000=1(NO)\n" + END, ""),
+    "a variable only to be read": ("", "O1\nN10 #5021=1\n" + END, "CS104 N10"),
+    "a common that is not fitted": ("fanuc-16i", "O1\nN10 #200=1\n" + END, "CS104 N10"),
+    "moves that are not computed": ("", "O1\nN10 G7.1 C1.\n" + END, "CS105 N10"),
+    # Where calls and jumps lead
+    "a program that is missing": ("", "O1\nN10 M98 P9\nN20 G65 P8\n" + END, "CS201 N10, CS201 N20"),
+    "a computed program may be there": ("", "O1\nN10 M98 P#500\n" + END, ""),
+    "a start that is missing": ("gsk-988ta", "O1\nN10 M98 P2 Q5\nN20 M30\nO2\nN6 G4 P1\nN7 M99\n", "CS201 N10"),
+    "a jump to nowhere, taken or not": ("", "O1\nN10 IF[1 EQ 2]GOTO 77\n" + END, "CS202 N10"),
+    "a jump by G65 H80": ("gsk-980tdi", "O1\nN10 G65 H80 P77\n" + END, "CS202 N10"),
+    "the profile of a cycle": ("gsk-988ta", "O1\nN10 G71 P20 Q50 U1. W0.\nN20 G0 X1.\n" + END, "CS202 N10"),
+    "a return to nowhere": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M99 P25\n", "CS203 N30"),
+    "a return that one of two callers has": (
+        "", "O1\nN10 M98 P2\nN15 M98 P3\nN20 M30\nO2\nN30 M99 P20\nO3\nN10 M98 P2\nN11 M99\n", "CS203 N30"),
+    "a return that both have": (
+        "", "O1\nN10 M98 P2\nN15 M98 P3\nN20 M30\nO2\nN30 M99 P20\nO3\nN10 M98 P2\nN20 M99\n", ""),
+    "M99 P of a main program that starts over": ("", "O1\nN10 G4 P1\nN20 M99 P10\n", ""),
+    "M99 P of a main program that leads nowhere": ("", "O1\nN10 G4 P1\nN20 M99 P15\n", "CS203 N20"),
+    "two blocks of a number": ("", "O1\nN10 GOTO 50\nN50 G4 P1\nN50 G4 P2\n" + END, "CS204 N10"),
+    "two blocks of a number that nobody asks for": ("", "O1\nN50 G4 P1\nN50 G4 P2\n" + END, ""),
+    "two programs of a number": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M99\nO2\nN40 M99\n", "CS205 N40"),
+    "a jump inside a loop": ("", "O1\nN5 #1=0\nN10 WHILE[#1 LT 3]DO1\nN20 #1=#1+1\nN30 IF[#1 EQ 2]GOTO 50\nN40 G4 P1\nN50 END1\n" + END, ""),
+    "a jump out of a loop, and to its head": ("", "O1\nN5 #1=0\nN6 IF[#500 EQ 1]GOTO 10\nN10 WHILE[#1 LT 3]DO1\nN20 #1=#1+1\nN30 IF[#1 EQ 2]GOTO 90\nN50 END1\n" + END, ""),
+    "a jump into the inner loop from the outer one": (
+        "", "O1\nN5 #1=0\nN10 WHILE[#1 LT 3]DO1\nN15 GOTO 30\nN20 WHILE[#1 LT 5]DO2\nN30 #1=#1+1\nN40 END2\nN50 END1\n" + END,
+        "CS206 N15"),
+    # What runs and what does not
+    "blocks behind M30": ("", "O1\nN10 M30\nN20 G4 P1\nN30 M99\n", "CS301 N20"),
+    "M99 behind M30 is a habit": ("", "O1\nN10 G4 P1\nN20 M30\nN30 M99\n", ""),
+    "a skipped GOTO": ("", "O1\n/N10 GOTO 30\nN20 G4 P1\nN30 M30\n", ""),
+    "a computed GOTO may lead to every number": ("", "O1\nN10 GOTO #500\nG4 P1\nN20 G4 P1\n" + END, "CS301 :3"),
+    "a start by Q": ("gsk-988ta", "O1\nN10 M98 P2 Q50\nN20 M30\nO2\nN40 M99\nN50 G4 P1\nN60 M99\n", ""),
+    "#3000 ends what comes to it": ("", "O1\nN10 IF[#500 EQ 1]GOTO 30\nN20 M30\nN30 #3000=1(NO)\n", ""),
+    "a profile behind M30 is cut by its cycle": (
+        "gsk-988ta", "O1\nN5 G0 X50. Z2.\nN10 G71 U1. R1.\nN15 G71 P30 Q50 U0 W0 F0.1\nN20 M30\nN30 G0 X10.\nN40 G1 Z-10.\nN50 X20.\n", ""),
+    "a subprogram that nobody calls": ("", "O1\nN10 M30\nO2\nN20 M99\n", "CS302 N20"),
+    "a second main program": ("", "O1\nN10 M30\nO2\nN20 M30\n", ""),
+    "a computed call may call it": ("", "O1\nN5 G65 P#500\nN10 M30\nO2\nN20 M99\n", ""),
+    "a program without an end": ("", "O1\nN10 G4 P1\nO2\nN20 M30\n", "CS303 N10"),
+    "a way that has no end": ("", "O1\nN10 IF[#500 EQ 1]GOTO 30\nN20 M30\nN30 G4 P1\n", "CS303 N30"),
+    "where labels lead the way nobody knows": ("linuxcnc", "o1 sub\nN10 G0 X1\no1 endsub\n", ""),
+    "M30 in a called program": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M30\n", "CS304 N30"),
+    "M30 on one way of it": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 IF[#500 EQ 1]GOTO 50\nN40 M30\nN50 M99\n", ""),
+    "M20 starts the program over": ("gsk-928te", "%1\nN10 G0 X1\nN20 M20\n", ""),
+    # How deep
+    "a part of the own program": ("gsk-928te", "%1\nN10 M98 P30\nN20 M2\nN30 G0 X1\nN40 M99\n", ""),
+    "a program that calls itself": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M98 P2\nN40 M99\n", "CS402 N30"),
+    "a code does not call in the program that it calls": ("gsk-988ta", "O1\nN20 M30\n", ""),
+    # What a called program leaves behind
+    "G91 where the caller moves on": ("", "O1\nN10 G90 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G91\nN50 M99\n", "CS501 N20"),
+    "G91 where the caller says G90 first": ("", "O1\nN10 G90 G0 X0\nN20 M98 P2\nN30 G90 X5.\n" + END + "O2\nN40 G91\nN50 M99\n", ""),
+    "G91 that is found on": ("", "O1\nN10 G91 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G91\nN50 M99\n", ""),
+    "G91 that is switched off": ("", "O1\nN10 G90 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G91 X1.\nN45 G90\nN50 M99\n", ""),
+    "G91 through two calls": (
+        "", "O1\nN10 G90 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 M98 P3\nN50 M99\nO3\nN60 G91\nN70 M99\n", "CS501 N20"),
+    "a plane": ("", "O1\nN10 G17 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G18\nN50 M99\n", "CS501 N20"),
+    "a cycle": ("", "O1\nN10 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G81 Z-1. R1. F100\nN50 M99\n", "CS501 N20"),
+    "a cycle that G80 ends": ("", "O1\nN10 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G81 Z-1. R1. F100\nN45 G80\nN50 M99\n", ""),
+    "inches": ("", "O1\nN10 G21 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G20\nN50 M99\n", "CS501 N20"),
+    # Variables
+    "a vacant local": ("", "O1\nN10 G0 X[#1+1.]\n" + END, "CS601 N10"),
+    "a local compared with #0": ("", "O1\nN10 IF[#1 EQ #0]THEN #1=1.\nN20 G0 X[#1+1.]\n" + END, ""),
+    "a local set in a subprogram": ("", "O1\nN10 M98 P2\nN20 G0 X[#1+1.]\n" + END + "O2\nN30 #1=1.\nN40 M99\n", ""),
+    "a local that some number writes": ("", "O1\nN10 #[#500]=1\nN20 G0 X[#1+1.]\n" + END, ""),
+    "a local on one way": ("", "O1\nN10 IF[#500 EQ 1]GOTO 30\nN20 #1=1.\nN30 G0 X[#1+1.]\n" + END, "CS602 N30"),
+    "a word alone that may be vacant is left out on purpose": (
+        "", "O1\nN10 IF[#500 EQ 1]GOTO 30\nN20 #1=1.\nN30 G0 X#1\n" + END, ""),
+    "a main program that starts over keeps its locals": ("", "O1\nN10 G0 X[#500+1.]\nN20 #1=1.\nN30 M99\n", ""),
+    "a macro alone": ("", "O9010\nN10 G0 X[#24+1.]\nN20 M99\n", ""),
+    "an argument given": ("", "O1\nN10 G65 P2 B1.\n" + END + "O2\nN30 G0 X[#2+1.]\nN40 M99\n", ""),
+    "an argument of one call of two": (
+        "", "O1\nN10 G65 P2 A1. B1.\nN20 G65 P2 A1.\n" + END + "O2\nN30 G0 X[#2+#1]\nN40 M99\n", "CS602 N30"),
+    "an argument never given": ("", "O1\nN10 G65 P2 A1.\n" + END + "O2\nN30 G0 X[#2+#1]\nN40 M99\n", "CS603 N30"),
+    "an argument never read": ("", "O1\nN10 G65 P2 A1. B1.\n" + END + "O2\nN30 G0 X[#2+1.]\nN40 M99\n", "CS604 N10"),
+    "an argument that a subprogram of the macro reads": (
+        "", "O1\nN10 G65 P2 A1.\n" + END + "O2\nN30 M98 P3\nN40 M99\nO3\nN50 G0 X#1\nN60 M99\n", ""),
+    "a counter that a subprogram uses too": (
+        "", "O1\nN10 #1=0\nN20 WHILE[#1 LT 3]DO1\nN30 M98 P2\nN40 #1=#1+1\nN50 END1\n" + END
+        + "O2\nN60 #1=0\nN70 G0 X#1\nN80 M99\n", "CS605 N40"),
+    "the same by G65, which has its own": (
+        "", "O1\nN10 #1=0\nN20 WHILE[#1 LT 3]DO1\nN30 G65 P2\nN40 #1=#1+1\nN50 END1\n" + END
+        + "O2\nN60 #1=0\nN70 G0 X#1\nN80 M99\n", ""),
+    "a common that is handed over": (
+        "", "O1\nN10 #100=5.\nN15 G0 Z#100\nN20 G65 P2\nN30 G0 X#100\n" + END + "O2\nN40 #100=#100+1.\nN50 M99\n", ""),
+    "a common that comes back as a result": (
+        "", "O1\nN10 #100=5.\nN20 G65 P2\nN30 G0 X#100\n" + END + "O2\nN40 #100=7.\nN50 M99\n", ""),
+    "commons of two numbers": (
+        "", "O1\nN10 #100=5.\nN15 G0 Z#100\nN20 G65 P2\nN30 G0 X#100\n" + END + "O2\nN40 #101=7.\nN45 G0 Y#101\nN50 M99\n", ""),
+    # Values that people trip over
+    "no point on a control of increments": ("", "O1\nN10 G0 X1.5 Y20\n" + END, "CS701 N10"),
+    "no point where a number is millimetres": ("mitsubishi-m800", "O1\nN10 G0 X1.5 Y20\n" + END, ""),
+    "no point anywhere": ("", "O1\nN10 G0 X1500 Y20\n" + END, ""),
+    "many increments are meant": ("", "O1\nN10 G0 X1.5 Y20000\n" + END, ""),
+    "X0 needs no point": ("", "O1\nN10 G0 X0 Y2.5\n" + END, ""),
+    "a count in P that is meant": ("", "O1\nN10 M98 P21000\nN20 M30\nO1000\nN30 M99\n", ""),
+    "L0 that alarms is a refusal": ("gsk-988ta", "O1\nN10 M98 P2 L0\nN20 M30\nO2\nN30 M99\n", "CS101 N10"),
+    "one M code too many": ("fanuc-0i-f", "O1\nN10 M8 M9\n" + END, "CS704 N10"),
+    "brackets around what belongs together": ("mitsubishi-m800", "O1\nN10 IF[[#500 EQ 1] AND [#501 EQ 2]]GOTO 90\nN20 #502=[#503 AND 7]+1\n" + END, ""),
+    "a sign is no operation": ("", "O1\nN10 #502=#503 AND -7\n" + END, ""),
+    "G99 in the middle": ("gsk-988ta", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 G99\nN40 M99\n", ""),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("claim", TABLE)
+def test_table(claim: str) -> None:
+    control, text, expected = TABLE[claim]
+    assert ", ".join(found(text, control or MILL)) == expected
+
+
+def test_a_finding_says_where_and_what_and_how() -> None:
+    (finding,) = cncsub.loads(
+        "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M99 P25\n", control=MILL, name="part.nc"
+    ).check()
+    assert str(finding) == (
+        "error CS203 return-target-missing [PS0078]: there is no N25 in O1\n"
+        "  --> O2 N30, part.nc:5:9\n"
+        "   | N30 M99 P25\n"
+        "   |         ^^^\n"
+        "called from O1 N10 (M98), part.nc:2\n"
+        "hint: number the block in the program that calls, or return without P"
+    )
+    assert (finding.word, finding.file, finding.line, finding.column) == ("P25", "part.nc", 5, 9)
+    assert finding.alarm is not None
+    assert (finding.alarm.cause, finding.alarm.number) == ("return-target-not-found", "PS0078")
+    assert [frame.program for frame in finding.path] == ["O1"]
+
+
+def test_the_path_of_what_is_too_deep() -> None:
+    chain = "".join(f"O{i}\nN{i} M98 P{i + 1}\nM99\n" for i in range(1, 8)) + "O8\nM99\n"
+    (finding,) = cncsub.loads(chain, control="fanuc-16i").check(rules=["CS401"])
+    assert [(f.program, f.called) for f in finding.path] == [
+        ("O1", "O2"), ("O2", "O3"), ("O3", "O4"), ("O4", "O5"),
+    ]  # fmt: skip
+    assert finding.alarm is not None
+    run = cncsub.loads(
+        chain.replace("O1\nN1 M98 P2\nM99", "O1\nN1 M98 P2\nM30"), control="fanuc-16i"
+    ).run()
+    assert run.alarm is not None
+    assert (run.alarm.number, run.alarm.program) == (finding.alarm.number, finding.program)
+
+
+def test_rules_are_chosen_and_switched_off() -> None:
+    text = "O1\nN10 M98 P9 (cncsub: ignore CS201)\nN20 M98 P8 (CNCSUB: IGNORE)\nN30 M98 P7 (cncsub: ignore CS202)\nN40 M3 M8\nN50 M30\n"
+    assert found(text) == ["CS201 N30", "CS704 N40"]
+    assert found(text, rules=["CS7"]) == ["CS704 N40"]
+    assert found(text, rules=["program-missing"]) == ["CS201 N30"]
+    assert found(text, rules=[]) == []
+    with pytest.raises(KeyError, match="CS999"):
+        found(text, rules=["CS999"])
+    with pytest.raises(TypeError, match="a list"):
+        found(text, rules="CS201")
+    with pytest.raises(KeyError, match="O77"):
+        found(text, main="O77")
+
+
+def test_the_kind_of_machine_comes_from_the_setup() -> None:
+    text = "O1\nN10 G71 U1. R1.\nN20 M30\n"
+    assert found(text, "fanuc-16i") == ["CS105 N10"]
+    assert found(text, "fanuc-16i", setup={"machine": "lathe-a"}) == []
+
+
+def ends_well(row: Row) -> bool:
+    return row.case.mdi is None and row.case.stop in ("end", "cycles")
+
+
+# Errors in programs of rows that end well: the blocks are not reached there, which is the point of
+# the row, or a subprogram's missing M99 is.
+ACCOUNTED = ("CS101", "CS104", "CS201", "CS202", "CS303")
+
+
+def test_errors_in_rows_that_end_well_are_in_blocks_that_never_ran() -> None:
+    checked = errors = 0
+    for row in rows():
+        if not ends_well(row):
+            continue
+        library = outcome.load(row.case, cncsub.controls[row.control])
+        setup = (
+            {"machine": row.case.setup["machine"]}
+            if row.case.setup and "machine" in row.case.setup
+            else None
+        )
+        findings = [f for f in library.check(setup=setup) if f.severity == "error"]
+        checked += 1
+        if not findings or any(f.rule == "CS303" for f in findings):
+            continue
+        run = outcome.execute(row.case, library)
+        ran = {(step.program, step.line) for step in run.steps}
+        for finding in findings:
+            errors += 1
+            assert finding.rule in ACCOUNTED, (row, str(finding))
+            reached = (finding.program, finding.line) in ran
+            # A block with a slash or a THEN runs without what is wrong in it.
+            partly = any(mark in finding.source for mark in ("/", "IF", "if", "THEN"))
+            assert not reached or partly, (row, str(finding))
+    assert checked > 8000
+    assert errors > 50
+
+
+# Causes that a block has whatever ran before it: each alarm of a row is found without running.
+STATIC = {
+    "address-without-value", "illegal-character", "start-not-found",
+    "illegal-minus-sign", "external-program-not-found", "named-program-not-found",
+}  # fmt: skip
+
+
+def test_alarms_that_a_block_has_by_itself_are_found() -> None:
+    seen = 0
+    for row in rows():
+        if row.case.mdi is not None or row.case.stop != "alarm":
+            continue
+        library = outcome.load(row.case, cncsub.controls[row.control])
+        alarm = outcome.execute(row.case, library).alarm
+        if alarm is None or alarm.cause not in STATIC or "#" in (alarm.word or ""):
+            continue
+        setup = (
+            {"machine": row.case.setup["machine"]}
+            if row.case.setup and "machine" in row.case.setup
+            else None
+        )
+        causes = {
+            (f.line, f.alarm.cause) for f in library.check(setup=setup) if f.alarm is not None
+        }
+        block = library[alarm.program].text if alarm.program in library else ""
+        computed = "#" in block or "G66" in block or "COD" in block
+        seen += 1
+        assert (alarm.line, alarm.cause) in causes or computed, (row, str(alarm))
+    assert seen > 300
+
+
+def test_examples_are_without_errors() -> None:
+    for folder in ("fanuc/names_30i", "fanuc/probing"):
+        findings = cncsub.load(EXAMPLES / folder, control="fanuc-30i").check()
+        assert [str(f) for f in findings if f.severity == "error"] == []
+
+
+@given(
+    st.lists(
+        st.sampled_from(
+            ["N{0} G0 X1.", "N{0} M98 P2", "N{0} G65 P3 A1.", "N{0} IF[#1 EQ 1]GOTO {1}", "N{0} GOTO {1}",
+             "N{0} M99", "N{0} M99 P{1}", "N{0} M30", "O2", "O3", "N{0} WHILE[#1 LT 2]DO1", "N{0} END1",
+             "N{0} #1=#1+1", "N{0} GOTO#1", "/N{0} M98 P3", "N{0} G91", "N{0} #100=#100+1", "N{0} G66 P3"]
+        ),
+        max_size=40,
+    ),
+    st.sampled_from(sorted(cncsub.controls)),
+)  # fmt: skip
+def test_any_program_is_checked_and_nothing_that_ran_is_unreachable(
+    lines: list[str], control: str
+) -> None:
+    text = "O1\n" + "\n".join(line.format(i, i * 7 % 40) for i, line in enumerate(lines)) + "\n"
+    library = cncsub.loads(text, control=control)
+    findings = library.check()
+    run = library.run(max_blocks=2000, max_cycles=3)
+    ran = {(step.program, step.line) for step in run.steps}
+    for finding in findings:
+        if finding.rule == "CS301":
+            assert (finding.program, finding.line) not in ran, str(finding)
+    labels = control == "linuxcnc"  # they lead the way while it runs
+    if (
+        run.alarm is not None
+        and not labels
+        and run.alarm.cause in ("program-not-found", "end-of-record")
+    ):
+        assert any(f.alarm is not None and f.alarm.cause == run.alarm.cause for f in findings)
+
+
+def test_flow_holds_every_way_that_a_run_takes() -> None:
+    text = "O1\nN10 #1=0\nN20 WHILE[#1 LT 3]DO1\nN30 IF[#1 EQ 1]GOTO 50\nN40 M98 P2\nN50 #1=#1+1\nN60 END1\nN70 M30\nO2\nN80 M99\n"
+    library = cncsub.loads(text, control=MILL)
+    flow = library.flow("O1")
+    ways = {(edge.block, edge.to) for edge in flow.edges}
+    own = [step.line - 2 for step in library.run().steps if step.program == "O1"]
+    assert set(pairwise(own)) <= ways
+    assert (flow.returns, flow.ends, flow.unreached) == ((), (6,), ())
+    assert flow.to_dot().startswith("digraph flow {")
+    with pytest.raises(KeyError, match="O9"):
+        library.flow("O9")
+
+
+# ---- outputs ----
+
+WRONG = "O1\nN10 G0 X1.5 (<&>)\nN20 M98 P2\nN30 M98 P9\nN40 M30\nO2\nN50 M99 P7\n"
+
+
+def wrong() -> list[cncsub.Finding]:
+    return cncsub.loads(WRONG, control=MILL, name="a b/part.nc").check()
+
+
+def test_json_has_a_version_and_every_key() -> None:
+    facts = json.loads(json.dumps(finding_facts(wrong())))
+    assert facts["version"] == 1
+    assert {len(row) for row in facts["findings"]} == {14}
+    first = facts["findings"][0]
+    assert (first["rule"], first["alarm"]["number"], first["path"]) == ("CS201", "PS0076", [])
+
+
+def test_sarif_names_rules_places_and_calls() -> None:
+    log = sarif(wrong())
+    (run,) = log["runs"]
+    assert log["version"] == "2.1.0"
+    assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == [r.number for r in RULES]
+    for result in run["results"]:
+        assert run["tool"]["driver"]["rules"][result["ruleIndex"]]["id"] == result["ruleId"]
+        place = result["locations"][0]["physicalLocation"]
+        assert place["artifactLocation"]["uri"] == "a%20b/part.nc"
+        assert 1 <= place["region"]["startColumn"] < place["region"]["endColumn"]
+    (flow,) = [r["codeFlows"] for r in run["results"] if "codeFlows" in r]
+    assert len(flow[0]["threadFlows"][0]["locations"]) == 2
+
+
+def test_junit_and_annotations() -> None:
+    suite = ElementTree.fromstring(junit(wrong(), ["a b/part.nc", "good.nc"]))
+    assert (suite.get("tests"), suite.get("failures")) == ("2", "1")
+    lines = github_annotations(wrong()).splitlines()
+    assert len(lines) == len(wrong())
+    assert lines[0].startswith(
+        "::error file=a b/part.nc,line=4,col=9,title=CS201 program-missing::"
+    )
+
+
+def command(*words: str, folder: Path | None = None) -> tuple[int, str]:
+    done = CliRunner().invoke(app, list(words))
+    return done.exit_code, done.output
+
+
+@pytest.fixture
+def part(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    file = tmp_path / "part.nc"
+    file.write_text("O1\nN10 M98 P2\nN20 M30\nO2\nN30 G0 X1.5 (\u4e2d)\nG99\n", encoding="gbk")
+    return file
+
+
+def test_the_command_tells_and_its_status_says_whether(part: Path) -> None:
+    status, output = command("check", "part.nc", "-c", MILL)
+    assert status == 1
+    assert "error CS303 no-end [PS5010]: O2 ends" in output
+    assert output.endswith("checked: 2 programs on FANUC Series 0i-F: 1 error, 1 warning\n")
+    assert command("check", "part.nc", "-c", MILL, "--ignore", "CS303", "--ignore", "CS7")[0] == 0
+    status, output = command("check", "part.nc", "-c", MILL, "--rule", "CS999")
+    assert (status, output.startswith("cncsub: check has no rule 'CS999'")) == (2, True)
+
+
+def test_certain_edits_are_shown_and_written(part: Path) -> None:
+    before = part.read_bytes()
+    _, output = command("check", "part.nc", "-c", MILL, "--diff")
+    assert "-G99\n+M99\n" in output
+    assert part.read_bytes() == before
+    status, output = command("check", "part.nc", "-c", MILL, "--fix", "--rule", "CS706")
+    assert (status, "mended: part.nc" in output) == (0, True)
+    assert part.read_bytes() == before.replace(b"G99", b"M99")
+    assert command("check", "part.nc", "-c", MILL)[0] == 0
+
+
+def test_a_project_says_what_no_command_needs_again(part: Path, tmp_path: Path) -> None:
+    file = tmp_path / "cncsub.toml"
+    file.write_text('control = "fanuc-0i-f"\nfolders = ["."]\n[check]\nignore = ["CS303"]\n')
+    status, output = command("check")
+    assert (status, output.count("CS706")) == (1, 1)
+    file.write_text(file.read_text() + '[check.severity]\nCS706 = "note"\n')
+    assert command("check")[0] == 0
+    assert "PS5010" in command("run")[1]
+    for text, told in (
+        ("contrl = 1", "'contrl'; near are control"),
+        ("control = 1", "control is a text"),
+        ('[check]\nignore = ["CS999"]', "CS999"),
+        ('[check]\nrules = ["CS1"]', "ignore and severity"),
+        ("control", "cncsub.toml"),
+    ):
+        file.write_text(text)
+        status, output = command("check", "part.nc", "-c", MILL)
+        assert status == 2
+        assert told in output, output
+    file.unlink()
+    (tmp_path / "pyproject.toml").write_text('[tool.cncsub]\ncontrol = "gsk-988ta"\n')
+    assert "GSK 988TA" in command("check", "part.nc")[1]
+
+
+def test_a_rule_is_explained() -> None:
+    status, output = command("explain", "cs201")
+    assert status == 0
+    assert output.startswith("CS201 program-missing, error\n  finds: a call of a program")
+    assert (
+        json.loads(command("explain", "CS201", "--format", "json")[1])["name"] == "program-missing"
+    )
+    assert command("explain", "CS999")[0] == 2
