@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
+import jsonschema
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -341,8 +342,12 @@ def wrong() -> list[cncsub.Finding]:
     return cncsub.loads(WRONG, control=MILL, name="a b/part.nc").check()
 
 
-def test_json_has_a_version_and_every_key() -> None:
+def test_json_is_what_the_schema_says() -> None:
     facts = json.loads(json.dumps(finding_facts(wrong())))
+    schema = json.loads((Path(__file__).parent.parent / "docs/findings.schema.json").read_text())
+    jsonschema.validate(facts, schema)
+    last = cncsub.loads("O1\nM98 P2\nM30\nO2\nG99\n", control=MILL).check()
+    jsonschema.validate(json.loads(json.dumps(finding_facts(last))), schema)
     assert facts["version"] == 1
     assert {len(row) for row in facts["findings"]} == {14}
     first = facts["findings"][0]

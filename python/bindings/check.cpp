@@ -57,6 +57,11 @@ Told told(const Code& code, const Finding& finding) {
   return row;
 }
 
+py::object alarm_or_none(const std::optional<Alarm>& alarm) {
+  if (!alarm) return py::none();
+  return py::cast(*alarm);
+}
+
 py::list check_all(const Code& code, std::int32_t main, const std::string& machine) {
   std::vector<Told> all;
   work_away([&](InterruptCheck& interrupt) {
@@ -71,7 +76,7 @@ py::list check_all(const Code& code, std::int32_t main, const std::string& machi
     for (std::size_t i = 0; i < row.path.size(); ++i) path[i] = py::cast(std::move(row.path[i]));
     const std::string line = row.place.source_line;
     rows.append(py::make_tuple(static_cast<int>(row.check), std::move(row.place), line,
-                               row.alarm ? py::cast(std::move(*row.alarm)) : py::none(), path));
+                               alarm_or_none(row.alarm), path));
   }
   return rows;
 }
@@ -91,8 +96,10 @@ py::tuple flow(const ProgramData& program) {
   std::vector<ProgramFlow> flows;
   work_away([&](InterruptCheck&) { flows = flow_of(*program.code); });
   const ProgramFlow& own = flows[program.index];
+  const std::vector<bool> reached = own.reached();
+  const Address last = reached.back() ? own.anywhere() : own.last();
   py::list edges, returns, ends;
-  for (Address at = own.first(); at <= own.anywhere(); ++at) {
+  for (Address at = own.first(); at <= last; ++at) {
     const auto place = [&](Address of) -> py::object {
       return of == own.anywhere() ? py::object(py::none()) : py::int_(of - own.first());
     };
@@ -101,7 +108,6 @@ py::tuple flow(const ProgramData& program) {
     if (own.returns(at)) returns.append(place(at));
     if (own.ends(at)) ends.append(place(at));
   }
-  const std::vector<bool> reached = own.reached();
   py::list unreached;
   for (Address at = own.first(); at < own.last(); ++at)
     if (!reached[at - own.first()]) unreached.append(at - own.first());

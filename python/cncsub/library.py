@@ -212,7 +212,7 @@ class Library(Mapping[str, Program]):
         >>> import cncsub
         >>> library = cncsub.loads("O1\\nN10 M98 P9\\nN20 M30\\n", control="fanuc-0i-f")
         >>> [(f.rule, f.name, f.n, f.alarm.number) for f in library.check()]
-        [('CS201', 'program-missing', 10, 'PS0078')]
+        [('CS201', 'program-missing', 10, 'PS0076')]
         """
         first = self._code.main if main is None else self._find(main)
         kind = (setup_of(setup) or {}).get("machine")

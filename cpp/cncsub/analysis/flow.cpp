@@ -44,6 +44,7 @@ class FlowReader {
   void call(const Block& block);
   void h_code(const HCode& h);
   void labelled(const Labelled& own);
+  void words_or_call(const Block& block);
   void words(const Block& block);
   bool raises_alarm(const Statement& statement) const;
 
@@ -168,25 +169,32 @@ void FlowReader::variant(const Block& block) {
     case Op::Jump:
       if (code_.jumps[block.aux].reads_input) next();
       return jump(code_.jumps[block.aux].p);
+    case Op::HCode:
+      return h_code(code_.h_codes[block.aux]);
+    case Op::Choose:
+      variant(code_.variants[code_.choices[block.aux].first]);
+      return variant(code_.variants[code_.choices[block.aux].second]);
+    case Op::Assign:  // #3000 raises an alarm: nothing comes behind it
+      if (!raises_alarm(statement())) next();
+      return;
+    default:
+      return words_or_call(block);
+  }
+}
+
+void FlowReader::words_or_call(const Block& block) {
+  switch (block.op) {
     case Op::Call:
     case Op::MacroCall:
     case Op::ModalCall:
       return call(block);
-    case Op::HCode:
-      return h_code(code_.h_codes[block.aux]);
     case Op::Labelled:
       return labelled(code_.labelled[block.aux]);
-    case Op::Choose:
-      variant(code_.variants[code_.choices[block.aux].first]);
-      return variant(code_.variants[code_.choices[block.aux].second]);
     case Op::Fault:  // what stands behind it is no less meant to run, and it might have called
       mark(ProgramFlow::kCallsComputed);
       return next();
     case Op::Words:
       return words(block);
-    case Op::Assign:  // #3000 raises an alarm: nothing comes behind it
-      if (!raises_alarm(statement())) next();
-      return;
     default:
       return next();
   }

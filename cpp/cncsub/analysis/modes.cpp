@@ -15,7 +15,8 @@ namespace {
 using Modes = std::uint32_t;
 constexpr int kBits = 4;
 constexpr Modes kFound = 1, kUsual = 2, kOther = 4, kSecond = 8, kOne = 15;
-enum Mode : std::uint8_t { Distance, Plane, Units, Radius, Cycle, Length, kModes };
+enum Mode : std::uint8_t { Distance, Plane, Units, Radius, Cycle, Length };
+constexpr int kModes = Length + 1;
 
 constexpr Modes all(Modes value) {
   Modes modes = 0;

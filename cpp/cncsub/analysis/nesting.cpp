@@ -15,9 +15,9 @@ using Depth = std::array<int, 3>;
 /// All programs, each before those it calls, but for the calls that close a circle.
 class CallOrder {
  public:
-  explicit CallOrder(Checker& c) : c_(c), state_(c.flows.size(), kNew) {
+  explicit CallOrder(Checker& c) : c_(c), state_(c.flows.size(), Walked::New) {
     for (std::size_t i = 0; i < state_.size(); ++i)
-      if (state_[i] == kNew) walk(static_cast<std::int32_t>(i));
+      if (state_[i] == Walked::New) walk(static_cast<std::int32_t>(i));
     std::reverse(order_.begin(), order_.end());
   }
   const std::vector<std::int32_t>& order() const { return order_; }
@@ -27,7 +27,7 @@ class CallOrder {
   }
 
  private:
-  enum : char { kNew, kOpen, kDone };
+  enum class Walked : std::uint8_t { New, Open, Done };
   struct Open {
     std::int32_t program;
     std::size_t call = 0;
@@ -38,7 +38,7 @@ class CallOrder {
   bool is_apart(const CallEdge& edge) const;
 
   Checker& c_;
-  std::vector<char> state_;
+  std::vector<Walked> state_;
   std::vector<Open> open_;
   std::vector<std::int32_t> order_;
   std::vector<Address> closing_;
@@ -92,21 +92,21 @@ void CallOrder::circle(const CallEdge& edge) {
 
 void CallOrder::walk(std::int32_t from) {
   open_.push_back({from});
-  state_[static_cast<std::size_t>(from)] = kOpen;
+  state_[static_cast<std::size_t>(from)] = Walked::Open;
   while (!open_.empty()) {
     Open& top = open_.back();
     const std::vector<CallEdge>& calls = c_.flow(top.program).calls();
     if (top.call == calls.size()) {
-      state_[static_cast<std::size_t>(top.program)] = kDone;
+      state_[static_cast<std::size_t>(top.program)] = Walked::Done;
       order_.push_back(top.program);
       open_.pop_back();
       continue;
     }
     const CallEdge& edge = calls[top.call++];
-    char& state = state_[static_cast<std::size_t>(edge.called)];
-    if (state == kOpen) circle(edge);
-    if (state != kNew) continue;
-    state = kOpen;
+    Walked& state = state_[static_cast<std::size_t>(edge.called)];
+    if (state == Walked::Open) circle(edge);
+    if (state != Walked::New) continue;
+    state = Walked::Open;
     open_.push_back({edge.called});
   }
   std::sort(closing_.begin(), closing_.end());

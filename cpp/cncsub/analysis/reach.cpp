@@ -26,16 +26,19 @@ std::int64_t written(const Code& code, const Block& block, char address) {
   return std::abs(cell->value) < 1e9 ? to_whole<std::int64_t>(cell->value) : -1;
 }
 
+bool cuts_profile(const Checker& c, const Block& block) {
+  if ((block.mask & bit('P')) == 0 || (block.mask & bit('Q')) == 0) return false;
+  bool cuts = false;
+  each_g(c.code, block, [&](int g) { cuts = cuts || follows_profile(c.g_codes.find(g).meaning); });
+  return cuts;
+}
+
 /// The profile that a cycle cuts is executed by the cycle, wherever it stands; it must be there.
 void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reached) {
   const Program& program = c.program(flow.program());
   for (Address at = flow.first(); at < flow.last(); ++at) {
     const Block& block = c.code.blocks[at];
-    bool cuts = false;
-    if ((block.mask & bit('P')) != 0 && (block.mask & bit('Q')) != 0)
-      each_g(c.code, block,
-             [&](int g) { cuts = cuts || follows_profile(c.g_codes.find(g).meaning); });
-    if (!cuts) continue;
+    if (!cuts_profile(c, block)) continue;
     const std::int64_t p = written(c.code, block, 'P'), q = written(c.code, block, 'Q');
     const Address from = c.code.first_of(program, p), to = c.code.first_of(program, q);
     if ((p >= 0 && from == kNowhere) || (q >= 0 && to == kNowhere)) {

@@ -83,23 +83,24 @@ void check_uses(Checker& c, Address at, std::int32_t program, const Block& block
   for (const VariableReference& of : uses.writes) check_variable(c, at, of, true);
 }
 
+void check_block(Checker& c, Address at, std::int32_t program) {
+  const Block& block = c.code.blocks[at];
+  each_variant(c.code, block, [&](const Block& of) {
+    each_g(c.code, of, [&](int g) { check_code(c, at, g); });
+    if (of.op == Op::Fault) c.refused(Check::Refused, at, c.code.faults[of.aux]);
+    if (of.op == Op::Call || of.op == Op::MacroCall || of.op == Op::ModalCall)
+      check_call(c, at, program, c.code.calls[of.aux]);
+  });
+  if (block.op == Op::Labelled) check_labelled(c, at, program, block);
+  if (has_expressions(c.code, block) && block.op != Op::Fault) check_uses(c, at, program, block);
+}
+
 }  // namespace
 
 void check_refusals(Checker& c) {
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
-    for (Address at = flow.first(); at < flow.last(); ++at) {
-      const Block& block = c.code.blocks[at];
-      each_variant(c.code, block, [&](const Block& of) {
-        each_g(c.code, of, [&](int g) { check_code(c, at, g); });
-        if (of.op == Op::Fault) c.refused(Check::Refused, at, c.code.faults[of.aux]);
-        if (of.op == Op::Call || of.op == Op::MacroCall || of.op == Op::ModalCall)
-          check_call(c, at, flow.program(), c.code.calls[of.aux]);
-      });
-      if (block.op == Op::Labelled) check_labelled(c, at, flow.program(), block);
-      if (has_expressions(c.code, block) && block.op != Op::Fault)
-        check_uses(c, at, flow.program(), block);
-    }
+    for (Address at = flow.first(); at < flow.last(); ++at) check_block(c, at, flow.program());
   }
 }
 

@@ -33,12 +33,8 @@ class Loops {
       const Op op = code.blocks[at].op;
       const bool begins = op == Op::While || op == Op::Do;
       if (begins && of_.empty()) of_.assign(at - first_, -1);
-      if (!of_.empty() || begins) of_.push_back(open_.empty() ? -1 : open_.back());
-      if (!begins) continue;
-      const Address end = code.statements[code.blocks[at].aux].end;
-      if (end == kNowhere || end <= at) continue;
-      loops_.push_back({at, end, open_.empty() ? -1 : open_.back()});
-      open_.push_back(static_cast<int>(loops_.size()) - 1);
+      if (begins || !of_.empty()) of_.push_back(innermost());
+      if (begins) open(at, code.statements[code.blocks[at].aux].end);
     }
   }
   /// Where a loop ends that holds `to` and not `from`, kNowhere where none does. Its head is
@@ -55,10 +51,17 @@ class Loops {
     Address start, end;
     int parent;
   };
+  int innermost() const { return open_.empty() ? -1 : static_cast<int>(open_.back()); }
+  void open(Address start, Address end) {
+    if (end == kNowhere || end <= start) return;
+    loops_.push_back({start, end, innermost()});
+    open_.push_back(loops_.size() - 1);
+  }
   const Loop& at(int loop) const { return loops_[static_cast<std::size_t>(loop)]; }
 
   Address first_;
-  std::vector<int> open_, of_;
+  std::vector<std::size_t> open_;
+  std::vector<int> of_;
   std::vector<Loop> loops_;
 };
 

@@ -1,9 +1,9 @@
 // Values that people trip over.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cncsub/analysis/checker.hpp"
 #include "cncsub/text/scan.hpp"
@@ -95,38 +95,57 @@ bool is_operator(std::string_view name) {
   return false;
 }
 
-/// Whether a logic operation stands beside another one in the same brackets.
-bool mixes(std::string_view text) {
+/// The operations of an expression by its brackets.
+class Operations {
+ public:
+  /// Whether a logic operation stands beside another one in the same brackets.
+  bool mixed(std::string_view text);
+
+ private:
   struct Level {
     bool logic = false, other = false;
+    bool mixed() const { return logic && other; }
   };
-  std::vector<Level> levels(1);
-  bool value = false;  // behind one, where a sign is an operation
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char of = text[i];
-    Level& level = levels.back();
-    if (of == '[') {
-      levels.emplace_back();
-      value = false;
-    } else if (of == ']') {
-      if (level.logic && level.other) return true;
-      if (levels.size() > 1) levels.pop_back();
-      value = true;
-    } else if (is_letter(of)) {
-      std::string name;
-      for (; i < text.size() && is_letter(text[i]); ++i) name += upper(text[i]);
-      --i;
-      level.logic = level.logic || is_logic(name);
-      level.other = level.other || is_operator(name);
-      value = false;
-    } else if (of == '+' || of == '-' || of == '*' || of == '/') {
-      level.other = level.other || value;
-      value = false;
-    } else if (!is_blank(of)) {
-      value = true;
-    }
+  /// Takes one sign; false where brackets end that hold both kinds.
+  bool take(char sign);
+  void take_name(std::string_view written);
+
+  std::vector<Level> levels_{1};
+  bool value_ = false;  // behind one, where a sign is an operation
+};
+
+bool Operations::take(char sign) {
+  const bool operation = sign == '+' || sign == '-' || sign == '*' || sign == '/';
+  if (sign == '[') levels_.emplace_back();
+  if (operation && value_) levels_.back().other = true;
+  if (sign == ']') {
+    if (levels_.back().mixed()) return false;
+    if (levels_.size() > 1) levels_.pop_back();
   }
-  return levels.back().logic && levels.back().other;
+  if (!is_blank(sign)) value_ = !operation && sign != '[';
+  return true;
+}
+
+void Operations::take_name(std::string_view written) {
+  std::string name;
+  for (const char letter : written) name += upper(letter);
+  levels_.back().logic = levels_.back().logic || is_logic(name);
+  levels_.back().other = levels_.back().other || is_operator(name);
+  value_ = false;
+}
+
+bool Operations::mixed(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!is_letter(text[i])) {
+      if (!take(text[i])) return true;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    take_name(text.substr(i, end - i));
+    i = end - 1;
+  }
+  return levels_.back().mixed();
 }
 
 const char* read_as(LogicOrder order) {
@@ -155,7 +174,7 @@ void check_logic(Checker& c, Address at, const Block& block, std::string_view te
   bool logic = false;
   for (const Instruction* ins = c.code.instructions.data() + of.first; ins->op != Ins::End; ++ins)
     logic = logic || ins->op == Ins::And || ins->op == Ins::Or || ins->op == Ins::Xor;
-  if (logic && mixes(text.substr(of.at, of.width)))
+  if (logic && Operations().mixed(text.substr(of.at, of.width)))
     c.found(Check::LogicOrder, at, {of.at, of.width},
             read_as(c.code.control->macros.logic_order.value));
 }

@@ -1,0 +1,182 @@
+// Locals that are read without a value, arguments that nobody gives or nobody reads.
+#include <algorithm>
+#include <string>
+
+#include "cncsub/analysis/variable_use.hpp"
+
+namespace cncsub {
+
+namespace {
+
+class VacantCheck {
+ public:
+  VacantCheck(Checker& c, const VariableUses& uses);
+  void run();
+
+ private:
+  struct Vacant {
+    Bits always = 0, sometimes = 0;
+    bool reached = false;
+  };
+
+  Bits given(const CallEdge& edge) const;
+  Vacant at_entry(const ProgramFlow& flow) const;
+  std::vector<Vacant> vacant(const ProgramFlow& flow) const;
+  void pass(const ProgramFlow& flow, Address at, Vacant& state) const;
+  void tell_vacant(const ProgramFlow& flow);
+  void tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check);
+  void tell_unread();
+
+  Checker& c_;
+  const VariableUses& uses_;
+  std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is looked at
+  bool computed_calls_ = false;
+  Bits locals_;
+};
+
+VacantCheck::VacantCheck(Checker& c, const VariableUses& uses) : c_(c), uses_(uses) {
+  const std::int32_t last = std::min(c.code.locals, kMostBits) - 1;
+  locals_ = (last >= 63 ? ~Bits{0} : (Bits{1} << (last + 1)) - 1) & ~Bits{1};
+  for (const ProgramFlow& flow : c.flows)
+    computed_calls_ = computed_calls_ || flow.calls_computed();
+}
+
+/// The locals that the arguments of a call set.
+Bits VacantCheck::given(const CallEdge& edge) const {
+  const CallRecord& record = c_.code.calls[edge.record];
+  Bits given = 0;
+  for (std::uint32_t i = 0; i < record.arguments; ++i) {
+    const std::int16_t variable = c_.code.arguments[record.first_argument + i].variable;
+    if (variable >= 0 && variable < kMostBits) given |= Bits{1} << variable;
+  }
+  return given;
+}
+
+VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
+  const auto& callers = c_.callers[static_cast<std::size_t>(flow.program())];
+  Vacant entry{0, 0, true};
+  if (callers.empty()) {
+    // Nobody knows who calls a subprogram that is not called here.
+    if (flow.ever_ends() || !flow.ever_returns()) entry = {locals_, locals_, true};
+    return entry;
+  }
+  if (computed_calls_ || flow.program() == c_.main) return entry;
+  Bits always = locals_, sometimes = 0;
+  for (const CallEdge& edge : callers) {
+    const CallKind kind = c_.code.calls[edge.record].kind;
+    const bool own = edge.macro && (kind == CallKind::Macro || kind == CallKind::GCode ||
+                                    kind == CallKind::MCode);
+    if (!own || c_.code.calls[edge.record].variable != 0) return entry;
+    always &= ~given(edge);
+    sometimes |= locals_ & ~given(edge);
+  }
+  return {always, sometimes, true};
+}
+
+/// What a block and the programs it calls give values to.
+void VacantCheck::pass(const ProgramFlow& flow, Address at, Vacant& state) const {
+  if (at >= flow.last()) return;
+  Bits set = 0;
+  if (const VariableUse* own = uses_.of(at)) set = own->any ? ~Bits{0} : own->written_locals;
+  for (const CallEdge* edge : calls_at_[at - flow.first()]) {
+    if (edge->macro) continue;
+    const LocalUse& called = uses_.of_program(edge->called);
+    set |= called.any ? ~Bits{0} : called.writes;
+  }
+  const Op op = c_.code.blocks[at].op;
+  if (op == Op::Labelled || op == Op::Choose ||
+      (op == Op::Call && calls_at_[at - flow.first()].empty()))
+    set = ~Bits{0};
+  state.always &= ~set;
+  // A variable that is set only where a condition holds, and read where it holds again, has one.
+  state.sometimes &= ~set;
+}
+
+/// Which locals have no value before each block: on every way to it, on some way.
+std::vector<VacantCheck::Vacant> VacantCheck::vacant(const ProgramFlow& flow) const {
+  std::vector<Vacant> before(flow.size());
+  std::vector<Address> waiting;
+  const auto reach = [&](Address at, const Vacant& state) {
+    Vacant& own = before[at - flow.first()];
+    const Vacant old = own;
+    own.always = own.reached ? own.always & state.always : state.always;
+    own.sometimes |= state.sometimes;
+    own.reached = true;
+    if (!old.reached || own.always != old.always || own.sometimes != old.sometimes)
+      waiting.push_back(at);
+  };
+  for (const Address entry : flow.entries()) reach(entry, {0, 0, true});
+  reach(flow.first(), at_entry(flow));
+  while (!waiting.empty()) {
+    const Address at = waiting.back();
+    waiting.pop_back();
+    Vacant state = before[at - flow.first()];
+    pass(flow, at, state);
+    for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit) reach(exit->to, state);
+  }
+  return before;
+}
+
+void VacantCheck::tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check) {
+  for (std::int32_t local = 1; local < kMostBits; ++local) {
+    if ((locals >> local & 1) == 0) continue;
+    const std::string name = "#" + std::to_string(local);
+    Finding& found = c_.found(check, at, uses_.place_of(at, local),
+                              check == Check::ArgumentMissing ? "no call gives " + name
+                              : check == Check::Vacant        ? name + " has no value here"
+                                                              : name + " may have no value here");
+    if (check != Check::ArgumentMissing) continue;
+    found.path = {c_.callers[static_cast<std::size_t>(flow.program())].front().from};
+  }
+}
+
+void VacantCheck::tell_vacant(const ProgramFlow& flow) {
+  Bits told = uses_.of_program(flow.program()).tested;
+  const std::vector<Vacant> before = vacant(flow);
+  const bool macro = c_.is_called(flow.program());
+  for (Address at = flow.first(); at < flow.last(); ++at) {
+    const VariableUse* own = uses_.of(at);
+    const Vacant& state = before[at - flow.first()];
+    if (own == nullptr || !state.reached || own->read_locals == 0) continue;
+    const Bits always = own->read_locals & state.always & ~told;
+    tell_vacant(flow, at, always, macro ? Check::ArgumentMissing : Check::Vacant);
+    told |= always;
+    const Bits sometimes = own->read_locals & ~own->word_locals & state.sometimes & ~told;
+    tell_vacant(flow, at, sometimes, Check::MaybeVacant);
+    told |= sometimes;
+  }
+}
+/// Arguments that a macro and the subprograms that share its locals never read.
+void VacantCheck::tell_unread() {
+  for (const ProgramFlow& flow : c_.flows)
+    for (const CallEdge& edge : flow.calls()) {
+      if (!edge.macro || edge.start == kNowhere) continue;
+      const ProgramFlow& called = c_.flow(edge.called);
+      const LocalUse& of = uses_.of_program(edge.called);
+      if (of.any || called.calls_computed()) continue;
+      const CallRecord& record = c_.code.calls[edge.record];
+      for (std::uint32_t i = 0; i < record.arguments; ++i) {
+        const Argument& argument = c_.code.arguments[record.first_argument + i];
+        const bool known = argument.variable > 0 && argument.variable < kMostBits;
+        if (!known || (of.reads >> argument.variable & 1) != 0) continue;
+        c_.found(
+            Check::ArgumentUnread, edge.from, {argument.operand.at, argument.operand.width},
+            c_.code.name_of(edge.called) + " never reads #" + std::to_string(argument.variable));
+      }
+    }
+}
+
+void VacantCheck::run() {
+  for (const ProgramFlow& flow : c_.flows) {
+    if (c_.inside(flow) || uses_.of_program(flow.program()).reads == 0) continue;
+    calls_at_ = calls_by_block(flow);
+    tell_vacant(flow);
+  }
+  tell_unread();
+}
+
+}  // namespace
+
+void check_vacant(Checker& c, const VariableUses& uses) { VacantCheck(c, uses).run(); }
+
+}  // namespace cncsub

@@ -1,0 +1,78 @@
+// What blocks and programs do with variables.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "cncsub/analysis/checker.hpp"
+
+namespace cncsub {
+
+/// Variables as bits: a local by its number; others by their places in a list.
+using Bits = std::uint64_t;
+constexpr std::int32_t kMostBits = 64;
+
+/// What one block does.
+struct VariableUse {
+  std::vector<std::int32_t> reads, writes;  // locals and commons by number
+  Bits read_locals = 0, written_locals = 0;
+  Bits word_locals = 0;  // those of `read_locals` that a word holds alone
+  bool tests = false;    // compares with #0: what it reads may be vacant
+  bool any = false;      // a number is computed, or a name is used
+};
+
+/// What one program does with locals, with the subprograms that share them.
+struct LocalUse {
+  Bits reads = 0, writes = 0, tested = 0;
+  bool any = false;  // any variable may be read or written
+  bool operator==(const LocalUse&) const = default;
+};
+
+class VariableUses {
+ public:
+  explicit VariableUses(const Checker& c);
+
+  /// That of a block, null where it has to do with none.
+  const VariableUse* of(Address at) const {
+    const auto found = uses_.find(at);
+    return found == uses_.end() ? nullptr : &found->second;
+  }
+  const LocalUse& of_program(std::int32_t program) const {
+    return programs_[static_cast<std::size_t>(program)];
+  }
+  /// The word or value of a block that reads a variable.
+  TextPlace place_of(Address at, std::int32_t number) const;
+
+ private:
+  void take(const ProgramFlow& flow, Address at);
+  Bits bit_of(std::int64_t number, std::vector<std::int32_t>& to) const;
+  bool tests_vacancy(const Block& block) const;
+  void share();
+
+  const Checker& c_;
+  std::unordered_map<Address, VariableUse> uses_;
+  std::vector<LocalUse> programs_;
+};
+
+/// Of numbers in order those that are among `numbers`, as bits.
+inline Bits bits_of(const std::vector<std::int32_t>& ordered,
+                    const std::vector<std::int32_t>& numbers) {
+  Bits found = 0;
+  for (const std::int32_t number : numbers) {
+    const auto at = std::lower_bound(ordered.begin(), ordered.end(), number);
+    if (at != ordered.end() && *at == number) found |= Bits{1} << (at - ordered.begin());
+  }
+  return found;
+}
+
+/// The calls of a program by their blocks.
+std::vector<std::vector<const CallEdge*>> calls_by_block(const ProgramFlow& flow);
+
+/// Locals without a value, arguments that nobody gives or reads.
+void check_vacant(Checker& c, const VariableUses& uses);
+/// Variables that a caller and a called program both use as their own.
+void check_overwritten(Checker& c, const VariableUses& uses);
+
+}  // namespace cncsub
