@@ -421,7 +421,7 @@ def test_a_project_says_what_no_command_needs_again(part: Path, tmp_path: Path) 
     assert command("check")[0] == 0
     assert "PS5010" in command("run")[1]
     for text, told in (
-        ("contrl = 1", "'contrl'; near are control"),
+        ("contro1 = 1", "'contro1'; near are control"),
         ("control = 1", "control is a text"),
         ('[check]\nignore = ["CS999"]', "CS999"),
         ('[check]\nrules = ["CS1"]', "ignore and severity"),
