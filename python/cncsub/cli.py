@@ -1,4 +1,5 @@
-"""The command line: `cncsub run`, `tree`, `compare`, `diff`, `controls`, `explain`.
+"""The command line: `cncsub run`, `tree`, `compare`, `diff`, `controls`, `explain`,
+`batch`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong
@@ -22,6 +23,7 @@ import typer
 import typer.core
 
 import cncsub
+from cncsub.batch import batch
 from cncsub.controls import did_you_mean
 from cncsub.facts import (
     comparison_facts,
@@ -343,6 +345,9 @@ def explain(
         _write_json(output, facts)
     else:
         _write_text(output, lambda console: print_explanations(console, facts))
+
+
+app.command()(batch)
 
 
 # ---- running ----
