@@ -7,9 +7,9 @@ import signal
 import threading
 import time
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -219,6 +219,7 @@ def test_only_the_file_that_kills_its_worker_is_crashed(tmp_path: Path) -> None:
     assert [row[status] for row in found] == ["ran", "crashed", "ran", "ran"]
 
 
+@pytest.mark.filterwarnings("ignore:a chunk is done again:RuntimeWarning")
 def test_a_process_killed_on_the_way_costs_no_row(tmp_path: Path) -> None:
     archive(tmp_path, 600)
     pool = ProcessPoolExecutor(2, mp_context=get_context("spawn"))
@@ -229,6 +230,43 @@ def test_a_process_killed_on_the_way_costs_no_row(tmp_path: Path) -> None:
     killer.join()
     pool.shutdown()
     assert table["status"].to_pylist() == ["ran"] * 600
+
+
+class Lost(Ending):
+    """A cluster whose workers end with the third chunk."""
+
+    def submit(self, work: Callable[..., Any], /, *arguments: Any, **named: Any) -> Future[Any]:
+        self.left -= 1
+        future: Future[Any] = Future()
+        if self.left == 0:
+            future.set_exception(OSError("the worker is gone"))
+        else:
+            future.set_result(work(*arguments, **named))
+        return future
+
+
+def test_a_chunk_that_is_lost_is_done_here_and_told(tmp_path: Path) -> None:
+    archive(tmp_path, 40)
+    with pytest.warns(RuntimeWarning, match="done again .* OSError: the worker is gone"):
+        table = cncsub.run_many(tmp_path, CONTROL, executor=Lost(3))
+    assert [Path(p).name for p in table["path"].to_pylist()] == [f"O{i}.nc" for i in range(1, 41)]
+    assert set(table["status"].to_pylist()) == {"ran"}
+
+
+@pytest.mark.filterwarnings("ignore:a chunk is done again:RuntimeWarning")
+def test_a_process_of_our_own_that_is_killed_is_replaced(tmp_path: Path) -> None:
+    archive(tmp_path, 800)
+
+    def paths() -> Iterator[Path]:
+        for i, folder in enumerate(sorted(tmp_path.iterdir())):
+            if i == 5:
+                for process in active_children():
+                    process.kill()
+                    process.join()
+            yield folder
+
+    table = cncsub.run_many(paths(), CONTROL, jobs=2)
+    assert table["status"].to_pylist() == ["ran"] * 800
 
 
 def test_an_executor_that_is_broken_is_replaced(tmp_path: Path) -> None:

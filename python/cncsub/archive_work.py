@@ -94,17 +94,19 @@ def _rows(task: Task, job: Job) -> list[Row]:
         if job.fault is not None:
             raise OSError(job.fault)
         library = _library(task, job)
+    except (OSError, ValueError) as error:
+        return [bad_row(task, job, "unreadable", _words(error))]
+    except Exception as error:  # one file never ends the batch
+        return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
+    try:
         if task.kind == "check":
-            # The checker is asked for by name: what has none says so in the row.
             check = getattr(library, "check")  # noqa: B009
             return finding_rows(task, job, check(**task.options))
         run = library.run(**task.options)
         if run.stop == Stop.INTERRUPTED:
             raise KeyboardInterrupt
         return [_run_row(task, job, run, time.perf_counter() - begun)]
-    except (OSError, ValueError) as error:
-        return [bad_row(task, job, "unreadable", _words(error))]
-    except Exception as error:  # one file never ends the batch
+    except Exception as error:
         return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
 
 

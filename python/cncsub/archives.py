@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
+import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from itertools import islice
@@ -56,7 +57,7 @@ def run_many(
     `executor`: any `concurrent.futures.Executor`, such as `client.get_executor()` of Dask, whose
     workers must see the same files; without it `jobs` processes, as many as there are cores. They
     are spawned: a script calls this below `if __name__ == "__main__":`. A chunk whose worker dies
-    is done again in a process of this machine, by halves.
+    is done again in a process of this machine, by halves, and a `RuntimeWarning` tells why.
 
     Returns a `pyarrow.Table`, or with `out` a `pyarrow.dataset.Dataset` on that folder: a call
     that was ended is taken up again by the same call, and only new and changed files are run
@@ -292,8 +293,9 @@ class Crew:
             number, chunk = waiting.pop(future)
             try:
                 rows = future.result()
-            except Exception:
+            except Exception as error:
                 # Whatever went wrong, the worker's end or the cluster's, is met again or not.
+                _warn_of(error)
                 rows = done_apart(work, task, chunk)
             yield number, chunk, rows
 
@@ -302,6 +304,15 @@ class Crew:
         if self._own is not None:
             end_pool(self._own)
             self._own = None
+
+
+def _warn_of(error: Exception) -> None:
+    """A cluster that can do nothing must not look like one that is slow."""
+    warnings.warn(
+        f"a chunk is done again in a process of this machine: {type(error).__name__}: {error}",
+        RuntimeWarning,
+        stacklevel=2,
+    )
 
 
 @contextlib.contextmanager
