@@ -281,11 +281,13 @@ def test_an_executor_that_is_broken_is_replaced(tmp_path: Path) -> None:
 
 def test_a_dask_cluster_is_an_executor_and_a_worker_may_die(tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed")
+    dask = pytest.importorskip("dask")
     archive(tmp_path / "in", 1500)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # Dask's own, about ports, sockets and loops it closes
         options = {"n_workers": 2, "threads_per_worker": 1, "processes": True}
         with (
+            dask.config.set({"distributed.comm.timeouts.connect": "5s"}),  # to who is dead
             distributed.LocalCluster(dashboard_address=None, **options) as cluster,
             distributed.Client(cluster) as client,
         ):
