@@ -63,6 +63,12 @@ def batch(
         )
     except (OSError, ValueError, ImportError) as error:
         raise typer.BadParameter(str(error)) from None
+    counts = _tell(rows, format)
+    raise typer.Exit(0 if set(counts) <= set(FINE) else 1)
+
+
+def _tell(rows: Any, format: BatchFormat) -> dict[str, int]:
+    """Print the rows, a part of them at a time, and count them by status."""
     counts: dict[str, int] = {}
     told = 0
     for part in rows.to_batches():
@@ -75,7 +81,7 @@ def batch(
                 typer.echo(shown(_line(row)))
     if format is BatchFormat.TEXT:
         _print_counts(counts, told, json.loads(rows.schema.metadata[SKIPPED.encode()]))
-    raise typer.Exit(0 if set(counts) <= set(FINE) else 1)
+    return counts
 
 
 def _line(row: dict[str, Any]) -> str:
