@@ -11,6 +11,7 @@ screen.
 """
 
 from cncsub._core import Alarm, Control, Frame, __version__
+from cncsub.archives import check_many, run_many
 from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
 from cncsub.comparison import Comparison, compare
 from cncsub.controls import Cause, Source, causes, controls, sources
@@ -67,9 +68,11 @@ __all__ = [
     "Workpiece",
     "__version__",
     "causes",
+    "check_many",
     "compare",
     "controls",
     "load",
     "loads",
+    "run_many",
     "sources",
 ]

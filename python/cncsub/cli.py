@@ -1,4 +1,5 @@
-"""The command line: `cncsub run`, `tree`, `check`, `compare`, `diff`, `controls`, `explain`.
+"""The command line: `cncsub run`, `tree`, `check`, `compare`, `diff`, `batch`, `controls`,
+`explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong
@@ -20,6 +21,7 @@ import typer
 import typer.core
 
 import cncsub
+from cncsub.batch import batch
 from cncsub.check_command import check
 from cncsub.checking import rule_named
 from cncsub.facts import (
@@ -329,6 +331,9 @@ def _explain_rule(name: str, format: Format, output: Path | None) -> None:
         example.rstrip("\n"),
     ]
     write_text(output, lambda console: console.print("\n".join(lines)))
+
+
+app.command()(batch)
 
 
 # ---- running ----

@@ -155,7 +155,7 @@ def _near_files(path: Path) -> list[str]:
 
 
 def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None:
-    if not _first_time(os.path.realpath(path.parent), path.name, reading):
+    if not first_time(os.path.realpath(path.parent), path.name, reading):
         return
     (text,) = _core.read_files([str(path)], LARGEST_FILE, only_texts=False)
     if not isinstance(text, Text):
@@ -177,7 +177,7 @@ def _why_not(fault: int | str) -> str:
     return os.strerror(fault) if isinstance(fault, int) else fault
 
 
-def _first_time(folder: str, name: str, reading: Reading) -> bool:
+def first_time(folder: str, name: str, reading: Reading) -> bool:
     """Whether this name of a file is met for the first time. A link to a file is another name."""
     key = f"{folder}{os.sep}{name}"
     new = key not in reading._read
@@ -187,8 +187,18 @@ def _first_time(folder: str, name: str, reading: Reading) -> bool:
 
 def _read_folder(top: Path, encoding: str | None, reading: Reading) -> int:
     """Read a folder and those below it, however deep; return how many programs were found."""
+    return sum(
+        read_found_files(before, files, real, encoding, reading)
+        for before, files, real in walk(top, reading)
+    )
+
+
+def walk(top: Path, reading: Reading) -> Iterator[tuple[str, list[str], str]]:
+    """Each folder from `top` down that was not met before: what stands before the names of its
+    files, the names, its real path. Opens no file; what is left alone goes to `reading.skipped`.
+    """
     root = os.path.realpath(top)
-    found, waiting = 0, [(top, root)]
+    waiting = [(top, root)]
     while waiting:
         folder, real = waiting.pop()
         if real in reading._read:
@@ -212,9 +222,8 @@ def _read_folder(top: Path, encoding: str | None, reading: Reading) -> int:
                 )
             else:
                 files.append(entry.name)
-        found += _read_found_files(before, files, real, encoding, reading)
+        yield before, files, real
         waiting += reversed(folders)
-    return found
 
 
 def _entries(folder: Path, reading: Reading) -> list[os.DirEntry[str]]:
@@ -271,13 +280,13 @@ def _refused_entry(entry: os.DirEntry[str], path: Path, root: Path) -> str | Non
     return None
 
 
-def _read_found_files(
+def read_found_files(
     before: str, names: list[str], folder: str, encoding: str | None, reading: Reading
 ) -> int:
     """How many of these files of a folder are programs; one that was read before is not read again.
     `before`: of their paths; `folder`: its real path.
     """
-    new = [name for name in names if _first_time(folder, name, reading)]
+    new = [name for name in names if first_time(folder, name, reading)]
     paths = [before + name for name in new]
     found = len(names) - len(new)
     for path, name, text in zip(
