@@ -21,6 +21,7 @@ KNOWS = {
     "trace": {"text", "control", "code"},
     "motion": {"text", "control", "code", "trace"},
     "machine": {"text", "control", "code", "trace", "motion"},
+    "analysis": {"text", "control", "code", "trace"},
     "controls": {"text", "control"},
 }
 

@@ -219,6 +219,23 @@ def references(
 def all_calls(code: Code) -> list[tuple[int, int, _CallRow]]:
     """Every call: the place of its program, and of its block there."""
 
+def keeps_blocks(trace: Trace) -> bool: ...
+def coverage(
+    trace: Trace,
+) -> tuple[
+    np.ndarray[Any, Any],
+    np.ndarray[Any, Any],
+    list[tuple[int, int, int, int]],
+    list[tuple[int, str, int, int]],
+    list[tuple[int, int, int]],
+]:
+    """By address: steps whose condition held, and failed; (loop, none, once, many); (caller, kind,
+    program, count); (program, variable, count).
+    """
+
+def coverage_blocks(code: Code) -> list[list[tuple[int, int | None, int, str, str]]]:
+    """Of every program its own blocks: address, n, line, text, kind of branch."""
+
 @final
 class Code:
     """The compiled programs of a library."""
