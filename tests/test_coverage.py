@@ -8,8 +8,10 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from typer.testing import CliRunner
 
 import cncsub
+from cncsub.cli import app
 from cncsub.coverage import Coverage, collecting
 
 IF = "O1\nN10 IF[#100EQ1]GOTO30\nN20 #101=1\nN30 M30\n"
@@ -224,3 +226,31 @@ def test_the_page_is_escaped_and_stands_alone(tmp_path: Path) -> None:
     assert "<script" not in page
     assert "&lt;script" in page
     assert "http" not in page
+
+
+def test_the_command_prints_a_table_writes_reports_and_keeps_a_limit(tmp_path: Path) -> None:
+    (tmp_path / "job.nc").write_text(IF)
+    call = ["coverage", str(tmp_path / "job.nc"), "-c", "fanuc-0i-f"]
+    fine = CliRunner().invoke(app, [*call, "--lcov", str(tmp_path / "lcov"), "--fail-under", "80"])
+    assert fine.exit_code == 0
+    assert "O1  blocks 3/3  branches 1/2" in fine.output
+    assert (tmp_path / "lcov").read_text().startswith("TN:\n")
+    below = CliRunner().invoke(app, [*call, "--fail-under", "80.1"])
+    assert below.exit_code == 1
+    assert "below 80.1 %" in below.output
+
+
+def test_the_command_tells_lines_that_did_not_run_and_why_a_run_stopped(tmp_path: Path) -> None:
+    (tmp_path / "job.nc").write_text("O1\nN10 M98 P9\nN20 G0 X1\nN30 M30\n")
+    result = CliRunner().invoke(app, ["coverage", str(tmp_path / "job.nc"), "-c", "fanuc-0i-f"])
+    assert "not executed: lines 2-4" in result.output
+    assert "stopped early: PS0076" in result.output
+
+
+@pytest.mark.parametrize("wrong", [["-c", "fanuc"], ["-c", "fanuc-0i-f", "--main", "O7"]])
+def test_wrong_use_of_the_command_is_told_with_exit_status_2(
+    wrong: list[str], tmp_path: Path
+) -> None:
+    (tmp_path / "job.nc").write_text(IF)
+    result = CliRunner().invoke(app, ["coverage", str(tmp_path / "job.nc"), *wrong])
+    assert result.exit_code == 2
