@@ -15,18 +15,16 @@ namespace cncsub::bindings {
 
 namespace {
 
-py::object array_of(const std::vector<std::int64_t>& values) {
-  const Array<std::int64_t> array(values.size());
-  std::copy(values.begin(), values.end(), array.data);
-  return array.object;
-}
-
 /// By address: executions whose condition held and failed, loops, calls, arguments.
 py::tuple coverage(const Record& record) {
   const Record::Reading reading(record);
+  const std::size_t blocks = record.code().blocks.size();
+  const Array<std::int64_t> held(blocks), failed(blocks);
   Coverage found;
   work_away([&](InterruptCheck& interrupt) {
-    found = coverage_of(record.code(), record.trace(), interrupt);
+    std::fill_n(held.data, blocks, 0);
+    std::fill_n(failed.data, blocks, 0);
+    found = coverage_of(record.code(), record.trace(), held.data, failed.data, interrupt);
   });
   py::list loops, calls, arguments;
   for (const auto& [address, entries] : found.loops)
@@ -36,7 +34,7 @@ py::tuple coverage(const Record& record) {
         py::make_tuple(call.address, std::string(to_string(call.kind)), call.program, call.count));
   for (const Coverage::Given& given : found.arguments)
     arguments.append(py::make_tuple(given.program, given.variable, given.count));
-  return py::make_tuple(array_of(found.held), array_of(found.failed), loops, calls, arguments);
+  return py::make_tuple(held.object, failed.object, loops, calls, arguments);
 }
 
 /// Of every program its blocks: (address, n, line, text, branch). A block that programs share is

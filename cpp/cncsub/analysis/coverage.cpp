@@ -188,17 +188,16 @@ Branches::Branches(const Code& code) : of(code.blocks.size(), Branch::None) {
   }
 }
 
-Coverage coverage_of(const Code& code, const Trace& trace, InterruptCheck& interrupt) {
+Coverage coverage_of(const Code& code, const Trace& trace, std::int64_t* held, std::int64_t* failed,
+                     InterruptCheck& interrupt) {
   Coverage found;
-  found.held.resize(code.blocks.size());
-  found.failed.resize(code.blocks.size());
   const Branches branches(code);
   Loops loops(code, branches, found);
   trace.steps.for_each_run(0, trace.steps.size(), [&](const Trace::Step* rows, std::size_t count) {
     if (interrupt.requested(count * sizeof(Trace::Step))) return;
     for (std::size_t i = 0; i < count; ++i) {
       const Trace::Step& step = rows[i];
-      ++(step.failed != 0 ? found.failed : found.held)[step.address];
+      ++(step.failed != 0 ? failed : held)[step.address];
       if (loops.open() || is_loop(branches.of[step.address])) loops.follow(step);
     }
   });

@@ -49,14 +49,15 @@ struct Coverage {
     std::int64_t count;  // of calls that gave it
   };
 
-  std::vector<std::int64_t> held, failed;  // by address: executions, by what the condition said
   // By the loop's address: entries without a pass, with one, with more.
   std::unordered_map<Address, std::array<std::int64_t, 3>> loops;
   std::vector<Call> calls;
   std::vector<Given> arguments;
 };
 
-/// Counts a whole run, which has recorded its blocks.
-Coverage coverage_of(const Code& code, const Trace& trace, InterruptCheck& interrupt);
+/// Counts a whole run, which has recorded its blocks. Executions are added up by address in `held`
+/// and `failed`, by what the condition said; both have room for all blocks and hold zeros.
+Coverage coverage_of(const Code& code, const Trace& trace, std::int64_t* held, std::int64_t* failed,
+                     InterruptCheck& interrupt);
 
 }  // namespace cncsub
