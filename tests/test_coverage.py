@@ -175,6 +175,13 @@ def test_collecting_adds_up_the_runs_of_all_threads() -> None:
     assert collected.total.blocks[0].count == 8
 
 
+def test_a_run_whose_texts_clash_is_left_out_and_counted() -> None:
+    with collecting() as collected:
+        for text in (IF, WHILE):
+            cncsub.loads(text, control="fanuc-0i-f").run()
+    assert (collected.runs, collected.left_out) == (1, 1)
+
+
 def test_lcov_tells_lines_and_branches() -> None:
     lines = covered(IF).to_lcov().splitlines()
     assert lines[0] == "TN:"

@@ -411,7 +411,7 @@ class Collected:
 
     total: Coverage = field(default_factory=Coverage)
     runs: int = 0
-    left_out: int = 0  # runs that kept no blocks
+    left_out: int = 0  # runs that kept no blocks, or had other texts under the same names
     _lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
 
     def _take(self, found: Coverage | None) -> None:
@@ -419,8 +419,12 @@ class Collected:
             if found is None:
                 self.left_out += 1
                 return
-            self.runs += 1
-            self.total = self.total + found
+            try:
+                self.total = self.total + found
+            except ValueError:  # a run that ended well is not to fail for what is counted of it
+                self.left_out += 1
+            else:
+                self.runs += 1
 
 
 _collectors: list[Collected] = []
@@ -430,7 +434,8 @@ _collectors_lock = threading.Lock()
 @contextmanager
 def collecting() -> Iterator[Collected]:
     """Adds up every `run` and `mdi` of this process that finishes meanwhile, in any thread. Runs
-    that keep no blocks, by their `trace`, are counted in `left_out`; machines and streams are not
+    that keep no blocks, by their `trace`, and those whose programs have another text than those of
+    the same file and name before, are left out and counted in `left_out`; machines and streams are not
     collected.
 
     >>> import cncsub.coverage
