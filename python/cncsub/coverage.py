@@ -435,8 +435,8 @@ _collectors_lock = threading.Lock()
 def collecting() -> Iterator[Collected]:
     """Adds up every `run` and `mdi` of this process that finishes meanwhile, in any thread. Runs
     that keep no blocks, by their `trace`, and those whose programs have another text than those of
-    the same file and name before, are left out and counted in `left_out`; machines and streams are not
-    collected.
+    the same file and name before, are left out and counted in `left_out`; machines and streams are
+    not collected.
 
     >>> import cncsub.coverage
     >>> with cncsub.coverage.collecting() as collected:
