@@ -18,10 +18,10 @@ KNOWS = {
     "control": {"text"},
     "code": {"text", "control"},
     "dialect": {"text", "control", "code"},
-    "analysis": {"text", "control", "code"},
     "trace": {"text", "control", "code"},
     "motion": {"text", "control", "code", "trace"},
     "machine": {"text", "control", "code", "trace", "motion"},
+    "analysis": {"text", "control", "code", "trace"},
     "controls": {"text", "control"},
 }
 

@@ -42,6 +42,7 @@ PYBIND11_MODULE_EXEC(engine, m) {
   cncsub::bindings::add_check(m);
   cncsub::bindings::add_trace(m);
   cncsub::bindings::add_machine(m);
+  cncsub::bindings::add_coverage(m);
 }
 
 /// Exceptions need memory of this thread, which is taken when one is thrown for the first time;

@@ -233,6 +233,23 @@ def flow(
 ) -> tuple[list[tuple[int | None, int | None, str]], list[int], list[int], list[int]]:
     """The ways between blocks; those that return, that end, that nothing leads to."""
 
+def keeps_blocks(trace: Trace) -> bool: ...
+def coverage(
+    trace: Trace,
+) -> tuple[
+    np.ndarray[Any, Any],
+    np.ndarray[Any, Any],
+    list[tuple[int, int, int, int]],
+    list[tuple[int, str, int, int]],
+    list[tuple[int, int, int]],
+]:
+    """By address: steps whose condition held, and failed; (loop, none, once, many); (caller, kind,
+    program, count); (program, variable, count).
+    """
+
+def coverage_blocks(code: Code) -> list[list[tuple[int, int | None, int, str, str]]]:
+    """Of every program its own blocks: address, n, line, text, kind of branch."""
+
 @final
 class Code:
     """The compiled programs of a library."""

@@ -1,5 +1,5 @@
-"""The command line: `cncsub run`, `tree`, `check`, `compare`, `diff`, `batch`, `controls`,
-`explain`.
+"""The command line: `cncsub run`, `tree`, `check`, `coverage`, `compare`, `diff`, `batch`,
+`controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong
@@ -24,6 +24,7 @@ import cncsub
 from cncsub.batch import batch
 from cncsub.check_command import check
 from cncsub.checking import rule_named
+from cncsub.coverage_command import coverage
 from cncsub.facts import (
     comparison_facts,
     control_facts,
@@ -272,6 +273,9 @@ def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> N
         lines = "\n".join(shown(line) for line in str(compared).split("\n"))
         write_text(output, lambda console: console.print(lines))
     raise typer.Exit(0 if compared.same else 1)
+
+
+app.command()(coverage)
 
 
 @app.command()

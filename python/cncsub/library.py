@@ -11,6 +11,7 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.checking import Finding, Flow, check, flow_of
 from cncsub.controls import Named, control_of, did_you_mean
+from cncsub.coverage import collect
 from cncsub.files import Piece, StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.inputs import Inputs, checked_variables, checked_watch, inputs_of
 from cncsub.program import Program, find_program
@@ -466,7 +467,9 @@ def _machine(
 
 def _finished(core: _core.Machine) -> Run:
     core.run()
-    return Run(core)
+    run = Run(core)
+    collect(core.trace, core.code)
+    return run
 
 
 def _one_of(what: str, value: object, known: Sequence[str]) -> str:

@@ -11,6 +11,7 @@ from typing import Any
 from cncsub import _core, asserting
 from cncsub._core import Alarm, Frame
 from cncsub.controls import did_you_mean
+from cncsub.coverage import Coverage, coverage_of
 from cncsub.inputs import checked_variables
 from cncsub.program import Block, find_program
 from cncsub.rows import Dropped, MissedSkip, Step
@@ -378,6 +379,17 @@ class Run(_Outcome):
         >>> run.assert_alarm("program-not-found")
         """
         asserting.assert_alarm(self, expected, at)
+
+    def coverage(self) -> Coverage:
+        """The blocks, branches, calls and arguments that this run went through.
+
+        Raises `ValueError` for a run with `trace="none"` or `"calls"`, which kept no blocks.
+
+        >>> import cncsub
+        >>> cncsub.loads("O1\\nN10 M30\\n", control="fanuc-0i-f").run().coverage().percent
+        100.0
+        """
+        return coverage_of(self._trace, self._core.code)
 
     @functools.cached_property
     def variables(self) -> Variables:

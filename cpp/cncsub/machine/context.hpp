@@ -47,6 +47,7 @@ struct RunningBlock {
   bool is_step = false;           // it waited for a modal macro, and was recorded before that:
   std::int64_t step = 0;          // as this step
   bool waiting_is_due = false;    // the frame is left for which the last of State::waiting waited
+  bool failed = false;            // its condition did not hold (labelled statements)
   bool follows_moves = false;     // it has no words to be the arguments of G66.1, whose macro then
                                   // follows its move as that of G66 does
   std::vector<double> arguments;  // the locals of the level that it is about to open,
@@ -109,15 +110,17 @@ struct Run {
   }
 };
 
-[[gnu::always_inline]] inline void record_step(Run& run) {
+/// `failed`: the block has a condition, and it did not hold.
+[[gnu::always_inline]] inline void record_step(Run& run, bool failed = false) {
   if (run.trace.depth >= Trace::Depth::Blocks)
-    run.trace.steps.push({run.state.pc, run.frame().call, run.frame().repeat});
+    run.trace.steps.push(
+        {run.state.pc & 0x7fffffffU, failed ? 1U : 0U, run.frame().call, run.frame().repeat});
   ++run.state.executed;
 }
 
 /// Of a block that may be a step already.
-inline void record_block(Run& run) {
-  if (!run.block.is_step) record_step(run);
+inline void record_block(Run& run, bool failed = false) {
+  if (!run.block.is_step) record_step(run, failed);
 }
 
 /// To be called before the clock, a random number or a skip signal is taken.

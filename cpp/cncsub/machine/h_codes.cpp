@@ -172,13 +172,14 @@ std::optional<Cause> calculate(Run& run, int code, double q, double r, std::int6
 }
 
 /// H80 to H86: jumps, always or where Q and R compare so.
-bool jump(Run& run, const HCode& h, double q, double r) {
+bool jump(Run& run, const HCode& h, double q, double r, bool& holds) {
   const int code = h.number;
   if (!h.p.present()) return wrong(run, h, Cause::HCodeFormat, h.p, "the jump has no P");
   if (code > 80 && (!h.q.present() || !h.r.present()))
     return wrong(run, h, Cause::HCodeOperand, h.q, "the comparison takes Q and R");
-  const bool holds[] = {true, q == r, q != r, q > r, q < r, q >= r, q <= r};
-  if (!holds[code - 80]) return true;
+  const bool compared[] = {true, q == r, q != r, q > r, q < r, q >= r, q <= r};
+  holds = compared[code - 80];
+  if (!holds) return true;
   double value = 0;
   if (!value_of(run, h.p, value) || !may_jump(run, h)) return false;
   const std::int64_t n =
@@ -204,14 +205,14 @@ bool raise_alarm(Run& run, const HCode& h) {
 
 }  // namespace
 
-bool h_code(Run& run, const HCode& h) {
+bool h_code(Run& run, const HCode& h, bool& holds) {
   const int code = h.number;
   double q = 0, r = 0;
   if (!value_of(run, h.q, q) || !value_of(run, h.r, r)) return false;
   if (h.q.present() && is_vacant(q) && code != 1) q = 0;
   if (h.r.present() && is_vacant(r)) r = 0;
   if (code == 99) return raise_alarm(run, h);
-  if (code >= 80 && code <= 86) return jump(run, h, q, r);
+  if (code >= 80 && code <= 86) return jump(run, h, q, r, holds);
   const int operands = operands_of(code);
   if (operands == 0)
     return alarm(run,

@@ -258,6 +258,7 @@ bool branch_of_if(Run& run, const Labelled& own) {
   if (own.kind == LabelledKind::If) {
     if (!meet(run, own, met)) return false;
     run.state.labels.entered = value != 0;
+    run.block.failed = value == 0;
     return run.state.labels.entered || pass_on(run, own);
   }
   if (!met_before(run, own, met)) return false;
@@ -267,6 +268,7 @@ bool branch_of_if(Run& run, const Labelled& own) {
     run.state.labels.entered = true;
     return true;
   }
+  run.block.failed = own.kind == LabelledKind::ElseIf && (run.state.labels.entered || value == 0);
   if (run.state.labels.entered) return pass_on(run, own);
   if (own.kind == LabelledKind::Else) {
     run.state.labels.entered = run.state.labels.entered || passing;
@@ -297,9 +299,12 @@ bool loop_head(Run& run, const Labelled& own) {
       return true;
     }
     met->repeats = -1;
+    run.block.failed = true;
     return pass_on(run, own);
   }
-  if (met->kind != LabelledKind::Do) return value != 0 || pass_on(run, own);
+  const bool end_of_do = met->kind == LabelledKind::Do;
+  run.block.failed = value == 0 || (end_of_do && run.state.labels.breaks);
+  if (!end_of_do) return value != 0 || pass_on(run, own);
   if (value != 0 && !run.state.labels.breaks)
     run.block.next = met->address;
   else
@@ -378,12 +383,13 @@ bool run_labelled(Run& run, const Block& block) {
   const std::int64_t before = run.state.executed;
   const bool passed = run.state.labels.passing &&
                       (own.kind == LabelledKind::Break || own.kind == LabelledKind::Continue);
+  run.block.failed = false;
   if (!obey(run, own)) return false;
   if (run.state.executed != before || run.state.frames.size() != depth)
     return true;  // a call or a return
   if (block.n >= 0) run.state.last_n = block.n;
   ++run.state.changes;
-  if (!passed) record_step(run);
+  if (!passed) record_step(run, run.block.failed);
   run.state.pc = run.block.next;
   return true;
 }

@@ -150,7 +150,7 @@ bool jump_now(Run& run, const JumpRecord& jump, double p) {
     if (!evaluate(run, jump.input, input)) return false;
     run.state.last_condition = jump.input;
     if (input != 0) {
-      record_block(run);
+      record_block(run, true);
       ++run.state.pc;
       return true;
     }

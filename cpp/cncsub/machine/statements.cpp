@@ -172,7 +172,7 @@ bool run_statements(Run& run, bool one) {
     const Block& block = blocks[s.pc];
     const Statement& statement = statements[block.aux];
     run.block.next = s.pc + 1;
-    bool runs = true, holds = false;
+    bool runs = true, holds = true;
     double value = 0;
     switch (block.op) {
       case Op::Assign:
@@ -197,7 +197,7 @@ bool run_statements(Run& run, bool one) {
         return dispatch(run, block);
     }
     if (!runs) return false;
-    record_step(run);
+    record_step(run, !holds);
     s.pc = run.block.next;
     if (one || s.executed >= run.watch.look_at || (blocks[s.pc].skip & run.options.skips) != 0)
       return true;
@@ -207,7 +207,7 @@ bool run_statements(Run& run, bool one) {
 bool run_statement(Run& run, const Block& block) {
   const bool other = block.op == Op::Print || block.op == Op::HCode;
   const Statement* const statement = other ? nullptr : run.code->statements.data() + block.aux;
-  bool runs = true, holds = false;
+  bool runs = true, holds = true;
   switch (block.op) {
     case Op::Goto:
       runs = jump_by_goto(run, *statement);
@@ -228,7 +228,7 @@ bool run_statement(Run& run, const Block& block) {
       run.block.next = statement->to;
       break;
     case Op::HCode:
-      runs = h_code(run, run.code->h_codes[block.aux]);
+      runs = h_code(run, run.code->h_codes[block.aux], holds);
       break;
     case Op::Print:
       runs = print(run, run.code->prints[block.aux]);
@@ -240,7 +240,7 @@ bool run_statement(Run& run, const Block& block) {
       break;
   }
   if (!runs) return false;
-  record_step(run);
+  record_step(run, !holds);
   run.state.pc = run.block.next;
   return true;
 }

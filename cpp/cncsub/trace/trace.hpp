@@ -32,7 +32,9 @@ struct Trace {
   };
   enum class Depth : std::uint8_t { None, Calls, Blocks, Moves };
   struct Step {
-    Address address;
+    // Blocks are 40 bytes each: no memory holds so many that their addresses need the last bit.
+    std::uint32_t address : 31;
+    std::uint32_t failed : 1;  // the condition of the block did not hold
     std::int32_t call;
     std::int32_t repeat;
   };

@@ -1,0 +1,209 @@
+#include "cncsub/analysis/coverage.hpp"
+
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace cncsub {
+
+std::string_view to_string(Branch branch) {
+  switch (branch) {
+    case Branch::None:
+      return "";
+    case Branch::IfGoto:
+      return "if-goto";
+    case Branch::IfThen:
+      return "if-then";
+    case Branch::If:
+      return "if";
+    case Branch::ElseIf:
+      return "elseif";
+    case Branch::DoWhile:
+      return "do-while";
+    case Branch::HJump:
+      return "h-jump";
+    case Branch::Input:
+      return "input-jump";
+    case Branch::While:
+      return "while";
+    case Branch::Repeat:
+      return "repeat";
+  }
+  return "";
+}
+
+namespace {
+
+Branch branch_of(const Code& code, const Block& block) {
+  switch (block.op) {
+    case Op::IfGoto:
+      return Branch::IfGoto;
+    case Op::IfThen:
+      return Branch::IfThen;
+    case Op::If:
+      return Branch::If;
+    case Op::While:
+      return Branch::While;
+    case Op::HCode: {
+      const int number = code.h_codes[block.aux].number;
+      return number >= 81 && number <= 86 ? Branch::HJump : Branch::None;
+    }
+    case Op::Jump:
+      return code.jumps[block.aux].reads_input ? Branch::Input : Branch::None;
+    default:
+      return Branch::None;
+  }
+}
+
+/// Labels that are open in one program: of loops, and of DO whose WHILE stands at its end.
+struct OpenLabels {
+  std::unordered_map<std::uint32_t, Address> loops;
+  std::unordered_map<std::uint32_t, Address> dos;
+
+  Branch meet(const Labelled& own, Address at, std::unordered_map<Address, Address>& ends) {
+    switch (own.kind) {
+      case LabelledKind::If:
+        return Branch::If;
+      case LabelledKind::ElseIf:
+        return Branch::ElseIf;
+      case LabelledKind::Do:
+        dos[own.label] = at;
+        return Branch::None;
+      case LabelledKind::While:
+        if (dos.erase(own.label) != 0) return Branch::DoWhile;
+        loops[own.label] = at;
+        return Branch::While;
+      case LabelledKind::Repeat:
+        loops[own.label] = at;
+        return Branch::Repeat;
+      case LabelledKind::EndWhile:
+      case LabelledKind::EndRepeat:
+        if (const auto found = loops.find(own.label); found != loops.end())
+          ends[found->second] = at;
+        return Branch::None;
+      case LabelledKind::Sub:
+      case LabelledKind::Head:
+        *this = {};
+        return Branch::None;
+      default:
+        return Branch::None;
+    }
+  }
+};
+
+/// Counts the passes of loops. A loop that is left by a jump or a return ends with the first step
+/// outside it.
+class Loops {
+ public:
+  Loops(const Code& code, const Branches& branches, Coverage& to)
+      : code_(code), branches_(branches), to_(to) {}
+
+  bool open() const { return !open_.empty(); }
+  void follow(const Trace::Step& step) {
+    while (!open_.empty() && !stays_open(open_.back(), step)) close();
+    const Branch branch = branches_.of[step.address];
+    if (is_loop(branch)) return head(step);
+    if (code_.blocks[step.address].op == Op::Return)
+      while (!open_.empty() && open_.back().call == step.call) close();
+  }
+  void close_all() {
+    while (!open_.empty()) close();
+  }
+
+ private:
+  struct Open {
+    Address start, end;
+    std::int32_t call, repeat;
+    std::int64_t passes;
+  };
+
+  /// A call has a higher number than the one that made it.
+  static bool stays_open(const Open& loop, const Trace::Step& step) {
+    if (step.call != loop.call) return step.call > loop.call;
+    return step.repeat == loop.repeat && step.address >= loop.start && step.address <= loop.end;
+  }
+  void head(const Trace::Step& step) {
+    const bool inside =
+        !open_.empty() && open_.back().call == step.call && open_.back().start == step.address;
+    if (step.failed == 0 && inside) {
+      ++open_.back().passes;
+    } else if (step.failed == 0) {
+      const auto end = branches_.ends.find(step.address);
+      open_.push_back({step.address, end == branches_.ends.end() ? kNowhere : end->second,
+                       step.call, step.repeat, 1});
+    } else if (inside) {
+      close();
+    } else {
+      ++to_.loops[step.address][0];
+    }
+  }
+  void close() {
+    ++to_.loops[open_.back().start][open_.back().passes > 1 ? 2 : 1];
+    open_.pop_back();
+  }
+
+  const Code& code_;
+  const Branches& branches_;
+  Coverage& to_;
+  std::vector<Open> open_;
+};
+
+void count_calls(const Trace& trace, Coverage& to, InterruptCheck& interrupt) {
+  std::map<std::tuple<Address, CallKind, std::int32_t>, std::int64_t> calls;
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int64_t> given;
+  const auto steps = static_cast<std::int64_t>(trace.steps.size());
+  auto last = calls.end();
+  for (std::size_t row = 0; row < trace.calls.size(); ++row) {
+    if (interrupt.requested(sizeof(CallRow))) return;
+    const CallRow& call = trace.calls[row];
+    const std::int64_t caller = call.caller_step - trace.first_step;
+    for (std::uint32_t i = 0; i < call.arguments; ++i)
+      ++given[{call.program, trace.arguments[call.first_argument + i].variable}];
+    // The block that alarmed as it called may be no step.
+    if (caller < 0 || caller >= steps) continue;
+    const std::tuple key{trace.steps[static_cast<std::size_t>(caller)].address + 0U, call.kind,
+                         call.program};
+    if (last == calls.end() || last->first != key) last = calls.try_emplace(key, 0).first;
+    ++last->second;
+  }
+  for (const auto& [key, count] : calls)
+    to.calls.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), count});
+  for (const auto& [key, count] : given) to.arguments.push_back({key.first, key.second, count});
+}
+
+}  // namespace
+
+Branches::Branches(const Code& code) : of(code.blocks.size(), Branch::None) {
+  OpenLabels labels;
+  for (Address a = 0; a < code.blocks.size(); ++a) {
+    const Block* block = &code.blocks[a];
+    // What stands behind a skip mark inside the block makes it no other statement.
+    if (block->op == Op::Choose) block = &code.variants[code.choices[block->aux].first];
+    if (block->op == Op::Labelled) {
+      of[a] = labels.meet(code.labelled[block->aux], a, ends);
+    } else {
+      of[a] = branch_of(code, *block);
+      if (block->op == Op::While) ends[a] = code.statements[block->aux].end;
+    }
+  }
+}
+
+Coverage coverage_of(const Code& code, const Trace& trace, std::int64_t* held, std::int64_t* failed,
+                     InterruptCheck& interrupt) {
+  Coverage found;
+  const Branches branches(code);
+  Loops loops(code, branches, found);
+  trace.steps.for_each_run(0, trace.steps.size(), [&](const Trace::Step* rows, std::size_t count) {
+    if (interrupt.requested(count * sizeof(Trace::Step))) return;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Trace::Step& step = rows[i];
+      ++(step.failed != 0 ? failed : held)[step.address];
+      if (loops.open() || is_loop(branches.of[step.address])) loops.follow(step);
+    }
+  });
+  loops.close_all();
+  count_calls(trace, found, interrupt);
+  return found;
+}
+
+}  // namespace cncsub

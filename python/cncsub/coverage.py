@@ -1,0 +1,463 @@
+"""Coverage: which blocks, branches, calls and arguments of the programs runs went through."""
+
+from __future__ import annotations
+
+import threading
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any, Generic, NamedTuple, TypeVar
+
+from cncsub import _core
+from cncsub.references import references_of
+
+Row = TypeVar("Row")
+LETTERS = dict(zip("ABCIJKDEFHMQRSTUVWXYZ", (*range(1, 10), 11, 13, *range(17, 27)), strict=True))
+_LETTER_OF = {number: letter for letter, number in LETTERS.items()}
+_OUTCOMES = ("none", "once", "many")
+_LOOPS = ("while", "repeat")
+
+
+@dataclass(frozen=True, slots=True)
+class BlockRow:
+    """A block, and how often it was executed."""
+
+    program: str
+    n: int | None
+    line: int
+    text: str
+    count: int
+    covered: bool
+
+
+@dataclass(frozen=True, slots=True)
+class BranchRow:
+    """One outcome of a block that decides. `kind`: `if-goto` (UNTIL too), `if-then`, `if`,
+    `elseif`, `h-jump`, `input-jump`, `do-while`, `while`, `repeat`. `outcome`: `taken` and
+    `not taken` (whether the condition held); of the loops `while` and `repeat` the number of passes
+    of an entry: `none`, `once`, `many`.
+    """
+
+    program: str
+    n: int | None
+    line: int
+    kind: str
+    outcome: str
+    count: int
+    covered: bool
+
+
+@dataclass(frozen=True, slots=True)
+class CallRow:
+    """A call that a block makes: of a program that ran, or as it is written where none did."""
+
+    program: str
+    n: int | None
+    line: int
+    kind: str
+    called: str
+    count: int
+    covered: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ArgumentRow:
+    """An argument that a program reads as a local or was given; `letter` is `None` where the
+    variable has none. `count`: calls that gave it.
+    """
+
+    program: str
+    letter: str | None
+    variable: int
+    count: int
+    covered: bool
+
+
+class Table(tuple[Row, ...], Generic[Row]):
+    """Rows in the order of the programs: a tuple of them with `to_pandas`."""
+
+    def to_pandas(self) -> Any:
+        """The rows as a pandas `DataFrame`."""
+        import pandas as pd
+
+        return pd.DataFrame([asdict(row) for row in self])  # type: ignore[call-overload]
+
+    def __repr__(self) -> str:
+        done = sum(row.covered for row in self)  # type: ignore[attr-defined]
+        return f"<Table: {done} of {len(self)} covered>"
+
+
+class _Block(NamedTuple):
+    n: int | None
+    line: int
+    text: str
+    branch: str
+
+
+@dataclass
+class Counted:
+    """One program and what was counted of it; blocks are numbered from 0."""
+
+    name: str
+    file: str
+    text: str
+    blocks: list[_Block]
+    held: list[int]
+    failed: list[int]
+    loops: dict[int, list[int]]
+    sites: dict[tuple[int, str], str]  # calls as they are written
+    calls: Counter[tuple[int, str, str]]
+    reads: set[int]
+    given: Counter[int]
+
+    def add(self, other: Counted) -> None:
+        self.held = [a + b for a, b in zip(self.held, other.held, strict=True)]
+        self.failed = [a + b for a, b in zip(self.failed, other.failed, strict=True)]
+        for block, entries in other.loops.items():
+            old = self.loops.get(block, [0, 0, 0])
+            self.loops[block] = [a + b for a, b in zip(old, entries, strict=True)]
+        self.calls.update(other.calls)
+        self.given.update(other.given)
+
+    def count(self, block: int) -> int:
+        return self.held[block] + self.failed[block]
+
+    def outcomes(self, block: int) -> Iterator[tuple[str, int]]:
+        kind = self.blocks[block].branch
+        if kind in _LOOPS:
+            yield from zip(_OUTCOMES, self.loops.get(block, [0, 0, 0]), strict=True)
+        elif kind:
+            yield "taken", self.held[block]
+            yield "not taken", self.failed[block]
+
+    def calls_of(self) -> Iterator[tuple[int, str, str, int]]:
+        """Block, kind, called, count: those that were made, and sites that made none."""
+        made = {block for block, _, _ in self.calls}
+        left = [(*site, called, 0) for site, called in self.sites.items() if site[0] not in made]
+        yield from sorted([*left, *((*key, count) for key, count in self.calls.items())])
+
+
+@dataclass
+class _Raw:
+    """What was counted of the programs of one memory, by the addresses of their blocks."""
+
+    code: _core.Code
+    held: Any
+    failed: Any
+    loops: Counter[tuple[int, int]]  # address, place in _OUTCOMES
+    calls: Counter[tuple[int, str, int]]
+    given: Counter[tuple[int, int]]
+
+    def plus(self, other: _Raw) -> _Raw:
+        return _Raw(
+            self.code,
+            self.held + other.held,
+            self.failed + other.failed,
+            self.loops + other.loops,
+            self.calls + other.calls,
+            self.given + other.given,
+        )
+
+
+def _key(program: _core.ProgramData) -> tuple[str, str]:
+    return program.file, program.name
+
+
+def _programs(raw: _Raw) -> Iterator[Counted]:
+    code = raw.code
+    place: dict[int, tuple[int, int]] = {}
+    made = []
+    sites: dict[int, dict[tuple[int, str], str]] = {}
+    for caller, index, call in _core.all_calls(code):
+        called = call[6] if call[6] is not None else call[2] or ""
+        if call[2] is not None and call[6] is None:
+            called = code.program(call[2]).name
+        sites.setdefault(caller, {})[index, call[0]] = str(called or call[1] or "")
+    for index, blocks in enumerate(_core.coverage_blocks(code)):
+        data = code.program(index)
+        for own, block in enumerate(blocks):
+            place[block[0]] = index, own
+        addresses = [block[0] for block in blocks]
+        first = addresses[0] if addresses else 0
+        offsets = {address - first: own for own, address in enumerate(addresses)}
+        made.append(
+            Counted(
+                data.name,
+                data.file,
+                data.text,
+                [_Block(*block[1:]) for block in blocks],
+                raw.held[addresses].tolist(),
+                raw.failed[addresses].tolist(),
+                {},
+                {
+                    (offsets[b], k): to
+                    for (b, k), to in sites.get(index, {}).items()
+                    if b in offsets
+                },
+                Counter(),
+                _locals_read(data, offsets),
+                Counter(),
+            )
+        )
+    for (address, outcome), count in raw.loops.items():
+        index, block_at = place[address]
+        made[index].loops.setdefault(block_at, [0, 0, 0])[outcome] += count
+    for (address, kind, called_index), count in raw.calls.items():
+        if address in place:
+            index, block_at = place[address]
+            made[index].calls[block_at, kind, made[called_index].name] += count
+    for (index, variable), count in raw.given.items():
+        made[index].given[variable] += count
+    yield from made
+
+
+def _locals_read(data: _core.ProgramData, blocks: Iterable[int]) -> set[int]:
+    """The locals 1 to 26 that stand for arguments and are read."""
+    if "#" not in data.text:
+        return set()
+    found = {use.variable for block in blocks for use in references_of(data, block).reads}
+    return {number for number in found if isinstance(number, int) and number in _LETTER_OF}
+
+
+class Coverage:
+    """What runs went through; `run.coverage()` makes it and `+` and `sum` add them up.
+
+    Blocks are those that can be executed: no comments, empty lines and heads of programs. A block
+    is covered where it was executed, once at least. A block that raised an alarm is covered only
+    where the control did some of it before (words before a call, #3000, which is meant to alarm);
+    one that a skip switch passed over, and one that cannot be read, is not. Branches: every
+    condition both ways, every WHILE and repeat entered with no pass, one, and many.
+
+    Runs of different libraries are added by the file and the name of their programs. Programs that
+    have the same of both and another text are a `ValueError`.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 IF[#100EQ1]GOTO30\\nN20 M98 P2\\nN30 M30\\nO2\\nN40 M99\\n"
+    >>> library = cncsub.loads(text, control="fanuc-0i-f")
+    >>> once = library.run().coverage()
+    >>> once
+    <Coverage: 83.3 %, 4 of 4 blocks, 1 of 2 branches, 1 of 1 calls>
+    >>> both = once + library.run(variables={100: 1}).coverage()
+    >>> both.percent, [row.count for row in both.branches]
+    (100.0, [1, 1])
+    """
+
+    def __init__(self, parts: Iterable[_Raw] = ()) -> None:
+        self._parts = tuple(parts)
+        self._made: dict[tuple[str, str, int], Counted] | None = None
+
+    def __add__(self, other: object) -> Coverage:
+        if not isinstance(other, Coverage):
+            return NotImplemented
+        parts = {id(part.code): part for part in self._parts}
+        new = [part for part in other._parts if id(part.code) not in parts]
+        for part in other._parts:
+            if id(part.code) in parts:
+                parts[id(part.code)] = parts[id(part.code)].plus(part)
+        added = Coverage([*parts.values(), *new])
+        if new and self._parts:
+            added._programs  # noqa: B018  # other texts under the same names are told here
+        return added
+
+    def __radd__(self, other: object) -> Coverage:
+        return self if other == 0 else NotImplemented
+
+    @property
+    def _programs(self) -> Mapping[tuple[str, str, int], Counted]:
+        if self._made is None:
+            made: dict[tuple[str, str, int], Counted] = {}
+            for part in self._parts:
+                seen: Counter[tuple[str, str]] = Counter()
+                for program in _programs(part):
+                    name = program.file, program.name
+                    _add(made, (*name, seen[name]), program)
+                    seen[name] += 1
+            self._made = made
+        return self._made
+
+    @property
+    def programs(self) -> tuple[Counted, ...]:
+        """The programs with their counts, for writers of reports."""
+        return tuple(self._programs.values())
+
+    @property
+    def blocks(self) -> Table[BlockRow]:
+        """A row for each block that can be executed."""
+        return Table(
+            BlockRow(p.name, b.n, b.line, b.text, p.count(i), p.count(i) > 0)
+            for p in self.programs
+            for i, b in enumerate(p.blocks)
+        )
+
+    @property
+    def branches(self) -> Table[BranchRow]:
+        """A row for each outcome of a block that decides."""
+        return Table(
+            BranchRow(p.name, b.n, b.line, b.branch, outcome, count, count > 0)
+            for p in self.programs
+            for i, b in enumerate(p.blocks)
+            for outcome, count in p.outcomes(i)
+        )
+
+    @property
+    def calls(self) -> Table[CallRow]:
+        """A row for each block that calls and program that it called."""
+        return Table(
+            CallRow(p.name, p.blocks[i].n, p.blocks[i].line, kind, called, count, count > 0)
+            for p in self.programs
+            for i, kind, called, count in p.calls_of()
+        )
+
+    @property
+    def arguments(self) -> Table[ArgumentRow]:
+        """A row for each argument that a call gave, and for each local that a called program reads
+        and no call gave it. Programs that no macro call entered with an argument have no rows.
+        """
+        return Table(
+            ArgumentRow(p.name, _LETTER_OF.get(v), v, p.given[v], p.given[v] > 0)
+            for p in self.programs
+            if p.given
+            for v in sorted(p.reads | set(p.given))
+        )
+
+    @property
+    def percent(self) -> float:
+        """Covered blocks and covered outcomes of branches, of all of them together; 100 where there
+        are none. Calls and arguments do not count.
+        """
+        covered = known = 0
+        for program in self.programs:  # no rows are made for it
+            for index, block in enumerate(program.blocks):
+                covered += program.count(index) > 0
+                known += 1
+                if block.branch:
+                    counts = [count for _, count in program.outcomes(index)]
+                    covered += sum(count > 0 for count in counts)
+                    known += len(counts)
+        return 100.0 * covered / known if known else 100.0
+
+    def to_html(self, path: str | Path | None = None) -> str:
+        """The programs with what was executed, as one page that needs nothing else; written to
+        `path` where one is given.
+        """
+        from cncsub.coverage_formats import html
+
+        page = html(self)
+        if path is not None:
+            Path(path).write_text(page, encoding="utf-8")
+        return page
+
+    def to_lcov(self) -> str:
+        """The counts as an lcov tracefile."""
+        from cncsub.coverage_formats import lcov
+
+        return lcov(self)
+
+    def to_cobertura(self) -> str:
+        """The counts as XML of Cobertura (coverage-04.dtd)."""
+        from cncsub.coverage_formats import cobertura
+
+        return cobertura(self)
+
+    def __repr__(self) -> str:
+        def told(rows: Table[Any], what: str) -> str:
+            return f"{sum(row.covered for row in rows)} of {len(rows)} {what}"
+
+        return (
+            f"<Coverage: {self.percent:.1f} %, {told(self.blocks, 'blocks')},"
+            f" {told(self.branches, 'branches')}, {told(self.calls, 'calls')}>"
+        )
+
+
+def _add(made: dict[tuple[str, str, int], Counted], key: Any, program: Counted) -> None:
+    old = made.setdefault(key, program)
+    if old is program:
+        return
+    if old.text != program.text or old.blocks != program.blocks:
+        raise ValueError(
+            f"{program.name} of {program.file} has another text, or is read by another control, in"
+            " the runs that are added: add runs of one version, or name their files differently"
+        )
+    old.add(program)
+
+
+def coverage_of(trace: _core.Trace, code: _core.Code) -> Coverage:
+    """Counts what a run recorded. Raises `ValueError` where it did not keep its blocks."""
+    if not _core.keeps_blocks(trace):
+        raise ValueError(
+            'a run with trace="none" or "calls" keeps no blocks to count: run it with'
+            ' trace="blocks" or "moves"'
+        )
+    held, failed, loops, calls, given = _core.coverage(trace)
+    return Coverage(
+        [
+            _Raw(
+                code,
+                held,
+                failed,
+                Counter({(at, i): of[i] for at, *of in loops for i in range(3)}),
+                Counter({call[:3]: call[3] for call in calls}),
+                Counter({row[:2]: row[2] for row in given}),
+            )
+        ]
+    )
+
+
+@dataclass
+class Collected:
+    """The sum of the runs of a `collecting()`."""
+
+    total: Coverage = field(default_factory=Coverage)
+    runs: int = 0
+    left_out: int = 0  # runs that kept no blocks, or had other texts under the same names
+    _lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
+
+    def _take(self, found: Coverage | None) -> None:
+        with self._lock:
+            if found is None:
+                self.left_out += 1
+                return
+            try:
+                self.total = self.total + found
+            except ValueError:  # a run that ended well is not to fail for what is counted of it
+                self.left_out += 1
+            else:
+                self.runs += 1
+
+
+_collectors: list[Collected] = []
+_collectors_lock = threading.Lock()
+
+
+@contextmanager
+def collecting() -> Iterator[Collected]:
+    """Adds up every `run` and `mdi` of this process that finishes meanwhile, in any thread. Runs
+    that keep no blocks, by their `trace`, and those whose programs have another text than those of
+    the same file and name before, are left out and counted in `left_out`; machines and streams are
+    not collected.
+
+    >>> import cncsub.coverage
+    >>> with cncsub.coverage.collecting() as collected:
+    ...     run = cncsub.loads("O1\\nN10 M30\\n", control="fanuc-0i-f").run()
+    >>> collected.runs, collected.total.percent
+    (1, 100.0)
+    """
+    own = Collected()
+    with _collectors_lock:
+        _collectors.append(own)
+    try:
+        yield own
+    finally:
+        with _collectors_lock:
+            _collectors[:] = [each for each in _collectors if each is not own]
+
+
+def collect(trace: _core.Trace, code: _core.Code) -> None:
+    """What a finished run tells whoever collects."""
+    if not _collectors:
+        return
+    found = coverage_of(trace, code) if _core.keeps_blocks(trace) else None
+    for each in tuple(_collectors):
+        each._take(found)

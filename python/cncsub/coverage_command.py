@@ -1,0 +1,119 @@
+"""The command `cncsub coverage`."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+import cncsub
+from cncsub.coverage import Coverage
+from cncsub.printing import Console, console_on, shown
+
+_Report = Annotated[Path | None, typer.Option(help="Write this file.", metavar="FILE")]
+
+
+def coverage(
+    paths: Annotated[list[str], typer.Argument(help="Files and folders: the memory.")],
+    control: Annotated[str, typer.Option("-c", "--control", help="The control.")],
+    main: Annotated[
+        list[str] | None, typer.Option(help="A program to run; given again, another one.")
+    ] = None,
+    skip: Annotated[
+        list[int] | None, typer.Option(help="A block-skip switch that is on.", metavar="N")
+    ] = None,
+    external: Annotated[Path | None, typer.Option(help="The folder that M198 reads.")] = None,
+    encoding: Annotated[str | None, typer.Option(help="Of comments and names.")] = None,
+    max_cycles: Annotated[int, typer.Option(help="Of a main program that ends in M99.")] = 1,
+    max_blocks: Annotated[int, typer.Option(help="Executed at most, by a run.")] = 10_000_000,
+    html: _Report = None,
+    lcov: _Report = None,
+    cobertura: _Report = None,
+    fail_under: Annotated[
+        float, typer.Option(help="Exit with 1 below so many percent.", min=0, max=100)
+    ] = 0,
+) -> None:
+    """Run programs and tell which blocks and branches they went through."""
+    total = Coverage()
+    with _wrong_use():
+        library = cncsub.load(*paths, control=control, external=external, encoding=encoding)
+        names: list[str | None] = [*main] if main else [None]
+        for name in names:
+            run = library.run(
+                name,
+                block_skip=tuple(skip or ()),
+                max_cycles=max_cycles,
+                max_blocks=max_blocks,
+                trace="blocks",
+            )
+            total += run.coverage()
+            _tell_stop(run, name)
+        for path, text in ((html, total.to_html), (lcov, total.to_lcov)):
+            _write(path, text)
+        _write(cobertura, total.to_cobertura)
+    print_coverage(console_on(sys.stdout), total)
+    if total.percent < fail_under:
+        typer.echo(f"cncsub: coverage is {total.percent:.2f} %, below {fail_under:g} %", err=True)
+        raise typer.Exit(1)
+
+
+def _tell_stop(run: cncsub.Run, name: str | None) -> None:
+    """What ended before its end covers less than it seems: said, whatever the limit is."""
+    if run.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
+        reason = str(run.alarm) if run.alarm is not None else str(run.stop)
+        typer.echo(shown(f"{name or 'the main program'} stopped early: {reason}"), err=True)
+
+
+def _write(path: Path | None, text: Callable[[], str]) -> None:
+    if path is not None:
+        path.write_text(text(), encoding="utf-8")
+
+
+@contextmanager
+def _wrong_use() -> Iterator[None]:
+    """What the caller can mend is one line and exit status 2."""
+    try:
+        yield
+    except KeyError as error:
+        raise typer.BadParameter(str(error.args[0])) from None
+    except OSError as error:
+        named = f"{error.filename}: " if error.filename else ""
+        raise typer.BadParameter(f"{named}{error.strerror or error}") from None
+    except (ValueError, TypeError) as error:
+        raise typer.BadParameter(str(error)) from None
+
+
+def print_coverage(console: Console, coverage: Coverage) -> None:
+    """A line for each program: covered blocks and outcomes, and the lines that are missing."""
+    for program in coverage.programs:
+        counts = [program.count(index) for index in range(len(program.blocks))]
+        outcomes = [of for index in range(len(counts)) for _, of in program.outcomes(index)]
+        missing = [
+            block.line for block, count in zip(program.blocks, counts, strict=True) if not count
+        ]
+        told = f"  not executed: lines {_ranges(missing)}" if missing else ""
+        line = (
+            f"{program.name}  blocks {_part(counts)}  branches {_part(outcomes)}"
+            f"{told}  {program.file}"
+        )
+        console.print(shown(line))
+    console.print(shown(repr(coverage)[1:-1]))
+
+
+def _part(counts: list[int]) -> str:
+    return f"{sum(count > 0 for count in counts)}/{len(counts)}"
+
+
+def _ranges(lines: list[int]) -> str:
+    """3-5, 9"""
+    found: list[list[int]] = []
+    for line in lines:
+        if found and line == found[-1][1] + 1:
+            found[-1][1] = line
+        else:
+            found.append([line, line])
+    return ", ".join(str(a) if a == b else f"{a}-{b}" for a, b in found)
