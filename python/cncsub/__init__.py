@@ -13,6 +13,7 @@ screen.
 from cncsub._core import Alarm, Control, Frame, __version__
 from cncsub.comparison import Comparison, compare
 from cncsub.controls import Cause, Source, causes, controls, sources
+from cncsub.flattening import Flat, FlattenError, flatten
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
@@ -39,6 +40,8 @@ __all__ = [
     "Cylinder",
     "Dropped",
     "Edge",
+    "Flat",
+    "FlattenError",
     "Frame",
     "Inputs",
     "JumpTo",
@@ -63,6 +66,7 @@ __all__ = [
     "causes",
     "compare",
     "controls",
+    "flatten",
     "load",
     "loads",
     "sources",
