@@ -27,6 +27,10 @@ CASES = {
         "O1\nG65 P2 A7.\nM30\nO2\nG0 X-#1\nM99\n",
         "O1\nG0 X-7.\nM30\n",
     ),
+    "an expression": (
+        "O1\n#1=2\nG65 P2 A3.\nM30\nO2\nG0 X[#1*SIN[30]+1] Y-[#1]\nG4 P[#1*100]\nM99\n",
+        "O1\nG0 X2.5 Y-3.\nG4 P300\nM30\n",
+    ),
     "a modal macro behind each move": (
         "O1\nG66 P2\nG0 X1.\nG67\nM30\nO2\nM8\nM99\n",
         "O1\nG0 X1.\nM8\nM30\n",
@@ -34,7 +38,8 @@ CASES = {
     "a main program that starts over": ("O1\nG0 X1.\nM99\n", "O1\nG0 X1.\nM99\n"),
 }
 REFUSED = {
-    "O1\nG0 X[1+1]\nM30\n": "is an expression",
+    "O1\nG0 X[#5041+1]\nM30\n": "is an expression",
+    "O1\n#1=100\nG0 X#[#1+1]\nM30\n": "is an expression",
     "O1\n#5221=5\nM30\n": "a variable of the control",
     "O1\n#3000=1(OFF)\nM30\n": "ends by an alarm",
     "O1\nN10 GOTO 10\nM30\n": "does not end",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import os
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -22,6 +24,11 @@ if TYPE_CHECKING:
 _SYSTEM = 1000  # from here on a variable may be the control's own
 _WITH_CALL = {"M98": "PLHQ", "M198": "PLHQ"}  # what belongs to the call and not to the block
 _LEFT_OUT = {"M97", "M98", "M99", "M198", "G67"}
+_INDIRECT = re.compile(r"#(?!\d)")  # #[#1], ##1, #<name>
+_VARIABLE = re.compile(r"#(\d+)")
+_RESULTS = range(100, 150)  # where a value is computed again
+_Evaluator = Callable[[str, int], Library]
+_NEAR = 1e-9  # s
 _ORIGINS = ("program", "n", "line", "call", "pass")
 
 
@@ -82,6 +89,12 @@ class _FlatPair(Pair):
         yield from self._of_moves(a, b)
         for name in ("m_codes", "t_codes", "messages"):
             yield from self._of_list(a, b, name)
+        if len(a.moves) == len(b.moves):
+            apart = abs(a.moves.time - b.moves.time) > _NEAR  # dwells are time and no way
+            if apart.any():
+                at = int(apart.argmax())
+                steps = (int(a.moves.step[at]), int(b.moves.step[at]))
+                yield self._say((a, b), steps, (f"move {at}", f"move {at} of another time"))
         if a.stop != b.stop or b.alarm is not None:
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
 
@@ -183,6 +196,15 @@ def _does_not_end(run: Run) -> FlattenError:
     return FlattenError(f"the run does not end: it stopped with {run.stop.value}{waits}")
 
 
+def _evaluator_of(control: Control) -> _Evaluator:
+    @functools.cache
+    def read(expression: str, result: int) -> Library:
+        """A program that computes the expression, read once for each."""
+        return loads(f"O1\n#{result}={expression}\nM30\n", control=control)
+
+    return read
+
+
 class _Writer:
     """The lines of the flat program, and where they come from."""
 
@@ -193,6 +215,7 @@ class _Writer:
         self.lines: list[str] = [name] if begins else []
         self.origins: list[tuple[str, int, int, int, int]] = []
         self._comments = comments
+        self._evaluator = _evaluator_of(library.control)
         self._blocks = _blocks_by_place(library)
         self._words: dict[tuple[str, int], tuple[Block, list[Word]]] = {}
 
@@ -206,7 +229,9 @@ class _Writer:
             if kept:
                 self.note(step)
                 words = (
-                    word.text if word.value is not None else _written(word, block, machine, level)
+                    word.text
+                    if word.value is not None
+                    else _written(word, block, machine, level, self._evaluator)
                     for word in kept
                 )
                 self.lines.append(" ".join(words) + self._comment(step))
@@ -260,21 +285,29 @@ def _refused(block: Block, reason: str) -> FlattenError:
     return FlattenError(reason, block.program.name, block.n, block.line)
 
 
-def _written(word: Word, block: Block, machine: Any, level: int) -> str:
+def _written(word: Word, block: Block, machine: Any, level: int, evaluator: _Evaluator) -> str:
     if level > machine._core.level:
         raise _refused(block, f"the value of {word.text} belongs to a call that has ended")
-    rest = word.text[len(word.address) :].strip()
-    minus, rest = rest.startswith("-"), rest.removeprefix("-")
-    if not (rest.startswith("#") and rest[1:].isascii() and rest[1:].isdigit()):
+    value = _value(word, block, machine, level, evaluator)
+    if word.address in "GMTSDHPL" and value == int(value):
+        return f"{word.address}{int(value)}"
+    return word.address + f"{value:.12f}".rstrip("0")
+
+
+def _value(word: Word, block: Block, machine: Any, level: int, evaluator: _Evaluator) -> float:
+    """What the control makes of the expression: it computes it again from the same variables."""
+    expression = word.text[len(word.address) :].strip()
+    if _INDIRECT.search(expression):
         raise _refused(block, f"the value of {word.text} is an expression")
+    numbers = {int(number) for number in _VARIABLE.findall(expression)} - {0}
+    if any(number >= _SYSTEM for number in numbers):
+        raise _refused(block, f"the value of {word.text} is an expression of the control's own")
+    result = next(number for number in _RESULTS if number not in numbers)
     try:
-        value = machine._core.get_variable(int(rest[1:]), level)
-    except LookupError:
-        value = None
+        values = {number: machine._core.get_variable(number, level) for number in numbers}
+        value = evaluator(expression, result).run(variables=values, trace="none").variables[result]
+    except (LookupError, ValueError):
+        raise _refused(block, f"the value of {word.text} is an expression") from None
     if value is None:
         raise _refused(block, f"the value of {word.text} is vacant")
-    value = -value if minus else value
-    if word.address in "GMTSD" and value == int(value):
-        return f"{word.address}{int(value)}"
-    text = f"{value:.12f}".rstrip("0")
-    return f"{word.address}{text}"
+    return value
