@@ -31,6 +31,10 @@ CASES = {
         "O1\n#1=2\nG65 P2 A3.\nM30\nO2\nG0 X[#1*SIN[30]+1] Y-[#1]\nG4 P[#1*100]\nM99\n",
         "O1\nG0 X2.5 Y-3.\nG4 P300\nM30\n",
     ),
+    "a computed end is rounded to the increment": (
+        "O1\n#1=10/3\nG0 X#1\nX[#1*2]\nM30\n",
+        "O1\nG0 X3.333\nX6.667\nM30\n",
+    ),
     "a modal macro behind each move": (
         "O1\nG66 P2\nG0 X1.\nG67\nM30\nO2\nM8\nM99\n",
         "O1\nG0 X1.\nM8\nM30\n",
@@ -61,6 +65,12 @@ def test_what_is_refused(text: str) -> None:
     with pytest.raises(cncsub.FlattenError, match=REFUSED[text]) as caught:
         cncsub.flatten(library, max_blocks=50)
     assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args
+
+
+def test_for_another_control() -> None:
+    library = cncsub.loads(CASES["an expression"][0], control="fanuc-0i-f")
+    flat = cncsub.flatten(library, control="mitsubishi-m700")
+    assert flat.text == CASES["an expression"][1]
 
 
 def test_origins_name_block_call_and_pass() -> None:

@@ -14,7 +14,7 @@ from cncsub.comparison import Pair, Parting
 from cncsub.controls import control_of
 from cncsub.library import Library, Options, loads
 from cncsub.program import Block, Program, Word
-from cncsub.rows import Call, Step
+from cncsub.rows import Step
 from cncsub.run import Run, Stop
 from cncsub.tables import optional_module
 
@@ -28,6 +28,7 @@ _INDIRECT = re.compile(r"#(?!\d)")  # #[#1], ##1, #<name>
 _VARIABLE = re.compile(r"#(\d+)")
 _RESULTS = range(100, 150)  # where a value is computed again
 _Evaluator = Callable[[str, int], Library]
+_DIGITS = (12, 3, 4)  # decimals of computed values
 _NEAR = 1e-9  # s
 _ORIGINS = ("program", "n", "line", "call", "pass")
 
@@ -155,31 +156,45 @@ def flatten(
     run = library.run(main, **options)
     if run.stop not in (Stop.END, Stop.CYCLES):
         raise _does_not_end(run)
-    writer = _Writer(library, main, comments)
-    writer.write_all(library.machine(main, **options))
-    if run.stop is Stop.CYCLES:
-        writer.lines.append("M99")
-        last = run.steps[len(run.steps) - 1]
-        writer.note(last)
+    target = library.control if control is None else control_of(control)
+    # A control rounds computed ends to its increment and cuts written ones off: which digits it
+    # takes is told by what it does.
+    for digits in _DIGITS:
+        writer = _Writer(library, main, comments, digits)
+        writer.write_all(library.machine(main, **options), run)
+        flat, parting = _tried(writer, target, run, library, main, options)
+        if parting is None or not writer.computed:
+            break
+    if parting is None:
+        return flat
+    step = run.steps[min(parting.first, len(run.steps) - 1)]
+    reason = f"the flat program would not run alike\n{parting.what}"
+    raise FlattenError(reason, step.program, step.n, step.line)
+
+
+def _tried(
+    writer: _Writer,
+    control: Control,
+    run: Run,
+    library: Library,
+    main: str | int | None,
+    options: Options,
+) -> tuple[Flat, Parting | None]:
+    """The flat program, and where it parts from the run."""
     text = "\n".join(writer.lines) + "\n"
-    flat = loads(text, control=library.control if control is None else control_of(control))
+    flat = loads(text, control=control)
     pair = _FlatPair((library, flat), ("program", "flat"), main, options, same_texts=False)
     again: Options = {**options, "max_cycles": 1}
     again.pop("start", None)  # the flat program begins there
     runs = (run, flat.run(**again))
-    parting = pair.parting(*runs)
-    if parting is None and len(runs[1].calls):
-        raise FlattenError("the flat program would still call", *_place(run.calls[0], run))
-    if parting is not None:
-        at = min(parting.first, len(run.steps) - 1)
-        step = run.steps[at]
-        reason = f"the flat program would not run alike\n{parting.what}"
-        raise FlattenError(reason, step.program, step.n, step.line)
-    return Flat(text, Origins(writer.origins), runs, pair)
+    if len(runs[1].calls):
+        raise FlattenError("the flat program would still call", *_place(run))
+    return Flat(text, Origins(writer.origins), runs, pair), pair.parting(*runs)
 
 
-def _place(call: Call, run: Run) -> tuple[str, int | None, int]:
-    step = run.steps[call.caller_step]
+def _place(run: Run) -> tuple[str, int | None, int]:
+    """The block that makes the first call, or the first block."""
+    step = run.steps[run.calls[0].caller_step if len(run.calls) else 0]
     return step.program, step.n, step.line
 
 
@@ -208,33 +223,47 @@ def _evaluator_of(control: Control) -> _Evaluator:
 class _Writer:
     """The lines of the flat program, and where they come from."""
 
-    def __init__(self, library: Library, main: str | int | None, comments: bool) -> None:
+    def __init__(
+        self, library: Library, main: str | int | None, comments: bool, digits: int
+    ) -> None:
         program = library.main if main is None else library[main]
         name = "" if program is None else program.name
         begins = program is not None and program.text.lstrip("%\r\n ").startswith(name.lstrip("%"))
         self.lines: list[str] = [name] if begins else []
         self.origins: list[tuple[str, int, int, int, int]] = []
         self._comments = comments
+        self._digits = digits
+        self.computed = False
         self._evaluator = _evaluator_of(library.control)
         self._blocks = _blocks_by_place(library)
         self._words: dict[tuple[str, int], tuple[Block, list[Word]]] = {}
 
-    def write_all(self, machine: Any) -> None:
+    def write_all(self, machine: Any, run: Run) -> None:
         while True:
             level = machine._core.level  # of the block: a modal call behind it opens another one
             step = machine.step()
             if step is None:
-                return
+                break
             block, kept = self._kept(step)
             if kept:
                 self.note(step)
-                words = (
-                    word.text
-                    if word.value is not None
-                    else _written(word, block, machine, level, self._evaluator)
+                words = [
+                    self._written(word, block, machine, level) if word.value is None else word.text
                     for word in kept
-                )
+                ]
                 self.lines.append(" ".join(words) + self._comment(step))
+        if run.stop is Stop.CYCLES:
+            self.lines.append("M99")
+            self.note(run.steps[len(run.steps) - 1])
+
+    def _written(self, word: Word, block: Block, machine: Any, level: int) -> str:
+        if level > machine._core.level:
+            raise _refused(block, f"the value of {word.text} belongs to a call that has ended")
+        self.computed = True
+        value = _value(word, block, machine, level, self._evaluator)
+        if word.address in "GMTSDHPL" and value == int(value):
+            return f"{word.address}{int(value)}"
+        return word.address + f"{value:.{self._digits}f}".rstrip("0")
 
     def note(self, step: Step) -> None:
         n = -1 if step.n is None else step.n
@@ -283,15 +312,6 @@ def _kept(block: Block) -> list[Word]:
 
 def _refused(block: Block, reason: str) -> FlattenError:
     return FlattenError(reason, block.program.name, block.n, block.line)
-
-
-def _written(word: Word, block: Block, machine: Any, level: int, evaluator: _Evaluator) -> str:
-    if level > machine._core.level:
-        raise _refused(block, f"the value of {word.text} belongs to a call that has ended")
-    value = _value(word, block, machine, level, evaluator)
-    if word.address in "GMTSDHPL" and value == int(value):
-        return f"{word.address}{int(value)}"
-    return word.address + f"{value:.12f}".rstrip("0")
 
 
 def _value(word: Word, block: Block, machine: Any, level: int, evaluator: _Evaluator) -> float:
