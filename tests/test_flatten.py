@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import pickle
+from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
 import cncsub
+from cncsub.cli import app
 from conformance import rows
 from outcome import load
 
@@ -71,6 +74,18 @@ def test_for_another_control() -> None:
     library = cncsub.loads(CASES["an expression"][0], control="fanuc-0i-f")
     flat = cncsub.flatten(library, control="mitsubishi-m700")
     assert flat.text == CASES["an expression"][1]
+
+
+def test_the_command(tmp_path: Path) -> None:
+    text, expected = CASES["calls and repeats"]
+    program, out = tmp_path / "p.nc", tmp_path / "flat.nc"
+    program.write_text(text)
+    done = CliRunner().invoke(app, ["flatten", str(program), "-c", "fanuc-0i-f", "-o", str(out)])
+    assert done.exit_code == 0, done.output
+    assert out.read_text() == expected
+    program.write_text("O1\n#5221=5\nM30\n")
+    done = CliRunner().invoke(app, ["flatten", str(program), "-c", "fanuc-0i-f"])
+    assert done.exit_code == 2
 
 
 def test_origins_name_block_call_and_pass() -> None:

@@ -1,4 +1,4 @@
-"""The command line: `cncsub run`, `tree`, `compare`, `diff`, `controls`, `explain`.
+"""The command line: `cncsub run`, `tree`, `compare`, `diff`, `flatten`, `controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong
@@ -295,6 +295,38 @@ def diff(
         old, new = (_library({**options, "paths": [path]}) for path in (before, after))
         compared = cncsub.compare(old, new, main=main, **_asked(options, "moves"))
     _tell(compared, format, output)
+
+
+@app.command()
+def flatten(
+    paths: Paths = None,
+    control: ControlName = None,
+    main: Main = None,
+    set: Set = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    comments: Annotated[bool, typer.Option(help="Write where each block comes from.")] = False,
+    output: Output = None,
+) -> None:
+    """Write what a program executes as one program without calls, jumps and variables."""
+    options = {**locals(), "mdi": None}
+    with _wrong_use():
+        library = _library(options)
+        asked = _asked(options, "moves")
+        flat = cncsub.flatten(library, main, comments=comments, **asked)
+    if output is None:
+        typer.echo(flat.text, nl=False)
+    else:
+        with _opened(output, "w") as file:
+            file.write(flat.text)
 
 
 def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> None:
