@@ -15,6 +15,7 @@ from cncsub.archives import check_many, run_many
 from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
 from cncsub.comparison import Comparison, compare
 from cncsub.controls import Cause, Source, causes, controls, sources
+from cncsub.flattening import Flat, FlattenError, flatten
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
@@ -44,6 +45,8 @@ __all__ = [
     "Edge",
     "Edit",
     "Finding",
+    "Flat",
+    "FlattenError",
     "Flow",
     "FlowEdge",
     "Frame",
@@ -71,6 +74,7 @@ __all__ = [
     "check_many",
     "compare",
     "controls",
+    "flatten",
     "load",
     "loads",
     "run_many",

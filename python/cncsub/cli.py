@@ -1,5 +1,5 @@
-"""The command line: `cncsub run`, `tree`, `check`, `coverage`, `compare`, `diff`, `batch`,
-`controls`, `explain`.
+"""The command line: `cncsub run`, `tree`, `check`, `coverage`, `compare`, `diff`,
+`flatten`, `batch`, `controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong
@@ -33,6 +33,7 @@ from cncsub.facts import (
     tree_facts,
     unknown_alarm,
 )
+from cncsub.flatten_command import flatten
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -264,6 +265,9 @@ def diff(
         old, new = (library_of({**options, "paths": [path]}) for path in (before, after))
         compared = cncsub.compare(old, new, main=main, **run_options(options, "moves"))
     _tell(compared, format, output)
+
+
+app.command()(flatten)
 
 
 def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> None:

@@ -26,7 +26,7 @@ _CALLS = ("kind", "program", "start_n", "repeats", "level")
 _NOT_COMPARED = ("move", "step", "length", "time")  # of moves: what follows from the others
 
 
-class _Parting(NamedTuple):
+class Parting(NamedTuple):
     """Where two runs part: a step of each, the count of steps where it has none."""
 
     first: int
@@ -104,7 +104,7 @@ def compare(
     if second is None:
         raise TypeError("compare takes a second library, or controls=[one, another]")
     a, b = _library(first, control), _library(second, control)
-    pair = _Pair((a, b), ("before", "after"), main, options, same_texts=False)
+    pair = Pair((a, b), ("before", "after"), main, options, same_texts=False)
     runs = pair.runs()
     parting = pair.parting(*runs)
     return _told(pair, runs, parting, (), ())
@@ -131,7 +131,7 @@ def _compare_controls(
     library = _library(of, control or one)
     texts = (library.read_for(one), library.read_for(other))
     names = (one.name, other.name) if one.name != other.name else ("first", "second")
-    pair = _Pair(texts, names, main, options, same_texts=True)
+    pair = Pair(texts, names, main, options, same_texts=True)
     runs = pair.runs()
     parting = pair.parting(*runs)
     if parting is None:
@@ -152,9 +152,9 @@ def _compare_controls(
 
 
 def _told(
-    pair: _Pair,
+    pair: Pair,
     runs: tuple[Run, Run],
-    parting: _Parting | None,
+    parting: Parting | None,
     rules: tuple[str, ...],
     untried: tuple[str, ...],
 ) -> Comparison:
@@ -175,7 +175,7 @@ def _side(run: Run, at: int, does: str) -> str:
     return f"{step.program}{n}, line {step.line}{': ' if does else ''}{does}"
 
 
-class _Pair:
+class Pair:
     """Two libraries, and how they are run."""
 
     def __init__(
@@ -199,12 +199,12 @@ class _Pair:
     def runs(self) -> tuple[Run, Run]:
         return self.run(self.libraries[0]), self.run(self.libraries[1])
 
-    def parting(self, a: Run, b: Run) -> _Parting | None:
+    def parting(self, a: Run, b: Run) -> Parting | None:
         """The earliest of all differences."""
         found = list(self._partings(a, b))
         return min(found, key=lambda parting: (parting.first, parting.second), default=None)
 
-    def _partings(self, a: Run, b: Run) -> Iterator[_Parting]:
+    def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
         yield from self._of_calls(a, b)
         yield from self._of_moves(a, b)
         for name in _LISTS:
@@ -214,19 +214,19 @@ class _Pair:
             yield from self._of_steps(a, b)
         yield from self._of_stop(a, b)
 
-    def _say(self, runs: tuple[Run, Run], at: tuple[int, int], does: tuple[str, str]) -> _Parting:
+    def _say(self, runs: tuple[Run, Run], at: tuple[int, int], does: tuple[str, str]) -> Parting:
         sides = zip(self.names, runs, at, does, strict=True)
         lines = (f"{name}: {_side(run, step, text)}" for name, run, step, text in sides)
-        return _Parting(*at, "\n".join(lines))
+        return Parting(*at, "\n".join(lines))
 
-    def _of_steps(self, a: Run, b: Run) -> Iterator[_Parting]:
+    def _of_steps(self, a: Run, b: Run) -> Iterator[Parting]:
         at = _first(
             [(_column(a.steps, name), _column(b.steps, name)) for name in ("program", "line")]
         )
         if at is not None:
             yield self._say((a, b), (at, at), ("", ""))
 
-    def _of_calls(self, a: Run, b: Run) -> Iterator[_Parting]:
+    def _of_calls(self, a: Run, b: Run) -> Iterator[Parting]:
         columns = [(_column(a.calls, name), _column(b.calls, name)) for name in _CALLS]
         at = _first(columns)
         if at is None:
@@ -243,7 +243,7 @@ class _Pair:
             )
         yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
 
-    def _of_moves(self, a: Run, b: Run) -> Iterator[_Parting]:
+    def _of_moves(self, a: Run, b: Run) -> Iterator[Parting]:
         names = list(dict.fromkeys([*a.moves.columns, *b.moves.columns]))
         best, which = None, ""
         for name in names:
@@ -263,7 +263,7 @@ class _Pair:
             does.append(f"move {best} with {which} = {shown}" if there else "no further move")
         yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
 
-    def _of_list(self, a: Run, b: Run, name: str) -> Iterator[_Parting]:
+    def _of_list(self, a: Run, b: Run, name: str) -> Iterator[Parting]:
         """Lists that grow while a run goes on: the step is found by shorter and shorter runs."""
         lists = (getattr(a, name), getattr(b, name))
         count = min(len(lists[0]), len(lists[1]))
@@ -293,7 +293,7 @@ class _Pair:
                 low = middle + 1
         return low
 
-    def _of_variables(self, a: Run, b: Run) -> Iterator[_Parting]:
+    def _of_variables(self, a: Run, b: Run) -> Iterator[Parting]:
         values = [
             {number: value for number, value in run.variables.items() if value is not None}
             for run in (a, b)
@@ -319,7 +319,7 @@ class _Pair:
             does.append("no further change" if row is None else f"#{row.variable} = {shown}")
         yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
 
-    def _of_stop(self, a: Run, b: Run) -> Iterator[_Parting]:
+    def _of_stop(self, a: Run, b: Run) -> Iterator[Parting]:
         def stop(run: Run) -> tuple[object, ...]:
             alarm = run.alarm
             where = (alarm.cause, alarm.program, alarm.n) if alarm is not None else ()

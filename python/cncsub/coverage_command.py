@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -12,24 +11,46 @@ import typer
 
 import cncsub
 from cncsub.coverage import Coverage
+from cncsub.options import (
+    ControlName,
+    Encoding,
+    External,
+    InputsFile,
+    MaxBlocks,
+    MaxCycles,
+    OptionalStop,
+    Param,
+    Paths,
+    Set,
+    SetupFile,
+    Skip,
+    Start,
+    library_of,
+    run_options,
+    wrong_use,
+)
 from cncsub.printing import Console, console_on, shown
 
 _Report = Annotated[Path | None, typer.Option(help="Write this file.", metavar="FILE")]
 
 
 def coverage(
-    paths: Annotated[list[str], typer.Argument(help="Files and folders: the memory.")],
-    control: Annotated[str, typer.Option("-c", "--control", help="The control.")],
+    paths: Paths = None,
+    control: ControlName = None,
     main: Annotated[
         list[str] | None, typer.Option(help="A program to run; given again, another one.")
     ] = None,
-    skip: Annotated[
-        list[int] | None, typer.Option(help="A block-skip switch that is on.", metavar="N")
-    ] = None,
-    external: Annotated[Path | None, typer.Option(help="The folder that M198 reads.")] = None,
-    encoding: Annotated[str | None, typer.Option(help="Of comments and names.")] = None,
-    max_cycles: Annotated[int, typer.Option(help="Of a main program that ends in M99.")] = 1,
-    max_blocks: Annotated[int, typer.Option(help="Executed at most, by a run.")] = 10_000_000,
+    set: Set = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
     html: _Report = None,
     lcov: _Report = None,
     cobertura: _Report = None,
@@ -38,18 +59,13 @@ def coverage(
     ] = 0,
 ) -> None:
     """Run programs and tell which blocks and branches they went through."""
+    options = {**locals(), "mdi": None, "output": None, "main": None}
     total = Coverage()
-    with _wrong_use():
-        library = cncsub.load(*paths, control=control, external=external, encoding=encoding)
+    with wrong_use():
+        library = library_of(options)
         names: list[str | None] = [*main] if main else [None]
         for name in names:
-            run = library.run(
-                name,
-                block_skip=tuple(skip or ()),
-                max_cycles=max_cycles,
-                max_blocks=max_blocks,
-                trace="blocks",
-            )
+            run = library.run(name, **run_options(options, "blocks"))
             total += run.coverage()
             _tell_stop(run, name)
         for path, text in ((html, total.to_html), (lcov, total.to_lcov)):
@@ -71,20 +87,6 @@ def _tell_stop(run: cncsub.Run, name: str | None) -> None:
 def _write(path: Path | None, text: Callable[[], str]) -> None:
     if path is not None:
         path.write_text(text(), encoding="utf-8")
-
-
-@contextmanager
-def _wrong_use() -> Iterator[None]:
-    """What the caller can mend is one line and exit status 2."""
-    try:
-        yield
-    except KeyError as error:
-        raise typer.BadParameter(str(error.args[0])) from None
-    except OSError as error:
-        named = f"{error.filename}: " if error.filename else ""
-        raise typer.BadParameter(f"{named}{error.strerror or error}") from None
-    except (ValueError, TypeError) as error:
-        raise typer.BadParameter(str(error)) from None
 
 
 def print_coverage(console: Console, coverage: Coverage) -> None:

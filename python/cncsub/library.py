@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 from cncsub import _core
 from cncsub._core import Control
@@ -19,6 +19,9 @@ from cncsub.references import CallGraph, call_graph
 from cncsub.run import Machine, Run
 from cncsub.setup import Setup, setup_of
 from cncsub.stream import Stream
+
+if TYPE_CHECKING:
+    from cncsub.flattening import Flat
 
 MODES = ("auto", "mdi")
 _NEAR = 5000  # names are compared with one that is not there
@@ -218,6 +221,29 @@ class Library(Mapping[str, Program]):
         first = self._code.main if main is None else self._find(main)
         kind = (setup_of(setup) or {}).get("machine")
         return check(self._code, -1 if first is None else first, rules, kind)
+
+    def flatten(
+        self,
+        main: str | int | None = None,
+        *,
+        control: str | Control | None = None,
+        comments: bool = False,
+        **options: Unpack[Options],
+    ) -> Flat:
+        """What `main` executes, as one program without calls, jumps and variables that does the
+        same: see `cncsub.flattening.flatten`.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 G91 G0 X5.\\nN40 M99\\n"
+        >>> print(cncsub.loads(text, control="fanuc-0i-f").flatten().text, end="")
+        O1
+        G91 G0 X5.
+        G91 G0 X5.
+        M30
+        """
+        from cncsub.flattening import flatten  # it runs libraries, and reads what it has written
+
+        return flatten(self, main, control=control, comments=comments, **options)
 
     # Running.
 

@@ -1,0 +1,69 @@
+"""The command `cncsub flatten`."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from cncsub.flattening import flatten as flat_program
+from cncsub.options import (
+    ControlName,
+    Encoding,
+    External,
+    InputsFile,
+    Main,
+    MaxBlocks,
+    MaxCycles,
+    OptionalStop,
+    Output,
+    Param,
+    Paths,
+    Set,
+    SetupFile,
+    Skip,
+    Start,
+    control_named,
+    library_of,
+    opened,
+    run_options,
+    wrong_use,
+)
+
+
+def flatten(
+    paths: Paths = None,
+    control: ControlName = None,
+    main: Main = None,
+    set: Set = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    to: Annotated[
+        str | None, typer.Option(help="The control that the flat program is for.")
+    ] = None,
+    comments: Annotated[bool, typer.Option(help="Write where each block comes from.")] = False,
+    output: Output = None,
+) -> None:
+    """Write what a program executes as one program without calls, jumps and variables.
+
+    It is run and compared before it is written; what cannot be written is refused with its block.
+    """
+    options = {**locals(), "mdi": None}
+    with wrong_use():
+        library = library_of(options)
+        target = None if to is None else control_named(to)
+        asked = run_options(options, "moves")
+        flat = flat_program(library, main, control=target, comments=comments, **asked)
+    if output is None:
+        typer.echo(flat.text, nl=False)
+    else:
+        with opened(output, "w") as file:
+            file.write(flat.text)
