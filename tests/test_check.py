@@ -128,6 +128,8 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "", "O1\nN10 G65 P2 A1. B1.\nN20 G65 P2 A1.\n" + END + "O2\nN30 G0 X[#2+#1]\nN40 M99\n", "CS602 N30"),
     "an argument never given": ("", "O1\nN10 G65 P2 A1.\n" + END + "O2\nN30 G0 X[#2+#1]\nN40 M99\n", "CS603 N30"),
     "an argument never read": ("", "O1\nN10 G65 P2 A1. B1.\n" + END + "O2\nN30 G0 X[#2+1.]\nN40 M99\n", "CS604 N10"),
+    "an argument never read is told at the first of its calls": (
+        "", "O1\nN10 G65 P2 A1. B1.\nN20 G65 P2 A1. B2.\n" + END + "O2\nN30 G0 X[#2+1.]\nN40 M99\n", "CS604 N10"),
     "an argument that a subprogram of the macro reads": (
         "", "O1\nN10 G65 P2 A1.\n" + END + "O2\nN30 M98 P3\nN40 M99\nO3\nN50 G0 X#1\nN60 M99\n", ""),
     "a counter that a subprogram uses too": (
@@ -318,6 +320,21 @@ def test_any_program_is_checked_and_nothing_that_ran_is_unreachable(
         and run.alarm.cause in ("program-not-found", "end-of-record")
     ):
         assert any(f.alarm is not None and f.alarm.cause == run.alarm.cause for f in findings)
+
+
+@given(
+    st.text(alphabet="OGMNPLQXYZ#0123456789.-+*/[]()%; \n\t\x00oIFGTWHLEDOND1é", max_size=300),
+    st.sampled_from(sorted(cncsub.controls)),
+)
+def test_any_text_is_checked(text: str, control: str) -> None:
+    library = cncsub.loads(text, control=control)
+    for finding in library.check():
+        assert finding.message
+        assert str(finding)
+    for name in library:
+        library.flow(name)
+    run = library.run(max_blocks=200)
+    assert 0 <= run.coverage().percent <= 100
 
 
 def test_flow_holds_every_way_that_a_run_takes() -> None:

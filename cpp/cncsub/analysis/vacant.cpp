@@ -26,6 +26,7 @@ class VacantCheck {
   void tell_vacant(const ProgramFlow& flow);
   void tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check);
   void tell_unread();
+  void tell_unread(const CallEdge& edge, Bits& told);
 
   Checker& c_;
   const VariableUses& uses_;
@@ -146,23 +147,30 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow) {
     told |= sometimes;
   }
 }
-/// Arguments that a macro and the subprograms that share its locals never read.
+/// Arguments of one call that its macro, and the subprograms that share its locals, never read;
+/// each is told at the first call that gives it.
+void VacantCheck::tell_unread(const CallEdge& edge, Bits& told) {
+  const LocalUse& of = uses_.of_program(edge.called);
+  const CallRecord& record = c_.code.calls[edge.record];
+  for (std::uint32_t i = 0; i < record.arguments; ++i) {
+    const Argument& argument = c_.code.arguments[record.first_argument + i];
+    if (argument.variable <= 0 || argument.variable >= kMostBits) continue;
+    const Bits own = Bits{1} << argument.variable;
+    if (((of.reads | told) & own) != 0) continue;
+    told |= own;
+    c_.found(Check::ArgumentUnread, edge.from, {argument.operand.at, argument.operand.width},
+             c_.code.name_of(edge.called) + " never reads #" + std::to_string(argument.variable));
+  }
+}
+
 void VacantCheck::tell_unread() {
+  std::vector<Bits> told(c_.flows.size(), 0);
   for (const ProgramFlow& flow : c_.flows)
     for (const CallEdge& edge : flow.calls()) {
-      if (!edge.macro || edge.start == kNowhere) continue;
-      const ProgramFlow& called = c_.flow(edge.called);
-      const LocalUse& of = uses_.of_program(edge.called);
-      if (of.any || called.calls_computed()) continue;
-      const CallRecord& record = c_.code.calls[edge.record];
-      for (std::uint32_t i = 0; i < record.arguments; ++i) {
-        const Argument& argument = c_.code.arguments[record.first_argument + i];
-        const bool known = argument.variable > 0 && argument.variable < kMostBits;
-        if (!known || (of.reads >> argument.variable & 1) != 0) continue;
-        c_.found(
-            Check::ArgumentUnread, edge.from, {argument.operand.at, argument.operand.width},
-            c_.code.name_of(edge.called) + " never reads #" + std::to_string(argument.variable));
-      }
+      const bool known = edge.macro && edge.start != kNowhere &&
+                         !uses_.of_program(edge.called).any &&
+                         !c_.flow(edge.called).calls_computed();
+      if (known) tell_unread(edge, told[static_cast<std::size_t>(edge.called)]);
     }
 }
 
