@@ -207,3 +207,15 @@ def test_a_computed_code_that_ends_or_restarts_stands_beside_calls(name: str) ->
         while machine.step():
             pass
         assert machine.stop == run.stop
+
+
+@pytest.mark.parametrize(
+    "text", ["é(", "(" + "é" * 5000, "X" + "é" * 5000, "N1 G1 X\u4e2d(", "O1\nX1é2\n"]
+)
+@pytest.mark.parametrize("control", cncsub.controls)
+def test_an_alarm_shows_whole_characters(control, text):
+    for more in ("", " "):
+        run = cncsub.loads(more + text, control=control).run()
+        if run.alarm is not None:
+            assert str(run.alarm)
+            assert run.alarm.word is not None

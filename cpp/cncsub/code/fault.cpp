@@ -93,21 +93,33 @@ WordPlace whole_word(const Code& code, const Program& program, const Block& bloc
   return place;
 }
 
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; }
+
 std::uint32_t characters(std::string_view text) {
-  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; };
-  return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), begins));
+  return static_cast<std::uint32_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return !continues(c); }));
 }
 
-/// Shows a place of a file's text: its line, and the word with its column.
+/// The first characters of a text, as many as so many bytes hold.
+std::string_view first_of(std::string_view text, std::size_t bytes) {
+  if (text.size() <= bytes) return text;
+  while (bytes > 0 && continues(text[bytes])) --bytes;
+  return text.substr(0, bytes);
+}
+
+/// Shows a place of a file's text: its line, and the word with its column, in whole characters.
 void show(Alarm& alarm, std::string_view text, std::size_t at, std::uint32_t width) {
+  while (at > 0 && at < text.size() && continues(text[at])) --at;
   const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
   const std::size_t line = before == std::string_view::npos ? 0 : before + 1;
   const std::size_t line_end = std::min(text.find('\n', at), text.size());
-  const std::string_view word = text.substr(at, std::min<std::size_t>(width, line_end - at));
-  alarm.source_line = text.substr(line, std::min(line_end - line, kLongestSource));
+  std::size_t end = at + std::min<std::size_t>(width, line_end - at);
+  while (end < line_end && continues(text[end])) ++end;
+  const std::string_view word = text.substr(at, end - at);
+  alarm.source_line = first_of(text.substr(line, line_end - line), kLongestSource);
   alarm.column = characters(text.substr(line, at - line)) + 1;
   alarm.width = std::max(1u, characters(word));
-  alarm.word = word.substr(0, kLongestSource);
+  alarm.word = first_of(word, kLongestSource);
   while (!alarm.word.empty() && is_blank(alarm.word.back())) alarm.word.pop_back();
 }
 
