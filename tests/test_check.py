@@ -21,7 +21,7 @@ from cncsub.cli import app
 from cncsub.findings import finding_facts, github_annotations, junit, sarif
 
 sys.path.insert(0, str(Path(__file__).with_name("conformance")))
-import outcome
+from cncsub.testing import outcome
 from conformance import Row, rows
 
 MILL = "fanuc-0i-f"

@@ -13,7 +13,7 @@ import cncsub
 
 sys.path.insert(0, str(Path(__file__).with_name("conformance")))
 import mutation
-import outcome
+from cncsub.testing import outcome
 from conformance import Case, rows
 
 MILL = "fanuc-0i-f"

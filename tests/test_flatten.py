@@ -10,8 +10,8 @@ from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
+from cncsub.testing.outcome import load
 from conformance import rows
-from outcome import load
 
 CASES = {
     "calls and repeats": (

@@ -14,8 +14,8 @@ import pytest
 
 import cncsub
 from cncsub.tables import records
+from cncsub.testing.outcome import load
 from conformance import Row, rows
-from outcome import load
 
 
 class Watched(NamedTuple):

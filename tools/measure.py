@@ -212,9 +212,9 @@ def of_the_rows() -> dict[str, str]:
     sys.path.insert(0, str(CONFORMANCE))
     import cncsub
     from cncsub import _core
+    from cncsub.testing.outcome import execute, load
     from conformance import rows
     from entries import unnoticed
-    from outcome import execute, load
 
     causes, wrong = set(_core.causes_with_words()), []
     for row in rows():

@@ -11,6 +11,7 @@ import typer
 
 import cncsub
 from cncsub.coverage import Coverage
+from cncsub.coverage_formats import coverage_lines
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -90,32 +91,5 @@ def _write(path: Path | None, text: Callable[[], str]) -> None:
 
 
 def print_coverage(console: Console, coverage: Coverage) -> None:
-    """A line for each program: covered blocks and outcomes, and the lines that are missing."""
-    for program in coverage.programs:
-        counts = [program.count(index) for index in range(len(program.blocks))]
-        outcomes = [of for index in range(len(counts)) for _, of in program.outcomes(index)]
-        missing = [
-            block.line for block, count in zip(program.blocks, counts, strict=True) if not count
-        ]
-        told = f"  not executed: lines {_ranges(missing)}" if missing else ""
-        line = (
-            f"{program.name}  blocks {_part(counts)}  branches {_part(outcomes)}"
-            f"{told}  {program.file}"
-        )
+    for line in coverage_lines(coverage):
         console.print(shown(line))
-    console.print(shown(repr(coverage)[1:-1]))
-
-
-def _part(counts: list[int]) -> str:
-    return f"{sum(count > 0 for count in counts)}/{len(counts)}"
-
-
-def _ranges(lines: list[int]) -> str:
-    """3-5, 9"""
-    found: list[list[int]] = []
-    for line in lines:
-        if found and line == found[-1][1] + 1:
-            found[-1][1] = line
-        else:
-            found.append([line, line])
-    return ", ".join(str(a) if a == b else f"{a}-{b}" for a, b in found)

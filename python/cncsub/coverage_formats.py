@@ -154,3 +154,35 @@ def _program(program: Counted) -> str:
         f"<th>missed</th><th>block</th></tr></thead><tbody>\n{''.join(rows)}</tbody></table>"
         "</details>\n"
     )
+
+
+def coverage_lines(coverage: Coverage) -> Iterator[str]:
+    """A line for each program: covered blocks and outcomes, and the lines that are missing; at last
+    the sum."""
+    for program in coverage.programs:
+        counts = [program.count(index) for index in range(len(program.blocks))]
+        outcomes = [of for index in range(len(counts)) for _, of in program.outcomes(index)]
+        missing = [
+            block.line for block, count in zip(program.blocks, counts, strict=True) if not count
+        ]
+        told = f"  not executed: lines {_ranges(missing)}" if missing else ""
+        yield (
+            f"{program.name}  blocks {_part(counts)}  branches {_part(outcomes)}"
+            f"{told}  {program.file}"
+        )
+    yield repr(coverage)[1:-1]
+
+
+def _part(counts: list[int]) -> str:
+    return f"{sum(count > 0 for count in counts)}/{len(counts)}"
+
+
+def _ranges(lines: list[int]) -> str:
+    """3-5, 9"""
+    found: list[list[int]] = []
+    for line in lines:
+        if found and line == found[-1][1] + 1:
+            found[-1][1] = line
+        else:
+            found.append([line, line])
+    return ", ".join(str(a) if a == b else f"{a}-{b}" for a, b in found)

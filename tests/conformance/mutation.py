@@ -18,8 +18,8 @@ from collections.abc import Iterator
 from typing import Any
 
 import cncsub
+from cncsub.testing.outcome import differences
 from conformance import Case, Row, rows
-from outcome import differences
 from unpinned import UNPINNED, entries_of
 
 HOW_TO_FIND = "python tests/conformance/mutation.py names rows that could"

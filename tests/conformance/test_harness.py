@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from conformance import as_program, read_runs
-from moves import Move, compare, read_moves, read_point, write_point
+from cncsub.testing.cases import as_program, read_runs
+from cncsub.testing.moves import Move, compare, read_moves, read_point, write_point
 
 
 @pytest.mark.parametrize(

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 import cncsub
+from cncsub.testing.outcome import differences, report
 from conformance import Row, rows
-from outcome import differences, report
 
 
 @pytest.mark.parametrize("row", rows(), ids=str)

@@ -11,11 +11,11 @@ import pytest
 import cncsub
 from cncsub import _core
 from cncsub.facts import explanations
+from cncsub.testing.outcome import execute, load
 from conformance import EVIDENCE, FOLDER, Case, cases, rows, topic_files
 from entries import HOW_TO_WRITE as HOW_TO_PIN
 from entries import unnoticed
 from mutation import HOW_TO_FIND, notices, pinning, unpinned, words
-from outcome import execute, load
 from unpinned import UNPINNED
 
 MINIMUM_CASES = 900

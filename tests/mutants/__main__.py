@@ -89,7 +89,7 @@ class Rows:
     def _search(self) -> int:
         """The place of the first row that fails, -1 if none does."""
         import cncsub
-        from outcome import differences
+        from cncsub.testing.outcome import differences
 
         for place in self.order:
             row = self.rows[place]

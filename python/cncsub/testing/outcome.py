@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import cncsub
-import moves as motion
-from conformance import UNKNOWN, Case, Row, Text
+from cncsub.testing import moves as motion
+from cncsub.testing.cases import UNKNOWN, Case, Row, Text
 
 # No row needs more; a row (or a changed rule) that never ends stops here.
 MAX_BLOCKS = 100_000
@@ -74,7 +74,7 @@ def _options(case: Case) -> dict[str, Any]:
 
 @functools.cache
 def _scratch() -> Path:
-    folder = Path(tempfile.mkdtemp(prefix="cncsub-conformance-"))
+    folder = Path(tempfile.mkdtemp(prefix="cncsub-cases-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder
 
@@ -262,9 +262,9 @@ def _reset_differences(case: Case, library: cncsub.Library) -> Iterator[str]:
     if case.work_after_reset is not None:
         place = dict(machine.position)
         yield from _place_difference("work after reset", case.work_after_reset, place)
-    for name, expected in (case.modal_after_reset or {}).items():
-        if machine.modal.get(name) != expected:
-            yield f"{name} after reset: expected {expected}, got {machine.modal.get(name)}"
+    for name, code in (case.modal_after_reset or {}).items():
+        if machine.modal.get(name) != code:
+            yield f"{name} after reset: expected {code}, got {machine.modal.get(name)}"
 
 
 def _motion_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
@@ -317,18 +317,21 @@ def _place_difference(what: str, expected: Any, got: Mapping[str, float]) -> Ite
         yield f"{what}: expected {motion.write_point(expected)}, got {motion.write_point(got)}"
 
 
-def report(row: Row, found: list[str]) -> str:
+def report(row: Row, found: list[str], control: cncsub.Control | None = None) -> str:
     """What a person needs to see of a row that failed."""
     case = row.case
-    run = execute(case, load(case, cncsub.controls[row.control]))
-    source = f"{case.source_on(row.control)} ({case.evidence[row.control]})"
+    run = execute(case, load(case, control or cncsub.controls[row.control]))
     parts = [
-        f"{case.topic}.py:{case.line}: {case.claim}",
-        f"control {row.control}; source: {source}",
+        f"{case.topic}:{case.line}: {case.claim}",
+        case.told_on(row.control),
         *_programs(case),
         *found,
         f"executed: {_around(executed(run, with_program=True), 0, 60)}",
     ]
+    values = run.variables
+    told = [f"#{n}={_value(values.get(n))}" for n in itertools.islice(sorted(values), 40)]
+    if told:
+        parts.append(f"variables at the stop: {' '.join(told)}")
     if run.alarm is not None:
         parts.append(f"the alarm:\n{textwrap.indent(str(run.alarm), '    ')}")
     return "\n".join(parts)
@@ -346,3 +349,15 @@ def _listing(title: str, text: Text | None) -> Iterator[str]:
     if text is not None:
         shown = text if isinstance(text, str) else text.decode("utf-8", "backslashreplace")
         yield f"{title}:\n{textwrap.indent(shown.rstrip(), '    ')}"
+
+
+def check_case(case: Case, control: str | cncsub.Control | None = None) -> None:
+    """Run a case on its controls, or on one, and compare; what differs is an `AssertionError` that
+    shows the programs, what ran, the alarm and the variables.
+    """
+    names = case.controls if control is None else (control,)
+    for name in names:
+        known = name if isinstance(name, cncsub.Control) else cncsub.controls[name]
+        found = list(differences(case, known))
+        if found:
+            raise AssertionError(report(Row(case, known.name), found, known))

@@ -1,0 +1,11 @@
+"""Tests of NC programs: cases that say what has to come out, tables of them, and the language of
+what ran and of moves. The conformance tables of cncsub itself are written in it.
+
+With pytest installed, `cncsub.testing.plugin` is loaded by it: a fixture `cnc`, `--control`, and
+`*.nctest.toml` as tests.
+"""
+
+from cncsub.testing.cases import Case, case, load_table
+from cncsub.testing.outcome import check_case
+
+__all__ = ["Case", "case", "check_case", "load_table"]

@@ -1,0 +1,242 @@
+"""cncsub.testing and its plugin, as a project of NC programs uses them."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+
+import cncsub
+from cncsub.testing import case, check_case, load_table
+from cncsub.testing.strategies import arguments, call_words
+
+pytest_plugins = ["pytester"]
+
+SQUARE = "O1\nN10 G65 P2 A3.\nN20 M30\nO2\nN30 #100=#1*#1\nN40 M99\n"
+
+
+def square(**said: Any) -> Any:
+    return case("a square", control="fanuc-0i-f", program=SQUARE, **said)
+
+
+def test_a_case_that_holds_and_one_that_does_not() -> None:
+    check_case(square(runs="N10 N30 N40 N20", vars={100: 9}))
+    with pytest.raises(AssertionError) as failed:
+        check_case(square(runs="N10 N30 N20", vars={100: 8}))
+    told = str(failed.value)
+    for words in (
+        "control fanuc-0i-f", "N30 #100=#1*#1", "vars #100: expected 8, got 9",
+        "they part at place 3 of 3", "executed: O1:N10 O2:N30 O2:N40 O1:N20", "variables at the stop: #100=9",
+    ):  # fmt: skip
+        assert words in told
+    with pytest.raises(AssertionError, match="the alarm:\n    PS0076"):
+        check_case(case("ends", control="fanuc-0i-f", program="O1\nN10 M98 P9\n", m=[]))
+    check_case(square(vars={100: 9}), "mitsubishi-m800")
+
+
+def test_a_case_that_means_nothing_is_refused() -> None:
+    with pytest.raises(ValueError, match="has nothing to run"):
+        case("nothing", control="fanuc-0i-f", runs="N10")
+    with pytest.raises(ValueError, match="nothing of what happened"):
+        square()
+    with pytest.raises(TypeError, match="rnus"):
+        square(rnus="N10")
+
+
+TABLE = """
+from cncsub.testing import case
+case("one", control="fanuc-0i-f", program="O1\\nN10 M30", runs="N10")
+for control in ("gsk-988ta", "mitsubishi-m700"):
+    case("two", control=control, program="O1\\nN10 M30", runs="N20")
+"""
+
+NCTEST = """
+control = "fanuc-0i-f"
+load = ["macros"]
+
+[[case]]
+claim = "the macro squares"
+main = "O1"
+vars = {100 = 9, 101 = "vacant"}
+runs = "N10 N25 N30 N40 N20"
+
+[[case]]
+claim = "its argument is asked for"
+mdi = "G65 P2"
+alarm = "user-alarm"
+number = "MC3001"
+at = "O2 N25"
+"""
+MACRO = "O2\nN25 IF[#1 EQ #0]THEN #3000=1(NO A)\nN30 #100=#1*#1\nN40 M99\n"
+
+
+def write_project(folder: Path) -> Path:
+    (folder / "macros").mkdir()
+    (folder / "macros" / "O1.nc").write_text("O1\nN10 G65 P2 A3.\nN20 M30\n")
+    (folder / "macros" / "O2.nc").write_text(MACRO)
+    table = folder / "square.nctest.toml"
+    table.write_text(NCTEST)
+    return table
+
+
+def test_tables_are_loaded(tmp_path: Path) -> None:
+    file = tmp_path / "table.py"
+    file.write_text(TABLE)
+    one, two, three = load_table(file)
+    assert (one.claim, one.topic, one.line) == ("one", "table", 3)
+    assert (two.controls, three.controls) == (("gsk-988ta",), ("mitsubishi-m700",))
+    check_case(one)
+    with pytest.raises(AssertionError):
+        check_case(two)
+    for found in load_table(write_project(tmp_path)):
+        check_case(found)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("control = 1", "a table has cases"),
+        ("case = 1", "a table has cases"),
+        ("[[case]]\nmdi = 'M30'", "case 1 has no claim"),
+        ("[[case]]\nclaim = 'a'\nmdi = 'M30'\nruns = ''", "names no control"),
+        ("[[case]]\nclaim = 'a'\ncontrl = 'x'", "no 'contrl'; near are control"),
+        ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nvars = {a = 1}", "no number of a variable"),
+        ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nvars = {1 = 'x'}", 'a number or "vacant"'),
+        ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nvars = 1", "table of variables"),
+        ("control = 'fanuc-0i-f'\nload = ['../x']\n[[case]]\nclaim = 'a'", "outside the folder"),
+        ("control = 'fanuc-0i-f'\nload = ['x']\n[[case]]\nclaim = 'a'", "there is no x"),
+        ("control = 'fanuc-0i-f'\nload = 'x'\n[[case]]\nclaim = 'a'", "list of files"),
+        ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nruns = 'x'", "not a block"),
+        ("= 1", "nctest.toml"),
+    ],
+)  # fmt: skip
+def test_a_wrong_table_says_where(tmp_path: Path, text: str, told: str) -> None:
+    file = tmp_path / "wrong.nctest.toml"
+    file.write_text(text)
+    with pytest.raises(ValueError, match="wrong.nctest.toml") as failed:
+        load_table(file)
+    assert told in str(failed.value)
+
+
+# ---- the plugin ----
+
+# pytest finds the plugin of an installed package by itself.
+INSTALLED = any(of.name == "cncsub" for of in entry_points(group="pytest11"))
+PLUGIN = "" if INSTALLED else "-p cncsub.testing.plugin"
+
+
+@pytest.fixture
+def project(pytester: pytest.Pytester) -> pytest.Pytester:
+    write_project(pytester.path)
+    pytester.makeini(f"[pytest]\naddopts = {PLUGIN}\n")
+    return pytester
+
+
+def test_tables_are_tests(project: pytest.Pytester) -> None:
+    project.runpytest_inprocess("-q").assert_outcomes(passed=2)
+    table = project.path / "square.nctest.toml"
+    table.write_text(NCTEST.replace("100 = 9", "100 = 8"))
+    done = project.runpytest_inprocess("-q")
+    done.assert_outcomes(passed=1, failed=1)
+    done.stdout.fnmatch_lines(["*vars #100: expected 8, got 9*"])
+    done = project.runpytest_inprocess(
+        "-q", "--control", "mitsubishi-m800", "--control", "fanuc-30i"
+    )
+    done.assert_outcomes(failed=3, passed=1)
+    table.write_text("[[case]]\n")
+    done = project.runpytest_inprocess("-q")
+    done.assert_outcomes(errors=1)
+    done.stdout.fnmatch_lines(["*case 1 has no claim*"])
+
+
+SUITE = """
+import pytest
+
+def test_square(cnc):
+    run = cnc.run("macros", main="O1")
+    run.assert_ends()
+    assert run.variables[100] == 9
+
+@pytest.mark.cnc("gsk-988ta")
+def test_marked(cnc):
+    assert cnc.control == cnc.loads("O1\\nM30\\n").control.name == "gsk-988ta"
+    cnc.run("O1\\nN10 M98 P9\\n").assert_alarm("083", at="O1 N10")
+
+@pytest.mark.cnc(control=["gsk-988ta", "mitsubishi-m800"])
+def test_two(cnc):
+    assert len(cnc.load("macros")) == 2
+
+def test_plain():
+    pass
+"""
+
+
+def test_the_fixture_has_the_control_of_the_option_or_the_marker(project: pytest.Pytester) -> None:
+    project.makepyfile(SUITE)
+    (project.path / "square.nctest.toml").unlink()
+    done = project.runpytest_inprocess("-q")
+    done.assert_outcomes(passed=4, failed=1)
+    done.stdout.fnmatch_lines(["*which control? Give --control*"])
+    done = project.runpytest_inprocess("-q", "--control", "fanuc-0i-f", "-k", "square or plain")
+    done.assert_outcomes(passed=2)
+    project.makeini(f"[pytest]\naddopts = {PLUGIN}\ncncsub_control = fanuc-0i-f fanuc-30i\n")
+    project.runpytest_inprocess("-q").assert_outcomes(passed=6)
+
+
+def test_snapshots_are_written_compared_and_missed(project: pytest.Pytester) -> None:
+    project.makepyfile(
+        test_snap='def test_it(cnc):\n    cnc.snapshot(cnc.run("macros", main="O1"), "all")\n'
+    )
+    (project.path / "square.nctest.toml").unlink()
+    asked = ("-q", "--control", "fanuc-0i-f")
+    done = project.runpytest_inprocess(*asked)
+    done.assert_outcomes(failed=1)
+    done.stdout.fnmatch_lines(["*--cncsub-update writes it*"])
+    project.runpytest_inprocess(*asked, "--cncsub-update").assert_outcomes(passed=1)
+    (file,) = (project.path / "snapshots").rglob("*.txt")
+    assert (
+        file.read_text()
+        == "stop: end\nruns: O1:N10 O2:N25 O2:N30 O2:N40 O1:N20\ncalls: G65:O2\n#100 = 9\n"
+    )
+    project.runpytest_inprocess(*asked).assert_outcomes(passed=1)
+    macro = project.path / "macros" / "O2.nc"
+    macro.write_text(MACRO.replace("#1*#1", "#1+1"))
+    done = project.runpytest_inprocess(*asked)
+    done.assert_outcomes(failed=1)
+    done.stdout.fnmatch_lines(["-#100 = 9", "+#100 = 4"])
+
+
+def test_coverage_is_told_and_may_fail(project: pytest.Pytester) -> None:
+    done = project.runpytest_inprocess("-q", "--cncsub-cov", "-k", "squares")
+    done.assert_outcomes(passed=1, deselected=1)
+    done.stdout.fnmatch_lines(["*coverage of NC programs*", "O2  blocks 3/3  branches 1/2*"])
+    assert done.ret == 0
+    done = project.runpytest_inprocess("-q", "--cncsub-cov-fail-under", "99", "-k", "squares")
+    assert done.ret == 1
+    done.stdout.fnmatch_lines(["*below 99 %*"])
+
+
+# ---- arguments of macros ----
+
+
+@given(arguments("A", A=(-50, 50), B=(0, 10)))
+def test_arguments_arrive_as_they_are_written(values: dict[str, Decimal]) -> None:
+    assert -50 <= values["A"] <= 50
+    assert 0 <= values.get("B", Decimal(0)) <= 10
+    text = f"O1\nN10 G65 P2 {call_words(values)}\nN20 M30\nO2\nN30 #100=#1\nN40 #101=#2\nN50 M99\n"
+    run = cncsub.loads(text, control="fanuc-0i-f").run()
+    run.assert_ends()
+    assert run.variables[100] == pytest.approx(float(values["A"]), abs=1e-9)
+    given_b = values.get("B")
+    assert run.variables.get(101) == (
+        None if given_b is None else pytest.approx(float(given_b), abs=1e-9)
+    )
+
+
+def test_letters_that_are_no_arguments() -> None:
+    with pytest.raises(ValueError, match="'P' is no argument"):
+        arguments("P")
