@@ -270,9 +270,12 @@ def test_a_stream_that_is_cut_off_leaves_whole_files(tmp_path: Path) -> None:
         with subprocess.Popen(
             [sys.executable, "-c", textwrap.dedent(code)], stdout=subprocess.PIPE, text=True
         ) as process:
-            wait_for(lambda: len(list(tmp_path.glob("moves-*.parquet"))) > 1)
-            os.kill(process.pid, number)
-            told = process.communicate(timeout=60)[0]
+            try:
+                wait_for(lambda: len(list(tmp_path.glob("moves-*.parquet"))) > 1)
+                os.kill(process.pid, number)
+                told = process.communicate(timeout=60)[0]
+            finally:
+                process.kill()  # it would run for ever
         if number == signal.SIGINT:
             assert told.strip() == "interrupted"
             assert not list(tmp_path.glob("*.part"))
