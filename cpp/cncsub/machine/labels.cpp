@@ -302,9 +302,8 @@ bool loop_head(Run& run, const Labelled& own) {
     run.block.failed = true;
     return pass_on(run, own);
   }
-  const bool end_of_do = met->kind == LabelledKind::Do;
-  run.block.failed = value == 0 || (end_of_do && run.state.labels.breaks);
-  if (!end_of_do) return value != 0 || pass_on(run, own);
+  run.block.failed = value == 0 || (met->kind == LabelledKind::Do && run.state.labels.breaks);
+  if (met->kind != LabelledKind::Do) return value != 0 || pass_on(run, own);
   if (value != 0 && !run.state.labels.breaks)
     run.block.next = met->address;
   else
