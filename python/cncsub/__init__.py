@@ -10,12 +10,13 @@ screen.
 [10, 30, 20]
 """
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from cncsub._core import Alarm, Control, Frame, __version__
-from cncsub.archives import check_many, run_many
 from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
 from cncsub.comparison import Comparison, compare
 from cncsub.controls import Cause, Source, causes, controls, sources
-from cncsub.flattening import Flat, FlattenError, flatten
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
@@ -25,6 +26,30 @@ from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
 from cncsub.workpiece import Box, Cylinder, Plane, Sphere, Workpiece
+
+if TYPE_CHECKING:
+    from cncsub.archives import check_many, run_many
+    from cncsub.flattening import Flat, FlattenError, flatten
+
+# What most programs do not use is imported when somebody asks for it.
+_LATER = {
+    "check_many": "archives",
+    "run_many": "archives",
+    "Flat": "flattening",
+    "FlattenError": "flattening",
+    "flatten": "flattening",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"cncsub.{_LATER[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_LATER})
+
 
 __all__ = [
     "Alarm",

@@ -9,8 +9,6 @@ from typing import Annotated, Any
 
 import typer
 
-from cncsub.archive_store import SKIPPED
-from cncsub.archives import run_many
 from cncsub.printing import shown
 
 _SHOWN = 20  # of the runs that did not end well, as text
@@ -49,6 +47,8 @@ def batch(
 
     Exit status: 0 where all ran, 1 where some did not.
     """
+    from cncsub.archives import run_many
+
     try:
         rows = run_many(
             paths,
@@ -80,6 +80,8 @@ def _tell(rows: Any, format: BatchFormat) -> dict[str, int]:
             elif status not in FINE and (told := told + 1) <= _SHOWN:
                 typer.echo(shown(_line(row)))
     if format is BatchFormat.TEXT:
+        from cncsub.archive_store import SKIPPED
+
         _print_counts(counts, told, json.loads(rows.schema.metadata[SKIPPED.encode()]))
     return counts
 

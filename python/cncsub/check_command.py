@@ -6,12 +6,11 @@ import enum
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 import cncsub
-from cncsub import findings
 from cncsub.checking import Finding, chosen_rules, counts
 from cncsub.options import (
     ControlName,
@@ -29,6 +28,9 @@ from cncsub.options import (
     wrong_use,
 )
 from cncsub.printing import Console, Text, shown
+
+if TYPE_CHECKING:
+    from cncsub import findings
 
 
 class FindingFormat(enum.StrEnum):
@@ -69,6 +71,8 @@ def check(
     comment (cncsub: ignore CS201) switches it off for its line.
     """
     options = {**locals(), "mdi": None}
+    from cncsub import findings
+
     with wrong_use():
         project = project_here()
         library = library_of(options)
@@ -102,6 +106,8 @@ def _mend(
 def _write(
     found: Sequence[Finding], library: cncsub.Library, format: FindingFormat, output: Path | None
 ) -> None:
+    from cncsub import findings
+
     def text(of: str) -> Callable[[Console], None]:
         return lambda console: console.print(of)
 

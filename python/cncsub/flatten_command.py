@@ -6,7 +6,6 @@ from typing import Annotated
 
 import typer
 
-from cncsub.flattening import flatten as flat_program
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -61,7 +60,7 @@ def flatten(
         library = library_of(options)
         target = None if to is None else control_named(to)
         asked = run_options(options, "moves")
-        flat = flat_program(library, main, control=target, comments=comments, **asked)
+        flat = library.flatten(main, control=target, comments=comments, **asked)
     if output is None:
         typer.echo(flat.text, nl=False)
     else:
