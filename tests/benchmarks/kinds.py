@@ -129,7 +129,7 @@ KINDS = {
     ),
     "nose": Kind(
         "lathe, nose radius",
-        lambda i: f"G1 X{i % 2 * 20}. Z-{i}0.",
+        lambda i: f"G1 X{i % 2 * 20}. Z-{i % 90_000}0.",
         before="G42 G1 X0 Z0 T0101\n",
         lathe=True,
         peer=False,

@@ -73,10 +73,9 @@ void each_variant(const Code& code, const Block& block, const Look& look) {
 /// The G codes of a block that are written as numbers, ten times each.
 template <class Take>
 void each_g(const Code& code, const Block& block, const Take& take) {
-  const Cell* cell = code.cells.data() + block.data;
-  if ((block.flags & Block::kHasExtra) != 0) ++cell;
-  for (int i = 0; i < block.g_count; ++i, ++cell)
-    if (cell->value >= 0 && cell->value <= kLargestCode) take(to_whole<int>(cell->value));
+  if (block.g_count == 0) return;
+  const CodeList list = code.codes_of(block);
+  for (const int g : list.g()) take(g);
 }
 
 }  // namespace cncsub

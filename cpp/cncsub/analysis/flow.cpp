@@ -209,12 +209,9 @@ bool FlowReader::raises_alarm(const Statement& statement) const {
 /// Words alone; of them an M code may start the program over.
 void FlowReader::words(const Block& block) {
   const Roles& roles = code_.control->calls.roles.value;
-  const Cell* cell = code_.cells.data() + block.data + block.g_count;
-  if ((block.flags & Block::kHasExtra) != 0) ++cell;
-  for (int i = 0; i < block.m_count; ++i, ++cell)
-    if (cell->value >= 0 && cell->value < kLargestCode &&
-        roles.of_m(to_whole<int>(cell->value)) == Role::StartOver)
-      return exit(to_.first_, Way::Jump);
+  const CodeList codes = block.m_count > 0 ? code_.codes_of(block) : CodeList{};
+  for (const int code : codes.m())
+    if (roles.of_m(code) == Role::StartOver) return exit(to_.first_, Way::Jump);
   next();
 }
 

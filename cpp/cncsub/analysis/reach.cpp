@@ -21,7 +21,7 @@ std::int64_t written(const Code& code, const Block& block, char address) {
   std::uint32_t expressions = 0;
   if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;
   if ((expressions & bit(address)) != 0) return -1;
-  cell += block.g_count + block.m_count;
+  cell += block.code_cells();
   for (std::uint32_t left = block.mask & (bit(address) - 1); left != 0; left &= left - 1) ++cell;
   return std::abs(cell->value) < 1e9 ? to_whole<std::int64_t>(cell->value) : -1;
 }

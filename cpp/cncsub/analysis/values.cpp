@@ -26,7 +26,7 @@ Points points_of(const Code& code, const Block& block) {
   if ((block.flags & Block::kHasExtra) == 0) return {lengths, 0};
   const auto extra = code.cells[block.data].extra;
   Points points{lengths & ~extra.whole & ~extra.expressions, 0};
-  const Cell* cell = code.cells.data() + block.data + 1 + block.g_count + block.m_count;
+  const Cell* cell = code.cells.data() + block.data + 1 + block.code_cells();
   for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
     const std::uint32_t address = left & ~(left - 1);
     if ((address & lengths & extra.whole & ~extra.expressions) == 0) continue;

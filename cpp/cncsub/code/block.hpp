@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "cncsub/code/block_codes.hpp"
 #include "cncsub/code/fault.hpp"
-#include "cncsub/control/roles.hpp"
 
 namespace cncsub {
 
@@ -65,9 +65,9 @@ constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
 constexpr std::uint32_t kEndWords = bit('X') | bit('Y') | bit('Z');
 constexpr std::uint32_t kCentreWords = bit('I') | bit('J') | bit('K');
 
-/// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G
-/// codes, the M codes (one cell each, or an expression), then the values of the mask's addresses in
-/// alphabetical order.
+/// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the
+/// number of its list of codes (if listed; else the G codes and the M codes, one cell each, or an
+/// expression), then the values of the mask's addresses in alphabetical order.
 struct Block {
   std::uint32_t text = 0;  // where it starts in its file
   std::uint32_t line = 0;  // 1-based
@@ -88,6 +88,10 @@ struct Block {
   static constexpr std::uint8_t kSecondG = 4;  // Linear: G01 is written; Arc: G03
   static constexpr std::uint8_t kNoG = 8;      // Linear and Arc: no G is written
   static constexpr std::uint8_t kDrops = 16;   // words that do not count: Code::drops
+  static constexpr std::uint8_t kListed = 32;  // its codes are one of Code::code_lists
+
+  /// How many cells its codes take.
+  int code_cells() const { return (flags & kListed) != 0 ? 1 : g_count + m_count; }
 };
 
 struct Variant {
@@ -101,23 +105,21 @@ struct Variant {
 /// The largest G (ten times) or M code that a block can hold.
 constexpr double kLargestCode = 1e9;
 
+inline const BlockCodes kNoCodes;
+
 /// The words of a block, ready to be executed.
 struct NcWords {
   std::uint32_t mask = 0;
   std::uint32_t whole = 0;     // written as a number without a point; and kPointedH
   std::uint32_t computed = 0;  // came from a variable or an expression
   std::array<double, kAddresses> value{};
-  std::array<int, 12> g{};  // ten times the code: G54.1 is 541
-  std::array<int, 6> m{};
-  int g_count = 0;
-  int m_count = 0;
-  std::uint32_t roles = 0;  // of its M codes, a bit each
-  bool ends = false;        // M02 or M30 stands in the block
+  const BlockCodes* codes = &kNoCodes;
+  bool ends = false;   // M02 or M30 stands in the block
   bool stops = false;  // the run stops behind it: moves that wait for the next one wait no more
   Address at = 0;      // the block, for faults
 
   bool has(char address) const { return (mask & bit(address)) != 0; }
-  bool has(Role role) const { return (roles >> static_cast<unsigned>(role) & 1) != 0; }
+  bool has(Role role) const { return codes->has(role); }
   double operator[](char address) const { return value[static_cast<std::size_t>(address - 'A')]; }
 };
 

@@ -107,6 +107,52 @@ void Builder::together(Block& block, const std::vector<Statement>& statements, c
 
 // ---- words ----
 
+void Builder::list_codes(Block& block, std::span<const int> g, int m) {
+  CodeList list;
+  for (const int code : g) list.add_g(10 * code);
+  if (m >= 0) list.add_m(m);
+  write_codes(block, list);
+}
+
+void Builder::write_codes(Block& block, const CodeList& list) {
+  Cell cell{};
+  if (const int number = code_.code_lists.keep(list); number >= 0) {
+    cell.expression = static_cast<std::uint64_t>(number);
+    block.flags |= Block::kListed;
+    code_.cells.push_back(cell);
+    return;
+  }
+  const auto write = [&](int code) {
+    cell.value = code;
+    code_.cells.push_back(cell);
+  };
+  for (const int g : list.g()) write(g);
+  for (const int m : list.m()) write(m);
+}
+
+void Builder::codes(Block& block, const WordList& words) {
+  const std::span g(words.g.data(), static_cast<std::size_t>(words.g_count));
+  const std::span m(words.m.data(), static_cast<std::size_t>(words.m_count));
+  CodeList list;
+  bool listed = true;
+  for (const WordValue& code : g) {
+    listed = listed && !code.computed && code.value >= 0 && code.value <= 10000 &&
+             code_.g_codes.test(to_whole<std::size_t>(code.value));
+    if (listed) list.add_g(to_whole<int>(code.value));
+  }
+  for (const WordValue& code : m) {
+    listed = listed && !code.computed && code.value >= 0 && code.value <= kLargestCode;
+    if (listed) list.add_m(to_whole<int>(code.value));
+  }
+  if (listed) return write_codes(block, list);
+  const auto write = [&](const WordValue& code) {
+    if (code.computed) block.flags |= Block::kCodeExpression;
+    code_.cells.push_back(code_cell(code));
+  };
+  for (const WordValue& code : g) write(code);
+  for (const WordValue& code : m) write(code);
+}
+
 void Builder::words(Block& block, const WordList& words) {
   block.data = static_cast<std::uint32_t>(code_.cells.size());
   block.mask = words.mask;
@@ -121,12 +167,7 @@ void Builder::words(Block& block, const WordList& words) {
     code_.cells.push_back(cell);
     block.flags |= Block::kHasExtra;
   }
-  const auto code = [&](const WordValue& of) {
-    if (of.computed) block.flags |= Block::kCodeExpression;
-    code_.cells.push_back(code_cell(of));
-  };
-  for (int i = 0; i < words.g_count; ++i) code(words.g[static_cast<std::size_t>(i)]);
-  for (int i = 0; i < words.m_count; ++i) code(words.m[static_cast<std::size_t>(i)]);
+  if (words.g_count + words.m_count > 0) codes(block, words);
   block.g_count = static_cast<std::uint8_t>(words.g_count);
   block.m_count = static_cast<std::uint8_t>(words.m_count);
   for (std::uint32_t left = words.mask; left != 0; left &= left - 1)
@@ -135,8 +176,8 @@ void Builder::words(Block& block, const WordList& words) {
   for (; first_drop_ < code_.drops.size(); ++first_drop_)
     code_.drops[first_drop_].data = block.data;
   block.op = Op::Words;
-  if (block.flags != 0 || block.m_count != 0 || block.g_count > 1) return;
-  const double g = block.g_count == 0 ? -10 : code_.cells[block.data].value;
+  if ((block.flags & ~Block::kListed) != 0 || block.m_count != 0 || block.g_count > 1) return;
+  const double g = block.g_count == 0 ? -10 : words.g.front().value;
   if (g <= 30 && std::fmod(g, 10) == 0) mark_move(block, to_whole<int>(g / 10));
 }
 

@@ -114,6 +114,18 @@ std::vector<WrittenWord> Code::words_of(const Block& block, const Program& progr
   return written_words(read_word, text_of(block, program).substr(0, kLookedAt));
 }
 
+CodeList Code::codes_of(const Block& block) const {
+  const Cell* cell = cells.data() + block.data + ((block.flags & Block::kHasExtra) != 0 ? 1 : 0);
+  if ((block.flags & Block::kListed) != 0) return code_lists[cell->expression];
+  CodeList list;
+  const auto known = [&] { return cell->value >= 0 && cell->value <= kLargestCode; };
+  for (int i = 0; i < block.g_count; ++i, ++cell)
+    if (known()) list.add_g(to_whole<int>(cell->value));
+  for (int i = 0; i < block.m_count; ++i, ++cell)
+    if (known()) list.add_m(to_whole<int>(cell->value));
+  return list;
+}
+
 std::string Code::name_of(const Program& program) const {
   const SourceFile& file = files[program.file];
   if (program.name_length == Program::kOfFile) return file.stem.empty() ? "MAIN" : file.stem;

@@ -76,6 +76,8 @@ struct Code {
   LargeVector<Block> blocks;
   LargeVector<Block> variants;
   LargeVector<Cell> cells;
+  CodeLists code_lists;
+  std::shared_ptr<const CodeMeanings> meanings;  // on the control's own kind of machine
   LargeVector<Instruction> instructions;
   LargeVector<Expression> expressions;
   std::vector<CallRecord> calls;
@@ -119,6 +121,8 @@ struct Code {
   Address head_from(std::uint32_t label, Address from) const;
   /// The nearest one behind a block.
   Address head_behind(std::uint32_t label, Address at) const;
+  /// The codes of a block that are written as numbers.
+  CodeList codes_of(const Block& block) const;
   std::string name_of(const Program& program) const;
   std::string name_of(std::int32_t program) const {
     return name_of(programs[static_cast<std::size_t>(program)]);

@@ -71,7 +71,7 @@ void VariablesUsed::words(const Block& block) {
   const Cell* cell = code_.cells.data() + block.data;
   std::uint32_t expressions = 0;
   if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;
-  for (int i = 0; i < block.g_count + block.m_count; ++i, ++cell)
+  for (int i = 0; i < block.code_cells(); ++i, ++cell)
     if ((block.flags & Block::kCodeExpression) != 0 && cell->value < 0)
       reads(to_whole<std::uint32_t>(-1.0 - cell->value));
   for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell)

@@ -108,7 +108,7 @@ constexpr GCode kMill[] = {
 };
 
 constexpr GCode kLathe[] = {
-    {360, G::OneShot, M::MeasureTool},
+    {360, G::OneShot, M::MeasureTool, 1},
     {370, G::OneShot, M::MeasureTool},
     {340, G::Motion, M::VariableThread},
     {700, G::OneShot, M::Finish},
@@ -121,9 +121,9 @@ constexpr GCode kLathe[] = {
     {830, G::Cycle, M::Peck},
     {840, G::Cycle, M::Tap},
     {850, G::Cycle, M::Bore},
-    {870, G::Cycle, M::Peck},
-    {880, G::Cycle, M::Tap},
-    {890, G::Cycle, M::Bore},
+    {870, G::Cycle, M::Peck, 1},
+    {880, G::Cycle, M::Tap, 1},
+    {890, G::Cycle, M::Bore, 1},
     {680, G::Turret, M::Uncomputed},
     {690, G::Turret, M::Ignored},
     {681, G::Rotation, M::RotationOn},
@@ -183,7 +183,12 @@ GCodes::GCodes(const Control& control, MachineType machine) : places_(kCodes) {
     for (const std::int16_t code : {650, 660, 661, 670}) set({code, G::OneShot, M::None});
   if (!roles.has(Role::ModalCall))
     for (const std::int16_t code : {660, 661, 670}) set({code, G::OneShot, M::None});
-  add(control.motion.g_meanings.value);
+  for (GCode entry : control.motion.g_meanings.value) {
+    if (entry.meaning == M::Skip) entry.which = static_cast<std::int16_t>(entry.code % 10);
+    if (const GCode own = find(entry.code); own.meaning == entry.meaning && entry.which == 0)
+      entry.which = own.which;
+    set(entry);
+  }
 }
 
 /// The family's tables say what the control's own codes mean, and nothing about others. What it

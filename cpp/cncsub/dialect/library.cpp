@@ -52,6 +52,11 @@ void list_codes(Code& code) {
   code.list_statements();
 }
 
+void resolve_codes(Code& code) {
+  code.meanings = std::make_shared<const CodeMeanings>(
+      *code.control, code.control->motion.machine.value, code.code_lists);
+}
+
 /// CR, LF and CRLF all end a line; a CR before a LF counts as a blank.
 void unify_line_ends(std::string& text, InterruptCheck& interrupt) {
   std::size_t at = 0;
@@ -163,6 +168,7 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   }
   code->register_programs([&reading] { return reading.interrupted(kProgram); });
   reading.resolve_calls(0);
+  resolve_codes(*code);
   if (!reading.interrupted(0)) return code;
   free_aside(std::move(code), std::move(files));
   return nullptr;
@@ -176,6 +182,7 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   reading.read({"MDI", "MDI", text, false});
   // What is typed in MDI is no program of the memory: it is not registered, nothing finds it.
   reading.resolve_calls(programs);
+  resolve_codes(*with);
   if (!reading.interrupted(0)) return with;
   free_aside(std::move(with), {});
   return nullptr;

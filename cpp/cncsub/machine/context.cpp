@@ -6,8 +6,22 @@
 
 namespace cncsub {
 
+namespace {
+
+/// What the codes mean on the machine that the setup names.
+std::shared_ptr<const CodeMeanings> meanings_on(const Code& code, const std::string& machine) {
+  const MachineType type = machine_of(*code.control, machine);
+  if (type == code.meanings->machine) return code.meanings;
+  return std::make_shared<const CodeMeanings>(*code.control, type, code.code_lists);
+}
+
+}  // namespace
+
 Run::Run(std::shared_ptr<const Code> of, Options how)
-    : code(std::move(of)), options(std::move(how)), motion(code->control, options.setup) {
+    : code(std::move(of)),
+      options(std::move(how)),
+      meanings(meanings_on(*code, options.setup.machine)),
+      motion(code->control, options.setup, meanings) {
   std::shared_ptr<const Workpiece>& workpiece = options.inputs.workpiece;
   if (workpiece)  // it stays where it is, whatever the program does to zero points
     workpiece = std::make_shared<const Workpiece>(placed(motion.view(), *workpiece));

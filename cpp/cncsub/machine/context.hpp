@@ -84,6 +84,8 @@ struct Run {
   double largest_word = 0;     // no computed word of a block reaches it
   bool jumps_refused = false;  // in the main program, which was typed in MDI
   State state;
+  std::shared_ptr<const CodeMeanings> meanings;  // of the codes, on this kind of machine
+  BlockCodes codes;                              // of a block that computes them
   Motion motion;
   Trace trace;
   RunningBlock block;

@@ -28,9 +28,8 @@ void arguments_of(Run& run, const NcWords& words) {
     arguments[static_cast<std::size_t>(kVariables[i])] =
         whole ? scaled(run.motion.view(), static_cast<char>('A' + i), value) : value;
   }
-  if (words.g_count > 0)
-    arguments[10] = words.g[static_cast<std::size_t>(words.g_count - 1)] / 10.0;
-  if (words.m_count > 0) arguments[13] = words.m[static_cast<std::size_t>(words.m_count - 1)];
+  if (!words.codes->g().empty()) arguments[10] = words.codes->g().back() / 10.0;
+  if (!words.codes->m().empty()) arguments[13] = words.codes->m().back();
 }
 
 /// The macro of a modal call, behind a block that moved. The block is a step already.

@@ -75,9 +75,8 @@ void tell_dropped(Run& run, const Block& block, const NcWords& words) {
     for (; drop != run.code->drops.end() && drop->data == block.data; ++drop)
       tell(text.substr(drop->at, drop->width));
   }
-  for (int i = 0; i < words.g_count; ++i)
-    if ((run.block.outcome.dropped_codes >> i & 1) != 0)
-      tell(code_name(words.g[static_cast<std::size_t>(i)]));
+  for (std::size_t i = 0; i < words.codes->g_count; ++i)
+    if ((run.block.outcome.dropped_codes >> i & 1) != 0) tell(code_name(words.codes->g_codes[i]));
   for (std::uint32_t left = run.block.outcome.dropped & words.mask; left != 0; left &= left - 1) {
     const int place = std::countr_zero(left);
     char word[40];

@@ -10,7 +10,7 @@ namespace cncsub {
 
 namespace {
 
-std::optional<Fault> profile_block(Run& run, Address a, std::vector<NcWords>& blocks) {
+std::optional<Fault> profile_block(Run& run, Address a, Profile& found) {
   const Block& block = run.code->blocks[a];
   switch (block.op) {
     case Op::Words:
@@ -31,7 +31,8 @@ std::optional<Fault> profile_block(Run& run, Address a, std::vector<NcWords>& bl
   const bool read = decode(run, block, words);
   run.state.pc = cycle;
   if (!read) return Fault{Cause::ProfileMacro, a, 1, {}};  // it has alarmed itself
-  blocks.push_back(words);
+  if (words.codes == &run.codes) words.codes = &found.computed.emplace_back(run.codes);
+  found.blocks.push_back(words);
   return std::nullopt;
 }
 
@@ -70,7 +71,7 @@ std::optional<Fault> read_profile(Run& run, const ProfileNumbers& numbers, Profi
   found.behind = last + 1;
   for (Address a = first; a <= last; ++a) {
     if (!passed(a))
-      if (auto wrong = profile_block(run, a, found.blocks)) return wrong;
+      if (auto wrong = profile_block(run, a, found)) return wrong;
     run.watch.in_block = found.blocks.size() * (sizeof(NcWords) + sizeof(Piece));
     if (a % kLongText == 0 && breaks_off(run)) return missing('Q', nf);
   }

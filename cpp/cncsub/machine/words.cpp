@@ -43,7 +43,9 @@ bool decode_code(Run& run, const Block& block, const Cell& cell, double factor, 
   return true;
 }
 
+/// Codes of which one is an expression, or of which a library has too many lists.
 bool decode_codes(Run& run, const Block& block, const Cell* cell, NcWords& words) {
+  CodeList list;
   for (int i = 0; i < block.g_count; ++i) {
     int g = 0;
     if (!decode_code(run, block, *cell++, 10, g)) return false;
@@ -52,13 +54,15 @@ bool decode_codes(Run& run, const Block& block, const Cell* cell, NcWords& words
                          .detail = "the control has no such G code",
                          .address = 'G',
                          .code = g});
-    if (g >= 0) words.g[static_cast<std::size_t>(words.g_count++)] = g;
+    if (g >= 0) list.add_g(g);
   }
   for (int i = 0; i < block.m_count; ++i) {
     int m = 0;
     if (!decode_code(run, block, *cell++, 1, m)) return false;
-    if (m >= 0) words.m[static_cast<std::size_t>(words.m_count++)] = m;
+    if (m >= 0) list.add_m(m);
   }
+  run.codes = {list, *run.meanings};
+  words.codes = &run.codes;
   return true;
 }
 
@@ -123,8 +127,7 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
     if (recorded) run.trace.t_codes.push(tool);
     answer(run, 'T', tool);
   }
-  for (int i = 0; i < words.m_count; ++i) {
-    const int m = words.m[static_cast<std::size_t>(i)];
+  for (const int m : words.codes->m()) {
     if (recorded) run.trace.m_codes.push(m);
     run.state.last_m = m;
     answer(run, 'M', m);
@@ -148,12 +151,8 @@ bool dwells(Run& run, const NcWords& words, Motion::Outcome& outcome) {
 bool move(Run& run, const Block& block, NcWords& words) {
   Motion::Outcome& outcome = run.block.outcome;
   words.ends = block.op == Op::EndProgram;
-  words.stops = words.ends;
-  for (int i = 0; i < words.m_count; ++i) {
-    const Role role = role_of(run, words.m[static_cast<std::size_t>(i)]);
-    words.roles |= 1U << static_cast<unsigned>(role);
-    words.stops = words.stops || waits_at(run, role) || role == Role::End;
-  }
+  words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||
+                (run.options.optional_stop && words.has(Role::OptionalStop));
   if (run.motion.modes(words, run.step(), run.moves(), outcome) || dwells(run, words, outcome)) {
     run.watch.moves += outcome.moves;
     if (run.watch.moves > run.watch.look_moves) look_soon(run);
@@ -190,8 +189,11 @@ bool decode(Run& run, const Block& block, NcWords& words) {
     ++cell;
   }
   words.at = run.state.pc;
-  if (!decode_codes(run, block, cell, words)) return false;
-  cell += block.g_count + block.m_count;
+  if ((block.flags & Block::kListed) != 0)
+    words.codes = &run.meanings->blocks[cell->expression];
+  else if (block.code_cells() > 0 && !decode_codes(run, block, cell, words))
+    return false;
+  cell += block.code_cells();
   words.mask = block.mask;
   for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
     const auto place = static_cast<std::size_t>(__builtin_ctz(left));
@@ -213,8 +215,7 @@ bool carry_out(Run& run, const Block& block) {
     tell_dropped(run, block, words);
   run.block.words_done = true;
   if (block.n >= 0) run.state.last_n = block.n;
-  if (outcome.moved || words.m_count > 0 || words.has('T') || words.g_count > 0)
-    ++run.state.changes;
+  if (outcome.moved || words.has('T') || block.code_cells() > 0) ++run.state.changes;
   if (is_words(block.op)) return after_words(run);
   if (run.block.next != RunningBlock::kEnd) return true;
   record_step(run);  // M#1 beside a call, a return or a jump ends the program before it

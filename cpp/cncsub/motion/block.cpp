@@ -56,7 +56,7 @@ void take_motion_code(MotionContext& m, const BlockWords& block) {
   if (!block.has(Group::Motion)) return;
   // The taper of a turning cycle ends with it. [TA 6 note 2]
   if (block.meaning(Group::Motion) != m.state.modal[at(Group::Motion)].meaning) m.state.turn = {};
-  m.state.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
+  m.state.modal[at(Group::Motion)] = block.code(Group::Motion);
   end_cycles(m.facts, m.state);
 }
 
@@ -122,7 +122,8 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step) {
   const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting;
   if (auto wrong = read_codes(m, block)) return wrong;
   if (auto wrong = check_block(m, block)) return wrong;
-  if (block.uncomputed >= 0) return fault_of(block.uncomputed, Cause::CodeNotComputed, block);
+  if (const int code = words.codes->uncomputed; code >= 0)
+    return fault_of(code, Cause::CodeNotComputed, block);
   if (auto wrong = set_modes(m, block)) return wrong;
   const Axes length_before = m.state.length;
   if (auto wrong = set_length(m, block)) return wrong;

@@ -29,10 +29,10 @@ bool returns(const Block& b) {
 bool length(const Block& b) { return b.has(Group::Length) || b.words.has('H'); }
 /// The motion code that holds for the block.
 Meaning motion(const State& s, const Block& b) {
-  return (b.has(Group::Motion) ? b.codes : s.modal)[at(Group::Motion)].meaning;
+  return b.has(Group::Motion) ? b.meaning(Group::Motion) : s.modal[at(Group::Motion)].meaning;
 }
-int plane(const State& s, const Block& b) {
-  return b.has(Group::Plane) ? b.codes[at(Group::Plane)].code / 10 : s.plane;
+Plane plane(const State& s, const Block& b) {
+  return b.has(Group::Plane) ? plane_of(b.meaning(Group::Plane)) : s.plane;
 }
 /// G70 to G76 of lathes.
 bool repeats_cuts(const Block& b) {
@@ -125,14 +125,14 @@ constexpr Conflict kConflicts[] = {
      }},
     {Cause::StrokeWithCodes,
      [](const State&, const Block& b) {
-       return b.has(Group::Stroke) && (b.words.g_count > 1 || b.words.m_count > 0 || b.words.ends ||
-                                       b.words.has('S') || b.words.has('T'));
+       return b.has(Group::Stroke) && (b.words.codes->g_count > 1 || b.words.codes->m_count > 0 ||
+                                       b.words.ends || b.words.has('S') || b.words.has('T'));
      }},
     {Cause::ReferenceWithEnd,
      [](const State&, const Block& b) { return does(b, Meaning::CheckReference) && stops(b); }},
     {Cause::ReferenceWithM,
      [](const State&, const Block& b) {
-       return does(b, Meaning::FromReference) && (b.words.m_count > 0 || b.words.ends);
+       return does(b, Meaning::FromReference) && (b.words.codes->m_count > 0 || b.words.ends);
      }},
     {Cause::ReferenceInCycle,
      [](const State&, const Block& b) {
@@ -147,7 +147,7 @@ constexpr Conflict kConflicts[] = {
     {Cause::PolarTool, [](const State& s, const Block& b) { return polar(s) && b.words.has('T'); },
      true},
     {Cause::PolarCycle,
-     [](const State& s, const Block& b) { return polar(s) && cycles(b) && s.plane != 17; }},
+     [](const State& s, const Block& b) { return polar(s) && cycles(b) && s.plane != Plane::XY; }},
     {Cause::TurnedUnits,
      [](const State& s, const Block& b) { return (polar(s) || turned(s)) && b.has(Group::Units); }},
     {Cause::TurnedInCompensation,
@@ -184,17 +184,18 @@ constexpr Conflict kConflicts[] = {
      &MotionRules::codes_not_turned},
     {Cause::RotatedCycle,
      [](const State& s, const Block& b) {
-       return b.was_cycle && s.plane != 17 && b.meaning(Group::Rotation) == Meaning::RotationOn;
+       return b.was_cycle && s.plane != Plane::XY &&
+              b.meaning(Group::Rotation) == Meaning::RotationOn;
      }},
     {Cause::RotationCode,
      [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); }},
     {Cause::CyclePlane,
-     [](const State& s, const Block& b) { return repeats_cuts(b) && plane(s, b) != 18; }},
+     [](const State& s, const Block& b) { return repeats_cuts(b) && plane(s, b) != Plane::ZX; }},
     {Cause::CycleAxis,
      [](const State&, const Block& b) { return repeats_cuts(b) && other_axis(b); }},
     {Cause::TurningPlane,
      [](const State& s, const Block& b) {
-       return turning(s, b) && (names_xz(b) || b.has(Group::Motion)) && plane(s, b) != 18;
+       return turning(s, b) && (names_xz(b) || b.has(Group::Motion)) && plane(s, b) != Plane::ZX;
      },
      true},
     {Cause::TurningAxis,
@@ -216,7 +217,8 @@ void MotionFacts::list_conflicts() {
 
 /// What may not stand together, before anything changes.
 std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
-  const auto& list = block.words.g_count > 0 ? m.facts.conflicts : m.facts.conflicts_of_words;
+  const auto& list =
+      block.words.codes->g_count > 0 ? m.facts.conflicts : m.facts.conflicts_of_words;
   for (const Conflict* conflict : list)
     if (conflict->is_in(m, block)) return fault(conflict->cause, block);
   return std::nullopt;

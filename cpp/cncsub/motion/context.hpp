@@ -22,21 +22,20 @@ using Result = std::optional<Fault>;
 struct BlockWords {
   const NcWords& words;
   std::uint32_t step;
-  std::array<GCode, kGroups> codes{};  // code -1 where the group has none in this block
-  bool was_cycle = false;              // a canned cycle was active before this block
-  bool submitted = false;              // a piece went out
-  bool consumed = false;               // the axis words belong to G68, G51 and the like
-  int uncomputed = -1;                 // a code times ten whose moves the engine does not know
-  double longer = 0;                   // G45 to G48: how much longer the move gets on each axis
+  bool was_cycle = false;  // a canned cycle was active before this block
+  bool submitted = false;  // a piece went out
+  bool consumed = false;   // the axis words belong to G68, G51 and the like
+  double longer = 0;       // G45 to G48: how much longer the move gets on each axis
 
-  bool has(Group group) const { return codes[at(group)].code >= 0; }
-  Meaning meaning(Group group) const { return codes[at(group)].meaning; }
+  bool has(Group group) const { return words.codes->has(group); }
+  const GCode& code(Group group) const { return words.codes->of[at(group)]; }
+  Meaning meaning(Group group) const { return words.codes->meaning(group); }
 };
 
 /// Whether one of the G codes of a block, ten times its number, is such.
 template <class Test>
 bool any_code(const NcWords& words, const Test& test) {
-  return std::any_of(words.g.begin(), words.g.begin() + words.g_count, test);
+  return std::any_of(words.codes->g().begin(), words.codes->g().end(), test);
 }
 
 /// Where moves go: they change the state, and leave rows in a table.

@@ -64,9 +64,9 @@ Result dwell(MotionContext& m, BlockWords& block) {
 
 bool Motion::dwell(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
   MotionState& s = state_;
-  const bool alone = s.plain && words.g_count == 1 && words.m_count == 0 && !words.stops &&
-                     std::has_single_bit(words.mask);
-  if (!alone || facts_->codes.find(words.g[0]).meaning != Meaning::Dwell) return false;
+  const bool alone = s.plain && words.codes->g_count == 1 && words.codes->m_count == 0 &&
+                     !words.stops && std::has_single_bit(words.mask);
+  if (!alone || words.codes->meaning(Group::OneShot) != Meaning::Dwell) return false;
   const double seconds = dwell_of(view(), words).seconds;
   if (!(seconds > 0) || !in_range(std::array{seconds, s.time + seconds})) return false;
 

@@ -74,7 +74,7 @@ MoveState move_state(const MotionState& state) {
   row.tool = state.tool;
   row.h = state.h;
   row.d = state.d;
-  row.plane = static_cast<std::uint8_t>(state.plane);
+  row.plane = state.plane;
   const Meaning mode = state.modal[at(Group::Feed)].meaning;
   row.feed_mode = mode == Meaning::PerRevolution ? FeedMode::PerRevolution
                   : mode == Meaning::InverseTime ? FeedMode::InverseTime

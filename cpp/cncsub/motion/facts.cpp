@@ -43,10 +43,12 @@ int system_of(const std::string& name) {
   return number > 0 && number <= 9999 ? 100 + number : -1;
 }
 
-MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup)
+MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
+                         std::shared_ptr<const CodeMeanings> of)
     : control(std::move(c)),
-      machine(machine_of(*control, setup.machine)),
-      codes(*control, machine),
+      meanings(std::move(of)),
+      machine(meanings->machine),
+      codes(meanings->g),
       path_codes{codes.of(Meaning::Rapid), codes.of(Meaning::Line), codes.of(Meaning::Cw),
                  codes.of(Meaning::Ccw)},
       axis_order(machine == MachineType::Mill ? "XYZABCUVW" : "XZYCABUVW"),

@@ -28,6 +28,11 @@ inline int axis_of(char letter) {
   const auto found = kAxisNames.find(letter);
   return found == std::string_view::npos ? -1 : static_cast<int>(found);
 }
+/// The plane of G17, G18 or G19.
+constexpr Plane plane_of(Meaning meaning) {
+  if (meaning == Meaning::PlaneZX) return Plane::ZX;
+  return meaning == Meaning::PlaneYZ ? Plane::YZ : Plane::XY;
+}
 /// Takes over the values of the axes that are named.
 void fill(Axes& axes, const std::map<char, double>& values);
 /// "G54", "G54.1 P3", "EXT": 1, 103, 0; -1 for another name.
@@ -84,11 +89,13 @@ struct CornerWords {
 struct Conflict;  // what does not go together
 
 struct MotionFacts {
-  MotionFacts(std::shared_ptr<const Control> c, const Setup& setup);
+  MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
+              std::shared_ptr<const CodeMeanings> meanings);
 
   std::shared_ptr<const Control> control;
+  std::shared_ptr<const CodeMeanings> meanings;
   MachineType machine;
-  GCodes codes;
+  const GCodes& codes;
   std::array<GCode, 4> path_codes;  // G00 to G03, as this control calls them
   std::string axis_order;           // the control's axes by number
   std::array<int, kGroups> group_numbers{};

@@ -96,10 +96,10 @@ bool find_centre(const MotionFacts& facts, Point way, double radius, const Plane
 /// The arc that these words describe, `values` in the order of the alphabet and without that of F.
 /// False where the general path has something to say about it.
 [[gnu::always_inline]] inline bool plan_arc(const MotionFacts& facts, const MotionState& s,
-                                            std::uint32_t mask, const Cell* values, int plane_code,
+                                            std::uint32_t mask, const Cell* values, Plane of_plane,
                                             bool incremental, PlainArc& arc) {
   const MotionRules& rules = facts.control->motion;
-  const PlaneAxes plane = plane_axes(plane_code);
+  const PlaneAxes plane = plane_axes(of_plane);
   const auto word = [&](char address) {
     return (mask & bit(address)) != 0 ? (values++)->value : 0.0;
   };
@@ -207,74 +207,40 @@ bool plan_line(MotionView m, const NcWords& words, bool rapid, bool incremental,
   return in_range(to) && in_range(std::array{length, line.seconds, s.time + line.seconds});
 }
 
-/// What a block of nothing but modes sets. `plain`: all of it is known to be that.
+/// What the codes of a block set that are nothing but modes.
 struct Modes {
-  Modes(const MotionFacts& facts, const MotionState& state, const NcWords& words)
-      : plane(state.plane), incremental(state.incremental), facts_(facts), state_(state) {
-    plain = !words.has(Role::RigidTapping);
-    for (int i = 0; i < words.g_count && plain; ++i)
-      plain = take(facts.codes.find(words.g[static_cast<std::size_t>(i)]));
-  }
+  explicit Modes(const MotionState& state, const BlockCodes& of)
+      : codes(of),
+        path(of.has(Group::Motion) ? path_of(of.meaning(Group::Motion)) : -1),
+        plane(of.has(Group::Plane) ? plane_of(of.meaning(Group::Plane)) : state.plane),
+        incremental(of.has(Group::Distance) ? of.meaning(Group::Distance) == Meaning::Incremental
+                                            : state.incremental) {}
 
   void set(MotionState& state) const {
-    for (std::size_t i = 0; i < count_; ++i) state.modal[at(codes_[i].group)] = codes_[i];
+    for (std::uint32_t left = codes.groups; left != 0; left &= left - 1) {
+      const auto group = static_cast<std::size_t>(std::countr_zero(left));
+      state.modal[group] = codes.of[group];
+    }
     if (plane != state.plane) state.row_moves = nullptr;
     state.plane = plane;
     state.incremental = incremental;
-    if (cycle_off_) state.rigid = false;
-    if (work_) state.moved_before = true;  // as behind G54 that changes something
+    if (codes.has(Group::Cycle)) state.rigid = false;
+    if (codes.has(Group::Work)) state.moved_before = true;  // as behind G54 that changes something
   }
 
-  bool plain = false;
-  int path = -1;  // G00 to G03
-  int plane;
+  const BlockCodes& codes;
+  int path;  // G00 to G03, -1: none
+  Plane plane;
   bool incremental;
-
- private:
-  bool take(const GCode& code) {
-    if (code.meaning == Meaning::Neutral) return true;
-    for (std::size_t i = 0; i < count_; ++i)
-      if (codes_[i].group == code.group) return false;
-    codes_[count_++] = code;
-    switch (code.group) {
-      case Group::Motion:
-        path = path_of(code.meaning);
-        return path >= 0 && facts_.path_codes[static_cast<std::size_t>(path)].code == code.code;
-      case Group::Plane:
-        plane = code.code / 10;
-        return true;
-      case Group::Distance:
-        incremental = code.meaning == Meaning::Incremental;
-        return true;
-      case Group::Return:
-        return true;
-      case Group::Work:
-        return work_ = is_as_before(code) && code.meaning != Meaning::WorkExtra;
-      case Group::Units:
-        return is_as_before(code) &&
-               facts_.control->motion.unit_change.value == UnitChange::Anywhere;
-      case Group::Feed:
-        return is_as_before(code);
-      case Group::Radius:
-        return code.meaning == Meaning::RadiusOff;
-      case Group::Cycle:
-        return cycle_off_ = code.meaning == Meaning::CycleOff;
-      case Group::Length:
-        return code.meaning == Meaning::LengthOff && !facts_.lathe() && state_.length == Axes{};
-      default:
-        return false;
-    }
-  }
-  bool is_as_before(const GCode& code) const {
-    return state_.modal[at(code.group)].meaning == code.meaning;
-  }
-
-  const MotionFacts& facts_;
-  const MotionState& state_;
-  std::array<GCode, 12> codes_{};
-  std::size_t count_ = 0;
-  bool cycle_off_ = false, work_ = false;
 };
+
+/// Whether the codes are nothing but modes here: of these groups what holds already.
+bool are_modes(const MotionState& state, const BlockCodes& codes) {
+  if (!codes.plain || codes.has(Role::RigidTapping)) return false;
+  for (const Group group : {Group::Work, Group::Units, Group::Feed})
+    if (codes.has(group) && codes.meaning(group) != state.modal[at(group)].meaning) return false;
+  return !codes.has(Group::Length) || state.length == Axes{};
+}
 
 /// Whether the words other than G and M codes are those of a plain move, S and T, with values that
 /// the general path has nothing to say about.
@@ -295,8 +261,7 @@ bool has_plain_words(const MotionFacts& facts, const NcWords& words) {
 void set_tool_and_spindle(MotionState& s, const Roles& roles, const NcWords& words) {
   const int tool = s.tool;
   if (words.has('T')) s.t = whole(words['T']);
-  for (int i = 0; i < words.m_count; ++i)
-    take_spindle(s, roles.of_m(words.m[static_cast<std::size_t>(i)]));
+  for (const int code : words.codes->m()) take_spindle(s, roles.of_m(code));
   if (words.has('S')) {
     s.speed = words['S'];
     set_seconds_per_mm(s);
@@ -356,10 +321,10 @@ bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlo
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
   using Way = PlainBlock::Way;
   MotionState& s = state_;
-  if (!s.plain || !has_plain_words(*facts_, words)) return false;
-  const Modes modes(*facts_, s, words);
+  if (!s.plain || !are_modes(s, *words.codes) || !has_plain_words(*facts_, words)) return false;
+  const Modes modes(s, *words.codes);
   PlainBlock block;
-  if (!modes.plain || !plan_block(view(), modes, words, block)) return false;
+  if (!plan_block(view(), modes, words, block)) return false;
 
   modes.set(s);
   set_tool_and_spindle(s, facts_->control->calls.roles.value, words);

@@ -28,8 +28,9 @@ Result end_waiting(MoveSink& sink) {
 
 }  // namespace
 
-Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup)
-    : facts_(std::make_shared<MotionFacts>(std::move(control), setup)),
+Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup,
+               std::shared_ptr<const CodeMeanings> meanings)
+    : facts_(std::make_shared<MotionFacts>(std::move(control), setup, std::move(meanings))),
       state_(state_of(*facts_, setup)) {}
 
 /// Puts everything back when the work ends in a fault.

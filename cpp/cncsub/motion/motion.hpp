@@ -25,7 +25,8 @@ class Motion {
  public:
   using Outcome = MotionOutcome;
 
-  Motion(std::shared_ptr<const Control> control, const Setup& setup);
+  Motion(std::shared_ptr<const Control> control, const Setup& setup,
+         std::shared_ptr<const CodeMeanings> meanings);
 
   /// The profile that a block names, G70 to G73: to be handed in with the block.
   std::optional<ProfileNumbers> wanted_profile(const NcWords& words) const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -24,9 +25,10 @@ std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWo
 
 struct Profile {
   std::vector<NcWords> blocks;
-  Address behind = kNowhere;   // the block behind the last of them
-  bool right_behind = false;   // the first stands right behind the cycle
-  std::optional<Fault> fault;  // what kept it from being read
+  std::deque<BlockCodes> computed;  // of those of them that compute their codes
+  Address behind = kNowhere;        // the block behind the last of them
+  bool right_behind = false;        // the first stands right behind the cycle
+  std::optional<Fault> fault;       // what kept it from being read
 };
 
 /// What a block came to.

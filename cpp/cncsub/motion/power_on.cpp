@@ -97,7 +97,7 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
         Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
         Meaning::MirrorOff, where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
     set(meaning);
-  state.plane = lathe ? 18 : 17;
+  state.plane = lathe ? Plane::ZX : Plane::XY;
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (!reset) {
     state.feed = c.motion.power_on_feed.value;

@@ -156,7 +156,7 @@ std::vector<std::pair<std::string, std::string>> modal(MotionView m) {
     const int code = m.state.modal[at(group)].code;
     if (code < 0) continue;
     std::string text = code_name(code);
-    if (group == Group::Work && m.state.work_system == 0 && m.state.modal[at(group)].system == 0)
+    if (group == Group::Work && m.state.work_system == 0 && m.state.modal[at(group)].which == 0)
       text += " P" + std::to_string(m.state.extra_system);
     list.emplace_back(name, text);
   }

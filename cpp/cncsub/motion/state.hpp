@@ -7,13 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "cncsub/code/block_codes.hpp"
 #include "cncsub/control/control.hpp"
-#include "cncsub/control/g_codes.hpp"
 #include "cncsub/trace/moves.hpp"
 
 namespace cncsub {
-
-constexpr std::size_t at(Group group) { return static_cast<std::size_t>(group); }
 
 /// X, Y and Z of a mask of letters, as bits of the axes.
 constexpr std::uint32_t straight_axes(std::uint32_t letters) { return letters >> ('X' - 'A') & 7u; }
@@ -25,7 +23,7 @@ struct Piece {
   Axes end{};
   std::uint32_t named = 0;         // axes with a word, bit i = kAxisNames[i]
   std::array<double, 3> centre{};  // of an arc, base
-  int plane = 17;
+  Plane plane = Plane::XY;
   double turn = 0;     // of an arc: the angle run through, plus = counter-clockwise
   double seconds = 0;  // of a dwell
   int side = 0;        // radius compensation: -1 left, 1 right, 0 off
@@ -70,7 +68,7 @@ struct Held {
 
 struct CycleData {
   Meaning cycle = Meaning::CycleOff;
-  int code = 0;
+  GCode code;
   double r = 0, z = 0;  // as written
   bool r_incremental = false, z_incremental = false, has_r = false, has_z = false;
   double q = 0, k = 0, p = 0;
@@ -117,7 +115,7 @@ struct Turned {  // rotation, scaling and mirror
   bool rotation = false, scaling = false, mirror = false;
   std::array<double, 3> centre{}, scale_centre{}, scale{1, 1, 1}, mirror_at{};
   double angle = 0;
-  int plane = 17;
+  Plane plane = Plane::XY;
   bool frame = false;  // the centre is the zero point of turned coordinates
   std::uint32_t mirrored = 0;
 };
@@ -151,7 +149,7 @@ struct ModalState {
   Axes skip{};              // skip position: work coordinates, tool included
   std::array<GCode, kGroups> modal{};
   Meaning motion_before_cycle = Meaning::Rapid;
-  int plane = 17;
+  Plane plane = Plane::XY;
   int work_system = 1;                                 // 1 to 6, 0 = extra
   int extra_system = 0;                                // G54.1 P
   double speed = 0, surface_speed = 0, max_speed = 0;  // S of G97, of G96, limit

@@ -28,59 +28,20 @@ void set_spindle(MotionContext& m, const BlockWords& block) {
     else
       (m.state.surface ? m.state.surface_speed : m.state.speed) = value;
   }
-  for (int i = 0; i < block.words.m_count; ++i)
-    take_spindle(m.state, m.facts.control->calls.roles.value.of_m(
-                              block.words.m[static_cast<std::size_t>(i)]));
+  for (const int code : block.words.codes->m())
+    take_spindle(m.state, m.facts.control->calls.roles.value.of_m(code));
   if (block.words.has(Role::RigidTapping)) m.state.rigid_waits = m.facts.refuses(Cause::RigidMove);
   if (block.has(Group::Cycle)) m.state.rigid = std::exchange(m.state.rigid_waits, false);
 }
 
-/// What is wrong with a code by itself.
-Result check_code(MotionView m, const BlockWords& block, int written, const GCode& code) {
-  if (code.meaning == Meaning::DataEnd && !m.state.data_set && m.facts.refuses(Cause::DataEndFirst))
-    return fault_of(written, Cause::DataEndFirst, block);
-  if (code.meaning == Meaning::None) return fault_of(written, Cause::GCodeNotAvailable, block);
-  if (code.meaning == Meaning::Unknown) return fault_of(written, Cause::CodeNotKnown, block);
-  return std::nullopt;
-}
-
-bool is_computed(const Control& c, Meaning meaning) {
-  if (meaning == Meaning::MeasureTool) return c.motion.measuring.value != Measuring::None;
-  return meaning != Meaning::Uncomputed;
-}
-
-/// The places of a code among the first of the block, as bits.
-std::uint16_t places_of(const NcWords& words, int code, int first) {
-  std::uint16_t places = 0;
-  for (int i = 0; i < first; ++i)
-    if (words.g[static_cast<std::size_t>(i)] == code)
-      places = static_cast<std::uint16_t>(places | 1u << i);
-  return places;
-}
-
 }  // namespace
 
-Result read_codes(MotionContext& m, BlockWords& block) {
-  const Control& c = *m.facts.control;
-  for (int i = 0; i < block.words.g_count; ++i) {
-    const int written = block.words.g[static_cast<std::size_t>(i)];
-    const GCode code = m.facts.codes.find(written);
-    if (auto wrong = check_code(m, block, written, code)) return wrong;
-    if (is_neutral(code.meaning)) continue;
-    if (!is_computed(c, code.meaning)) {
-      block.uncomputed = written;
-      continue;
-    }
-    GCode& place = block.codes[at(code.group)];
-    if (place.code >= 0) {
-      if (code.group != Group::OneShot &&
-          c.reading.repeated_address.value == RepeatedAddress::Alarm)
-        return fault_of(written, Cause::AddressGivenTwice, block);
-      if (place.code != code.code) m.outcome.dropped_codes |= places_of(block.words, place.code, i);
-    }
-    place = code;
-  }
-  return std::nullopt;
+Result read_codes(MotionContext& m, const BlockWords& block) {
+  const BlockCodes& codes = *block.words.codes;
+  m.outcome.dropped_codes |= codes.dropped;
+  if (codes.data_end >= 0 && !m.state.data_set)
+    return fault_of(codes.data_end, Cause::DataEndFirst, block);
+  return codes.wrong < 0 ? Result() : fault_of(codes.wrong, codes.why, block);
 }
 
 Result check_block(MotionView m, const BlockWords& block) {
@@ -88,14 +49,15 @@ Result check_block(MotionView m, const BlockWords& block) {
   if ((block.words.whole >> kPointedH & 1) != 0 && m.facts.machine != MachineType::LatheA)
     return fault_at('H', Cause::IllegalDecimalPoint, block, "H takes no decimal point");
   if (block.has(Group::Units) && c.motion.unit_change.value != UnitChange::Anywhere) {
-    const bool shares = c.motion.unit_change.value == UnitChange::Alone && block.words.g_count > 1;
+    const bool shares =
+        c.motion.unit_change.value == UnitChange::Alone && block.words.codes->g_count > 1;
     if (m.state.moved_before || shares || (block.words.mask & ~bit('N')) != 0)
       return fault(Cause::UnitChangeLate, block);
   }
   if (!m.state.held.corner.empty() && block.has(Group::Plane))
     return fault(Cause::CornerPlane, block);
   if (compensating(m.state) && block.has(Group::Plane) &&
-      block.codes[at(Group::Plane)].code != m.state.plane * 10)
+      plane_of(block.meaning(Group::Plane)) != m.state.plane)
     return fault(Cause::CompensationPlane, block);
   return check_conflicts(m, block);
 }
@@ -104,8 +66,8 @@ Result set_modes(MotionContext& m, BlockWords& block) {
   for (const Group group : {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units,
                             Group::Return, Group::Macro, Group::Surface, Group::Path, Group::Turret,
                             Group::Fluctuation, Group::PolarMilling})
-    if (block.has(group)) m.state.modal[at(group)] = block.codes[at(group)];
-  if (block.has(Group::Plane)) m.state.plane = block.codes[at(Group::Plane)].code / 10;
+    if (block.has(group)) m.state.modal[at(group)] = block.code(group);
+  if (block.has(Group::Plane)) m.state.plane = plane_of(block.meaning(Group::Plane));
   const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
   // G97 without S keeps the speed that there is. [TDi 25 note 4]
   if (m.state.surface && !surface && (m.state.work[0] != 0 || m.state.max_speed > 0))
@@ -124,7 +86,7 @@ Result set_modes(MotionContext& m, BlockWords& block) {
   set_spindle(m, block);
   if (auto wrong = select_work(m, block)) return wrong;
   if (block.has(Group::Polar)) {
-    m.state.modal[at(Group::Polar)] = block.codes[at(Group::Polar)];
+    m.state.modal[at(Group::Polar)] = block.code(Group::Polar);
     m.state.polar_known = false;
   }
   return set_turned(m, block);

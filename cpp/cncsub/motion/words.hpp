@@ -8,8 +8,8 @@ namespace cncsub {
 /// Carries a block out.
 Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step);
 
-/// Finds the meanings of the G codes; of two of a group the later counts.
-Result read_codes(MotionContext& m, BlockWords& block);
+/// What is wrong with a G code by itself, and which of them do not count.
+Result read_codes(MotionContext& m, const BlockWords& block);
 /// What may not stand together, before anything changes.
 Result check_block(MotionView m, const BlockWords& block);
 Result check_conflicts(MotionView m, const BlockWords& block);

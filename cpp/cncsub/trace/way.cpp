@@ -57,7 +57,7 @@ double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
   return std::sqrt(sum);
 }
 
-double arc_length(double in_plane, int plane, const Axes& from, const Axes& to,
+double arc_length(double in_plane, Plane plane, const Axes& from, const Axes& to,
                   std::uint32_t diameters) {
   double sum = in_plane * in_plane;
   for (const int i : {plane_axes(plane).across, 6, 7, 8}) {

@@ -21,6 +21,9 @@ using Axes = std::array<double, kAxes>;
 
 enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
 
+/// A plane by the code that selects it, which is what the tables of moves hold.
+enum class Plane : std::uint8_t { XY = 17, ZX = 18, YZ = 19 };
+
 /// What holds for a row besides its end point.
 struct MoveState {
   double feed = 0;           // mm/min, mm/rev or 1/min
@@ -30,7 +33,7 @@ struct MoveState {
   std::int32_t tool = 0;
   std::int32_t h = 0;
   std::int32_t d = 0;
-  std::uint8_t plane = 17;
+  Plane plane = Plane::XY;
   FeedMode feed_mode = FeedMode::PerMinute;
   bool surface = false;
   double degree = 1;  // mm that a degree counts in a path: F is degrees a minute where it is inches
@@ -42,9 +45,15 @@ struct MoveState {
 struct PlaneAxes {
   int a, b, across;
 };
-inline PlaneAxes plane_axes(int plane) {
-  if (plane == 18) return {2, 0, 1};
-  if (plane == 19) return {1, 2, 0};
+inline PlaneAxes plane_axes(Plane plane) {
+  switch (plane) {
+    case Plane::ZX:
+      return {2, 0, 1};
+    case Plane::YZ:
+      return {1, 2, 0};
+    case Plane::XY:
+      break;
+  }
   return {0, 1, 2};
 }
 
@@ -68,7 +77,7 @@ constexpr double kNoWay = 1e-9;  // mm: what rounding leaves of a point that did
 /// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
 /// The length of an arc of which the way in its plane is known, with that of the other axes.
-double arc_length(double in_plane, int plane, const Axes& from, const Axes& to,
+double arc_length(double in_plane, Plane plane, const Axes& from, const Axes& to,
                   std::uint32_t diameters);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
 /// The length of an arc whose radius grows evenly from the first to the last over an angle: of one

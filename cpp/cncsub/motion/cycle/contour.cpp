@@ -12,17 +12,16 @@ namespace {
 
 bool calls(const Roles& roles, const NcWords& words) {
   const auto is_call = [](Role role) { return role >= Role::Call && role <= Role::CancelModal; };
-  for (int i = 0; i < words.m_count; ++i)
-    if (is_call(roles.of_m(words.m[static_cast<std::size_t>(i)]))) return true;
-  return any_code(words, [&](int g) { return is_call(roles.of_g(g)); });
+  const auto g = words.codes->g(), m = words.codes->m();
+  return std::any_of(m.begin(), m.end(), [&](int code) { return is_call(roles.of_m(code)); }) ||
+         std::any_of(g.begin(), g.end(), [&](int code) { return is_call(roles.of_g(code)); });
 }
 
 /// G70 to G73, which would follow the profile that they stand in.
-bool follows_profile(const NcWords& words, const GCodes& codes) {
-  return any_code(words, [&](int g) {
-    const Meaning meaning = codes.find(g).meaning;
-    return meaning >= Meaning::Finish && meaning <= Meaning::RoughPattern;
-  });
+bool follows_profile(const NcWords& words) {
+  const MeaningSet& all = words.codes->all;
+  return all.test(at(Meaning::Finish)) || all.test(at(Meaning::RoughTurn)) ||
+         all.test(at(Meaning::RoughFace)) || all.test(at(Meaning::RoughPattern));
 }
 
 /// G00 to G04, G40 to G42, G96 to G99 and the modes may stand inside. [TDi 23.1, TA 8]
@@ -53,8 +52,8 @@ bool allowed(Meaning meaning) {
 Result check_profile_block(const MotionFacts& facts, const NcWords& words) {
   if (calls(facts.control->calls.roles.value, words))
     return Fault{Cause::ProfileCall, words.at, 1, {}};
-  for (int i = 0; i < words.g_count; ++i)
-    if (const int g = words.g[static_cast<std::size_t>(i)]; !allowed(facts.codes.find(g).meaning))
+  for (const int g : words.codes->g())
+    if (!allowed(facts.codes.find(g).meaning))
       return Fault{
           .cause = Cause::ProfileCode, .at = words.at, .detail = {}, .address = 'G', .code = g};
   return std::nullopt;
@@ -92,7 +91,7 @@ Result finish_contour(MotionContext& m, BlockWords& block, const std::vector<NcW
   for (const NcWords& words : blocks) {
     if (calls(m.facts.control->calls.roles.value, words))
       return Fault{Cause::ProfileCall, words.at, 1, {}};
-    if (follows_profile(words, m.facts.codes)) return Fault{Cause::ProfileCode, words.at, 1, {}};
+    if (follows_profile(words)) return Fault{Cause::ProfileCode, words.at, 1, {}};
     if (auto wrong = run_block(m, words, block.step)) return wrong;
   }
   const GCode radius = m.state.modal[at(Group::Radius)];
@@ -363,11 +362,7 @@ Result Contour::pass(const Axes& by) {
 }
 
 std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWords& words) {
-  Meaning once = Meaning::None;  // of two codes the later counts
-  for (int i = 0; i < words.g_count; ++i) {
-    const GCode code = facts.codes.find(words.g[static_cast<std::size_t>(i)]);
-    if (code.group == Group::OneShot && !is_neutral(code.meaning)) once = code.meaning;
-  }
+  const Meaning once = words.codes->meaning(Group::OneShot);
   if (once < Meaning::Finish || once > Meaning::RoughPattern) return std::nullopt;
   const ProfileNumbers numbers{whole(words['P']), whole(words['Q'])};
   if (numbers.ns == numbers.nf && facts.refuses(Cause::PqSame)) return std::nullopt;

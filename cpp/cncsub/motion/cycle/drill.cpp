@@ -9,9 +9,9 @@ namespace cncsub {
 namespace {
 
 /// The axis a cycle drills along: across the plane; of a lathe Z, or X for G87 to G89.
-int drill_axis(MotionView m, int code) {
+int drill_axis(MotionView m, const GCode& code) {
   if (!m.facts.lathe()) return plane_axes(m.state.plane).across;
-  return code >= 870 ? 0 : 2;
+  return code.which == 1 ? 0 : 2;
 }
 
 /// Takes R Z Q P I J K over; what is not written stays as it was.
@@ -245,12 +245,12 @@ Result drill_lathe(MotionContext& m, BlockWords& block) {
 
 Result enter_cycle(MotionContext& m, BlockWords& block) {
   const Meaning meaning = block.meaning(Group::Cycle);
-  m.state.modal[at(Group::Cycle)] = block.codes[at(Group::Cycle)];
+  m.state.modal[at(Group::Cycle)] = block.code(Group::Cycle);
   if (meaning == Meaning::CycleOff) {
     end_cycles(m.facts, m.state);
     return std::nullopt;
   }
-  const int code = block.codes[at(Group::Cycle)].code;
+  const GCode& code = block.code(Group::Cycle);
   if (!in_cycle(m.state)) {
     m.state.cycle = {};
     m.state.cycle.initial = m.state.work[static_cast<std::size_t>(drill_axis(m, code))];

@@ -250,7 +250,7 @@ std::size_t Pockets::highest(const Chain& part) const {
 
 /// On which side of the profile the cycle starts, which way it cuts, and from which level.
 Pockets pockets_of(Contour& contour) {
-  Pockets pockets{contour, {plane_axes(18), contour.m.facts.share(0)}, 1, 1};
+  Pockets pockets{contour, {plane_axes(Plane::ZX), contour.m.facts.share(0)}, 1, 1};
   double lowest = contour.level_of(contour.start), highest = lowest;
   const double level = lowest;
   for (const Piece& piece : contour.pieces) {

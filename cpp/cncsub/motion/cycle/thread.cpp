@@ -144,7 +144,8 @@ bool cuts_thread(const MotionState& state, const BlockWords& block) {
   if (block.has(Group::OneShot) && block.meaning(Group::OneShot) != Meaning::ExactStop)
     return false;
   return is_thread(
-      (block.has(Group::Motion) ? block.codes : state.modal)[at(Group::Motion)].meaning);
+      (block.has(Group::Motion) ? block.code(Group::Motion) : state.modal[at(Group::Motion)])
+          .meaning);
 }
 
 void set_lead(MotionContext& m, const BlockWords& block) {

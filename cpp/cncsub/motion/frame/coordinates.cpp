@@ -25,7 +25,7 @@ Result select_work(MotionContext& m, BlockWords& block) {
     return std::nullopt;
   int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
   if (meaning == Meaning::WorkExtra) {
-    const int own = block.codes[at(Group::Work)].system;
+    const int own = block.code(Group::Work).which;
     const double p = own > 0 ? own : block.words.has('P') ? block.words['P'] : 1;
     if (p < 1 || p > static_cast<double>(m.state.tables.extra.size()))
       return fault(Cause::WorkSystem, block);
@@ -33,7 +33,7 @@ Result select_work(MotionContext& m, BlockWords& block) {
     system = 0;
   }
   m.state.work_system = system;
-  m.state.modal[at(Group::Work)] = block.codes[at(Group::Work)];
+  m.state.modal[at(Group::Work)] = block.code(Group::Work);
   refresh_offset(m.state);
   return std::nullopt;
 }

@@ -25,7 +25,7 @@ Result set_rotation(MotionContext& m, BlockWords& block) {
     block.consumed = true;
   }
   m.state.turned = turned;
-  m.state.modal[at(Group::Rotation)] = block.codes[at(Group::Rotation)];
+  m.state.modal[at(Group::Rotation)] = block.code(Group::Rotation);
   return std::nullopt;
 }
 
@@ -41,7 +41,7 @@ double scale_of(MotionView m, const BlockWords& block, char address) {
 
 Result set_scaling(MotionContext& m, BlockWords& block) {
   const NcWords& w = block.words;
-  m.state.modal[at(Group::Scaling)] = block.codes[at(Group::Scaling)];
+  m.state.modal[at(Group::Scaling)] = block.code(Group::Scaling);
   m.state.turned.scaling = block.meaning(Group::Scaling) == Meaning::ScalingOn;
   if (!m.state.turned.scaling) return std::nullopt;
   block.consumed = true;
@@ -71,8 +71,7 @@ void set_mirror(MotionContext& m, BlockWords& block) {
   }
   if (!on && !any) m.state.turned.mirrored = 0;
   m.state.turned.mirror = m.state.turned.mirrored != 0;
-  if (on || !m.state.turned.mirror)
-    m.state.modal[at(Group::Mirror)] = block.codes[at(Group::Mirror)];
+  if (on || !m.state.turned.mirror) m.state.modal[at(Group::Mirror)] = block.code(Group::Mirror);
   block.consumed = true;
 }
 

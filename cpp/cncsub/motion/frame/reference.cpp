@@ -87,7 +87,7 @@ Result check_reference(MotionContext& m, BlockWords& block) {
 }
 
 Result one_way(MotionContext& m, BlockWords& block) {
-  if (block.has(Group::Motion)) m.state.modal[at(Group::Motion)] = block.codes[at(Group::Motion)];
+  if (block.has(Group::Motion)) m.state.modal[at(Group::Motion)] = block.code(Group::Motion);
   end_cycles(m.facts, m.state);
   std::uint32_t named = 0;
   const Axes end = target(m, block, named);

@@ -16,7 +16,7 @@ Result skip_feed(MotionView m, const BlockWords& block, double& feed) {
       return fault(Cause::ValueOutOfRange, block, "P of G31 is 1 to " + std::to_string(most));
   if (!c.motion.skip_own_feed.value) return need_feed(m, block, Meaning::Line);
   // Parameters of G31, G31.1, G31.2 and G31.3. [M7 p.547, p.552]
-  const int form = block.codes[at(Group::OneShot)].code - 310;
+  const int form = block.code(Group::OneShot).which;
   feed = c.parameter(std::to_string(1174 + 2 * form));
   if (block.words.has('F'))
     if (auto wrong = feed_of(m, block, feed)) return wrong;
@@ -63,7 +63,7 @@ SignalMask signals_of_parameter(const Control& c, int number) {
 
 /// The signals of G31 and its forms G31.1 to G31.3, P naming them.
 SignalMask signals_of_skip(const Control& c, const BlockWords& block, double p) {
-  const int form = block.codes[at(Group::OneShot)].code - 310;
+  const int form = block.code(Group::OneShot).which;
   switch (c.motion.skip_signals.value) {
     case SkipSignals::Any:
       return kAnySignal;

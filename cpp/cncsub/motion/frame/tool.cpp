@@ -68,7 +68,7 @@ Result set_length(MotionContext& m, BlockWords& block) {
       return fault(Cause::OffsetNumber, block);
     m.state.h = to_whole<int>(number);
   }
-  if (block.has(Group::Length)) m.state.modal[at(Group::Length)] = block.codes[at(Group::Length)];
+  if (block.has(Group::Length)) m.state.modal[at(Group::Length)] = block.code(Group::Length);
   const Meaning meaning = m.state.modal[at(Group::Length)].meaning;
   if (meaning == Meaning::LengthOff) {
     m.state.length = {};
@@ -113,7 +113,7 @@ Result set_radius(MotionContext& m, BlockWords& block) {
     m.state.d = to_whole<int>(number);
   }
   if (!block.has(Group::Radius)) return std::nullopt;
-  m.state.modal[at(Group::Radius)] = block.codes[at(Group::Radius)];
+  m.state.modal[at(Group::Radius)] = block.code(Group::Radius);
   if (!m.facts.lathe() && compensating(m.state) && m.state.d == 0 && !block.words.has('D') &&
       c.motion.missing_radius_offset.value == MissingOffset::Alarm)
     return fault(Cause::RadiusOffsetNumber, block);
@@ -179,7 +179,7 @@ std::array<double, 3> tip_vector(MotionView m) {
   static constexpr std::array<std::array<int, 2>, 10> kTips = {
       // X and Z of tips 0 to 9
       {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}, {0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 0}}};
-  if (!m.facts.lathe() || m.state.plane != 18) return {};
+  if (!m.facts.lathe() || m.state.plane != Plane::ZX) return {};
   const auto found = m.state.tables.tools.find(m.state.tool_offset);
   if (found == m.state.tables.tools.end() || found->second.tip < 0 || found->second.tip > 9)
     return {};

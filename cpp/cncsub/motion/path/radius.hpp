@@ -30,7 +30,7 @@ struct RadiusPath {
   PlaneView view;
   double least = sink.facts.increment * (g20(sink.state) ? kInch / 10 : 1);
 
-  RadiusPath(MoveSink& s, int plane) : sink(s), view{plane_axes(plane), s.facts.share(0)} {}
+  RadiusPath(MoveSink& s, Plane plane) : sink(s), view{plane_axes(plane), s.facts.share(0)} {}
 
   /// A step of one increment has no direction yet.
   bool same(Point p, Point q) const { return size(p - q) < 1.5 * least; }
