@@ -251,7 +251,7 @@ py::dict move_row(const Record& record, std::size_t index) {
   fields["cx"] = row.centre[0];
   fields["cy"] = row.centre[1];
   fields["cz"] = row.centre[2];
-  fields["plane"] = state.plane;
+  fields["plane"] = static_cast<int>(state.plane);
   fields["feed"] = row.feed;
   fields["spindle"] = row.spindle;
   fields["tool"] = state.tool;

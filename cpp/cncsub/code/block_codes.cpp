@@ -16,6 +16,8 @@ bool is_computed(const Control& c, Meaning meaning) {
 /// Whether a code is nothing but a mode to be remembered, as far as that is known without a run.
 bool is_plain(const CodeMeanings& meanings, const GCode& code) {
   switch (code.group) {
+    case Group::OneShot:
+      return code.meaning == Meaning::ExactStop || code.meaning == Meaning::Machine;
     case Group::Motion:
       return code.meaning >= Meaning::Rapid && code.meaning <= Meaning::Ccw &&
              meanings.g.of(code.meaning).code == code.code;

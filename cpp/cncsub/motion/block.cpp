@@ -119,7 +119,7 @@ bool all_in_range(const MotionState& s) {
 
 Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step) {
   BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state)};
-  const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting;
+  const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
   if (auto wrong = read_codes(m, block)) return wrong;
   if (auto wrong = check_block(m, block)) return wrong;
   if (const int code = words.codes->uncomputed; code >= 0)

@@ -45,7 +45,7 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   state.row_moves = nullptr;
   if (path >= 0) state.motion_code = static_cast<std::uint8_t>(path);
   set_seconds_per_mm(state);
-  state.plain = path >= 0 && !in_cycle(state) && !compensating(state) && !state.angled.waiting &&
+  state.plain = path >= 0 && !in_cycle(state) && !compensating(state) && !state.angled.waiting() &&
                 state.held.corner.empty() && state.held.radius.empty() && !state.held.engaged &&
                 feed != Meaning::InverseTime && !polar(state) && !turned(state) &&
                 facts.limits.empty() && !checks_area(state) && !state.surface && !lacks_speed(m) &&
@@ -186,24 +186,25 @@ void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Mov
 
 namespace {
 
-/// False where the general path has something to say about it. `feed`: that of the block.
-bool plan_line(MotionView m, const NcWords& words, bool rapid, bool incremental, double feed,
+/// False where the general path has something to say about it. `zero`: what the words of the block
+/// count from, `feed`: that of the block.
+bool plan_line(MotionView m, const NcWords& words, bool rapid, const Axes& zero, double feed,
                PlainLine& line) {
   const MotionState& s = m.state;
   line.end = s.work;
   for (std::size_t i = 0; i < line.end.size(); ++i) {
     if (!words.has(kAxisNames[i])) continue;
     line.named |= axis_bit(static_cast<int>(i));
-    line.end[i] = number(m, words, kAxisNames[i]) + (incremental ? s.work[i] : 0);
+    line.end[i] = number(m, words, kAxisNames[i]) + zero[i];
     line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= 1e-12;
   }
   const Axes from = machine_point(s), to = line.end + s.offset + s.length;
   const std::uint32_t diameters = m.facts.diameters;
-  const double length = length_of(from, to, diameters), zero = s.offset[0] + s.length[0];
+  const double length = length_of(from, to, diameters), x_zero = s.offset[0] + s.length[0];
   MoveState row = move_state(s);
   row.feed = feed;
   const MoveKind kind = rapid ? MoveKind::Rapid : MoveKind::Feed;
-  line.seconds = seconds_of({kind, row, from, to, length, zero, 0}, m.facts.rapid, diameters);
+  line.seconds = seconds_of({kind, row, from, to, length, x_zero, 0}, m.facts.rapid, diameters);
   return in_range(to) && in_range(std::array{length, line.seconds, s.time + line.seconds});
 }
 
@@ -217,7 +218,7 @@ struct Modes {
                                             : state.incremental) {}
 
   void set(MotionState& state) const {
-    for (std::uint32_t left = codes.groups; left != 0; left &= left - 1) {
+    for (std::uint32_t left = codes.groups & ~bit(Group::OneShot); left != 0; left &= left - 1) {
       const auto group = static_cast<std::size_t>(std::countr_zero(left));
       state.modal[group] = codes.of[group];
     }
@@ -312,8 +313,21 @@ bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlo
   }
   if ((block.letters & kArcWords) != 0) return false;
   block.way = others == 0 ? Way::Straight : Way::OtherAxes;
-  return others == 0 ||
-         plan_line(m, words, block.path == 0, modes.incremental, block.feed, block.line);
+  return others == 0 || plan_line(m, words, block.path == 0, modes.incremental ? s.work : Axes{},
+                                  block.feed, block.line);
+}
+
+/// G53 with a rapid.
+bool plan_machine_move(MotionView m, const Modes& modes, const NcWords& words, PlainBlock& block) {
+  const MotionState& s = m.state;
+  block.path = modes.path >= 0 ? modes.path : s.motion_code;
+  const bool axes = (words.mask & (kEndWords | m.facts.other_axes)) != 0 &&
+                    (words.mask & ~(kEndWords | m.facts.other_axes)) == 0;
+  const bool homed = m.facts.homed || !m.facts.refuses(Cause::NotHomed);
+  if (block.path != 0 || !axes || !homed || modes.incremental || s.length != Axes{}) return false;
+  if (check_conflicts(m, {.words = words, .step = 0})) return false;
+  block.way = PlainBlock::Way::OtherAxes;
+  return plan_line(m, words, true, Axes{} - s.offset, s.feed, block.line);
 }
 
 }  // namespace
@@ -324,7 +338,8 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
   if (!s.plain || !are_modes(s, *words.codes) || !has_plain_words(*facts_, words)) return false;
   const Modes modes(s, *words.codes);
   PlainBlock block;
-  if (!plan_block(view(), modes, words, block)) return false;
+  const bool machine = words.codes->meaning(Group::OneShot) == Meaning::Machine;
+  if (!(machine ? plan_machine_move : plan_block)(view(), modes, words, block)) return false;
 
   modes.set(s);
   set_tool_and_spindle(s, facts_->control->calls.roles.value, words);

@@ -21,8 +21,9 @@ Result end_waiting(MoveSink& sink) {
                  .at = held.corner.back().at,
                  .detail = {},
                  .address = held.corner.back().corner};
-  if (const Angled& angled = sink.state.angled; angled.waiting)
-    return Fault{.cause = Cause::AngleNoEnd, .at = angled.piece.at, .detail = {}, .address = 'A'};
+  if (const Angled& angled = sink.state.angled; angled.waiting())
+    return Fault{
+        .cause = Cause::AngleNoEnd, .at = angled.line.front().at, .detail = {}, .address = 'A'};
   return flush_radius(sink);
 }
 
@@ -36,7 +37,7 @@ Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup,
 /// Puts everything back when the work ends in a fault.
 template <class Work>
 std::optional<Fault> Motion::whole_or_nothing(Moves* moves, const Work& work) {
-  Undo undo(state_, log_, moves);
+  Undo undo(state_, before_, log_, moves);
   state_.plain = false;  // from here on tool_at is kept
   auto wrong = work();
   if (wrong)

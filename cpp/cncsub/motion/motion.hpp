@@ -94,6 +94,7 @@ class Motion {
 
   std::shared_ptr<const MotionFacts> facts_;
   MotionState state_;
+  ModalState before_;  // the running block
   OffsetLog log_;
 };
 

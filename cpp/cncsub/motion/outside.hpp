@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
+#include <list>
 #include <optional>
 #include <vector>
 
@@ -25,10 +25,10 @@ std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWo
 
 struct Profile {
   std::vector<NcWords> blocks;
-  std::deque<BlockCodes> computed;  // of those of them that compute their codes
-  Address behind = kNowhere;        // the block behind the last of them
-  bool right_behind = false;        // the first stands right behind the cycle
-  std::optional<Fault> fault;       // what kept it from being read
+  std::list<BlockCodes> computed;  // of those of them that compute their codes
+  Address behind = kNowhere;       // the block behind the last of them
+  bool right_behind = false;       // the first stands right behind the cycle
+  std::optional<Fault> fault;      // what kept it from being read
 };
 
 /// What a block came to.

@@ -41,10 +41,11 @@ struct Piece {
 
 /// A line of which only the angle is known, until the next block tells its end.
 struct Angled {
-  bool waiting = false;
-  double angle = 0;  // degrees
-  Piece piece;
-  int idle = 0;  // blocks without a move behind it
+  double angle = 0;         // degrees
+  std::vector<Piece> line;  // one or none: copying none costs nothing
+  int idle = 0;             // blocks without a move behind it
+
+  bool waiting() const { return !line.empty(); }
 };
 
 /// Moves that wait because the next one decides where they end.

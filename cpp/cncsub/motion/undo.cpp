@@ -24,12 +24,13 @@ void OffsetLog::clear() {
   tools_.clear();
 }
 
-Undo::Undo(MotionState& state, OffsetLog& log, Moves* moves)
+Undo::Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves)
     : state_(state),
-      before_(state),
+      before_(before),
       log_(log),
       moves_(moves),
       rows_(moves != nullptr ? moves->size() : 0) {
+  before_ = state_;
   log_.clear();
 }
 

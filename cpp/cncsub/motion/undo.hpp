@@ -30,12 +30,13 @@ class OffsetLog {
 /// The state and the table of moves as they are; of the offset tables only what changes is kept.
 class Undo {
  public:
-  Undo(MotionState& state, OffsetLog& log, Moves* moves);
+  /// `before`: where the state is kept; the room that it has is used again.
+  Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves);
   void put_back();
 
  private:
   MotionState& state_;
-  const ModalState before_;
+  ModalState& before_;
   OffsetLog& log_;
   Moves* moves_;
   std::size_t rows_;

@@ -73,9 +73,11 @@ Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector
     state.modal[at(Group::Radius)] = m.facts.codes.of(Meaning::RadiusOff);
     if (auto wrong = run_block(trial, words, 0)) return wrong;
   }
-  if (state.angled.waiting)
-    return Fault{
-        .cause = Cause::AngleNoEnd, .at = state.angled.piece.at, .detail = {}, .address = 'A'};
+  if (state.angled.waiting())
+    return Fault{.cause = Cause::AngleNoEnd,
+                 .at = state.angled.line.front().at,
+                 .detail = {},
+                 .address = 'A'};
   if (!state.held.corner.empty())
     return Fault{.cause = Cause::CornerNoMove,
                  .at = state.held.corner.back().at,

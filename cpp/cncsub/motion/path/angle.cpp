@@ -17,7 +17,7 @@ double cosine(double degrees) { return std::cos(degrees * kPi / 180); }
 /// The line that waits ends where the one that ends here, at its angle, begins.
 Result meet_angles(MotionContext& m, BlockWords& block, Piece second, double angle) {
   const PlaneView view{plane_axes(second.plane), m.facts.share(0)};
-  Piece first = m.state.angled.piece;
+  Piece first = m.state.angled.line.front();
   const Point u{cosine(m.state.angled.angle), sine(m.state.angled.angle)},
       v{cosine(angle), sine(angle)};
   const Axes start = m.state.work + first.offset;
@@ -57,7 +57,7 @@ Result angled(MotionContext& m, BlockWords& block, Meaning meaning, double angle
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
   const double a_share = m.facts.share(plane.a), b_share = m.facts.share(plane.b);
-  if (!m.state.angled.waiting && has_a != has_b) {
+  if (!m.state.angled.waiting() && has_a != has_b) {
     if (std::fabs(has_a ? cosine(angle) : sine(angle)) < sine(kLeastAngle))
       return fault(Cause::AngleParallel, block);
     const double slope = sine(angle) / cosine(angle);
@@ -69,7 +69,7 @@ Result angled(MotionContext& m, BlockWords& block, Meaning meaning, double angle
   }
   Piece piece = make_piece(m, block, kind, end, named);
   if (auto wrong = corner_words(m, block, piece)) return wrong;
-  if (m.state.angled.waiting) {
+  if (m.state.angled.waiting()) {
     const auto absolute = [&](int axis) {
       return block.words.has(kAxisNames[static_cast<std::size_t>(axis)]) && !m.state.incremental;
     };
@@ -79,7 +79,7 @@ Result angled(MotionContext& m, BlockWords& block, Meaning meaning, double angle
   // With both coordinates the angle does not count. [TDi 13]
   if (has_a || has_b) return move(m, block, piece);
   piece.named |= axis_bit(plane.a) | axis_bit(plane.b);
-  m.state.angled = {true, angle, piece, 0};
+  m.state.angled = {angle, {piece}, 0};
   block.submitted = true;
   return std::nullopt;
 }
@@ -90,7 +90,7 @@ Result check_angle(MotionContext& m, const BlockWords& block, bool waited) {
                        (m.facts.lathe() || m.facts.control->motion.angles_on_mills.value);
     if (!taken) return fault(Cause::AddressNotUsable, block, ",A");
   }
-  if (!waited || !m.state.angled.waiting) return std::nullopt;
+  if (!waited || !m.state.angled.waiting()) return std::nullopt;
   if (block.submitted) return fault(Cause::AngleEnd, block);
   if (++m.state.angled.idle > 1) return fault(Cause::AngleNoEnd, block);
   return std::nullopt;

@@ -268,7 +268,7 @@ Result through_radius(MoveSink& sink, const Piece& written, const Axes& from) {
 Result count_idle(MotionContext& m, const BlockWords& block) {
   Held& held = m.state.held;
   const bool moved =
-      std::exchange(held.moved, false) || !held.corner.empty() || m.state.angled.waiting;
+      std::exchange(held.moved, false) || !held.corner.empty() || m.state.angled.waiting();
   if (held.radius.empty() || moved) {
     held.idle = 0;
     return std::nullopt;
