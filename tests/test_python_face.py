@@ -215,6 +215,11 @@ def test_a_program_shows_its_blocks_and_words() -> None:
         program.blocks[2]
 
 
+def test_behind_a_bare_g_the_next_word_stands() -> None:
+    program = cncsub.loads("O1\nGX20.Y3\nM30\n", control="mitsubishi-m700")[1]
+    assert program.blocks[0].words == (("G", None, "G"), ("X", 20.0, "X20."), ("Y", 3.0, "Y3"))
+
+
 @pytest.mark.parametrize(
     ("options", "error"),
     [

@@ -274,6 +274,7 @@ void write_by_hand(Machine& machine, const Job& job) {
 void try_all_ways(const Job& job) {
   std::int32_t main = 0;
   const auto code = library_of(job, main);
+  check_words(*code);
 
   const Machine fresh(code, main, job.options);
   Machine whole = fresh;

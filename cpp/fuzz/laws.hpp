@@ -11,4 +11,7 @@ namespace cncsub::fuzz {
 /// them again. Stops the process where a claim is false.
 void try_all_ways(const Job& job);
 
+/// Holds the words of every block, as they are written, to the words that it executes.
+void check_words(const Code& code);
+
 }  // namespace cncsub::fuzz

@@ -1,7 +1,6 @@
 // Fuzzes reading: any bytes, as files of the memory and of the external device or as a text typed
 // in MDI, become a library on any control, and everything that can be asked of a library is asked.
-#include "cncsub/text/words.hpp"
-#include "input.hpp"
+#include "laws.hpp"
 
 namespace cncsub::fuzz {
 
@@ -20,9 +19,6 @@ void check_program(const Code& code, const Program& program) {
     const Block& block = code.blocks[a];
     claim(block.line >= line, "blocks stand in the order of their lines");
     line = block.line;
-    const std::string_view text = code.text_of(block, program);
-    for (const WrittenWord& word : written_words(code.read_word, text))
-      claim(text.size() >= word.text.size(), "a word is a part of its block");
     if (block.op == Op::Fault) {
       const Alarm alarm = alarm_of(code, a, code.faults[block.aux]);
       claim(alarm.line >= 1 && alarm.column >= 1, "an alarm has a place");
@@ -39,6 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Job job = read_job(data, size);
   std::int32_t main = 0;
   const auto code = library_of(job, main);
+  check_words(*code);
   for (const Program& program : code->programs) {
     check_program(*code, program);
     const bool external = code->files[program.file].external;

@@ -90,7 +90,7 @@ struct Conflict;  // what does not go together
 
 struct MotionFacts {
   MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
-              std::shared_ptr<const CodeMeanings> meanings);
+              std::shared_ptr<const CodeMeanings> of);
 
   std::shared_ptr<const Control> control;
   std::shared_ptr<const CodeMeanings> meanings;

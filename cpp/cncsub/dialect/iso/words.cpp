@@ -13,6 +13,12 @@ char second(Scanner s) {
   return s.peek();
 }
 
+/// Whether two letters begin a macro statement: GOTO, IF, WHILE. Behind a G by itself, which some
+/// controls read as G00, the next word stands.
+bool begins_statement(char first, char behind) {
+  return is_letter(first) && is_letter(behind) && (upper(first) != 'G' || upper(behind) == 'O');
+}
+
 /// A macro statement or an assignment takes the rest of the block.
 WrittenWord rest_of_block(Scanner& s) {
   WrittenWord word;
@@ -64,7 +70,7 @@ std::optional<WrittenWord> iso_word(std::string_view block, std::size_t& from) {
   if (s.at == s.end) return std::nullopt;
   const char* start = s.at;
   WrittenWord word;
-  if (c == '#' || (is_letter(c) && is_letter(second(s)))) {
+  if (c == '#' || begins_statement(c, second(s))) {
     word = rest_of_block(s);
   } else if (c == '<') {
     word = name(s);

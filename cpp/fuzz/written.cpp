@@ -1,0 +1,71 @@
+// The law of written words: what people and tools see of a block is what the engine reads.
+#include <bit>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/text/words.hpp"
+#include "laws.hpp"
+
+namespace cncsub::fuzz {
+namespace {
+
+/// Words stand one behind the other, and nothing but blanks and comments stands between them.
+void check_places(std::string_view text, const std::vector<WrittenWord>& words) {
+  const bool comments = text.find_first_of("(;)\"") != std::string_view::npos;
+  std::size_t end = 0;
+  const auto blank_to = [&](std::size_t to) {
+    for (; end < to && !comments; ++end) claim(is_blank(text[end]), "no character is lost");
+  };
+  for (const WrittenWord& word : words) {
+    claim(word.at >= end && word.at + word.width <= text.size(), "words stand in their order");
+    blank_to(word.at);
+    end = word.at + word.width;
+  }
+  blank_to(text.size());
+}
+
+/// Whether a word is one of an address: X, and CR of SINUMERIK, which is a radius.
+bool is_of(const WrittenWord& word, char address) {
+  return !word.address.empty() && word.address.front() != ',' && word.address.back() == address;
+}
+
+/// The word that stands last for an address, null where none does.
+const WrittenWord* last_word(const std::vector<WrittenWord>& words, char address) {
+  const WrittenWord* last = nullptr;
+  for (const WrittenWord& word : words)
+    if (is_of(word, address)) last = &word;
+  return last;
+}
+
+/// A number that the block holds is the one that is written.
+void check_values(const Code& code, const Block& block, const std::vector<WrittenWord>& words) {
+  const Cell* cell = code.cells.data() + block.data;
+  std::uint32_t expressions = 0;
+  if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;
+  cell += block.code_cells();
+  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
+    const int place = std::countr_zero(left);
+    if (place >= 26 || (expressions >> place & 1) != 0) continue;
+    const WrittenWord* word = last_word(words, static_cast<char>('A' + place));
+    claim(word != nullptr, "a word that counts is written");
+    claim(!word->known || std::fabs(word->value - cell->value) <= 1e-12 * std::fabs(word->value),
+          "a word has the value that is written");
+  }
+}
+
+}  // namespace
+
+void check_words(const Code& code) {
+  for (const Program& program : code.programs)
+    for (Address a = program.first; a < program.last; ++a) {
+      const Block& block = code.blocks[a];
+      const std::string_view text = code.text_of(block, program);
+      if (text.size() >= kLookedAt) continue;
+      const auto words = written_words(code.read_word, text);
+      check_places(text, words);
+      if (is_words(block.op)) check_values(code, block, words);
+    }
+}
+
+}  // namespace cncsub::fuzz
