@@ -50,6 +50,14 @@ def test_the_count_is_written_as_the_control_takes_it(
     assert made.added == {}
 
 
+def test_more_passes_than_one_call_takes_are_several_calls() -> None:
+    text = f"O1\nN10 G0 X5. M98 P2000002\nN20 M30\n{SUB}"
+    library = cncsub.loads(text, control="fanuc-0i-f")
+    made = translate(library, "haas-ngc")
+    assert texts(made, "O1")[1:3] == ["M98 P2 L99", "M98 P2 L2"]
+    assert moves(made.library.run()) == moves(library.run())
+
+
 def test_the_start_block_is_named_by_the_word_of_the_control() -> None:
     text = f"O1\nN10 M98 P2 H40 L2\nN20 M30\n{SUB}"
     library = cncsub.loads(text, control="mitsubishi-m800")
@@ -120,6 +128,15 @@ def test_m99_p_becomes_m99_and_a_jump_behind_the_call(source: str, target: str, 
     assert moves(made.library.run()) == moves(library.run())
 
 
+def test_a_call_that_is_skipped_takes_its_jump_along() -> None:
+    library = cncsub.loads(RETURNS.replace("N10", "/2 N10"), control="fanuc-0i-f")
+    made = translate(library, "haas-ngc")
+    assert texts(made, "O1")[1] == "/2GOTO 70"
+    for switches in ((), (2,)):
+        runs = [each.run(block_skip=switches) for each in (library, made.library)]
+        assert moves(runs[0]) == moves(runs[1])
+
+
 def test_m99_p_of_one_pass_stays() -> None:
     library = cncsub.loads(RETURNS.replace(" L3", ""), control="fanuc-0i-f")
     assert translate(library, "mitsubishi-m700").edits == {}
@@ -153,7 +170,8 @@ def test_the_head_of_a_main_program_goes_where_the_control_takes_none() -> None:
 @pytest.mark.parametrize(
     ("text", "source", "target", "reason", "line"),
     [
-        (f"O1\nN10 M98 P2000002\nM30\n{SUB}", "fanuc-0i-f", "haas-ngc", "O2, 200 passes", 2),
+        (f"O1\nN10 M98 P2 L3000\nM30\n{SUB}", "fanuc-0i-f", "haas-ngc", "O2, 3000 passes", 2),
+        (f"O1\nN10 G4 P10 M98 P20002\nM30\n{SUB}", "fanuc-0i-f", "haas-ngc", "stands twice", 2),
         (f"O1\nN10 M98 P2\nM30\n{SUB}", "fanuc-0i-f", "gsk-928te", "O2, 1 pass, as M98 does", 2),
         (
             "O1\nN10 M98 P2\nN70 M30\nO2\nN20 IF[#1EQ1]GOTO 40\nN30 M99 P70\nN40 M99\n",
@@ -168,6 +186,13 @@ def test_the_head_of_a_main_program_goes_where_the_control_takes_none() -> None:
             "haas-ngc",
             "computed cannot be told apart",
             5,
+        ),
+        (
+            RETURNS.replace("M98 P2 L3", "G65 P2 L3"),
+            "fanuc-0i-f",
+            "haas-ngc",
+            "that a macro calls",
+            8,
         ),
         (RETURNS, "fanuc-0i-f", "hnc-21m", "no words found by which it goes on at N70", 2),
         (

@@ -15,8 +15,11 @@ from cncsub.references import CallTo, Computed, JumpTo
 
 _CODES = ("M97", "M98", "M198", "M99")
 _CALL_WORDS = "PLHQ"  # what belongs to a call and not to its block
+_MOST_CALLS = 20  # that stand for one
 _FIRST_FREE = 9001  # number of the first program that is made
 _COMMENT = re.compile(r"\([^()]*\)|;.*")
+_SKIP = re.compile(r"\s*(/\d?)")
+_CONDITION = re.compile(r"\bIF|THEN", re.IGNORECASE)
 _HEAD = re.compile(r"\s*O\d+")
 # What decides how a control takes words of a call that are computed.
 _OF_COMPUTED = ("program_word", "count_and_l", "max_program_digits", "call_values", "start_word")
@@ -140,7 +143,10 @@ class Rewriting:
             _code(block, self._line(block), call),
             *_words(block, self._line(block), _CALL_WORDS),
         ]
-        code = spans[0][1]
+        letters = [text[0].upper() for _, text in spans[1:]]
+        if len(set(letters)) < len(letters):
+            raise self.refused(block, "a word of the call stands twice in the block")
+        code = "M98" if call.kind == "M97" else spans[0][1]
         if call.repeats == 0:
             self.replace(block, spans, "", behind)
             return
@@ -153,14 +159,32 @@ class Rewriting:
         words = self.written(number, start, call.repeats, external=call.external)
         if words is None and start is not None:
             number = self._tail(block, call.program, start)
+            start = None
             words = self.written(number, None, call.repeats, external=False)
-            code = "M98"
+        most = rule(self.target, "max_repeats")
+        if words is None and isinstance(most, int) and call.repeats > most:
+            words, more = self._split(number, start, call, most)
+            behind = "\n".join([*(f"{code} {each}" for each in more), *filter(None, [behind])])
         if words is None:
             passes = f"{call.repeats} pass{'es' if call.repeats != 1 else ''}"
             raise self.refused(
-                block, f"no words found by which it calls {call.program}, {passes}, as {code} does"
+                block,
+                f"no words found by which it calls {call.program}, {passes}, as {call.kind} does",
             )
-        self.replace(block, spans, f"{'M98' if code == 'M97' else code} {words}", behind)
+        self.replace(block, spans, f"{code} {words}", behind)
+
+    def _split(
+        self, number: int, start: int | None, call: CallTo, most: int
+    ) -> tuple[str | None, list[str]]:
+        """The words of several calls that make more passes than one can; none where one fails."""
+        assert isinstance(call.repeats, int)
+        full, rest = divmod(call.repeats, most)
+        counts = [most] * full + ([rest] if rest else [])
+        if len(counts) > _MOST_CALLS:
+            return None, []
+        words = [self.written(number, start, n, external=call.external) for n in counts]
+        known = [each for each in words if each is not None]
+        return (known[0], known[1:]) if len(known) == len(words) else (None, [])
 
     def written(
         self, number: int, start: int | None, repeats: int, *, external: bool
@@ -272,7 +296,11 @@ class Rewriting:
         for at, text in sorted(spans, reverse=True):
             rest = rest[: at - first] + rest[at - first + len(text) :]
         joined = f"{new} {rest.strip()}".strip() if new else rest.strip()
-        written = joined + (f"\n{behind}" if behind else "")
+        if behind and _CONDITION.search(_bare(line)):
+            raise self.refused(block, "what has to stand behind it is not under its condition")
+        skip = _SKIP.match(line)
+        own = skip[1] if skip else ""  # a block that is skipped takes what is behind it along
+        written = "\n".join([joined, *(own + each for each in behind.splitlines())])
         edit = Edit(block.program.file, block.line, first + 1, line[first:], written)
         self.edits.setdefault(block.program.name, []).append(edit)
 
@@ -384,6 +412,9 @@ class _Returns:
             alike = len(kinds) == 1 or (once and kinds <= {"at-once", "last-pass"})
             if alike and self._known(target):
                 continue
+            if any(edge.kind not in _CODES for edge in edges):
+                reason = "M99 P of a program that a macro calls, and the other control has it not"
+                raise self._rewriting.refused(back[0][0], reason)
             self._to[_number(program.name)] = self._only(program, back, bool(graph.computed))
 
     @staticmethod
