@@ -30,6 +30,8 @@ from cncsub.workpiece import Box, Cylinder, Plane, Sphere, Workpiece
 if TYPE_CHECKING:
     from cncsub.archives import check_many, run_many
     from cncsub.flattening import Flat, FlattenError, flatten
+    from cncsub.rewriting import TranslateError
+    from cncsub.translating import Translation, translate
 
 # What most programs do not use is imported when somebody asks for it.
 _LATER = {
@@ -38,6 +40,9 @@ _LATER = {
     "Flat": "flattening",
     "FlattenError": "flattening",
     "flatten": "flattening",
+    "TranslateError": "rewriting",
+    "Translation": "translating",
+    "translate": "translating",
 }
 
 
@@ -91,6 +96,8 @@ __all__ = [
     "Step",
     "Stop",
     "Stream",
+    "TranslateError",
+    "Translation",
     "VariableUse",
     "Word",
     "Workpiece",
@@ -104,4 +111,5 @@ __all__ = [
     "loads",
     "run_many",
     "sources",
+    "translate",
 ]

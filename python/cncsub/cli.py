@@ -73,6 +73,7 @@ from cncsub.printing import (
     shown,
 )
 from cncsub.tables import records
+from cncsub.translate_command import Translate, tell_translation
 
 
 class OneLineGroup(typer.core.TyperGroup):
@@ -224,10 +225,15 @@ def compare(
     inputs: InputsFile = None,
     start: Start = None,
     optional_stop: OptionalStop = False,
+    translate: Translate = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
 ) -> None:
-    """Run a program on two controls: where they part, and the rules that make it."""
+    """Run a program on two controls: where they part, and the rules that make it.
+
+    With --translate, calls are rewritten so that the second control does what the first one does,
+    which is proved by running both: the changes are printed, or the programs written to folder -o.
+    """
     options = {**locals(), "mdi": None, "param": None}
     with wrong_use():
         if control is None or len(control) != 2:
@@ -235,6 +241,10 @@ def compare(
         pair = [control_named(name) for name in control]
         library = library_of({**options, "control": control[0]})
         asked = run_options(options, "moves")
+        if translate:
+            made = cncsub.translate(library.read_for(pair[0]), pair[1], main=main, **asked)
+            tell_translation(made, output, as_json=format is Format.JSON)
+            return
         compared = cncsub.compare(library, controls=pair, main=main, **asked)
     _tell(compared, format, output)
 

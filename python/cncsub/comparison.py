@@ -243,13 +243,17 @@ class Pair:
             )
         yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
 
+    def _moved(self, run: Run, name: str) -> Column:
+        """A column of the moves, as it is compared."""
+        return _column(run.moves, name)
+
     def _of_moves(self, a: Run, b: Run) -> Iterator[Parting]:
         names = list(dict.fromkeys([*a.moves.columns, *b.moves.columns]))
         best, which = None, ""
         for name in names:
             if name in _NOT_COMPARED:
                 continue
-            at = _first([(_column(a.moves, name), _column(b.moves, name))])
+            at = _first([(self._moved(a, name), self._moved(b, name))])
             if at is not None and (best is None or at < best):
                 best, which = at, name
         if best is None:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 from xml.etree import ElementTree
 
 import cncsub
@@ -92,12 +93,16 @@ def _result(finding: Finding, numbers: Sequence[str]) -> dict[str, Any]:
         "locations": [_location(finding.file, finding.line, finding.column, len(finding.word))],
     }
     if finding.path:
-        steps = [
-            {"location": _location(frame.file, frame.line, 1, 0, f"{frame.program} {frame.kind}")}
+        places = [
+            _location(frame.file, frame.line, 1, 0, f"{frame.program} {frame.kind}")
             for frame in finding.path
         ]
-        last = _location(finding.file, finding.line, finding.column, 0, finding.message)
-        result["codeFlows"] = [{"threadFlows": [{"locations": [*steps, {"location": last}]}]}]
+        places.append(_location(finding.file, finding.line, finding.column, 0, finding.message))
+        steps = [
+            {"location": place, "nestingLevel": level, "executionOrder": level + 1}
+            for level, place in enumerate(places)
+        ]
+        result["codeFlows"] = [{"threadFlows": [{"locations": steps}]}]
     if finding.fix is not None:
         result["fixes"] = [{"artifactChanges": [_change(edit) for edit in finding.fix]}]
     return result
@@ -117,7 +122,7 @@ def _location(file: str, line: int, column: int, width: int, text: str = "") -> 
 
 def _uri(file: str) -> str:
     path = Path(file)
-    return path.as_uri() if path.is_absolute() else path.as_posix().replace(" ", "%20")
+    return path.as_uri() if path.is_absolute() else quote(path.as_posix())
 
 
 def _change(edit: Edit) -> dict[str, Any]:

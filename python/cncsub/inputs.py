@@ -128,22 +128,26 @@ def _inputs_from(inputs: Mapping[str, Any]) -> Inputs:
 
 
 def _from_table(table: dict[str, Any]) -> Inputs:
-    """Inputs of a TOML file, whose keys are texts and which has no `None`."""
+    return _inputs_from(values_of_table(table))
+
+
+def values_of_table(table: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields of a file, whose keys are texts and which may have no `None`."""
     values = dict(table)
     if isinstance(values.get("signals"), dict):
-        values["signals"] = _numbered(values["signals"])
+        values["signals"] = numbered(values["signals"])
     if isinstance(values.get("writes"), list):
         values["writes"] = [
-            _numbered(write)
+            numbered(write)
             if isinstance(write, dict)
-            else [_numbered(part) if isinstance(part, dict) else part for part in write]
+            else [numbered(part) if isinstance(part, dict) else part for part in write]
             if isinstance(write, list)
             else write
             for write in values["writes"]
         ]
     if isinstance(values.get("answers"), dict):
         values["answers"] = {
-            code: _numbered(answer) if isinstance(answer, dict) else answer
+            code: numbered(answer) if isinstance(answer, dict) else answer
             for code, answer in values["answers"].items()
         }
     if isinstance(values.get("skips"), list):
@@ -151,16 +155,17 @@ def _from_table(table: dict[str, Any]) -> Inputs:
     if isinstance(values.get("skips"), dict):
         values["skips"] = {
             signal: _never(skips) if isinstance(skips, list) else skips
-            for signal, skips in _numbered(values["skips"]).items()
+            for signal, skips in numbered(values["skips"]).items()
         }
-    return _inputs_from(values)
+    return values
 
 
 def _never(skips: list[Any]) -> list[Any]:
     return [None if skip == "never" else skip for skip in skips]
 
 
-def _numbered(values: dict[str, Any]) -> dict[Any, Any]:
+def numbered(values: dict[str, Any]) -> dict[Any, Any]:
+    """With whole numbers for keys that are numbers, as files have texts only."""
     return {int(key) if re.fullmatch(r"[0-9]{1,9}", key) else key: v for key, v in values.items()}
 
 

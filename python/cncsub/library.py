@@ -186,6 +186,20 @@ class Library(Mapping[str, Program]):
         sources, device = self._code.sources, self._code.external_device
         return _read_again(known, sources, device, self._files, self._skipped)
 
+    def _with_texts(self, control: Control, texts: Mapping[str, str]) -> Library:
+        """The memory of another control with other texts in its files."""
+        sources = [
+            (
+                n,
+                stem,
+                data if outside or n not in texts else texts[n].encode(errors="surrogateescape"),
+                outside,
+            )
+            for n, stem, data, outside in self._code.sources
+        ]
+        device = self._code.external_device
+        return _read_again(control, sources, device, self._files, self._skipped)
+
     def call_graph(self) -> CallGraph:
         """Who calls whom, told by the blocks without running them: see `CallGraph`."""
         return call_graph(self._code)

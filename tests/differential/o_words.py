@@ -16,9 +16,6 @@ compute; and an M99 with words in the main program.
 from __future__ import annotations
 
 import argparse
-import os
-import re
-import subprocess
 import sys
 import tempfile
 import time
@@ -27,9 +24,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from random import Random
 
+import canonical
 import cncsub
+from canonical import TOLERANCE
 
-TOLERANCE = 0.0002  # mm; rs274 prints four decimals
 SHOWN = 5  # differences that are printed
 MAX_BLOCKS = 20_000  # of a run; what runs longer is left out
 SECONDS = 20
@@ -482,57 +480,20 @@ def on_cncsub(text: str) -> Outcome | None:
     return Outcome(_with_length(moves), messages, run.alarm.text or "", run.alarm.cause)
 
 
-_STRAIGHT = re.compile(r"STRAIGHT_(TRAVERSE|FEED)\(([-\d.]+), ([-\d.]+), ([-\d.]+),")
-_ARC = re.compile(r"ARC_FEED\(([-\d.]+), ([-\d.]+), [-\d.]+, [-\d.]+, (-?\d+), ([-\d.]+),")
-_MESSAGE = re.compile(r'MESSAGE\("(.*)"\)$')
-_CALL = re.compile(r"\s*\d+ N\S*\s+([A-Z_0-9]+\(.*\))$")
-
-
 class Rs274:
     """Runs programs in files of a folder."""
 
     def __init__(self, command: str, folder: Path) -> None:
-        self.command = command
         self.folder = folder
-        self.environment = {**os.environ, "HOME": str(folder)}
-        for name in ("tool.tbl", "variables"):
-            (folder / name).touch()
+        self.interpreter = canonical.Rs274(command, folder, SECONDS)
 
     def run(self, text: str) -> Outcome | None:
         (self.folder / "main.ngc").write_text(text)
-        command = [self.command, "-t", "tool.tbl", "-v", "variables", "-g", "main.ngc"]
-        try:
-            done = subprocess.run(
-                command,
-                cwd=self.folder,
-                env=self.environment,
-                capture_output=True,
-                text=True,
-                check=False,
-                timeout=SECONDS,
-            )
-        except subprocess.TimeoutExpired:
+        made = self.interpreter.run()
+        if made is None:
             return None
-        moves: list[tuple[str, float, float, float]] = []
-        messages: list[str] = []
-        unit = 1.0
-        for line in done.stdout.splitlines():
-            call = _CALL.match(line)
-            if call is None:
-                messages.append(line)  # PRINT
-            elif straight := _STRAIGHT.match(call[1]):
-                kind = "rapid" if straight[1] == "TRAVERSE" else "feed"
-                x, y, z = (unit * float(value) for value in straight.groups()[1:])
-                moves.append((kind, x, y, z))
-            elif arc := _ARC.match(call[1]):
-                kind = "ccw" if int(arc[3]) > 0 else "cw"
-                moves.append((kind, *(unit * float(arc[i]) for i in (1, 2, 4))))  # type: ignore[arg-type]
-            elif call[1].startswith("USE_LENGTH_UNITS"):
-                unit = 25.4 if "INCHES" in call[1] else 1.0
-            elif said := _MESSAGE.match(call[1]):
-                messages.append(said[1])
-        errors = [line for line in done.stderr.splitlines() if line != "executing"]
-        return Outcome(_with_length(moves), messages, errors[0] if errors else "")
+        moves = [(m.kind, m.end["X"], m.end["Y"], m.end["Z"]) for m in made.travel]
+        return Outcome(_with_length(moves), made.messages, made.errors[0] if made.errors else "")
 
 
 def _with_length(

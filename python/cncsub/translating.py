@@ -1,0 +1,186 @@
+"""Programs for another control, so that it does what the first one did, proved by running both."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Unpack
+
+from cncsub._core import Control
+from cncsub.checking import Edit
+from cncsub.comparison import Pair, Parting
+from cncsub.controls import control_of
+from cncsub.library import Library, Options, load
+from cncsub.rewriting import Rewriting, TranslateError
+from cncsub.run import Run, Stop
+
+if TYPE_CHECKING:
+    from cncsub.comparison import Column
+
+_ENDS = (2, 30)  # the stop is compared; which end codes are sent to the machine is not
+_NEAR = 1e-9  # s
+_CUTS = ("feed", "cw", "ccw", "thread")
+_ONLY_OF = {"feed": _CUTS, "feed_mode": _CUTS, "plane": ("cw", "ccw")}  # kinds of moves
+
+
+def _other_dwell(a: Run, b: Run) -> int | None:
+    """The first dwell that is not as long: it is time and no way, which rapid rates are not."""
+    moves = [run.moves for run in (a, b)]
+    if len(moves[0]) != len(moves[1]) or not all("dwell" in table.kinds for table in moves):
+        return None  # or they are not the same moves, which is told before
+    apart = abs(moves[0].time - moves[1].time) > _NEAR
+    apart &= moves[0].kind == moves[0].kinds.index("dwell")
+    return int(apart.argmax()) if apart.any() else None
+
+
+class _TranslatedPair(Pair):
+    """What was rewritten may be another block and another program: what it does has to stay."""
+
+    def _moved(self, run: Run, name: str) -> Column:
+        """Without what makes no difference to a move, and is not the same at power-on: the feed of
+        a rapid, the plane of a straight move.
+        """
+        column = super()._moved(run, name)
+        if name not in _ONLY_OF or not len(column):
+            return column
+        kinds = [run.moves.kinds[code] for code in run.moves.kind.tolist()]
+        counts = [kind in _ONLY_OF[name] for kind in kinds]
+        taken: Column = column.copy()
+        taken[[not count for count in counts]] = 0
+        return taken
+
+    def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
+        yield from self._of_moves(a, b)
+        codes = [[code for code in run.m_codes if code not in _ENDS] for run in (a, b)]
+        for name in ("m_codes", "t_codes", "messages"):
+            if name != "m_codes" or codes[0] != codes[1]:
+                yield from self._of_list(a, b, name)
+        yield from self._of_variables(a, b)
+        at = _other_dwell(a, b)
+        if at is not None:
+            steps = (int(a.moves.step[at]), int(b.moves.step[at]))
+            yield self._say((a, b), steps, (f"move {at}", f"move {at}, a dwell of another time"))
+        causes = [run.alarm.cause if run.alarm is not None else "" for run in (a, b)]
+        if (a.stop, a.waiting_for, causes[0]) != (b.stop, b.waiting_for, causes[1]):
+            yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
+
+
+@dataclass(frozen=True)
+class Translation:
+    """Programs that make another control do what the first one did, as a run of both has shown.
+
+    `library`: the programs as the memory of the other control. `edits`: what changed in each
+    program, by its name; an edit whose `new` has several lines adds blocks. `added`: programs that
+    were made, name to text; they stand at the end of the file they were taken from. `texts`: every
+    file that changed, whole. `unproved`: blocks whose call or jump is computed, as `O1, line 4`:
+    they stay as they are, and are the same in this run only. `runs`: both runs.
+    """
+
+    library: Library
+    edits: Mapping[str, tuple[Edit, ...]]
+    added: Mapping[str, str]
+    texts: Mapping[str, str]
+    unproved: tuple[str, ...]
+    runs: tuple[Run, Run] = field(repr=False)
+    _before: Mapping[str, str] = field(repr=False)
+
+    def diff(self) -> str:
+        """What changed, as a unified diff; empty where nothing had to."""
+        parts: list[str] = []
+        for file, text in self.texts.items():
+            before = self._before[file].splitlines(keepends=True)
+            parts += difflib.unified_diff(before, text.splitlines(keepends=True), file, file)
+        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+
+    def write(self, folder: str | os.PathLike[str]) -> list[str]:
+        """Write all files, changed or not, into a folder, which is made where it is missing, as
+        UTF-8 and with a line feed behind each line; their paths. Raises `ValueError` where that
+        would write over what was read.
+        """
+        into = Path(folder)
+        whole = {**self._before, **self.texts}
+        paths = [Path(name) for name in whole]
+        top = Path(os.path.commonpath([path.parent for path in paths])) if paths else Path()
+        written = []
+        for path, text in zip(paths, whole.values(), strict=True):
+            own = path.relative_to(top) if path.name != "<text>" else Path("program.nc")
+            target = into / own
+            if target.exists() and path.exists() and target.samefile(path):
+                raise ValueError(f"{path} is what was read: give another folder")
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(text.encode("utf-8", "surrogateescape"))
+            written.append(str(target))
+        return written
+
+
+def translate(
+    of: Library | str | os.PathLike[str],
+    to: str | Control,
+    *,
+    control: str | Control | None = None,
+    main: str | int | None = None,
+    **options: Unpack[Options],
+) -> Translation:
+    """Rewrite calls of programs so that control `to` does what the control of `of` did.
+
+    Rewritten are the count in P and in L, the start block in H and in Q, calls of a block of the
+    same program (M97, M98 H) as programs of their own, and M99 P. `of`: a library, or a path, which
+    `control` reads. `main` and `options` are those of `Library.run`; both programs are run with
+    them, and have to make the same moves, codes, messages and variables and to stop alike. The
+    proof holds for this run. Raises `TranslateError` for what cannot be rewritten, does not do the
+    same, or does not come to its end, with the block and the reason; and what `load` and `run`
+    raise.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P30002\\nN20 M30\\nO2\\nN30 G91 G0 X1.\\nN40 M99\\n"
+    >>> made = cncsub.translate(cncsub.loads(text, control="fanuc-0i-f"), "mitsubishi-m700")
+    >>> made.library["O1"].blocks[0].text
+    'N10 M98 P2 L3'
+    """
+    if options.get("trace", "moves") != "moves":
+        raise TypeError("translate looks at all that a run does and takes no trace")
+    target = control_of(to)
+    if isinstance(of, Library):
+        library = of
+    elif control is None:
+        raise TypeError(f"translate reads {os.fspath(of)} for a control: give control=")
+    else:
+        library = load(of, control=control)
+    rewriting = Rewriting(library, target)
+    rewriting.rewrite()
+    return _proved(rewriting, main, options)
+
+
+def _proved(rewriting: Rewriting, main: str | int | None, options: Options) -> Translation:
+    source = rewriting.library
+    made = rewriting.made()
+    names = (source.control.name, rewriting.target.name)
+    pair = _TranslatedPair((source, made), names, main, options, same_texts=False)
+    first = pair.run(source)
+    if first.stop not in (Stop.END, Stop.CYCLES):
+        reached = first.alarm or first.steps[len(first.steps) - 1]
+        reason = f"{source.control.name} does not come to its end, so no run proves the whole: "
+        reason += first._summary()
+        raise TranslateError(reason, reached.program, reached.n, reached.line)
+    try:
+        second = pair.run(made)
+    except KeyError as error:
+        reason = f"{rewriting.target.name} reads the programs otherwise: {error.args[0]}"
+        raise TranslateError(reason) from None
+    parting = pair.parting(first, second)
+    if parting is not None:
+        at = first.steps[min(parting.first, len(first.steps) - 1)]
+        reason = f"rewritten, it does not do the same:\n{parting.what}"
+        raise TranslateError(reason, at.program, at.n, at.line)
+    return Translation(
+        made,
+        {name: tuple(edits) for name, edits in rewriting.edits.items()},
+        {name: made[name].text for name in rewriting.added_names()},
+        rewriting.texts(),
+        tuple(rewriting.unproved),
+        (first, second),
+        rewriting.before(),
+    )

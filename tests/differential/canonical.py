@@ -1,0 +1,151 @@
+"""What LinuxCNC's interpreter `rs274 -g` prints: the canonical calls of a program, as moves.
+
+    7 N10    STRAIGHT_TRAVERSE(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
+
+Lengths are told in mm, whatever the program counts in.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+TOLERANCE = 0.0002  # mm; rs274 prints four decimals
+
+_CALL = re.compile(r"\s*\d+ N(\S*)\s+([A-Z_0-9]+)\((.*)\)$")
+_NUMBER = re.compile(r"/?\s*N\s*(\d+)", re.IGNORECASE)
+_PLANES = {"XY": "XYZ", "XZ": "ZXY", "YZ": "YZX"}
+
+
+@dataclass(frozen=True)
+class Move:
+    """A move and the sequence number of its block; a dwell stays and has seconds."""
+
+    kind: str
+    end: Mapping[str, float] = field(default_factory=dict)
+    centre: Mapping[str, float] = field(default_factory=dict)
+    seconds: float = 0.0
+
+    def __str__(self) -> str:
+        if self.kind == "dwell":
+            return f"dwell {self.seconds:g} s"
+        end, centre = (
+            " ".join(f"{axis}{value:g}" for axis, value in place.items() if value or axis in "XYZ")
+            for place in (self.end, self.centre)
+        )
+        return f"{self.kind} {end}" + (f" about {centre}" if centre else "")
+
+
+@dataclass
+class Output:
+    """What a run of rs274 made; `blocks`: the sequence numbers of its calls, in order."""
+
+    moves: list[Move] = field(default_factory=list)
+    messages: list[str] = field(default_factory=list)
+    blocks: list[int] = field(default_factory=list)
+    errors: list[str] = field(default_factory=list)  # the message, and the block behind it
+
+    @property
+    def travel(self) -> list[Move]:
+        """The moves but dwells."""
+        return [move for move in self.moves if move.kind != "dwell"]
+
+    @property
+    def refused(self) -> int | None:
+        """The sequence number of the block that is shown behind a message."""
+        shown = _NUMBER.match(self.errors[1]) if self.errors[1:] else None
+        return int(shown[1]) if shown else None
+
+
+def read_output(stdout: str, stderr: str = "") -> Output:
+    """What stands in the two outputs of rs274."""
+    made = Output(errors=[line for line in stderr.splitlines() if line != "executing"])
+    unit, axes = 1.0, "XYZ"
+    for line in stdout.splitlines():
+        call = _CALL.match(line)
+        if call is None:
+            made.messages.append(line)  # PRINT
+            continue
+        n, name, inner = call.groups()
+        if n.isdigit():
+            made.blocks.append(int(n))
+        if name == "USE_LENGTH_UNITS":
+            unit = 25.4 if "INCHES" in inner else 1.0
+        elif name == "SELECT_PLANE":
+            axes = _PLANES[inner[-2:]]
+        elif name == "MESSAGE":
+            made.messages.append(inner[1:-1])
+        elif name == "DWELL":
+            made.moves.append(Move("dwell", seconds=float(inner)))
+        elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
+            kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "feed"
+            made.moves.append(Move(kind, _straight(_numbers(inner), unit)))
+        elif name == "ARC_FEED":
+            made.moves.append(_arc(_numbers(inner), axes, unit))
+    return made
+
+
+def _numbers(inner: str) -> list[float]:
+    return [float(value) for value in inner.split(",")]
+
+
+def _straight(values: Sequence[float], unit: float) -> dict[str, float]:
+    return {axis: value * unit for axis, value in zip("XYZ", values)} | dict(zip("ABC", values[3:]))
+
+
+def _arc(values: Sequence[float], axes: str, unit: float) -> Move:
+    """ARC_FEED tells the end in the plane, the centre in it, the turns and the end across it."""
+    first, second, one, other, turns, across = values[:6]
+    end = dict(zip(axes, (first * unit, second * unit, across * unit))) | dict(
+        zip("ABC", values[6:])
+    )
+    return Move("ccw" if turns > 0 else "cw", end, dict(zip(axes, (one * unit, other * unit))))
+
+
+def with_length(moves: Sequence[Move]) -> list[Move]:
+    """Without the straight moves that end where they start, and dwells of no time: rs274 makes a
+    move for a bare G0.
+    """
+    kept: list[Move] = []
+    at = dict.fromkeys("XYZABC", 0.0)
+    for move in moves:
+        stays = all(abs(at[axis] - value) <= TOLERANCE / 2 for axis, value in move.end.items())
+        if move.kind in ("cw", "ccw") or move.seconds or not stays:
+            kept.append(move)
+            at |= move.end
+    return kept
+
+
+class Rs274:
+    """Runs programs in files of a folder."""
+
+    def __init__(self, command: str, folder: Path, seconds: float) -> None:
+        self.command = command
+        self.folder = folder
+        self.seconds = seconds
+        # Its tool table lies in the home folder: two that share it kill each other (SIGBUS).
+        self.environment = {**os.environ, "HOME": str(folder)}
+        (folder / "tool.tbl").touch()
+        (folder / "variables").touch()
+
+    def run(self, main: str = "main.ngc", *options: str) -> Output | None:
+        """What it makes of a file of the folder, `None` where it does not end in time."""
+        command = [self.command, *options, "-t", "tool.tbl", "-v", "variables", "-g", main]
+        try:
+            done = subprocess.run(
+                command,
+                cwd=self.folder,
+                env=self.environment,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                check=False,
+                timeout=self.seconds,
+            )
+        except subprocess.TimeoutExpired:
+            return None
+        return read_output(done.stdout, done.stderr)
