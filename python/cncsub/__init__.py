@@ -17,6 +17,7 @@ from cncsub._core import Alarm, Control, Frame, __version__
 from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
 from cncsub.comparison import Comparison, compare
 from cncsub.controls import Cause, Source, causes, controls, sources
+from cncsub.endless import Endless, LoopBlock, Why
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
@@ -69,6 +70,7 @@ __all__ = [
     "Dropped",
     "Edge",
     "Edit",
+    "Endless",
     "Finding",
     "Flat",
     "FlattenError",
@@ -78,6 +80,7 @@ __all__ = [
     "Inputs",
     "JumpTo",
     "Library",
+    "LoopBlock",
     "Machine",
     "MissedSkip",
     "Move",
@@ -92,6 +95,7 @@ __all__ = [
     "Stop",
     "Stream",
     "VariableUse",
+    "Why",
     "Word",
     "Workpiece",
     "__version__",

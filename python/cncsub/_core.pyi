@@ -371,6 +371,8 @@ class Machine:
     def stop(self) -> str | None: ...  # end alarm cycles limit waiting interrupted
     @property
     def waiting_for(self) -> str: ...
+    def endless(self) -> dict[str, Any]:
+        """Why the program had not ended, at a limit or where it waits."""
     @property
     def alarm(self) -> Alarm | None: ...
     @property

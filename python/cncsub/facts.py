@@ -16,6 +16,7 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "title": title,
         "stop": run.stop.value,
         "waiting_for": run.waiting_for or None,
+        "endless": None if run.endless is None else endless_facts(run.endless),
         "alarm": None if run.alarm is None else alarm_facts(run.alarm),
         "steps": len(run.steps),
         "calls": [dict(record) for record in records(run.calls)],
@@ -32,6 +33,10 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "modal": run.modal,
         "moves": [dict(record) for record in records(run.moves)],
     }
+
+
+def endless_facts(endless: cncsub.Endless) -> dict[str, Any]:
+    return {**asdict(endless), "message": str(endless)}
 
 
 def alarm_facts(alarm: cncsub.Alarm) -> dict[str, Any]:

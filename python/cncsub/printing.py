@@ -118,6 +118,8 @@ def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
 def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
     stop = Text(f"stopped: {_stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
     console.print(stop)
+    if run.endless is not None and run.stop is not cncsub.Stop.WAITING:
+        console.print(f"why: {shown(str(run.endless))}")
     if run.alarm is not None:
         console.print(Text("\n".join(map(shown, str(run.alarm).split("\n")))))
 
