@@ -261,3 +261,24 @@ def test_wrong_use_of_the_command_is_told_with_exit_status_2(
     (tmp_path / "job.nc").write_text(IF)
     result = CliRunner().invoke(app, ["coverage", str(tmp_path / "job.nc"), *wrong])
     assert result.exit_code == 2
+
+
+def test_a_machine_is_counted_as_far_as_it_went() -> None:
+    library = cncsub.loads(IF, control="fanuc-0i-f")
+    machine = library.machine(trace="blocks", variables={100: 0})
+    machine.step()
+    assert [row.count for row in machine.coverage().blocks] == [1, 0, 0]
+    done = machine.run()
+    assert done is not None
+    assert [row.count for row in machine.coverage().blocks] == [1, 1, 1]
+    assert outcomes(machine.coverage() + library.run(variables={100: 1}).coverage()) == {
+        "taken": 1, "not taken": 1,
+    }  # fmt: skip
+    # A machine always keeps its blocks.
+    assert library.machine(trace="none").coverage().percent == 0
+
+
+def test_a_stream_says_what_to_do_instead() -> None:
+    stream = cncsub.loads(IF, control="fanuc-0i-f").stream()
+    with pytest.raises(ValueError, match=r'library.run\(..., trace="blocks"\)'):
+        stream.coverage()

@@ -31,7 +31,17 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "variables": {str(number): value for number, value in run.variables.items()},
         "position": run.position,
         "modal": run.modal,
+        "watch": watch_facts(run),
         "moves": [dict(record) for record in records(run.moves)],
+    }
+
+
+def watch_facts(run: cncsub.Run) -> dict[str, Any] | None:
+    if not run.watch.beginning:
+        return None
+    return {
+        "beginning": {str(number): value for number, value in run.watch.beginning.items()},
+        "changes": [asdict(run.watch[row]) for row in range(len(run.watch))],
     }
 
 

@@ -350,6 +350,18 @@ class _Outcome(State, Recorded):
         State.__init__(self, core)
         Recorded.__init__(self, core.trace)
 
+    def coverage(self) -> Coverage:
+        """The blocks, branches, calls and arguments that this run went through, or a machine
+        until now.
+
+        Raises `ValueError` for a run with `trace="none"` or `"calls"`, which kept no blocks.
+
+        >>> import cncsub
+        >>> cncsub.loads("O1\\nN10 M30\\n", control="fanuc-0i-f").run().coverage().percent
+        100.0
+        """
+        return coverage_of(self._trace, self._core.code)
+
 
 class Run(_Outcome):
     """A run that has stopped.
@@ -396,17 +408,6 @@ class Run(_Outcome):
         >>> run.assert_alarm("program-not-found")
         """
         asserting.assert_alarm(self, expected, at)
-
-    def coverage(self) -> Coverage:
-        """The blocks, branches, calls and arguments that this run went through.
-
-        Raises `ValueError` for a run with `trace="none"` or `"calls"`, which kept no blocks.
-
-        >>> import cncsub
-        >>> cncsub.loads("O1\\nN10 M30\\n", control="fanuc-0i-f").run().coverage().percent
-        100.0
-        """
-        return coverage_of(self._trace, self._core.code)
 
     @functools.cached_property
     def variables(self) -> Variables:
