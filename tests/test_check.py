@@ -155,6 +155,27 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "one M code too many": ("fanuc-0i-f", "O1\nN10 M8 M9\n" + END, "CS704 N10"),
     "brackets around what belongs together": ("mitsubishi-m800", "O1\nN10 IF[[#500 EQ 1] AND [#501 EQ 2]]GOTO 90\nN20 #502=[#503 AND 7]+1\n" + END, ""),
     "a sign is no operation": ("", "O1\nN10 #502=#503 AND -7\n" + END, ""),
+    # How blocks are written
+    "an IF without THEN is refused": ("", "O1\nN10 IF[#500 EQ 1]#501=5\n" + END, "CS101 N10"),
+    "an IF with THEN": ("", "O1\nN10 IF[#500 EQ 1]THEN #501=5\n" + END, ""),
+    "two codes of a group": ("", "O1\nN10 G90 G91 X1.\n" + END, "CS801 N10"),
+    "three codes of a group": ("", "O1\nN10 G0 G1 G2 X1. R1. F9\n" + END, "CS801 N10, CS801 N10"),
+    "two codes of a group that the control refuses": ("gsk-980mdi", "O1\nN10 G0 G1 X1. F9\n" + END, "CS101 N10"),
+    "codes of two groups": ("", "O1\nN10 G90 G1 G17 X1. F9\n" + END, ""),
+    "a code twice": ("", "O1\nN10 G1 G1 X1. F9\n" + END, ""),
+    "a block behind a semicolon": ("", "O1\nN10 G0 X1. ; N20 Z1.\n" + END, "CS802 N20"),
+    "two blocks behind semicolons": ("", "O1\nN10 G0 X1.;N20 Z1.; N30 Y1.;\n" + END, "CS802 N20, CS802 N30"),
+    "a semicolon at the end of its line": ("", "O1;\nN10 G0 X1.; \nN90 M30;\n", ""),
+    "a semicolon before a comment": ("", "O1\nN10 G0 X1.;(N20 Z1.)\n" + END, ""),
+    "a semicolon in a comment": ("", "O1\nN10 G0 X1. (A; N20 Z1.)\n" + END, ""),
+    "a semicolon that begins a comment": ("hnc-21m", "%1\nN10 G0 X1.;N20 Z1.\n" + END, ""),
+    "a small letter": ("", "O1\nN10 G0 X1. y2.\n" + END, "CS803 N10"),
+    "small letters of a statement": ("", "O1\nN10 if[#500 eq 1]goto90\n" + END, "CS803 N10"),
+    "a small o": ("", "O1\nN10 M98 P2\nN20 M30\no2\nN30 M99\n", "CS803 :4"),
+    "small letters in a comment": ("", "O1\nN10 G0 X1. (up and away)\n" + END, ""),
+    "small letters that are printed": ("", "O1\nN10 POPEN\nN20 DPRNT[abc]\nN30 PCLOS\n" + END, ""),
+    "a program in small letters": ("", "O1\nn10 g0 x1.\nN20 Z1.\nn90 m30\n", "CS803 N10, CS803 N90"),
+    "a language that takes small letters": ("linuxcnc", "g0 x1\nm2\n", ""),
     "G99 in the middle": ("gsk-988ta", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 G99\nN40 M99\n", ""),
 }  # fmt: skip
 
@@ -427,6 +448,55 @@ def test_certain_edits_are_shown_and_written(part: Path) -> None:
     assert (status, "mended: part.nc" in output) == (0, True)
     assert part.read_bytes() == before.replace(b"G99", b"M99")
     assert command("check", "part.nc", "-c", MILL)[0] == 0
+
+
+MENDED = {
+    "CS101": "O1\nN10 IF[#500 EQ 0]#501=5\nN20 IF [#501 EQ 5] #502=#501 (\u4e2d #)\nN90 M30\n",
+    "CS706": "O1\nN10 M98 P2\nN20 M30\nO2\nN30 G0 X1.5\nG99\n",
+    "CS803": "O1\nN10 g0 x1. Y2. x1. (up)\nN15 m98 p2\nN20 #500=sin[30.]\nN90 M30\nG4\no2\nM99\n",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("rule", MENDED)
+def test_a_certain_edit_mends_and_changes_nothing_else(rule: str, tmp_path: Path) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text(MENDED[rule], encoding="utf-8")
+    before = cncsub.load(file, control=MILL)
+    assert [f.rule for f in before.check(rules=[rule]) if f.fix]
+    assert command("check", str(file), "-c", MILL, "--rule", rule, "--fix")[0] == 0
+    after = cncsub.load(file, control=MILL)
+    assert after.check(rules=[rule]) == []
+    run = after.run()
+    assert run.stop is cncsub.Stop.END
+    was = before.run()
+    if was.alarm is None:  # what ran does the same
+        assert run.steps.line.tolist() == was.steps.line.tolist()
+        assert dict(run.variables) == dict(was.variables)
+        assert run.position == was.position
+    else:  # what was refused runs as far as before, and on
+        assert run.steps.line.tolist()[: len(was.steps)] == was.steps.line.tolist()
+        assert len(run.steps) > len(was.steps)
+
+
+@pytest.mark.parametrize(
+    "rule",
+    [rule for rule in RULES if rule.number in ("CS706", "CS803")],
+    ids=lambda rule: rule.name,
+)
+def test_the_example_of_a_rule_with_a_certain_edit_is_mended(
+    rule: CheckRule, tmp_path: Path
+) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text(rule.example)
+    command("check", str(file), "-c", rule.control, "--rule", rule.number, "--fix")
+    assert cncsub.load(file, control=rule.control).check(rules=[rule.number]) == []
+
+
+def test_what_is_not_certain_has_no_edit() -> None:
+    text = "O1\nN10 IF[#500 EQ 0]M8\nN20 G0 G1 X1. F9\nN30 G0 X1.5\nN40 Y10\nN50 X1.;Z1.\nN90 M30\n"
+    findings = cncsub.loads(text, control=MILL).check()
+    assert {f.rule for f in findings} >= {"CS101", "CS701", "CS801", "CS802"}
+    assert [f for f in findings if f.fix] == []
 
 
 def test_a_project_says_what_no_command_needs_again(part: Path, tmp_path: Path) -> None:

@@ -261,3 +261,71 @@ def test_wrong_use_of_the_command_is_told_with_exit_status_2(
     (tmp_path / "job.nc").write_text(IF)
     result = CliRunner().invoke(app, ["coverage", str(tmp_path / "job.nc"), *wrong])
     assert result.exit_code == 2
+
+
+def test_a_machine_is_counted_as_far_as_it_went() -> None:
+    library = cncsub.loads(IF, control="fanuc-0i-f")
+    machine = library.machine(trace="blocks", variables={100: 0})
+    machine.step()
+    assert [row.count for row in machine.coverage().blocks] == [1, 0, 0]
+    done = machine.run()
+    assert done is not None
+    assert [row.count for row in machine.coverage().blocks] == [1, 1, 1]
+    assert outcomes(machine.coverage() + library.run(variables={100: 1}).coverage()) == {
+        "taken": 1, "not taken": 1,
+    }  # fmt: skip
+    # A machine always keeps its blocks.
+    assert library.machine(trace="none").coverage().percent == 0
+
+
+def test_a_stream_says_what_to_do_instead() -> None:
+    stream = cncsub.loads(IF, control="fanuc-0i-f").stream()
+    with pytest.raises(ValueError, match=r'library.run\(..., trace="blocks"\)'):
+        stream.coverage()
+
+
+SKIP = "O1\nN10 G4 P1\n/N20 G4 P2\n/2N25 G4 P3\nN30 M30\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "n", "switches", "skipped", "executed"),
+    [
+        (SKIP, 20, (), 0, 1),
+        (SKIP, 20, (1,), 1, 0),
+        (SKIP, 25, (1,), 0, 1),
+        (SKIP, 25, (1, 2), 1, 0),
+        ("O1\n/N10 G4 P1\nN20 M30\n", 10, (1,), 1, 0),
+        ("O1\nN5 GOTO 20\n/N10 G4 P1\nN20 M30\n", 10, (1,), 0, 0),  # never came there
+        ("O1\nN5 GOTO 10\n/N10 G4 P1\nN20 M30\n", 10, (1,), 1, 0),
+        ("O1\nN5 M98 P2 L3\nN6 M30\nO2\n/N10 G4 P1\nN20 M99\n", 10, (1,), 3, 0),
+        ("O1\nN5 M98 P2\n/N10 G4 P1\nN6 M30\nO2\nN20 M99\n", 10, (1,), 1, 0),
+        ("O1\n#1=0\nWHILE[#1LT4]DO1\n#1=#1+1\n/N10 G4 P1\nEND1\nM30\n", 10, (1,), 4, 0),
+        ("O1\n#1=0\nWHILE[#1LT4]DO1\n#1=#1+1\nEND1\n/N10 G4 P1\nM30\n", 10, (1,), 1, 0),
+        ("O1\n#1=0\nN4 #1=#1+1\nIF[#1LT4]GOTO4\n/N10 G4 P1\nM30\n", 10, (1,), 1, 0),
+        ("O1\n#1=0\nN4 #1=#1+1\nIF[#1EQ4]GOTO9\n/N10 G4 P1\nGOTO4\nN9 M30\n", 10, (1,), 3, 0),
+        ("O1\n/N10 #1=#1+1\nN15 #2=#2+1\nIF[#2GT3]GOTO30\nM99\nN30 M30\n", 10, (1,), 4, 0),
+        ("O1\n/N10 #1=#1+1\nN15 #2=#2+1\nIF[#2GT3]GOTO30\nM99 P15\nN30 M30\n", 10, (1,), 1, 0),
+        ("O1\nG66 P2\nX1.\n/N10 G4 P1\nG67\nM30\nO2\nM99\n", 10, (1,), 0, 0),  # not told
+    ],
+)  # fmt: skip
+def test_a_block_skip_is_a_branch(
+    text: str, n: int, switches: tuple[int, ...], skipped: int, executed: int
+) -> None:
+    found = covered(text, block_skip=switches, max_cycles=9)
+    assert outcomes(found, n) == {"skipped": skipped, "not skipped": executed}
+    kinds = {row.kind for row in found.branches if row.n == n}
+    assert kinds == {"block-skip"}
+
+
+def test_both_ways_of_a_block_skip_make_it_whole() -> None:
+    library = cncsub.loads("O1\n/N20 IF[1EQ1]GOTO30\nN30 M30\n", control="fanuc-0i-f")
+    on = library.run(block_skip=(1,)).coverage()
+    both = on + library.run().coverage()
+    assert [(row.kind, row.outcome, row.count) for row in both.branches] == [
+        ("block-skip", "skipped", 1),
+        ("block-skip", "not skipped", 1),
+        ("if-goto", "taken", 1),
+        ("if-goto", "not taken", 0),
+    ]
+    assert both.percent == pytest.approx(100 * 5 / 6)
+    assert "BRDA:2,0,0,1" in on.to_lcov()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -11,8 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 import cncsub
+from cncsub.cli import app
 from cncsub.tables import records
 from cncsub.testing.outcome import load
 from conformance import Row, rows
@@ -425,3 +428,69 @@ def test_what_cannot_be_watched_is_refused_in_words(
 def test_numbers_are_given_in_any_way(watch: Any) -> None:
     run = cncsub.loads("O1\nN10 #100=5\nM30\n", control="fanuc-0i-f").run(watch=watch)
     assert [told(change) for change in run.watch] == ["N10 #100=5"]
+
+
+# ---- the command ----
+
+COUNTER = "O1\nN10 #100=#100+1\nN20 IF[#100LT3]GOTO10\nN30 #500=#100\nN40 #100=#0\nM30\n"
+
+
+def command(tmp_path: Path, *words: str, text: str = COUNTER) -> tuple[int, str]:
+    file = tmp_path / "part.nc"
+    file.write_text(text)
+    done = CliRunner().invoke(app, ["run", str(file), "-c", "fanuc-0i-f", *words])
+    return done.exit_code, done.output
+
+
+def test_the_command_tells_each_change(tmp_path: Path) -> None:
+    status, output = command(tmp_path, "--watch", "100-101,500", "--set", "100=0")
+    assert status == 0
+    assert [line for line in output.splitlines() if line.startswith("watch")] == [
+        "watch: #100 begins 0",
+        "watch: #101 begins vacant",
+        "watch: #500 begins vacant",
+        "watch: #100 0 -> 1 at O1 N10, line 2, step 0",
+        "watch: #100 1 -> 2 at O1 N10, line 2, step 2",
+        "watch: #100 2 -> 3 at O1 N10, line 2, step 4",
+        "watch: #500 vacant -> 3 at O1 N30, line 4, step 6",
+        "watch: #100 3 -> vacant at O1 N40, line 5, step 7",
+    ]
+    assert "watch" not in command(tmp_path)[1]
+
+
+def test_the_command_prints_no_more_than_can_be_read(tmp_path: Path) -> None:
+    text = "O1\nN10 #100=#100+1\nN20 IF[#100LT300]GOTO10\nM30\n"
+    _, output = command(tmp_path, "--watch", "#100", "--set", "100=0", text=text)
+    assert output.count("watch: #100") == 201
+    assert "... 100 more changes" in output
+
+
+def test_the_command_writes_the_changes_as_json(tmp_path: Path) -> None:
+    _, output = command(tmp_path, "--watch", "500", "--format", "json")
+    assert json.loads(output)["watch"] == {
+        "beginning": {"500": None},
+        "changes": [
+            {"step": 6, "variable": 500, "value": 3.0, "program": "O1", "n": 30, "line": 4}
+        ],
+    }
+    assert json.loads(command(tmp_path, "--format", "json")[1])["watch"] is None
+
+
+@pytest.mark.parametrize(
+    ("watch", "words"),
+    [
+        ("a", "--watch takes numbers and ranges such as 500 or 100-149, not 'a'"),
+        ("149-100", "the last number comes before the first"),
+        ("1-9999", "1,000 variables at most"),
+        ("999999", "watch: "),
+    ],
+)
+def test_a_wrong_watch_is_told(tmp_path: Path, watch: str, words: str) -> None:
+    status, output = command(tmp_path, "--watch", watch)
+    assert status == 2
+    assert words in output
+
+
+def test_moves_have_no_place_for_what_is_watched(tmp_path: Path) -> None:
+    status, output = command(tmp_path, "--watch", "100", "--format", "csv")
+    assert (status, "--watch takes text or json" in output) == (2, True)

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bindings.hpp"
 #include "program_data.hpp"
@@ -15,16 +16,18 @@ namespace cncsub::bindings {
 
 namespace {
 
-/// By address: executions whose condition held and failed, loops, calls, arguments.
+/// By address: executions whose condition held and failed, times passed over, loops, calls,
+/// arguments.
 py::tuple coverage(const Record& record) {
   const Record::Reading reading(record);
   const std::size_t blocks = record.code().blocks.size();
-  const Array<std::int64_t> held(blocks), failed(blocks);
+  const Array<std::int64_t> held(blocks), failed(blocks), skipped(blocks);
   Coverage found;
   work_away([&](InterruptCheck& interrupt) {
-    std::fill_n(held.data, blocks, 0);
-    std::fill_n(failed.data, blocks, 0);
-    found = coverage_of(record.code(), record.trace(), held.data, failed.data, interrupt);
+    for (std::int64_t* counts : {held.data, failed.data, skipped.data})
+      std::fill_n(counts, blocks, 0);
+    found = coverage_of(record.code(), record.trace(), {held.data, failed.data, skipped.data},
+                        interrupt);
   });
   py::list loops, calls, arguments;
   for (const auto& [address, entries] : found.loops)
@@ -34,13 +37,16 @@ py::tuple coverage(const Record& record) {
         py::make_tuple(call.address, std::string(to_string(call.kind)), call.program, call.count));
   for (const Coverage::Given& given : found.arguments)
     arguments.append(py::make_tuple(given.program, given.variable, given.count));
-  return py::make_tuple(held.object, failed.object, loops, calls, arguments);
+  return py::make_tuple(held.object, failed.object, skipped.object, loops, calls, arguments);
 }
 
-/// Of every program its blocks: (address, n, line, text, branch). A block that programs share is
-/// one of the innermost.
+/// Of every program its blocks: (address, n, line, text, branch, whether it has a skip mark). A
+/// block that programs share is one of the innermost.
 py::list blocks(const Code& code) {
   const Branches branches(code);
+  std::vector<py::str> names;  // made once, not for every block
+  for (int i = 0; i <= static_cast<int>(Branch::Repeat); ++i)
+    names.emplace_back(std::string(to_string(static_cast<Branch>(i))));
   py::list programs;
   for (std::size_t p = 0; p < code.programs.size(); ++p) {
     const Program& program = code.programs[p];
@@ -52,7 +58,7 @@ py::list blocks(const Code& code) {
       const std::string_view text = code.text_of(block, program);
       own.append(py::make_tuple(a, sequence_number(block.n), block.line,
                                 py::str(text.data(), text.size()),
-                                std::string(to_string(branches.of[a]))));
+                                names[static_cast<std::size_t>(branches.of[a])], block.skip != 0));
     }
     programs.append(std::move(own));
   }

@@ -17,6 +17,8 @@ namespace cncsub::bindings {
 
 namespace {
 
+constexpr std::size_t kLookBytes = 1 << 8;  // what a block of looking on is worth
+
 /// What can be watched can be read.
 void check_watch(const Machine& machine, const std::vector<std::int32_t>& watch) {
   for (const std::int32_t number : watch) {
@@ -154,6 +156,34 @@ py::tuple position_in_program(Live& live) {
                         block.line);
 }
 
+/// Why the program had not ended.
+py::dict endless(Live& live) {
+  const Look machine(live);
+  Endless found;
+  work_away([&](InterruptCheck& interrupt) {
+    found = machine->endless([&] { return interrupt.requested(kLookBytes); });
+  });
+  const Code& code = machine->code();
+  py::list blocks;
+  for (const Address address : found.blocks) {
+    const Program& program = code.programs[static_cast<std::size_t>(code.program_at(address))];
+    const Block& block = code.blocks[address];
+    blocks.append(py::make_tuple(code.name_of(program), sequence_number(block.n), block.line,
+                                 code.files[program.file].name,
+                                 std::string(code.text_of(block, program))));
+  }
+  py::dict facts;
+  facts["kind"] = std::string(to_string(found.kind));
+  facts["proven"] = found.proven;
+  facts["period"] = found.period;
+  facts["looked"] = found.looked;
+  facts["blocks"] = py::tuple(blocks);
+  facts["changing"] = py::tuple(py::cast(found.changing));
+  facts["then"] = found.then == Stop::Running ? py::object(py::none())
+                                              : py::cast(std::string(to_string(found.then)));
+  return facts;
+}
+
 template <class Pairs>
 py::dict dict_of(const Pairs& pairs) {
   py::dict values;
@@ -224,6 +254,7 @@ void add_run(Class& machine) {
       .def_property_readonly("stop", &stop_of)
       .def_property_readonly("waiting_for",
                              [](Live& live) { return Look(live)->state().waiting_for; })
+      .def("endless", &endless)
       .def_property_readonly("alarm", &alarm_of)
       .def_property_readonly("stack", &stack_of)
       .def_property_readonly("position_in_program", &position_in_program)

@@ -17,6 +17,7 @@ from cncsub._core import Alarm, Control, Frame, __version__
 from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
 from cncsub.comparison import Comparison, compare
 from cncsub.controls import Cause, Source, causes, controls, sources
+from cncsub.endless import Endless, LoopBlock, Why
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
@@ -74,6 +75,7 @@ __all__ = [
     "Dropped",
     "Edge",
     "Edit",
+    "Endless",
     "Finding",
     "Flat",
     "FlattenError",
@@ -83,6 +85,7 @@ __all__ = [
     "Inputs",
     "JumpTo",
     "Library",
+    "LoopBlock",
     "Machine",
     "MissedSkip",
     "Move",
@@ -99,6 +102,7 @@ __all__ = [
     "TranslateError",
     "Translation",
     "VariableUse",
+    "Why",
     "Word",
     "Workpiece",
     "__version__",

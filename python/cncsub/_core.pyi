@@ -239,6 +239,7 @@ def coverage(
 ) -> tuple[
     np.ndarray[Any, Any],
     np.ndarray[Any, Any],
+    np.ndarray[Any, Any],
     list[tuple[int, int, int, int]],
     list[tuple[int, str, int, int]],
     list[tuple[int, int, int]],
@@ -247,8 +248,8 @@ def coverage(
     program, count); (program, variable, count).
     """
 
-def coverage_blocks(code: Code) -> list[list[tuple[int, int | None, int, str, str]]]:
-    """Of every program its own blocks: address, n, line, text, kind of branch."""
+def coverage_blocks(code: Code) -> list[list[tuple[int, int | None, int, str, str, bool]]]:
+    """Of every program its own blocks: address, n, line, text, kind of branch, skip mark."""
 
 @final
 class Code:
@@ -371,6 +372,8 @@ class Machine:
     def stop(self) -> str | None: ...  # end alarm cycles limit waiting interrupted
     @property
     def waiting_for(self) -> str: ...
+    def endless(self) -> dict[str, Any]:
+        """Why the program had not ended, at a limit or where it waits."""
     @property
     def alarm(self) -> Alarm | None: ...
     @property

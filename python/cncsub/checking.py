@@ -156,7 +156,7 @@ def _finding(
         hint if alarm is not None and rule.name in _OF_ANY_CAUSE else rule.hint,
         alarm,
         path,
-        _fix(rule, place),
+        _fix(rule, place, alarm, source),
         source,
     )
 
@@ -165,13 +165,25 @@ def _finding(
 _OF_ANY_CAUSE = ("refused", "code-not-available", "variable-not-available")
 
 
-def _fix(rule: CheckRule, place: _core.Alarm) -> tuple[Edit, ...] | None:
-    if rule.name != "g99-for-m99":
-        return None
-    at = place.word.upper().find("G99")
-    if at < 0:
-        return None
-    return (Edit(place.file, place.line, place.column + at, place.word[at : at + 3], "M99"),)
+_ASSIGNED = re.compile(r"[ \t]*(#\d+)[ \t]*=")
+
+
+def _fix(
+    rule: CheckRule, place: _core.Alarm, alarm: _core.Alarm | None, source: str
+) -> tuple[Edit, ...] | None:
+    """Edits behind which the control does the same, or what it refused and can only mean."""
+    word = place.word
+    if rule.name == "g99-for-m99" and (at := word.upper().find("G99")) >= 0:
+        return (Edit(place.file, place.line, place.column + at, word[at : at + 3], "M99"),)
+    if rule.name == "small-letters" and word.upper() != word:
+        return (Edit(place.file, place.line, place.column, word, word.upper()),)
+    # IF[#1 EQ 2]#3=4: an assignment behind a condition has no other meaning.
+    if alarm is not None and alarm.cause == "if-format" and "or THEN" in alarm.detail:
+        assigned = _ASSIGNED.match(source, place.column - 1)
+        if assigned is not None:
+            column = assigned.start(1) + 1
+            return (Edit(place.file, place.line, column, assigned[1], f"THEN {assigned[1]}"),)
+    return None
 
 
 _COMMENT = re.compile(r"cncsub:\s*ignore\b([^()]*)", re.IGNORECASE)

@@ -53,6 +53,7 @@ from cncsub.options import (
     SetupFile,
     Skip,
     Start,
+    Watch,
     WrongUseError,
     control_named,
     library_of,
@@ -154,6 +155,7 @@ def run(
     inputs: InputsFile = None,
     start: Start = None,
     optional_stop: OptionalStop = False,
+    watch: Watch = None,
     format: Annotated[
         RunFormat, typer.Option(help="csv and parquet write the moves.")
     ] = RunFormat.TEXT,
@@ -373,6 +375,8 @@ def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str]:
 def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
     """What the options say, to be run while its moves are written."""
     with wrong_use():
+        if options["watch"]:
+            raise ValueError("csv and parquet write the moves; --watch takes text or json")
         if options["mdi"] is not None:
             raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
         return library_of(options).stream(options["main"], **run_options(options, "moves"))

@@ -37,7 +37,8 @@ class BranchRow:
     """One outcome of a block that decides. `kind`: `if-goto` (UNTIL too), `if-then`, `if`,
     `elseif`, `h-jump`, `input-jump`, `do-while`, `while`, `repeat`. `outcome`: `taken` and
     `not taken` (whether the condition held); of the loops `while` and `repeat` the number of passes
-    of an entry: `none`, `once`, `many`.
+    of an entry: `none`, `once`, `many`. `block-skip`, of a block with a slash before it: `skipped`
+    and `not skipped`; a slash inside a block is no branch.
     """
 
     program: str
@@ -94,6 +95,7 @@ class _Block(NamedTuple):
     line: int
     text: str
     branch: str
+    skip: bool
 
 
 @dataclass
@@ -106,6 +108,7 @@ class Counted:
     blocks: list[_Block]
     held: list[int]
     failed: list[int]
+    skipped: list[int]
     loops: dict[int, list[int]]
     sites: dict[tuple[int, str], str]  # calls as they are written
     calls: Counter[tuple[int, str, str]]
@@ -115,6 +118,7 @@ class Counted:
     def add(self, other: Counted) -> None:
         self.held = [a + b for a, b in zip(self.held, other.held, strict=True)]
         self.failed = [a + b for a, b in zip(self.failed, other.failed, strict=True)]
+        self.skipped = [a + b for a, b in zip(self.skipped, other.skipped, strict=True)]
         for block, entries in other.loops.items():
             old = self.loops.get(block, [0, 0, 0])
             self.loops[block] = [a + b for a, b in zip(old, entries, strict=True)]
@@ -125,12 +129,20 @@ class Counted:
         return self.held[block] + self.failed[block]
 
     def outcomes(self, block: int) -> Iterator[tuple[str, int]]:
+        return ((outcome, count) for _, outcome, count in self.decisions(block))
+
+    def decisions(self, block: int) -> Iterator[tuple[str, str, int]]:
+        """Kind, outcome, count."""
         kind = self.blocks[block].branch
+        if self.blocks[block].skip:
+            yield "block-skip", "skipped", self.skipped[block]
+            yield "block-skip", "not skipped", self.count(block)
         if kind in _LOOPS:
-            yield from zip(_OUTCOMES, self.loops.get(block, [0, 0, 0]), strict=True)
+            entries = self.loops.get(block, [0, 0, 0])
+            yield from ((kind, *of) for of in zip(_OUTCOMES, entries, strict=True))
         elif kind:
-            yield "taken", self.held[block]
-            yield "not taken", self.failed[block]
+            yield kind, "taken", self.held[block]
+            yield kind, "not taken", self.failed[block]
 
     def calls_of(self) -> Iterator[tuple[int, str, str, int]]:
         """Block, kind, called, count: those that were made, and sites that made none."""
@@ -146,6 +158,7 @@ class _Raw:
     code: _core.Code
     held: Any
     failed: Any
+    skipped: Any
     loops: Counter[tuple[int, int]]  # address, place in _OUTCOMES
     calls: Counter[tuple[int, str, int]]
     given: Counter[tuple[int, int]]
@@ -155,6 +168,7 @@ class _Raw:
             self.code,
             self.held + other.held,
             self.failed + other.failed,
+            self.skipped + other.skipped,
             self.loops + other.loops,
             self.calls + other.calls,
             self.given + other.given,
@@ -190,6 +204,7 @@ def _programs(raw: _Raw) -> Iterator[Counted]:
                 [_Block(*block[1:]) for block in blocks],
                 raw.held[addresses].tolist(),
                 raw.failed[addresses].tolist(),
+                raw.skipped[addresses].tolist(),
                 {},
                 {
                     (offsets[b], k): to
@@ -228,7 +243,9 @@ class Coverage:
     is covered where it was executed, once at least. A block that raised an alarm is covered only
     where the control did some of it before (words before a call, #3000, which is meant to alarm);
     one that a skip switch passed over, and one that cannot be read, is not. Branches: every
-    condition both ways, every WHILE and repeat entered with no pass, one, and many.
+    condition and every block-skip slash both ways, every WHILE and repeat entered with no pass,
+    one, and many. What a slash passed over is told from the blocks around it, and not where only a
+    computed jump led there.
 
     Runs of different libraries are added by the file and the name of their programs. Programs that
     have the same of both and another text are a `ValueError`.
@@ -295,10 +312,11 @@ class Coverage:
     def branches(self) -> Table[BranchRow]:
         """A row for each outcome of a block that decides."""
         return Table(
-            BranchRow(p.name, b.n, b.line, b.branch, outcome, count, count > 0)
+            BranchRow(p.name, b.n, b.line, kind, outcome, count, count > 0)
             for p in self.programs
             for i, b in enumerate(p.blocks)
-            for outcome, count in p.outcomes(i)
+            if b.branch or b.skip
+            for kind, outcome, count in p.decisions(i)
         )
 
     @property
@@ -332,7 +350,7 @@ class Coverage:
             for index, block in enumerate(program.blocks):
                 covered += program.count(index) > 0
                 known += 1
-                if block.branch:
+                if block.branch or block.skip:
                     counts = [count for _, count in program.outcomes(index)]
                     covered += sum(count > 0 for count in counts)
                     known += len(counts)
@@ -390,13 +408,14 @@ def coverage_of(trace: _core.Trace, code: _core.Code) -> Coverage:
             'a run with trace="none" or "calls" keeps no blocks to count: run it with'
             ' trace="blocks" or "moves"'
         )
-    held, failed, loops, calls, given = _core.coverage(trace)
+    held, failed, skipped, loops, calls, given = _core.coverage(trace)
     return Coverage(
         [
             _Raw(
                 code,
                 held,
                 failed,
+                skipped,
                 Counter({(at, i): of[i] for at, *of in loops for i in range(3)}),
                 Counter({call[:3]: call[3] for call in calls}),
                 Counter({row[:2]: row[2] for row in given}),

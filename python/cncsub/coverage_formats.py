@@ -51,7 +51,7 @@ def _lcov_lines(coverage: Coverage) -> Iterator[str]:
         yield "TN:"
         yield f"SF:{' '.join(file.splitlines())}"
         outcomes = [
-            (line, place, count, executed)
+            (line, place, count, executed or any(count for _, count in of))
             for line, (executed, of) in lines.items()
             for place, (_, count) in enumerate(of)
         ]

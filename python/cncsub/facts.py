@@ -16,6 +16,7 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "title": title,
         "stop": run.stop.value,
         "waiting_for": run.waiting_for or None,
+        "endless": None if run.endless is None else endless_facts(run.endless),
         "alarm": None if run.alarm is None else alarm_facts(run.alarm),
         "steps": len(run.steps),
         "calls": [dict(record) for record in records(run.calls)],
@@ -30,8 +31,22 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "variables": {str(number): value for number, value in run.variables.items()},
         "position": run.position,
         "modal": run.modal,
+        "watch": watch_facts(run),
         "moves": [dict(record) for record in records(run.moves)],
     }
+
+
+def watch_facts(run: cncsub.Run) -> dict[str, Any] | None:
+    if not run.watch.beginning:
+        return None
+    return {
+        "beginning": {str(number): value for number, value in run.watch.beginning.items()},
+        "changes": [asdict(run.watch[row]) for row in range(len(run.watch))],
+    }
+
+
+def endless_facts(endless: cncsub.Endless) -> dict[str, Any]:
+    return {**asdict(endless), "message": str(endless)}
 
 
 def alarm_facts(alarm: cncsub.Alarm) -> dict[str, Any]:

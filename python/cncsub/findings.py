@@ -194,21 +194,26 @@ class Mended:
         self.left = 0  # edits whose text is not where it was
         self._old: dict[str, bytes] = {}
         self._new: dict[str, bytes] = {}
-        for finding in findings:
-            for edit in finding.fix or ():
-                self._apply(edit)
+        edits = {edit for finding in findings for edit in finding.fix or ()}
+        # From the end of each line, so that what stands before stays where it is.
+        for edit in sorted(edits, key=lambda edit: edit[:3], reverse=True):
+            self._apply(edit)
 
     def _apply(self, edit: Edit) -> None:
-        """Words of NC programs are ASCII: what stands once in its line is replaced as bytes,
-        whatever the encoding of its comments."""
+        """Words of NC programs are ASCII: what stands at its column behind nothing but ASCII, or
+        once in its line, is replaced as bytes, whatever the encoding of its comments.
+        """
         if edit.file not in self._new:
             self._old[edit.file] = self._new[edit.file] = Path(edit.file).read_bytes()
         lines = self._new[edit.file].split(b"\n")
         line, old = lines[edit.line - 1], edit.old.encode()
-        if line.count(old) != 1:
-            self.left += 1
-            return
-        lines[edit.line - 1] = line.replace(old, edit.new.encode())
+        at = edit.column - 1
+        if not line[:at].isascii() or not line.startswith(old, at):
+            if line.count(old) != 1:
+                self.left += 1
+                return
+            at = line.index(old)
+        lines[edit.line - 1] = line[:at] + edit.new.encode() + line[at + len(old) :]
         self._new[edit.file] = b"\n".join(lines)
 
     def diff(self) -> str:

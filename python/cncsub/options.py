@@ -7,7 +7,7 @@ import enum
 import json
 import re
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import IO, Annotated, Any
 
@@ -17,6 +17,8 @@ import cncsub
 from cncsub.controls import did_you_mean
 from cncsub.printing import Console, console_on
 from cncsub.project import Project, find_project
+
+MOST_WATCHED = 1000  # variables of one range; the engine takes no more of all
 
 
 class WrongUseError(Exception):
@@ -77,6 +79,12 @@ InputsFile = Annotated[
 ]
 Start = Annotated[int | None, typer.Option(help="The sequence number to begin at.")]
 OptionalStop = Annotated[bool, typer.Option("--optional-stop", help="M01 stops.")]
+Watch = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--watch", help="Variables whose changes are told: 500, 100-149,500.", metavar="N[-N]"
+    ),
+]
 Output = Annotated[
     Path | None, typer.Option("-o", "--output", help="Write to this file, not to the terminal.")
 ]
@@ -107,6 +115,7 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
         "max_cycles": options["max_cycles"],
         "max_blocks": options["max_blocks"],
         "trace": trace,
+        "watch": watched_numbers(options.get("watch") or ()),
     }
     project = project_here()
     if (setup := options["setup"] or project.setup) is not None:
@@ -114,6 +123,25 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     if (inputs := options["inputs"] or project.inputs) is not None:
         asked["inputs"] = cncsub.Inputs.from_toml(inputs)
     return asked
+
+
+def watched_numbers(texts: Iterable[str]) -> list[int]:
+    """`100-102,500` as numbers, each once."""
+    numbers: dict[int, None] = {}
+    for text in ",".join(texts).split(",") if texts else ():
+        first, dash, last = text.strip().replace("#", "").partition("-")
+        try:
+            low, high = int(first), int(last if dash else first)
+        except ValueError:
+            raise ValueError(
+                f"--watch takes numbers and ranges such as 500 or 100-149, not {text!r}"
+            ) from None
+        if high < low:
+            raise ValueError(f"--watch {text.strip()}: the last number comes before the first")
+        if high - low >= MOST_WATCHED:
+            raise ValueError(f"--watch {text.strip()}: {MOST_WATCHED:,} variables at most")
+        numbers.update(dict.fromkeys(range(low, high + 1)))
+    return list(numbers)
 
 
 def project_here() -> Project:

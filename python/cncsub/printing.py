@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 MOST_CALLS = 100_000  # drawn in a tree
 MOST_LINES = 200  # printed of it
 MOST_MISSED = 20  # blocks of G31
+MOST_CHANGES = 200  # of watched variables
 
 
 class Text:
@@ -78,6 +79,7 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
         console.print(f" time {_duration(run.moves.total_time)}")
         for axis, (low, high) in run.moves.bounds.items():
             console.print(f"  {axis} {low:.10g} to {high:.10g}")
+    print_watch(console, run)
     for message in run.messages:
         console.print(f"message: {shown(message)}")
     missed = Counter(map(str, run.missed_skips))
@@ -90,6 +92,28 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
         place = program if n is None else f"{program} N{n}"
         often = "" if times == 1 else f", {times} times"
         console.print(f"dropped: {shown(text)} at {shown(f'{place}, {file}:{line}')}{often}")
+
+
+def print_watch(console: Console, run: cncsub.Run) -> None:
+    """What was watched: its value at the beginning, and each change with its block."""
+    now = dict(run.watch.beginning)
+    changes = len(run.watch)
+    for number, value in now.items():
+        console.print(f"watch: #{number} begins {_variable(value)}")
+    for row in range(min(changes, MOST_CHANGES)):
+        change = run.watch[row]
+        place = change.program if change.n is None else f"{change.program} N{change.n}"
+        step = f"{shown(str(place))}, line {change.line}, step {change.step}"
+        was, now[change.variable] = now[change.variable], change.value
+        values = f"{_variable(was)} -> {_variable(change.value)}"
+        console.print(f"watch: #{change.variable} {values} at {step}")
+    if changes > MOST_CHANGES:
+        left = changes - MOST_CHANGES
+        console.print(f"... {left:,} more changes; --format json and run.watch have them all")
+
+
+def _variable(value: float | None) -> str:
+    return "vacant" if value is None else f"{value:.10g}"
 
 
 def print_tree(console: Console, run: cncsub.Run, title: str) -> None:
@@ -118,6 +142,8 @@ def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
 def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
     stop = Text(f"stopped: {_stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
     console.print(stop)
+    if run.endless is not None and run.stop is not cncsub.Stop.WAITING:
+        console.print(f"why: {shown(str(run.endless))}")
     if run.alarm is not None:
         console.print(Text("\n".join(map(shown, str(run.alarm).split("\n")))))
 

@@ -12,6 +12,7 @@ from cncsub import _core, asserting
 from cncsub._core import Alarm, Frame
 from cncsub.controls import did_you_mean
 from cncsub.coverage import Coverage, coverage_of
+from cncsub.endless import Endless, endless_of
 from cncsub.inputs import checked_variables
 from cncsub.program import Block, find_program
 from cncsub.rows import Dropped, MissedSkip, Step
@@ -298,6 +299,22 @@ class State(Stays):
         return self._core.waiting_for
 
     @property
+    def endless(self) -> Endless | None:
+        """Why the program had not ended where a limit stopped the run, or where it waits: it
+        repeats by design (M99 of the main program), its state came back exactly (an endless loop,
+        with its blocks), it waits, or it is only long. `None` where it ended, alarmed or runs.
+
+        At a limit of blocks, time or memory a copy is run on for up to 100,000 blocks (and two
+        seconds) to find out, each time this is asked for; the run itself stays what it is.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 M98 P2\\nN20 GOTO10\\nO2\\nN30 M99\\n"
+        >>> print(cncsub.loads(text, control="fanuc-0i-f").run(max_blocks=1000).endless)
+        an endless loop, proven: after 3 blocks everything is as it was; O1 N10, O2 N30, O1 N20
+        """
+        return endless_of(self._core)
+
+    @property
     def blocks(self) -> int:
         """How many blocks were executed."""
         return self._core.blocks
@@ -332,6 +349,18 @@ class _Outcome(State, Recorded):
     def __init__(self, core: _core.Machine) -> None:
         State.__init__(self, core)
         Recorded.__init__(self, core.trace)
+
+    def coverage(self) -> Coverage:
+        """The blocks, branches, calls and arguments that this run went through, or a machine
+        until now.
+
+        Raises `ValueError` for a run with `trace="none"` or `"calls"`, which kept no blocks.
+
+        >>> import cncsub
+        >>> cncsub.loads("O1\\nN10 M30\\n", control="fanuc-0i-f").run().coverage().percent
+        100.0
+        """
+        return coverage_of(self._trace, self._core.code)
 
 
 class Run(_Outcome):
@@ -380,17 +409,6 @@ class Run(_Outcome):
         """
         asserting.assert_alarm(self, expected, at)
 
-    def coverage(self) -> Coverage:
-        """The blocks, branches, calls and arguments that this run went through.
-
-        Raises `ValueError` for a run with `trace="none"` or `"calls"`, which kept no blocks.
-
-        >>> import cncsub
-        >>> cncsub.loads("O1\\nN10 M30\\n", control="fanuc-0i-f").run().coverage().percent
-        100.0
-        """
-        return coverage_of(self._trace, self._core.code)
-
     @functools.cached_property
     def variables(self) -> Variables:
         """Variable number to value at the stop, `None` where it is vacant: commons and the main
@@ -414,8 +432,17 @@ class Run(_Outcome):
             if value is not None and not self._core.cleared_by_reset(number)
         }
 
+    @functools.cached_property
+    def endless(self) -> Endless | None:
+        return endless_of(self._core)
+
     def __repr__(self) -> str:
         return f"<Run: {self._summary()}, {self.steps._size()}, {self.calls._size()}>"
+
+    def __str__(self) -> str:
+        """As `repr`, and why the program had not ended where a limit stopped it."""
+        why = self.endless
+        return repr(self) if why is None else f"{self!r}: {why}"
 
 
 class Machine(_Outcome):

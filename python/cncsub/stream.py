@@ -7,7 +7,7 @@ import copy
 import functools
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from cncsub import _core
 from cncsub.files import StrPath
@@ -115,6 +115,15 @@ class Stream(State):
                         table.write(getattr(part, name))
             except KeyboardInterrupt:  # it came while the part was written
                 self._core.interrupt()
+
+    def coverage(self) -> NoReturn:
+        """A stream keeps no blocks to count, and a part of it does not know how the calls and loops
+        began that are open in it: always a `ValueError`, which says what to do instead.
+        """
+        raise ValueError(
+            "a stream gives away the blocks that coverage counts: take the coverage of"
+            ' library.run(..., trace="blocks") or of library.machine()'
+        )
 
     def __copy__(self) -> Stream:
         """A stream in the same state that goes its own way."""

@@ -53,6 +53,8 @@ void check_modes(Checker& c);
 void check_variables(Checker& c);
 /// Values that people trip over.
 void check_values(Checker& c);
+/// What a control reads otherwise than it looks: codes of one group, semicolons, small letters.
+void check_writing(Checker& c);
 
 /// The blocks that one block is, as the switches or a condition choose. What it is in a program
 /// that a code has called, where no code calls, is left out: that it does not call is its purpose.

@@ -148,6 +148,88 @@ class Loops {
   std::vector<Open> open_;
 };
 
+/// Counts the blocks that a switch passed over: those with a skip mark between the place where the
+/// block before led and the one that was executed.
+class Skips {
+ public:
+  Skips(const Code& code, const Branches& branches, std::int64_t* skipped)
+      : code_(code), branches_(branches), skipped_(skipped) {
+    for (const Block& block : code.blocks) any_ = any_ || block.skip != 0;
+  }
+
+  bool any() const { return any_; }
+  void follow(const Trace::Step& step) {
+    if (step.address > 0 && code_.blocks[step.address - 1].skip != 0) {
+      Address from = arrival(step);
+      if (!all_marked(from, step.address)) from = step.address;
+      for (Address a = from; a < step.address; ++a) ++skipped_[a];
+    }
+    last_ = step;
+    begun_ = true;
+  }
+
+ private:
+  /// Where the step before led; the step itself where nobody knows.
+  Address arrival(const Trace::Step& step) const {
+    const Program& program =
+        code_.programs[static_cast<std::size_t>(code_.program_at(step.address))];
+    if (!begun_ || step.call > last_.call) return program.first;
+    if (step.call < last_.call || step.repeat != last_.repeat) return behind_call(step, program);
+    const Block& block = code_.blocks[last_.address];
+    switch (block.op) {
+      case Op::Goto:
+      case Op::IfGoto:
+        if (last_.failed != 0) return last_.address + 1;
+        return or_itself(code_.statements[block.aux].to, step);
+      case Op::While:
+        if (last_.failed == 0) return last_.address + 1;
+        return or_itself(code_.statements[block.aux].end + 1, step);
+      case Op::Return:  // the main program starts over, at its head or at a block that it names
+        return code_.calls[block.aux].p.kind == Operand::Kind::Absent ? program.first
+                                                                      : step.address;
+      case Op::HCode:
+      case Op::Jump:
+        return branches_.of[last_.address] != Branch::None && last_.failed != 0 ? last_.address + 1
+                                                                                : step.address;
+      case Op::If:
+      case Op::Else:
+      case Op::EndDo:
+      case Op::Labelled:
+      case Op::IfThen:
+      case Op::Choose:
+      case Op::Together:
+        return last_.address < step.address ? last_.address + 1 : step.address;
+      default:
+        return last_.address + 1;
+    }
+  }
+  static Address or_itself(Address to, const Trace::Step& step) {
+    return to == kNowhere ? step.address : to;
+  }
+  /// A return leads behind the block that called, another pass to the head of the program.
+  Address behind_call(const Trace::Step& step, const Program& program) const {
+    if (step.call == last_.call) return program.first;
+    Address from = step.address;
+    while (from > program.first && code_.blocks[from - 1].skip != 0) --from;
+    if (from == program.first) return step.address;
+    const Op before = code_.blocks[from - 1].op;
+    const bool calls = before == Op::Call || before == Op::MacroCall || before == Op::ModalCall;
+    return calls ? from : step.address;
+  }
+  /// Whether all blocks from there up to the step have a skip mark.
+  bool all_marked(Address from, Address step) const {
+    Address a = step;
+    while (a > from && code_.blocks[a - 1].skip != 0) --a;
+    return a == from;
+  }
+
+  const Code& code_;
+  const Branches& branches_;
+  std::int64_t* skipped_;
+  bool any_ = false, begun_ = false;
+  Trace::Step last_{};
+};
+
 void count_calls(const Trace& trace, Coverage& to, InterruptCheck& interrupt) {
   std::map<std::tuple<Address, CallKind, std::int32_t>, std::int64_t> calls;
   std::map<std::pair<std::int32_t, std::int32_t>, std::int64_t> given;
@@ -188,16 +270,18 @@ Branches::Branches(const Code& code) : of(code.blocks.size(), Branch::None) {
   }
 }
 
-Coverage coverage_of(const Code& code, const Trace& trace, std::int64_t* held, std::int64_t* failed,
+Coverage coverage_of(const Code& code, const Trace& trace, const BlockCounts& counts,
                      InterruptCheck& interrupt) {
   Coverage found;
   const Branches branches(code);
   Loops loops(code, branches, found);
+  Skips skips(code, branches, counts.skipped);
   trace.steps.for_each_run(0, trace.steps.size(), [&](const Trace::Step* rows, std::size_t count) {
     if (interrupt.requested(count * sizeof(Trace::Step))) return;
     for (std::size_t i = 0; i < count; ++i) {
       const Trace::Step& step = rows[i];
-      ++(step.failed != 0 ? failed : held)[step.address];
+      ++(step.failed != 0 ? counts.failed : counts.held)[step.address];
+      if (skips.any()) skips.follow(step);
       if (loops.open() || is_loop(branches.of[step.address])) loops.follow(step);
     }
   });

@@ -55,9 +55,17 @@ struct Coverage {
   std::vector<Given> arguments;
 };
 
-/// Counts a whole run, which has recorded its blocks. Executions are added up by address in `held`
-/// and `failed`, by what the condition said; both have room for all blocks and hold zeros.
-Coverage coverage_of(const Code& code, const Trace& trace, std::int64_t* held, std::int64_t* failed,
+/// By address, each with room for all blocks and zeros in it.
+struct BlockCounts {
+  std::int64_t* held;     // executions whose condition held, or that have none
+  std::int64_t* failed;   // the others
+  std::int64_t* skipped;  // how often a block-skip switch passed over the block
+};
+
+/// Counts a whole run, which has recorded its blocks. What was passed over is no step: it is told
+/// from the steps around it, and not counted where only a computed jump or a start in the middle of
+/// a program may have led there.
+Coverage coverage_of(const Code& code, const Trace& trace, const BlockCounts& counts,
                      InterruptCheck& interrupt);
 
 }  // namespace cncsub

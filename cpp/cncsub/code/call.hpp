@@ -64,6 +64,8 @@ struct Target {
   bool skipped = false;   // L0
   bool jump = false;      // a MELDAS M98 without P
   bool external = false;  // on the external device
+
+  bool operator==(const Target&) const = default;
 };
 
 /// M97 P: a jump in the running program; M96 P Q: while an input is 0.

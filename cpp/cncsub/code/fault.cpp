@@ -138,6 +138,13 @@ void fill_in(Alarm& alarm, std::string_view name, std::string_view block) {
   put("{block}", block);
 }
 
+/// Whether a fault points into the head of a program, which stands before its first block.
+bool is_of_head(const Program& program, Address address, const Fault& fault) {
+  return address == program.first && fault.width > 1 && program.name_length != Program::kOfFile &&
+         fault.at + 1 >= program.name_at &&
+         fault.at + fault.width <= program.name_at + program.name_length;
+}
+
 }  // namespace
 
 Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
@@ -159,6 +166,12 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
   alarm.file = file.name;
   alarm.n = block.n;
   alarm.line = block.line;
+  if (is_of_head(program, address, fault)) {
+    alarm.n = -1;
+    alarm.line = program.line;
+    show(alarm, file.text, fault.at, fault.width);
+    return alarm;
+  }
   const WordPlace place = whole_word(code, program, block, fault);
   show(alarm, file.text, std::min<std::size_t>(std::max(place.at, block.text), file.text.size()),
        place.width);

@@ -11,6 +11,7 @@
 
 #include "cncsub/code/code.hpp"
 #include "cncsub/machine/context.hpp"
+#include "cncsub/machine/endless.hpp"
 #include "cncsub/machine/options.hpp"
 #include "cncsub/machine/state.hpp"
 #include "cncsub/motion/motion.hpp"
@@ -52,6 +53,11 @@ class Machine {
   /// How many calls are open, and what they are, the last one first.
   int depth() const { return static_cast<int>(run_.state.frames.size()) - 1; }
   std::vector<Frame> frames() const;
+
+  /// Why the program had not ended when the run stopped. Asks now and then who `gives_up`.
+  Endless endless(const std::function<bool()>& gives_up) const {
+    return why_endless(run_, kFurtherBlocks, gives_up);
+  }
 
   /// What was recorded so far.
   const Trace& trace() const { return run_.trace; }

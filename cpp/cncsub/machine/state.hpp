@@ -39,6 +39,8 @@ struct OpenFrame {
   std::int32_t passes_left = -1;  // of the M98 L that it is at
   bool shares_locals = false;     // of its level, those with a number are the caller's
   bool interrupts = false;        // behind it the caller's block does what it waits with
+
+  bool operator==(const OpenFrame&) const = default;
 };
 
 /// A modal macro call in force: G66, G66.1 and codes that call as they do.
@@ -68,6 +70,9 @@ struct Taken {
   double clock_ms = 0;                            // #3001, besides the time of the moves
   std::array<std::size_t, kSkipSignals> skips{};  // how many of Inputs::skips, list by list
   std::minstd_rand random{1};
+  bool time = false;  // a program asked for the time of the moves since this was cleared
+
+  bool operator==(const Taken&) const = default;
 };
 
 /// What is known of labels: subprograms by their own, all else by the subprogram it was met in.
@@ -76,6 +81,8 @@ struct Labels {
     Address address = kNowhere;
     LabelledKind kind = LabelledKind::Sub;
     std::int32_t repeats = -1;  // that are left, -1: to be counted anew
+
+    bool operator==(const Met&) const = default;
   };
   std::unordered_map<std::uint64_t, Met> met;
   bool defining = false;   // the head of a subprogram was met: it is passed over
@@ -86,6 +93,8 @@ struct Labels {
   // What the last break and continue leave, until the end of a loop asks. [rs274 2.9: a break of a
   // WHILE is still there when the next DO ends]
   bool breaks = false, continues = false;
+
+  bool operator==(const Labels&) const = default;
 };
 
 struct State {

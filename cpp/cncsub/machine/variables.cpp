@@ -184,6 +184,7 @@ std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value)
     run.state.taken.clock_ms += 1;
     ++run.state.changes;
   }
+  if (place.kind == VariableKind::Hours) run.state.taken.time = true;
   return read_at(run, place, number, run.state.level, value);
 }
 

@@ -37,6 +37,8 @@ struct Piece {
   Axes offset{};         // work to base
   Axes length{};         // base to machine
   MoveState state;
+
+  bool operator==(const Piece&) const = default;
 };
 
 /// A line of which only the angle is known, until the next block tells its end.
@@ -46,6 +48,8 @@ struct Angled {
   int idle = 0;             // blocks without a move behind it
 
   bool waiting() const { return !line.empty(); }
+
+  bool operator==(const Angled&) const = default;
 };
 
 /// Moves that wait because the next one decides where they end.
@@ -65,6 +69,8 @@ struct Held {
       vector{};  // from the programmed point to the tool, in the plane, radius values
   std::array<double, 2> entered{};  // the direction of the compensated move before
   int idle = 0;                     // blocks without a move in the plane, in a row
+
+  bool operator==(const Held&) const = default;
 };
 
 struct CycleData {
@@ -78,6 +84,8 @@ struct CycleData {
   double clearance = -1;  // D of a lathe
   bool full = false;      // draws back all the way after a peck, J1 of a lathe
   double initial = 0;     // the level from which the cycle mode was entered
+
+  bool operator==(const CycleData&) const = default;
 };
 
 /// X Z R J K of the lathe's simple cycles and threads, kept until another motion code.
@@ -87,6 +95,8 @@ struct TurnData {
   double j = 0, k = 0;  // the run-out of a thread
   bool has_j = false, has_k = false;
   int starts = 1;  // of a thread
+
+  bool operator==(const TurnData&) const = default;
 };
 
 /// The first blocks of the two-block cycles G71 to G76.
@@ -98,18 +108,24 @@ struct MultipleData {
   double retract = 0;                             // G74 G75 R
   int finish_passes = 1, chamfer = 0, angle = 0;  // G76 P
   double least_cut = 0, allowance = 0;            // G76 Q R
+
+  bool operator==(const MultipleData&) const = default;
 };
 
 struct ToolOffsets {  // of a lathe
   Axes value{};
   int tip = 0;
   double radius = 0;
+
+  bool operator==(const ToolOffsets&) const = default;
 };
 
 /// The area of G22: machine coordinates of X, Y and Z.
 struct StrokeArea {
   std::array<double, 3> low{}, high{};
   bool known = false;
+
+  bool operator==(const StrokeArea&) const = default;
 };
 
 struct Turned {  // rotation, scaling and mirror
@@ -119,6 +135,8 @@ struct Turned {  // rotation, scaling and mirror
   Plane plane = Plane::XY;
   bool frame = false;  // the centre is the zero point of turned coordinates
   std::uint32_t mirrored = 0;
+
+  bool operator==(const Turned&) const = default;
 };
 
 /// Everything modal.
@@ -172,6 +190,8 @@ struct ModalState {
   StrokeArea area;
   Angled angled;
   Held held;
+
+  bool operator==(const ModalState&) const = default;
 };
 
 struct OffsetTables {
@@ -185,11 +205,14 @@ struct OffsetTables {
   std::vector<double>* of(VariableKind kind) {
     return const_cast<std::vector<double>*>(std::as_const(*this).of(kind));
   }
+  bool operator==(const OffsetTables&) const = default;
 };
 
 /// The whole of it.
 struct MotionState : ModalState {
   OffsetTables tables;
+
+  bool operator==(const MotionState&) const = default;
 };
 
 struct MotionFacts;  // what never changes during a run
