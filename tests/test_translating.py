@@ -92,6 +92,22 @@ def test_m97_becomes_a_program_of_its_own() -> None:
     assert moves(made.library.run()) == moves(library.run())
 
 
+def test_p_that_names_a_block_becomes_a_program_of_its_own() -> None:
+    text = "%100\nN10 M98 P0100 L2\nN20 M30\nN100 G0 X1.\nN110 M99\n"
+    library = cncsub.loads(text, control="gsk-928te")
+    made = translate(library, "hnc-21m", setup={"machine": "lathe-a"})
+    assert made.library.main is not None
+    assert made.library.main.blocks[0].text == "N10 M98 P9001 L2"
+    assert list(made.added) == ["O9001"]
+
+
+def test_a_program_without_a_head_calls_as_the_other_control_does() -> None:
+    """LinuxCNC's main program holds the blocks of those behind it: each is rewritten once."""
+    library = cncsub.loads(f"N10 M98 P2 L3\nN20 M30\n{SUB}", control="linuxcnc")
+    made = translate(library, "gsk-980mdi")
+    assert made.texts["<text>"].startswith("N10 M98 P30002\nN20 M30\nO2\n")
+
+
 def test_calls_in_what_is_copied_are_rewritten_there_too() -> None:
     text = f"O1\nN10 M97 P100\nN40 M30\nN100 M98 P2 L2\nN110 M99\n{SUB}"
     made = translate(cncsub.loads(text, control="haas-ngc"), "gsk-980mdi")

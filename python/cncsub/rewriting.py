@@ -74,6 +74,7 @@ class Rewriting:
         self.read = library.read_for(target)
         self.edits: dict[str, list[Edit]] = {}
         self.unproved: list[str] = []
+        self._seen: set[tuple[str, int]] = set()
         self._tails: dict[tuple[str, int], _Tail] = {}
         self._sources = list(library._code.sources)
         self._lines = {
@@ -118,7 +119,13 @@ class Rewriting:
         self.edits.setdefault(main.name, []).append(edit)
 
     def _block(self, block: Block, read: Block | None) -> None:
-        calls = [call for call in block.calls if call.kind in _CODES]
+        # A program may hold the blocks of others, which are theirs too: each is looked at once.
+        place = (block.program.file, block.line)
+        if place in self._seen:
+            return
+        self._seen.add(place)
+        # A return may be told as a call of nothing.
+        calls = [call for call in block.calls if call.kind in _CODES and call.program != ""]
         jumps = [jump for jump in block.jumps if jump.kind in _CODES]
         if not self._called_programs & {block.program.name}:  # M99 P of a main program
             jumps = [jump._replace(in_caller=False) for jump in jumps]
