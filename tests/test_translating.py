@@ -248,6 +248,29 @@ def test_a_dwell_of_another_length_is_found() -> None:
         translate(library, "haas-ngc")
 
 
+def test_programs_of_the_external_device_are_not_rewritten(tmp_path: Path) -> None:
+    for name, text in (
+        ("job/O1.nc", "O1\nN10 M98 P20002\nN20 M198 P7\nM30\n"),
+        ("job/sub/O2.nc", SUB),
+        ("ext/O0007", "O7\nN80 M98 P2\nM99\n"),
+    ):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+
+    def library() -> cncsub.Library:
+        job, device = tmp_path / "job", tmp_path / "ext"
+        return cncsub.load(job, control="fanuc-0i-f", external=device)
+
+    made = translate(library(), "mitsubishi-m700")
+    assert [Path(p).relative_to(tmp_path) for p in made.write(tmp_path / "new")] == [
+        Path("new/O1.nc"),
+        Path("new/sub/O2.nc"),
+    ]
+    (tmp_path / "ext/O0007").write_text("O7\nN80 M98 P20002\nM99\n")
+    with pytest.raises(TranslateError, match="N80, line 2: a program of the external device"):
+        translate(library(), "mitsubishi-m700")
+
+
 def test_what_does_not_end_proves_nothing() -> None:
     text = "O1\nN10 M98 P2\nM30\nO2\nN20 #3000=1(NO)\nM99\n"
     with pytest.raises(TranslateError, match="O2 N20, line 5: fanuc-0i-f does not come to its end"):

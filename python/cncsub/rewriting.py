@@ -105,6 +105,22 @@ class Rewriting:
                 own = there[index] if index < len(there) else None
                 same = own is not None and own.line == block.line
                 self._block(block, own if same else None)
+        self._external()
+
+    def _external(self) -> None:
+        """The external device is not written to: what would have to change there is refused."""
+        # By their places: a control may name a program by its file.
+        there = list(self.read.external.values())
+        for place, program in enumerate(self.library.external.values()):
+            blocks = there[place].blocks if place < len(there) else ()
+            for index, block in enumerate(program.blocks):
+                other = blocks[index] if index < len(blocks) else None
+                own = (list(map(_called, block.calls)), list(map(_jumps, block.jumps)))
+                if other is None or own != (
+                    list(map(_called, other.calls)),
+                    list(map(_jumps, other.jumps)),
+                ):
+                    raise self.refused(block, "a program of the external device is not rewritten")
 
     def _main_head(self) -> None:
         """A control whose main program has no head takes one for the head of a subprogram."""
