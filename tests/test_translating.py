@@ -92,6 +92,22 @@ def test_m97_becomes_a_program_of_its_own() -> None:
     assert moves(made.library.run()) == moves(library.run())
 
 
+def test_p_that_names_a_block_becomes_a_program_of_its_own() -> None:
+    text = "%100\nN10 M98 P0100 L2\nN20 M30\nN100 G0 X1.\nN110 M99\n"
+    library = cncsub.loads(text, control="gsk-928te")
+    made = translate(library, "hnc-21m", setup={"machine": "lathe-a"})
+    assert made.library.main is not None
+    assert made.library.main.blocks[0].text == "N10 M98 P9001 L2"
+    assert list(made.added) == ["O9001"]
+
+
+def test_a_program_without_a_head_calls_as_the_other_control_does() -> None:
+    """LinuxCNC's main program holds the blocks of those behind it: each is rewritten once."""
+    library = cncsub.loads(f"N10 M98 P2 L3\nN20 M30\n{SUB}", control="linuxcnc")
+    made = translate(library, "gsk-980mdi")
+    assert made.texts["<text>"].startswith("N10 M98 P30002\nN20 M30\nO2\n")
+
+
 def test_calls_in_what_is_copied_are_rewritten_there_too() -> None:
     text = f"O1\nN10 M97 P100\nN40 M30\nN100 M98 P2 L2\nN110 M99\n{SUB}"
     made = translate(cncsub.loads(text, control="haas-ngc"), "gsk-980mdi")
@@ -230,6 +246,29 @@ def test_a_dwell_of_another_length_is_found() -> None:
     library = cncsub.loads("O1\nN10 G4 P1500.\nM30\n", control="mitsubishi-m700")
     with pytest.raises(TranslateError, match="O1 N10, line 2"):
         translate(library, "haas-ngc")
+
+
+def test_programs_of_the_external_device_are_not_rewritten(tmp_path: Path) -> None:
+    for name, text in (
+        ("job/O1.nc", "O1\nN10 M98 P20002\nN20 M198 P7\nM30\n"),
+        ("job/sub/O2.nc", SUB),
+        ("ext/O0007", "O7\nN80 M98 P2\nM99\n"),
+    ):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+
+    def library() -> cncsub.Library:
+        job, device = tmp_path / "job", tmp_path / "ext"
+        return cncsub.load(job, control="fanuc-0i-f", external=device)
+
+    made = translate(library(), "mitsubishi-m700")
+    assert [Path(p).relative_to(tmp_path) for p in made.write(tmp_path / "new")] == [
+        Path("new/O1.nc"),
+        Path("new/sub/O2.nc"),
+    ]
+    (tmp_path / "ext/O0007").write_text("O7\nN80 M98 P20002\nM99\n")
+    with pytest.raises(TranslateError, match="N80, line 2: a program of the external device"):
+        translate(library(), "mitsubishi-m700")
 
 
 def test_what_does_not_end_proves_nothing() -> None:

@@ -74,6 +74,7 @@ class Rewriting:
         self.read = library.read_for(target)
         self.edits: dict[str, list[Edit]] = {}
         self.unproved: list[str] = []
+        self._seen: set[tuple[str, int]] = set()
         self._tails: dict[tuple[str, int], _Tail] = {}
         self._sources = list(library._code.sources)
         self._lines = {
@@ -104,6 +105,22 @@ class Rewriting:
                 own = there[index] if index < len(there) else None
                 same = own is not None and own.line == block.line
                 self._block(block, own if same else None)
+        self._external()
+
+    def _external(self) -> None:
+        """The external device is not written to: what would have to change there is refused."""
+        # By their places: a control may name a program by its file.
+        there = list(self.read.external.values())
+        for place, program in enumerate(self.library.external.values()):
+            blocks = there[place].blocks if place < len(there) else ()
+            for index, block in enumerate(program.blocks):
+                other = blocks[index] if index < len(blocks) else None
+                own = (list(map(_called, block.calls)), list(map(_jumps, block.jumps)))
+                if other is None or own != (
+                    list(map(_called, other.calls)),
+                    list(map(_jumps, other.jumps)),
+                ):
+                    raise self.refused(block, "a program of the external device is not rewritten")
 
     def _main_head(self) -> None:
         """A control whose main program has no head takes one for the head of a subprogram."""
@@ -118,7 +135,13 @@ class Rewriting:
         self.edits.setdefault(main.name, []).append(edit)
 
     def _block(self, block: Block, read: Block | None) -> None:
-        calls = [call for call in block.calls if call.kind in _CODES]
+        # A program may hold the blocks of others, which are theirs too: each is looked at once.
+        place = (block.program.file, block.line)
+        if place in self._seen:
+            return
+        self._seen.add(place)
+        # A return may be told as a call of nothing.
+        calls = [call for call in block.calls if call.kind in _CODES and call.program != ""]
         jumps = [jump for jump in block.jumps if jump.kind in _CODES]
         if not self._called_programs & {block.program.name}:  # M99 P of a main program
             jumps = [jump._replace(in_caller=False) for jump in jumps]
