@@ -40,8 +40,8 @@ py::tuple coverage(const Record& record) {
   return py::make_tuple(held.object, failed.object, skipped.object, loops, calls, arguments);
 }
 
-/// Of every program its blocks: (address, n, line, text, branch, whether it has a skip mark). A
-/// block that programs share is one of the innermost.
+/// Of every program its blocks, as columns: addresses, n, line, text, branch, whether it has a skip
+/// mark. A block that programs share is one of the innermost.
 py::list blocks(const Code& code) {
   const Branches branches(code);
   std::vector<py::str> names;  // made once, not for every block
@@ -50,17 +50,20 @@ py::list blocks(const Code& code) {
   py::list programs;
   for (std::size_t p = 0; p < code.programs.size(); ++p) {
     const Program& program = code.programs[p];
-    py::list own;
+    py::list addresses, n, lines, texts, kinds, skips;
     for (Address a = program.first; a < program.last; ++a) {
       if ((a & 0xffff) == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (code.program_at(a) != static_cast<std::int32_t>(p)) continue;
       const Block& block = code.blocks[a];
       const std::string_view text = code.text_of(block, program);
-      own.append(py::make_tuple(a, sequence_number(block.n), block.line,
-                                py::str(text.data(), text.size()),
-                                names[static_cast<std::size_t>(branches.of[a])], block.skip != 0));
+      addresses.append(a);
+      n.append(sequence_number(block.n));
+      lines.append(block.line);
+      texts.append(py::str(text.data(), text.size()));
+      kinds.append(names[static_cast<std::size_t>(branches.of[a])]);
+      skips.append(block.skip != 0);
     }
-    programs.append(std::move(own));
+    programs.append(py::make_tuple(addresses, n, lines, texts, kinds, skips));
   }
   return programs;
 }

@@ -248,8 +248,12 @@ def coverage(
     program, count); (program, variable, count).
     """
 
-def coverage_blocks(code: Code) -> list[list[tuple[int, int | None, int, str, str, bool]]]:
-    """Of every program its own blocks: address, n, line, text, kind of branch, skip mark."""
+def coverage_blocks(
+    code: Code,
+) -> list[tuple[list[int], list[int | None], list[int], list[str], list[str], list[bool]]]:
+    """Of every program its own blocks as columns: address, n, line, text, kind of branch, skip
+    mark.
+    """
 
 @final
 class Code:

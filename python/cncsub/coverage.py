@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import bisect
+import itertools
+import operator
 import threading
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar, overload
 
 from cncsub import _core
 from cncsub.references import references_of
@@ -76,6 +79,65 @@ class ArgumentRow:
     covered: bool
 
 
+class Blocks(Sequence[BlockRow]):
+    """The blocks in the order of the programs. A row is made when it is asked for: a part program
+    may have millions.
+    """
+
+    def __init__(self, programs: tuple[Counted, ...]) -> None:
+        self._programs = programs
+        self._ends = list(itertools.accumulate(len(program.blocks) for program in programs))
+
+    def __len__(self) -> int:
+        return self._ends[-1] if self._ends else 0
+
+    @overload
+    def __getitem__(self, index: int) -> BlockRow: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[BlockRow, ...]: ...
+    def __getitem__(self, index: int | slice) -> BlockRow | tuple[BlockRow, ...]:
+        if isinstance(index, slice):
+            return tuple(self[place] for place in range(len(self))[index])
+        place = range(len(self))[index]
+        program = bisect.bisect_right(self._ends, place)
+        first = self._ends[program - 1] if program else 0
+        return _block_row(self._programs[program], place - first)
+
+    def __iter__(self) -> Iterator[BlockRow]:
+        for p in self._programs:
+            counts = map(operator.add, p.held, p.failed)
+            of = p.blocks
+            for n, line, text, count in zip(of.n, of.line, of.text, counts, strict=True):
+                yield BlockRow(p.name, n, line, text, count, count > 0)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Blocks | tuple):
+            return NotImplemented
+        return len(self) == len(other) and all(map(operator.eq, self, other))
+
+    def __hash__(self) -> int:
+        return hash(tuple(self))
+
+    @property
+    def covered(self) -> int:
+        """How many were executed."""
+        return sum(program.blocks_covered() for program in self._programs)
+
+    def to_pandas(self) -> Any:
+        """The rows as a pandas `DataFrame`."""
+        import pandas as pd
+
+        return pd.DataFrame([asdict(row) for row in self])
+
+    def __repr__(self) -> str:
+        return f"<Table: {self.covered} of {len(self)} covered>"
+
+
+def _block_row(program: Counted, place: int) -> BlockRow:
+    block, count = program.blocks[place], program.count(place)
+    return BlockRow(program.name, block.n, block.line, block.text, count, count > 0)
+
+
 class Table(tuple[Row, ...], Generic[Row]):
     """Rows in the order of the programs: a tuple of them with `to_pandas`."""
 
@@ -85,9 +147,13 @@ class Table(tuple[Row, ...], Generic[Row]):
 
         return pd.DataFrame([asdict(row) for row in self])  # type: ignore[call-overload]
 
+    @property
+    def covered(self) -> int:
+        """How many are covered."""
+        return sum(row.covered for row in self)  # type: ignore[attr-defined]
+
     def __repr__(self) -> str:
-        done = sum(row.covered for row in self)  # type: ignore[attr-defined]
-        return f"<Table: {done} of {len(self)} covered>"
+        return f"<Table: {self.covered} of {len(self)} covered>"
 
 
 class _Block(NamedTuple):
@@ -99,13 +165,46 @@ class _Block(NamedTuple):
 
 
 @dataclass
+class _Blocks(Sequence[_Block]):
+    """The blocks of a program as columns: a row is made when it is asked for."""
+
+    n: list[int | None]
+    line: list[int]
+    text: list[str]
+    branch: list[str]
+    skip: list[bool]
+
+    def __len__(self) -> int:
+        return len(self.line)
+
+    @overload
+    def __getitem__(self, index: int) -> _Block: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[_Block]: ...
+    def __getitem__(self, index: int | slice) -> _Block | list[_Block]:
+        if isinstance(index, slice):
+            return [self[place] for place in range(len(self))[index]]
+        return _Block(
+            self.n[index], self.line[index], self.text[index], self.branch[index], self.skip[index]
+        )
+
+    def __iter__(self) -> Iterator[_Block]:
+        return map(_Block, self.n, self.line, self.text, self.branch, self.skip)
+
+    def deciding(self) -> Iterator[int]:
+        """The places of blocks that decide where the program goes on."""
+        decides = map(operator.or_, map(bool, self.branch), self.skip)
+        return itertools.compress(range(len(self)), decides)
+
+
+@dataclass
 class Counted:
     """One program and what was counted of it; blocks are numbered from 0."""
 
     name: str
     file: str
     text: str
-    blocks: list[_Block]
+    blocks: _Blocks
     held: list[int]
     failed: list[int]
     skipped: list[int]
@@ -125,6 +224,9 @@ class Counted:
         self.calls.update(other.calls)
         self.given.update(other.given)
 
+    def blocks_covered(self) -> int:
+        return sum(map(bool, map(operator.add, self.held, self.failed)))
+
     def count(self, block: int) -> int:
         return self.held[block] + self.failed[block]
 
@@ -133,8 +235,8 @@ class Counted:
 
     def decisions(self, block: int) -> Iterator[tuple[str, str, int]]:
         """Kind, outcome, count."""
-        kind = self.blocks[block].branch
-        if self.blocks[block].skip:
+        kind = self.blocks.branch[block]
+        if self.blocks.skip[block]:
             yield "block-skip", "skipped", self.skipped[block]
             yield "block-skip", "not skipped", self.count(block)
         if kind in _LOOPS:
@@ -180,31 +282,39 @@ def _key(program: _core.ProgramData) -> tuple[str, str]:
 
 
 def _programs(raw: _Raw) -> Iterator[Counted]:
+    import numpy as np
+
     code = raw.code
-    place: dict[int, tuple[int, int]] = {}
-    made = []
+    # By address: the program, and the place among its blocks.
+    owner = np.full(len(raw.held), -1)
+    own = np.zeros(len(raw.held), dtype=int)
+    made: list[Counted] = []
     sites: dict[int, dict[tuple[int, str], str]] = {}
     for caller, index, call in _core.all_calls(code):
         called = call[6] if call[6] is not None else call[2] or ""
         if call[2] is not None and call[6] is None:
             called = code.program(call[2]).name
         sites.setdefault(caller, {})[index, call[0]] = str(called or call[1] or "")
-    for index, blocks in enumerate(_core.coverage_blocks(code)):
+    for index, (addresses, *columns) in enumerate(_core.coverage_blocks(code)):
         data = code.program(index)
-        for own, block in enumerate(blocks):
-            place[block[0]] = index, own
-        addresses = [block[0] for block in blocks]
+        at = np.array(addresses, dtype=np.intp)
+        owner[at] = index
+        own[at] = np.arange(len(at))
         first = addresses[0] if addresses else 0
-        offsets = {address - first: own for own, address in enumerate(addresses)}
+        offsets = (
+            {}
+            if not sites.get(index) and "#" not in data.text
+            else {address - first: place for place, address in enumerate(addresses)}
+        )
         made.append(
             Counted(
                 data.name,
                 data.file,
                 data.text,
-                [_Block(*block[1:]) for block in blocks],
-                raw.held[addresses].tolist(),
-                raw.failed[addresses].tolist(),
-                raw.skipped[addresses].tolist(),
+                _Blocks(*columns),  # type: ignore[arg-type]
+                raw.held[at].tolist(),
+                raw.failed[at].tolist(),
+                raw.skipped[at].tolist(),
                 {},
                 {
                     (offsets[b], k): to
@@ -217,11 +327,11 @@ def _programs(raw: _Raw) -> Iterator[Counted]:
             )
         )
     for (address, outcome), count in raw.loops.items():
-        index, block_at = place[address]
+        index, block_at = owner[address], int(own[address])
         made[index].loops.setdefault(block_at, [0, 0, 0])[outcome] += count
     for (address, kind, called_index), count in raw.calls.items():
-        if address in place:
-            index, block_at = place[address]
+        if owner[address] >= 0:
+            index, block_at = owner[address], int(own[address])
             made[index].calls[block_at, kind, made[called_index].name] += count
     for (index, variable), count in raw.given.items():
         made[index].given[variable] += count
@@ -300,22 +410,17 @@ class Coverage:
         return tuple(self._programs.values())
 
     @property
-    def blocks(self) -> Table[BlockRow]:
+    def blocks(self) -> Blocks:
         """A row for each block that can be executed."""
-        return Table(
-            BlockRow(p.name, b.n, b.line, b.text, p.count(i), p.count(i) > 0)
-            for p in self.programs
-            for i, b in enumerate(p.blocks)
-        )
+        return Blocks(self.programs)
 
     @property
     def branches(self) -> Table[BranchRow]:
         """A row for each outcome of a block that decides."""
         return Table(
-            BranchRow(p.name, b.n, b.line, kind, outcome, count, count > 0)
+            BranchRow(p.name, p.blocks.n[i], p.blocks.line[i], kind, outcome, count, count > 0)
             for p in self.programs
-            for i, b in enumerate(p.blocks)
-            if b.branch or b.skip
+            for i in p.blocks.deciding()
             for kind, outcome, count in p.decisions(i)
         )
 
@@ -347,13 +452,12 @@ class Coverage:
         """
         covered = known = 0
         for program in self.programs:  # no rows are made for it
-            for index, block in enumerate(program.blocks):
-                covered += program.count(index) > 0
-                known += 1
-                if block.branch or block.skip:
-                    counts = [count for _, count in program.outcomes(index)]
-                    covered += sum(count > 0 for count in counts)
-                    known += len(counts)
+            covered += program.blocks_covered()
+            known += len(program.blocks)
+            for index in program.blocks.deciding():
+                counts = [count for _, count in program.outcomes(index)]
+                covered += sum(count > 0 for count in counts)
+                known += len(counts)
         return 100.0 * covered / known if known else 100.0
 
     def to_html(self, path: str | Path | None = None) -> str:
@@ -380,8 +484,8 @@ class Coverage:
         return cobertura(self)
 
     def __repr__(self) -> str:
-        def told(rows: Table[Any], what: str) -> str:
-            return f"{sum(row.covered for row in rows)} of {len(rows)} {what}"
+        def told(rows: Table[Any] | Blocks, what: str) -> str:
+            return f"{rows.covered} of {len(rows)} {what}"
 
         return (
             f"<Coverage: {self.percent:.1f} %, {told(self.blocks, 'blocks')},"

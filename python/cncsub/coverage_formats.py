@@ -123,8 +123,8 @@ def html(coverage: Coverage) -> str:
     programs = "".join(_program(program) for program in coverage.programs)
     blocks, branches = coverage.blocks, coverage.branches
     done = (
-        f"{coverage.percent:.1f} %: {sum(row.covered for row in blocks)} of {len(blocks)} blocks,"
-        f" {sum(row.covered for row in branches)} of {len(branches)} outcomes of branches"
+        f"{coverage.percent:.1f} %: {blocks.covered} of {len(blocks)} blocks,"
+        f" {branches.covered} of {len(branches)} outcomes of branches"
     )
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Coverage</title>'
