@@ -14,14 +14,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from cncsub._core import Alarm, Control, Frame, __version__
-from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
-from cncsub.comparison import Comparison, compare
 from cncsub.controls import Cause, Source, causes, controls, sources
-from cncsub.endless import Endless, LoopBlock, Why
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
-from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
 from cncsub.rows import Call, Change, Dropped, MissedSkip, Move, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
@@ -30,20 +26,28 @@ from cncsub.workpiece import Box, Cylinder, Plane, Sphere, Workpiece
 
 if TYPE_CHECKING:
     from cncsub.archives import check_many, run_many
+    from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
+    from cncsub.comparison import Comparison, compare
+    from cncsub.endless import Endless, LoopBlock, Why
     from cncsub.flattening import Flat, FlattenError, flatten
+    from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
     from cncsub.rewriting import TranslateError
     from cncsub.translating import Translation, translate
 
 # What most programs do not use is imported when somebody asks for it.
 _LATER = {
-    "check_many": "archives",
-    "run_many": "archives",
-    "Flat": "flattening",
-    "FlattenError": "flattening",
-    "flatten": "flattening",
-    "TranslateError": "rewriting",
-    "Translation": "translating",
-    "translate": "translating",
+    name: module
+    for module, names in {
+        "archives": "check_many run_many",
+        "checking": "CheckRule Edit Finding Flow FlowEdge",
+        "comparison": "Comparison compare",
+        "endless": "Endless LoopBlock Why",
+        "flattening": "Flat FlattenError flatten",
+        "references": "CallGraph CallTo Computed Edge JumpTo VariableUse",
+        "rewriting": "TranslateError",
+        "translating": "Translation translate",
+    }.items()
+    for name in names.split()
 }
 
 

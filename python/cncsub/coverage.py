@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar, overload
 
 from cncsub import _core
+from cncsub.collectors import told
 from cncsub.references import references_of
 
 Row = TypeVar("Row")
@@ -537,7 +538,8 @@ class Collected:
     left_out: int = 0  # runs that kept no blocks, or had other texts under the same names
     _lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
 
-    def _take(self, found: Coverage | None) -> None:
+    def _take(self, trace: _core.Trace, code: _core.Code) -> None:
+        found = coverage_of(trace, code) if _core.keeps_blocks(trace) else None
         with self._lock:
             if found is None:
                 self.left_out += 1
@@ -548,10 +550,6 @@ class Collected:
                 self.left_out += 1
             else:
                 self.runs += 1
-
-
-_collectors: list[Collected] = []
-_collectors_lock = threading.Lock()
 
 
 @contextmanager
@@ -568,19 +566,5 @@ def collecting() -> Iterator[Collected]:
     (1, 100.0)
     """
     own = Collected()
-    with _collectors_lock:
-        _collectors.append(own)
-    try:
+    with told(own._take):
         yield own
-    finally:
-        with _collectors_lock:
-            _collectors[:] = [each for each in _collectors if each is not own]
-
-
-def collect(trace: _core.Trace, code: _core.Code) -> None:
-    """What a finished run tells whoever collects."""
-    if not _collectors:
-        return
-    found = coverage_of(trace, code) if _core.keeps_blocks(trace) else None
-    for each in tuple(_collectors):
-        each._take(found)

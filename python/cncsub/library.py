@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 from cncsub import _core
 from cncsub._core import Control
-from cncsub.checking import Finding, Flow, check, flow_of
+from cncsub.collectors import tell
 from cncsub.controls import Named, control_of, did_you_mean
-from cncsub.coverage import collect
 from cncsub.files import Piece, StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.inputs import Inputs, checked_variables, checked_watch, inputs_of
 from cncsub.program import Program, find_program
-from cncsub.references import CallGraph, call_graph
 from cncsub.run import Machine, Run
 from cncsub.setup import Setup, setup_of
 from cncsub.stream import Stream
 
 if TYPE_CHECKING:
+    from cncsub.checking import Finding, Flow
     from cncsub.flattening import Flat
+    from cncsub.references import CallGraph
 
 MODES = ("auto", "mdi")
 _NEAR = 5000  # names are compared with one that is not there
@@ -202,12 +202,16 @@ class Library(Mapping[str, Program]):
 
     def call_graph(self) -> CallGraph:
         """Who calls whom, told by the blocks without running them: see `CallGraph`."""
+        from cncsub.references import call_graph  # not imported before it is asked for
+
         return call_graph(self._code)
 
     def flow(self, program: str | int) -> Flow:
         """The ways through a program, told by its blocks without running them: see `Flow`."""
         index = self._find(program)
         data = self._code.program(index)
+        from cncsub.checking import flow_of
+
         return flow_of(data, data.blocks)
 
     def check(
@@ -234,6 +238,8 @@ class Library(Mapping[str, Program]):
         """
         first = self._code.main if main is None else self._find(main)
         kind = (setup_of(setup) or {}).get("machine")
+        from cncsub.checking import check
+
         return check(self._code, -1 if first is None else first, rules, kind)
 
     def flatten(
@@ -508,7 +514,7 @@ def _machine(
 def _finished(core: _core.Machine) -> Run:
     core.run()
     run = Run(core)
-    collect(core.trace, core.code)
+    tell(core.trace, core.code)
     return run
 
 

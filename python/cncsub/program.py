@@ -5,12 +5,14 @@ from __future__ import annotations
 import operator
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple, overload
+from typing import TYPE_CHECKING, NamedTuple, overload
 
 from cncsub import _core
 from cncsub.files import clean
-from cncsub.references import CallTo, JumpTo, References, VariableUse, references_of
 from cncsub.staying import Stays
+
+if TYPE_CHECKING:
+    from cncsub.references import CallTo, JumpTo, References, VariableUse
 
 
 def find_program(code: _core.Code, name: object) -> int:
@@ -91,6 +93,8 @@ class Block:
 
     @property
     def _references(self) -> References:
+        from cncsub.references import references_of
+
         return references_of(self._program._data, self._index)
 
 

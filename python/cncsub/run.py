@@ -6,18 +6,20 @@ import enum
 import functools
 import operator
 from collections.abc import Iterator, Mapping, MutableMapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from cncsub import _core, asserting
 from cncsub._core import Alarm, Frame
 from cncsub.controls import did_you_mean
-from cncsub.coverage import Coverage, coverage_of
-from cncsub.endless import Endless, endless_of
 from cncsub.inputs import checked_variables
 from cncsub.program import Block, find_program
 from cncsub.rows import Dropped, MissedSkip, Step
 from cncsub.staying import Stays
 from cncsub.tables import Calls, Moves, Steps, Watch
+
+if TYPE_CHECKING:
+    from cncsub.coverage import Coverage
+    from cncsub.endless import Endless
 
 Until = Block | tuple[str | int, int] | int
 
@@ -312,6 +314,8 @@ class State(Stays):
         >>> print(cncsub.loads(text, control="fanuc-0i-f").run(max_blocks=1000).endless)
         an endless loop, proven: after 3 blocks everything is as it was; O1 N10, O2 N30, O1 N20
         """
+        from cncsub.endless import endless_of
+
         return endless_of(self._core)
 
     @property
@@ -360,6 +364,8 @@ class _Outcome(State, Recorded):
         >>> cncsub.loads("O1\\nN10 M30\\n", control="fanuc-0i-f").run().coverage().percent
         100.0
         """
+        from cncsub.coverage import coverage_of
+
         return coverage_of(self._trace, self._core.code)
 
 
@@ -434,6 +440,8 @@ class Run(_Outcome):
 
     @functools.cached_property
     def endless(self) -> Endless | None:
+        from cncsub.endless import endless_of
+
         return endless_of(self._core)
 
     def __repr__(self) -> str:

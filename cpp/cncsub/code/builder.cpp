@@ -107,51 +107,54 @@ void Builder::together(Block& block, const std::vector<Statement>& statements, c
 
 // ---- words ----
 
-void Builder::list_codes(Block& block, std::span<const int> g, int m) {
-  CodeList list;
-  for (const int code : g) list.add_g(10 * code);
-  if (m >= 0) list.add_m(m);
-  write_codes(block, list);
-}
-
-void Builder::write_codes(Block& block, const CodeList& list) {
+void write_codes(Code& code, Block& block, const CodeList& list) {
   Cell cell{};
-  if (const int number = code_.code_lists.keep(list); number >= 0) {
+  if (const int number = code.code_lists.keep(list); number >= 0) {
     cell.expression = static_cast<std::uint64_t>(number);
     block.flags |= Block::kListed;
-    code_.cells.push_back(cell);
+    code.cells.push_back(cell);
     return;
   }
-  const auto write = [&](int code) {
-    cell.value = code;
-    code_.cells.push_back(cell);
+  const auto write = [&](int of) {
+    cell.value = of;
+    code.cells.push_back(cell);
   };
   for (const int g : list.g()) write(g);
   for (const int m : list.m()) write(m);
 }
 
-void Builder::codes(Block& block, const WordList& words) {
-  const std::span g(words.g.data(), static_cast<std::size_t>(words.g_count));
-  const std::span m(words.m.data(), static_cast<std::size_t>(words.m_count));
+namespace {
+
+bool is_within(double value, double most) { return value >= 0 && value <= most; }
+
+/// The codes, where all of them are written as numbers that the control knows.
+std::optional<CodeList> known_codes(const Code& code, const WordList& words) {
   CodeList list;
-  bool listed = true;
-  for (const WordValue& code : g) {
-    listed = listed && !code.computed && code.value >= 0 && code.value <= 10000 &&
-             code_.g_codes.test(to_whole<std::size_t>(code.value));
-    if (listed) list.add_g(to_whole<int>(code.value));
+  for (int i = 0; i < words.g_count; ++i) {
+    const auto& [computed, expression, g] = words.g[static_cast<std::size_t>(i)];
+    if (computed || !is_within(g, 10000) || !code.g_codes.test(to_whole<std::size_t>(g)))
+      return std::nullopt;
+    list.add_g(to_whole<int>(g));
   }
-  for (const WordValue& code : m) {
-    listed = listed && !code.computed && code.value >= 0 && code.value <= kLargestCode;
-    if (listed) list.add_m(to_whole<int>(code.value));
+  for (int i = 0; i < words.m_count; ++i) {
+    const auto& [computed, expression, m] = words.m[static_cast<std::size_t>(i)];
+    if (computed || !is_within(m, kLargestCode)) return std::nullopt;
+    list.add_m(to_whole<int>(m));
   }
-  if (listed) return write_codes(block, list);
-  const auto write = [&](const WordValue& code) {
-    if (code.computed) block.flags |= Block::kCodeExpression;
-    code_.cells.push_back(code_cell(code));
-  };
-  for (const WordValue& code : g) write(code);
-  for (const WordValue& code : m) write(code);
+  return list;
 }
+
+void write_codes(Code& code, Block& block, const WordList& words) {
+  if (const auto list = known_codes(code, words)) return write_codes(code, block, *list);
+  const auto write = [&](const WordValue& of) {
+    if (of.computed) block.flags |= Block::kCodeExpression;
+    code.cells.push_back(code_cell(of));
+  };
+  for (int i = 0; i < words.g_count; ++i) write(words.g[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < words.m_count; ++i) write(words.m[static_cast<std::size_t>(i)]);
+}
+
+}  // namespace
 
 void Builder::words(Block& block, const WordList& words) {
   block.data = static_cast<std::uint32_t>(code_.cells.size());
@@ -167,7 +170,7 @@ void Builder::words(Block& block, const WordList& words) {
     code_.cells.push_back(cell);
     block.flags |= Block::kHasExtra;
   }
-  if (words.g_count + words.m_count > 0) codes(block, words);
+  if (words.g_count + words.m_count > 0) write_codes(code_, block, words);
   block.g_count = static_cast<std::uint8_t>(words.g_count);
   block.m_count = static_cast<std::uint8_t>(words.m_count);
   for (std::uint32_t left = words.mask; left != 0; left &= left - 1)

@@ -122,11 +122,6 @@ class Builder {
                    const std::array<double, 26>& values);
 
  private:
-  void list_code(Block& block, int tenfold);
-  void list_codes(Block& block, std::span<const int> g, int m);
-  void codes(Block& block, const WordList& words);
-  void write_codes(Block& block, const CodeList& list);
-
   template <class Record>
   auto& table() {
     if constexpr (std::is_same_v<Record, Block>)
@@ -173,16 +168,18 @@ inline void mark_move(Block& block, int g) {
   block.flags |= g < 0 ? Block::kNoG : g % 2 == 1 ? Block::kSecondG : std::uint8_t{0};
 }
 
-inline void Builder::list_code(Block& block, int tenfold) {
+/// Gives a block its codes: one G code, or more.
+inline void write_code(Code& code, Block& block, int tenfold) {
   Cell cell;  // NOLINT: written below
-  if (const int number = code_.code_lists.keep(tenfold); number >= 0) {
+  if (const int number = code.code_lists.keep(tenfold); number >= 0) {
     cell.expression = static_cast<std::uint64_t>(number);
     block.flags |= Block::kListed;
   } else {
     cell.value = tenfold;
   }
-  code_.cells.push_back(cell);
+  code.cells.push_back(cell);
 }
+void write_codes(Code& code, Block& block, const CodeList& list);
 
 inline void Builder::plain_words(Block& block, std::span<const int> g, int m, std::uint32_t mask,
                                  const std::array<double, 26>& values) {
@@ -195,10 +192,14 @@ inline void Builder::plain_words(Block& block, std::span<const int> g, int m, st
   block.data = static_cast<std::uint32_t>(code_.cells.size());
   block.g_count = static_cast<std::uint8_t>(g.size());
   if (m >= 0) block.m_count = 1;
-  if (g.size() == 1 && m < 0)
-    list_code(block, 10 * g.front());
-  else if (!g.empty() || m >= 0)
-    list_codes(block, g, m);
+  if (g.size() == 1 && m < 0) {
+    write_code(code_, block, 10 * g.front());
+  } else if (!g.empty() || m >= 0) {
+    CodeList list;
+    for (const int code : g) list.add_g(10 * code);
+    if (m >= 0) list.add_m(m);
+    write_codes(code_, block, list);
+  }
   for (std::uint32_t left = mask; left != 0; left &= left - 1)
     write(values[static_cast<std::size_t>(std::countr_zero(left))]);
   if (m < 0 && g.size() < 2) mark_move(block, g.empty() ? -1 : g.front());
