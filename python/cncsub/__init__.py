@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from cncsub.comparison import Comparison, compare
     from cncsub.endless import Endless, LoopBlock, Why
     from cncsub.flattening import Flat, FlattenError, flatten
+    from cncsub.notes import Note
     from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
     from cncsub.rewriting import TranslateError
     from cncsub.translating import Translation, translate
@@ -43,6 +44,7 @@ _LATER = {
         "comparison": "Comparison compare",
         "endless": "Endless LoopBlock Why",
         "flattening": "Flat FlattenError flatten",
+        "notes": "Note",
         "references": "CallGraph CallTo Computed Edge JumpTo VariableUse",
         "rewriting": "TranslateError",
         "translating": "Translation translate",
@@ -93,6 +95,7 @@ __all__ = [
     "Machine",
     "MissedSkip",
     "Move",
+    "Note",
     "Part",
     "Plane",
     "Program",

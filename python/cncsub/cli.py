@@ -14,6 +14,7 @@ import os
 import re
 import sys
 from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import IO, Annotated, Any
 
@@ -48,6 +49,7 @@ from cncsub.options import (
     Output,
     Param,
     Paths,
+    Prefer,
     RunFormat,
     Set,
     SetupFile,
@@ -56,7 +58,7 @@ from cncsub.options import (
     Watch,
     WrongUseError,
     control_named,
-    library_of,
+    memory_of,
     opened,
     run_options,
     write_json,
@@ -148,6 +150,7 @@ def run(
     param: Param = None,
     skip: Skip = None,
     external: External = None,
+    prefer: Prefer = None,
     encoding: Encoding = None,
     max_cycles: MaxCycles = 1,
     max_blocks: MaxBlocks = 10_000_000,
@@ -167,11 +170,11 @@ def run(
         _write_moves(stream, format, output)
         print_stop(console_on(sys.stderr), stream)
         raise typer.Exit(_status(stream))
-    made, title = _run(locals(), trace="moves")
+    made, title, notes = _run(locals(), trace="moves")
     if format is RunFormat.TEXT:
         write_text(output, lambda console: print_run(console, made, title))
     else:
-        write_json(output, run_facts(made, title))
+        write_json(output, {**run_facts(made, title), "notes": notes})
     raise typer.Exit(_status(made))
 
 
@@ -185,6 +188,7 @@ def tree(
     param: Param = None,
     skip: Skip = None,
     external: External = None,
+    prefer: Prefer = None,
     encoding: Encoding = None,
     max_cycles: MaxCycles = 1,
     max_blocks: MaxBlocks = 10_000_000,
@@ -196,9 +200,9 @@ def tree(
     output: Output = None,
 ) -> None:
     """Draw the calls a program makes."""
-    made, title = _run(locals(), trace="blocks")
+    made, title, notes = _run(locals(), trace="blocks")
     if format is Format.JSON:
-        write_json(output, tree_facts(made, title))
+        write_json(output, {**tree_facts(made, title), "notes": notes})
     else:
         write_text(output, lambda console: print_tree(console, made, title))
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
@@ -220,6 +224,7 @@ def compare(
     set: Set = None,
     skip: Skip = None,
     external: External = None,
+    prefer: Prefer = None,
     encoding: Encoding = None,
     max_cycles: MaxCycles = 1,
     max_blocks: MaxBlocks = 10_000_000,
@@ -241,7 +246,7 @@ def compare(
         if control is None or len(control) != 2:
             raise ValueError("compare takes two controls: -c ONE -c ANOTHER")
         pair = [control_named(name) for name in control]
-        library = library_of({**options, "control": control[0]})
+        library = memory_of({**options, "control": control[0]})
         asked = run_options(options, "moves")
         if translate:
             made = cncsub.translate(library.read_for(pair[0]), pair[1], main=main, **asked)
@@ -261,6 +266,7 @@ def diff(
     param: Param = None,
     skip: Skip = None,
     external: External = None,
+    prefer: Prefer = None,
     encoding: Encoding = None,
     max_cycles: MaxCycles = 1,
     max_blocks: MaxBlocks = 10_000_000,
@@ -274,7 +280,7 @@ def diff(
     """Run two versions of a program: what the new one does otherwise."""
     options = {**locals(), "mdi": None}
     with wrong_use():
-        old, new = (library_of({**options, "paths": [path]}) for path in (before, after))
+        old, new = (memory_of({**options, "paths": [path]}) for path in (before, after))
         compared = cncsub.compare(old, new, main=main, **run_options(options, "moves"))
     _tell(compared, format, output)
 
@@ -359,17 +365,18 @@ app.command()(batch)
 # ---- running ----
 
 
-def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str]:
-    """Run what the options say, and name what ran."""
+def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str, list[dict[str, Any]]]:
+    """Run what the options say, name what ran, and what is to be known of the memory."""
     with wrong_use():
-        library = library_of(options)
+        library = memory_of(options)
         asked = run_options(options, trace)
         where = f"on {library.control.title}"
+        notes = [asdict(note) for note in library.notes]
         if options["mdi"] is not None:
-            return library.mdi(options["mdi"], **asked), f"MDI {where}"
+            return library.mdi(options["mdi"], **asked), f"MDI {where}", notes
         program = library.main if options["main"] is None else library[options["main"]]
         name = "nothing" if program is None else program.name
-        return library.run(options["main"], **asked), f"{name} {where}"
+        return library.run(options["main"], **asked), f"{name} {where}", notes
 
 
 def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
@@ -379,7 +386,7 @@ def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
             raise ValueError("csv and parquet write the moves; --watch takes text or json")
         if options["mdi"] is not None:
             raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
-        return library_of(options).stream(options["main"], **run_options(options, "moves"))
+        return memory_of(options).stream(options["main"], **run_options(options, "moves"))
 
 
 STATUS = {

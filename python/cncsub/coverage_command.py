@@ -22,11 +22,12 @@ from cncsub.options import (
     OptionalStop,
     Param,
     Paths,
+    Prefer,
     Set,
     SetupFile,
     Skip,
     Start,
-    library_of,
+    memory_of,
     run_options,
     wrong_use,
 )
@@ -45,6 +46,7 @@ def coverage(
     param: Param = None,
     skip: Skip = None,
     external: External = None,
+    prefer: Prefer = None,
     encoding: Encoding = None,
     max_cycles: MaxCycles = 1,
     max_blocks: MaxBlocks = 10_000_000,
@@ -63,7 +65,7 @@ def coverage(
     options = {**locals(), "mdi": None, "output": None, "main": None}
     total = Coverage()
     with wrong_use():
-        library = library_of(options)
+        library = memory_of(options)
         names: list[str | None] = [*main] if main else [None]
         for name in names:
             run = library.run(name, **run_options(options, "blocks"))

@@ -18,12 +18,13 @@ from cncsub.options import (
     Output,
     Param,
     Paths,
+    Prefer,
     Set,
     SetupFile,
     Skip,
     Start,
     control_named,
-    library_of,
+    memory_of,
     opened,
     run_options,
     wrong_use,
@@ -38,6 +39,7 @@ def flatten(
     param: Param = None,
     skip: Skip = None,
     external: External = None,
+    prefer: Prefer = None,
     encoding: Encoding = None,
     max_cycles: MaxCycles = 1,
     max_blocks: MaxBlocks = 10_000_000,
@@ -57,7 +59,7 @@ def flatten(
     """
     options = {**locals(), "mdi": None}
     with wrong_use():
-        library = library_of(options)
+        library = memory_of(options)
         target = None if to is None else control_named(to)
         asked = run_options(options, "moves")
         flat = library.flatten(main, control=target, comments=comments, **asked)

@@ -21,6 +21,7 @@ from cncsub.stream import Stream
 if TYPE_CHECKING:
     from cncsub.checking import Finding, Flow
     from cncsub.flattening import Flat
+    from cncsub.notes import Note
     from cncsub.references import CallGraph
 
 MODES = ("auto", "mdi")
@@ -72,9 +73,14 @@ class Library(Mapping[str, Program]):
     """
 
     def __init__(
-        self, code: _core.Code, files: Sequence[str], skipped: Sequence[tuple[str, str]] = ()
+        self,
+        code: _core.Code,
+        files: Sequence[str],
+        skipped: Sequence[tuple[str, str]] = (),
+        first: str | None = None,
     ) -> None:
         self._code = code
+        self._first = first  # the name of the first program, where files were preferred to it
         self._files = tuple(files)
         self._skipped = tuple(skipped)
         self._made: dict[int, Program] = {}  # when somebody looks: a memory may hold millions
@@ -112,7 +118,14 @@ class Library(Mapping[str, Program]):
     def __reduce__(self) -> tuple[Any, ...]:
         # It travels as its texts and is read again where it arrives.
         sources, device = self._code.sources, self._code.external_device
-        return _read_again, (self.control, sources, device, self._files, self._skipped)
+        return _read_again, (
+            self.control,
+            sources,
+            device,
+            self._files,
+            self._skipped,
+            self._first,
+        )
 
     def __copy__(self) -> Library:
         return self  # nothing changes it
@@ -140,7 +153,7 @@ class Library(Mapping[str, Program]):
         """The program that runs when none is named: the first. `None` where there is no program at
         all.
         """
-        first = self._code.main
+        first = self._code.main if self._first is None else self._find(self._first)
         return None if first is None else self._program(first)
 
     @property
@@ -175,6 +188,21 @@ class Library(Mapping[str, Program]):
         """Programs the control never calls, because another one of the same name counts."""
         return tuple(self._program(index) for index in self._code.duplicates)
 
+    @cached_property
+    def notes(self) -> tuple[Note, ...]:
+        """What its user should know of this memory: programs that do not count because another one
+        of their name does, a first program without a head, what was left out. See `Note`.
+
+        >>> import cncsub
+        >>> text = "O1\\nM98 P2\\nM30\\nO2\\nM99\\nO2\\nG4 X1.\\nM99\\n"
+        >>> library = cncsub.loads(text, control="fanuc-0i-f")
+        >>> print(library.notes[0])
+        <text>:6: this O2 is never called: O2 at <text>:4 counts, and they differ
+        """
+        from cncsub.notes import notes_of
+
+        return tuple(notes_of(self))
+
     def read_for(self, control: str | Control) -> Library:
         """The same texts, read again as the memory of another control.
 
@@ -184,7 +212,7 @@ class Library(Mapping[str, Program]):
         """
         known = control_of(control)
         sources, device = self._code.sources, self._code.external_device
-        return _read_again(known, sources, device, self._files, self._skipped)
+        return _read_again(known, sources, device, self._files, self._skipped, self._first)
 
     def _with_texts(self, control: Control, texts: Mapping[str, str]) -> Library:
         """The memory of another control with other texts in its files."""
@@ -198,7 +226,7 @@ class Library(Mapping[str, Program]):
             for n, stem, data, outside in self._code.sources
         ]
         device = self._code.external_device
-        return _read_again(control, sources, device, self._files, self._skipped)
+        return _read_again(control, sources, device, self._files, self._skipped, self._first)
 
     def call_graph(self) -> CallGraph:
         """Who calls whom, told by the blocks without running them: see `CallGraph`."""
@@ -236,7 +264,10 @@ class Library(Mapping[str, Program]):
         >>> [(f.rule, f.name, f.n, f.alarm.number) for f in library.check()]
         [('CS201', 'program-missing', 10, 'PS0076')]
         """
-        first = self._code.main if main is None else self._find(main)
+        program = self.main
+        first = (
+            self._find(main) if main is not None else None if program is None else program._index
+        )
         kind = (setup_of(setup) or {}).get("machine")
         from cncsub.checking import check
 
@@ -379,12 +410,14 @@ def load(
     control: str | Control,
     external: StrPath | None = None,
     encoding: str | None = None,
+    prefer: StrPath | Iterable[StrPath] = (),
 ) -> Library:
     """Read files and folders as the memory of a control.
 
     A folder gives every program file in it and below it; what is left out is told in
     `Library.skipped`. `external` is the folder of the external device, which M198 reads. `encoding`
-    is that of comments and names, found out without it.
+    is that of comments and names, found out without it. Of several programs of one name the first
+    counts; `prefer` names files whose programs count before those of the others.
 
     Raises `FileNotFoundError` for a missing path and `ValueError` for an unknown control, a folder
     without programs or an unknown encoding; each names what is near. A program a control would
@@ -398,7 +431,8 @@ def load(
     files: list[CoreFile] = [(file.name, file.stem, file.pieces, False) for file in reading.files]
     outside, skipped = _external_files(external, encoding)
     code = _core.compile(known, files + outside, external is not None)
-    return Library(code, [file.name for file in reading.files], [*reading.skipped, *skipped])
+    library = Library(code, [file.name for file in reading.files], [*reading.skipped, *skipped])
+    return _preferring(library, prefer)
 
 
 def loads(
@@ -443,9 +477,34 @@ def _read_again(
     external_device: bool,
     files: Sequence[str],
     skipped: Sequence[tuple[str, str]],
+    first: str | None = None,
 ) -> Library:
     rows: list[CoreFile] = [(name, stem, [text], outside) for name, stem, text, outside in sources]
-    return Library(_core.compile(control, rows, external_device), files, skipped)
+    code = _core.compile(control, rows, external_device)
+    known = first is not None and find_program(code, first) >= 0
+    return Library(code, files, skipped, first if known else None)
+
+
+def _preferring(library: Library, prefer: StrPath | Iterable[StrPath]) -> Library:
+    """The memory in which the programs of some files count before those of the others."""
+    paths = [prefer] if isinstance(prefer, str | os.PathLike) else list(prefer)
+    if not paths:
+        return library
+    wanted = {os.path.realpath(path) for path in paths}
+    preferred = {name for name in library.files if os.path.realpath(name) in wanted}
+    if len(preferred) < len(wanted):
+        missing = wanted - {os.path.realpath(name) for name in preferred}
+        raise ValueError(f"prefer names {min(missing)}, which is not among the files that are read")
+    sources = sorted(library._code.sources, key=lambda source: source[0] not in preferred)
+    main = library.main
+    return _read_again(
+        library.control,
+        sources,
+        library._code.external_device,
+        sorted(library.files, key=lambda name: name not in preferred),
+        library._skipped,
+        None if main is None else main.name,
+    )
 
 
 def _external_files(

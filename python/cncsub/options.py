@@ -15,7 +15,8 @@ import typer
 
 import cncsub
 from cncsub.controls import did_you_mean
-from cncsub.printing import Console, console_on
+from cncsub.notes import counting, same_blocks
+from cncsub.printing import Console, console_on, shown
 from cncsub.project import Project, find_project
 
 MOST_WATCHED = 1000  # variables of one range; the engine takes no more of all
@@ -66,6 +67,14 @@ External = Annotated[
     Path | None, typer.Option(help="The folder of the external device, which M198 reads.")
 ]
 Encoding = Annotated[str | None, typer.Option(help="Of comments and names; found out without it.")]
+Prefer = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--prefer",
+        help="The file whose programs count before others of their number.",
+        metavar="FILE",
+    ),
+]
 MaxCycles = Annotated[
     int, typer.Option(help="How often a main program that ends in M99 runs.", min=1)
 ]
@@ -172,10 +181,37 @@ def library_of(options: Mapping[str, Any]) -> cncsub.Library:
         text = sys.stdin.buffer.read()
         return cncsub.loads(text, encoding=options["encoding"], **places)
     if paths:
-        return cncsub.load(*paths, encoding=options["encoding"], **places)
+        prefer = options.get("prefer") or ()
+        return cncsub.load(*paths, encoding=options["encoding"], prefer=prefer, **places)
     if options["mdi"] is None:
         raise ValueError("which program? Name a file or a folder, or give --mdi")
     return cncsub.loads("", **places)
+
+
+MOST_NOTES = 20
+
+
+def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
+    """As `library_of`, for what runs: the notes are told on the error stream, and of two different
+    programs of one number one has to be chosen, because a control's memory holds only one.
+    """
+    library = library_of(options)
+    chosen = {Path(path).resolve() for path in options.get("prefer") or ()}
+    for program in library.duplicates:
+        counts = counting(library, program)
+        if Path(counts.file).resolve() not in chosen and not same_blocks(program, counts):
+            places = f"{counts.file}:{counts.line} and {program.file}:{program.line}"
+            cure = (
+                "take one of them away"
+                if program.file == counts.file
+                else f"choose one with --prefer {counts.file}, or leave a file out"
+            )
+            raise ValueError(f"{counts.name} stands twice, with other blocks: {places}; {cure}")
+    for note in library.notes[:MOST_NOTES]:
+        typer.echo(f"note: {shown(str(note))}", err=True)
+    if (left := len(library.notes) - MOST_NOTES) > 0:
+        typer.echo(f"note: ... and {left:,} more", err=True)
+    return library
 
 
 def control_named(name: str | None) -> cncsub.Control:

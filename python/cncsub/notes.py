@@ -1,0 +1,95 @@
+"""What a memory holds that is easily overlooked: told, so that nothing happens in silence."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from cncsub.library import Library
+    from cncsub.program import Program
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """Something about a memory that nobody asked for and that its user should know.
+
+    `kind`: `"conflict"`, a program that does not count, because another one of its name with other
+    blocks does; `"copy"`, the same where both have the same blocks; `"left-out"`, what was not
+    read; `"no-head"`, the first program has no head and runs because its file comes first.
+    `file`, `line`: the place, `None` for a file as a whole.
+    """
+
+    kind: str
+    message: str
+    file: str
+    line: int | None = None
+
+    def __str__(self) -> str:
+        place = self.file if self.line is None else f"{self.file}:{self.line}"
+        return f"{place}: {self.message}"
+
+
+def notes_of(library: Library) -> Iterator[Note]:
+    """The notes of a memory, those about programs first."""
+    if (note := _no_head(library)) is not None:
+        yield note
+    for program in library.duplicates:
+        counts = counting(library, program)
+        same = same_blocks(program, counts)
+        yield Note(
+            "copy" if same else "conflict",
+            f"this {program.name} is never called: {counts.name} at {counts.file}:{counts.line}"
+            f" counts, {'which is the same' if same else 'and they differ'}",
+            program.file,
+            program.line,
+        )
+    for file, why in library.skipped:
+        yield Note("left-out", f"left out: {why}", file)
+
+
+def _no_head(library: Library) -> Note | None:
+    """A text that is no program runs as one where its file comes first and others have heads."""
+    main = library.main
+    if main is None or _has_head(main):
+        return None
+    headed = next((p for p in library.values() if p.file != main.file and _has_head(p)), None)
+    if headed is None:
+        return None
+    return Note(
+        "no-head",
+        f"there is no program head: it counts as the program {main.name}, and as the first one it"
+        f" runs where no other is named; {headed.name} of {headed.file} has a head",
+        main.file,
+        main.line,
+    )
+
+
+def _has_head(program: Program) -> bool:
+    """Whether the text of a program begins with its name, as O1, :1, %1 and <NAME> do."""
+    text = program.text.lstrip()
+    return text.startswith((":", "<")) or text.upper().startswith(program.name.upper())
+
+
+def counting(library: Library, duplicate: Program) -> Program:
+    """The program that the control calls in place of a duplicate."""
+    found = library[duplicate.name]
+    digits = duplicate.name.lstrip("Oo:%")
+    if found is duplicate and digits.isdecimal():  # O0002, where O2 counts
+        found = library[int(digits)]
+    return found
+
+
+def same_blocks(one: Program, other: Program) -> bool:
+    """Whether two programs are the same but for their heads, blanks and empty lines."""
+    return _blocks(one) == _blocks(other)
+
+
+def _blocks(program: Program) -> list[str]:
+    """The lines of a program without what makes no difference to a reader."""
+    text = program.text.lstrip()
+    if text.startswith(program.name):
+        text = text[len(program.name) :]
+    lines = (line.strip() for line in text.splitlines())
+    return [line for line in lines if line.strip("%")]
