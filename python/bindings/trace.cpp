@@ -79,6 +79,20 @@ py::object step_row(const Record& record, std::size_t index, const py::type& row
   return step_object(record.trace(), record.code(), index, row);
 }
 
+/// The blocks of some steps as they are written, from row `first` on.
+py::list step_texts(const Record& record, std::size_t first, std::size_t last) {
+  const Record::Reading reading(record);
+  const Code& code = record.code();
+  const auto& steps = record.trace().steps;
+  py::list texts;
+  for (std::size_t i = first; i < std::min(last, steps.size()); ++i) {
+    const std::uint32_t address = steps[i].address;
+    const Program& program = code.programs[static_cast<std::size_t>(code.program_at(address))];
+    texts.append(py::str(std::string(code.text_of(code.blocks[address], program))));
+  }
+  return texts;
+}
+
 py::list dropped(const Record& record) {
   const Record::Reading reading(record);
   const Code& code = record.code();
@@ -357,6 +371,7 @@ void add_trace(py::module_& m) {
   trace.def_property_readonly("steps", size([](const Trace& trace) { return trace.steps.size(); }))
       .def("step_row", &step_row, py::arg("index"), py::arg("row"))
       .def("step_column", &step_column, py::arg("name"))
+      .def("step_texts", &step_texts, py::arg("first"), py::arg("last"))
       .def_property_readonly("program_names", &program_names)
       .def_property_readonly("calls", size([](const Trace& trace) { return trace.ended_calls(); }))
       .def("call_row", &call_row, py::arg("index"))

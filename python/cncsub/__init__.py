@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from cncsub.comparison import Comparison, compare
     from cncsub.endless import Endless, LoopBlock, Why
     from cncsub.flattening import Flat, FlattenError, flatten
+    from cncsub.listing import Listed
     from cncsub.notes import Note
     from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
     from cncsub.rewriting import TranslateError
@@ -44,6 +45,7 @@ _LATER = {
         "comparison": "Comparison compare",
         "endless": "Endless LoopBlock Why",
         "flattening": "Flat FlattenError flatten",
+        "listing": "Listed",
         "notes": "Note",
         "references": "CallGraph CallTo Computed Edge JumpTo VariableUse",
         "rewriting": "TranslateError",
@@ -91,6 +93,7 @@ __all__ = [
     "Inputs",
     "JumpTo",
     "Library",
+    "Listed",
     "LoopBlock",
     "Machine",
     "MissedSkip",

@@ -35,6 +35,7 @@ from cncsub.facts import (
     unknown_alarm,
 )
 from cncsub.flatten_command import flatten
+from cncsub.listing_command import Listing, Where, filters, write_listing
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -159,6 +160,8 @@ def run(
     start: Start = None,
     optional_stop: OptionalStop = False,
     watch: Watch = None,
+    listing: Listing = False,
+    where: Where = None,
     format: Annotated[
         RunFormat, typer.Option(help="csv and parquet write the moves.")
     ] = RunFormat.TEXT,
@@ -166,11 +169,23 @@ def run(
 ) -> None:
     """Run a program and print its calls and how it stopped."""
     if format in (RunFormat.CSV, RunFormat.PARQUET):
+        with wrong_use():
+            if listing:
+                raise ValueError("csv and parquet write the moves; --listing takes text or json")
         stream = _stream(locals())
         _write_moves(stream, format, output)
         print_stop(console_on(sys.stderr), stream)
         raise typer.Exit(_status(stream))
-    made, title, notes = _run(locals(), trace="moves")
+    with wrong_use():
+        asked = filters(where or ())
+        if asked and not listing:
+            raise ValueError("--where chooses blocks of the listing: give --listing too")
+    made, title, notes = _run(_watching(locals(), asked), trace="moves")
+    if listing:
+        with wrong_use():
+            write_listing(made, asked, output, as_json=format is RunFormat.JSON)
+        print_stop(console_on(sys.stderr), made)
+        raise typer.Exit(_status(made))
     if format is RunFormat.TEXT:
         write_text(output, lambda console: print_run(console, made, title))
     else:
@@ -363,6 +378,13 @@ app.command()(batch)
 
 
 # ---- running ----
+
+
+def _watching(options: Mapping[str, Any], asked: Mapping[str, Any]) -> Mapping[str, Any]:
+    """With the variable watched that the listing asks for."""
+    if "variable" not in asked:
+        return options
+    return {**options, "watch": [*(options["watch"] or ()), str(asked["variable"])]}
 
 
 def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str, list[dict[str, Any]]]:

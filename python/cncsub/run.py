@@ -20,6 +20,7 @@ from cncsub.tables import Calls, Moves, Steps, Watch
 if TYPE_CHECKING:
     from cncsub.coverage import Coverage
     from cncsub.endless import Endless
+    from cncsub.listing import Listed
 
 Until = Block | tuple[str | int, int] | int
 
@@ -353,6 +354,33 @@ class _Outcome(State, Recorded):
     def __init__(self, core: _core.Machine) -> None:
         State.__init__(self, core)
         Recorded.__init__(self, core.trace)
+
+    def listing(
+        self,
+        *,
+        program: str | int | None = None,
+        depth: int | None = None,
+        n: int | None = None,
+        variable: int | None = None,
+    ) -> Iterator[Listed]:
+        """Each executed block with its text and what it did: calls, moves, changes of the variables
+        that were watched. Only those of a `program`, at a `depth` of calls, with a sequence number
+        `n`, that changed a `variable`, where that is asked for.
+
+        Raises `KeyError` for a program that is not there, and `ValueError` for a variable that was
+        not watched and for a run that kept no blocks.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 #100=#100+1\\nN40 G0 X#100\\nM99\\n"
+        >>> run = cncsub.loads(text, control="fanuc-0i-f").run(watch=[100], variables={100: 4})
+        >>> for block in run.listing(program="O2", n=30):
+        ...     print(block)
+             1  | O2:5  N30 #100=#100+1  ->  #100 = 5
+             4  | O2:5  N30 #100=#100+1  ->  #100 = 6
+        """
+        from cncsub.listing import listing_of
+
+        return listing_of(self, program=program, depth=depth, n=n, variable=variable)
 
     def coverage(self) -> Coverage:
         """The blocks, branches, calls and arguments that this run went through, or a machine

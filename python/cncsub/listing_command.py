@@ -1,0 +1,78 @@
+"""`cncsub run --listing`: what ran, block by block, as lines or as JSON lines."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+import cncsub
+from cncsub.options import opened
+from cncsub.printing import shown
+
+Listing = Annotated[
+    bool,
+    typer.Option("--listing", help="Print each executed block and what it did; json: a line each."),
+]
+Where = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--where",
+        help="Of the listing only program=O2, depth=1, n=30 or variable=100.",
+        metavar="NAME=VALUE",
+    ),
+]
+
+_NUMBERS = ("depth", "n", "variable")
+
+
+def filters(texts: Iterable[str]) -> dict[str, Any]:
+    """`depth=1` as an option of `Run.listing`."""
+    asked: dict[str, Any] = {}
+    for text in texts:
+        name, equals, value = text.partition("=")
+        name = name.strip()
+        if not equals or name not in (*_NUMBERS, "program"):
+            raise ValueError(f"--where takes program=, depth=, n= or variable=, not {text!r}")
+        if name in asked:
+            raise ValueError(f"--where {name} is given twice")
+        if name == "program":
+            asked[name] = value.strip()
+            continue
+        digits = value.strip().lstrip("#Nn")
+        if not digits.isdecimal():
+            raise ValueError(f"--where {name}= takes a whole number, not {value!r}")
+        asked[name] = int(digits)
+    return asked
+
+
+def write_listing(
+    run: cncsub.Run, asked: dict[str, Any], output: Path | None, *, as_json: bool
+) -> None:
+    """Writes a line for each block, as they are made: a run may have millions."""
+    lines = _lines(run.listing(**asked), as_json=as_json)
+    if output is None:
+        for line in lines:
+            typer.echo(line)
+        return
+    with opened(output, "w") as file:
+        for line in lines:
+            file.write(line + "\n")
+
+
+def _lines(blocks: Iterator[cncsub.Listed], *, as_json: bool) -> Iterator[str]:
+    for block in blocks:
+        yield json.dumps(_facts(block)) if as_json else shown(str(block))
+
+
+def _facts(block: cncsub.Listed) -> dict[str, Any]:
+    facts = asdict(block)
+    facts["moves"] = [
+        {name: value for name, value in move.items() if value is not None}
+        for move in facts["moves"]
+    ]
+    return facts
