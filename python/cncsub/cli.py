@@ -1,4 +1,4 @@
-"""The command line: `cncsub run`, `tree`, `check`, `coverage`, `compare`, `diff`,
+"""The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
 `flatten`, `batch`, `controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
@@ -35,6 +35,7 @@ from cncsub.facts import (
     unknown_alarm,
 )
 from cncsub.flatten_command import flatten
+from cncsub.list_command import list_programs
 from cncsub.listing_command import Listing, Where, filters, write_listing
 from cncsub.options import (
     ControlName,
@@ -223,6 +224,9 @@ def tree(
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
             print_stop(console_on(sys.stderr), made)
     raise typer.Exit(_status(made))
+
+
+app.command("list")(list_programs)
 
 
 app.command()(check)

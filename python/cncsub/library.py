@@ -133,6 +133,11 @@ class Library(Mapping[str, Program]):
     def __deepcopy__(self, memo: object) -> Library:
         return self
 
+    def _repr_html_(self) -> str:
+        from cncsub.notebook import library_html
+
+        return library_html(self)
+
     def _find(self, name: object) -> int:
         try:
             index = find_program(self._code, name)

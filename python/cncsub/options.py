@@ -207,11 +207,16 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
                 else f"choose one with --prefer {counts.file}, or leave a file out"
             )
             raise ValueError(f"{counts.name} stands twice, with other blocks: {places}; {cure}")
+    tell_notes(library)
+    return library
+
+
+def tell_notes(library: cncsub.Library) -> None:
+    """Tells on the error stream what is easily overlooked."""
     for note in library.notes[:MOST_NOTES]:
         typer.echo(f"note: {shown(str(note))}", err=True)
     if (left := len(library.notes) - MOST_NOTES) > 0:
         typer.echo(f"note: ... and {left:,} more", err=True)
-    return library
 
 
 def control_named(name: str | None) -> cncsub.Control:

@@ -179,3 +179,8 @@ class Program(Stays):
 
     def __repr__(self) -> str:
         return f"<Program {self.name}: {len(self.blocks)} blocks, {self.file}:{self.line}>"
+
+    def _repr_html_(self) -> str:
+        from cncsub.notebook import program_html
+
+        return program_html(self)

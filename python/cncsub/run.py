@@ -416,6 +416,11 @@ class Run(_Outcome):
     def __deepcopy__(self, memo: object) -> Run:
         return self
 
+    def _repr_html_(self) -> str:
+        from cncsub.notebook import run_html
+
+        return run_html(self)
+
     @property
     def stop(self) -> Stop:
         """Why the run stopped."""

@@ -407,6 +407,11 @@ class Calls(Table[Call]):
             lines.append(f"... drawn are the first {_DRAWN:,} calls")
         return "\n".join([*lines, self._size()])
 
+    def _repr_html_(self) -> str:
+        from cncsub.notebook import calls_html
+
+        return calls_html(self)
+
     def __str__(self) -> str:
         return repr(self)
 
