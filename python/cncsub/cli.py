@@ -184,7 +184,8 @@ def run(
     made, title, notes = _run(_watching(locals(), asked), trace="moves")
     if listing:
         with wrong_use():
-            write_listing(made, asked, output, as_json=format is RunFormat.JSON)
+            blocks = made.listing(**asked)
+        write_listing(blocks, output, as_json=format is RunFormat.JSON)
         print_stop(console_on(sys.stderr), made)
         raise typer.Exit(_status(made))
     if format is RunFormat.TEXT:

@@ -104,10 +104,11 @@ def _lines(rows: list[dict[str, Any]]) -> Iterator[str]:
 
 
 def _named(call: dict[str, Any]) -> str:
+    kind = f"{call['kind']} " if call["kind"][0] in "GM" else ""  # in other languages a name calls
     if call["program"] is None:
-        return f"{call['kind']} [{call['expression']}]"
+        return f"{kind}[{call['expression']}]"
     missing = ", which does not exist" if call["exists"] is False else ""
-    return f"{call['kind']} {call['program']}{missing}"
+    return f"{kind}{call['program']}{missing}"
 
 
 def _names(names: Iterable[str]) -> str:

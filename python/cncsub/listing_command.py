@@ -50,11 +50,9 @@ def filters(texts: Iterable[str]) -> dict[str, Any]:
     return asked
 
 
-def write_listing(
-    run: cncsub.Run, asked: dict[str, Any], output: Path | None, *, as_json: bool
-) -> None:
+def write_listing(blocks: Iterator[cncsub.Listed], output: Path | None, *, as_json: bool) -> None:
     """Writes a line for each block, as they are made: a run may have millions."""
-    lines = _lines(run.listing(**asked), as_json=as_json)
+    lines = _lines(blocks, as_json=as_json)
     if output is None:
         for line in lines:
             typer.echo(line)
@@ -66,7 +64,7 @@ def write_listing(
 
 def _lines(blocks: Iterator[cncsub.Listed], *, as_json: bool) -> Iterator[str]:
     for block in blocks:
-        yield json.dumps(_facts(block)) if as_json else shown(str(block))
+        yield json.dumps(_facts(block), allow_nan=False) if as_json else shown(str(block))
 
 
 def _facts(block: cncsub.Listed) -> dict[str, Any]:
