@@ -91,9 +91,12 @@ class _Joined:
         self._table = table
         self._steps = steps
 
-    def of(self, step: int) -> list[Any]:
-        first, last = self._steps.searchsorted([step, step + 1]) if len(self._steps) else (0, 0)
-        return [self._table[row] for row in range(int(first), int(last))]
+    def of(self, steps: Any) -> Iterator[tuple[Any, ...]]:
+        """Those of each of some steps."""
+        firsts = self._steps.searchsorted(steps, side="left").tolist()
+        lasts = self._steps.searchsorted(steps, side="right").tolist()
+        for first, last in zip(firsts, lasts, strict=True):
+            yield tuple(self._table[row] for row in range(first, last)) if first < last else ()
 
 
 def listing_of(
@@ -131,26 +134,34 @@ def _rows(run: Tables, asked: Mapping[str, int | None], variable: int | None) ->
     callers = calls.caller_step
     order = callers.argsort(kind="stable")
     entered = _Joined([calls.programs[calls.program[row]] for row in order], callers[order])
+    names = run.steps.programs
     for first in range(0, len(run.steps), _CHUNK):
         last = min(first + _CHUNK, len(run.steps))
         texts = run._trace.step_texts(first, last)
-        for row in _chosen(run.steps, first, last, asked):
-            step = run.steps[row]
-            changed = tuple(of_changes.of(step.step))
+        rows = _chosen(run.steps, first, last, asked)
+        columns = [run.steps.column(name)[rows].tolist() for name in _COLUMNS]
+        at = run.steps.step[rows]
+        joined = [table.of(at) for table in (entered, of_moves, of_changes)]
+        for row, (step, program, n, line, depth, repeat), calls_of, moves_of, changed in zip(
+            rows, zip(*columns, strict=True), *joined, strict=True
+        ):
             if variable is not None and all(change.variable != variable for change in changed):
                 continue
             yield Listed(
-                step.step,
-                step.program,
-                step.n,
-                step.line,
-                step.depth,
-                step.repeat,
+                step,
+                names[program],
+                None if n < 0 else n,
+                line,
+                depth,
+                repeat,
                 texts[row - first],
-                tuple(entered.of(step.step)),
-                tuple(of_moves.of(step.step)),
+                calls_of,
+                moves_of,
                 changed,
             )
+
+
+_COLUMNS = ("step", "program", "n", "line", "depth", "repeat")
 
 
 def _chosen(steps: Steps, first: int, last: int, asked: Mapping[str, int | None]) -> list[int]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import asdict
 from pathlib import Path
@@ -53,11 +55,7 @@ def filters(texts: Iterable[str]) -> dict[str, Any]:
 def write_listing(blocks: Iterator[cncsub.Listed], output: Path | None, *, as_json: bool) -> None:
     """Writes a line for each block, as they are made: a run may have millions."""
     lines = _lines(blocks, as_json=as_json)
-    if output is None:
-        for line in lines:
-            typer.echo(line)
-        return
-    with opened(output, "w") as file:
+    with contextlib.nullcontext(sys.stdout) if output is None else opened(output, "w") as file:
         for line in lines:
             file.write(line + "\n")
 

@@ -124,8 +124,9 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
         "max_cycles": options["max_cycles"],
         "max_blocks": options["max_blocks"],
         "trace": trace,
-        "watch": watched_numbers(options.get("watch") or ()),
     }
+    if watched := watched_numbers(options.get("watch") or ()):
+        asked["watch"] = watched
     project = project_here()
     if (setup := options["setup"] or project.setup) is not None:
         asked["setup"] = cncsub.Setup.from_toml(setup)
