@@ -8,7 +8,6 @@ whatever reads the Arrow stream (`polars.DataFrame(run.moves)`, `duckdb.sql("sel
 
 from __future__ import annotations
 
-import functools
 import math
 import operator
 from collections.abc import Iterator, Mapping
@@ -238,13 +237,11 @@ def _known(index: int | None) -> int | None:
     return None if index is None or index < 0 else index
 
 
-@functools.cache
-def _names_of(row: type[Step | Call | Move | Change]) -> tuple[str, ...]:
-    return tuple(f.name for f in fields(row))
+_FIELDS = {row: [f.name for f in fields(row)] for row in (Step, Call, Move, Change)}
 
 
 def _field_names(row: type[Step | Call | Move | Change]) -> list[str]:
-    return list(_names_of(row))
+    return list(_FIELDS[row])
 
 
 class Steps(Table[Step]):
