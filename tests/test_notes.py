@@ -132,6 +132,13 @@ def test_two_programs_of_one_file_are_no_choice(tmp_path: Path) -> None:
     assert "take one of them away" in err
 
 
+@pytest.mark.parametrize("arguments", [["-"], ["--mdi", "G0 X1"]])
+def test_there_is_nothing_to_prefer_without_files(arguments: list[str]) -> None:
+    status, _, err = run(*arguments, "--prefer", "a.nc")
+    assert status == 2
+    assert "--prefer chooses between files" in err
+
+
 def test_json_has_the_notes(job: Path) -> None:
     status, out, _ = run(job / "main.nc", job, "--prefer", job / "a", "--format", "json")
     assert status == 2  # a folder is no file that is read

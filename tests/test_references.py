@@ -139,6 +139,13 @@ def test_columns_count_characters() -> None:
     assert block.calls[0].column == 9
 
 
+def test_a_return_calls_nothing_on_linuxcnc() -> None:
+    library = cncsub.loads("O1\nG0 X1\nM99\nO2\nM98 P1\nM99\n", control="linuxcnc")
+    calls = [call.program for p in library.values() for b in p.blocks for call in b.calls]
+    assert set(calls) == {"O1"}
+    assert library.call_graph().missing == ()
+
+
 def test_calls_by_label_lead_to_heads_and_files() -> None:
     text = "o100 sub\no100 endsub\no100 call [#3]\no200 call\nM98 P100 L2\nM2\n"
     main = cncsub.loads(text, control="linuxcnc").main

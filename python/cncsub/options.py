@@ -178,6 +178,8 @@ def library_of(options: Mapping[str, Any]) -> cncsub.Library:
         "external": options["external"] or project.external,
     }
     paths = options["paths"] or (project.folders if options["mdi"] is None else ())
+    if options.get("prefer") and (not paths or paths == ["-"]):
+        raise ValueError("--prefer chooses between files: name the files or folders to read")
     if paths == ["-"]:
         text = sys.stdin.buffer.read()
         return cncsub.loads(text, encoding=options["encoding"], **places)

@@ -113,7 +113,7 @@ void ReferenceReader::label_of(const Labelled& own, CallReference& reference) co
 
 void ReferenceReader::labelled(const Labelled& own) {
   if (own.value != Labelled::kNone) used_.reads(own.value);
-  if (own.call == Labelled::kNone) return;
+  if (own.kind != LabelledKind::Call && own.kind != LabelledKind::Call98) return;
   const CallRecord& call = code_.calls[own.call];
   CallReference reference;
   reference.kind = call.kind;
