@@ -125,3 +125,12 @@ def test_every_row_that_ends_is_flattened_or_refused() -> None:
     strange = [reason for reason in reasons if not any(text in reason for text in known)]
     assert not strange
     assert done > 5 * len(reasons), (done, len(reasons))
+
+
+def test_verify_runs_both_again() -> None:
+    text = "O1\nG90 G0\nM98 P2 L2\nM30\nO2\nG91 X5.\nG90\nM99\n"
+    flat = cncsub.flatten(cncsub.loads(text, control="fanuc-0i-f"))
+    flat.verify()
+    flat.text = flat.text.replace("X5.", "X6.", 1)
+    with pytest.raises(AssertionError, match="x = 6"):
+        flat.verify()

@@ -103,21 +103,21 @@ class _FlatPair(Pair):
 class Flat:
     """A flat program: `text`, and `origins` with a row for each block of it."""
 
-    def __init__(self, text: str, origins: Origins, runs: tuple[Run, Run], pair: Pair) -> None:
+    def __init__(self, text: str, origins: Origins, parts: Callable[[str], Parting | None]) -> None:
         self.text = text
         self.origins = origins
-        self._runs = runs
-        self._pair = pair
+        self._parts = parts
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """Write the text to a file."""
         Path(path).write_text(self.text, encoding="utf-8", newline="")
 
     def verify(self) -> None:
-        """Raise `AssertionError` with the first difference between the two runs in moves (1e-9 mm),
-        M and T codes, messages and the stop. `flatten` has done so already.
+        """Run the program and the text once more, and raise `AssertionError` with the first
+        difference between the two in moves (1e-9 mm), M and T codes, messages and the stop.
+        `flatten` has done so already; a text that was edited since may differ.
         """
-        parting = self._pair.parting(*self._runs)
+        parting = self._parts(self.text)
         if parting is not None:
             raise AssertionError(parting.what)
 
@@ -181,15 +181,19 @@ def _tried(
     options: Options,
 ) -> tuple[Flat, Parting | None]:
     """The flat program, and where it parts from the run."""
-    text = "\n".join(writer.lines) + "\n"
-    flat = loads(text, control=control)
-    pair = _FlatPair((library, flat), ("program", "flat"), main, options, same_texts=False)
     again: Options = {**options, "max_cycles": 1}
     again.pop("start", None)  # the flat program begins there
-    runs = (run, flat.run(**again))
-    if len(runs[1].calls):
-        raise FlattenError("the flat program would still call", *_place(run))
-    return Flat(text, Origins(writer.origins), runs, pair), pair.parting(*runs)
+
+    def parts(text: str, before: Run | None = None) -> Parting | None:
+        flat = loads(text, control=control)
+        pair = _FlatPair((library, flat), ("program", "flat"), main, options, same_texts=False)
+        other = flat.run(**again)
+        if len(other.calls):
+            raise FlattenError("the flat program would still call", *_place(run))
+        return pair.parting(before or library.run(main, **options), other)
+
+    text = "\n".join(writer.lines) + "\n"
+    return Flat(text, Origins(writer.origins), parts), parts(text, run)
 
 
 def _place(run: Run) -> tuple[str, int | None, int]:
