@@ -314,7 +314,6 @@ def test_a_number_is_found_however_it_is_written() -> None:
         (["explain", "P9999", "-c", "mitsubishi-m700"], "no alarm or cause is called 'P9999'"),
         (["explain", "program-not-fond"], "near are program-not-found"),
         (["rum"], "rum"),
-        ([], "command"),
     ],
 )
 def test_wrong_use_is_one_line_and_status_2(job: Path, arguments: list[str], words: str) -> None:

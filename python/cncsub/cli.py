@@ -25,10 +25,10 @@ import cncsub
 from cncsub.batch import batch
 from cncsub.check_command import check
 from cncsub.checking import rule_named
+from cncsub.controls_command import controls
 from cncsub.coverage_command import coverage
 from cncsub.facts import (
     comparison_facts,
-    control_facts,
     explanations,
     run_facts,
     tree_facts,
@@ -69,9 +69,7 @@ from cncsub.options import (
 )
 from cncsub.printing import (
     console_on,
-    print_control,
     print_explanations,
-    print_pairs,
     print_run,
     print_stop,
     print_tree,
@@ -125,8 +123,21 @@ def _print_version(asked: bool) -> None:
         raise typer.Exit
 
 
-@app.callback()
+FIRST_STEPS = """\
+First steps:
+
+  cncsub controls                         the controls there are
+  cncsub run part.nc -c fanuc-0i-f        run a program: its calls, its end, its alarm
+  cncsub check part.nc -c fanuc-0i-f      what would alarm or surprise, without running
+  cncsub list folder/ -c fanuc-0i-f       the programs, and who calls whom
+  cncsub explain PS0076                   what an alarm means, and its cure
+
+CNCSUB_CONTROL=fanuc-0i-f, or a cncsub.toml beside the programs, names the control for them all."""
+
+
+@app.callback(invoke_without_command=True)
 def _every_command(
+    context: typer.Context,
     version: Annotated[
         bool,
         typer.Option(
@@ -135,6 +146,9 @@ def _every_command(
     ] = False,
 ) -> None:
     """Run NC programs exactly as a named CNC control would."""
+    if context.invoked_subcommand is None:
+        typer.echo(f"{context.get_help()}\n\n{FIRST_STEPS}")
+        raise typer.Exit
 
 
 def main() -> None:
@@ -320,25 +334,7 @@ def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> N
 app.command()(coverage)
 
 
-@app.command()
-def controls(
-    name: Annotated[str | None, typer.Argument(help="One control.", show_default=False)] = None,
-    format: Annotated[Format, typer.Option()] = Format.TEXT,
-    output: Output = None,
-) -> None:
-    """List the controls, or the rules, parameters and alarms of one with their sources."""
-    if name is None:
-        listed = {known.name: known.title for known in cncsub.controls.values()}
-        if format is Format.JSON:
-            write_json(output, [{"name": key, "title": title} for key, title in listed.items()])
-        else:
-            write_text(output, lambda console: print_pairs(console, listed))
-        return
-    control = control_named(name)
-    if format is Format.JSON:
-        write_json(output, control_facts(control))
-    else:
-        write_text(output, lambda console: print_control(console, control))
+app.command()(controls)
 
 
 @app.command()

@@ -48,7 +48,14 @@ Paths = Annotated[
     ),
 ]
 ControlName = Annotated[
-    str | None, typer.Option("-c", "--control", help="The control; `cncsub controls` lists them.")
+    str | None,
+    typer.Option(
+        "-c",
+        "--control",
+        help="The control; `cncsub controls` lists them.",
+        envvar="CNCSUB_CONTROL",
+        show_envvar=False,
+    ),
 ]
 Main = Annotated[str | None, typer.Option(help="The program to run, such as O20.")]
 Mdi = Annotated[str | None, typer.Option(help="Run this text as if it was typed in MDI.")]
