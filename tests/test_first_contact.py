@@ -46,7 +46,6 @@ def test_the_control_may_come_from_the_environment(tmp_path: Path) -> None:
         (("6005",), "parameter 6005#0 = 0", "6004"),
         (("PS0076",), "alarm PS0076 program-not-found", "PS0077"),
         (("count", "zero"), "rule zero_repeats", "rule start_word"),
-        (("m98", "sqc"), "rule start_word", "rule zero_repeats"),
     ],
 )
 def test_facts_of_a_control_are_chosen(words: tuple[str, ...], wanted: str, unwanted: str) -> None:
