@@ -215,6 +215,20 @@ def test_a_program_shows_its_blocks_and_words() -> None:
         program.blocks[2]
 
 
+def test_the_radius_of_sinumerik_is_a_word() -> None:
+    text = "N20 G2 X10 Y0 CR=5 F100\nCR = -2.5 X1\nCR=R1+5 X1\nCR=2*3\nVAR=5\nM30\n"
+    main = cncsub.loads(text, control="siemens-one").main
+    assert main is not None
+    radii = [w for block in main.blocks for w in block.words if w.address in ("CR", "")]
+    assert radii == [
+        ("CR", 5.0, "CR=5"),
+        ("CR", -2.5, "CR=-2.5"),
+        ("CR", None, "CR=R1+5"),
+        ("CR", None, "CR=2*3"),
+        ("", None, "VAR=5"),
+    ]
+
+
 def test_behind_a_bare_g_the_next_word_stands() -> None:
     program = cncsub.loads("O1\nGX20.Y3\nM30\n", control="mitsubishi-m700")[1]
     assert program.blocks[0].words == (("G", None, "G"), ("X", 20.0, "X20."), ("Y", 3.0, "Y3"))

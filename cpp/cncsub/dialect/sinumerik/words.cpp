@@ -73,6 +73,17 @@ void pass_address(Line& line, char letter, WrittenWord& word) {
   pass_expression(line);
 }
 
+/// What stands behind the equals sign of CR=5: a number, or an expression.
+void pass_value(Line& line, WrittenWord& word) {
+  const std::string_view here = line.rest();
+  Scanner ahead{here.data(), here.data() + here.size(), here.data()};
+  take_number(ahead, word);
+  ahead.peek();  // past blanks
+  pass_expression(line);
+  line.peek();
+  word.known = word.known && line.rest().data() == ahead.at;
+}
+
 void pass_word(Line& line, WrittenWord& word) {
   const std::string_view name = line.name();
   const std::string capital = capitals(name);
@@ -82,7 +93,10 @@ void pass_word(Line& line, WrittenWord& word) {
     line.pass(name.size());
     if (line.ahead(0) == ':') return line.pass(1);
     if (line.ahead(0) == '(') pass_bracket(line, '(', ')');
-    if (line.take('=')) pass_expression(line);
+    if (!line.take('=')) return;
+    if (capital == "CR") word.address = capital;
+    pass_value(line, word);
+    word.known = word.known && !word.address.empty();
   } else if (!name.empty()) {
     pass_address(line, capital[0], word);
   } else {
