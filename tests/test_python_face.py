@@ -229,6 +229,19 @@ def test_the_radius_of_sinumerik_is_a_word() -> None:
     ]
 
 
+def test_the_number_of_an_axis_belongs_to_its_address() -> None:
+    text = "O1\nG65 P2 X1=27.5 Y 2 = -3 X3=1 Z1=#5 X1\nM30\n"
+    words = cncsub.loads(text, control="gsk-988t")[1].blocks[0].words
+    assert words[2:] == (
+        ("X1", 27.5, "X1=27.5"),
+        ("Y2", -3.0, "Y2=-3"),
+        ("X", 3.0, "X3"),
+        ("=", 1.0, "=1"),
+        ("Z1", None, "Z1=#5"),
+        ("X", 1.0, "X1"),
+    )
+
+
 def test_behind_a_bare_g_the_next_word_stands() -> None:
     program = cncsub.loads("O1\nGX20.Y3\nM30\n", control="mitsubishi-m700")[1]
     assert program.blocks[0].words == (("G", None, "G"), ("X", 20.0, "X20."), ("Y", 3.0, "Y3"))

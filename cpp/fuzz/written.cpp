@@ -25,9 +25,11 @@ void check_places(std::string_view text, const std::vector<WrittenWord>& words) 
   blank_to(text.size());
 }
 
-/// Whether a word is one of an address: X, and CR of SINUMERIK, which is a radius.
+/// Whether a word is one of an address: X, CR of SINUMERIK, which is a radius, and X1 of an axis.
 bool is_of(const WrittenWord& word, char address) {
-  return !word.address.empty() && word.address.front() != ',' && word.address.back() == address;
+  const std::string& name = word.address;
+  if (name.empty() || name.front() == ',') return false;
+  return name.back() == address || (name.front() == address && is_digit(name.back()));
 }
 
 /// The word that stands last for an address, null where none does.

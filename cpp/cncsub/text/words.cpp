@@ -4,13 +4,14 @@
 
 namespace cncsub {
 
-bool take_number(Scanner& s, WrittenWord& word) {
+std::optional<Number> take_number(Scanner& s, WrittenWord& word) {
   const char first = s.peek();
-  if (!is_digit(first) && first != '.' && first != '-' && first != '+') return false;
+  if (!is_digit(first) && first != '.' && first != '-' && first != '+') return std::nullopt;
   const Number number = scan_number(s);
   word.known = number.any && number.points < 2 && std::fabs(number.value) < kLargest;
   word.value = number.value;
-  return number.any;
+  if (!number.any) return std::nullopt;
+  return number;
 }
 
 void place_word(WrittenWord& word, std::string_view block, const char* from, const char* to) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "cncsub/dialect/iso/spelling.hpp"
 #include "cncsub/dialect/iso/statement.hpp"
 
 namespace cncsub {
@@ -212,7 +213,8 @@ char WordScanner::behind_sign(char sign) const {
 
 bool WordScanner::number(Token& token) {
   const Number number = scan_number(s_);
-  if (is_axis_number(token, number)) {
+  if (control_.macros.numbered_axis_arguments.value && token.axis == 0 &&
+      is_axis_number(token.letter, number, s_.peek())) {
     token.axis = to_whole<std::uint8_t>(number.value);
     return value(token);  // the equals sign stands where the letter did
   }
@@ -225,13 +227,6 @@ bool WordScanner::number(Token& token) {
   operand.fine = number.decimals > 3 && kLengths.find(token.letter) != std::string_view::npos;
   operand.width = std::max(1u, s_.offset() - operand.at);
   return check(token, number);
-}
-
-/// X1= and Y2=: the number is a part of the address.
-bool WordScanner::is_axis_number(const Token& token, const Number& number) {
-  return control_.macros.numbered_axis_arguments.value && token.axis == 0 && number.points == 0 &&
-         number.any && s_.peek() == '=' && number.value >= 1 && number.value <= 2 &&
-         token.letter >= 'X';
 }
 
 /// What is wrong whatever the word is for; what only an argument of a macro may have is kept in the

@@ -62,7 +62,6 @@ class WordScanner {
   bool value(Token& token);
   char behind_sign(char sign) const;
   bool number(Token& token);
-  bool is_axis_number(const Token& token, const Number& number);
   bool check(Token& token, const Number& number);
   bool expression(Token& token, bool bracketed);
   bool no_value(Token& token, const char* letter);

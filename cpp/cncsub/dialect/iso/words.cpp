@@ -2,6 +2,7 @@
 #include "cncsub/text/words.hpp"
 
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/iso/spelling.hpp"
 
 namespace cncsub {
 
@@ -76,7 +77,14 @@ std::optional<WrittenWord> iso_word(std::string_view block, std::size_t& from) {
     word = name(s);
   } else {
     word.address = address(s);
-    if (!take_number(s, word)) pass_value(s);
+    auto number = take_number(s, word);
+    if (number && is_axis_number(word.address.front(), *number, s.peek())) {
+      word.address += number->value == 1 ? '1' : '2';
+      s.take('=');
+      word.known = false;
+      number = take_number(s, word);
+    }
+    if (!number) pass_value(s);
   }
   place_word(word, block, start, s.at);
   if (c == '<') word.text.assign(start, s.at);  // blanks are a part of a name
