@@ -9,74 +9,34 @@ for Ctrl-C.
 
 from __future__ import annotations
 
-import contextlib
 import os
-import re
 import sys
-from collections.abc import Mapping
-from dataclasses import asdict
-from pathlib import Path
-from typing import IO, Annotated, Any
+from importlib import import_module
+from typing import Annotated, Any
 
 import typer
 import typer.core
+import typer.main
 
 import cncsub
-from cncsub.batch import batch
-from cncsub.check_command import check
-from cncsub.checking import rule_named
-from cncsub.controls_command import controls
-from cncsub.coverage_command import coverage
-from cncsub.facts import (
-    comparison_facts,
-    explanations,
-    run_facts,
-    tree_facts,
-    unknown_alarm,
-)
-from cncsub.flatten_command import flatten
-from cncsub.list_command import list_programs
-from cncsub.listing_command import Listing, Where, filters, write_listing
-from cncsub.options import (
-    ControlName,
-    Encoding,
-    External,
-    Format,
-    InputsFile,
-    Main,
-    MaxBlocks,
-    MaxCycles,
-    Mdi,
-    OptionalStop,
-    Output,
-    Param,
-    Paths,
-    Prefer,
-    RunFormat,
-    Set,
-    SetupFile,
-    Skip,
-    Start,
-    Watch,
-    WrongUseError,
-    control_named,
-    memory_of,
-    opened,
-    run_options,
-    write_json,
-    write_text,
-    wrong_use,
-)
-from cncsub.printing import (
-    console_on,
-    print_explanations,
-    print_run,
-    print_stop,
-    print_tree,
-    shown,
-)
-from cncsub.tables import records
-from cncsub.translate_command import Translate, tell_translation
+from cncsub.options import WrongUseError
+from cncsub.printing import shown
+
+# The function of each command and its module, which is imported when the command is asked for.
+COMMANDS = {
+    "run": "run_command.run",
+    "tree": "run_command.tree",
+    "list": "list_command.list_programs",
+    "check": "check_command.check",
+    "compare": "compare_command.compare",
+    "diff": "compare_command.diff",
+    "flatten": "flatten_command.flatten",
+    "coverage": "coverage_command.coverage",
+    "controls": "controls_command.controls",
+    "explain": "explain_command.explain",
+    "batch": "batch.batch",
+}
+LOOK: dict[str, Any] = {"add_completion": False, "pretty_exceptions_enable": False, "rich_markup_mode": None}
 
 
 class OneLineGroup(typer.core.TyperGroup):
@@ -98,6 +58,17 @@ class OneLineGroup(typer.core.TyperGroup):
             sys.exit(2)
         sys.exit(status if isinstance(status, int) else 0)
 
+    def list_commands(self, ctx: Any) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        if cmd_name not in COMMANDS:
+            return None
+        module, function = COMMANDS[cmd_name].split(".")
+        alone = typer.Typer(**LOOK)
+        alone.command(cmd_name)(getattr(import_module(f"cncsub.{module}"), function))
+        return typer.main.get_command(alone)
+
 
 def _one_line(error: Exception) -> str:
     """The words for wrong use; any other exception goes on."""
@@ -108,13 +79,7 @@ def _one_line(error: Exception) -> str:
     return " ".join(str(words() if words else error).split())
 
 
-app = typer.Typer(
-    cls=OneLineGroup,
-    name="cncsub",
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,
-)
+app = typer.Typer(cls=OneLineGroup, name="cncsub", **LOOK)
 
 
 def _print_version(asked: bool) -> None:
@@ -154,307 +119,3 @@ def _every_command(
 def main() -> None:
     """What the command `cncsub` does."""
     app(prog_name="cncsub")
-
-
-@app.command()
-def run(
-    paths: Paths = None,
-    control: ControlName = None,
-    main: Main = None,
-    mdi: Mdi = None,
-    set: Set = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
-    watch: Watch = None,
-    listing: Listing = False,
-    where: Where = None,
-    format: Annotated[
-        RunFormat, typer.Option(help="csv and parquet write the moves.")
-    ] = RunFormat.TEXT,
-    output: Output = None,
-) -> None:
-    """Run a program and print its calls and how it stopped."""
-    if format in (RunFormat.CSV, RunFormat.PARQUET):
-        with wrong_use():
-            if listing:
-                raise ValueError("csv and parquet write the moves; --listing takes text or json")
-        stream = _stream(locals())
-        _write_moves(stream, format, output)
-        print_stop(console_on(sys.stderr), stream)
-        raise typer.Exit(_status(stream))
-    with wrong_use():
-        asked = filters(where or ())
-        if asked and not listing:
-            raise ValueError("--where chooses blocks of the listing: give --listing too")
-    made, title, notes = _run(_watching(locals(), asked), trace="moves")
-    if listing:
-        with wrong_use():
-            blocks = made.listing(**asked)
-        write_listing(blocks, output, as_json=format is RunFormat.JSON)
-        print_stop(console_on(sys.stderr), made)
-        raise typer.Exit(_status(made))
-    if format is RunFormat.TEXT:
-        write_text(output, lambda console: print_run(console, made, title))
-    else:
-        write_json(output, {**run_facts(made, title), "notes": notes})
-    raise typer.Exit(_status(made))
-
-
-@app.command()
-def tree(
-    paths: Paths = None,
-    control: ControlName = None,
-    main: Main = None,
-    mdi: Mdi = None,
-    set: Set = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
-    format: Annotated[Format, typer.Option()] = Format.TEXT,
-    output: Output = None,
-) -> None:
-    """Draw the calls a program makes."""
-    made, title, notes = _run(locals(), trace="blocks")
-    if format is Format.JSON:
-        write_json(output, {**tree_facts(made, title), "notes": notes})
-    else:
-        write_text(output, lambda console: print_tree(console, made, title))
-        if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
-            print_stop(console_on(sys.stderr), made)
-    raise typer.Exit(_status(made))
-
-
-app.command("list")(list_programs)
-
-
-app.command()(check)
-
-
-@app.command()
-def compare(
-    paths: Paths = None,
-    control: Annotated[
-        list[str] | None,
-        typer.Option("-c", "--control", help="The controls: give it twice.", show_default=False),
-    ] = None,
-    main: Main = None,
-    set: Set = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
-    translate: Translate = False,
-    format: Annotated[Format, typer.Option()] = Format.TEXT,
-    output: Output = None,
-) -> None:
-    """Run a program on two controls: where they part, and the rules that make it.
-
-    With --translate, calls are rewritten so that the second control does what the first one does,
-    which is proved by running both: the changes are printed, or the programs written to folder -o.
-    """
-    options = {**locals(), "mdi": None, "param": None}
-    with wrong_use():
-        if control is None or len(control) != 2:
-            raise ValueError("compare takes two controls: -c ONE -c ANOTHER")
-        pair = [control_named(name) for name in control]
-        library = memory_of({**options, "control": control[0]})
-        asked = run_options(options, "moves")
-        if translate:
-            made = cncsub.translate(library.read_for(pair[0]), pair[1], main=main, **asked)
-            tell_translation(made, output, as_json=format is Format.JSON)
-            return
-        compared = cncsub.compare(library, controls=pair, main=main, **asked)
-    _tell(compared, format, output)
-
-
-@app.command()
-def diff(
-    before: Annotated[str, typer.Argument(help="A file or a folder.", show_default=False)],
-    after: Annotated[str, typer.Argument(help="Its new version.", show_default=False)],
-    control: ControlName = None,
-    main: Main = None,
-    set: Set = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
-    format: Annotated[Format, typer.Option()] = Format.TEXT,
-    output: Output = None,
-) -> None:
-    """Run two versions of a program: what the new one does otherwise."""
-    options = {**locals(), "mdi": None}
-    with wrong_use():
-        old, new = (memory_of({**options, "paths": [path]}) for path in (before, after))
-        compared = cncsub.compare(old, new, main=main, **run_options(options, "moves"))
-    _tell(compared, format, output)
-
-
-app.command()(flatten)
-
-
-def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> None:
-    if format is Format.JSON:
-        write_json(output, comparison_facts(compared))
-    else:
-        lines = "\n".join(shown(line) for line in str(compared).split("\n"))
-        write_text(output, lambda console: console.print(lines))
-    raise typer.Exit(0 if compared.same else 1)
-
-
-app.command()(coverage)
-
-
-app.command()(controls)
-
-
-@app.command()
-def explain(
-    alarm: Annotated[str, typer.Argument(help="An alarm number such as P232, a cause, or a rule.")],
-    control: ControlName = None,
-    format: Annotated[Format, typer.Option()] = Format.TEXT,
-    output: Output = None,
-) -> None:
-    """Tell what an alarm means, what raises it and how to cure it; or what a rule finds."""
-    if re.fullmatch(r"CS\d{3}", alarm, re.IGNORECASE):
-        _explain_rule(alarm, format, output)
-        return
-    among = list(cncsub.controls.values()) if control is None else [control_named(control)]
-    facts = explanations(alarm, among)
-    if not facts:
-        raise WrongUseError(unknown_alarm(alarm, among))
-    if format is Format.JSON:
-        write_json(output, facts)
-    else:
-        write_text(output, lambda console: print_explanations(console, facts))
-
-
-def _explain_rule(name: str, format: Format, output: Path | None) -> None:
-    with wrong_use():
-        rule = rule_named(name)
-    if format is Format.JSON:
-        write_json(output, rule._asdict())
-        return
-    example = "".join(f"      {line}\n" for line in rule.example.splitlines())
-    lines = [
-        f"{rule.number} {rule.name}, {rule.severity}",
-        f"  finds: {rule.meaning}",
-        f"  cure: {rule.hint}",
-        f"  such as, on {rule.control}:",
-        example.rstrip("\n"),
-    ]
-    write_text(output, lambda console: console.print("\n".join(lines)))
-
-
-app.command()(batch)
-
-
-# ---- running ----
-
-
-def _watching(options: Mapping[str, Any], asked: Mapping[str, Any]) -> Mapping[str, Any]:
-    """With the variable watched that the listing asks for."""
-    if "variable" not in asked:
-        return options
-    return {**options, "watch": [*(options["watch"] or ()), str(asked["variable"])]}
-
-
-def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str, list[dict[str, Any]]]:
-    """Run what the options say, name what ran, and what is to be known of the memory."""
-    with wrong_use():
-        library = memory_of(options)
-        asked = run_options(options, trace)
-        where = f"on {library.control.title}"
-        notes = [asdict(note) for note in library.notes]
-        if options["mdi"] is not None:
-            return library.mdi(options["mdi"], **asked), f"MDI {where}", notes
-        program = library.main if options["main"] is None else library[options["main"]]
-        name = "nothing" if program is None else program.name
-        return library.run(options["main"], **asked), f"{name} {where}", notes
-
-
-def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
-    """What the options say, to be run while its moves are written."""
-    with wrong_use():
-        if options["watch"]:
-            raise ValueError("csv and parquet write the moves; --watch takes text or json")
-        if options["mdi"] is not None:
-            raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
-        return memory_of(options).stream(options["main"], **run_options(options, "moves"))
-
-
-STATUS = {
-    cncsub.Stop.END: 0,
-    cncsub.Stop.CYCLES: 0,
-    cncsub.Stop.ALARM: 1,
-    cncsub.Stop.WAITING: 3,
-    cncsub.Stop.LIMIT: 4,
-    cncsub.Stop.INTERRUPTED: 130,
-}
-
-
-def _status(run: cncsub.Run | cncsub.Stream) -> int:
-    return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
-
-
-def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> None:
-    if format is RunFormat.CSV:
-        if output is None:
-            _write_csv(stream, sys.stdout)
-        else:
-            with opened(output, "w") as file:
-                _write_csv(stream, file)
-        return
-    if output is None:
-        raise WrongUseError("parquet needs a file: --output moves.parquet")
-    try:
-        from pyarrow import parquet
-    except ImportError:
-        raise WrongUseError("parquet needs pyarrow: pip install 'cncsub[arrow]'") from None
-    with contextlib.ExitStack() as files:
-        file = files.enter_context(opened(output, "wb"))
-        writer = None
-        for part in stream:
-            rows = part.moves.to_arrow()
-            if writer is None:
-                writer = files.enter_context(parquet.ParquetWriter(file, rows.schema))
-            writer.write_table(rows)
-
-
-def _write_csv(stream: cncsub.Stream, file: IO[str]) -> None:
-    import csv
-
-    writer = csv.writer(file, lineterminator="\n")
-    for number, part in enumerate(stream):
-        if number == 0:
-            writer.writerow(part.moves.columns)
-        writer.writerows(record.values() for record in records(part.moves))

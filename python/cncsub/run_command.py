@@ -1,0 +1,209 @@
+"""The commands `cncsub run` and `cncsub tree`."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Mapping
+from dataclasses import asdict
+from pathlib import Path
+from typing import IO, Annotated, Any
+
+import typer
+
+import cncsub
+from cncsub.facts import run_facts, tree_facts
+from cncsub.listing_command import Listing, Where, filters, write_listing
+from cncsub.options import (
+    ControlName,
+    Encoding,
+    External,
+    Format,
+    InputsFile,
+    Main,
+    MaxBlocks,
+    MaxCycles,
+    Mdi,
+    OptionalStop,
+    Output,
+    Param,
+    Paths,
+    Prefer,
+    RunFormat,
+    Set,
+    SetupFile,
+    Skip,
+    Start,
+    Watch,
+    WrongUseError,
+    memory_of,
+    opened,
+    run_options,
+    write_json,
+    write_text,
+    wrong_use,
+)
+from cncsub.printing import console_on, print_run, print_stop, print_tree
+from cncsub.tables import records
+
+
+def run(
+    paths: Paths = None,
+    control: ControlName = None,
+    main: Main = None,
+    mdi: Mdi = None,
+    set: Set = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    prefer: Prefer = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    watch: Watch = None,
+    listing: Listing = False,
+    where: Where = None,
+    format: Annotated[
+        RunFormat, typer.Option(help="csv and parquet write the moves.")
+    ] = RunFormat.TEXT,
+    output: Output = None,
+) -> None:
+    """Run a program and print its calls and how it stopped."""
+    if format in (RunFormat.CSV, RunFormat.PARQUET):
+        with wrong_use():
+            if listing:
+                raise ValueError("csv and parquet write the moves; --listing takes text or json")
+        stream = _stream(locals())
+        _write_moves(stream, format, output)
+        print_stop(console_on(sys.stderr), stream)
+        raise typer.Exit(_status(stream))
+    with wrong_use():
+        asked = filters(where or ())
+        if asked and not listing:
+            raise ValueError("--where chooses blocks of the listing: give --listing too")
+    made, title, notes = _run(_watching(locals(), asked), trace="moves")
+    if listing:
+        with wrong_use():
+            blocks = made.listing(**asked)
+        write_listing(blocks, output, as_json=format is RunFormat.JSON)
+        print_stop(console_on(sys.stderr), made)
+        raise typer.Exit(_status(made))
+    if format is RunFormat.TEXT:
+        write_text(output, lambda console: print_run(console, made, title))
+    else:
+        write_json(output, {**run_facts(made, title), "notes": notes})
+    raise typer.Exit(_status(made))
+
+
+def tree(
+    paths: Paths = None,
+    control: ControlName = None,
+    main: Main = None,
+    mdi: Mdi = None,
+    set: Set = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    prefer: Prefer = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    format: Annotated[Format, typer.Option()] = Format.TEXT,
+    output: Output = None,
+) -> None:
+    """Draw the calls a program makes."""
+    made, title, notes = _run(locals(), trace="blocks")
+    if format is Format.JSON:
+        write_json(output, {**tree_facts(made, title), "notes": notes})
+    else:
+        write_text(output, lambda console: print_tree(console, made, title))
+        if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
+            print_stop(console_on(sys.stderr), made)
+    raise typer.Exit(_status(made))
+
+
+def _watching(options: Mapping[str, Any], asked: Mapping[str, Any]) -> Mapping[str, Any]:
+    """With the variable watched that the listing asks for."""
+    if "variable" not in asked:
+        return options
+    return {**options, "watch": [*(options["watch"] or ()), str(asked["variable"])]}
+
+
+def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str, list[dict[str, Any]]]:
+    """Run what the options say, name what ran, and what is to be known of the memory."""
+    with wrong_use():
+        library = memory_of(options)
+        asked = run_options(options, trace)
+        where = f"on {library.control.title}"
+        notes = [asdict(note) for note in library.notes]
+        if options["mdi"] is not None:
+            return library.mdi(options["mdi"], **asked), f"MDI {where}", notes
+        program = library.main if options["main"] is None else library[options["main"]]
+        name = "nothing" if program is None else program.name
+        return library.run(options["main"], **asked), f"{name} {where}", notes
+
+
+def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
+    """What the options say, to be run while its moves are written."""
+    with wrong_use():
+        if options["watch"]:
+            raise ValueError("csv and parquet write the moves; --watch takes text or json")
+        if options["mdi"] is not None:
+            raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
+        return memory_of(options).stream(options["main"], **run_options(options, "moves"))
+
+
+STATUS = {
+    cncsub.Stop.END: 0,
+    cncsub.Stop.CYCLES: 0,
+    cncsub.Stop.ALARM: 1,
+    cncsub.Stop.WAITING: 3,
+    cncsub.Stop.LIMIT: 4,
+    cncsub.Stop.INTERRUPTED: 130,
+}
+
+
+def _status(run: cncsub.Run | cncsub.Stream) -> int:
+    return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
+
+
+def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> None:
+    if format is RunFormat.CSV:
+        if output is None:
+            _write_csv(stream, sys.stdout)
+        else:
+            with opened(output, "w") as file:
+                _write_csv(stream, file)
+        return
+    if output is None:
+        raise WrongUseError("parquet needs a file: --output moves.parquet")
+    try:
+        from pyarrow import parquet
+    except ImportError:
+        raise WrongUseError("parquet needs pyarrow: pip install 'cncsub[arrow]'") from None
+    with contextlib.ExitStack() as files:
+        file = files.enter_context(opened(output, "wb"))
+        writer = None
+        for part in stream:
+            rows = part.moves.to_arrow()
+            if writer is None:
+                writer = files.enter_context(parquet.ParquetWriter(file, rows.schema))
+            writer.write_table(rows)
+
+
+def _write_csv(stream: cncsub.Stream, file: IO[str]) -> None:
+    import csv
+
+    writer = csv.writer(file, lineterminator="\n")
+    for number, part in enumerate(stream):
+        if number == 0:
+            writer.writerow(part.moves.columns)
+        writer.writerows(record.values() for record in records(part.moves))
