@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from cncsub.listing import Listed
     from cncsub.notes import Note
     from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
+    from cncsub.reporting import report
     from cncsub.rewriting import TranslateError
     from cncsub.translating import Translation, translate
 
@@ -48,6 +49,7 @@ _LATER = {
         "listing": "Listed",
         "notes": "Note",
         "references": "CallGraph CallTo Computed Edge JumpTo VariableUse",
+        "reporting": "report",
         "rewriting": "TranslateError",
         "translating": "Translation translate",
     }.items()
@@ -123,6 +125,7 @@ __all__ = [
     "flatten",
     "load",
     "loads",
+    "report",
     "run_many",
     "sources",
     "translate",

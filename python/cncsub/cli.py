@@ -63,6 +63,7 @@ from cncsub.options import (
     memory_of,
     opened,
     run_options,
+    status_of,
     write_json,
     write_text,
     wrong_use,
@@ -75,6 +76,7 @@ from cncsub.printing import (
     print_tree,
     shown,
 )
+from cncsub.report_command import report
 from cncsub.tables import records
 from cncsub.translate_command import Translate, tell_translation
 
@@ -190,7 +192,7 @@ def run(
         stream = _stream(locals())
         _write_moves(stream, format, output)
         print_stop(console_on(sys.stderr), stream)
-        raise typer.Exit(_status(stream))
+        raise typer.Exit(status_of(stream))
     with wrong_use():
         asked = filters(where or ())
         if asked and not listing:
@@ -201,12 +203,12 @@ def run(
             blocks = made.listing(**asked)
         write_listing(blocks, output, as_json=format is RunFormat.JSON)
         print_stop(console_on(sys.stderr), made)
-        raise typer.Exit(_status(made))
+        raise typer.Exit(status_of(made))
     if format is RunFormat.TEXT:
         write_text(output, lambda console: print_run(console, made, title))
     else:
         write_json(output, {**run_facts(made, title), "notes": notes})
-    raise typer.Exit(_status(made))
+    raise typer.Exit(status_of(made))
 
 
 @app.command()
@@ -238,7 +240,7 @@ def tree(
         write_text(output, lambda console: print_tree(console, made, title))
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
             print_stop(console_on(sys.stderr), made)
-    raise typer.Exit(_status(made))
+    raise typer.Exit(status_of(made))
 
 
 app.command("list")(list_programs)
@@ -334,6 +336,9 @@ def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> N
 app.command()(coverage)
 
 
+app.command()(report)
+
+
 app.command()(controls)
 
 
@@ -410,20 +415,6 @@ def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
         if options["mdi"] is not None:
             raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
         return memory_of(options).stream(options["main"], **run_options(options, "moves"))
-
-
-STATUS = {
-    cncsub.Stop.END: 0,
-    cncsub.Stop.CYCLES: 0,
-    cncsub.Stop.ALARM: 1,
-    cncsub.Stop.WAITING: 3,
-    cncsub.Stop.LIMIT: 4,
-    cncsub.Stop.INTERRUPTED: 130,
-}
-
-
-def _status(run: cncsub.Run | cncsub.Stream) -> int:
-    return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
 
 
 def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> None:

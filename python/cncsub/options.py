@@ -161,6 +161,21 @@ def watched_numbers(texts: Iterable[str]) -> list[int]:
     return list(numbers)
 
 
+STATUS = {
+    cncsub.Stop.END: 0,
+    cncsub.Stop.CYCLES: 0,
+    cncsub.Stop.ALARM: 1,
+    cncsub.Stop.WAITING: 3,
+    cncsub.Stop.LIMIT: 4,
+    cncsub.Stop.INTERRUPTED: 130,
+}
+
+
+def status_of(run: cncsub.Run | cncsub.Stream) -> int:
+    """The exit status of a run; 1 for a stream that was left before its end."""
+    return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
+
+
 def project_here() -> Project:
     """What the project says whose folder one stands in."""
     return find_project(Path.cwd())

@@ -140,7 +140,7 @@ def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
 
 
 def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
-    stop = Text(f"stopped: {_stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
+    stop = Text(f"stopped: {stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
     console.print(stop)
     if run.endless is not None and run.stop is not cncsub.Stop.WAITING:
         console.print(f"why: {shown(str(run.endless))}")
@@ -148,7 +148,8 @@ def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
         console.print(Text("\n".join(map(shown, str(run.alarm).split("\n")))))
 
 
-def _stop_text(run: cncsub.Run | cncsub.Stream) -> str:
+def stop_text(run: cncsub.Run | cncsub.Stream) -> str:
+    """How a run ended, in words."""
     blocks = f"{run.blocks:,} block{'s' if run.blocks != 1 else ''}"
     if run.stop is cncsub.Stop.WAITING:
         return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
