@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from cncsub.reporting import report
     from cncsub.rewriting import TranslateError
     from cncsub.translating import Translation, translate
+    from cncsub.variables_file import read_variables
 
 # What most programs do not use is imported when somebody asks for it.
 _LATER = {
@@ -52,6 +53,7 @@ _LATER = {
         "reporting": "report",
         "rewriting": "TranslateError",
         "translating": "Translation translate",
+        "variables_file": "read_variables",
     }.items()
     for name in names.split()
 }
@@ -125,6 +127,7 @@ __all__ = [
     "flatten",
     "load",
     "loads",
+    "read_variables",
     "report",
     "run_many",
     "sources",

@@ -57,6 +57,7 @@ from cncsub.options import (
     SetupFile,
     Skip,
     Start,
+    VariablesFile,
     Watch,
     WrongUseError,
     control_named,
@@ -77,6 +78,7 @@ from cncsub.printing import (
     shown,
 )
 from cncsub.report_command import report
+from cncsub.static_command import draw_static_tree
 from cncsub.tables import records
 from cncsub.translate_command import Translate, tell_translation
 
@@ -165,6 +167,7 @@ def run(
     main: Main = None,
     mdi: Mdi = None,
     set: Set = None,
+    variables: VariablesFile = None,
     param: Param = None,
     skip: Skip = None,
     external: External = None,
@@ -218,6 +221,7 @@ def tree(
     main: Main = None,
     mdi: Mdi = None,
     set: Set = None,
+    variables: VariablesFile = None,
     param: Param = None,
     skip: Skip = None,
     external: External = None,
@@ -229,15 +233,21 @@ def tree(
     inputs: InputsFile = None,
     start: Start = None,
     optional_stop: OptionalStop = False,
+    static: Annotated[
+        bool, typer.Option("--static", help="As it is written, without running.")
+    ] = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
 ) -> None:
-    """Draw the calls a program makes."""
+    """Draw the calls a program makes, their arguments and callers: as it ran, or as written."""
+    if static:
+        draw_static_tree(locals(), main, format, output)
+        return
     made, title, notes = _run(locals(), trace="blocks")
     if format is Format.JSON:
         write_json(output, {**tree_facts(made, title), "notes": notes})
     else:
-        write_text(output, lambda console: print_tree(console, made, title))
+        write_text(output, lambda console: print_tree(console, made, title, callers=True))
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
             print_stop(console_on(sys.stderr), made)
     raise typer.Exit(status_of(made))
@@ -258,6 +268,7 @@ def compare(
     ] = None,
     main: Main = None,
     set: Set = None,
+    variables: VariablesFile = None,
     skip: Skip = None,
     external: External = None,
     prefer: Prefer = None,
@@ -299,6 +310,7 @@ def diff(
     control: ControlName = None,
     main: Main = None,
     set: Set = None,
+    variables: VariablesFile = None,
     param: Param = None,
     skip: Skip = None,
     external: External = None,

@@ -80,11 +80,13 @@ def tree_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "title": title,
         "stop": run.stop.value,
         "alarm": None if run.alarm is None else alarm_facts(run.alarm),
-        "calls": [_call_facts(call) for call in run.calls.tree()],
+        "calls": [_call_facts(run, call) for call in run.calls.tree()],
     }
 
 
-def _call_facts(call: CallTree) -> dict[str, Any]:
+def _call_facts(run: cncsub.Run, call: CallTree) -> dict[str, Any]:
+    step = call.caller_step
+    caller = None if step is None or step >= len(run.steps) else run.steps[step]
     return {
         "kind": call.kind,
         "program": call.program,
@@ -92,7 +94,12 @@ def _call_facts(call: CallTree) -> dict[str, Any]:
         "repeats": call.repeats,
         "blocks": call.blocks,
         "count": call.count,
-        "calls": [_call_facts(inner) for inner in call.calls],
+        "caller": None if caller is None else caller.program,
+        "caller_n": None if caller is None else caller.n,
+        "caller_line": None if caller is None else caller.line,
+        "arguments": {str(number): value for number, value in call.arguments.items()},
+        "arguments_vary": call.varied,
+        "calls": [_call_facts(run, inner) for inner in call.calls],
     }
 
 

@@ -63,6 +63,14 @@ Set = Annotated[
     list[str] | None,
     typer.Option("--set", help="A variable before the run: 100=23.34.", metavar="N=VALUE"),
 ]
+VariablesFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--variables",
+        help="A file of variables before the run: TOML, CSV, or what the control punched out;"
+        " --set counts before it.",
+    ),
+]
 Param = Annotated[
     list[str] | None,
     typer.Option(help="A parameter of the control: 6050=70, 6001#5=1.", metavar="NAME=VALUE"),
@@ -125,7 +133,7 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
         raise ValueError("--mdi runs what was typed and --main a program; give one of them")
     asked: dict[str, Any] = {
         "start": options["start"],
-        "variables": dict(_assignment("--set", text, _vacant) for text in options["set"] or ()),
+        "variables": _variables(options),
         "block_skip": options["skip"] or (),
         "optional_stop": options["optional_stop"],
         "max_cycles": options["max_cycles"],
@@ -140,6 +148,13 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     if (inputs := options["inputs"] or project.inputs) is not None:
         asked["inputs"] = cncsub.Inputs.from_toml(inputs)
     return asked
+
+
+def _variables(options: Mapping[str, Any]) -> dict[int, float | None]:
+    """Those of the file, and above them those of `--set`."""
+    file = options.get("variables") or project_here().variables
+    given = {} if file is None else dict(cncsub.read_variables(file))
+    return given | dict(_assignment("--set", text, _vacant) for text in options["set"] or ())
 
 
 def watched_numbers(texts: Iterable[str]) -> list[int]:

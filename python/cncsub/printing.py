@@ -5,12 +5,13 @@ from __future__ import annotations
 import itertools
 import os
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import IO, TYPE_CHECKING, Any
 
 import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import sources_of
+from cncsub.statictree import letters
 
 if TYPE_CHECKING:
     import rich.console
@@ -116,9 +117,11 @@ def _variable(value: float | None) -> str:
     return "vacant" if value is None else f"{value:.10g}"
 
 
-def print_tree(console: Console, run: cncsub.Run, title: str) -> None:
+def print_tree(console: Console, run: cncsub.Run, title: str, *, callers: bool = False) -> None:
+    """The calls; with `callers` each with its arguments and the block that called."""
     console.print(Text(shown(title), style="bold"))
-    lines = _tree_lines(run.calls.tree(most=MOST_CALLS))
+    told = (lambda call: call_words(run, call)) if callers else None
+    lines = _tree_lines(run.calls.tree(most=MOST_CALLS), told)
     for line in itertools.islice(lines, MOST_LINES):
         console.print(line)
     left = sum(1 for _ in lines)
@@ -128,13 +131,28 @@ def print_tree(console: Console, run: cncsub.Run, title: str) -> None:
         console.print(f"... drawn are the first {MOST_CALLS:,} of {len(run.calls):,} calls")
 
 
-def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
+def call_words(run: cncsub.Run, call: CallTree) -> str:
+    """What was given to a call, and by which block: ` A=1 B=2, from O1 N10`."""
+    words = f" {letters(call.arguments)}" if call.arguments else ""
+    if call.varied:
+        words += " (the first; they differ)"
+    if call.caller_step is not None and call.caller_step < len(run.steps):
+        step = run.steps[call.caller_step]
+        at = f"line {step.line}" if step.n is None else f"N{step.n}"
+        words += f", from {step.program} {at}"
+    return words
+
+
+def _tree_lines(
+    trees: list[CallTree], told: Callable[[CallTree], str] | None = None
+) -> Iterator[Text]:
     waiting = [(call, "", call is trees[-1]) for call in reversed(trees)]
     while waiting:
         call, stem, last = waiting.pop()
         head = shown(f"{call.kind} {call.program}")
         branch = stem + ("`-- " if last else "|-- ")
-        yield Text.assemble((branch, "dim"), (head, "cyan"), shown(str(call)).removeprefix(head))
+        words = shown(str(call) + (told(call) if told else "")).removeprefix(head)
+        yield Text.assemble((branch, "dim"), (head, "cyan"), words)
         below = stem + ("    " if last else "|   ")
         waiting += [(inner, below, inner is call.calls[-1]) for inner in reversed(call.calls)]
 

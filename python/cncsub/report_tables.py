@@ -2,25 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-from cncsub.coverage import LETTERS
+from cncsub.statictree import letters
 
 if TYPE_CHECKING:
     from cncsub.report_code import Anchors
     from cncsub.run import Run
-
-_LETTER_OF = {number: letter for letter, number in LETTERS.items()}
-
-
-def letters(arguments: Mapping[int, float | None]) -> str:
-    """`{1: 30.0, 150: 2.0}` as `A=30 #150=2`."""
-    return " ".join(
-        f"{_LETTER_OF.get(number, f'#{number}')}={'vacant' if value is None else f'{value:.10g}'}"
-        for number, value in arguments.items()
-    )
 
 
 def table(name: str, heads: Sequence[str], rows: Sequence[Sequence[str]], whole: int) -> str:

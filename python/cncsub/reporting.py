@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 from cncsub.facts import explanations
 from cncsub.report_code import Anchors, code_section
 from cncsub.report_path import MOST_LINKED, path_of, views
-from cncsub.report_tables import calls_rows, letters, table
+from cncsub.report_tables import calls_rows, table
+from cncsub.statictree import letters
 
 if TYPE_CHECKING:
     from cncsub.checking import Finding
