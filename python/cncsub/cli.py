@@ -35,6 +35,7 @@ from cncsub.facts import (
     unknown_alarm,
 )
 from cncsub.flatten_command import flatten
+from cncsub.hints import hints_of, without_effect
 from cncsub.list_command import list_programs
 from cncsub.listing_command import Listing, Where, filters, write_listing
 from cncsub.options import (
@@ -65,6 +66,8 @@ from cncsub.options import (
     opened,
     run_options,
     status_of,
+    tell_all,
+    tell_hints,
     write_json,
     write_text,
     wrong_use,
@@ -200,7 +203,7 @@ def run(
         asked = filters(where or ())
         if asked and not listing:
             raise ValueError("--where chooses blocks of the listing: give --listing too")
-    made, title, notes = _run(_watching(locals(), asked), trace="moves")
+    made, title, notes, hints = _run(_watching(locals(), asked), trace="moves")
     if listing:
         with wrong_use():
             blocks = made.listing(**asked)
@@ -209,8 +212,9 @@ def run(
         raise typer.Exit(status_of(made))
     if format is RunFormat.TEXT:
         write_text(output, lambda console: print_run(console, made, title))
+        tell_hints(hints)
     else:
-        write_json(output, {**run_facts(made, title), "notes": notes})
+        write_json(output, {**run_facts(made, title), "notes": notes, "hints": hints})
     raise typer.Exit(status_of(made))
 
 
@@ -243,13 +247,14 @@ def tree(
     if static:
         draw_static_tree(locals(), main, format, output)
         return
-    made, title, notes = _run(locals(), trace="blocks")
+    made, title, notes, hints = _run(locals(), trace="blocks")
     if format is Format.JSON:
-        write_json(output, {**tree_facts(made, title), "notes": notes})
+        write_json(output, {**tree_facts(made, title), "notes": notes, "hints": hints})
     else:
         write_text(output, lambda console: print_tree(console, made, title, callers=True))
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
             print_stop(console_on(sys.stderr), made)
+            tell_hints(hints)
     raise typer.Exit(status_of(made))
 
 
@@ -405,18 +410,26 @@ def _watching(options: Mapping[str, Any], asked: Mapping[str, Any]) -> Mapping[s
     return {**options, "watch": [*(options["watch"] or ()), str(asked["variable"])]}
 
 
-def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str, list[dict[str, Any]]]:
-    """Run what the options say, name what ran, and what is to be known of the memory."""
+def _run(
+    options: Mapping[str, Any], *, trace: str
+) -> tuple[cncsub.Run, str, list[dict[str, Any]], list[str]]:
+    """Run what the options say, name what ran, what is to be known of the memory and the options,
+    and what leads on from an alarm.
+    """
     with wrong_use():
         library = memory_of(options)
         asked = run_options(options, trace)
         where = f"on {library.control.title}"
         notes = [asdict(note) for note in library.notes]
         if options["mdi"] is not None:
-            return library.mdi(options["mdi"], **asked), f"MDI {where}", notes
+            return library.mdi(options["mdi"], **asked), f"MDI {where}", notes, []
         program = library.main if options["main"] is None else library[options["main"]]
         name = "nothing" if program is None else program.name
-        return library.run(options["main"], **asked), f"{name} {where}", notes
+        made = library.run(options["main"], **asked)
+        idle = list(without_effect(library, asked))
+        tell_all(idle)
+        notes += map(asdict, idle)
+        return made, f"{name} {where}", notes, hints_of(library, made, asked, options["main"])
 
 
 def _stream(options: Mapping[str, Any]) -> cncsub.Stream:

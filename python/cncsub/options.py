@@ -7,7 +7,7 @@ import enum
 import json
 import re
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Annotated, Any
 
@@ -15,7 +15,7 @@ import typer
 
 import cncsub
 from cncsub.controls import did_you_mean
-from cncsub.notes import counting, same_blocks
+from cncsub.notes import Note, counting, same_blocks
 from cncsub.printing import Console, console_on, shown
 from cncsub.project import Project, find_project
 
@@ -253,10 +253,21 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
 
 def tell_notes(library: cncsub.Library) -> None:
     """Tells on the error stream what is easily overlooked."""
-    for note in library.notes[:MOST_NOTES]:
+    tell_all(library.notes)
+
+
+def tell_all(notes: Sequence[Note]) -> None:
+    """Tells notes on the error stream, the first of many."""
+    for note in notes[:MOST_NOTES]:
         typer.echo(f"note: {shown(str(note))}", err=True)
-    if (left := len(library.notes) - MOST_NOTES) > 0:
+    if (left := len(notes) - MOST_NOTES) > 0:
         typer.echo(f"note: ... and {left:,} more", err=True)
+
+
+def tell_hints(hints: Iterable[str]) -> None:
+    """Tells on the error stream what leads on from an alarm."""
+    for hint in hints:
+        typer.echo(f"hint: {shown(hint)}", err=True)
 
 
 def control_named(name: str | None) -> cncsub.Control:

@@ -175,7 +175,7 @@ def stop_text(run: cncsub.Run | cncsub.Stream) -> str:
     reasons = {
         cncsub.Stop.END: "the program ended",
         cncsub.Stop.ALARM: "alarm",
-        cncsub.Stop.CYCLES: "the cycles are used up (--max-cycles)",
+        cncsub.Stop.CYCLES: "M99 starts the program over, all cycles asked for ran (--max-cycles)",
         cncsub.Stop.LIMIT: "the limit of blocks or memory is reached (--max-blocks)",
         cncsub.Stop.INTERRUPTED: "interrupted",
     }
@@ -266,6 +266,8 @@ def print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
             console.print()
         console.print(Text(fact["cause"], style="bold"))
         console.print(f"  raised by: {fact['meaning']}")
+        for kin in fact["beside"]:
+            console.print(f"  beside it: {kin['number']} {kin['cause']}, {kin['meaning']}")
         console.print(f"  cure: {fact['cure']}")
         for alarm in fact["alarms"]:
             directed = ", ".join(f"{number} {way}" for way, number in alarm["directed"].items())
