@@ -85,7 +85,11 @@ def test_an_alarm_is_printed_whole_and_is_status_1(job: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "status", "words"),
     [
-        ([], 0, "M99 starts the program over, all cycles asked for ran (--max-cycles), after 2 blocks"),
+        (
+            [],
+            0,
+            "M99 starts the program over, all cycles asked for ran (--max-cycles), after 2 blocks",
+        ),
         (["--max-cycles", "3"], 0, "after 6 blocks"),
         (["--max-cycles", "9", "--max-blocks", "5"], 4, "the limit of blocks or memory is reached"),
     ],
