@@ -112,3 +112,16 @@ def test_explain_knows_the_alarms_that_programs_raise_themselves() -> None:
 
 def test_explain_tells_the_number_that_is_taken_for_another() -> None:
     assert "beside it: PS0310 named-program-not-found" in explain("PS0076", "-c", CONTROL)
+
+
+def test_a_control_that_the_project_names_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("CNCSUB_CONTROL", raising=False)
+    (tmp_path / "cncsub.toml").write_text('control = "fanuc-16i"\n')
+    (tmp_path / "p.nc").write_text("O1\nM30\n")
+    done = CliRunner().invoke(app, ["run", "p.nc", "--format", "json"])
+    assert [note["kind"] for note in json.loads(done.stdout)["notes"]] == ["defaulted"]
+    assert "the control is fanuc-16i, which the project names" in done.stderr
+    assert CliRunner().invoke(app, ["run", "p.nc", "-c", CONTROL]).stderr == ""

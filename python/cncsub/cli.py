@@ -35,7 +35,7 @@ from cncsub.facts import (
     unknown_alarm,
 )
 from cncsub.flatten_command import flatten
-from cncsub.hints import hints_of, without_effect
+from cncsub.hints import defaulted, hints_of, without_effect
 from cncsub.list_command import list_programs
 from cncsub.listing_command import Listing, Where, filters, write_listing
 from cncsub.options import (
@@ -426,7 +426,7 @@ def _run(
         program = library.main if options["main"] is None else library[options["main"]]
         name = "nothing" if program is None else program.name
         made = library.run(options["main"], **asked)
-        idle = list(without_effect(library, asked))
+        idle = [*defaulted(options), *without_effect(library, asked)]
         tell_all(idle)
         notes += map(asdict, idle)
         return made, f"{name} {where}", notes, hints_of(library, made, asked, options["main"])

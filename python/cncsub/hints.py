@@ -12,6 +12,7 @@ from typing import Any
 from cncsub._core import Alarm, Control
 from cncsub.library import Library
 from cncsub.notes import Note
+from cncsub.project import find_project
 from cncsub.references import Computed
 from cncsub.run import Run, Stop
 
@@ -140,7 +141,15 @@ def _changed(control: Control) -> Iterator[tuple[str, Control]]:
             yield f"the control's option {option.name} lets it pass: {option.numbers}", changed
 
 
-# ---- options without effect ----
+# ---- options nobody gave, and options without effect ----
+
+
+def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
+    """A note where the control is the project's, because no option named one."""
+    project = find_project(Path.cwd())
+    if options["control"] is None and project.control is not None:
+        told = f"the control is {project.control}, which the project names"
+        yield Note("defaulted", told, str(project.file))
 
 
 def without_effect(library: Library, asked: Mapping[str, Any]) -> Iterator[Note]:

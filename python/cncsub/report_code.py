@@ -85,10 +85,11 @@ def code_section(
     for found in findings:
         words = f"{found.rule} {found.message}"
         marks.setdefault((found.file, found.line), []).append((found.severity, words))
-    blocks = coverage.blocks
+    blocks, branches = coverage.blocks, coverage.branches
     yield (
-        f"<p>{coverage.percent:.1f} % covered: {blocks.covered:,} of {len(blocks):,} blocks. <span"
-        ' class="pale">The keys n and p lead to the next and the previous finding.</span></p>'
+        f"<p>{coverage.percent:.1f} % covered: {blocks.covered:,} of {len(blocks):,} blocks,"
+        f" {branches.covered:,} of {len(branches):,} outcomes of branches."
+        ' <span class="pale">The keys n and p lead to the next and the previous finding.</span></p>'
     )
     for program in coverage.programs:
         yield from _program(program, marks, anchors)

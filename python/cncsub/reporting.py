@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from html import escape
 from importlib.resources import files
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 MOST_CALLS = 2_000  # of the tree
 MOST_ROWS = 1_000  # of a table
 MOST_FINDINGS = 500
+MOST_MISSED = 20
 
 
 def report(
@@ -121,6 +123,10 @@ def _facts(run: Run) -> Iterator[tuple[str, str]]:
         yield "time", f"{run.moves.total_time:,.1f} s, without acceleration"
         for axis, (low, high) in run.moves.bounds.items():
             yield axis, f"{low:.10g} to {high:.10g}"
+    if missed := Counter(map(str, run.missed_skips)):
+        told = [f"{place}{f', {n:,} times' if n > 1 else ''}" for place, n in missed.items()]
+        more = f" and {len(told) - MOST_MISSED:,} more" if len(told) > MOST_MISSED else ""
+        yield "skips", "; ".join(told[:MOST_MISSED]) + more
 
 
 # ---- the calls ----
