@@ -136,13 +136,25 @@ def test_arcs_are_round_and_x_of_a_lathe_is_a_radius() -> None:
     assert circle[-1].tolist() == [0, 0, -4]
 
 
-def test_a_long_path_is_thinned_and_says_so() -> None:
-    points = "".join(f"X{i % 977 * 0.5:.1f} Y{i % 631 * 0.5:.1f}\n" for i in range(40_000))
-    page = page_of(f"O1\nG1 F100\n{points}M30\n")
-    found = re.search(r"thinned: ([\d,]+) of ([\d,]+) points", page)
+def points_of(caption: str, page: str) -> list[int]:
+    found = re.search(caption, page)
     assert found
-    kept, whole = (int(number.replace(",", "")) for number in found.groups())
+    return [int(number.replace(",", "")) for number in found.groups()]
+
+
+def test_a_long_path_is_thinned_and_says_so() -> None:
+    fine = "".join(f"X{i * 0.01:.2f} Y{i % 5 * 0.01:.2f}\n" for i in range(40_000))
+    page = page_of(f"O1\nG1 F100\n{fine}M30\n")
+    kept, whole = points_of(r"thinned: ([\d,]+) of ([\d,]+) points", page)
     assert kept <= MOST_POINTS < whole == 40_000
+    assert "nothing behind motion" not in page
+
+
+def test_a_path_that_cannot_be_thinned_is_cut_and_says_so() -> None:
+    wide = "".join(f"X{i % 977 * 0.5:.1f} Y{i * 7 % 631 * 0.5:.1f}\n" for i in range(40_000))
+    page = page_of(f"O1\nG1 F100\n{wide}M30\n")
+    behind, whole = points_of(r"nothing behind motion ([\d,]+) of ([\d,]+)", page)
+    assert behind < whole == 40_000
 
 
 def test_the_command_writes_the_page_and_keeps_the_status(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 MOST_LINKED = 1_000  # motions that are links of their own
 MOST_POINTS = 20_000  # of one drawing
 MOST_ARCS = 50_000  # drawn round
+FINEST, WIDEST = 0.5, 4.0  # grids for thinning, in thousandths of the drawing
 _TURN = np.pi / 18  # between two points of an arc
 _PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 _SIDE = 1000.0  # of a drawing, in its own units
@@ -127,14 +128,17 @@ def _figure(name: str, flat: Any, path: Path, place: Place) -> str:
     scaled = (flat - low) / size * _SIDE
     scaled[:, 1] = scaled[:, 1].max() - scaled[:, 1]
     kept, grid = _thinned(scaled)
-    lines = "".join(_lines(scaled, kept, path, place))
     width, height = (max(float(side), 1.0) for side in scaled.max(axis=0))
     told = f"{name}, {size:.4g} mm across"
     if len(kept) < len(flat):
         told += (
-            f"; thinned: {len(kept):,} of {len(flat):,} points,"
+            f"; thinned: {min(len(kept), MOST_POINTS):,} of {len(flat):,} points,"
             f" what moves less than {grid / _SIDE * size:.2g} mm is not drawn"
         )
+    if len(kept) > MOST_POINTS:
+        kept = kept[:MOST_POINTS]
+        told += f", and nothing behind motion {path.moves[kept[-1]]:,} of {len(path.rapid):,}"
+    lines = "".join(_lines(scaled, kept, path, place))
     box = f"-20 -20 {width + 40:.1f} {height + 40:.1f}"
     return (
         f'<figure><svg viewBox="{box}" role="img" aria-label="path, {escape(told)}">{lines}</svg>'
@@ -144,16 +148,16 @@ def _figure(name: str, flat: Any, path: Path, place: Place) -> str:
 
 def _thinned(points: Any) -> tuple[Any, float]:
     """The rows to draw: those that leave their cell of a grid, which gets wider until few enough
-    are left. The first grid is finer than what a screen shows.
+    are left, but no wider than what the eye sees. The first grid is finer than any screen.
     """
-    grid = 0.5
+    grid = FINEST
     if len(points) <= MOST_POINTS:
         return np.arange(len(points)), 0.0
     while True:
         cells = np.floor(points / grid)
         moved = np.any(np.diff(cells, axis=0) != 0, axis=1)
         kept = np.flatnonzero(np.concatenate(([True], moved)))
-        if len(kept) <= MOST_POINTS:
+        if len(kept) <= MOST_POINTS or grid >= WIDEST:
             return kept, grid
         grid *= 2
 
