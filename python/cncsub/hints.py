@@ -98,7 +98,7 @@ def _language(library: Library, alarm: Alarm) -> str | None:
             continue
         if control is None:
             return f"it seems to be written in the language of {name}, which no control here reads"
-        read = library.read_for(control).run()
+        read = library.read_for(control).run(max_blocks=1_000, trace="none")
         if read.alarm is None or read.blocks > 0:
             return f"it seems to be written for {name}: -c {control}"
     return None
