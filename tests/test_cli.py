@@ -85,7 +85,11 @@ def test_an_alarm_is_printed_whole_and_is_status_1(job: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "status", "words"),
     [
-        ([], 0, "the cycles are used up (--max-cycles), after 2 blocks"),
+        (
+            [],
+            0,
+            "M99 starts the program over, all cycles asked for ran (--max-cycles), after 2 blocks",
+        ),
         (["--max-cycles", "3"], 0, "after 6 blocks"),
         (["--max-cycles", "9", "--max-blocks", "5"], 4, "the limit of blocks or memory is reached"),
     ],
@@ -224,9 +228,9 @@ def test_a_tree_is_drawn(job: Path) -> None:
     done = Done("tree", job / "good.nc", "-c", CONTROL)
     assert done.status == 0
     assert done.out.splitlines()[1:] == [
-        "|-- M98 O2, 5 passes (10 blocks)",
-        "`-- G65 O3 (5 blocks)",
-        "    `-- M98 O2 (2 blocks)",
+        "|-- M98 O2, 5 passes (10 blocks), from O1 N10",
+        "`-- G65 O3 (5 blocks) A=1, from O1 N20",
+        "    `-- M98 O2 (2 blocks), from O3 N70",
     ]
     facts = Done("tree", job / "good.nc", "-c", CONTROL, "--format", "json").json
     assert facts["calls"][1]["calls"][0]["program"] == "O2"

@@ -111,7 +111,7 @@ def test_the_commands_of_the_readme_print_what_is_shown(command: str, output: st
 
 def example_files() -> list[Path]:
     files = (Path(folder, name) for folder, _, names in os.walk(EXAMPLES) for name in names)
-    return sorted(file for file in files if file.suffix != ".toml")  # setups and workpieces
+    return sorted(file for file in files if file.suffix not in (".toml", ".ipynb"))
 
 
 def header(file: Path) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import doctest
+import inspect
 import re
 
 import pytest
@@ -60,7 +62,7 @@ def test_a_program_shows_its_lines(library: cncsub.Library) -> None:
     assert "(PART &lt;1&gt;)" in html
     lines = text_of(html).splitlines()
     assert lines[0] == "O1, part.nc:1, 3 blocks     1  O1 (PART &lt;1&gt;)"
-    assert lines[-1] == "     4  N30 M98 P7"
+    assert lines[-1] == "     4  N30 M98 P7  &larr; CS201 O7 is not in the memory"
 
 
 def test_of_a_long_program_the_middle_is_left_out() -> None:
@@ -72,3 +74,89 @@ def test_of_a_long_program_the_middle_is_left_out() -> None:
 
 def test_the_calls_are_a_tree(library: cncsub.Library) -> None:
     assert text_of(library.run().calls._repr_html_()).splitlines()[-1] == "1 call"
+
+
+# ---- single values ----
+
+
+def test_an_alarm_shows_its_caret_and_its_cure(library: cncsub.Library) -> None:
+    alarm = library.run().alarm
+    assert alarm is not None
+    shown = text_of(alarm._repr_html_())  # type: ignore[attr-defined]
+    assert "PS0076 program-not-found" in shown
+    assert "^^" in shown
+    assert cncsub.causes[alarm.cause].cure in shown
+
+
+def test_a_program_shows_what_is_wrong_with_its_lines(library: cncsub.Library) -> None:
+    shown = text_of(library["O1"]._repr_html_())
+    assert "N30 M98 P7  &larr; CS201 O7 is not in the memory" in shown
+
+
+def test_a_control_shows_its_facts_with_their_sources() -> None:
+    control = cncsub.controls[CONTROL]
+    html = control._repr_html_()  # type: ignore[attr-defined]
+    shown = text_of(html)
+    assert f"{len(control.alarms):,} alarms" in shown
+    assert control.rules[0].source in shown.replace("&#x27;", "'").replace("&amp;", "&")
+    assert html.count("<details>") == 3
+
+
+def test_findings_graphs_coverage_comparisons_and_variables_have_pages() -> None:
+    text = "O1\nN10 #100=<1>\nN20 M98 P2\nN30 IF[#1 EQ #0]GOTO 20\nM30\nO2\n#100=2.5\nM99\n"
+    library = cncsub.loads(text, control=CONTROL)
+    run = library.run(max_blocks=50)
+    values = [*library.check(), library.call_graph(), run.coverage(), run.coverage().blocks]
+    values += [run.coverage().branches, run.variables]
+    values.append(cncsub.compare(library, controls=[CONTROL, "mitsubishi-m700"]))
+    for value in values:
+        html = value._repr_html_()
+        assert html.startswith("<div>")
+        assert "<1>" not in html
+    assert "O1</td><td>3</td><td>M98</td><td>O2" in library.call_graph()._repr_html_()
+
+
+def test_many_variables_are_cut() -> None:
+    library = cncsub.loads("O1\nM30\n", control=CONTROL)
+    run = library.run(variables=dict.fromkeys(range(100, 200), 1.0))
+    assert "... and 40 more" in run.variables._repr_html_()
+
+
+# ---- help ----
+
+
+def test_only_public_names_are_listed_and_all_have_words() -> None:
+    assert dir(cncsub) == sorted(cncsub.__all__)
+    for name in cncsub.__all__:
+        assert name == "__version__" or (getattr(cncsub, name).__doc__ or "").strip(), name
+    for kind in (cncsub.Alarm, cncsub.Frame, cncsub.Control):
+        members = [name for name in dir(kind) if not name.startswith("_")]
+        assert [name for name in members if not getattr(kind, name).__doc__] == []
+
+
+def test_the_examples_of_the_engines_types() -> None:
+    for kind in (cncsub.Alarm, cncsub.Frame, cncsub.Control):
+        parser, runner = doctest.DocTestParser(), doctest.DocTestRunner()
+        found = parser.get_doctest(kind.__doc__ or "", {}, kind.__name__, None, 0)
+        assert found.examples
+        assert runner.run(found).failed == 0
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        cncsub.Library.run, cncsub.Library.mdi, cncsub.Library.machine, cncsub.Library.stream,
+        cncsub.Library.flatten, cncsub.compare, cncsub.translate, cncsub.flatten,
+    ],
+)  # fmt: skip
+def test_signatures_name_every_option(function: object) -> None:
+    parameters = inspect.signature(function).parameters  # type: ignore[arg-type]
+    assert not any(p.kind is p.VAR_KEYWORD for p in parameters.values())
+    assert parameters["max_blocks"].default == 10_000_000
+
+
+def test_run_many_names_its_options() -> None:
+    parameters = inspect.signature(cncsub.run_many).parameters
+    assert "trace" not in parameters
+    assert "setup" in parameters
+    assert parameters["max_blocks"].default == 1_000_000

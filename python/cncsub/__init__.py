@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from cncsub._core import Alarm, Control, Frame, __version__
 from cncsub.controls import Cause, Source, causes, controls, sources
+from cncsub.engine_types import tell_engine_types
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
@@ -33,8 +34,10 @@ if TYPE_CHECKING:
     from cncsub.listing import Listed
     from cncsub.notes import Note
     from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
+    from cncsub.reporting import report
     from cncsub.rewriting import TranslateError
     from cncsub.translating import Translation, translate
+    from cncsub.variables_file import read_variables
 
 # What most programs do not use is imported when somebody asks for it.
 _LATER = {
@@ -48,11 +51,16 @@ _LATER = {
         "listing": "Listed",
         "notes": "Note",
         "references": "CallGraph CallTo Computed Edge JumpTo VariableUse",
+        "reporting": "report",
         "rewriting": "TranslateError",
         "translating": "Translation translate",
+        "variables_file": "read_variables",
     }.items()
     for name in names.split()
 }
+
+
+tell_engine_types()
 
 
 def __getattr__(name: str) -> Any:
@@ -62,7 +70,7 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_LATER})
+    return list(__all__)
 
 
 __all__ = [
@@ -123,6 +131,8 @@ __all__ = [
     "flatten",
     "load",
     "loads",
+    "read_variables",
+    "report",
     "run_many",
     "sources",
     "translate",

@@ -22,7 +22,8 @@ from cncsub.archive_store import Folder, InMemory
 from cncsub.archive_work import Job, Row, Task, Work, do_chunk, done_apart, end_pool, new_pool
 from cncsub.controls import control_of
 from cncsub.files import Reading, StrPath, check_encoding, clean, first_time, walk
-from cncsub.library import Options, loads
+from cncsub.library import Library, Options, loads
+from cncsub.signatures import spelled_out
 
 EACH = ("file", "beside", "folder")
 LIMITS: Options = {"max_blocks": 1_000_000, "max_seconds": 10.0, "max_memory": 1 << 29}
@@ -34,6 +35,7 @@ _UNREADABLE = ("a link that leads nowhere", "cannot be opened")
 Paths = StrPath | Iterable[StrPath]
 
 
+@spelled_out(Library.run, "mode", "trace", defaults=LIMITS)
 def run_many(
     paths: Paths,
     control: str | Control,

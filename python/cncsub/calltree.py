@@ -10,7 +10,11 @@ from cncsub.rows import Call
 
 @dataclass(slots=True, repr=False, eq=False)
 class CallTree:
-    """One call, or `count` equal calls one after the other, and the calls made in it."""
+    """One call, or `count` equal calls one after the other, and the calls made in it.
+
+    `caller_step`: the row in `run.steps` of the block that called, `arguments`: the local variables
+    that were given, both of the first of them; `varied`: whether another one was given others.
+    """
 
     kind: str
     program: str
@@ -21,6 +25,9 @@ class CallTree:
     )  # executed in one of them, called programs included; None where it did not end
     count: int = 1
     calls: list[CallTree] = field(default_factory=list)
+    caller_step: int | None = None
+    arguments: dict[int, float | None] = field(default_factory=dict)
+    varied: bool = False
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -64,7 +71,15 @@ def trees(calls: Sequence[Call]) -> list[CallTree]:
         inner = made_in.pop(row.call, [])[::-1]
         blocks = None if row.last_step is None else row.last_step - row.first_step + 1
         tree = CallTree(
-            row.kind, row.program, row.start_n, row.repeats, blocks, 1, [t for _, t in inner]
+            row.kind,
+            row.program,
+            row.start_n,
+            row.repeats,
+            blocks,
+            1,
+            [t for _, t in inner],
+            row.caller_step,
+            row.arguments,
         )
         shape = (*_shape(tree), tuple((number, t.count) for number, t in inner))
         _add_in_front(
@@ -82,7 +97,10 @@ def _shape(tree: CallTree) -> tuple[object, ...]:
 def _add_in_front(trees: list[tuple[int, CallTree]], number: int, tree: CallTree) -> None:
     """The list runs backwards; a tree equal to its neighbour only counts."""
     if trees and trees[-1][0] == number:
-        trees[-1][1].count += 1
+        same = trees[-1][1]
+        same.count += 1
+        same.varied |= same.arguments != tree.arguments
+        same.arguments, same.caller_step = tree.arguments, tree.caller_step
     else:
         trees.append((number, tree))
 

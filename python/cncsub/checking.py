@@ -71,6 +71,11 @@ class Finding:
     fix: tuple[Edit, ...] | None
     source: str  # the text of the line
 
+    def _repr_html_(self) -> str:
+        from cncsub.notebook_values import finding_html
+
+        return finding_html(self)
+
     def __str__(self) -> str:
         number = f" [{self.alarm.number}]" if self.alarm is not None and self.alarm.number else ""
         at = self.program if self.n is None else f"{self.program} N{self.n}"

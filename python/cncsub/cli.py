@@ -1,5 +1,5 @@
 """The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
-`flatten`, `batch`, `controls`, `explain`.
+`flatten`, `report`, `batch`, `controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong
@@ -32,11 +32,16 @@ COMMANDS = {
     "diff": "compare_command.diff",
     "flatten": "flatten_command.flatten",
     "coverage": "coverage_command.coverage",
+    "report": "report_command.report",
     "controls": "controls_command.controls",
     "explain": "explain_command.explain",
     "batch": "batch.batch",
 }
-LOOK: dict[str, Any] = {"add_completion": False, "pretty_exceptions_enable": False, "rich_markup_mode": None}
+LOOK: dict[str, Any] = {
+    "add_completion": False,
+    "pretty_exceptions_enable": False,
+    "rich_markup_mode": None,
+}
 
 
 class OneLineGroup(typer.core.TyperGroup):

@@ -13,6 +13,7 @@ from cncsub.exchanging import rules_between
 from cncsub.library import Library, Options, load
 from cncsub.rows import Step
 from cncsub.run import Run
+from cncsub.signatures import spelled_out
 
 if TYPE_CHECKING:
     import numpy as np
@@ -61,6 +62,11 @@ class Comparison:
     untried: tuple[str, ...]
     runs: tuple[Run, Run] = field(repr=False)
 
+    def _repr_html_(self) -> str:
+        from cncsub.notebook_values import comparison_html
+
+        return comparison_html(self)
+
     def __str__(self) -> str:
         if self.same:
             return "the same"
@@ -72,6 +78,7 @@ class Comparison:
         return "\n".join(lines)
 
 
+@spelled_out(Library.run, "mode")
 def compare(
     first: Library | str | os.PathLike[str],
     second: Library | str | os.PathLike[str] | None = None,

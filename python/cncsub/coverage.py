@@ -130,6 +130,11 @@ class Blocks(Sequence[BlockRow]):
 
         return pd.DataFrame([asdict(row) for row in self])
 
+    def _repr_html_(self) -> str:
+        from cncsub.notebook_values import rows_html
+
+        return rows_html(repr(self)[1:-1], self, len(self))
+
     def __repr__(self) -> str:
         return f"<Table: {self.covered} of {len(self)} covered>"
 
@@ -152,6 +157,11 @@ class Table(tuple[Row, ...], Generic[Row]):
     def covered(self) -> int:
         """How many are covered."""
         return sum(row.covered for row in self)  # type: ignore[attr-defined]
+
+    def _repr_html_(self) -> str:
+        from cncsub.notebook_values import rows_html
+
+        return rows_html(repr(self)[1:-1], self, len(self))
 
     def __repr__(self) -> str:
         return f"<Table: {self.covered} of {len(self)} covered>"
@@ -483,6 +493,11 @@ class Coverage:
         from cncsub.coverage_formats import cobertura
 
         return cobertura(self)
+
+    def _repr_html_(self) -> str:
+        from cncsub.notebook_values import coverage_html
+
+        return coverage_html(self)
 
     def __repr__(self) -> str:
         def told(rows: Table[Any] | Blocks, what: str) -> str:

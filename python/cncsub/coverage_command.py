@@ -27,6 +27,7 @@ from cncsub.options import (
     SetupFile,
     Skip,
     Start,
+    VariablesFile,
     memory_of,
     run_options,
     wrong_use,
@@ -43,6 +44,7 @@ def coverage(
         list[str] | None, typer.Option(help="A program to run; given again, another one.")
     ] = None,
     set: Set = None,
+    variables: VariablesFile = None,
     param: Param = None,
     skip: Skip = None,
     external: External = None,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import asdict
 from typing import Any
 
@@ -80,11 +81,13 @@ def tree_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "title": title,
         "stop": run.stop.value,
         "alarm": None if run.alarm is None else alarm_facts(run.alarm),
-        "calls": [_call_facts(call) for call in run.calls.tree()],
+        "calls": [_call_facts(run, call) for call in run.calls.tree()],
     }
 
 
-def _call_facts(call: CallTree) -> dict[str, Any]:
+def _call_facts(run: cncsub.Run, call: CallTree) -> dict[str, Any]:
+    step = call.caller_step
+    caller = None if step is None or step >= len(run.steps) else run.steps[step]
     return {
         "kind": call.kind,
         "program": call.program,
@@ -92,7 +95,12 @@ def _call_facts(call: CallTree) -> dict[str, Any]:
         "repeats": call.repeats,
         "blocks": call.blocks,
         "count": call.count,
-        "calls": [_call_facts(inner) for inner in call.calls],
+        "caller": None if caller is None else caller.program,
+        "caller_n": None if caller is None else caller.n,
+        "caller_line": None if caller is None else caller.line,
+        "arguments": {str(number): value for number, value in call.arguments.items()},
+        "arguments_vary": call.varied,
+        "calls": [_call_facts(run, inner) for inner in call.calls],
     }
 
 
@@ -166,8 +174,49 @@ def explanations(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]
     slugs = [slug for slug in cncsub.causes if slug == wanted]
     if not slugs:
         slugs = _causes_of_number(wanted, among)
+    if not slugs and (raising := [c for c in among if _is_user_alarm(c, wanted)]):
+        return [_user_alarm(wanted.upper(), raising)]
     by_number = wanted not in cncsub.causes
     return [_explanation(slug, among, wanted if by_number else None) for slug in slugs]
+
+
+def _is_user_alarm(control: cncsub.Control, wanted: str) -> bool:
+    """Whether a program can raise this number by #3000: asked of the control itself."""
+    figures = re.fullmatch(r"[a-z]*([0-9]{1,4})", wanted)
+    if figures is None or not (number := int(figures[1]) % 1000):
+        return False
+    alarm = cncsub.loads(f"O1\n#3000={number}\n", control=control).run().alarm
+    raised = "" if alarm is None or alarm.cause != "user-alarm" else alarm.number or ""
+    return raised.casefold() == wanted or (figures[1] == wanted and raised.endswith(wanted))
+
+
+def _user_alarm(number: str, controls: list[cncsub.Control]) -> dict[str, Any]:
+    """What is known of an alarm that only a program raises."""
+    raised: dict[str, Any] = {
+        "number": number,
+        "text": "the message that the program gives",
+        "printed": None,
+        "directed": {},
+        "source": f"#3000={int(number[-3:])} of a program, as it runs here",
+        "evidence": "see the rules of the control",
+    }
+    told = _explanation("user-alarm", controls, None)
+    return {**told, "alarms": [{"control": control.name, **raised} for control in controls]}
+
+
+# Causes that people take for each other, because a relative of the control raises the other number.
+_ALIKE = ("program-not-found", "named-program-not-found", "external-program-not-found")
+
+
+def _beside(slug: str) -> list[str]:
+    return [kin for kin in _ALIKE if kin != slug] if slug in _ALIKE else []
+
+
+def _kin(slug: str, controls: list[cncsub.Control]) -> list[dict[str, Any]]:
+    """The numbers of a cause like another one, each once."""
+    numbers = dict.fromkeys(c.alarms[slug].number for c in controls if slug in c.alarms)
+    meaning = cncsub.causes[slug].meaning
+    return [{"number": n, "cause": slug, "meaning": meaning} for n in numbers if n]
 
 
 def _causes_of_number(wanted: str, among: list[cncsub.Control]) -> list[str]:
@@ -212,6 +261,7 @@ def _explanation(slug: str, among: list[cncsub.Control], wanted: str | None) -> 
         "cause": slug,
         "meaning": cause.meaning,
         "cure": cause.cure,
+        "beside": [fact for kin in _beside(slug) for fact in _kin(kin, [c for c, _ in entries])],
         "alarms": [{"control": control.name, **_alarm_entry(entry)} for control, entry in entries],
     }
 

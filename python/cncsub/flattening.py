@@ -16,6 +16,7 @@ from cncsub.library import Library, Options, loads
 from cncsub.program import Block, Program, Word
 from cncsub.rows import Step
 from cncsub.run import Run, Stop
+from cncsub.signatures import spelled_out
 from cncsub.tables import optional_module
 
 if TYPE_CHECKING:
@@ -125,6 +126,7 @@ class Flat:
         return f"<Flat: {len(self.origins)} blocks>"
 
 
+@spelled_out(Library.run, "mode")
 def flatten(
     library: Library,
     main: str | int | None = None,

@@ -16,6 +16,7 @@ from cncsub.inputs import Inputs, checked_variables, checked_watch, inputs_of
 from cncsub.program import Program, find_program
 from cncsub.run import Machine, Run
 from cncsub.setup import Setup, setup_of
+from cncsub.signatures import spelled_out
 from cncsub.stream import Stream
 
 if TYPE_CHECKING:
@@ -355,6 +356,7 @@ class Library(Mapping[str, Program]):
         )
         return _finished(core)
 
+    @spelled_out(run, "mode")
     def mdi(self, text: str, **options: Unpack[Options]) -> Run:
         """Execute a text typed in MDI, with the memory as it is; `options` are those of `run` but
         `main` and `mode`.
@@ -374,6 +376,7 @@ class Library(Mapping[str, Program]):
         _check_names("mdi", options)
         return _finished(_machine(self._code.with_mdi(clean(text)), -1, mode="mdi", **options))
 
+    @spelled_out(run)
     def machine(self, main: str | int | None = None, **options: Unpack[ModeOptions]) -> Machine:
         """The engine at the head of a program, to be run step by step; `options` are those of
         `run`.
@@ -383,6 +386,7 @@ class Library(Mapping[str, Program]):
             options["trace"] = "blocks"  # a step is a row of the table of steps
         return Machine(self._begin(main, **options))
 
+    @spelled_out(run)
     def stream(
         self, main: str | int | None = None, *, rows: int = 65536, **options: Unpack[ModeOptions]
     ) -> Stream:
@@ -408,6 +412,9 @@ class Library(Mapping[str, Program]):
             # Nothing to run runs: what an empty program does is the control's business.
             return _machine(self._code.with_mdi(""), -1, **options)
         return _machine(self._code, program._index, **options)
+
+
+spelled_out(Library.run, "mode")(Library.flatten)
 
 
 def load(

@@ -19,25 +19,26 @@ if TYPE_CHECKING:
 _MOST_PROGRAMS = 20
 _HEAD, _TAIL = 30, 10  # lines of a program
 _MOST_LINES = 8  # of messages and the like
+_MOST_CHECKED = 20_000  # blocks of a memory
 _MOST_LETTERS = 200  # of a line
 _COMMENT = re.compile(r"\([^()]*\)?|;.*")
 
 
 def run_html(run: Run) -> str:
     """How a run ended, what it called, and how far it moved."""
-    parts = [_line(_title(run), strong=True)]
+    parts = [line(_title(run), strong=True)]
     alarm = run.alarm
     if alarm is not None:
-        parts.append(_marked(str(alarm)))
+        parts.append(marked(str(alarm)))
     elif run.endless is not None:
-        parts.append(_marked(_cut(str(run.endless))))
+        parts.append(marked(_cut(str(run.endless))))
     if len(run.calls):
         parts.append(calls_html(run.calls))
     if len(run.moves):
-        parts.append(_table(("", "from", "to"), _bounds(run)))
-    parts += _few("message", run.messages)
-    parts += _few("dropped", (f"{word.text} at line {word.line}" for word in run.dropped))
-    return _page(parts)
+        parts.append(table(("", "from", "to"), _bounds(run)))
+    parts += few("message", run.messages)
+    parts += few("dropped", (f"{word.text} at line {word.line}" for word in run.dropped))
+    return page(parts)
 
 
 def _title(run: Run) -> str:
@@ -59,7 +60,7 @@ def _bounds(run: Run) -> Iterator[tuple[str, str, str]]:
 
 def calls_html(calls: Calls) -> str:
     """The calls as a tree."""
-    return _text(repr(calls))
+    return plain(repr(calls))
 
 
 def library_html(library: Library) -> str:
@@ -76,11 +77,11 @@ def library_html(library: Library) -> str:
         )
         for program in map(library.__getitem__, islice(library, _MOST_PROGRAMS))
     )
-    parts = [_line(title, strong=True), _table(("program", "title", "blocks", "place"), rows)]
+    parts = [line(title, strong=True), table(("program", "title", "blocks", "place"), rows)]
     if count > _MOST_PROGRAMS:
-        parts.append(_line(f"... and {count - _MOST_PROGRAMS:,} more"))
-    parts += _few("note", map(str, library.notes))
-    return _page(parts)
+        parts.append(line(f"... and {count - _MOST_PROGRAMS:,} more"))
+    parts += few("note", map(str, library.notes))
+    return page(parts)
 
 
 def program_html(program: Program) -> str:
@@ -88,27 +89,48 @@ def program_html(program: Program) -> str:
     lines = program.text.rstrip().splitlines() or [""]
     numbered = [(program.line + i, line) for i, line in enumerate(lines)]
     left = len(numbered) - _HEAD - _TAIL
-    shown = [_numbered(*row) for row in (numbered if left <= 1 else numbered[:_HEAD])]
+    marks = _marks(program)
+    shown = [_numbered(*row, marks) for row in (numbered if left <= 1 else numbered[:_HEAD])]
     if left > 1:
         shown.append(_pale(f"      ... {left:,} lines"))
-        shown += [_numbered(*row) for row in numbered[-_TAIL:]]
+        shown += [_numbered(*row, marks) for row in numbered[-_TAIL:]]
     place = f"{program.name}, {program.file}:{program.line}, {len(program.blocks):,} blocks"
-    return _page([_line(place, strong=True), _pre("\n".join(shown))])
+    return page([line(place, strong=True), _pre("\n".join(shown))])
 
 
-def _numbered(number: int, line: str) -> str:
-    line = _cut(line)
+def _marks(program: Program) -> dict[int, str]:
+    """By line what the control would refuse there or what will surprise; of large memories nothing,
+    because that asks for all their blocks.
+    """
+    from cncsub.checking import check
+
+    code = program._data.code
+    if sum(code.program(index).blocks for index in range(len(code))) > _MOST_CHECKED:
+        return {}
+    marks: dict[int, str] = {}
+    for found in check(code, -1 if code.main is None else code.main, None, None):
+        if found.file == program.file and found.severity != "note":
+            marks.setdefault(found.line, f"{found.rule} {found.message}")
+    return marks
+
+
+def _numbered(number: int, text: str, marks: dict[int, str]) -> str:
+    text = _cut(text)
     parts, end = [], 0
-    for comment in _COMMENT.finditer(line):
-        parts += [escape(line[end : comment.start()]), _pale(comment[0])]
+    for comment in _COMMENT.finditer(text):
+        parts += [escape(text[end : comment.start()]), _pale(comment[0])]
         end = comment.end()
-    return "".join([_pale(f"{number:>6}  "), *parts, escape(line[end:])])
+    mark = ""
+    if number in marks:
+        mark = f'  <span style="color:#d33">&larr; {escape(_cut(marks[number]))}</span>'
+    return "".join([_pale(f"{number:>6}  "), *parts, escape(text[end:]), mark])
 
 
 # ---- pieces of a page ----
 
 
-def _page(parts: Iterable[str]) -> str:
+def page(parts: Iterable[str]) -> str:
+    """Parts together."""
     return f"<div>{''.join(parts)}</div>"
 
 
@@ -120,7 +142,8 @@ def _pale(text: str) -> str:
     return f'<span style="opacity:.55">{escape(text)}</span>'
 
 
-def _line(text: str, *, strong: bool = False) -> str:
+def line(text: str, *, strong: bool = False) -> str:
+    """A paragraph."""
     weight = ' style="font-weight:bold"' if strong else ""
     return f"<p{weight}>{escape(text)}</p>"
 
@@ -129,24 +152,27 @@ def _pre(inner: str, style: str = "") -> str:
     return f'<pre style="background:none;color:inherit;{style}">{inner}</pre>'
 
 
-def _text(text: str) -> str:
+def plain(text: str) -> str:
+    """A text as it is spaced."""
     return _pre(escape(text))
 
 
-def _marked(text: str) -> str:
+def marked(text: str) -> str:
     """With a red bar that is seen on dark and on light pages."""
     return _pre(escape(text), "border-left:4px solid #d33;padding-left:.6em")
 
 
-def _few(word: str, texts: Iterable[str]) -> list[str]:
+def few(word: str, texts: Iterable[str]) -> list[str]:
+    """The first of many, each behind a word."""
     told = list(texts)
-    lines = [_line(f"{word}: {_cut(text)}") for text in told[:_MOST_LINES]]
+    lines = [line(f"{word}: {_cut(text)}") for text in told[:_MOST_LINES]]
     if (left := len(told) - _MOST_LINES) > 0:
-        lines.append(_line(f"... and {left:,} more"))
+        lines.append(line(f"... and {left:,} more"))
     return lines
 
 
-def _table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+def table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    """A table of plain texts."""
     head = "".join(f"<th>{escape(name)}</th>" for name in heads)
     body = "".join(
         f"<tr>{''.join(f'<td>{escape(_cut(cell))}</td>' for cell in row)}</tr>" for row in rows

@@ -7,7 +7,7 @@ import enum
 import json
 import re
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Annotated, Any
 
@@ -15,7 +15,7 @@ import typer
 
 import cncsub
 from cncsub.controls import did_you_mean
-from cncsub.notes import counting, same_blocks
+from cncsub.notes import Note, counting, same_blocks
 from cncsub.printing import Console, console_on, shown
 from cncsub.project import Project, find_project
 
@@ -62,6 +62,14 @@ Mdi = Annotated[str | None, typer.Option(help="Run this text as if it was typed 
 Set = Annotated[
     list[str] | None,
     typer.Option("--set", help="A variable before the run: 100=23.34.", metavar="N=VALUE"),
+]
+VariablesFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--variables",
+        help="A file of variables before the run: TOML, CSV, or what the control punched out;"
+        " --set counts before it.",
+    ),
 ]
 Param = Annotated[
     list[str] | None,
@@ -125,7 +133,7 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
         raise ValueError("--mdi runs what was typed and --main a program; give one of them")
     asked: dict[str, Any] = {
         "start": options["start"],
-        "variables": dict(_assignment("--set", text, _vacant) for text in options["set"] or ()),
+        "variables": _variables(options),
         "block_skip": options["skip"] or (),
         "optional_stop": options["optional_stop"],
         "max_cycles": options["max_cycles"],
@@ -140,6 +148,13 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     if (inputs := options["inputs"] or project.inputs) is not None:
         asked["inputs"] = cncsub.Inputs.from_toml(inputs)
     return asked
+
+
+def _variables(options: Mapping[str, Any]) -> dict[int, float | None]:
+    """Those of the file, and above them those of `--set`."""
+    file = options.get("variables") or project_here().variables
+    given = {} if file is None else dict(cncsub.read_variables(file))
+    return given | dict(_assignment("--set", text, _vacant) for text in options["set"] or ())
 
 
 def watched_numbers(texts: Iterable[str]) -> list[int]:
@@ -159,6 +174,21 @@ def watched_numbers(texts: Iterable[str]) -> list[int]:
             raise ValueError(f"--watch {text.strip()}: {MOST_WATCHED:,} variables at most")
         numbers.update(dict.fromkeys(range(low, high + 1)))
     return list(numbers)
+
+
+STATUS = {
+    cncsub.Stop.END: 0,
+    cncsub.Stop.CYCLES: 0,
+    cncsub.Stop.ALARM: 1,
+    cncsub.Stop.WAITING: 3,
+    cncsub.Stop.LIMIT: 4,
+    cncsub.Stop.INTERRUPTED: 130,
+}
+
+
+def status_of(run: cncsub.Run | cncsub.Stream) -> int:
+    """The exit status of a run; 1 for a stream that was left before its end."""
+    return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
 
 
 def project_here() -> Project:
@@ -223,10 +253,21 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
 
 def tell_notes(library: cncsub.Library) -> None:
     """Tells on the error stream what is easily overlooked."""
-    for note in library.notes[:MOST_NOTES]:
+    tell_all(library.notes)
+
+
+def tell_all(notes: Sequence[Note]) -> None:
+    """Tells notes on the error stream, the first of many."""
+    for note in notes[:MOST_NOTES]:
         typer.echo(f"note: {shown(str(note))}", err=True)
-    if (left := len(library.notes) - MOST_NOTES) > 0:
+    if (left := len(notes) - MOST_NOTES) > 0:
         typer.echo(f"note: ... and {left:,} more", err=True)
+
+
+def tell_hints(hints: Iterable[str]) -> None:
+    """Tells on the error stream what leads on from an alarm."""
+    for hint in hints:
+        typer.echo(f"hint: {shown(hint)}", err=True)
 
 
 def control_named(name: str | None) -> cncsub.Control:

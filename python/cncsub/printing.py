@@ -5,12 +5,13 @@ from __future__ import annotations
 import itertools
 import os
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import IO, TYPE_CHECKING, Any
 
 import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import sources_of
+from cncsub.statictree import letters
 
 if TYPE_CHECKING:
     import rich.console
@@ -116,9 +117,11 @@ def _variable(value: float | None) -> str:
     return "vacant" if value is None else f"{value:.10g}"
 
 
-def print_tree(console: Console, run: cncsub.Run, title: str) -> None:
+def print_tree(console: Console, run: cncsub.Run, title: str, *, callers: bool = False) -> None:
+    """The calls; with `callers` each with its arguments and the block that called."""
     console.print(Text(shown(title), style="bold"))
-    lines = _tree_lines(run.calls.tree(most=MOST_CALLS))
+    told = (lambda call: call_words(run, call)) if callers else None
+    lines = _tree_lines(run.calls.tree(most=MOST_CALLS), told)
     for line in itertools.islice(lines, MOST_LINES):
         console.print(line)
     left = sum(1 for _ in lines)
@@ -128,19 +131,34 @@ def print_tree(console: Console, run: cncsub.Run, title: str) -> None:
         console.print(f"... drawn are the first {MOST_CALLS:,} of {len(run.calls):,} calls")
 
 
-def _tree_lines(trees: list[CallTree]) -> Iterator[Text]:
+def call_words(run: cncsub.Run, call: CallTree) -> str:
+    """What was given to a call, and by which block: ` A=1 B=2, from O1 N10`."""
+    words = f" {letters(call.arguments)}" if call.arguments else ""
+    if call.varied:
+        words += " (the first; they differ)"
+    if call.caller_step is not None and call.caller_step < len(run.steps):
+        step = run.steps[call.caller_step]
+        at = f"line {step.line}" if step.n is None else f"N{step.n}"
+        words += f", from {step.program} {at}"
+    return words
+
+
+def _tree_lines(
+    trees: list[CallTree], told: Callable[[CallTree], str] | None = None
+) -> Iterator[Text]:
     waiting = [(call, "", call is trees[-1]) for call in reversed(trees)]
     while waiting:
         call, stem, last = waiting.pop()
         head = shown(f"{call.kind} {call.program}")
         branch = stem + ("`-- " if last else "|-- ")
-        yield Text.assemble((branch, "dim"), (head, "cyan"), shown(str(call)).removeprefix(head))
+        words = shown(str(call) + (told(call) if told else "")).removeprefix(head)
+        yield Text.assemble((branch, "dim"), (head, "cyan"), words)
         below = stem + ("    " if last else "|   ")
         waiting += [(inner, below, inner is call.calls[-1]) for inner in reversed(call.calls)]
 
 
 def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
-    stop = Text(f"stopped: {_stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
+    stop = Text(f"stopped: {stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
     console.print(stop)
     if run.endless is not None and run.stop is not cncsub.Stop.WAITING:
         console.print(f"why: {shown(str(run.endless))}")
@@ -148,7 +166,8 @@ def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
         console.print(Text("\n".join(map(shown, str(run.alarm).split("\n")))))
 
 
-def _stop_text(run: cncsub.Run | cncsub.Stream) -> str:
+def stop_text(run: cncsub.Run | cncsub.Stream) -> str:
+    """How a run ended, in words."""
     blocks = f"{run.blocks:,} block{'s' if run.blocks != 1 else ''}"
     if run.stop is cncsub.Stop.WAITING:
         return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
@@ -156,7 +175,7 @@ def _stop_text(run: cncsub.Run | cncsub.Stream) -> str:
     reasons = {
         cncsub.Stop.END: "the program ended",
         cncsub.Stop.ALARM: "alarm",
-        cncsub.Stop.CYCLES: "the cycles are used up (--max-cycles)",
+        cncsub.Stop.CYCLES: "M99 starts the program over, all cycles asked for ran (--max-cycles)",
         cncsub.Stop.LIMIT: "the limit of blocks or memory is reached (--max-blocks)",
         cncsub.Stop.INTERRUPTED: "interrupted",
     }
@@ -247,6 +266,8 @@ def print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
             console.print()
         console.print(Text(fact["cause"], style="bold"))
         console.print(f"  raised by: {fact['meaning']}")
+        for kin in fact["beside"]:
+            console.print(f"  beside it: {kin['number']} {kin['cause']}, {kin['meaning']}")
         console.print(f"  cure: {fact['cure']}")
         for alarm in fact["alarms"]:
             directed = ", ".join(f"{number} {way}" for way, number in alarm["directed"].items())

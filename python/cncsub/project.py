@@ -18,8 +18,9 @@ class Project:
     """What `cncsub.toml` may hold; paths are relative to it.
 
     `control`: the name of the control. `parameters`: those that differ. `setup`, `inputs`: TOML
-    files. `external`: the folder of the external device. `folders`: the programs, where a command
-    names none. `ignore`: rules of `check` that are off; `severity`: rules to another severity.
+    files. `variables`: a file of variables before the run. `external`: the folder of the external
+    device. `folders`: the programs, where a command names none. `ignore`: rules of `check` that are
+    off; `severity`: rules to another severity.
     """
 
     file: Path | None = None
@@ -27,6 +28,7 @@ class Project:
     parameters: Mapping[str, float] = field(default_factory=dict)
     setup: Path | None = None
     inputs: Path | None = None
+    variables: Path | None = None
     external: Path | None = None
     folders: tuple[str, ...] = ()
     ignore: frozenset[str] = frozenset()
@@ -62,6 +64,7 @@ _KINDS: Mapping[str, type] = {
     "parameters": dict,
     "setup": str,
     "inputs": str,
+    "variables": str,
     "external": str,
     "folders": list,
     "check": dict,
@@ -91,6 +94,7 @@ def _read(file: Path, told: Any) -> Project:
             _numbers(told.get("parameters", {})),
             path("setup"),
             path("inputs"),
+            path("variables"),
             path("external"),
             tuple(str(file.parent / folder) for folder in told.get("folders", [])),
             chosen_rules(check.get("ignore", [])),

@@ -161,6 +161,11 @@ class CallGraph:
     def computed(self) -> tuple[Edge, ...]:
         return tuple(edge for edge in self.edges if isinstance(edge.called, Computed))
 
+    def _repr_html_(self) -> str:
+        from cncsub.notebook_values import graph_html
+
+        return graph_html(self)
+
     def __repr__(self) -> str:
         return (
             f"<CallGraph of {len(self.programs)} programs, {len(self.edges)} calls, "

@@ -98,6 +98,11 @@ class Variables(Stays, Mapping[int, float | None]):
     def _set(self) -> dict[int, float | None]:
         return self._core.variables(self._level)
 
+    def _repr_html_(self) -> str:
+        from cncsub.notebook_values import variables_html
+
+        return variables_html(self)
+
     def __repr__(self) -> str:
         return "{" + ", ".join(f"{number}: {self[number]:g}" for number in self) + "}"
 

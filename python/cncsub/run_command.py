@@ -13,6 +13,7 @@ import typer
 
 import cncsub
 from cncsub.facts import run_facts, tree_facts
+from cncsub.hints import defaulted, hints_of, without_effect
 from cncsub.listing_command import Listing, Where, filters, write_listing
 from cncsub.options import (
     ControlName,
@@ -34,16 +35,21 @@ from cncsub.options import (
     SetupFile,
     Skip,
     Start,
+    VariablesFile,
     Watch,
     WrongUseError,
     memory_of,
     opened,
     run_options,
+    status_of,
+    tell_all,
+    tell_hints,
     write_json,
     write_text,
     wrong_use,
 )
 from cncsub.printing import console_on, print_run, print_stop, print_tree
+from cncsub.static_command import draw_static_tree
 from cncsub.tables import records
 
 
@@ -53,6 +59,7 @@ def run(
     main: Main = None,
     mdi: Mdi = None,
     set: Set = None,
+    variables: VariablesFile = None,
     param: Param = None,
     skip: Skip = None,
     external: External = None,
@@ -80,23 +87,24 @@ def run(
         stream = _stream(locals())
         _write_moves(stream, format, output)
         print_stop(console_on(sys.stderr), stream)
-        raise typer.Exit(_status(stream))
+        raise typer.Exit(status_of(stream))
     with wrong_use():
         asked = filters(where or ())
         if asked and not listing:
             raise ValueError("--where chooses blocks of the listing: give --listing too")
-    made, title, notes = _run(_watching(locals(), asked), trace="moves")
+    made, title, notes, hints = _run(_watching(locals(), asked), trace="moves")
     if listing:
         with wrong_use():
             blocks = made.listing(**asked)
         write_listing(blocks, output, as_json=format is RunFormat.JSON)
         print_stop(console_on(sys.stderr), made)
-        raise typer.Exit(_status(made))
+        raise typer.Exit(status_of(made))
     if format is RunFormat.TEXT:
         write_text(output, lambda console: print_run(console, made, title))
+        tell_hints(hints)
     else:
-        write_json(output, {**run_facts(made, title), "notes": notes})
-    raise typer.Exit(_status(made))
+        write_json(output, {**run_facts(made, title), "notes": notes, "hints": hints})
+    raise typer.Exit(status_of(made))
 
 
 def tree(
@@ -105,6 +113,7 @@ def tree(
     main: Main = None,
     mdi: Mdi = None,
     set: Set = None,
+    variables: VariablesFile = None,
     param: Param = None,
     skip: Skip = None,
     external: External = None,
@@ -116,18 +125,25 @@ def tree(
     inputs: InputsFile = None,
     start: Start = None,
     optional_stop: OptionalStop = False,
+    static: Annotated[
+        bool, typer.Option("--static", help="As it is written, without running.")
+    ] = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
 ) -> None:
-    """Draw the calls a program makes."""
-    made, title, notes = _run(locals(), trace="blocks")
+    """Draw the calls a program makes, their arguments and callers: as it ran, or as written."""
+    if static:
+        draw_static_tree(locals(), main, format, output)
+        return
+    made, title, notes, hints = _run(locals(), trace="blocks")
     if format is Format.JSON:
-        write_json(output, {**tree_facts(made, title), "notes": notes})
+        write_json(output, {**tree_facts(made, title), "notes": notes, "hints": hints})
     else:
-        write_text(output, lambda console: print_tree(console, made, title))
+        write_text(output, lambda console: print_tree(console, made, title, callers=True))
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
             print_stop(console_on(sys.stderr), made)
-    raise typer.Exit(_status(made))
+            tell_hints(hints)
+    raise typer.Exit(status_of(made))
 
 
 def _watching(options: Mapping[str, Any], asked: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -137,18 +153,26 @@ def _watching(options: Mapping[str, Any], asked: Mapping[str, Any]) -> Mapping[s
     return {**options, "watch": [*(options["watch"] or ()), str(asked["variable"])]}
 
 
-def _run(options: Mapping[str, Any], *, trace: str) -> tuple[cncsub.Run, str, list[dict[str, Any]]]:
-    """Run what the options say, name what ran, and what is to be known of the memory."""
+def _run(
+    options: Mapping[str, Any], *, trace: str
+) -> tuple[cncsub.Run, str, list[dict[str, Any]], list[str]]:
+    """Run what the options say, name what ran, what is to be known of the memory and the options,
+    and what leads on from an alarm.
+    """
     with wrong_use():
         library = memory_of(options)
         asked = run_options(options, trace)
         where = f"on {library.control.title}"
         notes = [asdict(note) for note in library.notes]
         if options["mdi"] is not None:
-            return library.mdi(options["mdi"], **asked), f"MDI {where}", notes
+            return library.mdi(options["mdi"], **asked), f"MDI {where}", notes, []
         program = library.main if options["main"] is None else library[options["main"]]
         name = "nothing" if program is None else program.name
-        return library.run(options["main"], **asked), f"{name} {where}", notes
+        made = library.run(options["main"], **asked)
+        idle = [*defaulted(options), *without_effect(library, asked)]
+        tell_all(idle)
+        notes += map(asdict, idle)
+        return made, f"{name} {where}", notes, hints_of(library, made, asked, options["main"])
 
 
 def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
@@ -159,20 +183,6 @@ def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
         if options["mdi"] is not None:
             raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
         return memory_of(options).stream(options["main"], **run_options(options, "moves"))
-
-
-STATUS = {
-    cncsub.Stop.END: 0,
-    cncsub.Stop.CYCLES: 0,
-    cncsub.Stop.ALARM: 1,
-    cncsub.Stop.WAITING: 3,
-    cncsub.Stop.LIMIT: 4,
-    cncsub.Stop.INTERRUPTED: 130,
-}
-
-
-def _status(run: cncsub.Run | cncsub.Stream) -> int:
-    return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
 
 
 def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> None:

@@ -16,6 +16,7 @@ from cncsub.controls import control_of
 from cncsub.library import Library, Options, load
 from cncsub.rewriting import Rewriting, TranslateError
 from cncsub.run import Run, Stop
+from cncsub.signatures import spelled_out
 
 if TYPE_CHECKING:
     from cncsub.comparison import Column
@@ -116,6 +117,7 @@ class Translation:
         return written
 
 
+@spelled_out(Library.run, "mode")
 def translate(
     of: Library | str | os.PathLike[str],
     to: str | Control,

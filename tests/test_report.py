@@ -1,0 +1,229 @@
+"""The page that tells a run: whole in itself, escaped, bounded, with links that lead somewhere."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import cncsub
+from cncsub.cli import app
+from cncsub.report_path import MOST_POINTS, path_of
+
+CONTROL = "fanuc-0i-f"
+JOB = """O1 (PART <b>)
+N10 G0 X0 Y0 Z5.
+N20 G65 P2 A3. B0.5
+N25 M98 P3 L2
+N30 G1 Z-2. F100 M3 M8
+N40 G2 X20. Y0 I10.
+N50 M98 P9 (<script>alert 1</script>)
+O2
+N60 IF[#1 LT 0] GOTO 70
+N65 G0 X#1
+N70 M99
+O3
+N80 G91 G0 X1.
+N90 M98 P2
+N95 G90
+N99 M99
+"""
+_VOID = {"meta", "link", "br"}
+
+
+class Page(HTMLParser):
+    """The ids, the links, the addresses and the balance of a page."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.ids: list[str] = []
+        self.links: list[str] = []
+        self.addresses: list[str] = []
+        self.open: list[str] = []
+        self.feed(text)
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        for name, value in attrs:
+            if name == "id":
+                self.ids.append(value or "")
+            elif name == "href":
+                self.links.append(value or "")
+            elif name in ("src", "action"):
+                self.addresses.append(value or "")
+        if tag not in _VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        pass
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def page_of(text: str, control: str = CONTROL, **options: Any) -> str:
+    library = cncsub.loads(text, control=control, name="job.nc")
+    return cncsub.report(library, library.run(**options))
+
+
+def test_every_link_leads_to_a_place_of_the_page_and_none_elsewhere() -> None:
+    page = Page(page_of(JOB))
+    assert len(page.ids) == len(set(page.ids))
+    assert {link[1:] for link in page.links} - set(page.ids) == set()
+    assert page.addresses == []
+    assert "f0-l7" in page.ids
+
+
+def test_the_page_tells_the_stop_the_cure_the_calls_and_their_arguments() -> None:
+    page = page_of(JOB)
+    shown = re.sub(r"<[^>]*>", "", page)
+    assert "stopped: alarm, after 22 blocks" in shown
+    assert "PS0076 program-not-found" in shown
+    assert cncsub.causes["program-not-found"].cure in shown
+    assert "G65 O2 A=3 B=0.5 from O1 N20" in shown
+    assert "M98 O3, 2 passes from O1 N25" in shown
+    assert "CS201 O9 is not in the memory" in shown
+    assert "never taken" in shown
+
+
+def test_texts_of_programs_are_escaped() -> None:
+    page = page_of(JOB)
+    assert "<script>alert" not in page
+    assert "(&lt;script&gt;alert 1&lt;/script&gt;)" in page
+
+
+def test_a_run_of_another_library_is_refused() -> None:
+    one, other = (cncsub.loads(JOB, control=CONTROL) for _ in range(2))
+    with pytest.raises(ValueError, match="another library"):
+        cncsub.report(one, other.run())
+
+
+def test_an_empty_run_is_a_page() -> None:
+    assert "It called nothing." in page_of("O1\nM30\n")
+
+
+def test_a_program_too_long_is_cut_and_said_so_but_its_findings_are_shown() -> None:
+    text = "O1\n" + "G1 X1. F100\nX2.\n" * 4_000 + "M98 P9\n"
+    page = page_of(text)
+    assert re.search(r"\.\.\. [\d,]+ blocks", page)
+    Page(page)
+    assert "M98 P9</td>" in page
+    assert len(page) < 2_000_000
+
+
+def test_arcs_are_round_and_x_of_a_lathe_is_a_radius() -> None:
+    turn = "O1\nG0 X0 Z0\nG1 F100 X20.\nG3 X40. Z-10. R10.\nM30\n"
+    path = path_of(cncsub.loads(turn, control="gsk-988ta").run())
+    assert path.diameters
+    arc = path.points[path.moves == 2]
+    assert len(arc) >= 9
+    assert np.allclose(np.hypot(arc[:, 0] - 10, arc[:, 2] + 10), 10)
+    mill = "O1\nG0 X0 Y0\nG2 X0 Y0 I10. Z-4. F100\nM30\n"
+    path = path_of(cncsub.loads(mill, control=CONTROL).run())
+    circle = path.points[path.moves == 1]
+    assert not path.diameters
+    assert np.allclose(np.hypot(circle[:, 0] - 10, circle[:, 1]), 10)
+    assert circle[:, 0].max() == pytest.approx(20)
+    assert circle[:, 1].max() == pytest.approx(10)  # clockwise from the left: above first
+    assert circle[len(circle) // 4, 1] > 0
+    assert circle[-1].tolist() == [0, 0, -4]
+
+
+def points_of(caption: str, page: str) -> list[int]:
+    found = re.search(caption, page)
+    assert found
+    return [int(number.replace(",", "")) for number in found.groups()]
+
+
+def test_a_long_path_is_thinned_and_says_so() -> None:
+    fine = "".join(f"X{i * 0.01:.2f} Y{i % 5 * 0.01:.2f}\n" for i in range(40_000))
+    page = page_of(f"O1\nG1 F100\n{fine}M30\n")
+    kept, whole = points_of(r"thinned: ([\d,]+) of ([\d,]+) points", page)
+    assert kept <= MOST_POINTS < whole == 40_000
+    assert "nothing behind motion" not in page
+
+
+def test_a_path_that_cannot_be_thinned_is_cut_and_says_so() -> None:
+    wide = "".join(f"X{i % 977 * 0.5:.1f} Y{i * 7 % 631 * 0.5:.1f}\n" for i in range(40_000))
+    page = page_of(f"O1\nG1 F100\n{wide}M30\n")
+    behind, whole = points_of(r"nothing behind motion ([\d,]+) of ([\d,]+)", page)
+    assert behind < whole == 40_000
+
+
+def test_the_command_writes_the_page_and_keeps_the_status(tmp_path: Path) -> None:
+    (tmp_path / "job.nc").write_text(JOB)
+    file = tmp_path / "report.html"
+    done = CliRunner().invoke(
+        app, ["report", str(tmp_path / "job.nc"), "-c", CONTROL, "-o", str(file)]
+    )
+    assert done.exit_code == 1
+    assert f"wrote {file}" in done.stdout
+    assert "PS0076" in done.stderr
+    Page(file.read_text(encoding="utf-8"))
+    asked = CliRunner().invoke(app, ["report", str(tmp_path / "job.nc"), "-c", CONTROL])
+    assert asked.exit_code == 2
+
+
+# ---- in a browser ----
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    found = shutil.which("chromium") or shutil.which("google-chrome")
+    if found is None:
+        pytest.skip("no Chromium is installed (Debian: apt-get install chromium)")
+    api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    with api.sync_playwright() as playwright:
+        made = playwright.chromium.launch(executable_path=found, args=["--no-sandbox"])
+        yield made
+        made.close()
+
+
+def opened(browser: Any, tmp_path: Path, width: int) -> tuple[Any, list[str]]:
+    file = tmp_path / "report.html"
+    file.write_text(page_of(JOB), encoding="utf-8")
+    page = browser.new_page(viewport={"width": width, "height": 800})
+    told: list[str] = []
+    page.on("console", lambda message: told.append(message.text))
+    page.on("pageerror", lambda error: told.append(str(error)))
+    page.on("request", lambda request: request.url.startswith("file:") or told.append(request.url))
+    page.goto(file.as_uri())
+    return page, told
+
+
+def test_heads_sort_links_lead_and_keys_walk(browser: Any, tmp_path: Path) -> None:
+    page, told = opened(browser, tmp_path, 1200)
+    heads = page.locator("h3:has-text('variables') + div th button")
+    cells = page.locator("h3:has-text('calls') + div tbody td:first-child")
+    head = page.locator("h3:has-text('calls') + div th button").first
+    head.focus()
+    page.keyboard.press("Enter")
+    assert cells.first.text_content() == "0"
+    page.keyboard.press("Enter")
+    assert int(cells.first.text_content()) == cells.count() - 1
+    assert heads.count() in (0, 2)
+    page.locator("#f0-l7").evaluate("row => row.closest('details').open = false")
+    page.get_by_text("to the block").click()
+    assert page.locator("#f0-l7").is_visible()
+    page.evaluate("location.hash = ''")
+    page.keyboard.press("n")
+    assert "mark" in page.evaluate("document.activeElement.className")
+    page.locator("svg a").first.dispatch_event("click")
+    assert page.evaluate("location.hash").startswith("#f0-l")
+    assert told == []
+    page.close()
+
+
+@pytest.mark.parametrize("width", [360, 1200])
+def test_no_width_scrolls_sideways(browser: Any, tmp_path: Path, width: int) -> None:
+    page, told = opened(browser, tmp_path, width)
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    assert told == []
+    page.close()
