@@ -74,14 +74,18 @@ def _files_named(library: Library, alarm: Alarm, name: str) -> Iterator[str]:
     if not Path(alarm.file).is_file() or not name:
         return
     read = {Path(file).resolve() for file in library.files}
-    with os.scandir(folder) as entries:
-        for _, entry in zip(range(MOST_FILES), entries):
-            stem = Path(entry.name).stem
-            same = stem.upper() == name.upper()
-            if digits.isdecimal():
-                same |= re.fullmatch(rf"[Oo]?0*{digits}", stem) is not None
-            if same and entry.is_file() and Path(entry.path).resolve() not in read:
-                yield entry.path
+    try:
+        with os.scandir(folder) as entries:
+            beside = [entry for _, entry in zip(range(MOST_FILES), entries)]
+    except OSError:  # a folder that nobody may list
+        return
+    for entry in beside:
+        stem = Path(entry.name).stem
+        same = stem.upper() == name.upper()
+        if digits.isdecimal():
+            same |= re.fullmatch(rf"[Oo]?0*{digits}", stem) is not None
+        if same and entry.is_file() and Path(entry.path).resolve() not in read:
+            yield entry.path
 
 
 # ---- another language ----
