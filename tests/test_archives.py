@@ -222,7 +222,10 @@ def test_only_the_file_that_kills_its_worker_is_crashed(tmp_path: Path) -> None:
 def test_a_process_killed_on_the_way_costs_no_row(tmp_path: Path) -> None:
     archive(tmp_path, 600)
     pool = ProcessPoolExecutor(2, mp_context=get_context("spawn"))
+    # Both processes are there before one dies: Python 3.11 waits for ever for one that begins just then.
+    other = pool.submit(time.sleep, 0.2)
     victim = pool.submit(os.getpid).result()
+    other.result()
     killer = threading.Timer(0.15, os.kill, (victim, signal.SIGKILL))
     killer.start()
     table = cncsub.run_many([tmp_path], CONTROL, executor=pool)
