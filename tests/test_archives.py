@@ -218,19 +218,33 @@ def test_only_the_file_that_kills_its_worker_is_crashed(tmp_path: Path) -> None:
     assert [row[status] for row in found] == ["ran", "crashed", "ran", "ran"]
 
 
+class Killing(Executor):
+    """Two processes, one of which is killed as the third chunk is handed over.
+
+    Both are there before: Python 3.11 waits for ever for one that begins just then.
+    """
+
+    def __init__(self) -> None:
+        self.pool = ProcessPoolExecutor(2, mp_context=get_context("spawn"))
+        other = self.pool.submit(time.sleep, 0.2)
+        self.victim = self.pool.submit(os.getpid).result()
+        other.result()
+        self.chunks = 0
+
+    def submit(self, work: Callable[..., Any], /, *arguments: Any, **named: Any) -> Future[Any]:
+        self.chunks += 1
+        if self.chunks == 3:
+            os.kill(self.victim, signal.SIGKILL)
+        return self.pool.submit(work, *arguments, **named)
+
+
 @pytest.mark.filterwarnings("ignore:a chunk is done again:RuntimeWarning")
 def test_a_process_killed_on_the_way_costs_no_row(tmp_path: Path) -> None:
     archive(tmp_path, 600)
-    pool = ProcessPoolExecutor(2, mp_context=get_context("spawn"))
-    # Both processes are there before one dies: Python 3.11 waits for ever for one that begins just then.
-    other = pool.submit(time.sleep, 0.2)
-    victim = pool.submit(os.getpid).result()
-    other.result()
-    killer = threading.Timer(0.15, os.kill, (victim, signal.SIGKILL))
-    killer.start()
-    table = cncsub.run_many([tmp_path], CONTROL, executor=pool)
-    killer.join()
-    pool.shutdown()
+    killing = Killing()
+    table = cncsub.run_many([tmp_path], CONTROL, executor=killing)
+    killing.pool.shutdown()
+    assert killing.chunks >= 3
     assert table["status"].to_pylist() == ["ran"] * 600
 
 
