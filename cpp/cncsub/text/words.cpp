@@ -4,14 +4,16 @@
 
 namespace cncsub {
 
-std::optional<Number> take_number(Scanner& s, WrittenWord& word) {
-  const char first = s.peek();
-  if (!is_digit(first) && first != '.' && first != '-' && first != '+') return std::nullopt;
-  const Number number = scan_number(s);
+bool set_number(WrittenWord& word, const Number& number) {
   word.known = number.any && number.points < 2 && std::fabs(number.value) < kLargest;
   word.value = number.value;
-  if (!number.any) return std::nullopt;
-  return number;
+  return number.any;
+}
+
+bool take_number(Scanner& s, WrittenWord& word) {
+  const char first = s.peek();
+  if (!is_digit(first) && first != '.' && first != '-' && first != '+') return false;
+  return set_number(word, scan_number(s));
 }
 
 void place_word(WrittenWord& word, std::string_view block, const char* from, const char* to) {

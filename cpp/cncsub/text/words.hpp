@@ -25,8 +25,10 @@ struct WrittenWord {
 /// where the block has no more. Each dialect has its own way.
 using ReadWord = std::optional<WrittenWord> (*)(std::string_view block, std::size_t& from);
 
-/// Reads the number that stands here as the value of a word; nothing where none with a digit does.
-std::optional<Number> take_number(Scanner& s, WrittenWord& word);
+/// Gives a word the value of a number; false where that has no digit.
+bool set_number(WrittenWord& word, const Number& number);
+/// Reads the number that stands here as the value of a word; false where none with a digit does.
+bool take_number(Scanner& s, WrittenWord& word);
 
 /// Gives a word its text and its place: what stands from one character of its block to another,
 /// without blanks and comments.

@@ -4,14 +4,16 @@
 #include <cmath>
 #include <string>
 
-#include "cncsub/dialect/iso/spelling.hpp"
 #include "cncsub/dialect/iso/statement.hpp"
 
 namespace cncsub {
 
 namespace {
 
-bool begins_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
+/// The bit of the switch of a slash, that of 1 where no number stands.
+std::uint16_t mask_of(const Lexeme& slash) {
+  return static_cast<std::uint16_t>(1U << (slash.skip == 0 ? 1U : slash.skip));
+}
 
 bool takes_name(Role role) {
   switch (role) {
@@ -31,41 +33,27 @@ bool takes_name(Role role) {
 // ---- the head ----
 
 bool WordScanner::head() {
-  for (;;) {
-    const char c = s_.peek();
-    if (c == '/') {
-      block_.skip = static_cast<std::uint16_t>(block_.skip | slash());
-    } else if (c == 'N' && block_.n < 0) {
-      Scanner ahead = s_;
-      ++ahead.at;
-      if (is_letter(ahead.peek())) return true;
-      s_ = ahead;
-      if (!sequence_number()) return false;
-    } else {
-      return true;
-    }
+  for (char c = s_.peek(); c == '/' || c == 'N'; c = s_.peek()) {
+    Scanner ahead = s_;
+    const Lexeme read = read_lexeme(ahead, axes_);
+    if (read.kind == Lexeme::Kind::Statement || (c == 'N' && block_.n >= 0)) return true;
+    s_ = ahead;
+    if (c == '/')
+      block_.skip = static_cast<std::uint16_t>(block_.skip | mask_of(read));
+    else if (!sequence_number(read))
+      return false;
   }
+  return true;
 }
 
-/// A slash: the bit of its switch, that of 1 where no number stands.
-std::uint16_t WordScanner::slash() {
-  ++s_.at;
-  const char c = s_.peek();
-  const bool numbered = c >= '1' && c <= '9';
-  if (numbered) ++s_.at;
-  return static_cast<std::uint16_t>(1u << (numbered ? c - '0' : 1));
-}
-
-/// Behind its N.
-bool WordScanner::sequence_number() {
-  const std::uint32_t at = s_.offset() - 1;
-  const char c = s_.peek();
+bool WordScanner::sequence_number(const Lexeme& read) {
+  const std::uint32_t at = offset(read);
+  const Number& number = read.number;
   const auto wrong = [&](Cause cause, std::string detail) {
     return refuse({cause, at, std::max(1u, s_.offset() - at), std::move(detail)});
   };
-  if (c == '#' || c == '[')
+  if (read.value == Lexeme::Value::Expression)
     return wrong(Cause::IllegalSequenceNumber, "a sequence number cannot come from a variable");
-  const Number number = scan_number(s_);
   if (!number.any) return wrong(Cause::AddressWithoutValue, "N without a number");
   if (number.points != 0)
     return wrong(Cause::IllegalDecimalPoint, "a sequence number has no point");
@@ -85,92 +73,92 @@ bool WordScanner::sequence_number() {
 bool WordScanner::words(Tokens& tokens) {
   slashes_ = block_.skip;
   for (;;) {
-    const char c = s_.peek();
-    if (c == '\0' && s_.at == s_.end) return true;
+    const Lexeme read = read_lexeme(s_, axes_);
+    if (read.kind == Lexeme::Kind::End) return true;
     if (to_.interrupt().requested(1)) return false;
-    const bool good = !is_letter(c) ? no_letter(c, tokens)
-                      : c == 'N'    ? late_sequence_number(tokens)
-                                    : word(tokens);
-    if (!good) return false;
+    if (!lexeme(read, tokens)) return false;
   }
 }
 
-bool WordScanner::word(Tokens& tokens) {
-  Token& token = tokens.emplace_back();
-  token.operand.at = s_.offset();
-  token.letter = upper(*s_.at);
-  return value(token);
+bool WordScanner::lexeme(const Lexeme& read, Tokens& tokens) {
+  switch (read.kind) {
+    case Lexeme::Kind::End:
+      return true;
+    case Lexeme::Kind::Statement:
+      if (read.address == '#') return stray(read.at);
+      [[fallthrough]];
+    case Lexeme::Kind::Word:
+      return read.address == 'N' && !read.comma ? late_sequence_number(read, tokens)
+                                                : word(read, tokens);
+    case Lexeme::Kind::Slash:
+      return skip(read, tokens);
+    case Lexeme::Kind::Name:
+    case Lexeme::Kind::Other:
+      return other(read, tokens);
+  }
+  return false;
 }
 
-bool WordScanner::late_sequence_number(Tokens& tokens) {
-  const std::uint32_t at = s_.offset();
-  if (control_.common.refuses.value.has(Cause::SequenceNumberNotFirst))
-    return refuse({Cause::SequenceNumberNotFirst, at, 1, "N must be the first word of its block"});
-  if (block_.n >= 0) return word(tokens);
+Token& WordScanner::add(const Lexeme& read, Tokens& tokens) {
   Token& token = tokens.emplace_back();
-  token.letter = 'N';
-  token.late = true;
-  token.operand.at = at;
-  ++s_.at;
-  if (!sequence_number()) return false;
+  token.operand.at = offset(read);
+  token.letter = read.address;
+  token.comma = read.comma;
+  token.axis = read.axis;
+  return token;
+}
+
+bool WordScanner::word(const Lexeme& read, Tokens& tokens) {
+  if (read.comma && std::string_view("CRAD").find(read.address) == std::string_view::npos)
+    return stray(read.at + 1);
+  return value(read, add(read, tokens));
+}
+
+bool WordScanner::late_sequence_number(const Lexeme& read, Tokens& tokens) {
+  if (control_.common.refuses.value.has(Cause::SequenceNumberNotFirst))
+    return refuse({Cause::SequenceNumberNotFirst, offset(read), 1,
+                   "N must be the first word of its block"});
+  if (block_.n >= 0) return word(read, tokens);
+  add(read, tokens).late = true;
+  if (!sequence_number(read)) return false;
   if (!control_.reading.late_sequence_numbers.value) block_.n = -1;
   return true;
 }
 
-bool WordScanner::no_letter(char c, Tokens& tokens) {
-  if (c == ',') return comma(tokens);
-  if (c == '/') return skip(tokens);
-  if (c == '<' && control_.reading.program_heads.value.has(ProgramHead::Name)) {
-    Token& token = tokens.emplace_back();
-    token.letter = '<';
-    token.operand.at = s_.offset();
-    ++s_.at;
-    return name(token, '>');
-  }
-  if (c == ')' && control_.reading.open_comment.value == OpenComment::RestOfBlock) {
+bool WordScanner::other(const Lexeme& read, Tokens& tokens) {
+  if (read.kind == Lexeme::Kind::Name &&
+      control_.reading.program_heads.value.has(ProgramHead::Name))
+    return name(add(read, tokens), '>');
+  if (read.address == ')' && control_.reading.open_comment.value == OpenComment::RestOfBlock) {
+    s_.at = read.at;
     s_.rest_of_comment();
     if (s_.peek() != ')') return true;
+    return stray(s_.at);
   }
-  return stray();
-}
-
-bool WordScanner::comma(Tokens& tokens) {
-  const std::uint32_t at = s_.offset();
-  ++s_.at;
-  const char c = s_.peek();
-  if (c != 'C' && c != 'R' && c != 'A' && c != 'D') return stray();
-  Token& token = tokens.emplace_back();
-  token.comma = true;
-  token.letter = c;
-  token.operand.at = at;
-  return value(token);
+  return stray(read.at);
 }
 
 /// A slash behind words. A second one of a switch says nothing new: the first has dropped the rest,
 /// or none does.
-bool WordScanner::skip(Tokens& tokens) {
-  const std::uint32_t at = s_.offset();
+bool WordScanner::skip(const Lexeme& read, Tokens& tokens) {
   if (control_.reading.block_skip.value == BlockSkip::HeadOnly)
-    return refuse(
-        {Cause::IllegalCharacter, at, 1, "a block-skip slash stands only at the head of a block"});
-  const std::uint16_t mask = slash();
-  if ((mask & slashes_) == 0) {
-    Token& token = tokens.emplace_back();
-    token.letter = '/';
-    token.skip = mask;
-    token.operand.at = at;
-  }
+    return refuse({Cause::IllegalCharacter, offset(read), 1,
+                   "a block-skip slash stands only at the head of a block"});
+  const std::uint16_t mask = mask_of(read);
+  if ((mask & slashes_) == 0) add(read, tokens).skip = mask;
   slashes_ = static_cast<std::uint16_t>(slashes_ | mask);
   return true;
 }
 
 /// Something that is no word.
-bool WordScanner::stray() {
+bool WordScanner::stray(const char* from) {
+  s_.at = from;
   const char c = s_.peek();
   const std::uint32_t at = s_.offset();
   if (c == '#')
     return refuse({Cause::NcAndMacroInBlock, at, 1, "a macro statement stands behind NC words"});
-  if (begins_number(c) || c == '[')
+  const bool number = is_digit(c) || c == '.' || c == '-' || c == '+';
+  if (number || c == '[')
     return refuse({Cause::ValueWithoutAddress, at, 1, "a value stands without an address"});
   if (c == ']') return refuse({Cause::BracketNotOpened, at, 1, "this bracket was never opened"});
   std::uint32_t width = 1;
@@ -187,37 +175,19 @@ bool WordScanner::stray() {
 
 // ---- values ----
 
-/// What stands behind the letter, at which the scanner is.
-bool WordScanner::value(Token& token) {
-  const char* const letter = s_.at++;
-  char c = s_.at == s_.end ? '\0' : *s_.at;
-  if (is_blank(c) || c == '(') c = s_.peek();
-  if (c == '-' || c == '+') c = behind_sign(c);
-  if (begins_number(c)) return number(token);
-  if (c == '[' && token.letter == 'P' && is_name_here() && calls_by_name()) {
-    s_.take('[');
-    token.letter = '<';
-    return name(token, ']');
+bool WordScanner::value(const Lexeme& read, Token& token) {
+  switch (read.value) {
+    case Lexeme::Value::Number:
+      return number(token, read.number);
+    case Lexeme::Value::Expression:
+      return computed(token);
+    case Lexeme::Value::None:
+      return no_value(token, read.comma ? read.at + 1 : read.at);
   }
-  if (c == '#' || c == '[') return expression(token, c == '[');
-  return no_value(token, letter);
+  return false;
 }
 
-/// What begins an expression behind a sign; the sign where none stands there.
-char WordScanner::behind_sign(char sign) const {
-  Scanner ahead = s_;
-  ++ahead.at;
-  const char next = ahead.peek();
-  return next == '#' || next == '[' ? next : sign;
-}
-
-bool WordScanner::number(Token& token) {
-  const Number number = scan_number(s_);
-  if (control_.macros.numbered_axis_arguments.value && token.axis == 0 &&
-      is_axis_number(token.letter, number, s_.peek())) {
-    token.axis = to_whole<std::uint8_t>(number.value);
-    return value(token);  // the equals sign stands where the letter did
-  }
+bool WordScanner::number(Token& token, const Number& number) {
   Operand& operand = token.operand;
   operand.kind = Operand::Kind::Constant;
   operand.value = number.value;
@@ -259,8 +229,17 @@ Fault odd_word(const Control& control, const Token& token) {
   return fault_of(token, token.wrong, std::move(detail));
 }
 
-bool WordScanner::expression(Token& token, bool bracketed) {
+/// A value that an expression gives, or the name in brackets of what P calls.
+bool WordScanner::computed(Token& token) {
+  if (token.letter == 'P' && s_.peek() == '[' && is_name_here() && calls_by_name()) {
+    s_.take('[');
+    token.letter = '<';
+    return name(token, ']');
+  }
   Operand& operand = token.operand;
+  Scanner behind_sign = s_;
+  if (behind_sign.peek() == '-' || behind_sign.peek() == '+') ++behind_sign.at;
+  operand.bracketed = behind_sign.peek() == '[';
   if (token.letter == 'O')
     return refuse(
         fault_of(token, Cause::AddressNotUsable, "a program number cannot come from a variable"));
@@ -269,7 +248,6 @@ bool WordScanner::expression(Token& token, bool bracketed) {
   if (!value) return refuse(reader.fault());
   operand.kind = Operand::Kind::Expression;
   operand.expression = *value;
-  operand.bracketed = bracketed;
   operand.width = std::max(1u, s_.offset() - operand.at);
   return true;
 }

@@ -10,11 +10,12 @@
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/block_rules.hpp"
+#include "cncsub/dialect/iso/lexeme.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
-/// A word as it is read.
+/// A lexeme with what it gives: a number, an expression, a name.
 struct Token {
   char letter = 0;        // '/' for a block-skip slash, '<' for a name
   bool comma = false;     // ,C
@@ -52,25 +53,27 @@ class WordScanner {
   bool words(Tokens& tokens);
 
  private:
-  std::uint16_t slash();
-  bool sequence_number();
-  bool late_sequence_number(Tokens& tokens);
-  bool comma(Tokens& tokens);
-  bool skip(Tokens& tokens);
-  bool word(Tokens& tokens);
-  bool no_letter(char c, Tokens& tokens);
-  bool value(Token& token);
-  char behind_sign(char sign) const;
-  bool number(Token& token);
+  bool lexeme(const Lexeme& read, Tokens& tokens);
+  bool other(const Lexeme& read, Tokens& tokens);
+  bool sequence_number(const Lexeme& read);
+  bool late_sequence_number(const Lexeme& read, Tokens& tokens);
+  bool skip(const Lexeme& read, Tokens& tokens);
+  bool word(const Lexeme& read, Tokens& tokens);
+  Token& add(const Lexeme& read, Tokens& tokens);
+  bool value(const Lexeme& read, Token& token);
+  bool number(Token& token, const Number& number);
   bool check(Token& token, const Number& number);
-  bool expression(Token& token, bool bracketed);
+  bool computed(Token& token);
   bool no_value(Token& token, const char* letter);
   std::optional<Fault> statement_at(const char* letter) const;
   bool name(Token& token, char close);
   std::string wrong_name(std::string_view name) const;
   bool is_name_here() const;
   bool calls_by_name();
-  bool stray();
+  bool stray(const char* at);
+  std::uint32_t offset(const Lexeme& read) const {
+    return static_cast<std::uint32_t>(read.at - s_.file);
+  }
   bool refuse(Fault fault) {
     to_.refuse(block_, std::move(fault));
     return false;
@@ -81,6 +84,7 @@ class WordScanner {
   const Control& control_;
   Scanner& s_;
   Block& block_;
+  const bool axes_ = control_.macros.numbered_axis_arguments.value;
   std::uint16_t slashes_ = 0;       // switches whose slash was read
   std::optional<bool> names_call_;  // whether a call stands in the block that takes a name
 };
