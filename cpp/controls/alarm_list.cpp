@@ -58,11 +58,13 @@ void take_list(Control& control, const AlarmList& list,
     if (only.size() != 0 && std::find(only.begin(), only.end(), row.number) == only.end()) continue;
     for (const Cause cause : row.causes) {
       AlarmEntry& entry = control.alarms[cause];
-      std::vector<DirectedNumber> directed = std::move(entry.directed);
-      entry = entry_of(list, row);
-      if (row.row != Row::Directed) continue;
-      entry.directed = std::move(directed);
-      entry.directed.push_back({row.direction, row.number, row.text});
+      const bool directed = row.row == Row::Directed;
+      if (!directed || entry.number.empty()) {
+        std::vector<DirectedNumber> own = std::move(entry.directed);
+        entry = entry_of(list, row);
+        if (directed) entry.directed = std::move(own);
+      }
+      if (directed) entry.directed.push_back({row.direction, row.number, row.text});
     }
   }
 }

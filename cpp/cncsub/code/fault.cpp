@@ -152,7 +152,7 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
   alarm.cause = fault.cause;
   alarm.detail = fault.detail;
   if (const AlarmEntry* entry = code.control->alarm(fault.cause)) {
-    const DirectedNumber* own = entry->towards({fault.direction.data(), fault.direction.size()});
+    const DirectedNumber* own = entry->towards({fault.kind.data(), fault.kind.size()});
     alarm.number = own != nullptr ? own->number : entry->number;
     alarm.text = own != nullptr ? own->text : entry->text;
   }

@@ -111,9 +111,9 @@ inline void no_role(Rule<Roles>& rule, std::initializer_list<CodeName> codes,
   for (const CodeName code : codes) give_role(rule, code, Role::None, source, evidence);
 }
 
-/// A number of its own for one direction of an axis.
+/// A number of its own for one direction of an axis, or for one kind of two moves that do not meet.
 struct DirectedNumber {
-  std::string direction;  // "X+", or "-" of any axis
+  std::string direction;  // "X+", or "-" of any axis; "LA" of a line and the arc behind it
   std::string number;
   std::string text;
 };

@@ -72,6 +72,27 @@ bool strange_in_rotation(const Block& b) {
   return b.meaning(Group::Motion) > Meaning::Ccw;
 }
 
+/// Whether the block names an axis of the plane that is compensated, absolute or by an increment.
+bool moves_in_plane(const State& s, const Block& b) {
+  const PlaneAxes axes = plane_axes(plane(s, b));
+  const auto named = [&b](int axis) {
+    const auto place = static_cast<std::size_t>(axis);
+    return b.words.has(kAxisNames[place]) || (axis < 3 && b.words.has("UVW"[place]));
+  };
+  return named(axes.a) || named(axes.b);
+}
+/// G41 or G42 where it is not in force.
+bool begins_compensation(const State& s, const Block& b) {
+  const Meaning asked = b.meaning(Group::Radius);
+  return b.has(Group::Radius) && asked != Meaning::RadiusOff &&
+         asked != s.modal[at(Group::Radius)].meaning;
+}
+bool is_arc(Meaning meaning) { return meaning == Meaning::Cw || meaning == Meaning::Ccw; }
+bool taps(const Block& b) {
+  const Meaning cycle = b.meaning(Group::Cycle);
+  return cycle == Meaning::Tap || cycle == Meaning::LeftTap;
+}
+
 /// Whether a block moves by its axis words, outside of a canned cycle.
 bool moves_axes(const Block& b) {
   if (b.was_cycle || b.has(Group::Cycle)) return false;
@@ -103,6 +124,24 @@ namespace {
 constexpr Conflict kConflicts[] = {
     {Cause::RigidMove,
      [](const State& s, const Block& b) { return s.rigid_waits && moves_axes(b); }, true},
+    {Cause::RigidCodeInCycle,
+     [](const State&, const Block& b) { return taps(b) && b.words.has(Role::RigidTapping); }},
+    {Cause::RigidWordTwice,
+     [](const State& s, const Block& b) {
+       return s.rigid_waits && (b.words.has('S') || b.words.has(Role::RigidTapping));
+     },
+     true},
+    {Cause::TapInSurfaceSpeed,
+     [](const State& s, const Block& b) {
+       return taps(b) &&
+              (b.has(Group::Surface) ? b.meaning(Group::Surface) == Meaning::SurfaceSpeed
+                                     : s.surface);
+     }},
+    {Cause::CycleAxisChanged,
+     [](const State& s, const Block& b) {
+       return b.was_cycle && ((b.has(Group::Plane) && plane(s, b) != s.plane) ||
+                              (cycles(b) && b.code(Group::Cycle).which != s.cycle.code.which));
+     }},
     {Cause::OneShotWithMotion,
      [](const State&, const Block& b) {
        return b.has(Group::OneShot) && !does(b, Meaning::ExactStop) && b.has(Group::Motion);
@@ -152,6 +191,21 @@ constexpr Conflict kConflicts[] = {
      [](const State& s, const Block& b) { return (polar(s) || turned(s)) && b.has(Group::Units); }},
     {Cause::TurnedInCompensation,
      [](const State& s, const Block& b) { return compensating(s) && begins_turn(b); }},
+    {Cause::CompensationEndMode,
+     [](const State& s, const Block& b) {
+       return compensating(s) && b.meaning(Group::Radius) == Meaning::RadiusOff &&
+              !b.has(Group::Motion) && is_arc(motion(s, b));
+     }},
+    {Cause::CompensationNoMove,
+     [](const State& s, const Block& b) {
+       return begins_compensation(s, b) && !moves_in_plane(s, b);
+     }},
+    {Cause::CornerCodes,
+     [](const State& s, const Block& b) {
+       return !s.held.corner.empty() && (length(b) || b.has(Group::Work) ||
+                                         does(b, Meaning::SetCoordinate) || does(b, Meaning::Local));
+     },
+     true},
     {Cause::CompensationCycle,
      [](const State& s, const Block& b) { return compensating(s) && cycles(b); }},
     {Cause::TurnedWithCodes,

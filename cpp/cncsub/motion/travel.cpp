@@ -128,7 +128,7 @@ Result check_travel(MotionView m, const Piece& piece, const Axes& machine) {
     return Fault{.cause = Cause::OverTravel,
                  .at = piece.at,
                  .detail = std::string(1, axis) + " would go to " + number,
-                 .direction = {axis, outside < limit.low ? '-' : '+'},
+                 .kind = {axis, outside < limit.low ? '-' : '+'},
                  .address = axis};
   }
   return std::nullopt;

@@ -129,7 +129,11 @@ double feed_increment(const MotionState& state) {
 
 Result need_feed(MotionView m, const BlockWords& block, Meaning meaning) {
   if (meaning == Meaning::Rapid) return std::nullopt;
-  if (m.state.feed <= 0) return fault(Cause::NoFeed, block);
+  if (m.state.feed <= 0) {
+    const bool zero = block.words.has('F') && m.facts.refuses(Cause::ArcFeedZero);
+    const bool arc = meaning == Meaning::Cw || meaning == Meaning::Ccw;
+    return fault(zero && arc ? Cause::ArcFeedZero : Cause::NoFeed, block);
+  }
   if (lacks_speed(m)) return fault(Cause::NoSpeed, block);
   return std::nullopt;
 }

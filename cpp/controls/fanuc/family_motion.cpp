@@ -196,8 +196,8 @@ void add_family_motion(Control& c) {
   c.motion.machine_move = {MachineMove::Rapid, "source 003, G53; 0iMB p.228", SourceDocument};
   has(c.common.refuses,
       {Cause::ReferenceInCycle, Cause::CornerOffset, Cause::GrooveEscape, Cause::RigidMove,
-       Cause::RigidSpeed},
-      "ALM 039, 044, 062; 200 and 204 from general knowledge", Secondary);
+       Cause::RigidSpeed, Cause::ArcFeedZero},
+      "ALM 025, 039, 044, 062; 200 and 204 from general knowledge", Secondary);
   c.motion.idle_blocks = {1, "source 003, note a", SourceDocument};
   c.motion.measuring = {Measuring::Of6241,
                         "general knowledge; TDi 17, TApar 6241 to 6255: the same rule", Inferred};

@@ -48,9 +48,9 @@ void add_family_motion(Control& c) {
   has(c.common.refuses,
       {Cause::RotationPlane, Cause::CompensationCycle, Cause::ReferenceWithEnd,
        Cause::ReferenceWithM, Cause::LocalInExtraSystem, Cause::TapLead, Cause::TapSpeed,
-       Cause::NoSpeed},
+       Cause::NoSpeed, Cause::ArcFeedZero, Cause::CornerNextShort},
       "MZ 824, 901, 920, 921, 949, paired with P111, P155, P435, P436, P438; "
-      "MZ 906, 908 with P181, P183",
+      "MZ 906, 908 with P181, P183; P121; MZ 914 with P384",
       Secondary);
   has(c.common.refuses, {Cause::NoArcTravel},
       "general knowledge; motion controller Q172, error 108", Inferred);

@@ -8,11 +8,11 @@ namespace cncsub {
 
 namespace {
 
-/// What stands behind an address that is no number: up to the next letter outside brackets.
+/// What stands behind an address that is no number: up to the next word outside brackets.
 void pass_value(Scanner& s) {
   int brackets = 0;
   for (char c = s.peek(); c != '\0'; c = s.peek()) {
-    if (brackets == 0 && (is_letter(c) || c == ',' || c == '/')) return;
+    if (brackets == 0 && (is_letter(c) || c == ',' || c == '/' || c == '<')) return;
     if (c == '[') ++brackets;
     if (c == ']') --brackets;
     ++s.at;

@@ -39,7 +39,7 @@ Result cut_thread(MotionContext& m, BlockWords& block, const Axes& end, std::uin
 /// G32, G33, G34.
 Result thread(MotionContext& m, BlockWords& block, Meaning meaning);
 /// J and K stay until another motion code. [TDi 24.1 note 1]
-void take_run_out(MotionContext& m, const BlockWords& block);
+Result take_run_out(MotionContext& m, const BlockWords& block, bool of_cycle);
 /// The thread of a cycle: it runs out towards the start, and not beyond it. [TA 18 note 5]
 Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, double tenths,
                         double level);

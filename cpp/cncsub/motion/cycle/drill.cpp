@@ -288,6 +288,7 @@ Result drilling_cycle(MotionContext& m, BlockWords& block) {
   if (position || block.has(Group::Cycle))
     if (auto wrong = cycle_words(m, block, repeats)) return wrong;
   if (!position || repeats == 0) return std::nullopt;
+  if (auto wrong = check_tap(m, block)) return wrong;
   if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
   for (int i = 0; i < repeats; ++i)
     if (auto wrong = drill_lathe(m, block)) return wrong;

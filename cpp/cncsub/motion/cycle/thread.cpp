@@ -206,7 +206,7 @@ Result thread(MotionContext& m, BlockWords& block, Meaning meaning) {
   const Control& c = *m.facts.control;
   std::uint32_t named = 0;
   const Axes end = end_point(m, block, named);
-  take_run_out(m, block);
+  if (auto wrong = take_run_out(m, block, false)) return wrong;
   if (named == 0) return std::nullopt;
   if (auto wrong = need_lead(m, block)) return wrong;
   const Letters& growth = c.turning.lead_growth.value;
@@ -218,16 +218,23 @@ Result thread(MotionContext& m, BlockWords& block, Meaning meaning) {
                     grows ? number(m, block, letter) : 0);
 }
 
-void take_run_out(MotionContext& m, const BlockWords& block) {
-  if (m.facts.control->turning.run_out_words.value == RunOutWords::None) return;
+Result take_run_out(MotionContext& m, const BlockWords& block, bool of_cycle) {
+  if (m.facts.control->turning.run_out_words.value == RunOutWords::None) return std::nullopt;
+  const bool minus = block.words['K'] < 0 || (of_cycle && block.words['J'] < 0);
+  if (minus && m.facts.refuses(Cause::ThreadRunOutSign))
+    return fault_at(block.words['K'] < 0 ? 'K' : 'J', Cause::ThreadRunOutSign, block, {});
   if (block.words.has('J')) m.state.turn.j = number(m, block, 'J'), m.state.turn.has_j = true;
   if (block.words.has('K')) m.state.turn.k = number(m, block, 'K'), m.state.turn.has_k = true;
+  return std::nullopt;
 }
 
 Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, double tenths,
                         double level) {
   RunOut out = run_out(m, tenths);
   const double way = level - end[0];
+  if (block.words.has('J') && out.across > std::fabs(way) * m.facts.share(0) + 1e-9 &&
+      m.facts.refuses(Cause::ThreadRunOutAcross))
+    return fault(Cause::ThreadRunOutAcross, block);
   out.across = std::min(out.across, std::fabs(way) * m.facts.share(0));
   return cut_thread(m, block, end, axis_bit(0) | axis_bit(2), out, sign_of(way), 0);
 }
@@ -235,7 +242,7 @@ Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, do
 Result multiple_thread(MotionContext& m, BlockWords& block) {
   const NcWords& w = block.words;
   m.state.turn = {};
-  take_run_out(m, block);
+  if (auto wrong = take_run_out(m, block, true)) return wrong;
   // Several starts, and other sides of the cut: where the passes lie is not known. [TA 21]
   for (const char letter : m.facts.control->turning.thread_words_not_computed.value)
     if (w.has(letter) && block.words[letter] != (letter == 'L' ? 1 : 0))

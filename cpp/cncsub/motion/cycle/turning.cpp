@@ -18,7 +18,8 @@ Result turn_once(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (block.words.has('R')) turn.r = number(m, block, 'R');
   if (named == 0 && !block.words.has('R')) return std::nullopt;
   const bool thread = meaning == Meaning::ThreadCycle;
-  if (thread) take_run_out(m, block);
+  if (thread)
+    if (auto wrong = take_run_out(m, block, true)) return wrong;
   if (auto wrong = thread ? need_lead(m, block) : need_feed(m, block, Meaning::Line)) return wrong;
   const Axes start = m.state.work;
   const double x = turn.has_x ? turn.x : start[0], z = turn.has_z ? turn.z : start[2];

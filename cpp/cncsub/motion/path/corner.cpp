@@ -81,7 +81,9 @@ Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
   const bool chamfer_side = sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
   if (!cut_corner(view, held.corner_from, first, piece, chamfer_side, corner))
-    return Fault{Cause::CornerTooShort, first.at, 1, {}};
+    return corner.second_short && sink.facts.refuses(Cause::CornerNextShort)
+               ? Fault{Cause::CornerNextShort, piece.at, 1, {}}
+               : Fault{Cause::CornerTooShort, first.at, 1, {}};
   if (auto wrong = through_radius(sink, corner.first, held.corner_from)) return wrong;
   if (corner.has_between)
     if (auto wrong = through_radius(sink, corner.between, corner.at_first)) return wrong;

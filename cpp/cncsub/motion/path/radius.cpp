@@ -86,7 +86,9 @@ Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, dou
   } else if (!b.straight() && moved_radius(b, b.from, offset) < -least) {
     return Fault{Cause::CompensationArcTooSmall, at, 1, {}};
   } else {
-    return Fault{Cause::CompensationNoIntersection, at, 1, {}};
+    Fault wrong{Cause::CompensationNoIntersection, at, 1, {}};
+    wrong.kind = {a.straight() ? 'L' : 'A', b.straight() ? 'L' : 'A'};
+    return wrong;
   }
   return std::nullopt;
 }

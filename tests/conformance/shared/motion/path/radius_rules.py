@@ -297,7 +297,7 @@ case(
 )
 case(
     "an offset line that does not reach the offset arc behind it alarms",
-    control=_radius, source="ALM 033; M7 p.194; MDib 0257", evidence="secondary",
+    control=_radius, source="ALM 033; M7 p.194; MDib 0261", evidence="secondary",
     setup=MILL | {"radius_offsets": {1: 5}},
     program="""
         O1
@@ -308,7 +308,7 @@ case(
         N50 G40 Y0
         N60 M30
     """,
-    alarm="no-offset-intersection", number=numbers(_radius, "033", "P152", None, "0257"), word="X4.",
+    alarm="no-offset-intersection", number=numbers(_radius, "033", "P152", None, "0261"), word="X4.",
 )
 case(
     "G31 may not stand in radius compensation",
