@@ -22,7 +22,7 @@ ROWS=${ROWS:-build/ports/selftest.rows}
 CMAKE=$(command -v cmake || echo .venv/bin/cmake)
 NINJA=$(command -v ninja || echo "$PWD/.venv/bin/ninja")
 FLAGS=${FLAGS:--O1} # of the compiler: what is looked for is not speed
-export CMAKE_CXX_COMPILER_LAUNCHER= WINEDEBUG=-all
+export CMAKE_CXX_COMPILER_LAUNCHER="${CMAKE_CXX_COMPILER_LAUNCHER:-}" WINEDEBUG=-all
 mkdir -p build/ports
 failed="" skipped="" done=""
 
@@ -53,7 +53,7 @@ build() {
     shift 3
     "$CMAKE" -S . -B "build/ports/$port" -G Ninja -DCMAKE_MAKE_PROGRAM="$NINJA" -DCMAKE_SYSTEM_NAME="$system" \
         -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Ports -DCMAKE_CXX_FLAGS_PORTS="$FLAGS" \
-        -DCNCSUB_PYTHON=OFF -DCNCSUB_SELFTEST=ON -DCNCSUB_WERROR=ON "$@" >"build/ports/$port.log" 2>&1 &&
+        -DCNCSUB_PYTHON=OFF -DCNCSUB_SELFTEST=ON -DCNCSUB_WERROR=ON -DCNCSUB_PRECOMPILE=OFF "$@" >"build/ports/$port.log" 2>&1 &&
         "$CMAKE" --build "build/ports/$port" --target selftest >>"build/ports/$port.log" 2>&1 ||
         { tail -n 30 "build/ports/$port.log"; return 1; }
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cncsub/system/decimal.hpp"
+#include "cncsub/system/extended.hpp"
 #include "cncsub/system/memory.hpp"
 #include "cncsub/system/wide.hpp"
 
@@ -79,6 +80,32 @@ void check_writing(Differences& wrong) {
   }
 }
 
+/// Angles as numbers of more bits have them: the same double but for one in thousands, which is the
+/// next one.
+void check_angles(Differences& wrong) {
+  const auto check = [&](const char* what, const auto& by_pairs, const auto& known) {
+    std::mt19937_64 random(2026);
+    int apart = 0;
+    for (int i = -1000; i < 20000; ++i) {
+      const double angle = i < 1000 ? i : static_cast<double>(random() >> 20U) / 1e6 - 1e7;
+      const double a = by_pairs(angle), b = known(angle);
+      if (a != b) ++apart;
+      if (!(std::fabs(a - b) <= 3e-16 * std::fabs(b)))
+        wrong.push_back(std::string(what) + " of " + std::to_string(angle) + " is another one");
+    }
+    if (apart > 40) wrong.push_back(std::string(what) + ": " + std::to_string(apart) + " differ");
+  };
+  if (system::kHasExtended) {
+    check("sine", system::sine_by_pairs, system::extended_sine);
+    check("cosine", system::cosine_by_pairs, system::extended_cosine);
+    check("tangent", system::tangent_by_pairs, system::extended_tangent);
+    check("degrees", system::degrees_by_pairs, system::extended_degrees);
+  }
+  if (system::sine_by_pairs(30) != 0.5 || system::cosine_by_pairs(90) == 0 ||
+      system::degrees_by_pairs(std::asin(system::sine_by_pairs(5))) != 5)
+    wrong.emplace_back("angles are not those of extended numbers");
+}
+
 void check_paths(Differences& wrong) {
   const auto check = [&](std::string_view from, std::u16string_view to) {
     if (system::wide<std::u16string>(from) != to)
@@ -107,6 +134,7 @@ Differences system_differences() {
   Differences wrong;
   check_reading(wrong);
   check_writing(wrong);
+  check_angles(wrong);
   check_paths(wrong);
   check_memory(wrong);
   return wrong;

@@ -1,5 +1,6 @@
 #include "cncsub/system/decimal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -60,7 +61,7 @@ Parsed parse_by_stream(std::string_view text, double& value, Decimal form) {
   double read = 0;
   in >> read;
   // A number that is too small becomes one that is not: std::from_chars refuses both.
-  const std::string_view digits = text.substr(0, text.find_first_of("eE"));
+  const std::string_view digits = text.substr(0, std::min(end, text.find_first_of("eE")));
   const bool nought = digits.find_first_of("123456789") == std::string_view::npos;
   if (!std::isfinite(read) || (read == 0 && !nought) || (in.fail() && std::fabs(read) >= 1))
     return {false, end};
