@@ -14,14 +14,15 @@ ENGINE = ROOT / "cpp" / "cncsub"
 # What a room may know besides itself. A dialect knows no other dialect, and nobody knows a dialect
 # but the reader of libraries, which is handed it.
 KNOWS = {
-    "text": set(),
-    "control": {"text"},
-    "code": {"text", "control"},
-    "dialect": {"text", "control", "code"},
-    "trace": {"text", "control", "code"},
-    "motion": {"text", "control", "code", "trace"},
-    "machine": {"text", "control", "code", "trace", "motion"},
-    "analysis": {"text", "control", "code", "trace"},
+    "system": set(),
+    "text": {"system"},
+    "control": {"system", "text"},
+    "code": {"system", "text", "control"},
+    "dialect": {"system", "text", "control", "code"},
+    "trace": {"system", "text", "control", "code"},
+    "motion": {"system", "text", "control", "code", "trace"},
+    "machine": {"system", "text", "control", "code", "trace", "motion"},
+    "analysis": {"system", "text", "control", "code", "trace"},
     "controls": {"text", "control"},
 }
 

@@ -7,6 +7,7 @@
 
 #include "bindings.hpp"
 #include "cncsub/dialect/library.hpp"
+#include "cncsub/system/memory.hpp"
 #include "cncsub/text/words.hpp"
 #include "gil.hpp"
 #include "program_data.hpp"
@@ -68,7 +69,7 @@ std::string joined(const std::vector<py::object>& pieces) {
   for (const py::object& piece : pieces) bytes += view_of(piece).size();
   std::string text;
   text.reserve(bytes);
-  advise_large_pages(text.data(), bytes);
+  system::advise_large_pages(text.data(), bytes);
   for (const py::object& piece : pieces) {
     for (std::string_view left = view_of(piece); !left.empty();) {
       text += left.substr(0, kOnce);

@@ -1,12 +1,7 @@
 #include "file_reading.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -17,7 +12,8 @@
 #include <system_error>
 #include <thread>
 
-#include "cncsub/code/large_pages.hpp"
+#include "cncsub/system/file.hpp"
+#include "cncsub/system/memory.hpp"
 #include "utf8.hpp"
 
 namespace cncsub::bindings {
@@ -63,24 +59,6 @@ bool starts_like(std::string_view bytes, std::span<const std::string_view> start
                      [&](std::string_view start) { return bytes.starts_with(start); });
 }
 
-/// An open file.
-class Descriptor {
- public:
-  explicit Descriptor(const std::string& path) {
-    do number_ = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    while (number_ < 0 && errno == EINTR);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 using Stopped = std::function<bool(std::size_t)>;  // asked behind so many bytes
 
 FileText failed(FileFault fault, int error = 0) {
@@ -91,16 +69,15 @@ FileText failed(FileFault fault, int error = 0) {
 }
 
 /// The bytes of an open file. One that grows meanwhile is read on.
-FileText read_open(int descriptor, std::size_t size, char* piece, const ReadingBounds& bounds,
+FileText read_open(system::File& open, std::size_t size, char* piece, const ReadingBounds& bounds,
                    const Stopped& stopped) {
   FileText file;
   file.text.reserve(size);
-  advise_large_pages(file.text.data(), size);
+  system::advise_large_pages(file.text.data(), size);
   const std::size_t once = std::min(size + 1, kPiece);
   while (file.text.size() < bounds.largest && !stopped(once)) {
-    const ssize_t count = read(descriptor, piece, once);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return failed(FileFault::NotRead, errno);
+    const std::ptrdiff_t count = open.read(piece, once);
+    if (count < 0) return failed(FileFault::NotRead, open.error());
     if (count == 0) break;
     const bool first = file.text.empty();
     file.text.append(piece, static_cast<std::size_t>(count));
@@ -114,14 +91,13 @@ FileText read_open(int descriptor, std::size_t size, char* piece, const ReadingB
 
 FileText read_file(const std::string& path, char* piece, const ReadingBounds& bounds,
                    const Stopped& stopped) {
-  const Descriptor descriptor(path);
-  if (descriptor.number() < 0) return failed(FileFault::NotOpened, errno);
-  struct stat status{};
-  if (fstat(descriptor.number(), &status) != 0) return failed(FileFault::NotRead, errno);
-  if (!S_ISREG(status.st_mode)) return failed(FileFault::NotRegular);
-  const auto size = static_cast<std::size_t>(status.st_size);
-  if (size > bounds.largest) return failed(FileFault::TooLarge);
-  FileText file = read_open(descriptor.number(), size, piece, bounds, stopped);
+  system::File open(path);
+  if (!open.is_open()) return failed(FileFault::NotOpened, open.error());
+  const system::File::Facts facts = open.facts();
+  if (!facts.known) return failed(FileFault::NotRead, open.error());
+  if (!facts.regular) return failed(FileFault::NotRegular);
+  if (facts.size > bounds.largest) return failed(FileFault::TooLarge);
+  FileText file = read_open(open, static_cast<std::size_t>(facts.size), piece, bounds, stopped);
   file.utf8 = !file.text.starts_with(kUtf8Mark) && is_utf8(file.text, stopped);
   return file;
 }

@@ -1,4 +1,3 @@
-#include <fcntl.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -6,6 +5,7 @@
 #include <cerrno>
 
 #include "bindings.hpp"
+#include "cncsub/system/file.hpp"
 #include "file_reading.hpp"
 #include "gil.hpp"
 #include "text.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 /// The path for the system. Who listens to what Python opens is told of it, and may refuse.
 std::string path_of(const py::handle& path) {
-  if (PySys_Audit("open", "OOi", path.ptr(), Py_None, O_RDONLY) != 0) throw py::error_already_set();
+  if (PySys_Audit("open", "OOi", path.ptr(), Py_None, system::kReadOnly) != 0) throw py::error_already_set();
   const auto bytes = py::reinterpret_steal<py::bytes>(PyUnicode_EncodeFSDefault(path.ptr()));
   if (!bytes) throw py::error_already_set();
   return bytes;

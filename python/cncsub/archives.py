@@ -17,6 +17,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any, Unpack
 
+from cncsub import system
 from cncsub._core import Control
 from cncsub.archive_store import Folder, InMemory
 from cncsub.archive_work import Job, Row, Task, Work, do_chunk, done_apart, end_pool, new_pool
@@ -245,7 +246,7 @@ class Crew:
     def __init__(self, executor: Executor | None, jobs: int | None) -> None:
         self._given = executor
         self._own: Executor | None = None
-        self._workers = jobs or len(os.sched_getaffinity(0))
+        self._workers = jobs or system.cores()
         told = getattr(executor, "_max_workers", None)
         self._most = _MOST_UNKNOWN  # chunks under way
         if executor is None:

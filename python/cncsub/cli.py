@@ -9,7 +9,6 @@ for Ctrl-C.
 
 from __future__ import annotations
 
-import os
 import sys
 from importlib import import_module
 from typing import Annotated, Any
@@ -19,6 +18,7 @@ import typer.core
 import typer.main
 
 import cncsub
+from cncsub import system
 from cncsub.options import WrongUseError
 from cncsub.printing import shown
 
@@ -49,16 +49,16 @@ class OneLineGroup(typer.core.TyperGroup):
 
     def main(self, *args: Any, **options: Any) -> Any:
         options["standalone_mode"] = False
+        system.write_what_can_be()
         try:
             status = super().main(*args, **options)
             sys.stdout.flush()
         except (typer.Abort, KeyboardInterrupt):
             sys.exit(130)
-        except BrokenPipeError:
-            # Whoever read the output has enough; nothing is left to write at the end.
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-            sys.exit(1)
         except Exception as error:
+            if system.nobody_reads(error):
+                system.say_nothing_more()
+                sys.exit(1)
             typer.echo(f"cncsub: {shown(_one_line(error))}", err=True)
             sys.exit(2)
         sys.exit(status if isinstance(status, int) else 0)

@@ -479,7 +479,7 @@ class Coverage:
 
         page = html(self)
         if path is not None:
-            Path(path).write_text(page, encoding="utf-8")
+            Path(path).write_text(page, encoding="utf-8", newline="\n")
         return page
 
     def to_lcov(self) -> str:

@@ -91,7 +91,7 @@ def _tell_stop(run: cncsub.Run, name: str | None) -> None:
 
 def _write(path: Path | None, text: Callable[[], str]) -> None:
     if path is not None:
-        path.write_text(text(), encoding="utf-8")
+        path.write_text(text(), encoding="utf-8", newline="\n")
 
 
 def print_coverage(console: Console, coverage: Coverage) -> None:

@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from cncsub import _core
+from cncsub import _core, system
 from cncsub._core import Text
 
 StrPath = str | os.PathLike[str]
@@ -179,7 +179,7 @@ def _why_not(fault: int | str) -> str:
 
 def first_time(folder: str, name: str, reading: Reading) -> bool:
     """Whether this name of a file is met for the first time. A link to a file is another name."""
-    key = f"{folder}{os.sep}{name}"
+    key = f"{folder}{os.sep}{system.same_name(name)}"
     new = key not in reading._read
     reading._read.add(key)
     return new
@@ -206,7 +206,7 @@ def walk(top: Path, reading: Reading) -> Iterator[tuple[str, list[str], str]]:
         reading._read.add(real)
         files, folders = [], []
         before = str(folder / "_")[:-1]  # what stands before the names
-        searchable = os.access(folder, os.X_OK)
+        searchable = system.may_be_entered(folder)
         for entry in _entries(folder, reading):
             if searchable and _plain_file(entry):
                 files.append(entry.name)
@@ -216,7 +216,7 @@ def walk(top: Path, reading: Reading) -> Iterator[tuple[str, list[str], str]]:
             if fault is not None:
                 reading.skipped.append((str(path), fault))
             elif entry.is_dir():
-                link = entry.is_symlink()
+                link = system.leads_elsewhere(entry)
                 folders.append(
                     (path, os.path.realpath(path) if link else f"{real}{os.sep}{entry.name}")
                 )
@@ -251,7 +251,7 @@ def _plain_file(entry: os.DirEntry[str]) -> bool:
     """
     name = entry.name
     return (
-        not name.startswith(".")
+        not system.is_hidden(entry)
         and _CONTROLS.search(name) is None
         and entry.is_file(follow_symlinks=False)
         and name[name.rfind(".") :].lower() not in _OTHER_ENDINGS
@@ -260,14 +260,14 @@ def _plain_file(entry: os.DirEntry[str]) -> bool:
 
 def _refused_entry(entry: os.DirEntry[str], path: Path, root: Path) -> str | None:
     """Why an entry of a folder is left alone, or None. Opens nothing."""
-    if entry.name.startswith("."):
+    if system.is_hidden(entry):
         return "hidden"
     if _CONTROLS.search(entry.name):
         return "a name with control characters"
     try:
         mode = entry.stat().st_mode
         # The folder lies below the root, and so does what is no link.
-        if entry.is_symlink() and not Path(os.path.realpath(path, strict=True)).is_relative_to(
+        if system.leads_elsewhere(entry) and not Path(os.path.realpath(path, strict=True)).is_relative_to(
             root
         ):
             return "a link that leads out of the folder"

@@ -14,6 +14,7 @@ from typing import IO, Annotated, Any
 import typer
 
 import cncsub
+from cncsub import system
 from cncsub.controls import did_you_mean
 from cncsub.notes import Note, counting, same_blocks
 from cncsub.printing import Console, console_on, shown
@@ -323,13 +324,17 @@ def write_text(output: Path | None, write: Callable[[Console], None]) -> None:
 
 def opened(output: Path, mode: str) -> IO[Any]:
     try:
-        return output.open(mode, encoding=None if "b" in mode else "utf-8", newline=None)
+        if "b" in mode:
+            return output.open(mode)
+        # Line ends are those that are written: a file is the same on every system.
+        return output.open(mode, encoding="utf-8", newline="")
     except OSError as error:
         raise WrongUseError(f"{output}: {error.strerror or error}") from None
 
 
 def write_json(output: Path | None, facts: object) -> None:
-    text = json.dumps(facts, ensure_ascii=False, indent=2, allow_nan=False)
+    plain = output is None and not system.takes_any_text(sys.stdout)
+    text = json.dumps(facts, ensure_ascii=plain, indent=2, allow_nan=False)
     # What a terminal would obey is written as an escape; everything outside ASCII is in a string.
     text = re.sub(r"[^\x20-\x7e\n]", lambda c: c[0] if c[0].isprintable() else _escaped(c[0]), text)
     if output is None:

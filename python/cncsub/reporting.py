@@ -56,7 +56,7 @@ def report(
     found = library.check(main) if findings is None else list(findings)
     text = "".join(_page(library, run, title or main or "a run", found))
     if path is not None:
-        Path(path).write_text(text, encoding="utf-8")
+        Path(path).write_text(text, encoding="utf-8", newline="\n")
     return text
 
 
@@ -71,7 +71,8 @@ def _page(library: Library, run: Run, head: str, findings: list[Finding]) -> Ite
         "Code": code_section(coverage, findings, run.alarm, anchors),
         "Tables": _tables(library, run, anchors),
     }
-    style, script = (files("cncsub").joinpath("page", f"report.{n}").read_text() for n in _ASSETS)
+    page = files("cncsub").joinpath("page")
+    style, script = (page.joinpath(f"report.{n}").read_text("utf-8") for n in _ASSETS)
     allowed = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
     yield (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'

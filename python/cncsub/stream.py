@@ -176,7 +176,7 @@ class _Files:
         self._writer.close()
         part = self._path(whole=False)
         if part.exists():  # Ctrl-C may have come behind the line below
-            part.rename(self._path(whole=True))
+            part.replace(self._path(whole=True))
         self._writer = None
         self._number += 1
         self._rows = 0

@@ -1,9 +1,10 @@
 #include "cncsub/code/target.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
+
+#include "cncsub/system/decimal.hpp"
 
 namespace cncsub {
 
@@ -12,10 +13,7 @@ namespace {
 constexpr std::int64_t kCountBase = 10000;  // the last four digits are the program
 
 std::string spell(double value) {
-  std::array<char, 40> text{};
-  // Nought has no sign.
-  const auto done = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
-  return {text.data(), done.ptr};
+  return system::shortest(value + 0.0);  // nought has no sign
 }
 
 Fault fault(Cause cause, const Operand& word, std::string detail) {

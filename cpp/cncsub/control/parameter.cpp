@@ -1,11 +1,10 @@
 #include "cncsub/control/parameter.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "cncsub/control/control.hpp"
+#include "cncsub/system/decimal.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
@@ -40,11 +39,7 @@ auto* find_parameter(Parameters& parameters, std::string_view name) {
   return static_cast<decltype(&parameters.front())>(nullptr);
 }
 
-std::string written(double value) {
-  std::array<char, 32> text{};
-  auto* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
+std::string written(double value) { return system::shortest(value); }
 
 /// The parameters that somebody who wrote `name` may have meant: the bits of the same number, or
 /// the three nearest numbers.

@@ -13,6 +13,7 @@
 #include "cncsub/machine/returns.hpp"
 #include "cncsub/machine/variables.hpp"
 #include "cncsub/machine/words.hpp"
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
@@ -271,7 +272,7 @@ bool macro_call(Run& run, const Block& block) {
 
 namespace {
 
-[[gnu::always_inline]] inline OpenFrame frame_of(const Run& run, const CallRecord& record,
+CNCSUB_ALWAYS_INLINE inline OpenFrame frame_of(const Run& run, const CallRecord& record,
                                                  const Target& target, std::int32_t modal) {
   OpenFrame open;
   open.program = target.program;

@@ -14,6 +14,7 @@
 #include "cncsub/machine/options.hpp"
 #include "cncsub/machine/state.hpp"
 #include "cncsub/motion/motion.hpp"
+#include "cncsub/system/compiler.hpp"
 #include "cncsub/trace/trace.hpp"
 
 namespace cncsub {
@@ -113,7 +114,7 @@ struct Run {
 };
 
 /// `failed`: the block has a condition, and it did not hold.
-[[gnu::always_inline]] inline void record_step(Run& run, bool failed = false) {
+CNCSUB_ALWAYS_INLINE inline void record_step(Run& run, bool failed = false) {
   if (run.trace.depth >= Trace::Depth::Blocks)
     run.trace.steps.push(
         {run.state.pc & 0x7fffffffU, failed ? 1U : 0U, run.frame().call, run.frame().repeat});

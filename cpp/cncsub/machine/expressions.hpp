@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "cncsub/machine/context.hpp"
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
@@ -31,7 +32,7 @@ bool evaluate_long(Run& run, const Expression& expression, const Places& places,
 
 /// One value, or one operation on two, at once; what is longer or has no finite result goes the
 /// long way.
-[[gnu::always_inline]] inline bool evaluate(Run& run, const Expression& e, const Places& places,
+CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, const Expression& e, const Places& places,
                                             double& value) {
   if (e.form == Expression::Form::Long) return evaluate_long(run, e, places, value);
   const double a = places.load(e.loads[0]);

@@ -266,7 +266,6 @@ inline Fallible random_between(E e, I at, double a, double b) {
 
 // ---- as LinuxCNC computes ----
 
-constexpr long double kLongPi = 3.141592653589793238462643383279502884L;
 inline double compared(E, I at, double a, double b) {
   const double apart = at.value * std::fmax(std::fabs(a), std::fabs(b));
   return std::fabs(a - b) <= apart ? 0 : a < b ? -1 : 1;
@@ -290,18 +289,10 @@ inline Fallible raised_to(E e, I at, double a, double b) {
     return fails(e, at, Cause::PowerOfNegative, "the exponent is not whole");
   return finite(e, at, std::pow(a, b));
 }
-inline double plain_sine(E, I, double a) {
-  return static_cast<double>(std::sin(a * kLongPi / 180));
-}
-inline double plain_cosine(E, I, double a) {
-  return static_cast<double>(std::cos(a * kLongPi / 180));
-}
-inline double plain_tangent(E, I, double a) {
-  return static_cast<double>(std::tan(a * kLongPi / 180));
-}
-inline double plain_degrees(double radians) {
-  return static_cast<double>(radians * 180.0 / kLongPi);
-}
+inline double plain_sine(E, I, double a) { return system::extended_sine(a); }
+inline double plain_cosine(E, I, double a) { return system::extended_cosine(a); }
+inline double plain_tangent(E, I, double a) { return system::extended_tangent(a); }
+inline double plain_degrees(double radians) { return system::extended_degrees(radians); }
 inline Fallible outside_one(E e, I at, std::string_view function) {
   e.trap.function = function;
   return fails(e, at, Cause::ArcSineOutOfRange, "the value is outside -1 to 1");

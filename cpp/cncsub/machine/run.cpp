@@ -12,6 +12,7 @@
 #include "cncsub/machine/statements.hpp"
 #include "cncsub/machine/together.hpp"
 #include "cncsub/machine/words.hpp"
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
@@ -34,7 +35,7 @@ int written_g(const Block& block, int first) {
   return (block.flags & Block::kSecondG) != 0 ? first + 1 : first;
 }
 
-[[gnu::always_inline]] inline bool linear(Run& run, const Block& block) {
+CNCSUB_ALWAYS_INLINE inline bool linear(Run& run, const Block& block) {
   bool moved = false;
   const Cell* values = run.code->cells.data() + block.data + block.g_count;
   if (!run.motion.linear(block.mask, values, written_g(block, 0), run.step(), run.moves(), moved))

@@ -12,6 +12,7 @@
 #include "cncsub/machine/run.hpp"
 #include "cncsub/machine/variables.hpp"
 #include "cncsub/machine/words.hpp"
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
@@ -72,7 +73,7 @@ bool waits_for(Run& run, std::uint32_t condition) {
 
 /// A jump back that is reached twice with nothing changed in between can only wait for the world
 /// outside. Asked in every pass of a loop, it is part of it.
-[[gnu::always_inline]] inline bool waits_here(Run& run) {
+CNCSUB_ALWAYS_INLINE inline bool waits_here(Run& run) {
   State& s = run.state;
   const bool idle =
       s.jumped_from == s.pc && s.changes_at_jump == s.changes && s.last_condition != kNowhere;

@@ -1,6 +1,7 @@
 #include "cncsub/machine/words.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -196,7 +197,7 @@ bool decode(Run& run, const Block& block, NcWords& words) {
   cell += block.code_cells();
   words.mask = block.mask;
   for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
-    const auto place = static_cast<std::size_t>(__builtin_ctz(left));
+    const auto place = static_cast<std::size_t>(std::countr_zero(left));
     if ((expressions & (1u << place)) == 0)
       words.value[place] = cell->value;
     else if (!decode_computed(run, static_cast<std::uint32_t>(cell->expression), place, words))

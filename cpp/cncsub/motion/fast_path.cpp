@@ -10,6 +10,7 @@
 #include "cncsub/motion/motion.hpp"
 #include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/words.hpp"
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 namespace {
@@ -95,7 +96,7 @@ bool find_centre(const MotionFacts& facts, Point way, double radius, const Plane
 
 /// The arc that these words describe, `values` in the order of the alphabet and without that of F.
 /// False where the general path has something to say about it.
-[[gnu::always_inline]] inline bool plan_arc(const MotionFacts& facts, const MotionState& s,
+CNCSUB_ALWAYS_INLINE inline bool plan_arc(const MotionFacts& facts, const MotionState& s,
                                             std::uint32_t mask, const Cell* values, Plane of_plane,
                                             bool incremental, PlainArc& arc) {
   const MotionRules& rules = facts.control->motion;
@@ -135,7 +136,7 @@ bool find_centre(const MotionFacts& facts, Point way, double radius, const Plane
 
 }  // namespace
 
-[[gnu::always_inline]] inline void Motion::go_along(const PlainArc& arc, std::uint32_t mask,
+CNCSUB_ALWAYS_INLINE inline void Motion::go_along(const PlainArc& arc, std::uint32_t mask,
                                                     std::uint32_t step, Moves* moves) {
   MotionState& s = state_;
   if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);

@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "cncsub/motion/fast_path.hpp"
+#include "cncsub/system/compiler.hpp"
 #include "cncsub/motion/motion.hpp"  // NOLINT(misc-header-include-cycle): it ends with this file
 
 namespace cncsub {
 
 /// Goes along one axis if its letter is in the mask, its value next in `values`; how far.
-[[gnu::always_inline]] inline double travel(ModalState& s, std::uint32_t mask, char axis,
+CNCSUB_ALWAYS_INLINE inline double travel(ModalState& s, std::uint32_t mask, char axis,
                                             const Cell*& values) {
   double& at = s.work[static_cast<std::size_t>(axis - 'X')];
   const double from = at;

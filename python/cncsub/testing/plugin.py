@@ -112,7 +112,7 @@ class Cnc:
         found = told(run)
         if self._request.config.getoption("--cncsub-update"):
             place.parent.mkdir(parents=True, exist_ok=True)
-            place.write_text(found, encoding="utf-8")
+            place.write_text(found, encoding="utf-8", newline="\n")
             return
         if not place.exists():
             pytest.fail(f"there is no {place}: --cncsub-update writes it", pytrace=False)

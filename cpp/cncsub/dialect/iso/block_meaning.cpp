@@ -1,11 +1,11 @@
 #include "cncsub/dialect/iso/block_meaning.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
 
+#include "cncsub/system/decimal.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
@@ -13,10 +13,7 @@ namespace cncsub {
 namespace {
 
 std::string spell(double value) {
-  std::array<char, 32> text{};
-  // Nought has no sign.
-  const auto done = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
-  return {text.data(), done.ptr};
+  return system::shortest(value + 0.0);  // nought has no sign
 }
 
 /// Whether an M code of this role shares its block with no other where the control says so.

@@ -6,6 +6,7 @@
 
 #include "cncsub/dialect/iso/expression.hpp"
 #include "cncsub/dialect/iso/plain_expression.hpp"
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
@@ -145,7 +146,7 @@ bool PlainReader::take_computed(Words& words, char letter, const char*& at, cons
   return true;
 }
 
-[[gnu::always_inline]] inline bool PlainReader::take_words(const Scanner& s, Words& words) {
+CNCSUB_ALWAYS_INLINE inline bool PlainReader::take_words(const Scanner& s, Words& words) {
   const char* p = s.at;
   for (;;) {
     while (*p == ' ') ++p;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
+#include "cncsub/system/decimal.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub::linuxcnc {
@@ -146,14 +146,13 @@ bool ExpressionReader::read_number() {
   const std::size_t place = line_.place();
   const std::string_view signs = line_.take_all("+-");
   const std::string_view digits = line_.take_all("0123456789.");
-  const char* const end = digits.end();
   double number = 0;
-  const auto read = std::from_chars(digits.begin(), end, number, std::chars_format::fixed);
+  const auto read = system::parse(digits, number, system::Decimal::Fixed);
   const std::string text = std::string(signs) + std::string(digits);
-  if (signs.size() > 1 || read.ec != std::errc())
+  if (signs.size() > 1 || !read.number)
     return wrong(Cause::ExpressionFormat,
                  "bad number format (conversion failed) parsing '" + text + "'", place);
-  if (read.ptr != end)
+  if (read.length != digits.size())
     return wrong(Cause::IllegalDecimalPoint,
                  "bad number format (trailing characters) parsing '" + text + "'", place);
   constant_ = signs == "-" ? -number : number;

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "cncsub/system/decimal.hpp"
+
 namespace cncsub::sinumerik {
 
 namespace {
@@ -208,8 +210,8 @@ bool ExpressionReader::read_number() {
     text += line_.take_digits();
   }
   double number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || number > kLargest)
+  const auto read = system::parse(text, number);
+  if (!read.number || read.length != text.size() || number > kLargest)
     return wrong(Cause::ValueOutOfRange, "no number is read here", at);
   constant_ = number;
   emit(Ins::Constant, number);

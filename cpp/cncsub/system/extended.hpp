@@ -1,0 +1,38 @@
+// Sines and angles as LinuxCNC computes them: in numbers of 64 bits of mantissa and more, which the
+// compilers of Windows and of Apple's processors do not have.
+#pragma once
+
+#include <cfloat>
+#include <cmath>
+
+namespace cncsub::system {
+
+constexpr bool kHasExtended = LDBL_MANT_DIG >= 64;
+
+// What stands in where a long double is no more than a double: pairs of doubles, rounded where an
+// extended number would be. They are tested wherever they are not needed.
+double sine_by_pairs(double degrees);
+double cosine_by_pairs(double degrees);
+double tangent_by_pairs(double degrees);
+double degrees_by_pairs(double radians);
+
+constexpr long double kLongPi = 3.141592653589793238462643383279502884L;
+
+inline double extended_sine(double degrees) {
+  if constexpr (kHasExtended) return static_cast<double>(std::sin(degrees * kLongPi / 180));
+  return sine_by_pairs(degrees);
+}
+inline double extended_cosine(double degrees) {
+  if constexpr (kHasExtended) return static_cast<double>(std::cos(degrees * kLongPi / 180));
+  return cosine_by_pairs(degrees);
+}
+inline double extended_tangent(double degrees) {
+  if constexpr (kHasExtended) return static_cast<double>(std::tan(degrees * kLongPi / 180));
+  return tangent_by_pairs(degrees);
+}
+inline double extended_degrees(double radians) {
+  if constexpr (kHasExtended) return static_cast<double>(radians * 180.0 / kLongPi);
+  return degrees_by_pairs(radians);
+}
+
+}  // namespace cncsub::system

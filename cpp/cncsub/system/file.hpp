@@ -1,0 +1,42 @@
+// A file of the system, open for reading.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace cncsub::system {
+
+/// How a file is opened, for whoever is told of it: O_RDONLY, which is the same everywhere.
+constexpr int kReadOnly = 0;
+
+/// Opens without waiting for anybody: a pipe that nobody writes opens at once, and is no regular
+/// file.
+class File {
+ public:
+  /// A path as the system has it: bytes, and UTF-8 where its paths are UTF-16 (Windows), with what
+  /// no text holds, such as half a pair, encoded in the same way.
+  explicit File(const std::string& path);
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  ~File();
+
+  struct Facts {
+    bool known = false;  // the system told
+    bool regular = false;
+    std::uint64_t size = 0;
+  };
+
+  bool is_open() const { return number_ >= 0; }
+  Facts facts();
+  /// Reads on: how many bytes came, 0 at the end, -1 where it failed. Then `error` says why.
+  std::ptrdiff_t read(char* into, std::size_t most);
+  /// The number of the last error, as in errno.
+  int error() const { return error_; }
+
+ private:
+  int number_ = -1;
+  int error_ = 0;
+};
+
+}  // namespace cncsub::system

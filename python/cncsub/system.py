@@ -1,0 +1,96 @@
+"""What differs from one operating system to the next: the one file that names it.
+
+Everything else in the package works with paths, text and numbers, which Python makes alike. The
+engine's part of this is `cpp/cncsub/system`.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+import sys
+from typing import IO, Any
+
+WINDOWS = sys.platform == "win32"
+
+
+def may_be_entered(folder: str | os.PathLike[str]) -> bool:
+    """Whether what lies in a folder can be reached; Windows says so only when it is tried."""
+    return os.access(folder, os.X_OK)
+
+
+def cores() -> int:
+    """The processors that this process may use.
+
+    >>> from cncsub import system
+    >>> system.cores() >= 1
+    True
+    """
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def leads_elsewhere(entry: os.DirEntry[str]) -> bool:
+    """Whether an entry of a folder stands for another place: a symbolic link, or a junction, which
+    is what Windows calls a link to a folder that anybody may make.
+    """
+    if entry.is_symlink():
+        return True
+    if not WINDOWS:
+        return False
+    junction = getattr(stat, "IO_REPARSE_TAG_MOUNT_POINT", None)
+    tag = getattr(entry.stat(follow_symlinks=False), "st_reparse_tag", 0)
+    return tag != 0 and tag == junction
+
+
+def is_hidden(entry: os.DirEntry[str]) -> bool:
+    """By its name, as everywhere, or by its mark, as on Windows, where the folder tells it."""
+    if entry.name.startswith("."):
+        return True
+    if not WINDOWS:
+        return False
+    marks = getattr(entry.stat(follow_symlinks=False), "st_file_attributes", 0)
+    return bool(marks & stat.FILE_ATTRIBUTE_HIDDEN)
+
+
+def same_name(name: str) -> str:
+    """What two names of one file in a folder have in common: on Windows O1.NC is o1.nc."""
+    return os.path.normcase(name)
+
+
+def nobody_reads(error: BaseException) -> bool:
+    """Whether writing failed because whoever read the output has enough of it."""
+    if isinstance(error, BrokenPipeError):
+        return True
+    if not (WINDOWS and isinstance(error, OSError)) or error.filename is not None:
+        return False
+    # The C library of Windows says so in words that are meant for something else.
+    return error.errno in (errno.EINVAL, errno.EPIPE)
+
+
+def say_nothing_more() -> None:
+    """Lets what is still to be written to the standard output go nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def takes_any_text(file: IO[Any]) -> bool:
+    """Whether a stream takes every character: its encoding is one of Unicode.
+
+    >>> import io
+    >>> from cncsub import system
+    >>> system.takes_any_text(io.TextIOWrapper(io.BytesIO(), encoding="cp1252"))
+    False
+    """
+    encoding = getattr(file, "encoding", None) or "utf-8"
+    return encoding.lower().replace("_", "-").startswith(("utf", "u8", "cp65001"))
+
+
+def write_what_can_be() -> None:
+    """Characters that the terminal or the pipe does not hold are written as escapes, where Python
+    would refuse the whole line: a Chinese name in a window of Western Europe.
+    """
+    for file in (sys.stdout, sys.stderr):
+        if not takes_any_text(file) and hasattr(file, "reconfigure"):
+            file.reconfigure(errors="backslashreplace")
