@@ -18,6 +18,8 @@ from cncsub.staying import Stays
 from cncsub.tables import Calls, Codes, Moves, Steps, Watch
 
 if TYPE_CHECKING:
+    from plotly.graph_objects import Figure
+
     from cncsub.coverage import Coverage
     from cncsub.endless import Endless
     from cncsub.listing import Listed
@@ -423,6 +425,48 @@ class _Outcome(State, Recorded):
         from cncsub.listing import listing_of
 
         return listing_of(self, program=program, depth=depth, n=n, variable=variable)
+
+    def plot(
+        self,
+        *,
+        color: str = "kind",
+        coordinates: str = "work",
+        moves: slice | range | None = None,
+        most: int = 60_000,
+        play: bool = True,
+        title: str | None = None,
+    ) -> Figure:
+        """The path in three dimensions, as a figure of plotly (`cncsub[plot]`): rapid moves, feeds,
+        canned cycles and what runs with a radius offset apart; over a point its block, the calls
+        that led there and its move; a slider that leads the tool along.
+
+        `color`: `"kind"`, `"program"`, `"call"`, `"tool"`, `"depth"` (of the calls), `"feed"`,
+        `"time"` or `"z"`. `coordinates`: `"work"` is the programmed path, and beside it the tool
+        where a radius offset leads it elsewhere; `"machine"` is the tool with all its offsets.
+        `moves`: only those of a slice or a range of rows of `moves`. `most`: so many points may be
+        drawn. A longer path is thinned, and the picture tells how far what is left out may lie from
+        what is drawn; what cannot be thinned is cut, and the picture tells where. `play`: with the
+        slider. `title`: above it.
+
+        Raises `ImportError` without plotly, and `ValueError` for another colour or coordinates.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 G0 X10. Y0\\nN20 G3 X10. Y0 I-10. F100\\nN30 M30\\n"
+        >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
+        >>> [trace.name for trace in run.plot().data]
+        ['rapid', 'feed', 'tool']
+        """
+        from cncsub.plot_path import path_figure
+
+        return path_figure(
+            self,
+            color=color,
+            coordinates=coordinates,
+            moves=moves,
+            most=most,
+            play=play,
+            title=title,
+        )
 
     def coverage(self) -> Coverage:
         """The blocks, branches, calls and arguments that this run went through, or a machine

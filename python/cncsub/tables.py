@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import numpy as np
     import pandas as pd
     import pyarrow as pa
+    from plotly.graph_objects import Figure
 
     Column = np.ndarray[Any, Any]
 
@@ -370,6 +371,24 @@ class Watch(Table[Change]):
             return watched
         return {number: watched[number] for number in self._only}
 
+    def plot(self, *, over: str = "steps", title: str | None = None) -> Figure:
+        """What became of each watched variable, as a figure of plotly (`cncsub[plot]`); there is no
+        line where it is vacant. `over`: `"steps"` or `"time"` (s, that of the moves).
+        `run.watch(100).plot()` shows `#100` alone; twelve variables are shown at most. Of many
+        changes the lowest and the highest are drawn, and the picture tells so.
+
+        Raises `ImportError` without plotly, and `ValueError` for another axis.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 #100=#100+1\\nN20 IF[#100LT3]GOTO10\\nM30\\n"
+        >>> run = cncsub.loads(text, control="fanuc-0i-f").run(variables={100: 0}, watch=[100])
+        >>> run.watch(100).plot().data[0].y
+        (0.0, 1.0, 2.0, 3.0, 3.0)
+        """
+        from cncsub.plot_watch import watch_figure
+
+        return watch_figure(self, over=over, title=title)
+
     def _chosen(self) -> Column | None:
         """The rows of the variables that were asked for; `None`: all."""
         if self._only is None:
@@ -514,6 +533,23 @@ class Calls(Table[Call]):
 
     def _texts(self, name: str) -> list[str] | None:
         return {"program": self.programs, "kind": self.kinds}.get(name)
+
+    def plot(self, *, over: str = "time", title: str | None = None) -> Figure:
+        """The calls as an icicle, a figure of plotly (`cncsub[plot]`): each a bar from its beginning
+        to its end, below the one it was made in. `over`: `"time"` (s, that of the moves) or
+        `"steps"`. Calls too short to be seen are drawn together, and told with their number.
+
+        Raises `ImportError` without plotly, and `ValueError` for another axis.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 G91 G1 X9. F90\\nN40 M99\\n"
+        >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
+        >>> [(bar.name, bar.base.tolist(), bar.x.tolist()) for bar in run.calls.plot().data]
+        [('O2', [0.0], [12.0])]
+        """
+        from cncsub.plot_calls import calls_figure
+
+        return calls_figure(self, over=over, title=title)
 
     def tree(self, *, most: int = _DRAWN) -> list[CallTree]:
         """The first `most` calls as trees; equal neighbours are one tree with a count."""
