@@ -85,25 +85,16 @@ class _Icicle:
             "bargap": 0.08,
             "xaxis": axis(words, range=[0, self.whole], zeroline=False),
             "yaxis": axis(
-                "calls that are open",
+                "depth",
                 autorange="reversed",
                 tickmode="linear" if rows <= 12 else "auto",
                 dtick=1,
                 showgrid=False,
                 zeroline=False,
             ),
-            "legend": {
-                "orientation": "h",
-                "x": 0,
-                "y": 1.02,
-                "yanchor": "bottom",
-                "bgcolor": "rgba(0,0,0,0)",
-                "font": {"size": 12},
-            },
-            "margin": {"l": 16, "r": 16, "t": 84, "b": 76 + 15 * len(self.told)},
         }
         return figure(
-            data, layout, title=title, told=self.told, height=190 + 34 * min(rows, 14), below=44
+            data, layout, title=title, told=self.told, height=60 + 34 * min(rows, 14), below=44
         )
 
     def _bars(self, alone: Numbers) -> list[dict[str, Any]]:

@@ -99,17 +99,8 @@ class _Graph:
             "yaxis": {**hidden},
             "annotations": list(self._heads()),
             "hovermode": "closest",
-            "legend": {
-                "orientation": "h",
-                "x": 0,
-                "y": 1.0,
-                "yanchor": "bottom",
-                "bgcolor": "rgba(0,0,0,0)",
-                "font": {"size": 12},
-            },
-            "margin": {"l": 8, "r": 8, "t": 84, "b": 32 + 15 * len(self.told)},
         }
-        height = min(2_400, 220 + 36 * widest)
+        height = min(2_400, 90 + 36 * widest)
         return figure(data, layout, title=title, told=self.told, height=height)
 
     def _nodes(self) -> Iterator[dict[str, Any]]:

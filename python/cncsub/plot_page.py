@@ -11,7 +11,7 @@ html, body { margin: 0; height: 100%; background: #fff; }
 @media (prefers-color-scheme: dark) { html, body { background: #14181b; } }
 #picture { width: 100%; min-height: 100vh; }
 """
-# The picture fills the window; where that is narrow, what is told under it gets smaller lines.
+# A scene fills the window; where that is narrow, what is told under it gets smaller lines.
 _SCRIPT = """
 (function () {
   var at = document.getElementById('picture');
@@ -38,7 +38,7 @@ _SCRIPT = """
       layout.annotations[0].text = lines.join('<br>');
       layout.margin.b = bottom + 15 * (lines.length - before);
     }
-    layout.height = Math.max(least, window.innerHeight);
+    if (figure.layout.scene) layout.height = Math.max(least, window.innerHeight);
     return layout;
   }
   Plotly.newPlot(at, figure.data, Object.assign({}, figure.layout, laid()),

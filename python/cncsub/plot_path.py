@@ -14,9 +14,9 @@ from cncsub.plotting import (
     COLOURS,
     GRID,
     OTHERS,
+    SOLID_GRID,
     TEXT,
     Places,
-    axis,
     clock,
     count,
     empty,
@@ -35,6 +35,7 @@ _FINEST, _WIDEST = 1 / 20_000, 1 / 250  # of the size of the picture: first and 
 _LONG = 200_000  # moves from which arcs are sampled no finer than a picture shows
 _BANDS = 24  # of colours that go over into each other
 _MOST_NAMES = 11  # colours beside that of the rest
+_SCENE = 1.9  # the diagonal of what is drawn, in the units of a camera
 _INSTANTS = 160  # of the slider
 _FAMILIES = ("rapid", "feed", "cycle", "compensation")
 _WORDS = {
@@ -329,9 +330,9 @@ class _Picture:
         if play:
             data.append(self._marker(drawn, 0.0))
             frames, more = self._player(drawn, len(data) - 1)
-        layout = {"scene": self._scene(drawn), "legend": _LEGEND, **more}
+        layout = {"scene": self._scene(drawn), **more}
         return figure(
-            data, layout, title=title, told=told, frames=frames, below=84 if play else 0, height=620
+            data, layout, title=title, told=told, frames=frames, below=72 if play else 0, height=500
         )
 
     def _told(self, drawn: Drawn, both: bool) -> str:
@@ -499,13 +500,28 @@ class _Picture:
             camera |= {"eye": {"x": -0.9, "y": -1.5, "z": 1.0}}
         name = "machine " if self.coordinates == "machine" else ""
         axes = {
-            f"{letter}axis": axis(f"{name}{letter.upper()}", backgroundcolor="rgba(0,0,0,0)")
-            | {"automargin": None, "showspikes": False}
+            f"{letter}axis": {
+                "title": {"text": f"{name}{letter.upper()}", "font": {"size": 12}},
+                "color": TEXT,
+                "gridcolor": SOLID_GRID,
+                "zerolinecolor": SOLID_GRID,
+                "showbackground": False,
+                "showspikes": False,
+                "tickfont": {"size": 11},
+            }
             for letter in "xyz"
         }
-        for one in axes.values():
-            del one["automargin"]
-        return {**axes, "aspectmode": "data", "camera": camera, "dragmode": "orbit"}
+        # As long as it is, whatever its shape: one millimetre is as long on every axis.
+        sides = np.maximum(np.ptp(drawn.points, axis=0), 1e-3)
+        sides = np.maximum(sides, sides.max() / 50) / float(np.linalg.norm(sides))
+        ratio = {letter: float(side) * _SCENE for letter, side in zip("xyz", sides)}
+        return {
+            **axes,
+            "aspectmode": "manual",
+            "aspectratio": ratio,
+            "camera": camera,
+            "dragmode": "orbit",
+        }
 
     # ---- the slider ----
 
@@ -562,15 +578,6 @@ class _Picture:
         return frames, {"sliders": [_slider(steps)], "updatemenus": [_keys()]}
 
 
-_LEGEND = {
-    "orientation": "h",
-    "x": 0,
-    "y": 1,
-    "yanchor": "bottom",
-    "font": {"size": 12},
-    "itemsizing": "constant",
-    "bgcolor": "rgba(0,0,0,0)",
-}
 # From blue over green to orange: as dark at one end as at the other, and told apart by most eyes.
 _SCALE = [[0.0, "#3b5bdb"], [0.33, "#1c9c8f"], [0.66, "#c9a227"], [1.0, "#e8590c"]]
 
@@ -642,12 +649,17 @@ def _slider(steps: list[dict[str, Any]]) -> dict[str, Any]:
     return {
         "active": 0,
         "steps": steps,
-        "x": 0.14,
-        "len": 0.86,
+        "x": 0,
+        "len": 1,
         "y": 0,
         "yanchor": "top",
-        "pad": {"t": 4, "b": 0},
-        "currentvalue": {"prefix": "at ", "xanchor": "left", "font": {"size": 12}},
+        "pad": {"t": 10, "b": 0},
+        "currentvalue": {
+            "prefix": "at ",
+            "xanchor": "right",
+            "offset": 14,
+            "font": {"size": 13, "color": TEXT},
+        },
         "tickcolor": "rgba(0,0,0,0)",
         "ticklen": 0,
         "minorticklen": 0,
@@ -668,7 +680,7 @@ def _keys() -> dict[str, Any]:
         "y": 0,
         "xanchor": "left",
         "yanchor": "top",
-        "pad": {"t": 20, "r": 8},
+        "pad": {"t": 2},
         "showactive": False,
         "bgcolor": "rgba(127,137,145,0.15)",
         "bordercolor": GRID,

@@ -24,8 +24,8 @@ def watch_figure(watch: Watch, *, over: str = "steps", title: str | None = None)
     if over not in OVER:
         raise ValueError(f"over is steps or time, not {over!r}")
     numbers = list(watch.beginning)
-    named = ", ".join(f"#{number}" for number in numbers[:_MOST])
-    head = title if title is not None else f"{named or 'nothing watched'}"
+    changes = count(len(watch), "change")
+    head = title if title is not None else f"{_hashes(numbers) or 'nothing watched'}: {changes}"
     if not numbers:
         return empty("Nothing is watched: run(watch=[100]) watches #100.", head)
     return _Timeline(watch, over, numbers).figure(head)
@@ -36,10 +36,16 @@ class _Timeline:
         self.watch = watch
         self.core = watch._core
         self.told: list[str] = []
-        self.shown = numbers[:_MOST]
-        if len(numbers) > _MOST:
+        changed = set(np.unique(watch.variable).tolist())
+        still = [number for number in numbers if number not in changed]
+        moving = [number for number in numbers if number in changed] or numbers
+        self.shown = moving[:_MOST]
+        if still and moving is not numbers:
+            self.told.append(f"Never changed: {_hashes(still)}.")
+        if len(moving) > _MOST:
             self.told.append(
-                f"{len(numbers) - _MOST:,} more variables are watched: run.watch(100).plot()."
+                f"Changed, and not drawn: {_hashes(moving[_MOST:])}; run.watch(100).plot() draws"
+                " one."
             )
         self.steps = np.asarray(watch.step)
         self.over = over
@@ -82,7 +88,7 @@ class _Timeline:
         layout["xaxis"] = axis(
             words, anchor=f"y{bottom}", range=[0, self.end or 1], zeroline=False
         )
-        height = 150 + (260 if count_of == 1 else 130 * count_of)
+        height = 260 if count_of == 1 else 130 * count_of
         return figure(data, layout, title=title, told=self.told, height=height, below=44)
 
     def _trace(self, number: int, place: int) -> dict[str, Any]:
@@ -142,6 +148,11 @@ class _Timeline:
         for step in self.steps[rows].tolist():
             told.append("set from outside" if step < 0 else f"{places.of(step)}<br>step {step:,}")
         return told
+
+
+def _hashes(numbers: list[int]) -> str:
+    told = ", ".join(f"#{number}" for number in numbers[:_MOST])
+    return told + (f" and {len(numbers) - _MOST:,} more" if len(numbers) > _MOST else "")
 
 
 def _named(name: str, place: int) -> str:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 TEXT = "#7a858e"  # legible on white and on black
 GRID = "rgba(127,137,145,0.3)"
+SOLID_GRID = "#99a2a8"  # WebGL knows no transparent lines
 # Apart from each other for most eyes, and on white as on black.
 COLOURS = (
     "#3d8fd6 #e8833a #2fa36b #b565d8 #c9a227 #d9534f #1aa6a6 #8a7a5c #7c83e0 #e06c9f #6d9b2f #5f8fa0"
@@ -39,14 +40,19 @@ def figure(
     *,
     title: str,
     told: Iterable[str],
-    height: int = 560,
+    height: int = 480,
     frames: Iterable[Mapping[str, Any]] = (),
     below: int = 0,
 ) -> Any:
-    """A figure with its title, and what is told of it under the picture, `below` pixels under it."""
+    """A figure with its title and its legend, `height` pixels of picture, and what is told of it
+    `below` pixels under that.
+    """
+    data = list(data)
+    listed = sum(1 for one in data if one.get("showlegend", True) and one.get("name"))
+    head = 48 if listed < 2 else 84 if listed < 4 else 112  # lines of a legend on a narrow page
     lines = [line for part in told for line in textwrap.wrap(part, _WIDE)]
     note = {
-        "text": "<br>".join(map(escape, lines)),
+        "text": "<br>".join(escape(line, quote=False) for line in lines),
         "showarrow": False,
         "xref": "paper",
         "yref": "paper",
@@ -60,7 +66,16 @@ def figure(
     }
     base: dict[str, Any] = {
         "template": "none",
-        "title": {"text": escape(title), "x": 0, "xref": "paper", "font": {"size": 15}},
+        "title": {
+            "text": escape(title, quote=False),
+            "font": {"size": 15},
+            "x": 0,
+            "xref": "paper",
+            "y": 1,
+            "yref": "container",
+            "yanchor": "top",
+            "pad": {"t": 14},
+        },
         "paper_bgcolor": "rgba(0,0,0,0)",
         "plot_bgcolor": "rgba(0,0,0,0)",
         "font": {"color": TEXT, "family": "system-ui, sans-serif"},
@@ -69,15 +84,24 @@ def figure(
             "font": {"color": "#f2f4f5", "family": "ui-monospace, monospace", "size": 12},
             "align": "left",
         },
-        "margin": {"l": 16, "r": 16, "t": 48, "b": below + 24 + 15 * len(lines)},
-        "height": height + 15 * len(lines) + below,
+        "margin": {"l": 16, "r": 16, "t": head, "b": below + 24 + 15 * len(lines)},
+        "height": height + head + 24 + 15 * len(lines) + below,
+        "legend": {
+            "orientation": "h",
+            "x": 0,
+            "y": 1,
+            "yanchor": "bottom",
+            "font": {"size": 12},
+            "itemsizing": "constant",
+            "bgcolor": "rgba(0,0,0,0)",
+        },
         "colorway": COLOURS,
         "annotations": [note],
     }
     own = dict(layout)
     base["annotations"] = [note, *own.pop("annotations", ())]
     base.update(own)
-    made = {"data": list(data), "layout": base, "frames": list(frames)}
+    made = {"data": data, "layout": base, "frames": list(frames)}
     return graph_objects().Figure(made)
 
 
@@ -97,7 +121,7 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
 def empty(why: str, title: str) -> Any:
     """A figure that tells why it is none."""
     hidden = {"visible": False}
-    return figure([], {"xaxis": hidden, "yaxis": hidden}, title=title, told=[why], height=160)
+    return figure([], {"xaxis": hidden, "yaxis": hidden}, title=title, told=[why], height=20)
 
 
 def shown_text(text: str) -> str:
