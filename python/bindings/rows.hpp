@@ -30,7 +30,12 @@ struct Array {
 pybind11::object step_object(const Trace& trace, const Code& code, std::size_t index,
                              const pybind11::type& row);
 
-/// The table of what was watched.
+/// The table of what was watched, that of the codes that were sent, and the path as points.
 void add_watch(pybind11::class_<Record>& trace);
+void add_codes(pybind11::class_<Record>& trace);
+void add_paths(pybind11::class_<Record>& trace);
+
+/// Where a row of the moves begins, and the centre of the tool's arc.
+void add_begin(pybind11::dict& fields, const MoveBegin& begin);
 
 }  // namespace cncsub::bindings

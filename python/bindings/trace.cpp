@@ -179,7 +179,8 @@ py::dict call_arguments(const Record& record, std::size_t index) {
 
 bool is_whole(const std::string& name) {
   return name == "move" || name == "step" || name == "kind" || name == "plane" || name == "tool" ||
-         name == "h" || name == "d" || name == "feed_mode" || name == "skip";
+         name == "h" || name == "d" || name == "feed_mode" || name == "skip" || name == "cycle" ||
+         name == "compensated";
 }
 
 /// Steps and moves of this part by their numbers in the run.
@@ -215,8 +216,9 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
   for (const std::string& name : names) {
     if (columns.contains(name)) continue;  // its array is being filled
     if (is_whole(name)) {
-      const bool texts = name == "kind" || name == "feed_mode" || name == "skip";
-      columns[py::str(name)] = texts ? whole_move_column<std::int32_t>(record, name)
+      const bool small = name == "kind" || name == "feed_mode" || name == "skip" ||
+                         name == "cycle" || name == "compensated";
+      columns[py::str(name)] = small ? whole_move_column<std::int32_t>(record, name)
                                      : whole_move_column<std::int64_t>(record, name);
       continue;
     }
@@ -275,6 +277,9 @@ py::dict move_row(const Record& record, std::size_t index) {
   fields["d"] = state.d;
   fields["length"] = row.length;
   fields["time"] = row.time;
+  add_begin(fields, record.trace().moves.begin_of(index));
+  fields["cycle"] = state.cycle;
+  fields["compensated"] = record.trace().moves.compensated(index);
   return fields;
 }
 
@@ -368,6 +373,8 @@ void add_trace(py::module_& m) {
   };
   py::class_<Record> trace(m, "Trace", py::is_final());
   add_watch(trace);
+  add_codes(trace);
+  add_paths(trace);
   trace.def_property_readonly("steps", size([](const Trace& trace) { return trace.steps.size(); }))
       .def("step_row", &step_row, py::arg("index"), py::arg("row"))
       .def("step_column", &step_column, py::arg("name"))
@@ -387,10 +394,6 @@ void add_trace(py::module_& m) {
       .def_property_readonly("path_length", &path_length)
       .def_property_readonly("time", &Record::time)
       .def_property_readonly("bounds", &bounds_of)
-      .def_property_readonly(
-          "m_codes", [](const Record& record) { return listed(record, record.trace().m_codes); })
-      .def_property_readonly(
-          "t_codes", [](const Record& record) { return listed(record, record.trace().t_codes); })
       .def_property_readonly("dropped", &dropped)
       .def_property_readonly(
           "messages", [](const Record& record) { return listed(record, record.trace().messages); })

@@ -19,7 +19,7 @@ from cncsub.engine_types import tell_engine_types
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
-from cncsub.rows import Call, Change, Dropped, MissedSkip, Move, Step
+from cncsub.rows import Call, Change, Dropped, MissedSkip, Move, SentCode, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from cncsub.flattening import Flat, FlattenError, flatten
     from cncsub.listing import Listed
     from cncsub.notes import Note
+    from cncsub.polyline import Polyline
     from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
     from cncsub.reporting import report
     from cncsub.rewriting import TranslateError
@@ -50,6 +51,7 @@ _LATER = {
         "flattening": "Flat FlattenError flatten",
         "listing": "Listed",
         "notes": "Note",
+        "polyline": "Polyline",
         "references": "CallGraph CallTo Computed Edge JumpTo VariableUse",
         "reporting": "report",
         "rewriting": "TranslateError",
@@ -109,8 +111,10 @@ __all__ = [
     "Note",
     "Part",
     "Plane",
+    "Polyline",
     "Program",
     "Run",
+    "SentCode",
     "Setup",
     "Source",
     "Sphere",

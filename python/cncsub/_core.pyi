@@ -343,9 +343,28 @@ class Trace:
     @property
     def dropped(self) -> list[tuple[int, str, int | None, int, str, str]]: ...
     @property
+    def codes(self) -> int: ...  # rows of the table of M, T and S codes
+    def code_row(self, index: int) -> tuple[str, float, int, str, int | None, int]: ...
+    def code_column(self, name: str) -> np.ndarray[Any, Any]: ...
+    @property
     def m_codes(self) -> list[int]: ...
     @property
     def t_codes(self) -> list[int]: ...
+    @property
+    def diameters(self) -> int: ...  # bit 0: X
+    def polyline(
+        self, frame: str, tolerance: float, first: int, last: int, most: int
+    ) -> tuple[np.ndarray[Any, Any], ...] | int:
+        """x, y, z, move, begins; or the number of points, where that is more than `most`."""
+    @staticmethod
+    def thinned(
+        x: np.ndarray[Any, Any],
+        y: np.ndarray[Any, Any],
+        z: np.ndarray[Any, Any],
+        key: np.ndarray[Any, Any],
+        tolerance: float,
+    ) -> np.ndarray[Any, Any]:
+        """Which points of a line are enough for it; those where `key` changes are kept."""
     @property
     def messages(self) -> list[str]: ...
     @property

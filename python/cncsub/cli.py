@@ -1,5 +1,5 @@
 """The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
-`flatten`, `report`, `batch`, `controls`, `explain`.
+`flatten`, `report`, `plot`, `batch`, `controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong
@@ -33,6 +33,7 @@ COMMANDS = {
     "flatten": "flatten_command.flatten",
     "coverage": "coverage_command.coverage",
     "report": "report_command.report",
+    "plot": "plot_command.plot",
     "controls": "controls_command.controls",
     "explain": "explain_command.explain",
     "batch": "batch.batch",

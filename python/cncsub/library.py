@@ -20,6 +20,8 @@ from cncsub.signatures import spelled_out
 from cncsub.stream import Stream
 
 if TYPE_CHECKING:
+    from plotly.graph_objects import Figure
+
     from cncsub.checking import Finding, Flow
     from cncsub.flattening import Flat
     from cncsub.notes import Note
@@ -239,6 +241,21 @@ class Library(Mapping[str, Program]):
         from cncsub.references import call_graph  # not imported before it is asked for
 
         return call_graph(self._code)
+
+    def plot(self, *, title: str | None = None) -> Figure:
+        """The call graph as a figure of plotly (`cncsub[plot]`): a point for each program, the main
+        program on the left, an arrow for the calls from one to another; missing programs and
+        computed names are circles. Of a large library 250 programs are drawn, and the picture tells
+        so. Raises `ImportError` without plotly.
+
+        >>> import cncsub
+        >>> library = cncsub.loads("O1\\nN10 M98 P2\\nM30\\nO2\\nM98 P9\\nM99\\n", control="fanuc-0i-f")
+        >>> [trace.name for trace in library.plot().data if trace.name]
+        ['main program', 'called', 'missing']
+        """
+        from cncsub.plot_graph import graph_figure
+
+        return graph_figure(self, title=title)
 
     def flow(self, program: str | int) -> Flow:
         """The ways through a program, told by its blocks without running them: see `Flow`."""

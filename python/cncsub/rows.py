@@ -61,6 +61,11 @@ class Move:
     diameter on a diameter axis. `mx`, `my`, `mz` ...: the machine position of the tool, offsets
     included. `cx`, `cy`, `cz`: the centre of an arc. `skip`: `"touched"` or `"missed"` where the
     move was one of G31, else `"no"`. What does not apply is `None`.
+
+    `sx`, `sy`, `sz`: where the programmed path of the move begins, in the work coordinates of its
+    end; `msx`, `msy`, `msz`: where the tool stood, in machine coordinates. `mcx`, `mcy`, `mcz`: the
+    centre of the tool's arc, machine coordinates. `cycle`: whether a canned cycle makes the move;
+    `compensated`: whether a radius offset holds at its beginning or its end.
     """
 
     move: int
@@ -97,6 +102,31 @@ class Move:
     length: float = 0.0
     time: float = 0.0
     skip: str = "no"
+    sx: float | None = None
+    sy: float | None = None
+    sz: float | None = None
+    msx: float | None = None
+    msy: float | None = None
+    msz: float | None = None
+    mcx: float | None = None
+    mcy: float | None = None
+    mcz: float | None = None
+    cycle: bool = False
+    compensated: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SentCode:
+    """A code that was sent to the machine. `kind`: `"M"`, `"T"` or `"S"`; `value`: its number, with
+    a fraction where it has one. `step` is its row in `run.steps`.
+    """
+
+    kind: str
+    value: float
+    step: int
+    program: str
+    n: int | None
+    line: int
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,12 +15,15 @@ from cncsub.inputs import checked_variables
 from cncsub.program import Block, find_program
 from cncsub.rows import Dropped, MissedSkip, Step
 from cncsub.staying import Stays
-from cncsub.tables import Calls, Moves, Steps, Watch
+from cncsub.tables import Calls, Codes, Moves, Steps, Watch
 
 if TYPE_CHECKING:
+    from plotly.graph_objects import Figure
+
     from cncsub.coverage import Coverage
     from cncsub.endless import Endless
     from cncsub.listing import Listed
+    from cncsub.polyline import Polyline
 
 Until = Block | tuple[str | int, int] | int
 
@@ -279,6 +282,42 @@ class Recorded(Stays):
         """
         return [MissedSkip(*place) for place in self._trace.missed_skips]
 
+    @functools.cached_property
+    def codes(self) -> Codes:
+        """One row per M, T and S code sent to the machine (with any `trace` but `"none"`)."""
+        return Codes(self._trace)
+
+    def polyline(
+        self,
+        tolerance: float = 0.01,
+        *,
+        coordinates: str = "work",
+        moves: slice | range | None = None,
+    ) -> Polyline:
+        """The path as points: the ends of the moves as they are, and of arcs, helices and spirals
+        as many points between them as keep every chord within `tolerance` (mm) of the true curve,
+        four in a turn at least.
+
+        `coordinates`: `"work"` is the programmed path in the work coordinates in force, `"tool"`
+        that of the tool with its radius offset in the same coordinates, `"machine"` that of the
+        tool with all its offsets in machine coordinates. `moves`: only those of a slice or a range
+        of rows of `moves`. Rapid moves are straight lines.
+
+        Raises `ValueError` for a tolerance that is not above 0 or asks for more points than
+        50 million beside the ends, and for other coordinates.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 G0 X10. Y0\\nN20 G3 X10. Y0 I-10. F100\\nN30 M30\\n"
+        >>> path = cncsub.loads(text, control="fanuc-0i-f").run().polyline(0.1)
+        >>> path
+        <Polyline: 25 points, work coordinates, within 0.1 mm>
+        >>> path.points[0].tolist(), path.move[:4].tolist(), path.points[-1].tolist()
+        ([0.0, 0.0, 0.0], [0, 0, 1, 1], [10.0, 0.0, 0.0])
+        """
+        from cncsub.polyline import polyline_of
+
+        return polyline_of(self._trace, tolerance, coordinates, moves)
+
     @property
     def m_codes(self) -> list[int]:
         """The M codes sent to the machine, in order (with any `trace` but `"none"`)."""
@@ -386,6 +425,48 @@ class _Outcome(State, Recorded):
         from cncsub.listing import listing_of
 
         return listing_of(self, program=program, depth=depth, n=n, variable=variable)
+
+    def plot(
+        self,
+        *,
+        color: str = "kind",
+        coordinates: str = "work",
+        moves: slice | range | None = None,
+        most: int = 60_000,
+        play: bool = True,
+        title: str | None = None,
+    ) -> Figure:
+        """The path in three dimensions, as a figure of plotly (`cncsub[plot]`): rapid moves, feeds,
+        canned cycles and what runs with a radius offset apart; over a point its block, the calls
+        that led there and its move; a slider that leads the tool along.
+
+        `color`: `"kind"`, `"program"`, `"call"`, `"tool"`, `"depth"` (of the calls), `"feed"`,
+        `"time"` or `"z"`. `coordinates`: `"work"` is the programmed path, and beside it the tool
+        where a radius offset leads it elsewhere; `"machine"` is the tool with all its offsets.
+        `moves`: only those of a slice or a range of rows of `moves`. `most`: so many points may be
+        drawn. A longer path is thinned, and the picture tells how far what is left out may lie from
+        what is drawn; what cannot be thinned is cut, and the picture tells where. `play`: with the
+        slider. `title`: above it.
+
+        Raises `ImportError` without plotly, and `ValueError` for another colour or coordinates.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 G0 X10. Y0\\nN20 G3 X10. Y0 I-10. F100\\nN30 M30\\n"
+        >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
+        >>> [trace.name for trace in run.plot().data]
+        ['rapid', 'feed', 'tool']
+        """
+        from cncsub.plot_path import path_figure
+
+        return path_figure(
+            self,
+            color=color,
+            coordinates=coordinates,
+            moves=moves,
+            most=most,
+            play=play,
+            title=title,
+        )
 
     def coverage(self) -> Coverage:
         """The blocks, branches, calls and arguments that this run went through, or a machine

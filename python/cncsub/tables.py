@@ -10,23 +10,24 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
 from cncsub import _core
 from cncsub.calltree import CallTree, trees, write_lines
-from cncsub.rows import Call, Change, Move, Step
+from cncsub.rows import Call, Change, Move, SentCode, Step
 from cncsub.staying import Stays
 
 if TYPE_CHECKING:
     import numpy as np
     import pandas as pd
     import pyarrow as pa
+    from plotly.graph_objects import Figure
 
     Column = np.ndarray[Any, Any]
 
-Row = TypeVar("Row", bound=Step | Call | Move | Change)
+Row = TypeVar("Row", bound=Step | Call | Move | Change | SentCode)
 
 _DRAWN = 2000  # calls in a printed tree
 _SHOWN = 5  # rows at the head and at the end of a printed table
@@ -36,11 +37,14 @@ class Table(Stays, Generic[Row]):
     """Rows and columns of one kind. `table[5]` is a row, `table["n"]` and `table.n` are columns.
 
     A column is a NumPy array as long as the table, to be read. A column of texts holds `int32`
-    codes; the texts stand beside it (`table.programs[code]`) and are written out in rows, pandas
-    and Arrow. Where a row has `None`, an integer column has -1 and any other one NaN.
+    codes; the texts stand beside it (`table.programs[code]`), it compares with them
+    (`table.program == "O2"`), and they are written out in rows, pandas and Arrow. Where a row has
+    `None`, an integer column has -1 and any other one NaN; in pandas, Arrow and polars it is a
+    null.
     """
 
     _title: ClassVar[str]
+    _nulls: ClassVar[frozenset[str]] = frozenset()  # columns of numbers where -1 or NaN is none
     _instead = "send to_arrow(), to_pandas() or list(rows)"
 
     def __init__(self, core: _core.Trace) -> None:
@@ -53,6 +57,13 @@ class Table(Stays, Generic[Row]):
     def columns(self) -> list[str]:
         """The names of the columns, in order."""
         raise NotImplementedError
+
+    @property
+    def more_columns(self) -> list[str]:
+        """Columns that are worked out for whoever asks for them by name, here or in `to_pandas` and
+        `to_arrow`; else no table has them.
+        """
+        return []
 
     def _rows(self) -> int:
         raise NotImplementedError
@@ -71,11 +82,18 @@ class Table(Stays, Generic[Row]):
 
     def column(self, name: str) -> Column:
         """One column as a NumPy array. `KeyError` names the columns there are."""
-        if name not in self.columns:
-            raise KeyError(
-                f"{self._title} have no column {name!r}; there are {', '.join(self.columns)}"
-            )
+        self._check([name])
         return self._fetched([name])[name]
+
+    def _check(self, names: Iterable[str]) -> list[str]:
+        known = [*self.columns, *self.more_columns]
+        wanted = list(names)
+        for name in wanted:
+            if name not in known:
+                raise KeyError(
+                    f"{self._title} have no column {name!r}; there are {', '.join(known)}"
+                )
+        return wanted
 
     def _fetched(self, names: list[str]) -> dict[str, Column]:
         """These columns; those that were not asked for before, or have grown, are made together."""
@@ -85,20 +103,24 @@ class Table(Stays, Generic[Row]):
         if missing:
             import numpy  # noqa: F401  # here, not below the engine's functions
 
+            from cncsub.text_column import text_column
+
             for name, column in self._fetch(missing).items():
                 column.flags.writeable = False  # what ran cannot be changed
-                self._columns[name] = column
+                texts = self._texts(name)
+                self._columns[name] = column if texts is None else text_column(column, texts)
         return {name: self._columns[name] for name in names}
 
     def __getattr__(self, name: str) -> Column:
         # Names with an underscore and those of the class are never columns; asking for one must not
         # call back into this table.
-        if name.startswith("_") or hasattr(type(self), name) or name not in self.columns:
+        known = not name.startswith("_") and not hasattr(type(self), name)
+        if not known or name not in (*self.columns, *self.more_columns):
             raise AttributeError(f"{self._title} have no column {name!r}")
         return self.column(name)
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self.columns]
+        return [*super().__dir__(), *self.columns, *self.more_columns]
 
     # Rows.
 
@@ -126,43 +148,52 @@ class Table(Stays, Generic[Row]):
 
     # Other libraries.
 
-    def to_pandas(self) -> pd.DataFrame:
-        """A `pandas.DataFrame` of its own columns, texts written out. Needs pandas
-        (`cncsub[pandas]`).
+    def to_pandas(self, columns: Sequence[str] | None = None) -> pd.DataFrame:
+        """A `pandas.DataFrame` of all columns, or of those named: of its own, texts written out.
+        Whole numbers that may be missing are of a type of pandas that has a null (`Int32`). Needs
+        pandas (`cncsub[pandas]`). `KeyError` for a name that is none.
         """
         pandas = optional_module("pandas")
-        columns = self._fetch(self.columns)  # of its own: a frame may be changed
+        names = self.columns if columns is None else self._check(columns)
+        fetched = self._fetch(names)  # of its own: a frame may be changed
         frame: pd.DataFrame = pandas.DataFrame(
-            {name: self._written_out(name, column) for name, column in columns.items()}, copy=False
+            {name: self._of_pandas(pandas, name, fetched[name]) for name in names}, copy=False
         )
         return frame
 
-    def _written_out(self, name: str, column: Column) -> Column:
-        import numpy as np
-
+    def _of_pandas(self, pandas: Any, name: str, column: Column) -> Any:
         texts = self._texts(name)
-        if texts is None:
-            return column
-        written: Column = np.array([*texts, None], dtype=object)[column]  # the code -1 is the last
-        return written
+        if texts is not None:
+            from cncsub.text_column import text_column
 
-    def to_arrow(self) -> pa.Table:
-        """A `pyarrow.Table` on the columns as they are; a column of texts is a dictionary of its
-        codes. Needs `cncsub[arrow]`.
+            return text_column(column, texts).to_texts()
+        if name in self._nulls and column.dtype.kind == "i":
+            return pandas.arrays.IntegerArray(column, column < 0)
+        return column
+
+    def to_arrow(self, columns: Sequence[str] | None = None) -> pa.Table:
+        """A `pyarrow.Table` on all columns as they are, or on those named; a column of texts is a
+        dictionary of its codes. Needs `cncsub[arrow]`. `KeyError` for a name that is none.
         """
         arrow = optional_module("pyarrow")
-        self._fetched(self.columns)
+        names = self.columns if columns is None else self._check(columns)
+        fetched = self._fetched(names)
 
         def array(name: str) -> Any:
-            column = self.column(name)
-            texts = self._texts(name)
-            if texts is None:
-                return arrow.array(column)
-            none = column < 0
-            codes = arrow.array(column, mask=none if none.any() else None)
-            return arrow.DictionaryArray.from_arrays(codes, arrow.array(texts, arrow.string()))
+            import numpy as np
 
-        return arrow.table({name: array(name) for name in self.columns})
+            column = fetched[name].view(np.ndarray)
+            texts = self._texts(name)
+            none = None
+            if texts is not None or name in self._nulls:
+                none = np.isnan(column) if column.dtype.kind == "f" else column < 0
+                none = none if none.any() else None
+            values = arrow.array(column, mask=none)
+            if texts is None:
+                return values
+            return arrow.DictionaryArray.from_arrays(values, arrow.array(texts, arrow.string()))
+
+        return arrow.table({name: array(name) for name in names})
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         return self.to_arrow().__arrow_c_stream__(requested_schema)
@@ -221,7 +252,7 @@ def optional_module(module: str) -> Any:
         return importlib.import_module(module)
     except ImportError as error:
         package = module.partition(".")[0]
-        extra = {"pyarrow": "arrow"}.get(package, package)
+        extra = {"pyarrow": "arrow", "plotly": "plot"}.get(package, package)
         raise ImportError(
             f"this needs {package}; install it with: pip install 'cncsub[{extra}]'"
         ) from error
@@ -237,10 +268,10 @@ def _known(index: int | None) -> int | None:
     return None if index is None or index < 0 else index
 
 
-_FIELDS = {row: [f.name for f in fields(row)] for row in (Step, Call, Move, Change)}
+_FIELDS = {row: [f.name for f in fields(row)] for row in (Step, Call, Move, Change, SentCode)}
 
 
-def _field_names(row: type[Step | Call | Move | Change]) -> list[str]:
+def _field_names(row: type[Step | Call | Move | Change | SentCode]) -> list[str]:
     return list(_FIELDS[row])
 
 
@@ -257,6 +288,7 @@ class Steps(Table[Step]):
     """
 
     _title = "steps"
+    _nulls = frozenset(("n",))
 
     @property
     def columns(self) -> list[str]:
@@ -302,20 +334,72 @@ class Watch(Table[Change]):
     Change(step=6, variable=500, value=3.0, program='O1', n=30, line=4)
     >>> run.watch.beginning
     {100: 0.0, 500: None}
+    >>> len(run.watch), len(run.watch(500))
+    (5, 1)
     """
 
     _title = "changes"
+    _nulls = frozenset(("step", "value", "n", "line"))
 
     @property
     def columns(self) -> list[str]:
         return _field_names(Change)
+
+    def __init__(self, core: _core.Trace, only: tuple[int, ...] | None = None) -> None:
+        super().__init__(core)
+        self._only = only
+        self._places: Column | None = None  # the rows of those
+        self._looked = -1  # when there were so many changes
+
+    def __call__(self, *variables: int) -> Watch:
+        """The changes of these variables alone, as a table. `KeyError` for one that is not
+        watched.
+        """
+        for number in variables:
+            if number not in self.beginning:
+                watched = ", ".join(f"#{known}" for known in self.beginning) or "nothing"
+                raise KeyError(f"#{number} is not watched: run(watch=[{number}]); {watched} is")
+        return Watch(self._core, tuple(variables))
 
     @property
     def beginning(self) -> dict[int, float | None]:
         """What is watched, and its value before the first row: what `variables` gave it; in a part
         of a stream, what the part before left. Empty where nothing is watched.
         """
-        return self._core.watched
+        watched = self._core.watched
+        if self._only is None:
+            return watched
+        return {number: watched[number] for number in self._only}
+
+    def plot(self, *, over: str = "steps", title: str | None = None) -> Figure:
+        """What became of each watched variable, as a figure of plotly (`cncsub[plot]`); there is no
+        line where it is vacant. `over`: `"steps"` or `"time"` (s, that of the moves).
+        `run.watch(100).plot()` shows `#100` alone; twelve variables are shown at most. Of many
+        changes the lowest and the highest are drawn, and the picture tells so.
+
+        Raises `ImportError` without plotly, and `ValueError` for another axis.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 #100=#100+1\\nN20 IF[#100LT3]GOTO10\\nM30\\n"
+        >>> run = cncsub.loads(text, control="fanuc-0i-f").run(variables={100: 0}, watch=[100])
+        >>> run.watch(100).plot().data[0].y
+        (0.0, 1.0, 2.0, 3.0, 3.0)
+        """
+        from cncsub.plot_watch import watch_figure
+
+        return watch_figure(self, over=over, title=title)
+
+    def _chosen(self) -> Column | None:
+        """The rows of the variables that were asked for; `None`: all."""
+        if self._only is None:
+            return None
+        if self._looked != self._core.changes:
+            import numpy as np
+
+            numbers = self._core.change_column("variable")
+            self._looked = len(numbers)
+            self._places = np.flatnonzero(np.isin(numbers, self._only))
+        return self._places
 
     @property
     def programs(self) -> list[str]:
@@ -323,13 +407,19 @@ class Watch(Table[Change]):
         return self._core.program_names
 
     def _rows(self) -> int:
-        return self._core.changes
+        chosen = self._chosen()
+        return self._core.changes if chosen is None else len(chosen)
 
     def _row(self, index: int) -> Change:
-        return Change(*self._core.change_row(index))
+        chosen = self._chosen()
+        return Change(*self._core.change_row(index if chosen is None else int(chosen[index])))
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
-        return {name: self._core.change_column(name) for name in names}
+        chosen = self._chosen()
+        columns = {name: self._core.change_column(name) for name in names}
+        if chosen is None:
+            return columns
+        return {name: column[chosen] for name, column in columns.items()}
 
     def _texts(self, name: str) -> list[str] | None:
         return self.programs if name == "program" else None
@@ -337,6 +427,50 @@ class Watch(Table[Change]):
     def _size(self) -> str:
         watched = ", ".join(f"#{number}" for number in self.beginning)
         return f"{super()._size()} of {watched or 'nothing: run(watch=[100]) watches #100'}"
+
+
+class Codes(Table[SentCode]):
+    """One row per M, T and S code sent to the machine, in order: `kind, value, step, program, n,
+    line`. Kinds are `M`, `T` and `S`; in a block they come as T, S, M. What calls a program or
+    only ends one is not sent, and S with G50 or G92 is no speed.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 T2 M6\\nN20 S1500 M3\\nN30 M30\\n"
+    >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
+    >>> [(code.kind, code.value, code.n) for code in run.codes]
+    [('T', 2, 10), ('M', 6, 10), ('S', 1500, 20), ('M', 3, 20)]
+    >>> run.codes.value[run.codes.kind == "S"].tolist()
+    [1500.0]
+    """
+
+    _title = "codes"
+    _nulls = frozenset(("n",))
+
+    @property
+    def columns(self) -> list[str]:
+        return _field_names(SentCode)
+
+    @property
+    def programs(self) -> list[str]:
+        """The names behind the codes of the column `program`."""
+        return self._core.program_names
+
+    @property
+    def kinds(self) -> list[str]:
+        """The texts behind the codes of the column `kind`."""
+        return ["M", "T", "S"]
+
+    def _rows(self) -> int:
+        return self._core.codes
+
+    def _row(self, index: int) -> SentCode:
+        return SentCode(*self._core.code_row(index))
+
+    def _fetch(self, names: list[str]) -> dict[str, Column]:
+        return {name: self._core.code_column(name) for name in names}
+
+    def _texts(self, name: str) -> list[str] | None:
+        return {"program": self.programs, "kind": self.kinds}.get(name)
 
 
 class Calls(Table[Call]):
@@ -357,6 +491,7 @@ class Calls(Table[Call]):
     """
 
     _title = "calls"
+    _nulls = frozenset(("parent", "start_n", "last_step"))
 
     @property
     def columns(self) -> list[str]:
@@ -399,6 +534,23 @@ class Calls(Table[Call]):
     def _texts(self, name: str) -> list[str] | None:
         return {"program": self.programs, "kind": self.kinds}.get(name)
 
+    def plot(self, *, over: str = "time", title: str | None = None) -> Figure:
+        """The calls as an icicle, a figure of plotly (`cncsub[plot]`): each a bar from its beginning
+        to its end, below the one it was made in. `over`: `"time"` (s, that of the moves) or
+        `"steps"`. Calls too short to be seen are drawn together, and told with their number.
+
+        Raises `ImportError` without plotly, and `ValueError` for another axis.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 G91 G1 X9. F90\\nN40 M99\\n"
+        >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
+        >>> [(bar.name, bar.base.tolist(), bar.x.tolist()) for bar in run.calls.plot().data]
+        [('O2', [0.0], [12.0])]
+        """
+        from cncsub.plot_calls import calls_figure
+
+        return calls_figure(self, over=over, title=title)
+
     def tree(self, *, most: int = _DRAWN) -> list[CallTree]:
         """The first `most` calls as trees; equal neighbours are one tree with a count."""
         return trees(self[:most])
@@ -421,6 +573,7 @@ class Calls(Table[Call]):
 
 _ALL_AXES = "xyzabcuvw"
 _WORKED_OUT = frozenset(("length", "time"))
+_MORE = ("sx", "sy", "sz", "msx", "msy", "msz", "mcx", "mcy", "mcz", "cycle", "compensated")
 _FEED_MODES = ["per-minute", "per-revolution", "inverse-time"]
 
 
@@ -452,6 +605,12 @@ class Moves(Table[Move]):
     (`no`, and of moves of G31 `touched` or `missed`). Kinds are `rapid`, `feed`, `cw`, `ccw`,
     `thread` and `dwell`.
 
+    `more_columns` are there for whoever names them: `sx, sy, sz` (where the programmed path of the
+    move begins, in the work coordinates of its end), `msx, msy, msz` (where the tool stood, machine
+    coordinates), `mcx, mcy, mcz` (the centre of the tool's arc, machine coordinates), `cycle`
+    (whether a canned cycle makes it), `compensated` (whether a radius offset holds at its beginning
+    or its end). A row has them all.
+
     >>> import cncsub
     >>> text = "O1\\nN10 G91 G1 X30. Y40. F100\\nN20 M30\\n"
     >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
@@ -460,9 +619,12 @@ class Moves(Table[Move]):
     ('feed', 30.0, 40.0, 50.0, 30.0)
     >>> run.moves.total_length, run.moves.bounds["X"]
     (50.0, (30.0, 30.0))
+    >>> move.sx, move.msy, run.moves.cycle.tolist()
+    (0.0, 0.0, [False])
     """
 
     _title = "moves"
+    _nulls = frozenset(("cx", "cy", "cz", "mcx", "mcy", "mcz"))
 
     def __init__(self, core: _core.Trace, axes: list[str] | None = None) -> None:
         super().__init__(core)
@@ -479,7 +641,12 @@ class Moves(Table[Move]):
     def columns(self) -> list[str]:
         in_use = {*self.axes, "x", "y", "z"}
         unused = {name for axis in _ALL_AXES for name in (axis, f"m{axis}") if axis not in in_use}
+        unused.update(_MORE)
         return [name for name in _field_names(Move) if name not in unused]
+
+    @property
+    def more_columns(self) -> list[str]:
+        return list(_MORE)
 
     @property
     def kinds(self) -> list[str]:
@@ -520,13 +687,17 @@ class Moves(Table[Move]):
 
     def _row(self, index: int) -> Move:
         row = self._core.move_row(index)
-        values = {name: _number(row[name]) for name in self.columns}
+        values = {name: _number(row[name]) for name in (*self.columns, *_MORE)}
         return Move(**{**values, "feed_mode": self.feed_modes[row["feed_mode"]]})
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
         if not _WORKED_OUT.isdisjoint(names):  # one pass over the moves tells both
             names = [*names, *_WORKED_OUT.difference(names)]
-        return self._core.move_columns(names)
+        columns = self._core.move_columns(names)
+        for name in ("cycle", "compensated"):
+            if name in columns:
+                columns[name] = columns[name].astype(bool)
+        return columns
 
     def _texts(self, name: str) -> list[str] | None:
         texts = {"kind": self.kinds, "feed_mode": self.feed_modes, "skip": self.skips}

@@ -120,16 +120,22 @@ void answer(Run& run, char address, std::int64_t code) {
   ++run.state.changes;
 }
 
-/// M and T codes go to the machine; M00 and M01 wait for the operator.
+/// M, T and S codes go to the machine; M00 and M01 wait for the operator.
 bool send_codes(Run& run, const NcWords& words, const Block& block) {
-  const bool recorded = run.trace.depth != Trace::Depth::None;
+  const auto record = [&](char kind, double value) {
+    if (run.trace.depth == Trace::Depth::None) return;
+    run.trace.codes.push({run.state.executed, value, run.state.pc, kind});
+  };
   if (words.has('T')) {
     const auto tool = to_whole<std::int64_t>(std::round(words['T']));
-    if (recorded) run.trace.t_codes.push(tool);
+    record('T', static_cast<double>(tool));
     answer(run, 'T', tool);
   }
+  // With G50 or G92 it is no speed, but the highest there may be.
+  if (words.has('S') && words.codes->meaning(Group::OneShot) != Meaning::SetCoordinate)
+    record('S', words['S']);
   for (const int m : words.codes->m()) {
-    if (recorded) run.trace.m_codes.push(m);
+    record('M', m);
     run.state.last_m = m;
     answer(run, 'M', m);
     const Role role = role_of(run, m);

@@ -41,11 +41,14 @@ Result one_shot(MotionContext& m, BlockWords& block) {
     case Meaning::RoughTurn:
     case Meaning::RoughFace:
     case Meaning::RoughPattern:
+      block.cycle = true;
       return contour(m, block, block.meaning(Group::OneShot));
     case Meaning::PeckFace:
     case Meaning::PeckTurn:
+      block.cycle = true;
       return grooving(m, block, block.meaning(Group::OneShot));
     case Meaning::MultipleThread:
+      block.cycle = true;
       return multiple_thread(m, block);
     default:
       return std::nullopt;
@@ -77,7 +80,8 @@ Result make_motion(MotionContext& m, BlockWords& block) {
   if (block.has(Group::Cycle)) {
     if (auto wrong = enter_cycle(m, block)) return wrong;
   }
-  if (in_cycle(m.state)) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
+  block.cycle = in_cycle(m.state);
+  if (block.cycle) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
   switch (meaning) {
     case Meaning::Cw:
@@ -90,6 +94,7 @@ Result make_motion(MotionContext& m, BlockWords& block) {
     case Meaning::ThreadCycle:
     case Meaning::FaceCycle:
     case Meaning::TapCycle:
+      block.cycle = true;
       return turning_cycle(m, block, meaning);
     case Meaning::Thread:
     case Meaning::VariableThread:

@@ -23,6 +23,7 @@ struct BlockWords {
   const NcWords& words;
   std::uint32_t step;
   bool was_cycle = false;  // a canned cycle was active before this block
+  bool cycle = false;      // a cycle makes its moves
   bool submitted = false;  // a piece went out
   bool consumed = false;   // the axis words belong to G68, G51 and the like
   double longer = 0;       // G45 to G48: how much longer the move gets on each axis

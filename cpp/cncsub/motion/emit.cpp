@@ -54,7 +54,7 @@ void write_row(MoveSink& sink, const Piece& piece, const Axes& machine,
   else
     moves.mark(axes);
   moves.push(piece.step, piece.kind, piece.end - piece.offset,
-             moves.intern(piece.state, piece.offset + piece.length));
+             moves.intern(piece.state, piece.offset + piece.length, piece.tip));
   if (way.arc) moves.arc(centre_of(piece), way.in_plane);
   if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves.vector(vector);
   if (piece.kind == MoveKind::Dwell) moves.seconds(piece.seconds);
@@ -95,6 +95,7 @@ Piece uncompensated(MotionView m, const BlockWords& block, MoveKind kind, const 
   piece.offset = m.state.offset;
   piece.length = m.state.length;
   piece.state = move_state(m.state);
+  piece.state.cycle = block.cycle;
   return piece;
 }
 

@@ -18,13 +18,27 @@ int axis_of(char name) {
 /// A column that follows from a row and the one before it.
 struct Derived {
   double MoveRow::* value = nullptr;
+  MoveBegin::Point MoveBegin::* point = nullptr;  // or a coordinate of this one
+  std::size_t axis = 0;
   double* out = nullptr;
+
+  bool known() const { return value != nullptr || point != nullptr; }
+  double of(const MoveRow& row, const MoveBegin& begin) const {
+    return value != nullptr ? row.*value : (begin.*point)[axis];
+  }
 };
 
 Derived derived(std::string_view name) {
   if (name == "feed") return {&MoveRow::feed};
   if (name == "length") return {&MoveRow::length};
   if (name == "time") return {&MoveRow::time};
+  const int axis = name.empty() ? -1 : axis_of(name.back());
+  if (axis < 0 || axis >= 3) return {};
+  const auto of = static_cast<std::size_t>(axis);
+  name.remove_suffix(1);
+  if (name == "s") return {nullptr, &MoveBegin::point, of};
+  if (name == "ms") return {nullptr, &MoveBegin::machine, of};
+  if (name == "mc") return {nullptr, &MoveBegin::centre, of};
   return {};
 }
 
@@ -65,6 +79,9 @@ class Moves::Part {
   void machine_column(int axis, double* out) const;
   void centre_column(std::size_t axis, double* out) const;
   void spindle_column(double* out) const;
+  /// Whether a radius offset stands at the end of the move, or at its beginning.
+  template <class Whole>
+  void compensated_column(Whole* out) const;
 
   const Moves& of_;
   std::size_t first_, last_;
@@ -144,6 +161,17 @@ void Moves::Part::spindle_column(double* out) const {
   });
 }
 
+template <class Whole>
+void Moves::Part::compensated_column(Whole* out) const {
+  std::fill(out + first_, out + last_, Whole{0});
+  for (std::size_t i = find_row(of_.vectors_, first_ == 0 ? 0 : first_ - 1);
+       i < of_.vectors_.size() && of_.vectors_[i].row < last_; ++i) {
+    const std::size_t row = of_.vectors_[i].row;
+    if (row >= first_) out[row] = 1;
+    if (row + 1 < last_) out[row + 1] = 1;
+  }
+}
+
 bool Moves::Part::plain_column(std::string_view name, double* out) const {
   const int axis = name.empty() || name.size() > 2 ? -1 : axis_of(name.back());
   if (name == "spindle")
@@ -178,6 +206,11 @@ bool Moves::Part::whole_column(std::string_view name, Whole* out) const {
   if (name == "h") return state([](const MoveState& s) { return s.h; });
   if (name == "d") return state([](const MoveState& s) { return s.d; });
   if (name == "feed_mode") return state([](const MoveState& s) { return s.feed_mode; });
+  if (name == "cycle") return state([](const MoveState& s) { return s.cycle; });
+  if (name == "compensated") {
+    compensated_column(out);
+    return true;
+  }
   if (name == "move") {
     std::iota(out + first_, out + last_, static_cast<Whole>(first_));
     return true;
@@ -188,6 +221,11 @@ bool Moves::Part::whole_column(std::string_view name, Whole* out) const {
        i < of_.skips_.size() && of_.skips_[i].row < last_; ++i)
     out[of_.skips_[i].row] = static_cast<Whole>(of_.skips_[i].how);
   return true;
+}
+
+bool Moves::compensated(std::size_t index) const {
+  const std::size_t near = find_row(vectors_, index == 0 ? 0 : index - 1);
+  return near < vectors_.size() && vectors_[near].row <= index;
 }
 
 bool Moves::columns(const std::vector<std::string>& names, const std::vector<double*>& out,
@@ -202,7 +240,7 @@ bool Moves::columns(const std::vector<std::string>& names, const std::vector<dou
       continue;
     }
     follow.push_back(derived(names[i]));
-    if (follow.back().value == nullptr) return false;
+    if (!follow.back().known()) return false;
     follow.back().out = out[i];
   }
   in_parts(rows_, interrupt, [&](std::size_t first, std::size_t last) {
@@ -210,12 +248,9 @@ bool Moves::columns(const std::vector<std::string>& names, const std::vector<dou
     for (std::size_t i = 0; i < names.size(); ++i) part.plain_column(names[i], out[i]);
     if (feed != nullptr) part.by_state(feed, [](const MoveState& s) { return s.feed; });
     if (follow.empty()) return;
-    Walk walk(*this);
-    walk.seek(first);
-    for (std::size_t i = first; i < last; ++i) {
-      const MoveRow row = walk.next(i);
-      for (const Derived& column : follow) column.out[i] = row.*column.value;
-    }
+    each(first, last, [&](std::size_t i, const MoveRow& row, const MoveBegin& begin) {
+      for (const Derived& column : follow) column.out[i] = column.of(row, begin);
+    });
   });
   return true;
 }

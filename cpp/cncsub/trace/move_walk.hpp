@@ -53,9 +53,10 @@ class Moves::Walk {
 
   void seek(std::size_t row) {
     from_ = moves_.start_;
+    programmed_ = {from_[0], from_[1], from_[2]};
     if (row > 0) {
       stand_at(row - 1);
-      from_ = next(row - 1).machine;
+      next(row - 1);
     }
     stand_at(row);
   }
@@ -75,11 +76,27 @@ class Moves::Walk {
     for (const Extra& extra : moves_.extras_)
       if (index >= extra.first) row.point[extra.axis] = extra.values[index - extra.first];
     for (int i = 0; i < kAxes; ++i) row.machine[i] = row.point[i] + offset_[i];
+    programmed_ = {row.machine[0], row.machine[1], row.machine[2]};
     if (const Vector* const vector = vectors_.at(index))
       for (int i = 0; i < 3; ++i) row.machine[i] += vector->vector[i];
     const Seconds* const seconds = seconds_.at(index);
     follow(row, arcs_.at(index), seconds == nullptr ? 0 : seconds->time);
     from_ = row.machine;
+    return row;
+  }
+
+  MoveRow next(std::size_t index, MoveBegin& begin) {
+    const MoveBegin::Point programmed = programmed_;
+    begin.machine = {from_[0], from_[1], from_[2]};
+    const MoveRow row = next(index);
+    begin.in_plane = in_plane_;
+    const MoveBegin::Point none{};
+    const MoveBegin::Point& tip = state_->tip == 0 ? none : moves_.tips_[state_->tip - 1];
+    for (std::size_t i = 0; i < 3; ++i) {
+      begin.offset[i] = offset_[i];
+      begin.point[i] = programmed[i] - offset_[i];
+      begin.centre[i] = row.centre[i] + offset_[i] + tip[i];
+    }
     return row;
   }
 
@@ -100,7 +117,7 @@ class Moves::Walk {
   }
 
   /// What follows from where the move begins.
-  void follow(MoveRow& row, const Arc* arc, double dwell) const {
+  void follow(MoveRow& row, const Arc* arc, double dwell) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     row.centre = {kNone, kNone, kNone};
     double path = row.length = length_of(from_, row.machine, moves_.diameters_);
@@ -109,6 +126,7 @@ class Moves::Walk {
       path = arc->in_plane;
       row.length = arc_length(path, state_->plane, from_, row.machine, moves_.diameters_);
     }
+    in_plane_ = path;
     const bool lathe = (moves_.diameters_ & 1) != 0;
     row.spindle = lathe ? spindle_at(*state_, row.point[0]) : state_->spindle;
     row.feed = state_->feed / (row.length < kNoWay && turns(row) ? state_->degree : 1);
@@ -124,11 +142,24 @@ class Moves::Walk {
   Along<Vector> vectors_;
   Along<Seconds> seconds_;
   Axes from_{};  // machine position before the row
+  MoveBegin::Point programmed_{};  // the same without a radius offset
+  double in_plane_ = 0;            // of the row that was visited last
   const Chunk* chunk_ = nullptr;
   std::uint32_t state_index_ = 0;
   const MoveState* state_ = nullptr;
   Axes offset_{};  // that goes with the state
   Axes still_{};   // where an axis without a column stands, in any coordinates
 };
+
+template <class Use>
+void Moves::each(std::size_t first, std::size_t last, Use&& use) const {
+  Walk walk(*this);
+  walk.seek(first);
+  MoveBegin begin;
+  for (std::size_t i = first; i < last; ++i) {
+    const MoveRow row = walk.next(i, begin);
+    use(i, row, begin);
+  }
+}
 
 }  // namespace cncsub

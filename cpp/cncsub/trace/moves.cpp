@@ -33,8 +33,13 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
   diameters_ = diameters;
 }
 
-std::uint32_t Moves::intern(MoveState state, const Axes& offset) {
+std::uint32_t Moves::intern(MoveState state, const Axes& offset,
+                            const std::array<double, 3>& tip) {
   if (offsets_.empty() || offsets_.back() != offset) offsets_.push(offset);
+  if (tip != std::array<double, 3>{}) {
+    if (tips_.empty() || tips_.back() != tip) tips_.push(tip);
+    state.tip = static_cast<std::uint32_t>(tips_.size());
+  }
   state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
   if (states_.empty() || !(states_.back() == state)) states_.push(state);
   return static_cast<std::uint32_t>(states_.size() - 1);
@@ -86,6 +91,12 @@ MoveRow Moves::row(std::size_t index) const {
   const std::size_t skip = find_row(skips_, index);
   if (skip < skips_.size() && skips_[skip].row == index) row.skip = skips_[skip].how;
   return row;
+}
+
+MoveBegin Moves::begin_of(std::size_t index) const {
+  MoveBegin found;
+  each(index, index + 1, [&](std::size_t, const MoveRow&, const MoveBegin& begin) { found = begin; });
+  return found;
 }
 
 template <class Use>
@@ -180,7 +191,7 @@ Moves::Bounds Moves::bounds(InterruptCheck* interrupt) const {
 }
 
 std::size_t Moves::bytes() const {
-  std::size_t sum = chunks_.size() * sizeof(Chunk) + states_.bytes() + offsets_.bytes() +
+  std::size_t sum = chunks_.size() * sizeof(Chunk) + states_.bytes() + offsets_.bytes() + tips_.bytes() +
                     arcs_.bytes() + vectors_.bytes() + seconds_.bytes() + skips_.bytes();
   for (const Extra& extra : extras_) sum += extra.values.bytes();
   return sum;

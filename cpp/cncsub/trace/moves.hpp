@@ -31,6 +31,17 @@ struct MoveRow {
   SkipMove skip = SkipMove::No;
 };
 
+/// Where a move begins, and what else leads from work to machine coordinates.
+struct MoveBegin {
+  using Point = std::array<double, 3>;
+
+  Point point{};        // programmed, in the work coordinates of the move
+  Point machine{};      // of the tool, machine coordinates
+  Point offset{};       // from work to machine coordinates
+  Point centre{};       // of the tool's arc, machine coordinates; NaN where none
+  double in_plane = 0;  // of an arc: the tool's way in its plane, mm
+};
+
 class Moves {
  public:
   /// An empty table for the moves that follow the last one of this.
@@ -38,6 +49,14 @@ class Moves {
 
   std::size_t size() const { return rows_; }
   MoveRow row(std::size_t index) const;
+  MoveBegin begin_of(std::size_t index) const;
+  /// Whether a radius offset holds at the end of a move, or at its beginning.
+  bool compensated(std::size_t index) const;
+  /// Bit 0 is X: its coordinates are diameters.
+  std::uint32_t diameters() const { return diameters_; }
+  /// Calls `use(index, row, begin)` for rows [first, last); in move_walk.hpp.
+  template <class Use>
+  void each(std::size_t first, std::size_t last, Use&& use) const;
   /// The axes that moves named, X Y Z first.
   std::string axes() const;
   // What goes over all moves asks `interrupt` now and then; given up, it leaves the rest undone.
@@ -48,11 +67,11 @@ class Moves {
   };
   Bounds bounds(InterruptCheck* interrupt = nullptr) const;
   /// Writes whole columns, each to its place, in one pass over the moves: x y z a b c u v w, mx my
-  /// mz ma ..., cx cy cz, feed, spindle, length, time. False where a name is another one. Many rows
-  /// are shared out to threads.
+  /// mz ma ..., cx cy cz, feed, spindle, length, time, sx sy sz, msx msy msz, mcx mcy mcz. False
+  /// where a name is another one. Many rows are shared out to threads.
   bool columns(const std::vector<std::string>& names, const std::vector<double*>& out,
                InterruptCheck* interrupt = nullptr) const;
-  /// move, step, kind, plane, tool, h, d, feed_mode, skip.
+  /// move, step, kind, plane, tool, h, d, feed_mode, skip, cycle, compensated.
   template <class Whole>
   bool column(std::string_view name, Whole* out, InterruptCheck* interrupt = nullptr) const;
   std::size_t bytes() const;
@@ -62,7 +81,8 @@ class Moves {
   /// The machine's facts that lengths and times need, before the first row: where the tool is,
   /// rapid rates, diameter axes.
   void begin(const Axes& machine, const Axes& rapid, std::uint32_t diameters);
-  std::uint32_t intern(MoveState state, const Axes& offset);
+  /// `tip`: from the centre of a nose to the imaginary tip.
+  std::uint32_t intern(MoveState state, const Axes& offset, const std::array<double, 3>& tip = {});
   /// The axes that moves named; bit 0 is X.
   void mark(std::uint32_t axes) { used_ |= axes; }
   /// The same for axes beyond X, Y and Z, which get a column.
@@ -154,6 +174,7 @@ class Moves {
   std::vector<Extra> extras_;
   Column<MoveState> states_;
   Column<Axes> offsets_;
+  Column<std::array<double, 3>> tips_;
   Column<Arc> arcs_;
   Column<Vector> vectors_;
   Column<Seconds> seconds_;

@@ -27,8 +27,8 @@ std::int64_t Trace::step_of_move(std::uint32_t step) const {
 }
 
 std::size_t Trace::bytes() const {
-  return steps.bytes() + calls.bytes() + arguments.bytes() + moves.bytes() + m_codes.bytes() +
-         t_codes.bytes() + messages.bytes() + dropped.bytes() + text + missed_skips.bytes() +
+  return steps.bytes() + calls.bytes() + arguments.bytes() + moves.bytes() + codes.bytes() +
+         messages.bytes() + dropped.bytes() + text + missed_skips.bytes() +
          changes.bytes();
 }
 

@@ -43,6 +43,15 @@ struct Trace {
     std::int64_t step;
     Address address;
   };
+  /// A code that was sent to the machine.
+  struct Sent {
+    std::int64_t step;
+    double value;
+    Address address;
+    char kind;  // 'M', 'T', 'S'
+
+    bool operator==(const Sent&) const = default;
+  };
   /// A word that the control read and did not obey.
   struct Dropped {
     std::int64_t step;
@@ -68,7 +77,7 @@ struct Trace {
   Column<CallRow> calls;
   Column<Argument> arguments;
   Moves moves;
-  Column<std::int64_t> m_codes, t_codes;
+  Column<Sent> codes;
   Column<std::string> messages;
   Column<Place> missed_skips;  // the blocks of G31 that met nothing
   Column<Dropped> dropped;

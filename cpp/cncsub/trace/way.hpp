@@ -36,6 +36,8 @@ struct MoveState {
   Plane plane = Plane::XY;
   FeedMode feed_mode = FeedMode::PerMinute;
   bool surface = false;
+  bool cycle = false;     // a canned cycle makes it
+  std::uint32_t tip = 0;  // into the table of tips, 0 = none
   double degree = 1;  // mm that a degree counts in a path: F is degrees a minute where it is inches
 
   bool operator==(const MoveState&) const = default;

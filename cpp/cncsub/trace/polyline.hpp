@@ -1,0 +1,64 @@
+// The way of the moves as points: ends as they are, and of arcs, helices and spirals as many between
+// them as a tolerance asks for.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cncsub/text/interrupt_check.hpp"
+#include "cncsub/trace/moves.hpp"
+
+namespace cncsub {
+
+/// Whose way it is, and in which coordinates.
+enum class PathFrame : std::uint8_t {
+  Work,     // the programmed point, in the work coordinates in force: X10. of the program is here
+  Tool,     // the tool with its radius offset, in the same coordinates
+  Machine,  // the tool with all its offsets, in machine coordinates
+};
+
+/// Places for the points: coordinates in mm (those of a diameter axis halved), the row of the move
+/// that each belongs to, and whether the way begins anew there, so that no line leads to it.
+struct PolylinePlaces {
+  double *x, *y, *z;
+  std::int64_t* row;
+  std::uint8_t* begins;
+};
+
+/// Samples the moves [first, last): `count` first, then `write`.
+///
+/// The chord between two points leaves the true curve by no more than `tolerance`, and a turn has
+/// four points at least. A move that does not begin where the one before ended (other work
+/// coordinates came into force) has its start as a point of its own.
+class Sampler {
+ public:
+  Sampler(const Moves& moves, PathFrame frame, double tolerance, std::size_t first,
+          std::size_t last);
+
+  /// How many points there are; kMostPoints where there are more. Given up by `interrupt`, it may
+  /// be anything.
+  std::size_t count(InterruptCheck* interrupt);
+  void write(const PolylinePlaces& places, InterruptCheck* interrupt) const;
+
+  static constexpr std::size_t kMostPoints = std::size_t{1} << 31;
+
+ private:
+  template <class Use>
+  void each_curve(std::size_t first, std::size_t last, Use&& use) const;
+
+  const Moves& moves_;
+  PathFrame frame_;
+  double tolerance_;
+  std::size_t first_, last_;
+  std::vector<std::size_t> begins_;  // the first point of each part
+};
+
+/// Marks which points of a line are enough for it: what is left out lies within `tolerance` of the
+/// chord that goes past it, and the chord as near to what was left out. Points where `key`, which is
+/// that of the line which leads to a point, changes are kept. Never more than a window of points
+/// goes into one chord, so that a second look may find fewer.
+void thin(const double* x, const double* y, const double* z, const std::int32_t* key,
+          std::size_t count, double tolerance, std::uint8_t* keep, InterruptCheck* interrupt);
+
+}  // namespace cncsub

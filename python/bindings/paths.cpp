@@ -1,0 +1,97 @@
+// The path of a run as points.
+#include "cncsub/trace/polyline.hpp"
+
+#include <algorithm>
+
+#include "bindings.hpp"
+#include "gil.hpp"
+#include "live.hpp"
+#include "rows.hpp"
+
+namespace py = pybind11;
+
+namespace cncsub::bindings {
+
+namespace {
+
+PathFrame frame_of(const std::string& name) {
+  if (name == "work") return PathFrame::Work;
+  if (name == "tool") return PathFrame::Tool;
+  if (name == "machine") return PathFrame::Machine;
+  throw py::value_error("the coordinates are work, tool or machine");
+}
+
+/// x, y, z, move, begins of the moves [first, last); how many points there are where that is more
+/// than `most`.
+py::object polyline(const Record& record, const std::string& frame, double tolerance,
+                    std::size_t first, std::size_t last, std::size_t most) {
+  const Record::Reading reading(record);
+  const Trace& trace = record.trace();
+  Sampler sampler(trace.moves, frame_of(frame), tolerance, first, last);
+  std::size_t count = 0;
+  work_away([&](InterruptCheck& interrupt) { count = sampler.count(&interrupt); });
+  if (count > most) return py::int_(count);
+  const Array<double> x(count), y(count), z(count);
+  const Array<std::int64_t> move(count);
+  const Array<std::uint8_t> begins(count);
+  work_away([&](InterruptCheck& interrupt) {
+    sampler.write({x.data, y.data, z.data, move.data, begins.data}, &interrupt);
+    std::for_each(move.data, move.data + count,
+                  [&](std::int64_t& row) { row += trace.first_move; });
+  });
+  return py::make_tuple(x.object, y.object, z.object, move.object,
+                        begins.object.attr("view")("?"));
+}
+
+/// The numbers of a contiguous array of one dimension.
+template <class T>
+const T* numbers(const py::buffer_info& info, std::size_t count) {
+  if (info.ndim != 1 || !info.item_type_is_equivalent_to<T>() ||
+      info.strides[0] != static_cast<py::ssize_t>(sizeof(T)) ||
+      static_cast<std::size_t>(info.size) != count)
+    throw py::type_error("three columns of float64 and one of int32, equally long");
+  return static_cast<const T*>(info.ptr);
+}
+
+py::object thinned(const py::buffer& x, const py::buffer& y, const py::buffer& z,
+                   const py::buffer& key, double tolerance) {
+  const py::buffer_info of_x = x.request(), of_y = y.request(), of_z = z.request(),
+                        of_key = key.request();
+  const auto count = static_cast<std::size_t>(of_x.size);
+  const double* const px = numbers<double>(of_x, count);
+  const double* const py_ = numbers<double>(of_y, count);
+  const double* const pz = numbers<double>(of_z, count);
+  const auto* const keys = numbers<std::int32_t>(of_key, count);
+  const Array<std::uint8_t> keep(count);
+  work_away([&](InterruptCheck& interrupt) {
+    thin(px, py_, pz, keys, count, tolerance, keep.data, &interrupt);
+  });
+  return keep.object.attr("view")("?");
+}
+
+}  // namespace
+
+void add_begin(py::dict& fields, const MoveBegin& begin) {
+  constexpr std::string_view kNames = "xyz";
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    const std::string axis(1, kNames[i]);
+    fields[py::str("s" + axis)] = begin.point[i];
+    fields[py::str("ms" + axis)] = begin.machine[i];
+    fields[py::str("mc" + axis)] = begin.centre[i];
+  }
+}
+
+void add_paths(py::class_<Record>& trace) {
+  trace
+      .def("polyline", &polyline, py::arg("frame"), py::arg("tolerance"), py::arg("first"),
+           py::arg("last"), py::arg("most"))
+      .def_property_readonly("diameters",
+                             [](const Record& record) {
+                               const Record::Reading reading(record);
+                               return record.trace().moves.diameters();
+                             })
+      .def_static("thinned", &thinned, py::arg("x"), py::arg("y"), py::arg("z"), py::arg("key"),
+                  py::arg("tolerance"));
+}
+
+}  // namespace cncsub::bindings

@@ -1,0 +1,118 @@
+"""The command `cncsub plot`."""
+
+from __future__ import annotations
+
+import sys
+from typing import Annotated, Any
+
+import typer
+
+import cncsub
+from cncsub.options import (
+    ControlName,
+    Encoding,
+    External,
+    InputsFile,
+    Main,
+    MaxBlocks,
+    MaxCycles,
+    OptionalStop,
+    Output,
+    Param,
+    Paths,
+    Prefer,
+    Set,
+    SetupFile,
+    Skip,
+    Start,
+    VariablesFile,
+    Watch,
+    memory_of,
+    run_options,
+    status_of,
+    wrong_use,
+)
+from cncsub.plot_page import page_of
+from cncsub.printing import console_on, print_stop, shown
+
+_OF = ("path", "calls", "programs", "watch")
+
+Of = Annotated[
+    str, typer.Option("--of", help="What is drawn: path, calls, programs, watch.", metavar="WHAT")
+]
+Color = Annotated[
+    str,
+    typer.Option(
+        "--color",
+        help="Of the path: kind, program, call, tool, depth, feed, time, z.",
+        metavar="BY",
+    ),
+]
+MachineCoordinates = Annotated[
+    bool, typer.Option("--machine", help="The path of the tool in machine coordinates.")
+]
+Over = Annotated[
+    str | None,
+    typer.Option("--over", help="Of calls and watch: time or steps.", metavar="AXIS"),
+]
+Points = Annotated[
+    int, typer.Option("--points", help="So many points of the path may be drawn.", metavar="N")
+]
+
+
+def plot(
+    paths: Paths = None,
+    control: ControlName = None,
+    of: Of = "path",
+    color: Color = "kind",
+    machine: MachineCoordinates = False,
+    over: Over = None,
+    points: Points = 60_000,
+    main: Main = None,
+    set: Set = None,
+    variables: VariablesFile = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    prefer: Prefer = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 1_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    watch: Watch = None,
+    output: Output = None,
+) -> None:
+    """Run a program and write a picture of its path as one page of HTML, which needs no network;
+    or of its calls, of the programs that call each other, of variables that are watched.
+    """
+    options = {**locals(), "mdi": None}
+    with wrong_use():
+        if output is None:
+            raise ValueError("which file? Give -o path.html")
+        if of not in _OF:
+            raise ValueError(f"--of is one of {', '.join(_OF)}, not {of!r}")
+        library = memory_of(options)
+        run = library.run(main, **run_options(options, "moves"))
+        try:
+            figure = _figure(library, run, options)
+        except ImportError as error:
+            raise ValueError(str(error)) from None
+        output.write_text(page_of(figure), encoding="utf-8")
+    print_stop(console_on(sys.stderr), run)
+    typer.echo(f"wrote {shown(str(output))}")
+    raise typer.Exit(status_of(run))
+
+
+def _figure(library: cncsub.Library, run: cncsub.Run, options: dict[str, Any]) -> Any:
+    if options["of"] == "programs":
+        return library.plot()
+    over = {} if options["over"] is None else {"over": options["over"]}
+    if options["of"] == "calls":
+        return run.calls.plot(**over)
+    if options["of"] == "watch":
+        return run.watch.plot(**over)
+    where = "machine" if options["machine"] else "work"
+    return run.plot(color=options["color"], coordinates=where, most=options["points"])
