@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "bindings.hpp"
 #include "cncsub/dialect/library.hpp"
@@ -79,13 +80,27 @@ std::string joined(const std::vector<py::object>& pieces) {
   return text;
 }
 
+/// A file and whether it is on the external device, or several. `Texts` are taken over, and are
+/// empty then.
+void add_row(std::vector<SourceFile>& files, const py::handle& row) {
+  if (py::len(row) != 2) {
+    const auto [name, stem, pieces, external] = row.cast<FileRow>();
+    files.push_back({name, stem, joined(pieces), external});
+    return;
+  }
+  auto [texts, external] = row.cast<std::pair<py::object, bool>>();
+  for (SourceFile& file : std::exchange(texts.cast<Texts&>().files, {})) {
+    file.external = external;
+    files.push_back(std::move(file));
+  }
+}
+
 /// Ctrl-C is an exception here: half a library is no library.
 std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
-                                    const std::vector<FileRow>& rows, bool external_device) {
+                                    const py::sequence& rows, bool external_device) {
   std::vector<SourceFile> files;
   files.reserve(rows.size());
-  for (const auto& [name, stem, pieces, external] : rows)
-    files.push_back({name, stem, joined(pieces), external});
+  for (const py::handle& row : rows) add_row(files, row);
   std::shared_ptr<const Code> code;
   {
     Away away;
