@@ -41,7 +41,7 @@ def write(folder: Path, *names: str, text: str = PROGRAM) -> None:
 def found(folder: Path, **options: str | Path) -> list[str]:
     """The files of a folder as they are read, by their path inside it."""
     reading = read_paths([folder], **options)  # type: ignore[arg-type]
-    return [Path(file.name).relative_to(folder).as_posix() for file in reading.files]
+    return [Path(name).relative_to(folder).as_posix() for name in reading.names]
 
 
 def reasons(folder: Path) -> dict[str, str]:
@@ -366,7 +366,7 @@ EDGES = [
 def test_the_engine_takes_for_utf8_what_python_takes_for_it(tmp_path: Path, data: bytes) -> None:
     file = tmp_path / "O1.nc"
     file.write_bytes(data)
-    (text,) = _core.read_files([str(file)], 1 << 30, only_texts=False)
+    text = _core.read_file(str(file), 1 << 30)
     assert isinstance(text, _core.Text)
     assert text.part(0, 1 << 30) == data
     assert text.utf8 == is_utf8(data)
@@ -380,7 +380,7 @@ def test_utf8_is_told_of_any_bytes(
     names = [str(folder / f"utf8-{place}.nc") for place in range(len(d))]
     for name, data in zip(names, d, strict=True):
         Path(name).write_bytes(data)
-    texts = _core.read_files(names, 1 << 30, only_texts=False)
+    texts = [_core.read_file(name, 1 << 30) for name in names]
     assert [isinstance(t, _core.Text) and t.utf8 for t in texts] == [is_utf8(data) for data in d]
 
 
@@ -397,9 +397,49 @@ def test_many_files_of_any_encoding_come_in_order_each_with_its_own_text(tmp_pat
     assert library.skipped == ((str(tmp_path / "O250.bin"), "not a text"),)
 
 
+# As many folders allow: the file system may fold case, so that names differ in more than that.
+FILE_NAMES = st.text(st.sampled_from("aBz019._- %é零"), min_size=1, max_size=12).filter(
+    lambda name: name.strip(". ") == name
+)
+
+
+@given(st.lists(FILE_NAMES, max_size=12, unique_by=str.casefold))
+def test_the_engine_lists_files_in_the_order_of_their_names(
+    tmp_path_factory: pytest.TempPathFactory, names: list[str]
+) -> None:
+    folder = tmp_path_factory.mktemp("names")
+    for name in names:
+        (folder / name).write_text("M30\n")
+    listing = _core.names_in(str(folder), [".z"])
+    assert not isinstance(listing, int)
+    files, folders, others, ordered = listing
+    assert folders == []
+    assert sorted([*files, *others]) == sorted(names)
+    assert all(not name.isascii() or name.endswith((".z", ".Z")) for name in others)
+    assert ordered == all(map(str.isascii, names))
+    if ordered:
+        assert files == sorted(files, key=name_order)
+    expected = sorted(names, key=name_order)
+    if expected:
+        read = read_paths([folder]).names
+        assert read == [str(folder / name) for name in expected]
+
+
+def test_a_named_file_of_a_folder_is_read_once_with_it(tmp_path: Path) -> None:
+    for number in (1, 2, 3):
+        (tmp_path / f"O{number}.nc").write_text(f"O{number}\nM30\n")
+    link = tmp_path / "O4.nc"
+    link.symlink_to(tmp_path / "O3.nc")
+    names = [str(tmp_path / f"O{number}.nc") for number in (2, 1, 3, 4)]
+    assert read_paths([names[0], tmp_path, names[3]]).names == names
+
+
 def test_what_the_system_refuses_is_told_in_its_words(tmp_path: Path) -> None:
     missing = str(tmp_path / "O1.nc")
-    assert _core.read_files([missing], 99, only_texts=True) == [errno.ENOENT]
-    assert _core.read_files(["/dev/null"], 99, only_texts=True) == ["not a regular file"]
+    assert _core.read_file(missing, 99) == errno.ENOENT
+    assert _core.read_file("/dev/null", 99) == "not a regular file"
+    found = _core.read_found("/", ["missing", "dev/null"], 99, as_utf8=True)
+    assert found == [(0, errno.ENOENT), (1, "not a regular file")]
+    assert _core.names_in(missing, ()) == errno.ENOENT
     with pytest.raises(OSError, match="Input/output error"):
         cncsub.load("/proc/self/mem", control=CONTROL)

@@ -50,7 +50,7 @@ objects = [
     run.variables, machine.variables, run.alarm.frames, *deep.stack, cncsub.controls, cncsub.causes,
     next(iter(cncsub.causes.values())), *control.rules[:2], *list(control.parameters.values())[:2],
     *list(control.alarms.values())[:2], *control.variable_options.values(), library.external, run.calls.tree(), *run.calls.tree(),
-    machine._core, machine._core.trace, machine._core.code, machine._core.code.program(0), *_core.read_files([inspect.__file__], 1 << 20, False),
+    machine._core, machine._core.trace, machine._core.code, machine._core.code.program(0), _core.read_file(inspect.__file__, 1 << 20), *_core.read_found('', [inspect.__file__], 1 << 20, True),
     run.messages, run.position, run.modal,
 ]
 modules = [importlib.import_module(f"cncsub.{m.name}") for m in pkgutil.iter_modules(cncsub.__path__) if m.name != "__main__"]
@@ -124,7 +124,7 @@ for thing, value in itertools.product(objects, RUBBISH):
                 tried(method, value), tried(method, "x", value), tried(method)
     tried(setattr, twin, "x", value), tried(setattr, twin, "__class__", value), tried(setattr, twin, "__dict__", value)
     looked_at(twin)
-for maker in (_core.alarm, _core.frame, _core.control, _core.read_files, _core.compile, _core.machine):
+for maker in (_core.alarm, _core.frame, _core.control, _core.read_file, _core.read_found, _core.names_in, _core.compile, _core.machine):
     for value in RUBBISH:
         tried(maker, value), tried(maker, value, value), tried(maker, value, value, value), tried(maker)
 trace = cncsub.loads(TEXT, control="fanuc-0i-f").run()._core.trace

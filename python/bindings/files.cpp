@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <string>
+#include <unordered_set>
+#include <vector>
 
 #include "bindings.hpp"
 #include "cncsub/system/file.hpp"
 #include "file_reading.hpp"
+#include "folder_listing.hpp"
 #include "gil.hpp"
 #include "text.hpp"
+#include "utf8.hpp"
 
 namespace py = pybind11;
 
@@ -16,12 +21,22 @@ namespace cncsub::bindings {
 
 namespace {
 
-/// The path for the system. Who listens to what Python opens is told of it, and may refuse.
-std::string path_of(const py::handle& path) {
-  if (PySys_Audit("open", "OOi", path.ptr(), Py_None, system::kReadOnly) != 0) throw py::error_already_set();
-  const auto bytes = py::reinterpret_steal<py::bytes>(PyUnicode_EncodeFSDefault(path.ptr()));
+std::string system_name(const py::handle& name) {
+  const auto bytes = py::reinterpret_steal<py::bytes>(PyUnicode_EncodeFSDefault(name.ptr()));
   if (!bytes) throw py::error_already_set();
   return bytes;
+}
+
+PyObject* python_name(void* name) {
+  return PyUnicode_DecodeFSDefault(static_cast<const char*>(name));
+}
+
+/// Who listens to what Python opens is told of a path, and may refuse. Where nobody listens no
+/// object is made.
+void tell_of_opening(std::string& path) {
+  if (PySys_Audit("open", "O&Oi", &python_name, path.data(), Py_None,
+                  system::kReadOnly) != 0)
+    throw py::error_already_set();
 }
 
 /// A `Text`, the number of the system's error where the file was not opened, or else why not.
@@ -45,17 +60,79 @@ py::object text_or_fault(FileText& file, std::size_t largest) {
   return py::cast(Text{std::move(file.text), file.utf8});
 }
 
-py::list read_texts(const py::list& paths, std::size_t largest, bool only_texts) {
-  std::vector<std::string> names;
-  names.reserve(paths.size());
-  for (const py::handle& path : paths) names.push_back(path_of(path));
+std::vector<FileText> read_all(std::vector<std::string>& paths, const ReadingBounds& bounds) {
+  for (std::string& path : paths) tell_of_opening(path);
   std::vector<FileText> files;
-  work_away([&](InterruptCheck& interrupt) {
-    files = read_files(names, {largest, only_texts}, interrupt);
-  });
+  work_away([&](InterruptCheck& interrupt) { files = read_files(paths, bounds, interrupt); });
+  return files;
+}
+
+py::object read_text(const py::str& path, std::size_t largest) {
+  std::vector<std::string> paths{system_name(path)};
+  return text_or_fault(read_all(paths, {largest, false}).front(), largest);
+}
+
+/// The name without its ending; a dot at its end begins none.
+std::string stem_of(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  const bool ends = dot != std::string_view::npos && dot > 0 && dot + 1 < name.size();
+  return std::string(ends ? name.substr(0, dot) : name);
+}
+
+bool is_text(std::string_view name) {
+  return is_utf8(name, [](std::size_t) { return false; });
+}
+
+/// Those that can be compiled as they are, together as they follow each other; of the others the
+/// place and a `Text` or a fault.
+py::list read_found(const py::str& before, const py::list& names, std::size_t largest,
+                    bool as_utf8) {
+  const std::string folder = system_name(before);
+  std::vector<std::string> paths;
+  paths.reserve(names.size());
+  for (const py::handle& name : names) paths.push_back(folder + system_name(name));
+  std::vector<FileText> files = read_all(paths, {largest, true});
   py::list found;
-  for (FileText& file : files) found.append(text_or_fault(file, largest));
+  Texts together;
+  const auto give = [&] {
+    if (!together.files.empty()) found.append(py::cast(std::exchange(together, {})));
+  };
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string_view name = std::string_view(paths[i]).substr(folder.size());
+    if (as_utf8 && files[i].fault == FileFault::None && files[i].utf8 && is_text(paths[i])) {
+      together.files.push_back({paths[i], stem_of(name), std::move(files[i].text), false});
+      continue;
+    }
+    give();
+    found.append(py::make_tuple(i, text_or_fault(files[i], largest)));
+  }
+  give();
   return found;
+}
+
+py::list python_names(const std::vector<std::string>& names) {
+  py::list list(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    auto name = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefaultAndSize(
+        names[i].data(), static_cast<py::ssize_t>(names[i].size())));
+    if (!name) throw py::error_already_set();
+    list[i] = std::move(name);
+  }
+  return list;
+}
+
+/// Files, folders, others, whether they are in order; or the number of the system's error.
+py::object names_in(const py::str& folder, const py::iterable& no_programs) {
+  if (PySys_Audit("os.scandir", "O", folder.ptr()) != 0) throw py::error_already_set();
+  const std::string path = system_name(folder);
+  std::unordered_set<std::string> endings;
+  for (const py::handle& ending : no_programs) endings.insert(ending.cast<std::string>());
+  FolderListing listing;
+  work_away(
+      [&](InterruptCheck& interrupt) { listing = list_folder(path, endings, interrupt); });
+  if (listing.error != 0) return py::int_(listing.error);
+  return py::make_tuple(python_names(listing.files), python_names(listing.folders),
+                        python_names(listing.others), listing.ordered);
 }
 
 }  // namespace
@@ -70,7 +147,19 @@ void add_files(py::module_& m) {
           py::arg("at"), py::arg("count"))
       .def_readonly("utf8", &Text::utf8)
       .def("__len__", [](const Text& t) { return t.text.size(); });
-  m.def("read_files", &read_texts, py::arg("paths"), py::arg("largest"), py::arg("only_texts"));
+  py::class_<Texts>(m, "Texts", py::is_final())
+      .def_property_readonly("names",
+                             [](const Texts& texts) {
+                               py::list names(texts.files.size());
+                               for (std::size_t i = 0; i < texts.files.size(); ++i)
+                                 names[i] = py::str(texts.files[i].name);
+                               return names;
+                             })
+      .def("__len__", [](const Texts& texts) { return texts.files.size(); });
+  m.def("read_file", &read_text, py::arg("path"), py::arg("largest"));
+  m.def("read_found", &read_found, py::arg("before"), py::arg("names"), py::arg("largest"),
+        py::arg("as_utf8"));
+  m.def("names_in", &names_in, py::arg("folder"), py::arg("no_programs"));
 }
 
 }  // namespace cncsub::bindings

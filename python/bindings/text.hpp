@@ -2,6 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "cncsub/code/program.hpp"
 
 namespace cncsub::bindings {
 
@@ -9,6 +12,11 @@ namespace cncsub::bindings {
 struct Text {
   std::string text;
   bool utf8 = false;  // without a mark of the order of bytes: it is compiled as it is
+};
+
+/// Files of a folder that are UTF-8, one behind the other.
+struct Texts {
+  std::vector<SourceFile> files;
 };
 
 }  // namespace cncsub::bindings

@@ -188,6 +188,7 @@ class ProgramData:
     def line(self) -> int: ...
     @property
     def text(self) -> str: ...
+    def start(self, size: int) -> bytes: ...  # of the text
     @property
     def comment(self) -> str: ...
     @property
@@ -285,17 +286,48 @@ class Text:
     def part(self, at: int, count: int) -> bytes: ...
     def __len__(self) -> int: ...
 
-def read_files(paths: list[str], largest: int, only_texts: bool) -> list[Text | int | str]:
-    """Of each regular file a `Text`; the number of the system's error where it cannot be opened,
-    or why it is left. On all cores; audited as `open`.
+@final
+class Texts:
+    """Files of a folder that are UTF-8; `compile` takes them over."""
+    @property
+    def names(self) -> list[str]: ...  # as shown
+    def __len__(self) -> int: ...
+
+def read_file(path: str, largest: int) -> Text | int | str:
+    """Of a regular file a `Text`; the number of the system's error where it cannot be opened, or
+    why it is left. Audited as `open`.
+    """
+
+def read_found(
+    before: str, names: list[str], largest: int, as_utf8: bool
+) -> list[Texts | tuple[int, Text | int | str]]:
+    """Files of a folder, `before` standing before their names, on all cores: those that are UTF-8
+    together, of others their place and what `read_file` gives. What is plainly no text is left.
+    """
+
+def names_in(
+    folder: str, no_programs: Iterable[str]
+) -> tuple[list[str], list[str], list[str], bool] | int:
+    """The regular files of a folder but those with the endings of `no_programs`, the folders, and
+    what has to be looked at (links, hidden names, devices, ...), and whether they are in the order
+    of files: not where names beyond ASCII are among them. Or the number of the system's error.
+    Audited as `os.scandir`.
     """
 
 def compile(
     control: Control,
-    files: Sequence[tuple[str, str, Sequence[str | bytes | bytearray | Text], bool]],
+    files: Sequence[
+        tuple[str, str, Sequence[str | bytes | bytearray | Text], bool] | tuple[Texts, bool]
+    ],
     external_device: bool = False,
+    *,
+    threads: int = 0,
+    piece: int | None = None,
 ) -> Code:
-    """Files as (name shown, stem that names a program without a head, text in pieces, external)."""
+    """Files as (name shown, stem that names a program without a head, text in pieces, external), or
+    several as (texts, external). Read by so many `threads` (0: one for each core), the text cut
+    into pieces of so many bytes; the programs are the same.
+    """
 
 @final
 class Trace:

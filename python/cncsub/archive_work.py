@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 
 from cncsub import _core
 from cncsub._core import Control
-from cncsub.files import Reading, StrPath, read_found_files, read_paths, walk
-from cncsub.library import CoreFile, Library
+from cncsub.files import CoreFile, Reading, StrPath, read_found_files, read_paths, walk
+from cncsub.library import Library
 from cncsub.run import Run, Stop
 
 Row = tuple[Any, ...]
@@ -123,12 +123,13 @@ def _library(task: Task, job: Job) -> Library:
     if task.each == "beside":
         beside = next(walk(Path(job.before), Reading()), ("", [], ""))[1]
         read_found_files(job.before, beside, real, task.encoding, reading)
-    files: list[CoreFile] = [(f.name, f.stem, f.pieces, False) for f in reading.files]
+    names = reading.names
+    files: list[CoreFile] = reading.rows(False)
     if task.external is not None:
         outside = read_paths([task.external], encoding=task.encoding)
-        files += [(f.name, f.stem, f.pieces, True) for f in outside.files]
+        files += outside.rows(True)
     code = _core.compile(task.control, files, task.external is not None)
-    return Library(code, [file.name for file in reading.files], reading.skipped)
+    return Library(code, names, reading.skipped)
 
 
 def _run_row(task: Task, job: Job, run: Run, seconds: float) -> Row:

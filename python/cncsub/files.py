@@ -24,11 +24,12 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from cncsub import _core, system
-from cncsub._core import Text
+from cncsub._core import Text, Texts
 
 StrPath = str | os.PathLike[str]
 Data = bytes | bytearray
 Piece = str | Data | Text  # of a text, for the engine
+CoreFile = tuple[str, str, Sequence[Piece], bool] | tuple[Texts, bool]
 
 LARGEST_FILE = 1 << 30  # bytes
 _PIECE = 1 << 22  # what is read, decoded or copied in one go
@@ -68,11 +69,30 @@ class TextFile(NamedTuple):
 class Reading:
     """The files of some paths, and what was left out of their folders: path and reason."""
 
-    files: list[TextFile] = field(default_factory=list)
+    files: list[TextFile | Texts] = field(default_factory=list)
     skipped: list[tuple[str, str]] = field(default_factory=list)
-    _read: set[str] = field(
-        default_factory=set
-    )  # files and folders already seen, by their real path
+    # Folders already seen, by their real path, and names of files already seen in each.
+    _folders: set[str] = field(default_factory=set)
+    _names: dict[str, set[str]] = field(default_factory=dict)
+
+    @property
+    def names(self) -> list[str]:
+        """The files as shown."""
+        names: list[str] = []
+        for part in self.files:
+            names += part.names if isinstance(part, Texts) else [part.name]
+        return names
+
+    def rows(self, external: bool) -> list[CoreFile]:
+        """The files for the engine, which takes them over; those of the memory, or of the external
+        device.
+        """
+        return [
+            (part, external)
+            if isinstance(part, Texts)
+            else (part.name, part.stem, part.pieces, external)
+            for part in self.files
+        ]
 
 
 def read_paths(
@@ -89,7 +109,7 @@ def read_paths(
     for path in map(_checked_path, paths):
         # A folder that is given both ways is read both ways.
         if without is not None and _real(path) != _real(without):
-            reading._read.add(_real(without))
+            reading._folders.add(_real(without))
         _read_path(path, encoding, reading)
     return reading
 
@@ -157,7 +177,7 @@ def _near_files(path: Path) -> list[str]:
 def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None:
     if not first_time(os.path.realpath(path.parent), path.name, reading):
         return
-    (text,) = _core.read_files([str(path)], LARGEST_FILE, only_texts=False)
+    text = _core.read_file(str(path), LARGEST_FILE)
     if not isinstance(text, Text):
         raise ValueError(f"{path} cannot be read as a program: {_why_not(text)}")
     reading.files.append(_text_file(str(path), path.stem, text, encoding))
@@ -179,9 +199,19 @@ def _why_not(fault: int | str) -> str:
 
 def first_time(folder: str, name: str, reading: Reading) -> bool:
     """Whether this name of a file is met for the first time. A link to a file is another name."""
-    key = f"{folder}{os.sep}{system.same_name(name)}"
-    new = key not in reading._read
-    reading._read.add(key)
+    names = reading._names.setdefault(folder, set())
+    same = system.same_name(name)
+    new = same not in names
+    names.add(same)
+    return new
+
+
+def _new_names(folder: str, names: list[str], reading: Reading) -> list[str]:
+    """Those that are met for the first time."""
+    known = reading._names.setdefault(folder, set())
+    same = [system.same_name(name) for name in names]
+    new = [name for name, as_one in zip(names, same) if as_one not in known] if known else names
+    known.update(same)
     return new
 
 
@@ -201,38 +231,53 @@ def walk(top: Path, reading: Reading) -> Iterator[tuple[str, list[str], str]]:
     waiting = [(top, root)]
     while waiting:
         folder, real = waiting.pop()
-        if real in reading._read:
+        if real in reading._folders:
             continue
-        reading._read.add(real)
-        files, folders = [], []
-        before = str(folder / "_")[:-1]  # what stands before the names
-        searchable = system.may_be_entered(folder)
-        for entry in _entries(folder, reading):
-            if searchable and _plain_file(entry):
-                files.append(entry.name)
-                continue
-            path = folder / entry.name
-            fault = _refused_entry(entry, path, Path(root))
-            if fault is not None:
-                reading.skipped.append((str(path), fault))
-            elif entry.is_dir():
-                link = system.leads_elsewhere(entry)
-                folders.append(
-                    (path, os.path.realpath(path) if link else f"{real}{os.sep}{entry.name}")
-                )
-            else:
-                files.append(entry.name)
-        yield before, files, real
-        waiting += reversed(folders)
+        reading._folders.add(real)
+        listing = _core.names_in(str(folder), _OTHER_ENDINGS)
+        if isinstance(listing, int):
+            reading.skipped.append((str(folder), os.strerror(listing)))
+            listing = [], [], [], True
+        files, folders = _sorted_out(folder, listing, root, reading)
+        yield str(folder / "_")[:-1], files, real
+        waiting += [
+            (
+                folder / name,
+                os.path.realpath(folder / name) if link else f"{real}{os.sep}{name}",
+            )
+            for name, link in reversed(folders)
+        ]
 
 
-def _entries(folder: Path, reading: Reading) -> list[os.DirEntry[str]]:
-    try:
-        with os.scandir(folder) as entries:
-            return sorted(entries, key=lambda entry: name_order(entry.name))
-    except OSError as error:
-        reading.skipped.append((str(folder), error.strerror or "cannot be opened"))
-        return []
+def _sorted_out(
+    folder: Path,
+    listing: tuple[list[str], list[str], list[str], bool],
+    root: str,
+    reading: Reading,
+) -> tuple[list[str], list[tuple[str, bool]]]:
+    """The files of a folder, and the folders in it with whether they are links."""
+    files, plain, others, ordered = listing
+    folders = [(name, False) for name in plain]
+    if not system.may_be_entered(folder):
+        # Not even what a name stands for can be asked.
+        others, files, folders, ordered = [*files, *plain, *others], [], [], False
+    if not ordered:
+        others.sort(key=name_order)
+    for name in others:
+        path = folder / name
+        fault = _refused_entry(path, Path(root))
+        if fault is not None:
+            reading.skipped.append((str(path), fault))
+            continue
+        ordered = False
+        if path.is_dir():
+            folders.append((name, system.leads_elsewhere(path)))
+        else:
+            files.append(name)
+    if not ordered:
+        files.sort(key=name_order)
+        folders.sort(key=lambda found: name_order(found[0]))
+    return files, folders
 
 
 def name_order(name: str) -> tuple[list[Any], str]:
@@ -245,34 +290,21 @@ def name_order(name: str) -> tuple[list[Any], str]:
     return parts, name
 
 
-def _plain_file(entry: os.DirEntry[str]) -> bool:
-    """Whether nothing can be said against a file by what the folder tells of it: the system is not
-    asked again.
-    """
-    name = entry.name
-    return (
-        not system.is_hidden(entry)
-        and _CONTROLS.search(name) is None
-        and entry.is_file(follow_symlinks=False)
-        and name[name.rfind(".") :].lower() not in _OTHER_ENDINGS
-    )
-
-
-def _refused_entry(entry: os.DirEntry[str], path: Path, root: Path) -> str | None:
+def _refused_entry(path: Path, root: Path) -> str | None:
     """Why an entry of a folder is left alone, or None. Opens nothing."""
-    if system.is_hidden(entry):
+    if system.is_hidden(path):
         return "hidden"
-    if _CONTROLS.search(entry.name):
+    if _CONTROLS.search(path.name):
         return "a name with control characters"
     try:
-        mode = entry.stat().st_mode
+        mode = path.stat().st_mode
         # The folder lies below the root, and so does what is no link.
-        if system.leads_elsewhere(entry) and not Path(os.path.realpath(path, strict=True)).is_relative_to(
+        if system.leads_elsewhere(path) and not Path(os.path.realpath(path, strict=True)).is_relative_to(
             root
         ):
             return "a link that leads out of the folder"
     except OSError:
-        return "a link that leads nowhere" if entry.is_symlink() else "cannot be opened"
+        return "a link that leads nowhere" if os.path.islink(path) else "cannot be opened"  # noqa: PTH114
     if not stat.S_ISDIR(mode) and not stat.S_ISREG(mode):
         return "not a regular file"
     if stat.S_ISREG(mode) and path.suffix.lower() in _OTHER_ENDINGS:
@@ -286,14 +318,17 @@ def read_found_files(
     """How many of these files of a folder are programs; one that was read before is not read again.
     `before`: of their paths; `folder`: its real path.
     """
-    new = [name for name in names if first_time(folder, name, reading)]
-    paths = [before + name for name in new]
+    new = _new_names(folder, names, reading)
     found = len(names) - len(new)
-    for path, name, text in zip(
-        paths, new, _core.read_files(paths, LARGEST_FILE, only_texts=True), strict=True
-    ):
+    for part in _core.read_found(before, new, LARGEST_FILE, as_utf8=encoding is None):
+        if isinstance(part, Texts):
+            reading.files.append(part)
+            found += len(part)
+            continue
+        place, text = part
+        path = before + new[place]
         if isinstance(text, Text):
-            reading.files.append(_text_file(path, _stem(name), text, encoding))
+            reading.files.append(_text_file(path, _stem(new[place]), text, encoding))
             found += 1
         else:
             reading.skipped.append((path, _why_not(text)))

@@ -11,7 +11,7 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.collectors import tell
 from cncsub.controls import Named, control_of, did_you_mean
-from cncsub.files import Piece, StrPath, check_encoding, clean, cut, decoded, read_paths
+from cncsub.files import CoreFile, StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.inputs import Inputs, checked_variables, checked_watch, inputs_of
 from cncsub.program import Program, find_program
 from cncsub.run import Machine, Run
@@ -31,7 +31,6 @@ MODES = ("auto", "mdi")
 _NEAR = 5000  # names are compared with one that is not there
 TRACES = ("none", "calls", "blocks", "moves")
 
-CoreFile = tuple[str, str, Sequence[Piece], bool]
 
 
 class Options(TypedDict, total=False):
@@ -457,10 +456,10 @@ def load(
     if not paths:
         raise ValueError("load needs a file or a folder; loads takes the text of a program")
     reading = read_paths(paths, encoding=encoding, without=external)
-    files: list[CoreFile] = [(file.name, file.stem, file.pieces, False) for file in reading.files]
+    names = reading.names
     outside, skipped = _external_files(external, encoding)
-    code = _core.compile(known, files + outside, external is not None)
-    library = Library(code, [file.name for file in reading.files], [*reading.skipped, *skipped])
+    code = _core.compile(known, reading.rows(False) + outside, external is not None)
+    library = Library(code, names, [*reading.skipped, *skipped])
     return _preferring(library, prefer)
 
 
@@ -495,7 +494,7 @@ def loads(
         raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
     stem = clean(os.path.splitext(os.path.basename(name or ""))[0])  # noqa: PTH119, PTH122
     shown = "<text>" if name is None else clean(name)
-    files = [(shown, stem, pieces, False), *outside]
+    files: list[CoreFile] = [(shown, stem, pieces, False), *outside]
     code = _core.compile(known, files, external is not None)
     return Library(code, [shown], skipped)
 
@@ -542,7 +541,7 @@ def _external_files(
     if external is None:
         return [], []
     reading = read_paths([external], encoding=encoding)
-    return [(f.name, f.stem, f.pieces, True) for f in reading.files], reading.skipped
+    return reading.rows(True), reading.skipped
 
 
 def _listing(names: Sequence[str]) -> str:

@@ -10,6 +10,7 @@ import errno
 import os
 import stat
 import sys
+from pathlib import Path
 from typing import IO, Any
 
 WINDOWS = sys.platform == "win32"
@@ -32,26 +33,26 @@ def cores() -> int:
     return os.cpu_count() or 1
 
 
-def leads_elsewhere(entry: os.DirEntry[str]) -> bool:
-    """Whether an entry of a folder stands for another place: a symbolic link, or a junction, which
+def leads_elsewhere(path: Path) -> bool:
+    """Whether a path stands for another place: a symbolic link, or a junction, which
     is what Windows calls a link to a folder that anybody may make.
     """
-    if entry.is_symlink():
+    if path.is_symlink():
         return True
     if not WINDOWS:
         return False
     junction = getattr(stat, "IO_REPARSE_TAG_MOUNT_POINT", None)
-    tag = getattr(entry.stat(follow_symlinks=False), "st_reparse_tag", 0)
+    tag = getattr(path.stat(follow_symlinks=False), "st_reparse_tag", 0)
     return tag != 0 and tag == junction
 
 
-def is_hidden(entry: os.DirEntry[str]) -> bool:
+def is_hidden(path: Path) -> bool:
     """By its name, as everywhere, or by its mark, as on Windows, where the folder tells it."""
-    if entry.name.startswith("."):
+    if path.name.startswith("."):
         return True
     if not WINDOWS:
         return False
-    marks = getattr(entry.stat(follow_symlinks=False), "st_file_attributes", 0)
+    marks = getattr(path.stat(follow_symlinks=False), "st_file_attributes", 0)
     return bool(marks & stat.FILE_ATTRIBUTE_HIDDEN)
 
 

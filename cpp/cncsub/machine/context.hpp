@@ -76,6 +76,27 @@ struct Watch {
   std::int64_t moves = 0;       // which are these
 };
 
+/// What is watched, laid out so that a step pays for what it changes, however much that is. The
+/// numbers are places in Trace::watched.
+struct Watched {
+  /// Locals of the present level, or commons, that lie side by side.
+  struct Range {
+    bool local;
+    std::size_t first, count;
+    std::size_t seen;  // into `seen`
+  };
+
+  std::vector<VariablePlace> places;  // of Trace::watched, one by one
+  std::vector<Range> ranges;
+  std::vector<double> seen;                   // what stood in the ranges behind the step before
+  std::vector<std::uint32_t> seen_at;         // of each place: into `seen`
+  std::vector<std::int32_t> locals, commons;  // by their index: what is watched of them, or -1
+  std::vector<std::uint32_t> system;          // neither local nor common,
+  std::vector<std::uint32_t> moving;          // of those what follows from moves, time or locals
+
+  bool empty() const { return places.empty(); }
+};
+
 struct Run {
   /// In no program yet.
   Run(std::shared_ptr<const Code> of, Options how);
@@ -91,7 +112,7 @@ struct Run {
   Trace trace;
   RunningBlock block;
   Watch watch;
-  std::vector<VariablePlace> watched;  // of Trace::watched, one by one
+  Watched watched;
 
   const Control& control() const { return *code->control; }
   /// Whether this is something that the control refuses.

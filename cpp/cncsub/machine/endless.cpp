@@ -124,7 +124,7 @@ class Probe {
     run_.trace = {};
     run_.trace.depth = Trace::Depth::None;
     run_.motion.forget_table();
-    run_.watched.clear();
+    run_.watched = {};
     run_.options.max_cycles = std::numeric_limits<std::int64_t>::max();
     run_.options.max_blocks = run_.state.executed + blocks;
     run_.options.max_seconds = kMostSeconds;

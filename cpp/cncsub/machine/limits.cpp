@@ -60,7 +60,7 @@ void look_later(Run& run, std::int64_t last) {
     const std::uint64_t fit = std::min(left / bytes, static_cast<std::uint64_t>(most));
     return std::max(kFewest, static_cast<std::int64_t>(fit));
   };
-  const std::uint64_t block = kBlockBytes + run.watched.size() * sizeof(Trace::Change);
+  const std::uint64_t block = kBlockBytes + run.watched.places.size() * sizeof(Trace::Change);
   run.watch.look_at = std::min(run.state.executed + many(block, kLookBlocks), last);
   run.watch.look_moves = many(kMoveBytes, kLookMoves);
   run.watch.moves = 0;

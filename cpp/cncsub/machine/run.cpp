@@ -112,8 +112,9 @@ bool choose(Run& run, const Block& block) {
 void execute_watched(Run& run, const Block& block) {
   const std::int64_t before = run.state.executed;
   const Address at = run.state.pc;
+  const Reach reach = reach_of(run, block);
   execute(run, block, true);
-  if (run.state.executed != before) note_changes(run, run.state.executed - 1, at);
+  if (run.state.executed != before) note_changes(run, run.state.executed - 1, at, reach);
 }
 
 /// Blocks and nothing else, until the run is to look around. False where it is to `pause`. Whether

@@ -118,9 +118,16 @@ std::string Moves::axes() const {
 }
 
 double Moves::length(InterruptCheck* interrupt) const {
-  double sum = 0;
-  walk(interrupt, [&](std::size_t, const MoveRow& row) { sum += row.length; });
-  return sum;
+  // Each piece by itself and then their sum, whoever works on which.
+  std::vector<double> sums((rows_ + kPieceRows - 1) / kPieceRows);
+  in_parts(rows_, interrupt, [&](std::size_t first, std::size_t last) {
+    Walk walk(*this);
+    walk.seek(first);
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += walk.next<false>(i).length;
+    sums[first / kPieceRows] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 double Moves::time(InterruptCheck* interrupt) const {
@@ -164,29 +171,81 @@ void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters,
 
 }  // namespace
 
+namespace {
+
+/// A box that nothing is in yet.
+Moves::Bounds nowhere() {
+  Moves::Bounds box;
+  box.low.fill(std::numeric_limits<double>::infinity());
+  box.high.fill(-std::numeric_limits<double>::infinity());
+  return box;
+}
+
+void widen(Moves::Bounds& box, std::size_t axis, const double* values, std::size_t count) {
+  double low = box.low[axis], high = box.high[axis];
+  for (std::size_t i = 0; i < count; ++i) {
+    low = values[i] < low ? values[i] : low;
+    high = values[i] > high ? values[i] : high;
+  }
+  box.low[axis] = low, box.high[axis] = high;
+}
+
+}  // namespace
+
+/// The box of rows [first, last). Arcs begin where the row before ends, without a radius offset.
+Moves::Bounds Moves::box_of(std::size_t first, std::size_t last) const {
+  Bounds box = nowhere();
+  for (std::size_t i = first; i < last;) {
+    const Chunk& chunk = chunks_[i / Chunk::kRows];
+    const std::size_t at = i % Chunk::kRows, count = std::min(Chunk::kRows - at, last - i);
+    widen(box, 0, chunk.x + at, count);
+    widen(box, 1, chunk.y + at, count);
+    widen(box, 2, chunk.z + at, count);
+    i += count;
+  }
+  for (const Extra& extra : extras_) {
+    const auto axis = static_cast<std::size_t>(extra.axis);
+    for (std::size_t i = first; i < std::min(last, extra.first); ++i) {
+      const double still = start_[axis] - offset_of(i)[axis];
+      widen(box, axis, &still, 1);
+    }
+    if (last <= extra.first) continue;
+    const std::size_t from = std::max(first, extra.first) - extra.first;
+    extra.values.for_each_run(from, last - extra.first,
+                              [&](const double* values, std::size_t count) {
+                                widen(box, axis, values, count);
+                              });
+  }
+  for (std::size_t i = find_row(arcs_, first); i < arcs_.size() && arcs_[i].row < last; ++i) {
+    const std::size_t at = arcs_[i].row;
+    Walk walk(*this);
+    walk.seek(at);
+    const MoveRow row = walk.next<false>(at);
+    if (row.kind != MoveKind::Cw && row.kind != MoveKind::Ccw) continue;
+    Axes from = at == 0 ? start_ : end_of(at - 1);
+    for (std::size_t axis = 0; axis < from.size(); ++axis) from[axis] -= offset_of(at)[axis];
+    widen_by_arc(row, from, diameters_, box.low, box.high);
+  }
+  return box;
+}
+
 Moves::Bounds Moves::bounds(InterruptCheck* interrupt) const {
+  std::vector<Bounds> boxes((rows_ + kPieceRows - 1) / kPieceRows, nowhere());
+  in_parts(rows_, interrupt, [&](std::size_t first, std::size_t last) {
+    boxes[first / kPieceRows] = box_of(first, last);
+  });
   Bounds bounds;
   bounds.low.fill(kNone);
   bounds.high.fill(kNone);
-  Axes low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  Axes base = start_;  // where the row starts, without a radius offset
-  walk(interrupt, [&](std::size_t, const MoveRow& row) {
-    const Axes& offset = offsets_[row.state->offset];
-    for (int i = 0; i < kAxes; ++i) {
-      low[i] = std::min(low[i], row.point[i]);
-      high[i] = std::max(high[i], row.point[i]);
+  Bounds all = nowhere();
+  for (std::size_t i = 0; i < all.low.size(); ++i) {
+    for (const Bounds& box : boxes) {
+      all.low[i] = std::min(all.low[i], box.low[i]);
+      all.high[i] = std::max(all.high[i], box.high[i]);
     }
-    if (row.kind == MoveKind::Cw || row.kind == MoveKind::Ccw) {
-      Axes from = base;
-      for (std::size_t i = 0; i < from.size(); ++i) from[i] -= offset[i];
-      widen_by_arc(row, from, diameters_, low, high);
-    }
-    for (std::size_t i = 0; i < base.size(); ++i) base[i] = row.point[i] + offset[i];
-  });
-  for (int i = 0; i < kAxes; ++i)
-    if (rows_ > 0 && (used_ >> i & 1) != 0) bounds.low[i] = low[i], bounds.high[i] = high[i];
+    if (rows_ > 0 && (used_ >> i & 1) != 0)
+      bounds.low[i] = all.low[i], bounds.high[i] = all.high[i];
+  }
   return bounds;
 }
 

@@ -1,0 +1,20 @@
+// What a folder of the system holds.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace cncsub::system {
+
+/// What the folder itself tells of an entry, without asking for the entry.
+enum class EntryKind {
+  File,
+  Folder,
+  Other,  // a link, a device, or what this system does not tell: it has to be asked for
+};
+
+/// Calls `use(name, kind)` for each entry but `.` and `..`, until it answers false. Returns the
+/// number of the error, as in errno, or 0.
+int each_entry(const std::string& path, const std::function<bool(std::string, EntryKind)>& use);
+
+}  // namespace cncsub::system

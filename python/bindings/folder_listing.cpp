@@ -1,0 +1,118 @@
+#include "folder_listing.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include "cncsub/system/folder.hpp"
+#include "utf8.hpp"
+
+namespace cncsub::bindings {
+
+namespace {
+
+using Kind = system::EntryKind;
+
+constexpr std::size_t kEntryBytes = 64;  // that an entry is worth between two questions
+
+bool is_ascii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A name with control characters, or one that is no text.
+bool is_strange(std::string_view name) {
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    if (c < 0x20 || c == 0x7f) return true;
+    if (c == 0xc2 && i + 1 < name.size() && static_cast<unsigned char>(name[i + 1]) < 0xa0)
+      return true;
+  }
+  return !is_ascii(name) && !is_utf8(name, [](std::size_t) { return false; });
+}
+
+bool has_ending_of(std::string_view name, const std::unordered_set<std::string>& endings) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return false;
+  std::string ending(name.substr(dot));
+  std::transform(ending.begin(), ending.end(), ending.begin(), lower);
+  // What small letters are beyond ASCII is for others to say.
+  return !is_ascii(ending) || endings.count(ending) != 0;
+}
+
+/// The place of a name as bytes: texts in small letters, each with a NUL behind it, and numbers by
+/// how many digits they have and by these.
+std::string key_of(std::string_view name) {
+  std::string key;
+  key.reserve(name.size() + 8);
+  for (std::size_t i = 0; i < name.size();) {
+    for (; i < name.size() && !is_digit(name[i]); ++i) key += lower(name[i]);
+    key += '\0';
+    if (i == name.size()) return key;
+    std::size_t end = i;
+    while (end < name.size() && is_digit(name[end])) ++end;
+    while (i < end && name[i] == '0') ++i;
+    key += static_cast<char>(std::min<std::size_t>(end - i, 255));
+    key += name.substr(i, end - i);
+    i = end;
+  }
+  key += '\0';
+  return key;
+}
+
+/// A name with its place; most places differ in their first bytes.
+struct Placed {
+  std::uint64_t head;
+  std::string key, name;
+
+  explicit Placed(std::string of) : head(0), key(key_of(of)), name(std::move(of)) {
+    for (std::size_t i = 0; i < sizeof head; ++i)
+      head = head << 8 | (i < key.size() ? static_cast<unsigned char>(key[i]) : 0U);
+  }
+  bool operator<(const Placed& other) const {
+    if (head != other.head) return head < other.head;
+    if (const int order = key.compare(other.key); order != 0) return order < 0;
+    return name < other.name;
+  }
+};
+
+void put_in_order(std::vector<std::string>& names) {
+  std::vector<Placed> placed;
+  placed.reserve(names.size());
+  for (std::string& name : names) placed.emplace_back(std::move(name));
+  std::sort(placed.begin(), placed.end());
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = std::move(placed[i].name);
+}
+
+void add(FolderListing& listing, std::string name, Kind kind,
+         const std::unordered_set<std::string>& endings) {
+  listing.ordered = listing.ordered && is_ascii(name);
+  const bool plain = kind != Kind::Other && name[0] != '.' && !is_strange(name);
+  if (plain && kind == Kind::Folder)
+    listing.folders.push_back(std::move(name));
+  else if (plain && !has_ending_of(name, endings))
+    listing.files.push_back(std::move(name));
+  else
+    listing.others.push_back(std::move(name));
+}
+
+}  // namespace
+
+FolderListing list_folder(const std::string& path, const std::unordered_set<std::string>& endings,
+                          InterruptCheck& interrupt) {
+  FolderListing listing;
+  listing.error = system::each_entry(path, [&](std::string name, Kind kind) {
+    add(listing, std::move(name), kind, endings);
+    return !interrupt.requested(kEntryBytes);
+  });
+  if (listing.error != 0 || !listing.ordered) return listing;
+  for (auto* names : {&listing.files, &listing.folders, &listing.others}) put_in_order(*names);
+  return listing;
+}
+
+}  // namespace cncsub::bindings
