@@ -174,7 +174,7 @@ _OF_ANY_CAUSE = ("refused", "code-not-available", "variable-not-available")
 
 
 _ASSIGNED = re.compile(r"[ \t]*(#\d+)[ \t]*=")
-_O_FOR_ZERO = re.compile(r"([A-NP-Z][-+]?)[Oo](?=[\d.]|$)")
+_O_FOR_ZERO = re.compile(r"([A-NP-Z][-+]?)O(?=[\d.;\s]|$)")
 _COMMA = re.compile(r"[A-Z][-+]?\d+$")
 
 
@@ -199,9 +199,9 @@ def _mended_word(
 ) -> tuple[Edit, ...] | None:
     """XO. is X0., X1,5 is X1.5: the control refuses them, and nothing else can be meant."""
     word = place.word
-    if alarm.cause == "address-without-value" and (zero := _O_FOR_ZERO.match(word)):
-        at = zero.end(1)
-        return (Edit(place.file, place.line, place.column, word, f"{word[:at]}0{word[at + 1 :]}"),)
+    zero = _O_FOR_ZERO.match(source, place.column - 1)
+    if alarm.cause == "address-without-value" and zero is not None:
+        return (Edit(place.file, place.line, place.column, zero[0], f"{zero[1]}0"),)
     comma = alarm.cause == "value-without-address" and re.fullmatch(r",\d+", word)
     if comma and _COMMA.search(source[: place.column - 1].upper()):
         return (Edit(place.file, place.line, place.column, word, f".{word[1:]}"),)

@@ -541,7 +541,7 @@ def _keyed(programs: Iterable[Counted]) -> Iterator[tuple[tuple[str, str, int], 
 
 
 def _has_no_file(program: Counted) -> bool:
-    return program.file.startswith("<") and program.file.endswith(">")
+    return program.file.startswith("<") or program.file == "MDI"
 
 
 def coverage_of(trace: _core.Trace, code: _core.Code) -> Coverage:

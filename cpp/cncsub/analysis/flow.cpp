@@ -109,9 +109,9 @@ void FlowReader::call(const Block& block) {
     return next();
   }
   const Target& target = record.target;
+  if (target.skipped) return next();
   if (target.jump) return exit(target.start, Way::Jump);
   next();
-  if (target.skipped) return;
   to_.calls_.push_back({at_, to_.program_, target.program, block.aux, target.start, record.macro});
   if (target.program == to_.program_) to_.entries_.push_back(target.start);
 }

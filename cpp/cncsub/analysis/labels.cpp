@@ -102,9 +102,16 @@ void LabelCheck::crossings(std::uint32_t sub) {
   std::vector<std::pair<Address, Address>> from_to;
   for (auto at = statements_.lower_bound({sub, 0}); at != statements_.end() && at->first.first == sub;
        ++at) {
-    const std::vector<Address>& all = at->second;
-    if (labelled(all.back()).kind == end_of(labelled(all.front()).kind))
-      from_to.emplace_back(all.front(), all.back());
+    Address open = kNowhere;
+    for (const Address each : at->second) {
+      const LabelledKind kind = labelled(each).kind;
+      if (open != kNowhere && kind == end_of(labelled(open).kind)) {
+        from_to.emplace_back(open, each);
+        open = kNowhere;
+      } else if (begins(kind)) {
+        open = each;
+      }
+    }
   }
   std::sort(from_to.begin(), from_to.end());
   std::vector<Address> ends;  // of those that are open, the innermost last

@@ -30,7 +30,9 @@ class Operations {
 
  private:
   struct Level {
-    bool logic_and = false, logic_or = false, other = false;
+    bool logic = false, other = false;
+    bool after_or = false;   // an OR or XOR was met
+    bool and_after = false;  // and an AND behind it, which comes first where it binds closer
   };
   bool mixed(const Level& level) const;
   /// Takes one sign; false where brackets end that hold both kinds.
@@ -43,9 +45,8 @@ class Operations {
 };
 
 bool Operations::mixed(const Level& level) const {
-  const bool alike = level.logic_and && level.logic_or;
-  const bool other = (level.logic_and || level.logic_or) && level.other;
-  return (asked_ != Asked::OtherLogic && other) || (asked_ != Asked::OtherOperations && alike);
+  return (asked_ != Asked::OtherLogic && level.logic && level.other) ||
+         (asked_ != Asked::OtherOperations && level.and_after);
 }
 
 bool Operations::take(char sign) {
@@ -64,8 +65,9 @@ void Operations::take_name(std::string_view written) {
   std::string name;
   for (const char letter : written) name += upper(letter);
   Level& level = levels_.back();
-  level.logic_and = level.logic_and || name == "AND";
-  level.logic_or = level.logic_or || name == "OR" || name == "XOR";
+  level.logic = level.logic || is_logic(name);
+  level.after_or = level.after_or || name == "OR" || name == "XOR";
+  level.and_after = level.and_after || (level.after_or && name == "AND");
   level.other = level.other || is_operator(name);
   value_ = false;
 }
@@ -114,18 +116,18 @@ class LogicCheck {
   bool is_statement(const Block& block) const;
   bool of_numbers(const Expression& of) const;
   void brackets(Address at, std::string_view text, std::uint32_t first);
-  const char* read_as() const;
+  const char* read_as(Asked asked) const;
 
   Checker& c_;
   LogicOrder order_;
   Asked asked_ = Asked::Nothing;
 };
 
-const char* LogicCheck::read_as() const {
-  if (asked_ == Asked::OtherLogic) return "here AND, OR and XOR are done from left to right";
+const char* LogicCheck::read_as(Asked asked) const {
+  if (asked == Asked::OtherLogic) return "here AND, OR and XOR are done from left to right";
   switch (order_) {
     case LogicOrder::Last:
-      return "here logic comes after comparisons and arithmetic, from left to right";
+      return "here logic comes after comparisons and arithmetic";
     case LogicOrder::LastOfConditions:
       return "here logic of conditions comes last, that of numbers as in arithmetic";
     default:
@@ -164,7 +166,7 @@ void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first
     if (!has_logic(inside) || !Operations(asked_).mixed(inside)) continue;
     c_.found(Check::LogicOrder, at,
              {static_cast<std::uint32_t>(first + from), static_cast<std::uint32_t>(i - from + 1)},
-             read_as());
+             read_as(asked_));
     return;
   }
 }
@@ -184,7 +186,7 @@ void LogicCheck::block(Address at, const Block& block, const std::string& text) 
                       : asked_ == Asked::Both ? Asked::OtherLogic
                                               : Asked::Nothing;
   if (asked != Asked::Nothing && has_logic(written) && Operations(asked).mixed(written))
-    c_.found(Check::LogicOrder, at, {of.at, of.width}, read_as());
+    c_.found(Check::LogicOrder, at, {of.at, of.width}, read_as(asked));
 }
 
 }  // namespace

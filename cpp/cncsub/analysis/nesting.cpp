@@ -33,7 +33,7 @@ void check_self_calls(Checker& c) {
       if (code || c.inside(flow) || !is_refused_again(c, edge)) continue;
       const CallRecord& record = c.code.calls[edge.record];
       const std::string name = c.code.name_of(edge.called);
-      c.refused(Check::Recursion, edge.from,
+      c.refused(Check::CallsOpen, edge.from,
                 {Cause::ProgramCallsItself, record.at, record.width, name + " > " + name});
     }
 }
@@ -182,7 +182,7 @@ void CallOrder::refuse(const CallEdge& edge) {
     names += name(at->place) + " > ";
   }
   const CallRecord& record = c_.code.calls[edge.record];
-  c_.refused(Check::Recursion, edge.from,
+  c_.refused(Check::CallsOpen, edge.from,
              {Cause::ProgramCallsCaller, record.at, record.width,
               names + c_.code.name_of(edge.called)})
       .path = std::move(path);
