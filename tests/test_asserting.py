@@ -38,7 +38,8 @@ def test_a_failure_shows_what_happened() -> None:
     assert "N30 M98 P9" in shown  # the block, as the message of the alarm has it
     assert "called from O0001 N20" in shown or "called from O1 N20" in shown
     assert (
-        "what ran last, of 2 blocks:\n  O1 N10, line 2, depth 0\n  O1 N20, line 3, depth 0" in shown
+        "what ran last, of 2 blocks:\n  O1 N10, line 2, depth 0: N10 #100=5\n"
+        "  O1 N20, line 3, depth 0: N20 M98 P2" in shown
     )
     assert shown.endswith("variables: #100 = 5")
 

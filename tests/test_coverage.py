@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 from collections import Counter
 from pathlib import Path
@@ -175,11 +176,47 @@ def test_collecting_adds_up_the_runs_of_all_threads() -> None:
     assert collected.total.blocks[0].count == 8
 
 
-def test_a_run_whose_texts_clash_is_left_out_and_counted() -> None:
+def test_a_run_whose_files_clash_is_left_out_and_counted() -> None:
     with collecting() as collected:
-        for text in (IF, WHILE):
+        for text in (IF, WHILE, IF):
+            cncsub.loads(text, control="fanuc-0i-f", name="a.nc").run()
+    assert (collected.runs, collected.left_out) == (2, 1)
+    assert repr(collected) == "<Collected: 2 runs, 1 left out>"
+
+
+def test_texts_without_a_file_count_each_for_itself() -> None:
+    with collecting() as collected:
+        for text in (IF, WHILE, IF):
             cncsub.loads(text, control="fanuc-0i-f").run()
-    assert (collected.runs, collected.left_out) == (1, 1)
+    assert (collected.runs, collected.left_out) == (3, 0)
+    files = [program.file for program in collected.total.programs]
+    assert files == ["<text>", "<text> 2"]
+    blocks = [row.count for row in collected.total.blocks if row.text == "N10 IF[#100EQ1]GOTO30"]
+    assert blocks == [2]
+    tracefile = collected.total.to_lcov()
+    assert tracefile.count("SF:") == len(set(re.findall("SF:.*", tracefile))) == 2
+
+
+def test_runs_of_what_was_typed_are_added() -> None:
+    library = cncsub.loads("O1\nN10 M98 P2\nN20 M30\nO2\nN30 M99\n", control="fanuc-0i-f")
+    typed = [library.mdi(text) for text in ("M98 P2", "G0 X1.", "M98 P2")]
+    total = sum((run.coverage() for run in typed), library.run().coverage())
+    assert {row.text: row.count for row in total.blocks} == {
+        "N10 M98 P2": 1, "N20 M30": 1, "N30 M99": 3, "M98 P2": 2, "G0 X1.": 1,
+    }  # fmt: skip
+
+
+def test_what_was_read_again_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    looked = []
+    programs = cncsub.coverage._programs
+    monkeypatch.setattr(
+        cncsub.coverage, "_programs", lambda raw: looked.append(raw) or programs(raw)
+    )
+    with collecting() as collected:
+        for _ in range(20):
+            cncsub.loads(IF, control="fanuc-0i-f", name="a.nc").run()
+    assert len(looked) == 1
+    assert [row.count for row in collected.total.blocks][:1] == [20]
 
 
 def test_lcov_tells_lines_and_branches() -> None:

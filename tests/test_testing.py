@@ -127,7 +127,7 @@ def test_a_wrong_table_says_where(tmp_path: Path, text: str, told: str) -> None:
 
 # pytest finds the plugin of an installed package by itself.
 INSTALLED = any(of.name == "cncsub" for of in entry_points(group="pytest11"))
-PLUGIN = "" if INSTALLED else "-p cncsub.testing.plugin"
+PLUGIN = "" if INSTALLED else "-p cncsub_pytest"
 
 
 @pytest.fixture

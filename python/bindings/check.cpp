@@ -41,6 +41,7 @@ struct Told {
   Alarm place;
   std::optional<Alarm> alarm;
   std::vector<Frame> path;
+  std::vector<std::pair<Alarm, std::pair<std::string, std::string>>> edits;  // place, old, new
 };
 
 Told told(const Code& code, const Finding& finding) {
@@ -49,9 +50,17 @@ Told told(const Code& code, const Finding& finding) {
                code, finding.block,
                {.at = finding.place.at, .width = finding.place.width, .detail = finding.detail}),
            .alarm = std::nullopt,
-           .path = {}};
+           .path = {},
+           .edits = {}};
   if (finding.alarm) row.alarm = alarm_of(code, finding.alarm_block, *finding.alarm);
   for (const Address at : finding.path) row.path.push_back(frame_of(code, at));
+  for (const CertainEdit& edit : finding.edits) {
+    const std::string& text =
+        code.files[code.programs[static_cast<std::size_t>(code.program_at(edit.block))].file].text;
+    row.edits.push_back(
+        {alarm_of(code, edit.block, {.at = edit.place.at, .width = edit.place.width, .detail = {}}),
+         {text.substr(edit.place.at, edit.place.width), edit.text}});
+  }
   if (row.alarm && finding.alarm_block == finding.block) row.place = *row.alarm;
   if (row.alarm) row.alarm->frames.assign(row.path.rbegin(), row.path.rend());
   return row;
@@ -74,9 +83,12 @@ py::list check_all(const Code& code, std::int32_t main, const std::string& machi
   for (Told& row : all) {
     py::tuple path(row.path.size());
     for (std::size_t i = 0; i < row.path.size(); ++i) path[i] = py::cast(std::move(row.path[i]));
+    py::list edits;
+    for (const auto& [at, texts] : row.edits)
+      edits.append(py::make_tuple(at.file, at.line, at.column, texts.first, texts.second));
     const std::string line = row.place.source_line;
     rows.append(py::make_tuple(static_cast<int>(row.check), std::move(row.place), line,
-                               alarm_or_none(row.alarm), path));
+                               alarm_or_none(row.alarm), path, edits));
   }
   return rows;
 }

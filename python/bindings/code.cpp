@@ -38,10 +38,12 @@ py::list places(const Code& code, bool external) {
   return listed(code, external, [](std::size_t i) { return i; });
 }
 
+/// Parts of files are not among them: each file may have its own of one name.
 std::vector<std::size_t> duplicates(const Code& code) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < code.programs.size(); ++i)
-    if (code.programs[i].duplicate_of != kNoProgram) found.push_back(i);
+    if (code.programs[i].duplicate_of != kNoProgram && code.programs[i].inside == kNoProgram)
+      found.push_back(i);
   return found;
 }
 

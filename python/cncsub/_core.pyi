@@ -220,8 +220,11 @@ def references(
 def all_calls(code: Code) -> list[tuple[int, int, _CallRow]]:
     """Every call: the place of its program, and of its block there."""
 
-# which of the rules, where (its words: what is wrong), the text of the line, the alarm, the calls
-_FindingRow = tuple[int, Alarm, str, Alarm | None, tuple[Frame, ...]]
+# which of the rules, where (its words: what is wrong), the text of the line, the alarm, the calls,
+# edits: file, line, column, old, new
+_FindingRow = tuple[
+    int, Alarm, str, Alarm | None, tuple[Frame, ...], list[tuple[str, int, int, str, str]]
+]
 
 def check(code: Code, main: int, machine: str) -> list[_FindingRow]:
     """What is wrong with the programs, by their blocks."""

@@ -8,7 +8,8 @@ from typing import Protocol
 
 from cncsub._core import Alarm, Machine
 from cncsub.program import find_program
-from cncsub.tables import Steps
+from cncsub.ran import calls_to, place_of, text_of
+from cncsub.tables import Calls, Steps
 
 _LAST = 8  # steps that are shown, of those before the stop
 _VARIABLES = 24
@@ -30,6 +31,8 @@ class Stopped(Protocol):
     def blocks(self) -> int: ...
     @property
     def steps(self) -> Steps: ...
+    @property
+    def calls(self) -> Calls: ...
     @property
     def variables(self) -> Mapping[int, float | None]: ...
     def _summary(self) -> str: ...
@@ -93,8 +96,10 @@ def _lines(run: Stopped) -> Iterator[str]:
     yield f"what ran last, of {run.blocks} blocks:" if count else f"{run.blocks} blocks ran"
     for i in range(max(0, count - _LAST), count):
         step = run.steps[i]
-        n = "" if step.n is None else f" N{step.n}"
-        yield f"  {step.program}{n}, line {step.line}, depth {step.depth}"
+        text = text_of(run, step).strip()
+        yield f"  {place_of(step)}, depth {step.depth}" + (f": {text}" if text else "")
+    if count and run.alarm is None:  # an alarm tells its calls
+        yield from (f"  {line}" for line in calls_to(run, run.steps[count - 1]))
     values = [(number, value) for number, value in run.variables.items() if value is not None]
     if values:
         yield "variables: " + ", ".join(

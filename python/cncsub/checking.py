@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -35,7 +35,9 @@ _BY_NAME = {key: rule for rule in RULES for key in (rule.number, rule.name)}
 
 
 class Edit(NamedTuple):
-    """A change of a file's text that is certain: `old` at `line` and `column` becomes `new`."""
+    """A change of a file's text that is certain: `old` at `line` and `column` becomes `new`. Where
+    `old` is empty, `new` is put behind the line.
+    """
 
     file: str
     line: int
@@ -140,6 +142,7 @@ def _finding(
     source: str,
     alarm: _core.Alarm | None,
     path: tuple[_core.Frame, ...],
+    edits: Sequence[tuple[str, int, int, str, str]],
 ) -> Finding:
     rule = RULES[index]
     hint = rule.hint if alarm is None else causes[alarm.cause].cure
@@ -161,7 +164,7 @@ def _finding(
         hint if alarm is not None and rule.name in _OF_ANY_CAUSE else rule.hint,
         alarm,
         path,
-        _fix(rule, place, alarm, source),
+        tuple(Edit(*edit) for edit in edits) or _fix(rule, place, alarm, source),
         source,
     )
 
@@ -171,6 +174,8 @@ _OF_ANY_CAUSE = ("refused", "code-not-available", "variable-not-available")
 
 
 _ASSIGNED = re.compile(r"[ \t]*(#\d+)[ \t]*=")
+_O_FOR_ZERO = re.compile(r"([A-NP-Z][-+]?)O(?=[\d.;\s]|$)")
+_COMMA = re.compile(r"[A-Z][-+]?\d+$")
 
 
 def _fix(
@@ -180,14 +185,26 @@ def _fix(
     word = place.word
     if rule.name == "g99-for-m99" and (at := word.upper().find("G99")) >= 0:
         return (Edit(place.file, place.line, place.column + at, word[at : at + 3], "M99"),)
-    if rule.name == "small-letters" and word.upper() != word:
-        return (Edit(place.file, place.line, place.column, word, word.upper()),)
     # IF[#1 EQ 2]#3=4: an assignment behind a condition has no other meaning.
-    if alarm is not None and alarm.cause == "if-format" and "or THEN" in alarm.detail:
+    if rule.name == "if-without-then":
         assigned = _ASSIGNED.match(source, place.column - 1)
         if assigned is not None:
             column = assigned.start(1) + 1
             return (Edit(place.file, place.line, column, assigned[1], f"THEN {assigned[1]}"),)
+    return None if alarm is None else _mended_word(place, alarm, source)
+
+
+def _mended_word(
+    place: _core.Alarm, alarm: _core.Alarm, source: str
+) -> tuple[Edit, ...] | None:
+    """XO. is X0., X1,5 is X1.5: the control refuses them, and nothing else can be meant."""
+    word = place.word
+    zero = _O_FOR_ZERO.match(source, place.column - 1)
+    if alarm.cause == "address-without-value" and zero is not None:
+        return (Edit(place.file, place.line, place.column, zero[0], f"{zero[1]}0"),)
+    comma = alarm.cause == "value-without-address" and re.fullmatch(r",\d+", word)
+    if comma and _COMMA.search(source[: place.column - 1].upper()):
+        return (Edit(place.file, place.line, place.column, word, f".{word[1:]}"),)
     return None
 
 

@@ -7,9 +7,9 @@ import itertools
 import operator
 import threading
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar, overload
 
@@ -288,10 +288,6 @@ class _Raw:
         )
 
 
-def _key(program: _core.ProgramData) -> tuple[str, str]:
-    return program.file, program.name
-
-
 def _programs(raw: _Raw) -> Iterator[Counted]:
     import numpy as np
 
@@ -369,7 +365,8 @@ class Coverage:
     computed jump led there.
 
     Runs of different libraries are added by the file and the name of their programs. Programs that
-    have the same of both and another text are a `ValueError`.
+    have the same of both and another text are a `ValueError`; but of texts without a file (of
+    `loads`, and typed in MDI) each other one counts for itself: `<text>`, `<text> 2` and so on.
 
     >>> import cncsub
     >>> text = "O1\\nN10 IF[#100EQ1]GOTO30\\nN20 M98 P2\\nN30 M30\\nO2\\nN40 M99\\n"
@@ -384,7 +381,7 @@ class Coverage:
 
     def __init__(self, parts: Iterable[_Raw] = ()) -> None:
         self._parts = tuple(parts)
-        self._made: dict[tuple[str, str, int], Counted] | None = None
+        self._made: tuple[Counted, ...] | None = None
 
     def __add__(self, other: object) -> Coverage:
         if not isinstance(other, Coverage):
@@ -396,29 +393,21 @@ class Coverage:
                 parts[id(part.code)] = parts[id(part.code)].plus(part)
         added = Coverage([*parts.values(), *new])
         if new and self._parts:
-            added._programs  # noqa: B018  # other texts under the same names are told here
+            added.programs  # noqa: B018  # other texts under the same names are told here
         return added
 
     def __radd__(self, other: object) -> Coverage:
         return self if other == 0 else NotImplemented
 
     @property
-    def _programs(self) -> Mapping[tuple[str, str, int], Counted]:
-        if self._made is None:
-            made: dict[tuple[str, str, int], Counted] = {}
-            for part in self._parts:
-                seen: Counter[tuple[str, str]] = Counter()
-                for program in _programs(part):
-                    name = program.file, program.name
-                    _add(made, (*name, seen[name]), program)
-                    seen[name] += 1
-            self._made = made
-        return self._made
-
-    @property
     def programs(self) -> tuple[Counted, ...]:
         """The programs with their counts, for writers of reports."""
-        return tuple(self._programs.values())
+        if self._made is None:
+            merged = _Merged()
+            for part in self._parts:
+                merged.add(_programs(part))
+            self._made = tuple(merged.programs)
+        return self._made
 
     @property
     def blocks(self) -> Blocks:
@@ -509,16 +498,50 @@ class Coverage:
         )
 
 
-def _add(made: dict[tuple[str, str, int], Counted], key: Any, program: Counted) -> None:
-    old = made.setdefault(key, program)
-    if old is program:
-        return
-    if old.text != program.text or old.blocks != program.blocks:
-        raise ValueError(
-            f"{program.name} of {program.file} has another text, or is read by another control, in"
-            " the runs that are added: add runs of one version, or name their files differently"
-        )
-    old.add(program)
+class _Merged:
+    """Programs of several memories: those of one file and name that have one text are one."""
+
+    def __init__(self) -> None:
+        self.programs: list[Counted] = []
+        self._known: dict[tuple[str, str, int], list[Counted]] = {}  # by file, name, place of it
+
+    def add(self, programs: Iterable[Counted]) -> None:
+        """Raises `ValueError`, before anything is added, for another text of a file's program."""
+        placed = [(key, program, self._same(key, program)) for key, program in _keyed(programs)]
+        for key, program, old in placed:
+            if old is not None:
+                old.add(program)
+                continue
+            others = self._known.setdefault(key, [])
+            if others:  # another text without a file
+                program.file = f"{program.file} {len(others) + 1}"
+            others.append(program)
+            self.programs.append(program)
+
+    def _same(self, key: tuple[str, str, int], program: Counted) -> Counted | None:
+        known = self._known.get(key, [])
+        for old in known:
+            if old.text == program.text and old.blocks == program.blocks:
+                return old
+        if known and not _has_no_file(program):
+            raise ValueError(
+                f"{program.name} of {program.file} has another text, or is read by another control,"
+                " in the runs that are added: add runs of one version, or name their files"
+                " differently"
+            )
+        return None
+
+
+def _keyed(programs: Iterable[Counted]) -> Iterator[tuple[tuple[str, str, int], Counted]]:
+    seen: Counter[tuple[str, str]] = Counter()
+    for program in programs:
+        name = program.file, program.name
+        yield (*name, seen[name]), program
+        seen[name] += 1
+
+
+def _has_no_file(program: Counted) -> bool:
+    return program.file.startswith("<") or program.file == "MDI"
 
 
 def coverage_of(trace: _core.Trace, code: _core.Code) -> Coverage:
@@ -528,43 +551,80 @@ def coverage_of(trace: _core.Trace, code: _core.Code) -> Coverage:
             'a run with trace="none" or "calls" keeps no blocks to count: run it with'
             ' trace="blocks" or "moves"'
         )
+    return Coverage([_raw(trace, code)])
+
+
+def _raw(trace: _core.Trace, code: _core.Code) -> _Raw:
     held, failed, skipped, loops, calls, given = _core.coverage(trace)
-    return Coverage(
-        [
-            _Raw(
-                code,
-                held,
-                failed,
-                skipped,
-                Counter({(at, i): of[i] for at, *of in loops for i in range(3)}),
-                Counter({call[:3]: call[3] for call in calls}),
-                Counter({row[:2]: row[2] for row in given}),
-            )
-        ]
+    return _Raw(
+        code,
+        held,
+        failed,
+        skipped,
+        Counter({(at, i): of[i] for at, *of in loops for i in range(3)}),
+        Counter({call[:3]: call[3] for call in calls}),
+        Counter({row[:2]: row[2] for row in given}),
     )
 
 
-@dataclass
 class Collected:
-    """The sum of the runs of a `collecting()`."""
+    """The sum of the runs of a `collecting()`.
 
-    total: Coverage = field(default_factory=Coverage)
-    runs: int = 0
-    left_out: int = 0  # runs that kept no blocks, or had other texts under the same names
-    _lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
+    `total`: their coverage. `runs`: how many were counted. `left_out`: those that kept no blocks, or
+    had other texts in files of the same names.
+    """
+
+    def __init__(self) -> None:
+        self.runs = 0
+        self.left_out = 0
+        self._lock = threading.Lock()
+        self._parts: dict[object, _Raw] = {}  # by what was read, on which control
+        self._reads: dict[int, object] = {}  # of the codes that are parts, by their ids
+        self._merged = _Merged()  # to know which texts there are
+        self._total: Coverage | None = Coverage()
+
+    @property
+    def total(self) -> Coverage:
+        with self._lock:
+            if self._total is None:
+                self._total = Coverage(self._parts.values())
+            return self._total
 
     def _take(self, trace: _core.Trace, code: _core.Code) -> None:
-        found = coverage_of(trace, code) if _core.keeps_blocks(trace) else None
+        found = _raw(trace, code) if _core.keeps_blocks(trace) else None
         with self._lock:
-            if found is None:
-                self.left_out += 1
-                return
-            try:
-                self.total = self.total + found
-            except ValueError:  # a run that ended well is not to fail for what is counted of it
+            if found is None or not self._add(found):
                 self.left_out += 1
             else:
                 self.runs += 1
+                self._total = None
+
+    def _add(self, found: _Raw) -> bool:
+        """Adds it to the part that has read the same, so that no program is looked at twice."""
+        read = self._reads.get(id(found.code))
+        if read is None:
+            read = _what_is_read(found.code)
+        if read in self._parts:
+            self._parts[read] = self._parts[read].plus(found)
+            return True
+        try:  # a run that ended well is not to fail for what is counted of it
+            self._merged.add(_programs(found))
+        except ValueError:
+            return False
+        self._parts[read] = found
+        self._reads[id(found.code)] = read  # the part keeps its code, and with it the id
+        return True
+
+    def __repr__(self) -> str:
+        return f"<Collected: {self.runs} runs, {self.left_out} left out>"
+
+
+def _what_is_read(code: _core.Code) -> object:
+    """Codes for which this is the same have the same blocks at the same addresses."""
+    control = code.control
+    rules = tuple((rule.name, rule.value) for rule in control.rules)
+    parameters = tuple((name, each.value) for name, each in control.parameters.items())
+    return control.name, rules, parameters, tuple(map(tuple, code.sources))
 
 
 @contextmanager

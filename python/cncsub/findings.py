@@ -208,6 +208,11 @@ class Mended:
         lines = self._new[edit.file].split(b"\n")
         line, old = lines[edit.line - 1], edit.old.encode()
         at = edit.column - 1
+        if not old:
+            at = len(line.removesuffix(b"\r"))
+            lines[edit.line - 1] = line[:at] + edit.new.encode() + line[at:]
+            self._new[edit.file] = b"\n".join(lines)
+            return
         if not line[:at].isascii() or not line.startswith(old, at):
             if line.count(old) != 1:
                 self.left += 1

@@ -32,6 +32,13 @@ struct CheckInfo {
 const std::vector<CheckInfo>& all_checks();
 inline const CheckInfo& info(Check check) { return all_checks()[static_cast<std::size_t>(check)]; }
 
+/// A change of the text that is certain; where it has no width, `text` is put behind the line.
+struct CertainEdit {
+  Address block = kNowhere;
+  TextPlace place;
+  std::string text;
+};
+
 struct Finding {
   Check check{};
   Address block = kNowhere;
@@ -41,6 +48,7 @@ struct Finding {
   std::optional<Fault> alarm;
   Address alarm_block = kNowhere;
   std::vector<Address> path;  // the blocks that call, the outermost first
+  std::vector<CertainEdit> edits;
 };
 
 /// All findings, by their blocks. `main`: the program that is run first, kNoProgram where nobody

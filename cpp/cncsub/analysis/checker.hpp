@@ -34,6 +34,12 @@ struct Checker {
   bool is_called(std::int32_t index) const {
     return !callers[static_cast<std::size_t>(index)].empty();
   }
+  /// Whether a program other than itself calls it.
+  bool is_called_by_another(std::int32_t index) const {
+    for (const CallEdge& edge : callers[static_cast<std::size_t>(index)])
+      if (edge.caller != index) return true;
+    return false;
+  }
   Finding& found(Check check, Address block, TextPlace place, std::string detail);
   /// What the control says is wrong, with its alarm.
   Finding& refused(Check check, Address block, Fault fault);
@@ -51,6 +57,10 @@ void check_nesting(Checker& c);
 void check_modes(Checker& c);
 /// Locals, arguments and commons.
 void check_variables(Checker& c);
+/// Branches and loops of labels that are not closed.
+void check_labels(Checker& c);
+/// Logic that binds otherwise than it looks.
+void check_logic(Checker& c);
 /// Values that people trip over.
 void check_values(Checker& c);
 /// What a control reads otherwise than it looks: codes of one group, semicolons, small letters.
@@ -71,6 +81,9 @@ void each_variant(const Code& code, const Block& block, const Look& look) {
   if (block.op == Op::Together && code.together[block.aux].words != Labelled::kNone)
     each_variant(code, code.variants[code.together[block.aux].words], look);
 }
+
+/// Whether a program ends in G99 alone, as one that was meant to end in M99.
+bool ends_in_g99(const Checker& c, const ProgramFlow& flow);
 
 /// The G codes of a block that are written as numbers, ten times each.
 template <class Take>

@@ -1,6 +1,7 @@
 #include "cncsub/analysis/flow.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "cncsub/code/target.hpp"
 
@@ -108,9 +109,9 @@ void FlowReader::call(const Block& block) {
     return next();
   }
   const Target& target = record.target;
+  if (target.skipped) return next();
   if (target.jump) return exit(target.start, Way::Jump);
   next();
-  if (target.skipped) return;
   to_.calls_.push_back({at_, to_.program_, target.program, block.aux, target.start, record.macro});
   if (target.program == to_.program_) to_.entries_.push_back(target.start);
 }
@@ -127,6 +128,10 @@ void FlowReader::h_code(const HCode& h) {
 void FlowReader::labelled(const Labelled& own) {
   mark(ProgramFlow::kLabels);
   switch (own.kind) {
+    case LabelledKind::Sub:
+    case LabelledKind::Head:  // a call may lead there from anywhere
+      to_.entries_.push_back(at_);
+      break;
     case LabelledKind::EndSub:
     case LabelledKind::Return:
     case LabelledKind::Back:
@@ -266,9 +271,15 @@ void ProgramFlow::close() {
 }
 
 std::vector<bool> ProgramFlow::reached() const {
-  std::vector<bool> found(size(), false);
   std::vector<Address> waiting{first_};
   waiting.insert(waiting.end(), entries_.begin(), entries_.end());
+  return reached(std::move(waiting));
+}
+
+std::vector<bool> ProgramFlow::reached_from(Address start) const { return reached({start}); }
+
+std::vector<bool> ProgramFlow::reached(std::vector<Address> waiting) const {
+  std::vector<bool> found(size(), false);
   while (!waiting.empty()) {
     const Address at = waiting.back();
     waiting.pop_back();

@@ -81,9 +81,12 @@ class ProgramFlow {
 
   /// What can be reached, one mark for each block, for the end and for anywhere.
   std::vector<bool> reached() const;
+  /// The same where only one block is entered.
+  std::vector<bool> reached_from(Address start) const;
 
  private:
   friend class FlowReader;
+  std::vector<bool> reached(std::vector<Address> waiting) const;
   static constexpr std::uint8_t kReturns = 1, kEnds = 2, kCallsComputed = 4, kStartsComputed = 8,
                                 kLabels = 16;
 

@@ -12,19 +12,41 @@ namespace {
 
 // What may be in force, as four bits for each mode: what was found, the usual value, and two
 // others.
-using Modes = std::uint32_t;
+using Modes = std::uint64_t;
 constexpr int kBits = 4;
 constexpr Modes kFound = 1, kUsual = 2, kOther = 4, kSecond = 8, kOne = 15;
-enum Mode : std::uint8_t { Distance, Plane, Units, Radius, Cycle, Length };
-constexpr int kModes = Length + 1;
+enum Mode : std::uint8_t {
+  Distance,
+  Plane,
+  Units,
+  Radius,
+  Cycle,
+  Length,
+  Work,
+  Shift,   // of the work coordinates, by G52
+  Origin,  // of the work coordinates, by G92
+  Rotation,
+  Scaling,
+  Mirror,
+  Polar,
+  Feed,
+  Surface,
+  Macro  // a macro that each move calls
+};
+constexpr int kModes = Macro + 1;
+// Modes of which nobody knows what is usual: parameters say it.
+constexpr bool has_no_usual(int mode) { return mode == Units || mode == Feed || mode == Surface; }
 
 constexpr Modes all(Modes value) {
   Modes modes = 0;
   for (int mode = 0; mode < kModes; ++mode) modes |= value << (kBits * mode);
   return modes;
 }
-constexpr Modes of(Mode mode, Modes value) { return value << (kBits * mode); }
+constexpr Modes of(int mode, Modes value) { return value << (kBits * mode); }
 constexpr Modes value(Modes modes, int mode) { return modes >> (kBits * mode) & kOne; }
+
+constexpr std::uint32_t kAxes =
+    kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
 
 struct Meant {
   Mode mode;
@@ -47,11 +69,44 @@ std::vector<Meant> meant(bool lathe) {
           {Cycle, kUsual, Meaning::CycleOff},
           {Length, kUsual, Meaning::LengthOff},
           {Length, kOther, Meaning::LengthPlus},
-          {Length, kSecond, Meaning::LengthMinus}};
+          {Length, kSecond, Meaning::LengthMinus},
+          {Work, kUsual, Meaning::Work1},
+          {Work, kOther, Meaning::Work2},
+          {Work, kOther, Meaning::Work3},
+          {Work, kOther, Meaning::Work4},
+          {Work, kOther, Meaning::Work5},
+          {Work, kOther, Meaning::Work6},
+          {Work, kSecond, Meaning::WorkExtra},
+          {Shift, kOther, Meaning::Local},
+          {Origin, kOther, Meaning::SetCoordinate},
+          {Origin, kUsual, Meaning::ClearCoordinate},
+          {Rotation, kUsual, Meaning::RotationOff},
+          {Rotation, kOther, Meaning::RotationOn},
+          {Scaling, kUsual, Meaning::ScalingOff},
+          {Scaling, kOther, Meaning::ScalingOn},
+          {Mirror, kUsual, Meaning::MirrorOff},
+          {Mirror, kOther, Meaning::MirrorOn},
+          {Polar, kUsual, Meaning::PolarOff},
+          {Polar, kOther, Meaning::PolarOn},
+          {Feed, kUsual, Meaning::PerMinute},
+          {Feed, kOther, Meaning::PerRevolution},
+          {Feed, kSecond, Meaning::InverseTime},
+          {Surface, kUsual, Meaning::SpindleSpeed},
+          {Surface, kOther, Meaning::SurfaceSpeed}};
 }
 
-constexpr std::uint32_t kMoves =
-    kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
+/// Whether all words of a block that name axes are the number 0: G52 X0 Y0 shifts nothing.
+bool all_zero(const Code& code, const Block& block) {
+  const Cell* cell = code.cells.data() + block.data;
+  std::uint32_t expressions = 0;
+  if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;
+  cell += block.code_cells();
+  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
+    const std::uint32_t address = left & ~(left - 1);
+    if ((address & kAxes) != 0 && ((expressions & address) != 0 || cell->value != 0)) return false;
+  }
+  return true;
+}
 
 class ModeCheck {
  public:
@@ -88,12 +143,12 @@ Modes ModeCheck::after(Modes before, Address at) const {
   const Block& block = c_.code.blocks[at];
   Modes modes = before;
   const bool sometimes = block.skip != 0 || block.op == Op::IfThen || block.op == Op::Choose;
-  const auto set = [&](Meaning meaning, Group group) {
-    const Modes own = set_by(meaning, group);
+  const auto put = [&](Modes own) {
     for (int mode = 0; mode < kModes; ++mode)
       if (value(own, mode) != 0)
-        modes = (sometimes ? modes : modes & ~(kOne << (kBits * mode))) | own;
+        modes = (sometimes ? modes : modes & ~of(mode, kOne)) | own;
   };
+  const auto set = [&](Meaning meaning, Group group) { put(set_by(meaning, group)); };
   each_variant(c_.code, block, [&](const Block& each) {
     if (each.op == Op::Linear || each.op == Op::Arc) {
       if ((each.flags & Block::kNoG) == 0) set(Meaning::Line, Group::Motion);
@@ -102,7 +157,10 @@ Modes ModeCheck::after(Modes before, Address at) const {
     each_g(c_.code, each, [&](int g) {
       const GCode code = c_.g_codes.find(g);
       set(code.meaning, code.group);
+      if (code.meaning == Meaning::Local && all_zero(c_.code, each)) put(of(Shift, kUsual));
     });
+    if (each.op == Op::ModalCall) put(of(Macro, kOther));
+    if (each.op == Op::CancelModal) put(of(Macro, kUsual));
   });
   return modes;
 }
@@ -118,7 +176,8 @@ std::vector<Modes> ModeCheck::states(const ProgramFlow& flow) const {
     waiting.push_back(at);
   };
   const bool called = c_.is_called(flow.program());
-  const Modes usual = (all(kUsual) & ~of(Units, kOne)) | of(Units, kFound);
+  Modes usual = 0;
+  for (int mode = 0; mode < kModes; ++mode) usual |= of(mode, has_no_usual(mode) ? kFound : kUsual);
   reach(flow.first(), called ? all(kFound) : usual);
   for (const Address entry : flow.entries()) reach(entry, all(kFound));
   std::vector<const CallEdge*> calls(flow.size(), nullptr);
@@ -132,7 +191,7 @@ std::vector<Modes> ModeCheck::states(const ProgramFlow& flow) const {
       const Modes left = left_[static_cast<std::size_t>(edge->called)];
       Modes kept = 0;
       for (int mode = 0; mode < kModes; ++mode)
-        if ((value(left, mode) & kFound) != 0) kept |= modes & kOne << (kBits * mode);
+        if ((value(left, mode) & kFound) != 0) kept |= modes & of(mode, kOne);
       modes = kept | (left & ~all(kFound));
     }
     for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit) reach(exit->to, modes);
@@ -191,18 +250,27 @@ Address ModeCheck::moves_with(const ProgramFlow& flow, Address call, int mode) c
     seen[at - flow.first()] = true;
     const Block& block = c_.code.blocks[at];
     if (value(after(0, at), mode) != 0) continue;
-    if (is_words(block.op) && (block.mask & kMoves) != 0) return at;
+    if (is_words(block.op) && (block.mask & kAxes) != 0) return at;
     if (block.op == Op::Words || block.op > Op::Return) go_on(at);
   }
   return kNowhere;
 }
 
 std::string ModeCheck::name(int mode, Modes which) const {
+  if (mode == Cycle) return "a canned cycle";
+  if (mode == Macro) return "a modal macro call";
+  if (mode == Work) return "another work coordinate system";
   for (const Meant& each : meant_)
     if (each.mode == mode && (each.value & which) != 0)
       if (const GCode code = c_.g_codes.of(each.meaning); code.code >= 0)
         return code_name(code.code);
-  return "a canned cycle";
+  return "a mode";
+}
+
+/// The rule of a mode: what a program may leave on for good reasons is only noted.
+Check rule_of(int mode) {
+  if (mode == Length) return Check::LeavesLength;
+  return mode == Work || mode == Origin ? Check::LeavesWork : Check::LeavesOn;
 }
 
 void ModeCheck::leaks(const ProgramFlow& flow) {
@@ -213,7 +281,7 @@ void ModeCheck::leaks(const ProgramFlow& flow) {
     if (before[edge.from - flow.first()] == 0) continue;
     const Modes own = after(before[edge.from - flow.first()], edge.from);
     for (int mode = 0; mode < kModes; ++mode) {
-      const Modes counts = mode == Units ? kUsual | kOther : kOther | kSecond;
+      const Modes counts = has_no_usual(mode) ? kUsual | kOther | kSecond : kOther | kSecond;
       const Modes leak = value(left, mode) & counts & ~value(own, mode);
       if (leak == 0 || (value(own, mode) & kFound) != 0 || told.contains({edge.called, mode}))
         continue;
@@ -221,7 +289,7 @@ void ModeCheck::leaks(const ProgramFlow& flow) {
       if (moves == kNowhere) continue;
       told.insert({edge.called, mode});
       const CallRecord& record = c_.code.calls[edge.record];
-      c_.found(mode == Length ? Check::LeavesLength : Check::LeavesOn, edge.from,
+      c_.found(rule_of(mode), edge.from,
                {record.at, record.width},
                c_.code.name_of(edge.called) + " leaves " + name(mode, leak) + " on, and line " +
                    std::to_string(c_.code.blocks[moves].line) + " moves with it");

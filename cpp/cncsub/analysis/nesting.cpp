@@ -1,7 +1,10 @@
 // How deep calls go on any way, and circles of calls.
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "cncsub/analysis/checker.hpp"
 
@@ -12,112 +15,216 @@ namespace {
 /// How many calls are open: of subprograms, of macros, of both.
 using Depth = std::array<int, 3>;
 
-/// All programs, each before those it calls, but for the calls that close a circle.
+/// Whether the control refuses a call of a program by itself, wherever it begins.
+bool is_refused_again(const Checker& c, const CallEdge& edge) {
+  const SelfCall rule = c.code.control->calls.self_call.value;
+  const CallRecord& record = c.code.calls[edge.record];
+  return edge.called == edge.caller && record.kind != CallKind::Local &&
+         (rule == SelfCall::Refused ||
+          (rule == SelfCall::WithStart && record.target.start_n < 0));
+}
+
+/// Programs that call themselves where the control refuses it.
+void check_self_calls(Checker& c) {
+  for (const ProgramFlow& flow : c.flows)
+    for (const CallEdge& edge : flow.calls()) {
+      const Block& block = c.code.blocks[edge.from];
+      const bool code = block.op == Op::Choose && c.code.choices[block.aux].address != 0;
+      if (code || c.inside(flow) || !is_refused_again(c, edge)) continue;
+      const CallRecord& record = c.code.calls[edge.record];
+      const std::string name = c.code.name_of(edge.called);
+      c.refused(Check::CallsOpen, edge.from,
+                {Cause::ProgramCallsItself, record.at, record.width, name + " > " + name});
+    }
+}
+
+/// A program from a block on: what a call enters.
+struct Entered {
+  std::int32_t program;
+  Address start;
+};
+
+/// What calls enter, and what each of these calls: only calls that some way from its first block
+/// leads to, where a program is entered at several.
+class CallTree {
+ public:
+  struct Call {
+    const CallEdge* edge;
+    std::size_t to;
+  };
+
+  explicit CallTree(const Checker& c);
+  std::size_t size() const { return entered_.size(); }
+  const Entered& entered(std::size_t place) const { return entered_[place]; }
+  const std::vector<Call>& calls(std::size_t place) const { return calls_[place]; }
+
+ private:
+  std::size_t enter(std::int32_t program, Address start);
+  void take_calls(std::size_t place);
+
+  const Checker& c_;
+  std::size_t looked_at_ = 0;  // blocks, for all starts inside programs
+  std::map<std::pair<std::int32_t, Address>, std::size_t> inside_;  // those that begin inside
+  std::vector<Entered> entered_;
+  std::vector<std::vector<Call>> calls_;
+};
+
+CallTree::CallTree(const Checker& c) : c_(c) {
+  entered_.reserve(c.flows.size());
+  for (const ProgramFlow& flow : c.flows) entered_.push_back({flow.program(), flow.first()});
+  for (std::size_t place = 0; place < entered_.size(); ++place) take_calls(place);
+}
+
+std::size_t CallTree::enter(std::int32_t program, Address start) {
+  if (start == kNowhere || start == c_.flow(program).first())
+    return static_cast<std::size_t>(program);
+  const auto [found, added] = inside_.try_emplace({program, start}, entered_.size());
+  if (added) entered_.push_back({program, start});
+  return found->second;
+}
+
+void CallTree::take_calls(std::size_t place) {
+  constexpr std::size_t kMostBlocks = 4'000'000;  // beyond that, starts inside call nothing here
+  const Entered from = entered_[place];
+  const ProgramFlow& flow = c_.flow(from.program);
+  calls_.emplace_back();
+  if (flow.calls().empty()) return;
+  std::vector<bool> reached;
+  if (!flow.entries().empty()) {
+    if (looked_at_ > kMostBlocks && from.start != flow.first()) return;
+    looked_at_ += flow.size();
+    reached = flow.reached_from(from.start);
+  }
+  for (const CallEdge& edge : flow.calls())
+    if (reached.empty() || reached[edge.from - flow.first()])
+      calls_[place].push_back({&edge, enter(edge.called, edge.start)});
+}
+
+/// All that is entered, each before what it calls, but for the calls that close a circle.
 class CallOrder {
  public:
-  explicit CallOrder(Checker& c) : c_(c), state_(c.flows.size(), Walked::New) {
+  CallOrder(Checker& c, const CallTree& tree)
+      : c_(c), tree_(tree), state_(tree.size(), Walked::New) {
     for (std::size_t i = 0; i < state_.size(); ++i)
-      if (state_[i] == Walked::New) walk(static_cast<std::int32_t>(i));
+      if (state_[i] == Walked::New) walk(i);
     std::reverse(order_.begin(), order_.end());
+    std::sort(closing_.begin(), closing_.end());
   }
-  const std::vector<std::int32_t>& order() const { return order_; }
-  /// Whether a call leads back to a program that is open.
-  bool closes(const CallEdge& edge) const {
-    return std::binary_search(closing_.begin(), closing_.end(), edge.from);
+  const std::vector<std::size_t>& order() const { return order_; }
+  /// Whether a call leads back to what is open.
+  bool closes(std::size_t from, const CallEdge& edge) const {
+    return std::binary_search(closing_.begin(), closing_.end(), std::pair(from, &edge));
   }
 
  private:
   enum class Walked : std::uint8_t { New, Open, Done };
   struct Open {
-    std::int32_t program;
+    std::size_t place;
     std::size_t call = 0;
   };
 
-  void walk(std::int32_t from);
-  void circle(const CallEdge& edge);
-  bool is_apart(const CallEdge& edge) const;
+  void walk(std::size_t from);
+  void circle(const CallTree::Call& call);
+  std::string name(std::size_t place) const;
+  bool is_of_open_caller(const CallEdge& edge) const;
+  void refuse(const CallEdge& edge);
 
   Checker& c_;
+  const CallTree& tree_;
   std::vector<Walked> state_;
   std::vector<Open> open_;
-  std::vector<std::int32_t> order_;
-  std::vector<Address> closing_;
+  std::vector<std::size_t> order_;
+  std::vector<std::pair<std::size_t, const CallEdge*>> closing_;
+  std::set<Address> told_;
 };
 
-/// Whether a program calls a part of itself that does not lead back to the call.
-bool CallOrder::is_apart(const CallEdge& edge) const {
-  constexpr std::size_t kFar = 4096;
-  const ProgramFlow& flow = c_.flow(edge.caller);
-  if (edge.called != edge.caller || edge.start == flow.first()) return false;
-  std::vector<bool> seen(flow.size(), false);
-  std::vector<Address> waiting{edge.start};
-  for (std::size_t count = 0; !waiting.empty() && count < kFar; ++count) {
-    const Address at = waiting.back();
-    waiting.pop_back();
-    if (at == edge.from) return false;
-    if (seen[at - flow.first()]) continue;
-    seen[at - flow.first()] = true;
-    for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit)
-      waiting.push_back(exit->to);
-  }
-  return true;
-}
-
-void CallOrder::circle(const CallEdge& edge) {
-  closing_.push_back(edge.from);
-  const CallRecord& record = c_.code.calls[edge.record];
-  // Blocks of the own program; and a code that does not call in the program that it calls.
+void CallOrder::circle(const CallTree::Call& call) {
+  const CallEdge& edge = *call.edge;
+  closing_.emplace_back(open_.back().place, &edge);
+  // A code does not call in the program that it calls.
   const Block& block = c_.code.blocks[edge.from];
   const bool code = block.op == Op::Choose && c_.code.choices[block.aux].address != 0;
-  if (record.kind == CallKind::Local || code || is_apart(edge)) return;
+  if (code || is_refused_again(c_, edge) || !told_.insert(edge.from).second) return;
   auto first = open_.begin();
-  while (first->program != edge.called) ++first;
-  std::string names = c_.code.name_of(edge.called);
+  while (first->place != call.to) ++first;
+  std::string names = name(call.to);
   std::vector<Address> path;
   for (auto at = first; at + 1 != open_.end(); ++at) {
-    path.push_back(c_.flow(at->program).calls()[at->call - 1].from);
-    names += " > " + c_.code.name_of((at + 1)->program);
+    path.push_back(tree_.calls(at->place)[at->call - 1].edge->from);
+    names += " > " + name((at + 1)->place);
   }
-  names += " > " + c_.code.name_of(edge.called);
-  const bool refused = edge.called == edge.caller &&
-                       (c_.code.control->calls.self_call.value == SelfCall::Refused ||
-                        (c_.code.control->calls.self_call.value == SelfCall::WithStart &&
-                         record.target.start_n < 0));
-  Finding& found = refused
-                       ? c_.refused(Check::Recursion, edge.from,
-                                    {Cause::ProgramCallsItself, record.at, record.width, names})
-                       : c_.found(Check::Recursion, edge.from, {record.at, record.width}, names);
-  found.path = std::move(path);
+  names += " > " + name(call.to);
+  const CallRecord& record = c_.code.calls[edge.record];
+  c_.found(Check::Recursion, edge.from, {record.at, record.width}, names).path = std::move(path);
 }
 
-void CallOrder::walk(std::int32_t from) {
+/// Whether the control refuses a call because its program is open already.
+bool CallOrder::is_of_open_caller(const CallEdge& edge) const {
+  const CallerCall rule = c_.code.control->calls.caller_call.value;
+  const bool started = c_.code.calls[edge.record].target.start_n >= 0;
+  if (edge.called == edge.caller || rule == CallerCall::Allowed ||
+      (rule == CallerCall::WithStart && started) ||
+      (rule == CallerCall::MainRefused && edge.called != c_.main))
+    return false;
+  return std::any_of(open_.begin(), open_.end(), [&](const Open& open) {
+    return tree_.entered(open.place).program == edge.called;
+  });
+}
+
+void CallOrder::refuse(const CallEdge& edge) {
+  if (!told_.insert(edge.from).second) return;
+  auto first = open_.begin();
+  while (tree_.entered(first->place).program != edge.called) ++first;
+  std::string names;
+  std::vector<Address> path;
+  for (auto at = first; at != open_.end(); ++at) {
+    if (at + 1 != open_.end()) path.push_back(tree_.calls(at->place)[at->call - 1].edge->from);
+    names += name(at->place) + " > ";
+  }
+  const CallRecord& record = c_.code.calls[edge.record];
+  c_.refused(Check::CallsOpen, edge.from,
+             {Cause::ProgramCallsCaller, record.at, record.width,
+              names + c_.code.name_of(edge.called)})
+      .path = std::move(path);
+}
+
+/// "O2", and "O2 N100" where it is entered inside.
+std::string CallOrder::name(std::size_t place) const {
+  const Entered& of = tree_.entered(place);
+  const std::string program = c_.code.name_of(of.program);
+  if (of.start == c_.flow(of.program).first() || of.start >= c_.code.blocks.size()) return program;
+  const std::int32_t n = c_.code.blocks[of.start].n;
+  return n < 0 ? program : program + " N" + std::to_string(n);
+}
+
+void CallOrder::walk(std::size_t from) {
   open_.push_back({from});
-  state_[static_cast<std::size_t>(from)] = Walked::Open;
+  state_[from] = Walked::Open;
   while (!open_.empty()) {
     Open& top = open_.back();
-    const std::vector<CallEdge>& calls = c_.flow(top.program).calls();
+    const std::vector<CallTree::Call>& calls = tree_.calls(top.place);
     if (top.call == calls.size()) {
-      state_[static_cast<std::size_t>(top.program)] = Walked::Done;
-      order_.push_back(top.program);
+      state_[top.place] = Walked::Done;
+      order_.push_back(top.place);
       open_.pop_back();
       continue;
     }
-    const CallEdge& edge = calls[top.call++];
-    Walked& state = state_[static_cast<std::size_t>(edge.called)];
-    if (state == Walked::Open) circle(edge);
+    const CallTree::Call& call = calls[top.call++];
+    if (is_of_open_caller(*call.edge)) refuse(*call.edge);
+    Walked& state = state_[call.to];
+    if (state == Walked::Open) circle(call);
     if (state != Walked::New) continue;
     state = Walked::Open;
-    open_.push_back({edge.called});
+    open_.push_back({call.to});
   }
-  std::sort(closing_.begin(), closing_.end());
 }
 
 class NestingCheck {
  public:
-  explicit NestingCheck(Checker& c)
-      : c_(c), deepest_(c.flows.size()), from_(c.flows.size(), {nullptr, nullptr, nullptr}) {}
+  NestingCheck(Checker& c, const CallTree& tree)
+      : c_(c), tree_(tree), deepest_(tree.size()), from_(tree.size()) {}
 
-  void call(const CallEdge& edge);
+  void call(std::size_t from, const CallTree::Call& call);
 
  private:
   struct Limit {
@@ -127,11 +234,19 @@ class NestingCheck {
     const char* what;
   };
   std::vector<Limit> limits(bool macro) const;
-  std::vector<Address> path(const CallEdge& edge, std::size_t measure) const;
+  std::vector<Address> path(std::size_t to, std::size_t measure) const;
+
+  /// The call by which something is deepest.
+  struct By {
+    std::size_t caller = 0;
+    const CallEdge* edge = nullptr;
+  };
 
   Checker& c_;
+  const CallTree& tree_;
   std::vector<Depth> deepest_;
-  std::vector<std::array<const CallEdge*, 3>> from_;
+  std::vector<std::array<By, 3>> from_;
+  std::set<Address> told_;
 };
 
 std::vector<NestingCheck::Limit> NestingCheck::limits(bool macro) const {
@@ -150,47 +265,47 @@ std::vector<NestingCheck::Limit> NestingCheck::limits(bool macro) const {
   return all;
 }
 
-std::vector<Address> NestingCheck::path(const CallEdge& edge, std::size_t measure) const {
+std::vector<Address> NestingCheck::path(std::size_t to, std::size_t measure) const {
   std::vector<Address> blocks;
-  for (const CallEdge* at = from_[static_cast<std::size_t>(edge.caller)][measure];
-       at != nullptr && blocks.size() < c_.flows.size();
-       at = from_[static_cast<std::size_t>(at->caller)][measure])
-    blocks.push_back(at->from);
+  for (By at = from_[to][measure]; at.edge != nullptr && blocks.size() < tree_.size();
+       at = from_[at.caller][measure])
+    blocks.push_back(at.edge->from);
   std::reverse(blocks.begin(), blocks.end());
   return blocks;
 }
 
-void NestingCheck::call(const CallEdge& edge) {
-  const Depth& depth = deepest_[static_cast<std::size_t>(edge.caller)];
-  Depth deeper = depth;
+void NestingCheck::call(std::size_t from, const CallTree::Call& call) {
+  const CallEdge& edge = *call.edge;
+  Depth deeper = deepest_[from];
   ++deeper[edge.macro ? 1 : 0];
   ++deeper[2];
   const CallRecord& record = c_.code.calls[edge.record];
   for (const Limit& limit : limits(edge.macro)) {
     const auto measure = static_cast<std::size_t>(limit.measure);
-    if (deeper[measure] != limit.most + 1) continue;
+    if (deeper[measure] != limit.most + 1 || !told_.insert(edge.from).second) continue;
     c_.refused(Check::TooDeep, edge.from,
                {limit.cause, record.at, record.width,
                 "the control allows " + std::to_string(limit.most) + limit.what})
-        .path = path(edge, measure);
+        .path = path(from, measure);
     break;
   }
-  const auto called = static_cast<std::size_t>(edge.called);
   for (std::size_t i = 0; i < deeper.size(); ++i)
-    if (deeper[i] > deepest_[called][i]) {
-      deepest_[called][i] = deeper[i];
-      from_[called][i] = &edge;
+    if (deeper[i] > deepest_[call.to][i]) {
+      deepest_[call.to][i] = deeper[i];
+      from_[call.to][i] = {from, &edge};
     }
 }
 
 }  // namespace
 
 void check_nesting(Checker& c) {
-  const CallOrder order(c);
-  NestingCheck nesting(c);
-  for (const std::int32_t program : order.order())
-    for (const CallEdge& edge : c.flow(program).calls())
-      if (!order.closes(edge)) nesting.call(edge);
+  check_self_calls(c);
+  const CallTree tree(c);
+  const CallOrder order(c, tree);
+  NestingCheck nesting(c, tree);
+  for (const std::size_t from : order.order())
+    for (const CallTree::Call& call : tree.calls(from))
+      if (!order.closes(from, *call.edge)) nesting.call(from, call);
 }
 
 }  // namespace cncsub

@@ -35,6 +35,8 @@ class OverwrittenCheck {
 
   Numbers read_and_written(const ProgramFlow& flow) const;
   const Numbers& scratch(std::int32_t program);
+  void find_taken();
+  bool hand_on(const CallEdge& edge);
   Bits handed_over(const ProgramFlow& flow, const Numbers& both) const;
   Bits overwrites(const CallEdge& edge, const Numbers& candidates);
   State behind(Address at, const ProgramFlow& flow, State state, const Numbers& candidates,
@@ -46,6 +48,7 @@ class OverwrittenCheck {
   Checker& c_;
   const VariableUses& uses_;
   std::vector<std::optional<Numbers>> scratch_;
+  std::vector<Numbers> taken_;  // by program: what it and those that it calls use as their own
   std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is looked at
 };
 
@@ -104,6 +107,37 @@ Bits OverwrittenCheck::handed_over(const ProgramFlow& flow, const Numbers& both)
   return handed;
 }
 
+/// What the called program of a call takes, its caller takes too; whether that is more.
+bool OverwrittenCheck::hand_on(const CallEdge& edge) {
+  Numbers& own = taken_[static_cast<std::size_t>(edge.caller)];
+  Numbers more;
+  for (const std::int32_t number : taken_[static_cast<std::size_t>(edge.called)]) {
+    const bool shared = !edge.macro || !c_.code.place(number).is_local();
+    if (shared && !std::binary_search(own.begin(), own.end(), number)) more.push_back(number);
+  }
+  own.insert(own.end(), more.begin(), more.end());
+  std::sort(own.begin(), own.end());
+  return !more.empty();
+}
+
+void OverwrittenCheck::find_taken() {
+  taken_.resize(c_.flows.size());
+  std::vector<std::int32_t> waiting;
+  for (const ProgramFlow& flow : c_.flows) {
+    const std::int32_t program = flow.program();
+    if (!c_.is_called(program) || c_.inside(flow)) continue;
+    taken_[static_cast<std::size_t>(program)] = scratch(program);
+    if (!scratch(program).empty()) waiting.push_back(program);
+  }
+  while (!waiting.empty()) {
+    const std::int32_t program = waiting.back();
+    waiting.pop_back();
+    for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(program)])
+      if (c_.is_called(edge.caller) && edge.caller != program && hand_on(edge))
+        waiting.push_back(edge.caller);
+  }
+}
+
 void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow) {
   Numbers own, called;
   for (Address at = flow.first(); at < flow.last(); ++at)
@@ -112,8 +146,7 @@ void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow) {
   std::sort(own.begin(), own.end());
   for (const CallEdge& edge : flow.calls()) {
     if (edge.called == flow.program()) continue;
-    const Numbers& of = scratch(edge.called);
-    for (const std::int32_t number : of) {
+    for (const std::int32_t number : taken_[static_cast<std::size_t>(edge.called)]) {
       const bool shared = !edge.macro || !c_.code.place(number).is_local();
       if (shared && std::binary_search(own.begin(), own.end(), number)) called.push_back(number);
     }
@@ -127,7 +160,7 @@ void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow) {
 /// What a call of a program makes of its caller's variables.
 Bits OverwrittenCheck::overwrites(const CallEdge& edge, const Numbers& candidates) {
   Bits found = 0;
-  const Numbers& of = scratch(edge.called);
+  const Numbers& of = taken_[static_cast<std::size_t>(edge.called)];
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const bool shared = !edge.macro || !c_.code.place(candidates[i]).is_local();
     if (shared && std::binary_search(of.begin(), of.end(), candidates[i])) found |= Bits{1} << i;
@@ -185,9 +218,12 @@ void OverwrittenCheck::tell_lost(const ProgramFlow& flow, Address at, std::int32
   for (const CallEdge& edge : flow.calls()) {
     if (overwrites(edge, {number}) == 0) continue;
     const bool local = c_.code.place(number).is_local();
+    const Numbers& own = scratch(edge.called);
+    const bool itself = std::binary_search(own.begin(), own.end(), number);
     c_.found(local ? Check::SharedLocal : Check::SharedCommon, at, uses_.place_of(at, number),
              c_.code.name_of(edge.called) + ", called in line " +
-                 std::to_string(c_.code.blocks[edge.from].line) + ", has overwritten #" +
+                 std::to_string(c_.code.blocks[edge.from].line) +
+                 (itself ? ", has overwritten #" : ", and what it calls have overwritten #") +
                  std::to_string(number))
         .path = {edge.from};
     return;
@@ -195,6 +231,7 @@ void OverwrittenCheck::tell_lost(const ProgramFlow& flow, Address at, std::int32
 }
 
 void OverwrittenCheck::run() {
+  find_taken();
   for (const ProgramFlow& flow : c_.flows) {
     if (c_.inside(flow) || flow.calls().empty()) continue;
     calls_at_ = calls_by_block(flow);

@@ -1,5 +1,6 @@
 // What is reached, and how programs end.
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -53,6 +54,14 @@ void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reach
   }
 }
 
+/// Whether some way from a block comes to M99.
+bool leads_back(const ProgramFlow& flow, Address start) {
+  const std::vector<bool> reached = flow.reached_from(start);
+  for (Address at = start; at < flow.last(); ++at)
+    if (reached[at - flow.first()] && flow.returns(at)) return true;
+  return false;
+}
+
 /// Whether a block does something that somebody would miss.
 bool does_something(const Block& block) {
   switch (block.op) {
@@ -88,6 +97,22 @@ void check_unreached(Checker& c, const ProgramFlow& flow, const std::vector<bool
   }
 }
 
+/// A program that is only called returns at its end: nothing else can be meant.
+void mend_end(const Checker& c, const ProgramFlow& flow, Finding& found) {
+  const Program& program = c.program(flow.program());
+  const bool called = c.is_called(flow.program()) && flow.program() != c.main;
+  if (!called || flow.ever_ends() || ends_in_g99(c, flow)) return;
+  const std::string& text = c.code.files[program.file].text;
+  const Block& last = c.code.blocks[flow.last() - 1];
+  std::size_t end = std::min(text.find('\n', last.text), text.size());
+  const bool two = end > last.text && text[end - 1] == '\r';
+  if (two) --end;
+  if (program.text_end < end) return;  // another program begins in the line
+  found.edits.push_back({flow.last() - 1,
+                         {static_cast<std::uint32_t>(end), 0},
+                         two ? "\r\nM99" : "\nM99"});
+}
+
 /// What runs into its end.
 void check_end(Checker& c, const ProgramFlow& flow, bool reached) {
   if (!reached) return;
@@ -95,9 +120,12 @@ void check_end(Checker& c, const ProgramFlow& flow, bool reached) {
   const bool alarms = c.code.control->reading.missing_end.value == MissingEnd::Alarm;
   const std::string what = c.code.name_of(program) + " ends without M02, M30 or M99";
   if (!alarms && (!c.is_called(flow.program()) || flow.last() == flow.first())) return;
-  const Address at = flow.last() > flow.first() ? flow.last() - 1 : flow.last();
+  const bool empty = flow.last() == flow.first();
+  const Address at = empty ? flow.last() : flow.last() - 1;
+  if (c.code.blocks[at].op == Op::Fault) return;  // what is wrong there may have been the end
   const Block& last = c.code.blocks[at];
   Finding& found = c.found(Check::NoEnd, at, {last.text, last.length}, what);
+  if (!empty) mend_end(c, flow, found);
   if (!alarms) return;
   found.alarm = Fault{Cause::EndOfRecord, program.text_end, 1, what};
   found.alarm_block = flow.last();
@@ -114,6 +142,28 @@ void check_ends_in_call(Checker& c, const ProgramFlow& flow) {
   c.found(Check::EndsInCall, at, {block.text, block.length},
           c.code.name_of(flow.program()) + " is called from " + c.code.name_of(call.caller))
       .path = {call.from};
+}
+
+/// Parts of a main program that it calls, and that it also runs into.
+void check_fallen_into(Checker& c, const ProgramFlow& flow) {
+  if (flow.entries().empty() || c.is_called_by_another(flow.program())) return;
+  const std::vector<bool> reached = flow.reached_from(flow.first());
+  std::set<Address> told;
+  for (const CallEdge& edge : flow.calls()) {
+    const Address start = edge.start;
+    const bool part =
+        edge.called == flow.program() && start > flow.first() && start < flow.last();
+    if (!part || !reached[start - 1 - flow.first()] || !told.insert(start).second) continue;
+    const bool falls = std::any_of(flow.begin(start - 1), flow.end(start - 1), [&](const Exit& of) {
+      return of.to == start && of.way == Way::Next;
+    });
+    if (!falls || !leads_back(flow, start)) continue;
+    const Block& block = c.code.blocks[start];
+    c.found(Check::FallenInto, start, {block.text, block.length},
+            "line " + std::to_string(c.code.blocks[edge.from].line) +
+                " calls it, and the block before it runs into it")
+        .path = {edge.from};
+  }
 }
 
 }  // namespace
@@ -133,6 +183,7 @@ void check_reach(Checker& c) {
     mark_profiles(c, flow, reached);
     if (!starts) check_unreached(c, flow, reached);
     check_ends_in_call(c, flow);
+    check_fallen_into(c, flow);
     const bool only_called = flow.ever_returns() && !flow.ever_ends();
     if (!computed && only_called && !c.is_called(flow.program()) && flow.program() != c.main &&
         program.duplicate_of == kNoProgram && c.flows.size() > 1 &&

@@ -7,6 +7,7 @@
 #include "cncsub/code/target.hpp"
 #include "cncsub/code/variable_faults.hpp"
 #include "cncsub/code/variables_used.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -83,11 +84,37 @@ void check_uses(Checker& c, Address at, std::int32_t program, const Block& block
   for (const VariableReference& of : uses.writes) check_variable(c, at, of, true);
 }
 
+bool is_of_loops(Cause cause) {
+  return cause == Cause::MissingEnd || cause == Cause::MissingDo || cause == Cause::IfWithoutEnd;
+}
+
+/// Whether an IF is refused because a statement or a word stands right behind its condition.
+bool lacks_then(const Code& code, const Program& program, const Fault& fault) {
+  const IfForm form = code.control->macros.if_form.value;
+  if (fault.cause != Cause::IfFormat || form == IfForm::GotoOnly || form == IfForm::Blocks)
+    return false;
+  const std::string& text = code.files[program.file].text;
+  std::size_t behind = std::min<std::size_t>(fault.at, text.size());
+  std::size_t before = behind;
+  while (behind < text.size() && is_blank(text[behind])) ++behind;
+  if (behind == text.size() || (text[behind] != '#' && !is_letter(text[behind]))) return false;
+  while (before > 0 && is_blank(text[before - 1])) --before;
+  return before > 0 && text[before - 1] == ']';
+}
+
+void check_fault(Checker& c, Address at, const Program& program, const Fault& fault) {
+  Check check = Check::Refused;
+  if (fault.cause == Cause::JumpTargetNotFound) check = Check::TargetMissing;
+  if (is_of_loops(fault.cause)) check = Check::LoopUnclosed;
+  if (lacks_then(c.code, program, fault)) check = Check::IfWithoutThen;
+  c.refused(check, at, fault);
+}
+
 void check_block(Checker& c, Address at, std::int32_t program) {
   const Block& block = c.code.blocks[at];
   each_variant(c.code, block, [&](const Block& of) {
     each_g(c.code, of, [&](int g) { check_code(c, at, g); });
-    if (of.op == Op::Fault) c.refused(Check::Refused, at, c.code.faults[of.aux]);
+    if (of.op == Op::Fault) check_fault(c, at, c.program(program), c.code.faults[of.aux]);
     if (of.op == Op::Call || of.op == Op::MacroCall || of.op == Op::ModalCall)
       check_call(c, at, program, c.code.calls[of.aux]);
   });

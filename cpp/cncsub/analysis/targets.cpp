@@ -159,13 +159,15 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
     return;
   }
   std::set<std::int32_t> seen;
+  std::size_t told = 0;
   for (const CallEdge& edge : callers) {
-    if (seen.size() >= kToldCallers) break;
+    if (told >= kToldCallers) break;
     if (!seen.insert(edge.caller).second) continue;
     const Program& caller = c_.program(edge.caller);
-    if (c_.code.return_target(caller, to.n, edge.from) == kNowhere)
+    if (c_.code.return_target(caller, to.n, edge.from) == kNowhere) {
       missing(caller).path = {edge.from};
-    else
+      ++told;
+    } else
       ambiguous(to.from, caller, to.n, to.place);
   }
 }

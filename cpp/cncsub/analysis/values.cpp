@@ -2,11 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cncsub/analysis/checker.hpp"
-#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -88,120 +86,33 @@ void check_drops(Checker& c, Address at, const Block& block) {
     c.found(Check::Dropped, at, {drop->at, drop->width}, "the control does not obey it");
 }
 
-bool is_logic(std::string_view name) { return name == "AND" || name == "OR" || name == "XOR"; }
-bool is_operator(std::string_view name) {
-  for (const std::string_view of : {"EQ", "NE", "GT", "LT", "GE", "LE", "MOD"})
-    if (name == of) return true;
-  return false;
-}
-
-/// The operations of an expression by its brackets.
-class Operations {
- public:
-  /// Whether a logic operation stands beside another one in the same brackets.
-  bool mixed(std::string_view text);
-
- private:
-  struct Level {
-    bool logic = false, other = false;
-    bool mixed() const { return logic && other; }
-  };
-  /// Takes one sign; false where brackets end that hold both kinds.
-  bool take(char sign);
-  void take_name(std::string_view written);
-
-  std::vector<Level> levels_{1};
-  bool value_ = false;  // behind one, where a sign is an operation
-};
-
-bool Operations::take(char sign) {
-  const bool operation = sign == '+' || sign == '-' || sign == '*' || sign == '/';
-  if (sign == '[') levels_.emplace_back();
-  if (operation && value_) levels_.back().other = true;
-  if (sign == ']') {
-    if (levels_.back().mixed()) return false;
-    if (levels_.size() > 1) levels_.pop_back();
-  }
-  if (!is_blank(sign)) value_ = !operation && sign != '[';
-  return true;
-}
-
-void Operations::take_name(std::string_view written) {
-  std::string name;
-  for (const char letter : written) name += upper(letter);
-  levels_.back().logic = levels_.back().logic || is_logic(name);
-  levels_.back().other = levels_.back().other || is_operator(name);
-  value_ = false;
-}
-
-bool Operations::mixed(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (!is_letter(text[i])) {
-      if (!take(text[i])) return true;
-      continue;
-    }
-    std::size_t end = i;
-    while (end < text.size() && is_letter(text[end])) ++end;
-    take_name(text.substr(i, end - i));
-    i = end - 1;
-  }
-  return levels_.back().mixed();
-}
-
-const char* read_as(LogicOrder order) {
-  switch (order) {
-    case LogicOrder::Last:
-      return "here logic comes after comparisons and arithmetic";
-    case LogicOrder::LastOfConditions:
-      return "here logic of conditions comes last, that of numbers as in arithmetic";
-    default:
-      return "here AND comes where * does, OR and XOR where + does, before any comparison";
-  }
-}
-
-void check_logic(Checker& c, Address at, const Block& block, std::string_view text) {
-  switch (block.op) {
-    case Op::Assign:
-    case Op::IfGoto:
-    case Op::IfThen:
-    case Op::If:
-    case Op::While:
-      break;
-    default:
-      return;
-  }
-  const Expression& of = c.code.expressions[c.code.statements[block.aux].expression];
-  bool logic = false;
-  for (const Instruction* ins = c.code.instructions.data() + of.first; ins->op != Ins::End; ++ins)
-    logic = logic || ins->op == Ins::And || ins->op == Ins::Or || ins->op == Ins::Xor;
-  if (logic && Operations().mixed(text.substr(of.at, of.width)))
-    c.found(Check::LogicOrder, at, {of.at, of.width},
-            read_as(c.code.control->macros.logic_order.value));
-}
-
 /// G99 as the last block of a program that nothing else ends.
 void check_last(Checker& c, const ProgramFlow& flow) {
-  if (flow.last() == flow.first() || flow.ever_returns() || flow.program() == c.main) return;
-  constexpr int kG99 = 990;
+  if (!ends_in_g99(c, flow) || flow.ever_returns() || flow.program() == c.main) return;
   const Block& block = c.code.blocks[flow.last() - 1];
-  bool g99 = false;
-  each_g(c.code, block, [&](int g) { g99 = block.g_count == 1 && g == kG99; });
-  if (g99 && block.op == Op::Words && (block.mask & ~bit('P')) == 0 && block.m_count == 0)
-    c.found(Check::G99ForM99, flow.last() - 1, {block.text, block.length}, "");
+  c.found(Check::G99ForM99, flow.last() - 1, {block.text, block.length}, "");
 }
 
 }  // namespace
 
+bool ends_in_g99(const Checker& c, const ProgramFlow& flow) {
+  constexpr int kG99 = 990;
+  if (flow.last() == flow.first()) return false;
+  const Block& block = c.code.blocks[flow.last() - 1];
+  if (block.op != Op::Words || (block.mask & ~bit('P')) != 0 || block.m_count != 0) return false;
+  bool g99 = false;
+  each_g(c.code, block, [&](int g) { g99 = block.g_count == 1 && g == kG99; });
+  return g99;
+}
+
 void check_values(Checker& c) {
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
-    const std::string& text = c.code.files[c.program(flow.program()).file].text;
     check_points(c, flow);
     check_last(c, flow);
     for (Address at = flow.first(); at < flow.last(); ++at)
       each_variant(c.code, c.code.blocks[at], [&](const Block& block) {
         check_drops(c, at, block);
-        check_logic(c, at, block, text);
         if (block.op == Op::Call || block.op == Op::MacroCall || block.op == Op::ModalCall)
           check_call(c, at, c.code.calls[block.aux]);
       });

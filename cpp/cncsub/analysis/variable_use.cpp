@@ -54,8 +54,10 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
     const Bits own = each.number < 0 ? 0 : bit_of(each.number, use.reads);
     use.read_locals |= own;
     const std::string_view written = std::string_view(text).substr(each.place.at, each.place.width);
-    const bool alone =
-        is_words(block.op) && written.find_first_of("[+*/") == std::string_view::npos;
+    // A word or a copy: without a value the word is not there, and the copy has none.
+    const char* operations = is_words(block.op) ? "[+*/" : "[+*/-";
+    const bool alone = (is_words(block.op) || block.op == Op::Assign) &&
+                       written.find_first_of(operations) == std::string_view::npos;
     if (alone) use.word_locals |= own;
   }
   for (const VariableReference& each : of.writes) {

@@ -18,7 +18,7 @@ constexpr std::int32_t kMostBits = 64;
 struct VariableUse {
   std::vector<std::int32_t> reads, writes;  // locals and commons by number
   Bits read_locals = 0, written_locals = 0;
-  Bits word_locals = 0;  // those of `read_locals` that a word holds alone
+  Bits word_locals = 0;  // those of `read_locals` that a word holds alone, or that are copied
   bool tests = false;    // compares with #0: what it reads may be vacant
   bool any = false;      // a number is computed, or a name is used
 };

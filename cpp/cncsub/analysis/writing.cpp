@@ -137,25 +137,39 @@ bool prints(const Code& code, const Block& block) {
 constexpr const char* kSmall =
     "read here as capitals; a control without small letters refuses them or passes them over";
 
+CertainEdit in_capitals(Address block, TextPlace place, std::string_view text) {
+  CertainEdit edit{block, place, std::string(text.substr(place.at, place.width))};
+  for (char& letter : edit.text) letter = upper(letter);
+  return edit;
+}
+
 /// o2 as the head of a program.
-void check_head(Checker& c, const ProgramFlow& flow, std::string_view text) {
+void head_in_capitals(const Checker& c, const ProgramFlow& flow, std::string_view text,
+                      std::vector<CertainEdit>& edits) {
   const Program& program = c.program(flow.program());
   if (program.name_length == Program::kOfFile || program.number < 0) return;
   for (std::uint32_t at = program.name_at > 0 ? program.name_at - 1 : 0; at <= program.name_at;
        ++at)
     if (at < text.size() && text[at] == 'o')
-      c.found(Check::SmallLetters, flow.first(), {at, program.name_at + program.name_length - at},
-              kSmall);
+      edits.push_back(in_capitals(
+          flow.first(), {at, program.name_at + program.name_length - at}, text));
 }
 
+/// Told once for a program: who writes small letters writes them everywhere.
 void check_letters(Checker& c, const ProgramFlow& flow, std::string_view text) {
   if (c.code.control->dialect != "iso") return;  // other languages take small letters
-  check_head(c, flow, text);
+  std::vector<CertainEdit> edits;
+  head_in_capitals(c, flow, text, edits);
   for (Address at = flow.first(); at < flow.last(); ++at) {
     const Block& block = c.code.blocks[at];
     const TextPlace place = small_letters(text, block);
-    if (place.width > 0 && !prints(c.code, block)) c.found(Check::SmallLetters, at, place, kSmall);
+    if (place.width > 0 && !prints(c.code, block)) edits.push_back(in_capitals(at, place, text));
   }
+  if (edits.empty()) return;
+  const std::string more =
+      edits.size() == 1 ? "" : " (and in " + std::to_string(edits.size() - 1) + " more places)";
+  c.found(Check::SmallLetters, edits.front().block, edits.front().place, kSmall + more).edits =
+      std::move(edits);
 }
 
 }  // namespace

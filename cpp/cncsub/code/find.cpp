@@ -67,7 +67,7 @@ auto named(const Code& code, std::string_view name) {
 void Code::register_programs(const std::function<bool()>& over) {
   for (auto* index : {&by_number, &by_name})
     for (ProgramIndex& table : *index) table.reserve(programs.size() + files.size());
-  for (std::size_t i = 0; i < programs.size() && !over(); ++i) {
+  const auto known = [this](std::size_t i) {
     Program& program = programs[i];
     const SourceFile& file = files[program.file];
     const auto place = static_cast<std::int32_t>(i);
@@ -81,7 +81,15 @@ void Code::register_programs(const std::function<bool()>& over) {
     const std::string_view base = last_part(file.name);
     if (first_in_file(*this, i) && !base.empty())
       names.find_or_add(hash_of(base), named(*this, base), place);
+  };
+  bool parts = false;
+  for (std::size_t i = 0; i < programs.size() && !over(); ++i) {
+    if (programs[i].inside == kNoProgram) known(i);
+    parts = parts || programs[i].inside != kNoProgram;
   }
+  // A name means a file first: the parts of files are found by their labels.
+  for (std::size_t i = 0; parts && i < programs.size() && !over(); ++i)
+    if (programs[i].inside != kNoProgram) known(i);
 }
 
 std::int32_t Code::find(std::int64_t number, bool external) const {

@@ -1,7 +1,7 @@
 """Tests of NC programs: cases that say what has to come out, tables of them, and the language of
 what ran and of moves. The conformance tables of cncsub itself are written in it.
 
-With pytest installed, `cncsub.testing.plugin` is loaded by it: a fixture `cnc`, `--control`, and
+With pytest installed, the plugin `cncsub_pytest` is loaded by it: a fixture `cnc`, `--control`, and
 `*.nctest.toml` as tests.
 """
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import cncsub
+from cncsub.ran import step_lines
 from cncsub.testing import moves as motion
 from cncsub.testing.cases import UNKNOWN, Case, Row, Text
 
@@ -317,17 +318,57 @@ def _place_difference(what: str, expected: Any, got: Mapping[str, float]) -> Ite
         yield f"{what}: expected {motion.write_point(expected)}, got {motion.write_point(got)}"
 
 
+def _parting(case: Case, run: cncsub.Run) -> Iterator[str]:
+    """Where what ran parts from `runs`: the block before, and the one that ran then."""
+    if case.runs is None:
+        return
+    got = executed(run, with_program=any(":" in block for block in case.runs))
+    expected = _with_programs_as(got, case.runs)
+    if expected == got:
+        return
+    same = sum(1 for _ in itertools.takewhile(lambda pair: pair[0] == pair[1], zip(expected, got)))
+    numbered = [step for step, n in enumerate(run.steps.n.tolist()) if n >= 0]
+    for what, place in (("behind", same - 1), ("ran then", same)):
+        if 0 <= place < len(numbered):
+            lines = "\n    ".join(step_lines(run, numbered[place]))
+            yield f"{what}: {lines}"
+
+
+def _last_writes(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterator[str]:
+    """Which blocks gave the variables that differ their last values."""
+    wrong = [
+        number
+        for number, expected in case.variables.items()
+        if any(_variable_difference("", number, expected, run.variables.get(number)))
+    ]
+    if not wrong or case.mdi is not None:
+        return
+    watched = library.run(**{**_options(case), "watch": wrong}).watch
+    rows = list(watched)
+    for number in wrong:
+        row = next((r for r in reversed(rows) if r.variable == number and r.step is not None), None)
+        if row is not None and row.step < len(run.steps):
+            lines = "\n    ".join(step_lines(run, row.step))
+            yield f"#{number} was written last by {lines}"
+
+
 def report(row: Row, found: list[str], control: cncsub.Control | None = None) -> str:
     """What a person needs to see of a row that failed."""
     case = row.case
-    run = execute(case, load(case, control or cncsub.controls[row.control]))
+    library = load(case, control or cncsub.controls[row.control])
+    run = execute(case, library)
     parts = [
         f"{case.topic}:{case.line}: {case.claim}",
         case.told_on(row.control),
         *_programs(case),
         *found,
         f"executed: {_around(executed(run, with_program=True), 0, 60)}",
+        *_parting(case, run),
+        *_last_writes(case, library, run),
     ]
+    if len(run.steps) and run.alarm is None:
+        lines = "\n    ".join(step_lines(run, len(run.steps) - 1))
+        parts.append(f"the last block: {lines}")
     values = run.variables
     told = [f"#{n}={_value(values.get(n))}" for n in itertools.islice(sorted(values), 40)]
     if told:

@@ -1,0 +1,206 @@
+// AND, OR and XOR that bind otherwise than it looks.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/analysis/checker.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+namespace {
+
+bool is_logic(std::string_view name) { return name == "AND" || name == "OR" || name == "XOR"; }
+bool is_operator(std::string_view name) {
+  for (const std::string_view of : {"EQ", "NE", "GT", "LT", "GE", "LE", "MOD"})
+    if (name == of) return true;
+  return false;
+}
+
+/// What is told of a text: logic beside another operation, or AND beside OR where both bind alike.
+enum class Asked : std::uint8_t { Nothing, OtherOperations, OtherLogic, Both };
+
+/// The operations of an expression by its brackets.
+class Operations {
+ public:
+  explicit Operations(Asked asked) : asked_(asked) {}
+  /// Whether a logic operation stands beside another one in the same brackets.
+  bool mixed(std::string_view text);
+
+ private:
+  struct Level {
+    bool logic = false, other = false;
+    bool after_or = false;   // an OR or XOR was met
+    bool and_after = false;  // and an AND behind it, which comes first where it binds closer
+  };
+  bool mixed(const Level& level) const;
+  /// Takes one sign; false where brackets end that hold both kinds.
+  bool take(char sign);
+  void take_name(std::string_view written);
+
+  Asked asked_;
+  std::vector<Level> levels_{1};
+  bool value_ = false;  // behind one, where a sign is an operation
+};
+
+bool Operations::mixed(const Level& level) const {
+  return (asked_ != Asked::OtherLogic && level.logic && level.other) ||
+         (asked_ != Asked::OtherOperations && level.and_after);
+}
+
+bool Operations::take(char sign) {
+  const bool operation = sign == '+' || sign == '-' || sign == '*' || sign == '/';
+  if (sign == '[') levels_.emplace_back();
+  if (operation && value_) levels_.back().other = true;
+  if (sign == ']') {
+    if (mixed(levels_.back())) return false;
+    if (levels_.size() > 1) levels_.pop_back();
+  }
+  if (!is_blank(sign)) value_ = !operation && sign != '[';
+  return true;
+}
+
+void Operations::take_name(std::string_view written) {
+  std::string name;
+  for (const char letter : written) name += upper(letter);
+  Level& level = levels_.back();
+  level.logic = level.logic || is_logic(name);
+  level.after_or = level.after_or || name == "OR" || name == "XOR";
+  level.and_after = level.and_after || (level.after_or && name == "AND");
+  level.other = level.other || is_operator(name);
+  value_ = false;
+}
+
+bool Operations::mixed(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '<') {  // a name
+      i = std::min(text.find('>', i), text.size() - 1);
+      value_ = true;
+      continue;
+    }
+    if (!is_letter(text[i])) {
+      if (!take(text[i])) return true;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    take_name(text.substr(i, end - i));
+    i = end - 1;
+  }
+  return mixed(levels_.back());
+}
+
+/// Whether a text holds the name of a logic operation.
+bool has_logic(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!is_letter(text[i])) continue;
+    std::string name;
+    for (; i < text.size() && is_letter(text[i]); ++i) name += upper(text[i]);
+    if (is_logic(name)) return true;
+  }
+  return false;
+}
+
+class LogicCheck {
+ public:
+  explicit LogicCheck(Checker& c) : c_(c), order_(c.code.control->macros.logic_order.value) {
+    const bool iso = c.code.control->dialect == "iso";
+    if (iso) asked_ = order_ == LogicOrder::LikeArithmetic ? Asked::OtherOperations : Asked::Both;
+    if (c.code.control->dialect == "linuxcnc") asked_ = Asked::OtherLogic;
+  }
+  bool asks() const { return asked_ != Asked::Nothing; }
+  void block(Address at, const Block& block, const std::string& text);
+
+ private:
+  bool is_statement(const Block& block) const;
+  bool of_numbers(const Expression& of) const;
+  void brackets(Address at, std::string_view text, std::uint32_t first);
+  const char* read_as(Asked asked) const;
+
+  Checker& c_;
+  LogicOrder order_;
+  Asked asked_ = Asked::Nothing;
+};
+
+const char* LogicCheck::read_as(Asked asked) const {
+  if (asked == Asked::OtherLogic) return "here AND, OR and XOR are done from left to right";
+  switch (order_) {
+    case LogicOrder::Last:
+      return "here logic comes after comparisons and arithmetic";
+    case LogicOrder::LastOfConditions:
+      return "here logic of conditions comes last, that of numbers as in arithmetic";
+    default:
+      return "here AND comes where * does, OR and XOR where + does, before any comparison";
+  }
+}
+
+bool LogicCheck::is_statement(const Block& block) const {
+  switch (block.op) {
+    case Op::Assign:
+    case Op::IfGoto:
+    case Op::IfThen:
+    case Op::If:
+    case Op::While:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Whether logic of numbers is done, which may be meant as logic of conditions.
+bool LogicCheck::of_numbers(const Expression& of) const {
+  for (const Instruction* ins = c_.code.instructions.data() + of.first; ins->op != Ins::End; ++ins)
+    if (ins->op == Ins::And || ins->op == Ins::Or || ins->op == Ins::Xor) return true;
+  return false;
+}
+
+/// What stands in brackets in a block of words, of a call or of a label.
+void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first) {
+  std::size_t depth = 0, from = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(' || text[i] == ';') return;  // a comment
+    if (text[i] == '[' && depth++ == 0) from = i;
+    if (text[i] != ']' || depth == 0 || --depth > 0) continue;
+    const std::string_view inside = text.substr(from + 1, i - from - 1);
+    if (!has_logic(inside) || !Operations(asked_).mixed(inside)) continue;
+    c_.found(Check::LogicOrder, at,
+             {static_cast<std::uint32_t>(first + from), static_cast<std::uint32_t>(i - from + 1)},
+             read_as(asked_));
+    return;
+  }
+}
+
+void LogicCheck::block(Address at, const Block& block, const std::string& text) {
+  const bool extra = (block.flags & Block::kHasExtra) != 0 &&
+                     c_.code.cells[block.data].extra.expressions != 0;
+  if (!is_statement(block)) {
+    if (block.op == Op::Fault || (block.op <= Op::Arc && !extra)) return;
+    return brackets(at, std::string_view(text).substr(block.text, block.length), block.text);
+  }
+  const Expression& of = c_.code.expressions[c_.code.statements[block.aux].expression];
+  const std::string_view written = std::string_view(text).substr(of.at, of.width);
+  // Conditions that are compared first and joined then are what they look like, but for AND and OR.
+  const bool numbers = asked_ == Asked::OtherLogic || of_numbers(of);
+  const Asked asked = numbers                  ? asked_
+                      : asked_ == Asked::Both ? Asked::OtherLogic
+                                              : Asked::Nothing;
+  if (asked != Asked::Nothing && has_logic(written) && Operations(asked).mixed(written))
+    c_.found(Check::LogicOrder, at, {of.at, of.width}, read_as(asked));
+}
+
+}  // namespace
+
+void check_logic(Checker& c) {
+  LogicCheck logic(c);
+  if (!logic.asks()) return;
+  for (const ProgramFlow& flow : c.flows) {
+    if (c.inside(flow)) continue;
+    const std::string& text = c.code.files[c.program(flow.program()).file].text;
+    for (Address at = flow.first(); at < flow.last(); ++at)
+      each_variant(c.code, c.code.blocks[at],
+                   [&](const Block& block) { logic.block(at, block, text); });
+  }
+}
+
+}  // namespace cncsub

@@ -1,0 +1,213 @@
+"""Over all rows that end well and over all examples, each finding is accounted for: what the run
+did, or what is written, shows that it is true."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import sys
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+from typer.testing import CliRunner
+
+import cncsub
+from cncsub.cli import app
+
+sys.path.insert(0, str(Path(__file__).with_name("conformance")))
+from cncsub.testing import outcome
+from conformance import Row, rows
+
+EXAMPLES = Path(__file__).parent.parent / "examples"
+
+
+class Seen(NamedTuple):
+    """A finding, and the run of its programs."""
+
+    finding: cncsub.Finding
+    library: cncsub.Library
+    run: cncsub.Run
+    ran: set[tuple[str, int]]
+    options: dict[str, Any]
+
+    @property
+    def reached(self) -> bool:
+        return (self.finding.program, self.finding.line) in self.ran
+
+    @property
+    def text(self) -> str:
+        return self.library[self.finding.program].text
+
+
+def never_ran(seen: Seen) -> bool:
+    """A block with a slash or a condition runs without what is wrong in it."""
+    partly = re.search(r"/|IF|THEN", seen.finding.source, re.IGNORECASE)
+    return not seen.reached or partly is not None
+
+
+def not_called(seen: Seen) -> bool:
+    name = seen.finding.program  # one of the same name on the device is another
+    outside = name in seen.library.external
+    return outside or all(call.program != name for call in seen.run.calls)
+
+
+def is_vacant_there(seen: Seen) -> bool:
+    """The variable has no value when the block is about to run, the first time; nobody gave it one
+    before the run.
+    """
+    number = int(re.findall(r"#(\d+)", seen.finding.message)[0])
+    if number in (seen.options.get("variables") or {}):
+        return True
+    machine = seen.library.machine(**seen.options)
+    while True:
+        before = machine.variables.get(number)
+        step = machine.step()
+        if step is None:  # it was not reached
+            return not seen.reached
+        if (step.program, step.line) == (seen.finding.program, seen.finding.line):
+            return before is None
+
+
+def dropped(seen: Seen) -> bool:
+    lines = {(word.program, word.line) for word in seen.run.dropped}
+    return (seen.finding.program, seen.finding.line) in lines or not seen.reached
+
+
+def written(pattern: str) -> Callable[[Seen], bool]:
+    return lambda seen: re.search(pattern, seen.finding.source) is not None
+
+
+def lines_have_the_number(seen: Seen) -> bool:
+    told = re.match(r"(N\d+) stands in lines ([\d, .]+)", seen.finding.message)
+    assert told is not None
+    return len(re.findall(r"\d+", told[2])) > 1
+
+
+def of_labels(seen: Seen) -> bool:
+    """LinuxCNC runs on where a branch that is taken, or a loop that is left, has no end."""
+    return seen.library.control.name == "linuxcnc" or never_ran(seen)
+
+
+def ends_there(seen: Seen) -> bool:
+    last = seen.run.steps[len(seen.run.steps) - 1]
+    return (last.program, last.line) == (seen.finding.program, seen.finding.line) or not seen.reached
+
+
+def runs_into_its_end(seen: Seen) -> bool:
+    """The control takes it, the end is not reached, or a parameter makes it a reset."""
+    if seen.finding.alarm is None or not seen.reached:
+        return True
+    last = seen.run.steps[len(seen.run.steps) - 1]
+    return last.program == seen.finding.program or "3404" in str(seen.library.control.parameters)
+
+
+def anything(seen: Seen) -> bool:
+    """Told of what is written: the words of the finding are in the program."""
+    return seen.finding.word in seen.finding.source
+
+
+ACCOUNTS: dict[str, Callable[[Seen], bool]] = {
+    "CS101": never_ran, "CS102": never_ran, "CS103": never_ran, "CS104": never_ran,
+    "CS105": never_ran, "CS201": never_ran, "CS202": never_ran, "CS203": never_ran,
+    "CS204": lines_have_the_number,
+    "CS205": lambda seen: bool(seen.library.duplicates) or of_labels(seen),
+    "CS206": never_ran, "CS207": of_labels,
+    "CS301": lambda seen: not seen.reached, "CS302": not_called, "CS303": runs_into_its_end,
+    "CS304": ends_there, "CS305": lambda seen: not_called(seen) or seen.finding.line > 1,
+    "CS401": never_ran, "CS403": never_ran, "CS402": lambda seen: seen.finding.message.count(">") >= 1,
+    "CS501": lambda seen: bool(seen.finding.word), "CS502": written("M98|G65"),
+    "CS503": written("M98|G65|M97"),
+    "CS601": is_vacant_there, "CS602": written("#|=|DO|IF"), "CS603": is_vacant_there,
+    "CS604": anything, "CS605": written("#"), "CS606": written("#"),
+    "CS701": written(r"[XYZUVW]-?\d+(?![.\d])"), "CS702": written(r"P\d{5}"),
+    "CS703": written("L0"), "CS704": dropped, "CS705": written("(?i)AND|OR"),
+    "CS706": written("G99"), "CS801": dropped, "CS802": written(";"),
+    "CS803": written("[a-z]"),
+}  # fmt: skip
+
+
+def look_at(library: cncsub.Library, run: cncsub.Run, options: dict[str, Any]) -> Counter[str]:
+    setup = options.get("setup")
+    machine = {"machine": setup.machine} if setup is not None and setup.machine else None
+    findings = library.check(setup=machine)
+    ran = {(step.program, step.line) for step in run.steps} if findings else set()
+    for finding in findings:
+        seen = Seen(finding, library, run, ran, options)
+        assert ACCOUNTS[finding.rule](seen), f"{library.control.name}: {finding}"
+    return Counter(finding.rule for finding in findings)
+
+
+def ends_well(row: Row) -> bool:
+    return row.case.mdi is None and row.case.stop in ("end", "cycles")
+
+
+def test_findings_in_rows_that_end_well_are_true() -> None:
+    counted: Counter[str] = Counter()
+    checked = 0
+    for row in rows():
+        if not ends_well(row):
+            continue
+        library = outcome.load(row.case, cncsub.controls[row.control])
+        options = outcome._options(row.case)
+        checked += 1
+        if library.check():
+            counted += look_at(library, outcome.execute(row.case, library), options)
+    assert checked > 8000
+    assert sum(counted[rule] for rule in ("CS101", "CS104", "CS201", "CS202")) > 50
+    assert sum(counted.values()) > 2000
+
+
+# What is found in the examples, checked as their heads say, and why it is no mistake.
+IN_EXAMPLES: dict[tuple[str, str], set[str]] = {
+    ("gsk/980tdi-macro.nc", "CS101"): {"O0001 N130"},  # its head says how G100 is registered
+    ("gsk/988t-self-call.nc", "CS403"): {"O0001 N20"},  # it shows the alarm
+    ("mitsubishi/meldas_jump.nc", "CS301"): {"O1 N30"},  # what the jump passes over
+    ("mitsubishi/meldas_l0.nc", "CS703"): {"O1 N10", "O1 N20"},  # it shows what L0 does
+    ("mitsubishi/meldas_too_deep.nc", "CS401"): {"O5 N51"},  # it shows the alarm
+}  # fmt: skip
+
+
+def example_checks() -> list[tuple[str, list[str]]]:
+    """The example and the words of `check` for each command in its head."""
+    found: dict[tuple[str, ...], str] = {}
+    for file in sorted(EXAMPLES.rglob("*")):
+        if not file.is_file() or file.suffix in (".toml", ".ipynb"):
+            continue
+        head = cncsub.files.decode(file.read_bytes())[:4000]
+        for command in re.findall(r"cncsub (?:run|tree) ([^\n]*)", head):
+            words = check_words(shlex.split(command.split(")")[0]))
+            if words:
+                found.setdefault(tuple(words), str(file.relative_to(EXAMPLES)))
+    return [(name, list(words)) for words, name in found.items()]
+
+
+def check_words(words: list[str]) -> list[str]:
+    """Those of a run that `check` takes too: what is read, and on which control."""
+    taken: list[str] = []
+    each = iter(words)
+    for word in each:
+        if word in ("-c", "--control", "--param", "-p", "--external", "--setup"):
+            taken += [word, next(each)]
+        elif word.startswith("--mdi"):
+            return []
+        elif word.startswith("-"):
+            next(each, None)
+        else:
+            taken.append(word)
+    return taken
+
+
+def test_findings_in_examples_are_accounted_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(EXAMPLES.parent)
+    told: dict[tuple[str, str], set[str]] = {}
+    for name, words in example_checks():
+        done = CliRunner().invoke(app, ["check", *words, "--format", "json"])
+        assert done.exit_code in (0, 1), (name, words, done.output)
+        for finding in json.loads(done.stdout)["findings"]:
+            where = f"{finding['program']} N{finding['n']}"
+            told.setdefault((name, finding["rule"]), set()).add(where)
+    assert told == IN_EXAMPLES
