@@ -22,6 +22,8 @@ KNOWS = {
     "motion": {"text", "control", "code", "trace"},
     "machine": {"text", "control", "code", "trace", "motion"},
     "analysis": {"text", "control", "code", "trace"},
+    # What a run executed, as a program: it has to run one, and nobody runs it but the bindings.
+    "flat": {"text", "control", "code", "trace", "motion", "machine"},
     "controls": {"text", "control"},
 }
 

@@ -22,13 +22,16 @@ struct Dialect {
   FileReader (*reader)(Builder& to);
   /// The words of a block as they are written.
   ReadWord read_word;
+  /// How it writes what is no plain word.
+  const Spelling* spelling;
 };
 
 /// The dialect of this name, null where there is none.
 const Dialect* find_dialect(std::string_view name);
 
-// The build writes the list from the names of the folders; each holds the functions that it names.
+// The build writes the list from the names of the folders; each holds what it names.
 #define DIALECT(folder)                    \
+  extern const Spelling folder##_spelling; \
   FileReader folder##_reader(Builder& to); \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);
 #include "dialect/list.def"

@@ -14,7 +14,7 @@ namespace cncsub {
 
 const Dialect* find_dialect(std::string_view name) {
   static constexpr Dialect kDialects[] = {
-#define DIALECT(folder) {#folder, folder##_reader, folder##_word},
+#define DIALECT(folder) {#folder, folder##_reader, folder##_word, &folder##_spelling},
 #include "dialect/list.def"
 #undef DIALECT
   };
@@ -83,6 +83,7 @@ class Reading {
       throw std::invalid_argument("no dialect is called " + code.control->dialect);
     read_ = dialect->reader(to_);
     code.read_word = dialect->read_word;
+    code.spelling = dialect->spelling;
   }
 
   void read(SourceFile file) {

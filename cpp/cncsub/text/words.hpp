@@ -25,6 +25,17 @@ struct WrittenWord {
 /// where the block has no more. Each dialect has its own way.
 using ReadWord = std::optional<WrittenWord> (*)(std::string_view block, std::size_t& from);
 
+/// How a dialect writes what is no plain word: a comment, a value that counts as a computed one, a
+/// message. `numbered`: variables are assigned by their number, `#5221=5`; a `message` of nothing is
+/// printed by statements of the FANUC family.
+struct Spelling {
+  struct Around {
+    std::string_view before, behind;
+  };
+  Around comment, value, message;
+  bool numbered = true;
+};
+
 /// Reads the number that stands here as the value of a word; nothing where none with a digit does.
 std::optional<Number> take_number(Scanner& s, WrittenWord& word);
 

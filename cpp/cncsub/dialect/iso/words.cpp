@@ -65,6 +65,8 @@ void pass_value(Scanner& s) {
 
 }  // namespace
 
+const Spelling iso_spelling{{"(", ")"}, {"[", "]"}, {}};
+
 std::optional<WrittenWord> iso_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};
   const char c = s.peek();
