@@ -23,6 +23,8 @@ KNOWS = {
     "motion": {"system", "text", "control", "code", "trace"},
     "machine": {"system", "text", "control", "code", "trace", "motion"},
     "analysis": {"system", "text", "control", "code", "trace"},
+    # What a run executed, as a program: it has to run one, and nobody runs it but the bindings.
+    "flat": {"system", "text", "control", "code", "trace", "motion", "machine"},
     "controls": {"text", "control"},
 }
 

@@ -462,6 +462,28 @@ class Machine:
     @property
     def modal(self) -> dict[str, str]: ...
 
+@final
+class Flattening:
+    """What a run executes as a flat program, piece by piece."""
+
+    def next(self) -> tuple[bytes, dict[str, np.ndarray[Any, Any]]] | None:
+        """The next piece, its text and the columns of its origins; None where nothing more comes."""
+    @property
+    def refusal(self) -> tuple[str, str, int | None, int] | None:
+        """Why the text is not whole: the reason, program, n and line."""
+    @property
+    def ends(self) -> bool:
+        """Whether the run has come to an end that the text has too."""
+    @property
+    def stop(self) -> str: ...
+    @property
+    def waiting_for(self) -> str: ...
+    @property
+    def alarm(self) -> Alarm | None: ...
+    @property
+    def program_names(self) -> list[str]: ...
+
+def flattening(machine: Machine, comments: bool) -> Flattening: ...
 def machine(
     code: Code,
     main: int,

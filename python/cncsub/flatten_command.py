@@ -55,18 +55,22 @@ def flatten(
     comments: Annotated[bool, typer.Option(help="Write where each block comes from.")] = False,
     output: Output = None,
 ) -> None:
-    """Write what a program executes as one program without calls, jumps and variables.
+    """Write what a program executes as one program without calls, jumps and loops.
 
-    It is run and compared before it is written; what cannot be written is refused with its block.
+    It is written while it runs, and what cannot be written is refused with its block. `--to` another
+    control: the flat program is run there and compared before it is written.
     """
     options = {**locals(), "mdi": None}
     with wrong_use():
         library = memory_of(options)
         target = None if to is None else control_named(to)
         asked = run_options(options, "moves")
+        asked.pop("trace", None)
         flat = library.flatten(main, control=target, comments=comments, **asked)
     if output is None:
-        typer.echo(flat.text, nl=False)
+        for piece in flat.pieces():
+            typer.echo(piece, nl=False)
     else:
-        with opened(output, "w") as file:
-            file.write(flat.text)
+        with opened(output, "wb") as file:
+            for piece in flat.pieces():
+                file.write(piece.encode(errors="surrogateescape"))

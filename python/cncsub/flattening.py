@@ -1,36 +1,32 @@
-"""What a run executed, as one program without calls, jumps and variables."""
+"""What a run executed, as one program without calls, jumps and loops."""
 
 from __future__ import annotations
 
-import functools
 import os
-import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Unpack
+from typing import TYPE_CHECKING, Any
 
+from cncsub import _core
 from cncsub._core import Control
 from cncsub.comparison import Pair, Parting
 from cncsub.controls import control_of
 from cncsub.library import Library, Options, loads
-from cncsub.program import Block, Program, Word
-from cncsub.rows import Step
+from cncsub.rows import Origin
 from cncsub.run import Run, Stop
-from cncsub.signatures import spelled_out
-from cncsub.tables import optional_module
+from cncsub.tables import Table
 
 if TYPE_CHECKING:
     import numpy as np
 
-_SYSTEM = 1000  # from here on a variable may be the control's own
-_WITH_CALL = {"M98": "PLHQ", "M198": "PLHQ"}  # what belongs to the call and not to the block
-_LEFT_OUT = {"M97", "M98", "M99", "M198", "G67"}
-_INDIRECT = re.compile(r"#(?!\d)")  # #[#1], ##1, #<name>
-_VARIABLE = re.compile(r"#(\d+)")
-_RESULTS = range(100, 150)  # where a value is computed again
-_Evaluator = Callable[[str, int], Library]
-_DIGITS = (12, 3, 4)  # decimals of computed values
+    from cncsub.inputs import Inputs
+    from cncsub.setup import Setup
+
+    Columns = Mapping[str, np.ndarray[Any, Any]]
+
 _NEAR = 1e-9  # s
+_KEPT = 1 << 26  # bytes of text that are kept; of a longer one each look runs the program again
 _ORIGINS = ("program", "n", "line", "call", "pass")
 
 
@@ -54,34 +50,50 @@ class FlattenError(ValueError):
         return FlattenError, (self.reason, self.program, self.n, self.line)
 
 
-class Origins:
-    """Where the blocks of a flat program come from, a row for each in order. Columns: `program`,
-    `n` (-1: none), `line`, `call` (the row of `run.calls`, -1: the main program) and `pass`.
+class Origins(Table[Origin]):
+    """Where the blocks of a flat program come from, a row for each in order.
+
+    Columns: `program` (codes of `programs`), `n` (-1: none), `line`, `call` (the row of
+    `run.calls`, -1: the main program) and `pass` (of its call, from 1).
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 G91 G0 X5.\\nN40 M99\\n"
+    >>> origins = cncsub.loads(text, control="fanuc-0i-f").flatten().origins
+    >>> origins[1]
+    Origin(program='O2', n=30, line=5, call=0, repeat=2)
+    >>> origins["pass"].tolist()
+    [1, 2, 1]
     """
 
-    columns = _ORIGINS
+    _title = "blocks"
 
-    def __init__(self, rows: list[tuple[str, int, int, int, int]]) -> None:
-        self._rows = rows
+    def __init__(self, programs: list[str], columns: Columns) -> None:
+        self._columns = dict(columns)
+        self._programs = programs
+        for column in self._columns.values():
+            column.flags.writeable = False
 
-    def __len__(self) -> int:
-        return len(self._rows)
+    @property
+    def columns(self) -> list[str]:
+        return list(_ORIGINS)
 
-    def __getitem__(self, name: str) -> np.ndarray[Any, Any]:
-        import numpy as np
+    @property
+    def programs(self) -> list[str]:
+        """The names behind the codes of the column `program`."""
+        return self._programs
 
-        if name not in _ORIGINS:
-            raise KeyError(f"there is no column {name!r}; the columns are {', '.join(_ORIGINS)}")
-        at = _ORIGINS.index(name)
-        return np.asarray([row[at] for row in self._rows], dtype=object if at == 0 else "int64")
+    def _rows(self) -> int:
+        return len(self._columns["n"])
 
-    def to_pandas(self) -> Any:
-        """As a pandas DataFrame."""
-        return optional_module("pandas").DataFrame({name: self[name] for name in _ORIGINS})
+    def _row(self, index: int) -> Origin:
+        program, n, *rest = (int(self._columns[name][index]) for name in _ORIGINS)
+        return Origin(self._programs[program], None if n < 0 else n, *rest)
 
-    def to_arrow(self) -> Any:
-        """As an Arrow table."""
-        return optional_module("pyarrow").table({name: self[name] for name in _ORIGINS})
+    def _fetch(self, names: list[str]) -> dict[str, np.ndarray[Any, Any]]:
+        return {name: self._columns[name].copy() for name in names}
+
+    def _texts(self, name: str) -> list[str] | None:
+        return self._programs if name == "program" else None
 
 
 class _FlatPair(Pair):
@@ -97,51 +109,134 @@ class _FlatPair(Pair):
                 at = int(apart.argmax())
                 steps = (int(a.moves.step[at]), int(b.moves.step[at]))
                 yield self._say((a, b), steps, (f"move {at}", f"move {at} of another time"))
-        if a.stop != b.stop or b.alarm is not None:
+        alarms = [(run.alarm.cause, run.alarm.number) if run.alarm else None for run in (a, b)]
+        if a.stop != b.stop or alarms[0] != alarms[1]:
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
 
 
 class Flat:
-    """A flat program: `text`, and `origins` with a row for each block of it."""
+    """A flat program: `text`, and `origins` with a row for each block of it.
 
-    def __init__(self, text: str, origins: Origins, parts: Callable[[str], Parting | None]) -> None:
-        self.text = text
-        self.origins = origins
+    A text of more than 64 MB is not kept: whoever asks for `text`, `origins`, `pieces()` or
+    `write()` has the program run again.
+    """
+
+    def __init__(
+        self,
+        begin: Callable[[], _core.Flattening],
+        parts: Callable[[str], Parting | None],
+    ) -> None:
+        self._begin = begin
         self._parts = parts
+        self._blocks = 0
+        self._edited: str | None = None
+        self._kept: list[tuple[bytes, Columns]] | None = []
+        size = 0
+        for text, columns in self._written():
+            size += len(text)
+            self._blocks += len(columns["n"])
+            if self._kept is not None:
+                self._kept.append((text, columns))
+            if size > _KEPT:
+                self._kept = None
+
+    def _written(self) -> Iterator[tuple[bytes, Columns]]:
+        """The pieces as the engine writes them, and behind them what keeps the text from being
+        whole.
+        """
+        core = self._begin()
+        while (piece := core.next()) is not None:
+            yield piece
+        if core.refusal is not None:
+            raise FlattenError(*core.refusal)
+        if not core.ends:
+            raise _does_not_end(core)
+
+    def pieces(self) -> Iterator[str]:
+        """The text in pieces of about a megabyte, which end with a block. A text that was set comes
+        in one piece.
+        """
+        if self._edited is not None:
+            yield self._edited
+            return
+        for text, _ in self._kept if self._kept is not None else self._written():
+            yield text.decode(errors="surrogateescape")
+
+    @property
+    def text(self) -> str:
+        """The flat program. It may be set, to see by `verify` what an edit changes."""
+        return "".join(self.pieces())
+
+    @text.setter
+    def text(self, text: str) -> None:
+        self._edited = text
+
+    @cached_property
+    def origins(self) -> Origins:
+        """Where each block of the text comes from: see `Origins`."""
+        import numpy as np
+
+        pieces = self._kept if self._kept is not None else list(self._columns_again())
+        columns = {name: np.concatenate([of[name] for _, of in pieces]) for name in _ORIGINS}
+        return Origins(self._begin().program_names, columns)
+
+    def _columns_again(self) -> Iterator[tuple[bytes, Columns]]:
+        for _, columns in self._written():
+            yield b"", columns
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Write the text to a file."""
-        Path(path).write_text(self.text, encoding="utf-8", newline="")
+        """Write the text to a file, piece by piece: memory stays what one piece needs. Raises
+        `OSError` where the file cannot be written.
+        """
+        with Path(path).open("wb") as file:
+            for piece in self.pieces():
+                file.write(piece.encode(errors="surrogateescape"))
 
     def verify(self) -> None:
-        """Run the program and the text once more, and raise `AssertionError` with the first
-        difference between the two in moves (1e-9 mm), M and T codes, messages and the stop.
-        `flatten` has done so already; a text that was edited since may differ.
+        """Run the program and the text, and raise `AssertionError` with the first difference
+        between the two in moves (1e-9 mm), M and T codes, messages and the stop. Memory: that of
+        both runs and of the text.
         """
         parting = self._parts(self.text)
         if parting is not None:
             raise AssertionError(parting.what)
 
     def __repr__(self) -> str:
-        return f"<Flat: {len(self.origins)} blocks>"
+        return f"<Flat: {self._blocks:,} block{'s' if self._blocks != 1 else ''}>"
 
 
-@spelled_out(Library.run, "mode")
 def flatten(
     library: Library,
     main: str | int | None = None,
     *,
     control: str | Control | None = None,
     comments: bool = False,
-    **options: Unpack[Options],
+    start: int | None = None,
+    variables: Mapping[int, float | None] | None = None,
+    block_skip: Iterable[int] | int = (),
+    optional_stop: bool = False,
+    max_cycles: int = 1,
+    max_blocks: int = 10_000_000,
+    max_seconds: float | None = None,
+    max_memory: int | None = None,
+    inputs: Inputs | Mapping[str, Any] | None = None,
+    setup: Setup | Mapping[str, Any] | None = None,
 ) -> Flat:
-    """Write what `main` executes as one program without calls, jumps and variables.
+    """Write what `main` executes as one program without calls, jumps and loops.
 
-    `control`: the one that the flat program is for, the library's where it is not given.
-    `comments`: the origin of each block behind it. `options` are those of `Library.run`. The flat
-    program is run and compared before it is returned: moves to 1e-9 mm, M and T codes, messages and
-    the stop. Raises `FlattenError` where it cannot be written or does not run alike: a run that
-    does not end, a value that is an expression, a block that writes a variable of the control.
+    The words of the blocks stand as they are written, computed values as numbers that the control
+    takes for the same (in brackets where it takes no plain number so). Offsets, outputs and
+    messages that statements set are set by statements without variables; what DPRNT prints stands
+    in locals.
+
+    `control`: the one that the flat program is for, the library's where it is not given; for
+    another one the flat program is run and compared before it is returned. `comments`: the origin
+    of each block behind it. The other options are those of `Library.run`.
+
+    Raises `FlattenError`, which is a `ValueError`, with the reason and the block where there is no
+    such program: a run that does not end or ends by an alarm that is not the program's own, a value
+    that the control has no way to write, for another control a program that does not run alike
+    there.
 
     >>> import cncsub
     >>> text = "O1\\nG90 G0\\nM98 P2 L2\\nM30\\nO2\\nX#100\\n#100=#100+5\\nM99\\n"
@@ -153,59 +248,61 @@ def flatten(
     X5.
     M30
     """
-    if options.get("trace", "moves") != "moves" or "watch" in options:
-        raise TypeError("flatten looks at all that a run does and takes no trace and no watch")
-    run = library.run(main, **options)
-    if run.stop not in (Stop.END, Stop.CYCLES):
-        raise _does_not_end(run)
+    options: Options = {
+        "start": start,
+        "variables": variables,
+        "block_skip": tuple(block_skip) if not isinstance(block_skip, int) else block_skip,
+        "optional_stop": optional_stop,
+        "max_cycles": max_cycles,
+        "max_blocks": max_blocks,
+        "max_seconds": max_seconds,
+        "max_memory": max_memory,
+        "inputs": inputs,
+        "setup": setup,
+    }
     target = library.control if control is None else control_of(control)
-    # A control rounds computed ends to its increment and cuts written ones off: which digits it
-    # takes is told by what it does.
-    for digits in _DIGITS:
-        writer = _Writer(library, main, comments, digits)
-        writer.write_all(library.machine(main, **options), run)
-        flat, parting = _tried(writer, target, run, library, main, options)
-        if parting is None or not writer.computed:
-            break
+
+    def begin() -> _core.Flattening:
+        return _core.flattening(library._begin(main, **options, trace="calls"), comments)
+
+    def parts(text: str) -> Parting | None:
+        return _parts(library, main, target, options, text)
+
+    flat = Flat(begin, parts)
+    if control is not None:
+        _check(flat, library, main, options)
+    return flat
+
+
+def _check(flat: Flat, library: Library, main: str | int | None, options: Options) -> None:
+    """Refuses a program for another control that does not run alike."""
+    parting = flat._parts(flat.text)
     if parting is None:
-        return flat
+        return
+    run = library.run(main, **options)
     step = run.steps[min(parting.first, len(run.steps) - 1)]
     reason = f"the flat program would not run alike\n{parting.what}"
     raise FlattenError(reason, step.program, step.n, step.line)
 
 
-def _tried(
-    writer: _Writer,
-    control: Control,
-    run: Run,
-    library: Library,
-    main: str | int | None,
-    options: Options,
-) -> tuple[Flat, Parting | None]:
-    """The flat program, and where it parts from the run."""
-    again: Options = {**options, "max_cycles": 1}
-    again.pop("start", None)  # the flat program begins there
-
-    def parts(text: str, before: Run | None = None) -> Parting | None:
-        flat = loads(text, control=control)
-        pair = _FlatPair((library, flat), ("program", "flat"), main, options, same_texts=False)
-        other = flat.run(**again)
-        if len(other.calls):
-            raise FlattenError("the flat program would still call", *_place(run))
-        return pair.parting(before or library.run(main, **options), other)
-
-    text = "\n".join(writer.lines) + "\n"
-    return Flat(text, Origins(writer.origins), parts), parts(text, run)
+def _parts(
+    library: Library, main: str | int | None, control: Control, options: Options, text: str
+) -> Parting | None:
+    """Where the flat program parts from the run."""
+    again: Options = {**options, "max_cycles": 1, "start": None}  # the flat program begins there
+    flat = loads(text, control=control)
+    pair = _FlatPair((library, flat), ("program", "flat"), main, options, same_texts=False)
+    run, other = library.run(main, **options), flat.run(**again)
+    if len(other.calls):
+        call = other.calls[0]
+        step = other.steps[call.caller_step]
+        what = f"the flat program calls {call.program} in line {step.line}"
+        return Parting(len(run.steps), call.caller_step, what)
+    return pair.parting(run, other)
 
 
-def _place(run: Run) -> tuple[str, int | None, int]:
-    """The block that makes the first call, or the first block."""
-    step = run.steps[run.calls[0].caller_step if len(run.calls) else 0]
-    return step.program, step.n, step.line
-
-
-def _does_not_end(run: Run) -> FlattenError:
-    alarm = run.alarm
+def _does_not_end(core: _core.Flattening) -> FlattenError:
+    alarm = core.alarm
     if alarm is not None:
         return FlattenError(
             f"the run ends by an alarm: {alarm.number or ''} {alarm.cause}",
@@ -213,127 +310,5 @@ def _does_not_end(run: Run) -> FlattenError:
             alarm.n,
             alarm.line,
         )
-    waits = f" for {run.waiting_for}" if run.waiting_for else ""
-    return FlattenError(f"the run does not end: it stopped with {run.stop.value}{waits}")
-
-
-def _evaluator_of(control: Control) -> _Evaluator:
-    @functools.cache
-    def read(expression: str, result: int) -> Library:
-        """A program that computes the expression, read once for each."""
-        return loads(f"O1\n#{result}={expression}\nM30\n", control=control)
-
-    return read
-
-
-class _Writer:
-    """The lines of the flat program, and where they come from."""
-
-    def __init__(
-        self, library: Library, main: str | int | None, comments: bool, digits: int
-    ) -> None:
-        program = library.main if main is None else library[main]
-        name = "" if program is None else program.name
-        begins = program is not None and program.text.lstrip("%\r\n ").startswith(name.lstrip("%"))
-        self.lines: list[str] = [name] if begins else []
-        self.origins: list[tuple[str, int, int, int, int]] = []
-        self._comments = comments
-        self._digits = digits
-        self.computed = False
-        self._evaluator = _evaluator_of(library.control)
-        self._blocks = _blocks_by_place(library)
-        self._words: dict[tuple[str, int], tuple[Block, list[Word]]] = {}
-
-    def write_all(self, machine: Any, run: Run) -> None:
-        while True:
-            level = machine._core.level  # of the block: a modal call behind it opens another one
-            step = machine.step()
-            if step is None:
-                break
-            block, kept = self._kept(step)
-            if kept:
-                self.note(step)
-                words = [
-                    self._written(word, block, machine, level) if word.value is None else word.text
-                    for word in kept
-                ]
-                self.lines.append(" ".join(words) + self._comment(step))
-        if run.stop is Stop.CYCLES:
-            self.lines.append("M99")
-            self.note(run.steps[len(run.steps) - 1])
-
-    def _written(self, word: Word, block: Block, machine: Any, level: int) -> str:
-        if level > machine._core.level:
-            raise _refused(block, f"the value of {word.text} belongs to a call that has ended")
-        self.computed = True
-        value = _value(word, block, machine, level, self._evaluator)
-        if word.address in "GMTSDHPL" and value == int(value):
-            return f"{word.address}{int(value)}"
-        return word.address + f"{value:.{self._digits}f}".rstrip("0")
-
-    def note(self, step: Step) -> None:
-        n = -1 if step.n is None else step.n
-        self.origins.append((step.program, n, step.line, step.frame, step.repeat))
-
-    def _comment(self, step: Step) -> str:
-        if not self._comments:
-            return ""
-        return f" ({step.program}{'' if step.n is None else f' N{step.n}'} LINE {step.line})"
-
-    def _kept(self, step: Step) -> tuple[Block, list[Word]]:
-        place = (step.program, step.line)
-        if place not in self._words:
-            blocks = self._blocks.get(place, [])
-            if len(blocks) != 1:
-                reason = "it is not clear which block of the line ran"
-                raise FlattenError(reason, step.program, step.n, step.line)
-            self._words[place] = blocks[0], _kept(blocks[0])
-        return self._words[place]
-
-
-def _blocks_by_place(library: Library) -> dict[tuple[str, int], list[Block]]:
-    programs: list[Program] = [library[name] for name in library]
-    places: dict[tuple[str, int], list[Block]] = {}
-    for program in programs:
-        for block in program.blocks:
-            places.setdefault((program.name, block.line), []).append(block)
-    return places
-
-
-def _kept(block: Block) -> list[Word]:
-    """The words of a block that stand in the flat program."""
-    for use in block.writes:
-        if isinstance(use.variable, int) and use.variable >= _SYSTEM:
-            raise _refused(block, f"the block writes #{use.variable}, a variable of the control")
-    words = [word for word in block.words if word.address not in ("N", "O", "#", "/", "")]
-    gone = {word.text for word in words if word.text in _LEFT_OUT}
-    for call in block.calls:
-        if call.kind not in _WITH_CALL:
-            return []  # all words are arguments
-        gone.add(call.text)
-    if gone - {"G67"}:
-        words = [word for word in words if word.address not in "PLHQ"]
-    return [word for word in words if word.text not in gone]
-
-
-def _refused(block: Block, reason: str) -> FlattenError:
-    return FlattenError(reason, block.program.name, block.n, block.line)
-
-
-def _value(word: Word, block: Block, machine: Any, level: int, evaluator: _Evaluator) -> float:
-    """What the control makes of the expression: it computes it again from the same variables."""
-    expression = word.text[len(word.address) :].strip()
-    if _INDIRECT.search(expression):
-        raise _refused(block, f"the value of {word.text} is an expression")
-    numbers = {int(number) for number in _VARIABLE.findall(expression)} - {0}
-    if any(number >= _SYSTEM for number in numbers):
-        raise _refused(block, f"the value of {word.text} is an expression of the control's own")
-    result = next(number for number in _RESULTS if number not in numbers)
-    try:
-        values = {number: machine._core.get_variable(number, level) for number in numbers}
-        value = evaluator(expression, result).run(variables=values, trace="none").variables[result]
-    except (LookupError, ValueError):
-        raise _refused(block, f"the value of {word.text} is an expression") from None
-    if value is None:
-        raise _refused(block, f"the value of {word.text} is vacant")
-    return value
+    waits = f" for {core.waiting_for}" if core.waiting_for else ""
+    return FlattenError(f"the run does not end: it stopped with {Stop(core.stop).value}{waits}")

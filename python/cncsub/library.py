@@ -301,10 +301,19 @@ class Library(Mapping[str, Program]):
         *,
         control: str | Control | None = None,
         comments: bool = False,
-        **options: Unpack[Options],
+        start: int | None = None,
+        variables: Mapping[int, float | None] | None = None,
+        block_skip: Iterable[int] | int = (),
+        optional_stop: bool = False,
+        max_cycles: int = 1,
+        max_blocks: int = 10_000_000,
+        max_seconds: float | None = None,
+        max_memory: int | None = None,
+        inputs: Inputs | Mapping[str, Any] | None = None,
+        setup: Setup | Mapping[str, Any] | None = None,
     ) -> Flat:
-        """What `main` executes, as one program without calls, jumps and variables that does the
-        same: see `cncsub.flattening.flatten`.
+        """What `main` executes, as one program without calls, jumps and loops that does the same:
+        see `cncsub.flattening.flatten`.
 
         >>> import cncsub
         >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 G91 G0 X5.\\nN40 M99\\n"
@@ -316,7 +325,22 @@ class Library(Mapping[str, Program]):
         """
         from cncsub.flattening import flatten  # it runs libraries, and reads what it has written
 
-        return flatten(self, main, control=control, comments=comments, **options)
+        return flatten(
+            self,
+            main,
+            control=control,
+            comments=comments,
+            start=start,
+            variables=variables,
+            block_skip=block_skip,
+            optional_stop=optional_stop,
+            max_cycles=max_cycles,
+            max_blocks=max_blocks,
+            max_seconds=max_seconds,
+            max_memory=max_memory,
+            inputs=inputs,
+            setup=setup,
+        )
 
     # Running.
 
@@ -428,9 +452,6 @@ class Library(Mapping[str, Program]):
             # Nothing to run runs: what an empty program does is the control's business.
             return _machine(self._code.with_mdi(""), -1, **options)
         return _machine(self._code, program._index, **options)
-
-
-spelled_out(Library.run, "mode")(Library.flatten)
 
 
 def load(

@@ -157,3 +157,19 @@ class MissedSkip:
     def __str__(self) -> str:
         where = f"line {self.line}" if self.n is None else f"N{self.n}"
         return f"{self.program} {where} met nothing"
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where one block of a flat program comes from: a block of `program`, executed in the call
+    `call` (-1: the main program), in its pass `repeat`, which is the column `pass`.
+    """
+
+    program: str
+    n: int | None
+    line: int
+    call: int
+    repeat: int
+
+
+setattr(Origin, "pass", property(lambda self: self.repeat))  # the keyword is no name of a field

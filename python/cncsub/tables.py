@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
 from cncsub import _core
 from cncsub.calltree import CallTree, trees, write_lines
-from cncsub.rows import Call, Change, Move, SentCode, Step
+from cncsub.rows import Call, Change, Move, Origin, SentCode, Step
 from cncsub.staying import Stays
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     Column = np.ndarray[Any, Any]
 
-Row = TypeVar("Row", bound=Step | Call | Move | Change | SentCode)
+Row = TypeVar("Row", bound=Step | Call | Move | Change | Origin | SentCode)
 
 _DRAWN = 2000  # calls in a printed tree
 _SHOWN = 5  # rows at the head and at the end of a printed table

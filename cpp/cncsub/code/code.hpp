@@ -63,6 +63,7 @@ struct Code {
   std::shared_ptr<const Control> control;
   std::vector<PlacedRange> variables;  // by number
   ReadWord read_word = nullptr;        // of the dialect that the programs are written in
+  const Spelling* spelling = nullptr;  // the same
   bool external_device = false;
   std::bitset<10001> g_codes;  // the codes of the control, ten times each; all where it has no list
   std::bitset<16> lacking;     // kinds of statements that the control does not have, or

@@ -43,13 +43,16 @@ struct Dialect {
   ReadWord read_word;
   /// The same reader for pieces; null where the language is not read so.
   PieceReader (*pieces)(Builder& to);
+  /// How it writes what is no plain word.
+  const Spelling* spelling;
 };
 
 /// The dialect of this name, null where there is none.
 const Dialect* find_dialect(std::string_view name);
 
-// The build writes the list from the names of the folders; each holds the functions that it names.
+// The build writes the list from the names of the folders; each holds what it names.
 #define DIALECT(folder)                                       \
+  extern const Spelling folder##_spelling;                    \
   FileReader folder##_reader(Builder& to);                    \
   extern PieceReader (*const folder##_pieces)(Builder& to);   \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);

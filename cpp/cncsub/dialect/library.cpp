@@ -14,7 +14,7 @@ namespace cncsub {
 
 const Dialect* find_dialect(std::string_view name) {
   static const Dialect kDialects[] = {
-#define DIALECT(folder) {#folder, folder##_reader, folder##_word, folder##_pieces},
+#define DIALECT(folder) {#folder, folder##_reader, folder##_word, folder##_pieces, &folder##_spelling},
 #include "dialect/list.def"
 #undef DIALECT
   };
@@ -67,6 +67,7 @@ bool has_constant_operands(const CallRecord& call) {
 void prepare(Code& code, std::shared_ptr<const Control> control, const Dialect& dialect) {
   code.control = std::move(control);
   code.read_word = dialect.read_word;
+  code.spelling = dialect.spelling;
   number_variables(code);
   list_codes(code);
 }

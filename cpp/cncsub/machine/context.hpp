@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/machine/heard.hpp"
 #include "cncsub/machine/options.hpp"
 #include "cncsub/machine/state.hpp"
 #include "cncsub/motion/motion.hpp"
@@ -113,6 +114,7 @@ struct Run {
   RunningBlock block;
   Watch watch;
   Watched watched;
+  Heard* heard = nullptr;  // who listens, or nobody
 
   const Control& control() const { return *code->control; }
   /// Whether this is something that the control refuses.

@@ -35,6 +35,9 @@ class Machine {
            const std::function<bool(const Machine&)>& pause = {});
   /// Runs on for about this many blocks: fewer where they made very many moves.
   void run(const std::function<bool()>& interrupted, std::int64_t blocks);
+  /// From now on `heard` is told what each block does, until nobody (null) listens. It is to be
+  /// emptied before each block.
+  void tell(Heard* heard) { run_.heard = heard; }
   /// Stops the run as Ctrl-C does.
   void interrupt();
   /// What the reset key, M02 and M30 do: calls, modal calls and loops are gone, the variables that
@@ -45,6 +48,11 @@ class Machine {
   const Code& code() const { return *run_.code; }
   std::shared_ptr<const Code> shared_code() const { return run_.code; }
   const State& state() const { return run_.state; }
+  const Options& options() const { return run_.options; }
+  /// What the codes mean on its kind of machine.
+  const CodeMeanings& meanings() const { return *run_.meanings; }
+  /// Whether a modal call takes the words of the block that comes next.
+  bool takes_words() const;
   const Motion& motion() const { return run_.motion; }
   Stop stop() const { return run_.state.stop; }
   const std::optional<Alarm>& alarm() const { return run_.state.alarm; }

@@ -123,8 +123,10 @@ bool print(Run& run, const Print& print) {
     }
     double value = 0;
     if (!evaluate(run, field.expression, value)) return false;
+    if (run.heard != nullptr) run.heard->printed.push_back(value);
     line += shown(run, print, field, value);
   }
+  if (run.heard != nullptr) run.heard->print = &print;
   run.watch.in_block = 0;
   if (print.alarms) {
     Fault fault{Cause::UserAlarm, print.at, 1, line};

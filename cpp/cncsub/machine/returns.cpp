@@ -56,6 +56,7 @@ std::optional<Fault> refused(const Run& run, const Block& block, const CallRecor
 }
 
 bool return_from_main(Run& run, const CallRecord& back, double p) {
+  if (run.heard != nullptr) run.heard->returned = true;
   switch (run.control().calls.main_return.value) {
     case MainReturn::Alarm:
       return alarm(
@@ -161,6 +162,7 @@ bool jump_now(Run& run, const JumpRecord& jump, double p) {
 }
 
 bool end_program(Run& run, const Block& block) {
+  if (run.heard != nullptr) run.heard->words = &block;
   if (!execute_words(run, block)) return false;
   // Where the block has no words of its own nothing has ended the moves that wait.
   if (auto fault = run.motion.finish(run.moves())) return alarm_of_motion(run, *fault);

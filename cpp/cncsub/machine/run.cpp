@@ -105,6 +105,7 @@ bool choose(Run& run, const Block& block) {
         break;
     }
   }
+  if (run.heard != nullptr) run.heard->called = second && variant.address != 0;
   return dispatch(run, run.code->variants[second ? variant.second : variant.first]);
 }
 
@@ -198,6 +199,7 @@ void run_on(Run& run, const std::function<bool()>& interrupted, const std::funct
 bool dispatch(Run& run, const Block& block) {
   if (block.length > kLongText) look_soon(run);
   if (takes_words(run)) return every_block(run, block);
+  if (run.heard != nullptr && is_words(block.op)) run.heard->words = &block;
   switch (block.op) {
     case Op::Linear:
       return linear(run, block);

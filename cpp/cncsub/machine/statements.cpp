@@ -241,6 +241,8 @@ bool run_statement(Run& run, const Block& block) {
       break;
   }
   if (!runs) return false;
+  const bool device = block.op == Op::OpenOutput || block.op == Op::CloseOutput;
+  if (device && run.heard != nullptr) run.heard->device = block.op;
   record_step(run, !holds);
   run.state.pc = run.block.next;
   return true;
@@ -279,6 +281,8 @@ bool store(Run& run, const Statement& statement, double value) {
 
 bool store_number(Run& run, std::int64_t number, double value, const Statement& statement) {
   const VariablePlace place = run.code->place(number);
+  if (run.heard != nullptr && !place.is_local() && !place.is_common())
+    run.heard->assigned.push_back({number, value, comment_of(run, statement)});
   if (place.range != nullptr && place.kind == VariableKind::UserAlarm)
     return user_alarm(run, is_vacant(value) ? 0 : value, statement);
   if (place.range != nullptr && place.kind == VariableKind::Message) {

@@ -154,6 +154,17 @@ bool dwells(Run& run, const NcWords& words, Motion::Outcome& outcome) {
          run.motion.dwell(words, run.step(), run.moves(), outcome);
 }
 
+/// Tells the words to who listens.
+void hear(Run& run, const Block& block, const NcWords& words) {
+  const bool has_extra = (block.flags & Block::kHasExtra) != 0;
+  const bool computed = words.codes == &run.codes ||
+                        (has_extra && run.code->cells[block.data].extra.expressions != 0);
+  if (computed)
+    run.heard->keep(block, words, run.codes);
+  else
+    run.heard->words = &block;
+}
+
 /// The motion of a block: moves, modes, offsets.
 bool move(Run& run, const Block& block, NcWords& words) {
   Motion::Outcome& outcome = run.block.outcome;
@@ -175,6 +186,7 @@ bool move(Run& run, const Block& block, NcWords& words) {
   if (auto fault = run.motion.execute(words, run.step(), run.moves(), outcome, around))
     return run.watch.broken_off == Stop::Running && alarm_of_motion(run, *fault);
   run.watch.in_block = 0;
+  if (around.profile != nullptr && run.heard != nullptr) run.heard->profile = std::move(profile);
   if (around.skips.taken) {
     about_to_take(run);
     run.state.taken.skips = *around.skips.taken;
@@ -215,6 +227,7 @@ bool decode(Run& run, const Block& block, NcWords& words) {
 bool carry_out(Run& run, const Block& block) {
   NcWords words;
   if (!decode(run, block, words)) return false;
+  if (run.heard != nullptr) hear(run, block, words);
   if (run.block.together != nullptr && !set_together(run)) return false;
   if (!move(run, block, words) || !send_codes(run, words, block)) return false;
   const Motion::Outcome& outcome = run.block.outcome;

@@ -38,6 +38,8 @@ std::vector<std::pair<std::string, std::string>> modal(MotionView m);
 double scaled(MotionView m, char address, double value);
 /// The least input increment of an address, 0 where it has none.
 double increment(MotionView m, char address);
+/// A computed value at an address as the control takes it: to the least increment.
+double rounded(MotionView m, char address, double value);
 /// The axes that addresses (a block's mask) can move, as the columns of the moves are called.
 std::string axes_of(MotionView m, std::uint32_t mask);
 /// A workpiece by machine coordinates and true lengths, its zero point where it is now.

@@ -152,6 +152,12 @@ bool pulses(const MotionState& state) {
   return state.modal[at(Group::Units)].meaning == Meaning::Pulses;
 }
 
+/// How many least increments a unit of the program has at an address.
+double steps_of(MotionView m, char address) {
+  const bool tenth = !turns(address) && g20(m.state);
+  return 1 / (pulses(m.state) ? 1 : m.facts.increment * (tenth ? 0.1 : 1));
+}
+
 }  // namespace
 
 double in_units(MotionView m, const NcWords& words, char address) {
@@ -160,9 +166,13 @@ double in_units(MotionView m, const NcWords& words, char address) {
   const bool steps_meant = !computed && (words.whole & bit(address)) != 0 &&
                            m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
   if (!computed && !steps_meant) return value;
-  const bool tenth = !turns(address) && g20(m.state);
-  const double steps = 1 / (pulses(m.state) ? 1 : m.facts.increment * (tenth ? 0.1 : 1));
+  const double steps = steps_of(m, address);
   return (computed ? std::round(value * steps) : value) / steps;
+}
+
+double rounded(MotionView m, char address, double value) {
+  const double steps = steps_of(m, address);
+  return std::round(value * steps) / steps;
 }
 
 double number(MotionView m, const NcWords& words, char address) {

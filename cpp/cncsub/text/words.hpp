@@ -30,6 +30,17 @@ bool set_number(WrittenWord& word, const Number& number);
 /// Reads the number that stands here as the value of a word; false where none with a digit does.
 bool take_number(Scanner& s, WrittenWord& word);
 
+/// How a dialect writes what is no plain word: a comment, a value that counts as a computed one, a
+/// message. `numbered`: variables are assigned by their number, `#5221=5`; a `message` of nothing is
+/// printed by statements of the FANUC family.
+struct Spelling {
+  struct Around {
+    std::string_view before, behind;
+  };
+  Around comment, value, message;
+  bool numbered = true;
+};
+
 /// Gives a word its text and its place: what stands from one character of its block to another,
 /// without blanks and comments.
 void place_word(WrittenWord& word, std::string_view block, const char* from, const char* to);

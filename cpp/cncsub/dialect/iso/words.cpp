@@ -64,6 +64,8 @@ void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
 
 }  // namespace
 
+const Spelling iso_spelling{{"(", ")"}, {"[", "]"}, {}};
+
 std::optional<WrittenWord> iso_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};
   const Lexeme read = read_lexeme(s, true);

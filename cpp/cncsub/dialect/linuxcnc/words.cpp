@@ -37,6 +37,8 @@ void pass_value(Scanner& s) {
 
 }  // namespace
 
+const Spelling linuxcnc_spelling{{"(", ")"}, {"[", "]"}, {"(MSG,", ")"}};
+
 std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};
   const char c = s.peek();

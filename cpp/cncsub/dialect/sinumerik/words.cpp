@@ -111,6 +111,8 @@ void pass_word(Line& line, WrittenWord& word) {
 
 }  // namespace sinumerik
 
+const Spelling sinumerik_spelling{{";", ""}, {"=(", ")"}, {"MSG(\"", "\")"}, false};
+
 std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& from) {
   using namespace sinumerik;
   Line line;

@@ -1,0 +1,249 @@
+#include "cncsub/flat/blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace cncsub {
+
+namespace {
+
+constexpr std::string_view kMayCall = "GMSTB";
+constexpr std::string_view kCommaLetters = "CRAD";
+
+/// What the address of a written word is in a mask; -1 where it is none of one letter.
+int place_of(std::string_view address) {
+  const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; };
+  if (address.size() == 2 && address[0] == ',') {
+    const auto comma = kCommaLetters.find(upper(address[1]));
+    return comma == std::string_view::npos ? -1 : kCommaC + static_cast<int>(comma);
+  }
+  if (address.size() != 1) return -1;
+  const char letter = upper(address[0]);
+  return letter >= 'A' && letter <= 'Z' ? letter - 'A' : -1;
+}
+
+/// Parts end with a blank that the end of a line loses.
+void end_line(std::string& to) {
+  if (!to.empty() && to.back() == ' ') to.pop_back();
+}
+
+}  // namespace
+
+/// Makes the line of one block.
+class BlockWriter::Maker {
+ public:
+  Maker(BlockWriter& to, const Block& block, const Written& otherwise)
+      : to_(to), block_(block), otherwise_(otherwise) {
+    const Code& code = to.code_;
+    if ((block.flags & Block::kCodeExpression) == 0) codes_ = code.codes_of(block);
+    cells_ = code.cells.data() + block.data;
+    if ((block.flags & Block::kHasExtra) != 0) {
+      expressions_ = cells_->extra.expressions;
+      whole_ = cells_->extra.whole;
+      ++cells_;
+    }
+    cells_ += block.code_cells();
+    left_ = block.mask;
+    if ((block.flags & Block::kCodeExpression) != 0) add({Part::Kind::Codes, 'G', 0, 0});
+  }
+
+  void take(const WrittenWord& word);
+  void take_rest();
+
+ private:
+  static void add_to(std::vector<Part>& parts, Part part) { parts.push_back(part); }
+  void add(Part part) { to_.parts_.push_back(part); }
+  double constant(int place) const {
+    const auto before = static_cast<std::uint32_t>(block_.mask & ((1u << place) - 1));
+    return cells_[std::popcount(before)].value;
+  }
+  bool take_code(char letter, const WrittenWord& word);
+  bool take_end(const WrittenWord& word);
+  void take_value(int place, const WrittenWord& word);
+  void text(char letter, const WrittenWord& word);
+
+  BlockWriter& to_;
+  const Block& block_;
+  const Written& otherwise_;
+  CodeList codes_;
+  const Cell* cells_ = nullptr;
+  std::uint32_t expressions_ = 0, whole_ = 0, left_ = 0;
+  std::uint32_t g_taken_ = 0, m_taken_ = 0;
+  bool ended_ = false;
+};
+
+void BlockWriter::Maker::text(char letter, const WrittenWord& word) {
+  if (!otherwise_.in_brackets || kMayCall.find(letter) == std::string_view::npos)
+    return to_.add_text(word.text);
+  std::string written;
+  to_.words_.bracketed(written, std::string(1, letter), word.value);
+  to_.add_text(written.empty() ? word.text : written);
+}
+
+bool BlockWriter::Maker::take_end(const WrittenWord& word) {
+  const double m = word.value;
+  const bool ends = block_.op == Op::EndProgram && !ended_ && m == std::floor(m) &&
+                    to_.code_.control->calls.roles.value.of_m(to_whole<int>(m)) == Role::End;
+  if (!ends) return false;
+  ended_ = true;
+  to_.add_text(word.text);
+  return true;
+}
+
+bool BlockWriter::Maker::take_code(char letter, const WrittenWord& word) {
+  const bool g = letter == 'G';
+  const std::span<const int> codes = g ? codes_.g() : codes_.m();
+  std::uint32_t& taken = g ? g_taken_ : m_taken_;
+  const double code = g ? std::round(word.value * 10) : word.value;
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (codes[i] != code || (taken >> i & 1) != 0) continue;
+    taken |= 1u << i;
+    text(letter, word);
+    return true;
+  }
+  return !g && take_end(word);
+}
+
+void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
+  const std::uint32_t mark = 1u << place;
+  if ((left_ & mark) == 0) return;
+  const bool profile = otherwise_.profile != nullptr && (place == 'P' - 'A' || place == 'Q' - 'A');
+  if (profile) {
+    const std::int64_t n = otherwise_.profile[place == 'P' - 'A' ? 0 : 1];
+    to_.add_text(static_cast<char>('A' + place) + std::to_string(n));
+  } else if ((expressions_ & mark) != 0) {
+    add({Part::Kind::Word, 0, static_cast<std::uint32_t>(place), 0});
+  } else if (word.known && word.value == constant(place)) {
+    text(static_cast<char>('A' + place), word);
+  } else {
+    return;
+  }
+  left_ &= ~mark;
+}
+
+void BlockWriter::Maker::take(const WrittenWord& word) {
+  const int place = place_of(word.address);
+  if (place < 0) return;
+  const char letter = place < 26 ? static_cast<char>('A' + place) : ',';
+  if (letter == 'G' || letter == 'M')
+    word.known&& take_code(letter, word);
+  else
+    take_value(place, word);
+}
+
+/// What the text does not spell.
+void BlockWriter::Maker::take_rest() {
+  for (std::size_t i = 0; i < codes_.g_count; ++i)
+    if (std::string text; (g_taken_ >> i & 1) == 0) {
+      to_.words_.code(text, 'G', codes_.g_codes[i]);
+      to_.add_text(text);
+    }
+  for (; left_ != 0; left_ &= left_ - 1) {
+    const int place = std::countr_zero(left_);
+    if ((expressions_ >> place & 1) != 0) {
+      add({Part::Kind::Word, 0, static_cast<std::uint32_t>(place), 0});
+      continue;
+    }
+    std::string text;
+    to_.words_.constant(text, place, constant(place), (whole_ >> place & 1) != 0);
+    to_.add_text(text);
+  }
+  if ((block_.flags & Block::kCodeExpression) != 0) add({Part::Kind::Codes, 'M', 0, 0});
+  for (std::size_t i = 0; i < codes_.m_count; ++i)
+    if (std::string text; (m_taken_ >> i & 1) == 0) {
+      to_.words_.code(text, 'M', codes_.m_codes[i] * 10);
+      to_.add_text(text);
+    }
+  const auto end = to_.code_.control->calls.roles.value.code_of(Role::End);
+  if (block_.op == Op::EndProgram && !ended_ && end) to_.add_text(end->text());
+}
+
+BlockWriter::BlockWriter(const Machine& machine)
+    : machine_(machine), code_(machine.code()), words_(machine), lines_(code_.blocks.size()) {}
+
+/// Behind a text it becomes one with it.
+void BlockWriter::add_text(std::string_view text) {
+  Part* last = parts_.empty() ? nullptr : &parts_.back();
+  const bool joins = last != nullptr && last->kind == Part::Kind::Text && last->size != 0 &&
+                     last->at + last->size == texts_.size() && parts_.size() > open_;
+  if (!joins) parts_.push_back({Part::Kind::Text, 0, static_cast<std::uint32_t>(texts_.size()), 0});
+  texts_ += text;
+  texts_ += ' ';
+  parts_.back().size = static_cast<std::uint32_t>(texts_.size()) - parts_.back().at;
+}
+
+BlockWriter::Line BlockWriter::make(const Block& block, std::int32_t program,
+                                    const Written& otherwise) {
+  open_ = parts_.size();
+  Maker maker(*this, block, otherwise);
+  const Program& own = code_.programs[static_cast<std::size_t>(program)];
+  const std::string_view text = code_.text_of(block, own).substr(0, kLookedAt);
+  std::size_t from = 0;
+  while (const auto word = code_.read_word(text, from)) maker.take(*word);
+  maker.take_rest();
+  return {static_cast<std::uint32_t>(open_), static_cast<std::uint32_t>(parts_.size() - open_ + 1)};
+}
+
+const BlockWriter::Line& BlockWriter::line_of(const Block& block, std::int32_t program) {
+  const Block* const first = code_.blocks.data();
+  const bool own = &block >= first && &block < first + code_.blocks.size();
+  Line& line = own ? lines_[static_cast<std::size_t>(&block - first)]
+                   : variants_[static_cast<std::uint32_t>(&block - code_.variants.data())];
+  if (line.parts == 0) line = make(block, program, {});
+  return line;
+}
+
+bool BlockWriter::put_codes(std::string& to, char letter, const BlockCodes& codes) {
+  const bool g = letter == 'G';
+  for (const int code : g ? codes.g() : codes.m()) {
+    if (!words_.code(to, letter, g ? code : code * 10)) {
+      failed_ = letter + std::to_string(code);
+      return false;
+    }
+    to += ' ';
+  }
+  return true;
+}
+
+bool BlockWriter::put(std::string& to, const Line& line, const NcWords* values) {
+  const Part* part = parts_.data() + line.first;
+  if (values != nullptr) words_.begin(*values->codes);
+  for (std::uint32_t i = 1; i < line.parts; ++i, ++part) {
+    if (part->kind == Part::Kind::Text) {
+      to.append(texts_, part->at, part->size);
+    } else if (values == nullptr) {
+      continue;
+    } else if (part->kind == Part::Kind::Codes) {
+      if (!put_codes(to, part->letter, *values->codes)) return false;
+    } else if ((values->mask >> part->at & 1) != 0) {
+      if (!words_.computed(to, static_cast<int>(part->at), values->value[part->at])) {
+        failed_ = static_cast<char>(part->at < 26 ? 'A' + part->at : ',');
+        return false;
+      }
+      to += ' ';
+    }
+  }
+  end_line(to);
+  return true;
+}
+
+bool BlockWriter::write(std::string& to, const Block& block, std::int32_t program,
+                        const Heard& heard, const Written& otherwise) {
+  const NcWords* values = heard.computed ? &heard.values : nullptr;
+  if (!otherwise.in_brackets && otherwise.profile == nullptr)
+    return put(to, line_of(block, program), values);
+  const std::size_t parts = parts_.size(), texts = texts_.size();
+  const bool done = put(to, make(block, program, otherwise), values);
+  parts_.resize(parts);
+  texts_.resize(texts);
+  return done;
+}
+
+bool BlockWriter::write(std::string& to, const Block& block, std::int32_t program,
+                        const NcWords& values) {
+  return put(to, line_of(block, program), &values);
+}
+
+}  // namespace cncsub

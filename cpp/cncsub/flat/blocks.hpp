@@ -1,0 +1,64 @@
+// The words of blocks, written anew. What a block executes is told by its code; how a number is
+// spelled (`X10.0`, `T0101`, `M08`) and in which order words stand is taken from its text where that
+// says the same.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "cncsub/flat/numbers.hpp"
+#include "cncsub/machine/heard.hpp"
+
+namespace cncsub {
+
+/// What is written otherwise than it stands.
+struct Written {
+  bool in_brackets = false;             // codes and what may call as they do
+  const std::int64_t* profile = nullptr;  // P and Q, the numbers of its first and last block
+};
+
+class BlockWriter {
+ public:
+  explicit BlockWriter(const Machine& machine);
+
+  /// Writes the words of a block, with these values where they are `computed`. False where one of
+  /// them cannot be written: then `failed` is that word.
+  bool write(std::string& to, const Block& block, std::int32_t program, const Heard& heard,
+             const Written& otherwise = {});
+  /// The same of a block of words whose values were read by somebody else.
+  bool write(std::string& to, const Block& block, std::int32_t program, const NcWords& values);
+  const std::string& failed() const { return failed_; }
+
+ private:
+  /// A piece of a block's line.
+  struct Part {
+    enum class Kind : std::uint8_t { Text, Word, Codes } kind = Kind::Text;
+    char letter = 0;                 // Codes: G or M
+    std::uint32_t at = 0, size = 0;  // Text: in `texts_`; Word: its place in a mask
+  };
+  struct Line {
+    std::uint32_t first = 0, parts = 0;  // in `parts_`; 0 where not made yet
+  };
+
+  const Line& line_of(const Block& block, std::int32_t program);
+  Line make(const Block& block, std::int32_t program, const Written& otherwise);
+  void add_text(std::string_view text);
+  bool put(std::string& to, const Line& line, const NcWords* values);
+  bool put_codes(std::string& to, char letter, const BlockCodes& codes);
+
+  class Maker;
+
+  const Machine& machine_;
+  const Code& code_;
+  WordWriter words_;
+  std::vector<Line> lines_;                                // of Code::blocks
+  std::unordered_map<std::uint32_t, Line> variants_;       // of Code::variants
+  std::vector<Part> parts_;
+  std::string texts_;
+  std::size_t open_ = 0;  // the first part of the line that is being made
+  std::string failed_;
+};
+
+}  // namespace cncsub

@@ -1,0 +1,301 @@
+#include "cncsub/flat/flat.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cncsub/control/g_codes.hpp"
+#include "cncsub/motion/query.hpp"
+
+namespace cncsub {
+
+namespace {
+
+constexpr std::size_t kPiece = 1 << 20;  // bytes of a piece of text
+
+/// A variable as a value of an assignment.
+std::string value_text(double value) {
+  return is_vacant(value) ? "#0" : std::string(NumberText(value).text());
+}
+
+/// Whether what stands in a variable is seen from outside the program.
+bool has_effect(const Code& code, std::int64_t number) {
+  const VariablePlace place = code.place(number);
+  switch (place.kind) {
+    case VariableKind::Local:
+    case VariableKind::Common:
+    case VariableKind::Kept:
+    case VariableKind::LevelImage:
+    case VariableKind::Vacant:
+    case VariableKind::Milliseconds:
+    case VariableKind::Hours:
+      return false;
+    default:
+      return place.range != nullptr;
+  }
+}
+
+bool is_user_alarm(const Code& code, std::int64_t number) {
+  return code.place(number).kind == VariableKind::UserAlarm;
+}
+
+}  // namespace
+
+FlatRun::FlatRun(const Machine& at_its_head, bool comments)
+    : machine_(at_its_head), blocks_(machine_), comments_(comments) {
+  machine_.tell(&heard_);
+  program_ = machine_.state().frames.front().program;
+  const auto& programs = machine_.code().programs;
+  has_parts_ = std::any_of(programs.begin(), programs.end(),
+                           [](const Program& of) { return of.inside != kNoProgram; });
+}
+
+bool FlatRun::refuse(std::string reason) {
+  if (!refusal_) refusal_ = {std::move(reason), coming_.at};
+  return false;
+}
+
+std::int32_t FlatRun::program_at(Address at) {
+  const Code& code = machine_.code();
+  const Program& last = code.programs[static_cast<std::size_t>(program_)];
+  if (has_parts_ || at < last.first || at > last.last) program_ = code.program_at(at);
+  return program_;
+}
+
+/// What the codes of the last block mean, which has these words.
+const BlockCodes& FlatRun::codes_of(const Block& block) const {
+  if (heard_.computed) return *heard_.values.codes;
+  const Code& code = machine_.code();
+  if ((block.flags & Block::kListed) == 0) return kNoCodes;
+  const std::size_t extra = (block.flags & Block::kHasExtra) != 0 ? 1 : 0;
+  return machine_.meanings().blocks[code.cells[block.data + extra].expression];
+}
+
+bool FlatRun::ends() const {
+  if (machine_.stop() != Stop::Alarm) return machine_.stop() == Stop::End || machine_.stop() == Stop::Cycles;
+  return !heard_.assigned.empty() &&
+         is_user_alarm(machine_.code(), heard_.assigned.back().number);
+}
+
+// ---- the run ----
+
+bool FlatRun::next(const std::function<bool()>& interrupted, std::string& text,
+                   FlatOrigins& origins) {
+  text.clear();
+  origins.clear();
+  if (over_) return false;
+  const Code& code = machine_.code();
+  const Program& main = code.programs[static_cast<std::size_t>(program_)];
+  if (!begun_ && main.name_length != Program::kOfFile) text = code.name_of(main) + "\n";
+  begun_ = true;
+  machine_.run(interrupted, [&](const Machine&) { return before_block(text, origins); });
+  over_ = machine_.stop() != Stop::Running || refusal_;
+  if (over_ && !refusal_) {
+    write_done(text, origins);
+    if (!refusal_) write_end(text, origins);
+  }
+  machine_.take();
+  return true;
+}
+
+/// Whether the piece is full, or the run cannot be written.
+bool FlatRun::before_block(std::string& text, FlatOrigins& origins) {
+  write_done(text, origins);
+  const State& s = machine_.state();
+  const Op op = machine_.code().blocks[s.pc].op;
+  coming_.at = s.pc;
+  coming_.executed = s.executed;
+  coming_.call = s.frames.back().call;
+  coming_.repeat = s.frames.back().repeat;
+  coming_.plain = (op == Op::Linear || op == Op::Arc) && !machine_.takes_words();
+  heard_.forget();
+  return refusal_ || text.size() >= kPiece;
+}
+
+/// What the last block did, if it is a step.
+void FlatRun::write_done(std::string& text, FlatOrigins& origins) {
+  if (coming_.executed < 0 || machine_.state().executed == coming_.executed) return;
+  coming_.executed = -1;
+  if (starts_over_)
+    refuse("a code starts the program over, and the flat program goes on behind it");
+  else if (coming_.plain || heard_.any())
+    write_block(text, origins);
+}
+
+/// The run has stopped.
+void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
+  const bool returns = machine_.stop() == Stop::Cycles ||
+                       (machine_.stop() == Stop::End && heard_.returned);
+  if (!returns || starts_over_) return;
+  const auto code = machine_.code().control->calls.roles.value.code_of(Role::Return);
+  text += code ? code->text() : "M99";
+  end_line(text, origins);
+}
+
+// ---- lines ----
+
+void FlatRun::comment(std::string& text, std::int32_t program) const {
+  const Code& code = machine_.code();
+  const Block& block = code.blocks[coming_.at];
+  text += ' ';
+  text += code.spelling->comment.before;
+  text += code.name_of(program);
+  if (block.n >= 0) text += " N" + std::to_string(block.n);
+  text += " LINE " + std::to_string(block.line);
+  text += code.spelling->comment.behind;
+}
+
+/// Ends a line that comes from the last block.
+void FlatRun::end_line(std::string& text, FlatOrigins& origins) {
+  const Block& block = machine_.code().blocks[coming_.at];
+  const std::int32_t program = program_at(coming_.at);
+  if (comments_) comment(text, program);
+  text += '\n';
+  origins.program.push_back(program);
+  origins.n.push_back(block.n);
+  origins.line.push_back(static_cast<std::int32_t>(block.line));
+  origins.call.push_back(coming_.call);
+  origins.repeat.push_back(coming_.repeat);
+}
+
+bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
+  if (!write_assigned(text, origins) || !write_print(text, origins)) return false;
+  const Block* block = coming_.plain ? &machine_.code().blocks[coming_.at] : heard_.words;
+  if (block == nullptr) return true;
+  if (heard_.profile) return write_with_profile(text, origins, *block);
+  const std::size_t before = text.size();
+  if (!write_words(text, *block, {.in_brackets = heard_.called})) return false;
+  if (text.size() == before) return true;
+  end_line(text, origins);
+  starts_over_ = codes_of(*block).has(Role::StartOver);
+  return true;
+}
+
+bool FlatRun::write_words(std::string& text, const Block& block, const Written& otherwise) {
+  const std::size_t before = text.size();
+  if (!blocks_.write(text, block, program_at(coming_.at), heard_, otherwise))
+    return refuse("the value of " + blocks_.failed() + " cannot be written as a number");
+  if (text.size() == before) write_idle(text, block);
+  const int most = machine_.code().control->reading.max_block_length.value;
+  return most <= 0 || text.size() - before <= static_cast<std::size_t>(most) ||
+         refuse("the block would be longer than the control takes");
+}
+
+/// Words that are all vacant are none, but their block counts as one without a move.
+void FlatRun::write_idle(std::string& text, const Block& block) const {
+  const MotionState& state = machine_.motion().state();
+  const int code = state.modal[at(Group::Distance)].code;
+  if (block.mask != 0 && compensating(state) && code >= 0) text += code_name(code);
+}
+
+// ---- what is assigned and said ----
+
+bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
+  const Code& code = machine_.code();
+  for (const Heard::Assigned& of : heard_.assigned) {
+    if (!has_effect(code, of.number)) continue;
+    const std::string name = "#" + std::to_string(of.number);
+    if (!code.spelling->numbered ||
+        code.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
+      return refuse(name + " is written, and the control has no statement that assigns a number");
+    text += name + "=" + value_text(of.value);
+    const VariableKind kind = code.place(of.number).kind;
+    if (kind == VariableKind::UserAlarm || kind == VariableKind::Message)
+      text += "(" + of.comment + ")";
+    end_line(text, origins);
+  }
+  return true;
+}
+
+/// The fields of DPRNT: their values stand in locals, for it prints no numbers.
+bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string& statement) {
+  const Code& code = machine_.code();
+  std::size_t printed = 0;
+  for (const PrintField& field : heard_.print->fields) {
+    if (!field.is_variable) {
+      for (const char c : field.text) statement += c == ' ' ? '*' : c;
+      continue;
+    }
+    const double value = heard_.printed[printed++];
+    const auto local = static_cast<std::int64_t>(printed);
+    if (!code.place(local).is_local())
+      return refuse("what is printed has more values than there are local variables");
+    const std::string name = "#" + std::to_string(local);
+    text += name + "=" + value_text(value);
+    end_line(text, origins);
+    const int digits = field.whole_digits * 10 + field.decimals;
+    statement += name + "[" + (digits < 10 && !heard_.print->binary ? "0" : "") +
+                 std::to_string(digits) + "]";
+  }
+  return true;
+}
+
+bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
+  const Spelling::Around& message = machine_.code().spelling->message;
+  if (heard_.device != Op::Words) {
+    text += heard_.device == Op::OpenOutput ? "POPEN" : "PCLOS";
+    end_line(text, origins);
+  }
+  if (heard_.print == nullptr) return true;
+  std::string statement = heard_.print->binary ? "BPRNT[" : "DPRNT[";
+  if (message.before.empty()) {
+    if (!print_fields(text, origins, statement)) return false;
+    text += statement + "]";
+  } else {
+    const auto& messages = machine_.trace().messages;
+    text += message.before;
+    text += messages[messages.size() - 1];
+    text += message.behind;
+  }
+  end_line(text, origins);
+  return true;
+}
+
+// ---- profiles ----
+
+/// A cycle and the blocks that it follows, which stand right behind it: it passes over them. One
+/// that goes on with the next block, as G70 does, names those of a cycle before.
+bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block) {
+  profile_.clear();
+  for (const NcWords& words : heard_.profile->blocks) {
+    const Block& own = machine_.code().blocks[words.at];
+    if (!blocks_.write(profile_.emplace_back(), own, program_at(words.at), words))
+      return refuse("the value of " + blocks_.failed() + " cannot be written as a number");
+  }
+  std::array<std::int64_t, 2> numbers{};
+  const bool behind = codes_of(block).meaning(Group::OneShot) != Meaning::Finish;
+  if (!number_profile(behind, numbers)) return false;
+  if (!write_words(text, block, {.profile = numbers.data()})) return false;
+  end_line(text, origins);
+  for (std::size_t i = 0; behind && i < profile_.size(); ++i) {
+    const bool first = i == 0, last = i + 1 == profile_.size();
+    if (first || last) text += "N" + std::to_string(numbers[first ? 0 : 1]) + " ";
+    if (!first && !last && profile_[i].empty()) continue;
+    text += profile_[i];
+    const Address cycle = std::exchange(coming_.at, heard_.profile->blocks[i].at);
+    end_line(text, origins);
+    coming_.at = cycle;
+  }
+  return true;
+}
+
+bool FlatRun::number_profile(bool is_new, std::array<std::int64_t, 2>& numbers) {
+  const Control& control = *machine_.code().control;
+  if (!is_new) {
+    const auto known = profiles_.find(profile_);
+    if (known == profiles_.end())
+      return refuse("the blocks that it follows stand behind no cycle before it");
+    numbers = known->second;
+    return true;
+  }
+  const bool one = profile_.size() == 1;
+  if (one && control.common.refuses.value.has(Cause::PqSame))
+    return refuse("the profile is one block, whose number would be P and Q");
+  numbers = {last_n_ + 1, last_n_ + (one ? 1 : 2)};
+  last_n_ = numbers[1];
+  profiles_[profile_] = numbers;
+  return last_n_ <= control.reading.max_sequence_number.value ||
+         refuse("the program has more profiles than there are sequence numbers");
+}
+
+}  // namespace cncsub

@@ -1,0 +1,95 @@
+// What a run executes, written as one program without calls, jumps and loops: in pieces, while it
+// runs, so that neither the text nor the run has to be kept.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cncsub/flat/blocks.hpp"
+#include "cncsub/machine/heard.hpp"
+#include "cncsub/machine/machine.hpp"
+
+namespace cncsub {
+
+/// Where the blocks of a flat program come from: columns of one length.
+struct FlatOrigins {
+  std::vector<std::int32_t> program, n, line, call, repeat;
+
+  std::size_t size() const { return program.size(); }
+  void clear() {
+    for (auto* column : {&program, &n, &line, &call, &repeat}) column->clear();
+  }
+};
+
+/// Why there is no flat program, or none that can be written, and at which block.
+struct FlatRefusal {
+  std::string reason;
+  Address at = kNowhere;
+};
+
+class FlatRun {
+ public:
+  /// `at_its_head`: a machine that has executed nothing. `comments`: behind each block where it
+  /// comes from.
+  FlatRun(const Machine& at_its_head, bool comments);
+  FlatRun(const FlatRun&) = delete;
+  FlatRun& operator=(const FlatRun&) = delete;
+
+  /// Runs on and writes the next piece over `text` and `origins`, about a megabyte. False where
+  /// nothing more comes: the run has stopped, or `refusal` says why the text ends here. Whoever
+  /// `interrupted` finds the machine stopped so.
+  bool next(const std::function<bool()>& interrupted, std::string& text, FlatOrigins& origins);
+
+  const Machine& machine() const { return machine_; }
+  const std::optional<FlatRefusal>& refusal() const { return refusal_; }
+  /// Whether the run has come to an end that the text has too.
+  bool ends() const;
+
+ private:
+  /// Of the block that is about to be executed.
+  struct Coming {
+    Address at = kNowhere;
+    std::int64_t executed = -1;
+    std::int32_t call = -1, repeat = 1;
+    bool plain = false;  // a plain move of which nothing is heard
+  };
+
+  bool before_block(std::string& text, FlatOrigins& origins);
+  void write_done(std::string& text, FlatOrigins& origins);
+  bool write_block(std::string& text, FlatOrigins& origins);
+  bool write_words(std::string& text, const Block& block, const Written& otherwise);
+  void write_idle(std::string& text, const Block& block) const;
+  bool write_assigned(std::string& text, FlatOrigins& origins);
+  bool write_print(std::string& text, FlatOrigins& origins);
+  bool print_fields(std::string& text, FlatOrigins& origins, std::string& statement);
+  bool write_with_profile(std::string& text, FlatOrigins& origins, const Block& block);
+  bool number_profile(bool is_new, std::array<std::int64_t, 2>& numbers);
+  const BlockCodes& codes_of(const Block& block) const;
+  void write_end(std::string& text, FlatOrigins& origins);
+  void end_line(std::string& text, FlatOrigins& origins);
+  void comment(std::string& text, std::int32_t program) const;
+  bool refuse(std::string reason);
+  std::int32_t program_at(Address at);
+
+  Machine machine_;
+  BlockWriter blocks_;
+  Heard heard_;
+  bool comments_;
+  Coming coming_;
+  bool has_parts_ = false;  // some programs are a part of others
+  bool over_ = false, begun_ = false;
+  bool starts_over_ = false;  // the last block starts the program over by a code of its own
+  std::int32_t program_ = 0;  // of the last block
+  std::int64_t last_n_ = 0;   // that was given to a block of a profile
+  std::vector<std::string> profile_;  // the lines of the profile that the last block follows
+  std::map<std::vector<std::string>, std::array<std::int64_t, 2>> profiles_;
+  std::optional<FlatRefusal> refusal_;
+};
+
+}  // namespace cncsub

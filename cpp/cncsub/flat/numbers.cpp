@@ -1,0 +1,172 @@
+#include "cncsub/flat/numbers.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "cncsub/motion/query.hpp"
+
+namespace cncsub {
+
+namespace {
+
+constexpr std::string_view kLengths = "ABCHIJKQRUVWXYZ";  // whole numbers may be increments
+constexpr std::string_view kAlwaysLengths = "BUVWXYZ";
+constexpr std::string_view kWithoutPoint = "DGHLMNOPST";  // numbers of something, where whole
+constexpr std::string_view kCommaLetters = "CRAD";
+constexpr std::size_t kLeastDecimals = 3;  // that every number counts as having
+
+bool is_in(std::string_view letters, char letter) {
+  return letters.find(letter) != std::string_view::npos;
+}
+char letter_of(int place) {
+  return place >= kCommaC ? kCommaLetters[static_cast<std::size_t>(place - kCommaC)]
+                          : static_cast<char>('A' + place);
+}
+std::string address_of(int place) {
+  return (place >= kCommaC ? "," : "") + std::string(1, letter_of(place));
+}
+
+}  // namespace
+
+NumberText::NumberText(double value) {
+  const auto done = std::to_chars(text_.data(), text_.data() + text_.size(), value + 0.0,
+                                  std::chars_format::fixed);
+  size_ = static_cast<std::size_t>(done.ptr - text_.data());
+  end_of_whole_ = std::min(text().find('.'), size_);
+  whole_ = end_of_whole_ - (value < 0 ? 1 : 0);
+  if (std::fabs(value) < 1) whole_ = 0;
+}
+
+WordWriter::WordWriter(const Machine& machine)
+    : machine_(machine),
+      control_(*machine.code().control),
+      lathe_(machine.meanings().machine != MachineType::Mill),
+      increments_(control_.reading.whole_numbers.value == WholeNumbers::Increments),
+      mills_axes_(!lathe_ && !control_.motion.angles_on_mills.value) {}
+
+void WordWriter::begin(const BlockCodes& codes) {
+  const MotionState& state = machine_.motion().state();
+  const Meaning once = codes.meaning(Group::OneShot);
+  const Meaning motion = state.modal[at(Group::Motion)].meaning;
+  const bool one_shot = codes.has(Group::OneShot) && once != Meaning::None;
+  plain_ = once != Meaning::Dwell && state.modal[at(Group::Polar)].meaning != Meaning::PolarOn;
+  arc_ = !one_shot && !in_cycle(state) && (motion == Meaning::Cw || motion == Meaning::Ccw) &&
+         !codes.has(Group::Scaling) && !codes.has(Group::Rotation);
+  cycle_ = !one_shot && !lathe_ && in_cycle(state);
+}
+
+/// Whether the control surely rounds a computed value here to its least increment.
+bool WordWriter::rounds(char letter) const {
+  if (!plain_) return false;
+  if (is_in(kAlwaysLengths, letter)) return true;
+  if (letter == 'A' || letter == 'C') return mills_axes_;
+  if (letter == 'R') return arc_ || cycle_;
+  return (arc_ && is_in("IJK", letter)) || (cycle_ && letter == 'Q');
+}
+
+/// Whether a plain number counts increments where a computed one counts units.
+bool WordWriter::counts_increments(char letter, double value) const {
+  if (!lathe_ || value != std::floor(value)) return false;
+  if (letter == 'H') return increments_;
+  return letter != 'P' && !is_in(kAlwaysLengths, letter) &&
+         control_.turning.cycle_unit.value == CycleUnit::Increments;
+}
+
+/// Whether a code calls a program, returns or ends one where it is written as a number.
+bool WordWriter::calls(char letter, int code) const {
+  for (const auto& entry : control_.calls.registered_codes.value)
+    if (entry.letter == letter && (entry.code == 0 || entry.code == code)) return true;
+  const auto parameter = [this](std::int32_t number) {
+    return std::fabs(control_.parameter(std::to_string(number)));
+  };
+  for (const CodeCall& list : control_.code_calls) {
+    if (!list.enable.empty() && control_.parameter(list.enable) == 0) continue;
+    if (list.address == '@') {
+      for (std::int32_t i = 0; i < list.count; ++i)
+        if (parameter(list.parameter + i) == letter) return true;
+    } else if (list.address == letter) {
+      if (list.form == CodeCall::Form::Switch) return true;
+      const bool range = list.form == CodeCall::Form::Range;
+      const double first = parameter(list.parameter), count = range ? parameter(list.count) : 0;
+      if (range && code >= first && code < first + count) return true;
+      for (std::int32_t i = 0; !range && i < list.count; ++i)
+        if (parameter(list.parameter + i) == code) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the number is written with a point. One without counts increments where lengths do.
+bool WordWriter::points(char letter, const NumberText& text) const {
+  return text.decimals() > 0 || !is_in(kWithoutPoint, letter);
+}
+
+/// Whether the control takes the plain number, and for this value.
+bool WordWriter::takes(char letter, bool comma, double value, const NumberText& text,
+                       bool rounded) const {
+  if (value < 0 && !control_.reading.minus_addresses.value.has(letter)) return false;
+  const bool can_point = control_.reading.point_addresses.value.has(letter);
+  const bool point = points(letter, text) && (can_point || text.decimals() > 0);
+  if (point && !can_point) return false;
+  if (!point && increments_ && is_in(kLengths, letter) && letter != 'H') return false;
+  const std::size_t digits = text.whole() + (point ? kLeastDecimals : 0);
+  if (digits > static_cast<std::size_t>(most_digits(control_))) return false;
+  const bool cut = control_.reading.cuts_fine_digits.value && is_in(kLengths, letter);
+  if (cut && !rounded && text.decimals() > kLeastDecimals) return false;
+  if (!comma && !rounded && counts_increments(letter, value)) return false;
+  return letter != 'P' || text.decimals() == 0;
+}
+
+bool WordWriter::computed(std::string& to, int place, double value) const {
+  const bool comma = place >= kCommaC;
+  const char letter = letter_of(place);
+  const bool rounded = !comma && rounds(letter);
+  if (rounded) value = cncsub::rounded(machine_.motion().view(), letter, value);
+  const NumberText text(value);
+  const bool named = is_in("STB", letter) && calls(letter, to_whole<int>(value));
+  if (named || !takes(letter, comma, value, text, rounded))
+    return bracketed(to, address_of(place), value);
+  to += address_of(place);
+  to += text.text();
+  if (text.decimals() == 0 && points(letter, text) &&
+      control_.reading.point_addresses.value.has(letter))
+    to += '.';
+  return true;
+}
+
+bool WordWriter::constant(std::string& to, int place, double value, bool whole) const {
+  const char letter = letter_of(place);
+  const NumberText text(value);
+  to += address_of(place);
+  to += text.text();
+  const bool counts = increments_ && is_in(kLengths, letter);
+  if (!whole && counts && text.decimals() == 0) to += '.';
+  return true;
+}
+
+bool WordWriter::code(std::string& to, char letter, int tenfold) const {
+  const Roles& roles = control_.calls.roles.value;
+  const Role role = letter == 'M' ? roles.of_m(tenfold / 10) : roles.of_g(tenfold);
+  const bool plain = role == Role::None || role == Role::Stop || role == Role::OptionalStop ||
+                     role >= Role::SpindleForward;
+  const double value = tenfold / 10.0;
+  if (!plain || (tenfold % 10 == 0 && calls(letter, tenfold / 10)))
+    return bracketed(to, std::string(1, letter), value);
+  to += letter;
+  to += NumberText(value).text();
+  return true;
+}
+
+bool WordWriter::bracketed(std::string& to, std::string_view address, double value) const {
+  if (machine_.code().lacking.test(static_cast<std::size_t>(StatementKind::Brackets))) return false;
+  const Spelling::Around& around = machine_.code().spelling->value;
+  to += address;
+  to += around.before;
+  to += NumberText(value).text();
+  to += around.behind;
+  return true;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,60 @@
+// Values written so that the control reads them back as the same.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "cncsub/machine/machine.hpp"
+
+namespace cncsub {
+
+/// A number with the fewest digits that give it back, without an exponent.
+class NumberText {
+ public:
+  explicit NumberText(double value);
+  std::string_view text() const { return {text_.data(), size_}; }
+  std::size_t whole() const { return whole_; }
+  std::size_t decimals() const { return size_ == end_of_whole_ ? 0 : size_ - end_of_whole_ - 1; }
+
+ private:
+  std::array<char, 400> text_;  // NOLINT: the first `size_`; the largest double has 309 digits
+  std::size_t size_ = 0, end_of_whole_ = 0, whole_ = 0;
+};
+
+/// Writes words by the rules of a control. A value is written as a plain number where the control
+/// takes that for the same; where it would not (a value between two increments where it does not
+/// round, a sign or a point that the address takes from a variable only) as a value in brackets.
+class WordWriter {
+ public:
+  explicit WordWriter(const Machine& machine);
+
+  /// The words are those of a block with these codes, which has been executed.
+  void begin(const BlockCodes& codes);
+  /// Writes a computed word, `place` as in a mask; false where the control has no way to write it.
+  bool computed(std::string& to, int place, double value) const;
+  /// One that was written as a number, with a point or, `whole`, without.
+  bool constant(std::string& to, int place, double value, bool whole) const;
+  /// A code that was computed, of which one that calls or ends would do so now: not in brackets.
+  bool code(std::string& to, char letter, int tenfold) const;
+  /// The same in brackets in any case.
+  bool bracketed(std::string& to, std::string_view address, double value) const;
+
+ private:
+  bool rounds(char letter) const;
+  bool takes(char letter, bool comma, double value, const NumberText& text, bool rounded) const;
+  bool points(char letter, const NumberText& text) const;
+  bool counts_increments(char letter, double value) const;
+  bool calls(char letter, int code) const;
+
+  const Machine& machine_;
+  const Control& control_;
+  bool lathe_, increments_;
+  bool mills_axes_;   // A and C are axes and nothing else
+  bool plain_ = false;  // axis words are lengths
+  bool arc_ = false, cycle_ = false;
+};
+
+}  // namespace cncsub
