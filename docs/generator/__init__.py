@@ -1,8 +1,7 @@
 """Makes the pages of the site that are facts of the package: the controls, causes, sources, rules of
-`check`, commands and the Python interface. A page is Markdown by its path below `docs`; links in it are
-those of the repository, which `hooks` turns into those of the site.
+`check`, commands and the Python interface. A page is Markdown by its path below `docs`.
 
-    PYTHONPATH=docs python -m generator FOLDER    # writes the pages that are made, to look at
+    PYTHONPATH=docs python -m generator build/docs    # all pages, written and made
 """
 
 from __future__ import annotations

@@ -1,11 +1,8 @@
-"""Writes the pages that are made into a folder: `PYTHONPATH=docs python -m generator FOLDER`."""
+"""Writes the pages of the site, and what its builder needs, into a folder."""
 
 import sys
 from pathlib import Path
 
-from generator import pages
+from generator.assembling import assemble
 
-for name, text in pages().items():
-    file = Path(sys.argv[1], name)
-    file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(text, encoding="utf-8")
+assemble(Path(sys.argv[1]))
