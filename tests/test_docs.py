@@ -19,7 +19,7 @@ from typer.testing import CliRunner
 
 import cncsub
 import pictures
-from cncsub.cli import app
+from cncsub.cli import COMMANDS, app
 from generator import GENERATED
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -137,7 +137,10 @@ def shown_commands(block: Block) -> list[tuple[str, str]]:
 def assert_prints(command: str, output: str) -> None:
     """That it prints what is shown, where `...` stands for any text."""
     if re.fullmatch(r"cncsub [^|&;<>$()]*", command):
-        _, printed = invoke(shlex.split(command)[1:])
+        result = CliRunner().invoke(app, shlex.split(command)[1:])
+        if result.exception is not None and not isinstance(result.exception, SystemExit):
+            raise result.exception
+        printed = result.stdout + result.stderr
     else:
         here = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
         env = {**os.environ, "PATH": here, "NO_COLOR": "1", "PYTEST_ADDOPTS": "-p no:cacheprovider"}
@@ -163,7 +166,7 @@ def written_commands() -> list[tuple[str, str]]:
     found = []
     for page in PAGES:
         text = re.sub(r"^```(?!sh).*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
-        calls = re.findall(r"`(cncsub [a-z][^`]*)`", text) + re.findall(r"^(cncsub [^#\n]*)", text, re.M)
+        calls = re.findall(r"`(cncsub [a-z][^`]*)`", text) + re.findall(r"^ *(cncsub (?:" + "|".join(COMMANDS) + r") [^#\n]*)", text, re.M)
         found += [(str(page.relative_to(ROOT)), " ".join(call.split())) for call in calls]
     return sorted(set(found))
 
