@@ -235,6 +235,12 @@ def test_an_example_says_how_to_run_it_and_what_to_look_at(file: Path) -> None:
     assert commands(head) or any(commands(text) for text in beside)
 
 
+@pytest.fixture
+def at_root(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setenv("COLUMNS", "200")
+
+
 def example_commands() -> list[tuple[str, list[str]]]:
     return [
         (str(file.relative_to(EXAMPLES)), command)

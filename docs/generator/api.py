@@ -64,6 +64,8 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
         ],
     ),
 }
+# Classes that are made by calling them; the others come from a run, a library, a check.
+_CALLED = ("Setup", "Inputs", "Workpiece", "Plane", "Box", "Cylinder", "Sphere")
 _ENGINE = ("Control", "Alarm", "Frame")
 _WITH = {"Control": ("Rule", "Parameter", "AlarmEntry", "VariableOption")}  # what it hands out
 
@@ -101,7 +103,8 @@ def _page(title: str, about: str, listed: list[str]) -> str:
             for each in (name, *_WITH.get(name, ())):
                 text += _of_the_engine(each)
         else:
-            text += f"::: {_home(name)}\n\n"
+            called = "    options:\n      merge_init_into_class: true\n" if name in _CALLED else ""
+            text += f"::: {_home(name)}\n{called}\n"
     return text
 
 

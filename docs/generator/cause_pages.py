@@ -55,6 +55,8 @@ def _page(slug: str) -> str:
     text += "## On the controls\n\n"
     if rows:
         text += table(("control", "number", "text", "source", "evidence"), rows)
+        if any(row[2].endswith("\\*") for row in rows):
+            text += "\n\\* This wording is not that of a printed list of the control.\n"
         if len(rows) < len(cncsub.controls):
             text += "\nOn the other controls no source gives it a number; where it happens there, the alarm has the cause alone.\n"
     else:
@@ -67,7 +69,7 @@ def _row(control: cncsub.Control, slug: str) -> list[str]:
     number = code(entry.number) or "-"
     for way, (other, _) in entry.directed.items():
         number += f", {way} {code(other)}"
-    printed = "" if entry.printed or not entry.text else " (in our words)"
+    printed = "" if entry.printed or not entry.text else " \\*"
     return [
         f"[{control.name}](../controls/{control.name}.md#alarms)",
         number,
@@ -82,7 +84,9 @@ def _row(control: cncsub.Control, slug: str) -> list[str]:
 
 @functools.cache
 def _shortest() -> dict[str, tuple[Any, str]]:
-    """The shortest row of the conformance tables for each cause, with its control."""
+    """The shortest row of the conformance tables for each cause, with its control: one that shows a
+    number, where some do.
+    """
     sys.path.insert(0, str(_ROWS))
     try:
         from conformance import cases
@@ -90,8 +94,13 @@ def _shortest() -> dict[str, tuple[Any, str]]:
         sys.path.remove(str(_ROWS))
     found: dict[str, tuple[Any, str]] = {}
     for case in sorted(filter(_is_plain, cases()), key=_size):
-        if case.alarm is not None:
-            found.setdefault(case.alarm, (case, case.controls[0]))
+        if case.alarm is None:
+            continue
+        numbered = [name for name in case.controls if case.number_on(name) is not None]
+        name = (numbered or case.controls)[0]
+        known = found.get(case.alarm)
+        if known is None or (numbered and known[0].number_on(known[1]) is None):
+            found[case.alarm] = (case, name)
     return found
 
 

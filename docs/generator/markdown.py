@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import cncsub
 from cncsub import _core
 
-_SPECIAL = re.compile(r"([\\`*_{}\[\]<>|#$~^=+])")
+_SPECIAL = re.compile(r"([\\`*_{}\[\]|#])")
 _CODE = re.compile(r"(`[^`]*`)")
 
 
@@ -16,9 +16,14 @@ def words(text: str) -> str:
     """A text as it stands: what is in backticks stays code, nothing else means anything."""
     parts = _CODE.split(text)
     return "".join(
-        part.replace("|", "\\|") if part.startswith("`") else _SPECIAL.sub(r"\\\1", part)
+        part.replace("|", "\\|") if part.startswith("`") else _plain(part)
         for part in parts
     )
+
+
+def _plain(text: str) -> str:
+    told = _SPECIAL.sub(r"\\\1", text.replace("&", "&amp;"))
+    return told.replace("<", "&lt;").replace(">", "&gt;")
 
 
 def code(text: object) -> str:
