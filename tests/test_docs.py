@@ -1,4 +1,4 @@
-"""What the documentation shows is what happens: docstrings, the README, the examples."""
+"""What the documentation shows is what happens: docstrings, pages, pictures, examples."""
 
 from __future__ import annotations
 
@@ -8,17 +8,24 @@ import os
 import pkgutil
 import re
 import shlex
+import subprocess
+import sys
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
+import typer
 from typer.testing import CliRunner
 
 import cncsub
-from cncsub.cli import app
+import pictures
+from cncsub.cli import COMMANDS, app
+from generator import GENERATED
 
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
 EXAMPLES = ROOT / "examples"
+CLI = typer.main.get_command(app)
 
 MODULES = sorted(["cncsub", *(f"cncsub.{m.name}" for m in pkgutil.iter_modules(cncsub.__path__))])
 
@@ -57,53 +64,142 @@ def invoke(arguments: list[str]) -> tuple[int, str]:
     return result.exit_code, result.output
 
 
-# ---- the README ----
+# ---- the pages ----
+
+DOCS = ROOT / "docs"
+PAGES = sorted(
+    [*ROOT.glob("*.md"), *DOCS.rglob("*.md"), *(ROOT / ".github").rglob("*.md")],
+    key=lambda page: (len(page.parts), page),
+)
+# What a page may show. Of these `sh` alone is not run: it builds, installs or takes minutes.
+LANGUAGES = {"console", "python", "py", "cpp", "toml", "nc", "sh", "text", "yaml", "sql"}
 
 
-def fenced(language: str) -> list[str]:
-    if not README.exists():
-        return []
-    text = README.read_text(encoding="utf-8")
-    return re.findall(rf"^```{language}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+class Block(NamedTuple):
+    """A fenced block of a page."""
+
+    language: str
+    title: str  # the file that it is, "" for none
+    text: str
+    line: int
 
 
-@pytest.fixture
-def at_root(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(ROOT)
+def blocks_of(page: Path) -> list[Block]:
+    text = page.read_text(encoding="utf-8")
+    fence = re.compile(r"^```([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+    found = []
+    for match in fence.finditer(text):
+        language, _, rest = match[1].partition(" ")
+        title = re.search(r'title="([^"]+)"', rest)
+        line = text.count("\n", 0, match.start()) + 1
+        found.append(Block(language, title[1] if title else "", match[2], line))
+    return found
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_a_page_shows_what_happens(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its blocks one after the other in a folder of their own, beside the examples: a block with a
+    title is written as that file, commands print what is shown, Python runs.
+    """
+    blocks = blocks_of(page)
+    assert {block.language for block in blocks} <= LANGUAGES
+    (tmp_path / "examples").symlink_to(EXAMPLES)
+    monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "200")
-
-
-@pytest.mark.usefixtures("at_root")
-def test_the_python_of_the_readme_runs(capsys: pytest.CaptureFixture[str]) -> None:
-    """One after the other, with the names of those before; `>>>` blocks with their output."""
     names: dict[str, object] = {}
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE)
-    for number, block in enumerate(fenced("python")):
-        if ">>>" in block:
-            test = doctest.DocTestParser().get_doctest(block, names, f"block {number}", None, None)
+    for block in blocks:
+        if block.title:
+            file = tmp_path / block.title
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(block.text, encoding="utf-8")
+        elif block.language == "console":
+            for command, output in shown_commands(block):
+                assert_prints(command, output)
+        elif block.language == "python" and ">>>" in block.text:
+            test = doctest.DocTestParser().get_doctest(block.text, names, page.name, None, None)
             runner.run(test, clear_globs=False)
             names.update(test.globs)
-        else:
-            exec(compile(block, f"README.md, python block {number}", "exec"), names)
+        elif block.language == "python":
+            exec(compile(block.text, f"{page.name}, line {block.line}", "exec"), names)
     assert runner.failures == 0, capsys.readouterr().out
 
 
-def shown_commands() -> list[tuple[str, str]]:
-    """`$ cncsub ...` in the shell blocks of the README, each with the output shown below it."""
-    shown = []
-    for language in ("console", "sh", "shell", "bash", "text", ""):
-        for block in fenced(language):
-            parts = re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]
-            shown += [(c, o) for c, _, o in (part.partition("\n") for part in parts)]
-    return [(command, output) for command, output in shown if command.startswith("cncsub ")]
+def shown_commands(block: Block) -> list[tuple[str, str]]:
+    """The commands behind `$`, each with the output shown below it."""
+    assert block.text.startswith("$ "), f"line {block.line}: a console begins with a command"
+    parts = re.split(r"^\$ ", block.text, flags=re.MULTILINE)[1:]
+    return [(command, output) for command, _, output in (part.partition("\n") for part in parts)]
 
 
-@pytest.mark.usefixtures("at_root")
-@pytest.mark.parametrize(("command", "output"), shown_commands())
-def test_the_commands_of_the_readme_print_what_is_shown(command: str, output: str) -> None:
-    _, printed = invoke(shlex.split(command)[1:])
+def assert_prints(command: str, output: str) -> None:
+    """That it prints what is shown, where `...` stands for any text."""
+    if re.fullmatch(r"cncsub [^|&;<>$()]*", command):
+        result = CliRunner().invoke(app, shlex.split(command)[1:])
+        if result.exception is not None and not isinstance(result.exception, SystemExit):
+            raise result.exception
+        printed = result.stdout + result.stderr
+    else:
+        here = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+        env = {**os.environ, "PATH": here, "NO_COLOR": "1", "PYTEST_ADDOPTS": "-p no:cacheprovider"}
+        done = subprocess.run(
+            ["bash", "-c", command], capture_output=True, text=True, env=env, check=False
+        )
+        printed = done.stdout + done.stderr
     pattern = ".*?".join(re.escape(part) for part in output.strip().split("..."))
-    assert re.fullmatch(pattern, printed.strip(), re.DOTALL), printed
+    assert re.fullmatch(pattern, printed.strip(), re.DOTALL), f"{command}\n{printed}"
+
+
+def test_the_readme_is_short() -> None:
+    assert len(README.read_text(encoding="utf-8").splitlines()) <= 120
+
+
+def test_the_readme_names_every_control_and_no_other() -> None:
+    rows = re.findall(r"^\| [A-Z]\w+ \| (`.*`) \|$", README.read_text(encoding="utf-8"), re.MULTILINE)
+    assert sorted(re.findall(r"`([\w-]+)`", " ".join(rows))) == sorted(cncsub.controls)
+
+
+def written_commands() -> list[tuple[str, str]]:
+    """The calls of cncsub in the text and in the `sh` blocks of pages."""
+    found = []
+    for page in PAGES:
+        text = re.sub(r"^```(?!sh).*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+        calls = re.findall(r"`(cncsub [a-z][^`]*)`", text) + re.findall(r"^ *(cncsub (?:" + "|".join(COMMANDS) + r") [^#\n]*)", text, re.M)
+        found += [(str(page.relative_to(ROOT)), " ".join(call.split())) for call in calls]
+    return sorted(set(found))
+
+
+@pytest.mark.parametrize(("page", "call"), written_commands())
+def test_a_command_in_a_text_has_the_options_it_names(page: str, call: str) -> None:
+    words = [word for word in shlex.split(call)[1:] if word != "..."]
+    command = CLI.get_command(None, words[0])
+    assert command is not None, f"{page}: {call}"
+    options = {name for each in command.params for name in (*each.opts, *each.secondary_opts)}
+    named = {word.split("=")[0] for word in words if re.match(r"--?[a-z]", word)}
+    assert named <= options, f"{page}: {call}"
+
+
+def local_links() -> list[tuple[str, str]]:
+    found = []
+    for page in PAGES:
+        text = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+        for link in re.findall(r"\]\(([^)\s]+)\)", text):
+            if not re.match(r"https?:|#", link):
+                found.append((str(page.relative_to(ROOT)), link))
+    return sorted(set(found))
+
+
+@pytest.mark.parametrize(("page", "link"), local_links())
+def test_a_link_leads_to_a_file_or_to_a_page_that_is_made(page: str, link: str) -> None:
+    target = (ROOT / page).parent.joinpath(link.partition("#")[0]).resolve()
+    made = {DOCS / name for name in GENERATED}
+    assert target.exists() or target in made
+
+
+def test_the_picture_of_the_path_is_the_path() -> None:
+    assert pictures.PATH.read_text(encoding="utf-8") == pictures.path()
 
 
 # ---- the examples ----
@@ -139,6 +235,12 @@ def test_an_example_says_how_to_run_it_and_what_to_look_at(file: Path) -> None:
     assert commands(head) or any(commands(text) for text in beside)
 
 
+@pytest.fixture
+def at_root(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setenv("COLUMNS", "200")
+
+
 def example_commands() -> list[tuple[str, list[str]]]:
     return [
         (str(file.relative_to(EXAMPLES)), command)
@@ -159,17 +261,3 @@ def test_an_example_ends_as_it_says(file: str, command: list[str]) -> None:
     else:
         assert status == 1, printed
         assert alarms, printed
-
-
-def tabled() -> list[tuple[str, str]]:
-    """The rows of the table of controls: the control, and its rules by evidence."""
-    return re.findall(r"^\| `([\w-]+)` \|.*\| ([\d /]+) \|$", README.read_text(), re.MULTILINE)
-
-
-@pytest.mark.parametrize(("name", "counts"), tabled())
-def test_the_table_of_controls_counts_their_rules(name: str, counts: str) -> None:
-    kinds = ("source document", "maker's manual", "secondary", "inferred")
-    rules = cncsub.controls[name].rules
-    evidence = [str(rule.evidence) for rule in rules]
-    evidence += [str(strength) for rule in rules for _, strength in rule.sources.values()]
-    assert counts == " / ".join(str(evidence.count(kind)) for kind in kinds)

@@ -39,7 +39,7 @@ def test_a_program_on_the_other_side_is_named(tmp_path: Path) -> None:
 
 def test_a_file_beside_the_program_is_named(tmp_path: Path) -> None:
     (tmp_path / "o0009.nc").write_text("O9\nM99\n")
-    (told,) = hints(run(tmp_path, "O1\nM98 P9\nM30\n")[1])
+    (told,) = hints(run(tmp_path, "O1\n#1=9\nM98 P#1\nM30\n")[1])
     assert told == f"{tmp_path / 'o0009.nc'} was not read: name it, or its folder, too"
 
 

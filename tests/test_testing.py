@@ -241,13 +241,3 @@ def test_arguments_arrive_as_they_are_written(values: dict[str, Decimal]) -> Non
 def test_letters_that_are_no_arguments() -> None:
     with pytest.raises(ValueError, match="'P' is no argument"):
         arguments("P")
-
-
-def test_what_the_readme_shows_runs(project: pytest.Pytester) -> None:
-    readme = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
-    (function,) = re.findall(r"```python\n(def test_.*?)```", readme, re.DOTALL)
-    (table,) = re.findall(r"```toml\n(.*?\[\[case\]\].*?)```", readme, re.DOTALL)
-    project.makepyfile(function)
-    (project.path / "square.nctest.toml").write_text(table)
-    (project.path / "macros" / "O2.nc").write_text("O2\nN30 #100=#1*#1\nN40 M99\n")
-    project.runpytest_inprocess("-q", "--control", "fanuc-0i-f").assert_outcomes(passed=2)

@@ -35,6 +35,7 @@ PYBIND11_MODULE_EXEC(engine, m) {
   m.doc() = "The engine. Use it through `cncsub`; nothing here is public by itself.";
   m.attr("__version__") = CNCSUB_VERSION;
   cncsub::bindings::add_controls(m);
+  cncsub::bindings::add_codes(m);
   cncsub::bindings::add_alarms(m);
   cncsub::bindings::add_files(m);
   cncsub::bindings::add_code(m);

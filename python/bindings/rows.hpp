@@ -32,7 +32,7 @@ pybind11::object step_object(const Trace& trace, const Code& code, std::size_t i
 
 /// The table of what was watched, that of the codes that were sent, and the path as points.
 void add_watch(pybind11::class_<Record>& trace);
-void add_codes(pybind11::class_<Record>& trace);
+void add_sent_codes(pybind11::class_<Record>& trace);
 void add_paths(pybind11::class_<Record>& trace);
 
 /// Where a row of the moves begins, and the centre of the tool's arc.

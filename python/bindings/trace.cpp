@@ -373,7 +373,7 @@ void add_trace(py::module_& m) {
   };
   py::class_<Record> trace(m, "Trace", py::is_final());
   add_watch(trace);
-  add_codes(trace);
+  add_sent_codes(trace);
   add_paths(trace);
   trace.def_property_readonly("steps", size([](const Trace& trace) { return trace.steps.size(); }))
       .def("step_row", &step_row, py::arg("index"), py::arg("row"))

@@ -18,6 +18,11 @@ def controls() -> list[Control]:
 def sources() -> list[tuple[str, str, str, str, str]]:
     """Key, title, address, controls and evidence of every source."""
 
+def g_codes(control: Control, machine: str = "") -> list[tuple[str, str]]:
+    """Each G code of a control on a kind of machine, and the engine's name for what it does there:
+    `Neutral` and `Ignored` are passed over, `Uncomputed` and `Unknown` alarm, `None` is refused.
+    """
+
 def cited(text: str) -> list[str]:
     """The keys of the sources that a text cites, each once."""
 

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
+from cncsub.controls import names_beginning
 from cncsub.printing import shown
 
 _SHOWN = 20  # of the runs that did not end well, as text
@@ -25,7 +26,13 @@ class BatchFormat(enum.StrEnum):
 def batch(
     paths: Annotated[list[str], typer.Argument(help="Files and folders.", show_default=False)],
     control: Annotated[
-        str, typer.Option("-c", "--control", help="The control; `cncsub controls` lists them.")
+        str,
+        typer.Option(
+            "-c",
+            "--control",
+            help="The control; `cncsub controls` lists them.",
+            autocompletion=names_beginning,
+        ),
     ],
     jobs: Annotated[
         int | None, typer.Option("-j", "--jobs", help="How many processes work.", min=1)

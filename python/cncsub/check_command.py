@@ -22,13 +22,14 @@ from cncsub.options import (
     Paths,
     Prefer,
     SetupFile,
+    files_beside,
     library_of,
-    project_here,
     write_json,
     write_text,
     wrong_use,
 )
 from cncsub.printing import Console, Text, shown
+from cncsub.project import project_for
 
 if TYPE_CHECKING:
     from cncsub import findings
@@ -76,12 +77,14 @@ def check(
     from cncsub import findings
 
     with wrong_use():
-        project = project_here()
+        project = project_for(paths)
         library = library_of(options)
+        beside = files_beside(options, library)
         asked = chosen_rules(rule) - chosen_rules(ignore or ()) - project.ignore
         machine = setup or project.setup
         known = cncsub.Setup.from_toml(machine) if machine is not None else None
         found = library.check(main, sorted(asked), setup=known)
+        found = [finding for finding in found if finding.file not in beside]
         found = findings.with_severity(found, dict(project.severity))
         if fix or diff:
             found = _mend(findings.Mended(found), found, library, diff)

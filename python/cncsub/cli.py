@@ -22,24 +22,24 @@ from cncsub import system
 from cncsub.options import WrongUseError
 from cncsub.printing import shown
 
-# The function of each command and its module, which is imported when the command is asked for.
+# The function of each command and its module, which is imported when the command is asked for, and
+# what the list of commands says of it.
 COMMANDS = {
-    "run": "run_command.run",
-    "tree": "run_command.tree",
-    "list": "list_command.list_programs",
-    "check": "check_command.check",
-    "compare": "compare_command.compare",
-    "diff": "compare_command.diff",
-    "flatten": "flatten_command.flatten",
-    "coverage": "coverage_command.coverage",
-    "report": "report_command.report",
-    "plot": "plot_command.plot",
-    "controls": "controls_command.controls",
-    "explain": "explain_command.explain",
-    "batch": "batch.batch",
+    "run": ("run_command.run", "Run a program: its calls, and how it stopped."),
+    "tree": ("run_command.tree", "Draw its calls, with arguments and callers."),
+    "list": ("list_command.list_programs", "List programs, what they call, who calls them."),
+    "check": ("check_command.check", "What would alarm or surprise, without running."),
+    "compare": ("compare_command.compare", "Two controls: where they part, and why."),
+    "diff": ("compare_command.diff", "Two versions: what the new one does otherwise."),
+    "flatten": ("flatten_command.flatten", "Write one program without calls."),
+    "coverage": ("coverage_command.coverage", "Which blocks and branches ran."),
+    "report": ("report_command.report", "Write a run as one page of HTML."),
+    "plot": ("plot_command.plot", "Draw the path of a run as one page of HTML."),
+    "controls": ("controls_command.controls", "The controls, and what is known of one."),
+    "explain": ("explain_command.explain", "What an alarm or a rule means, and the cure."),
+    "batch": ("batch.batch", "Run every program of some folders."),
 }
 LOOK: dict[str, Any] = {
-    "add_completion": False,
     "pretty_exceptions_enable": False,
     "rich_markup_mode": None,
 }
@@ -70,9 +70,10 @@ class OneLineGroup(typer.core.TyperGroup):
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
         if cmd_name not in COMMANDS:
             return None
-        module, function = COMMANDS[cmd_name].split(".")
-        alone = typer.Typer(**LOOK)
-        alone.command(cmd_name)(getattr(import_module(f"cncsub.{module}"), function))
+        place, told = COMMANDS[cmd_name]
+        module, function = place.split(".")
+        alone = typer.Typer(add_completion=False, **LOOK)
+        alone.command(cmd_name, short_help=told)(getattr(import_module(f"cncsub.{module}"), function))
         return typer.main.get_command(alone)
 
 
@@ -97,13 +98,14 @@ def _print_version(asked: bool) -> None:
 FIRST_STEPS = """\
 First steps:
 
-  cncsub controls                         the controls there are
-  cncsub run part.nc -c fanuc-0i-f        run a program: its calls, its end, its alarm
-  cncsub check part.nc -c fanuc-0i-f      what would alarm or surprise, without running
-  cncsub list folder/ -c fanuc-0i-f       the programs, and who calls whom
-  cncsub explain PS0076                   what an alarm means, and its cure
+  cncsub controls                      the controls there are
+  cncsub run part.nc -c fanuc-0i-f     its calls, its end, its alarm
+  cncsub check part.nc -c fanuc-0i-f   what would alarm or surprise
+  cncsub list folder/ -c fanuc-0i-f    the programs, and who calls whom
+  cncsub explain PS0076                what an alarm means, and its cure
 
-CNCSUB_CONTROL=fanuc-0i-f, or a cncsub.toml beside the programs, names the control for them all."""
+CNCSUB_CONTROL=fanuc-0i-f, or a cncsub.toml beside the programs, names the
+control for them all."""
 
 
 @app.callback(invoke_without_command=True)

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 import cncsub
+from cncsub.controls import names_beginning
 from cncsub.facts import comparison_facts
 from cncsub.options import (
     ControlName,
@@ -43,7 +44,13 @@ def compare(
     paths: Paths = None,
     control: Annotated[
         list[str] | None,
-        typer.Option("-c", "--control", help="The controls: give it twice.", show_default=False),
+        typer.Option(
+            "-c",
+            "--control",
+            help="The controls: give it twice.",
+            show_default=False,
+            autocompletion=names_beginning,
+        ),
     ] = None,
     main: Main = None,
     set: Set = None,

@@ -63,6 +63,11 @@ def did_you_mean(name: object, names: Iterable[str], otherwise: str = "") -> str
     return f"; near are {', '.join(near)}" if near else otherwise
 
 
+def names_beginning(letters: str) -> list[str]:
+    """The names of controls that begin so, for the completion of a shell."""
+    return [name for name in controls if name.startswith(letters)]
+
+
 class Named(Mapping[str, T]):
     """A mapping whose `KeyError` names what is near."""
 

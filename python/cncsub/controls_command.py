@@ -2,15 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import io
+import os
+import shutil
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 import cncsub
+from cncsub.controls import names_beginning
 from cncsub.facts import control_facts
 from cncsub.options import Format, Output, control_named, write_json, write_text, wrong_use
-from cncsub.printing import Console, print_control, print_pairs, shown
+from cncsub.printing import (
+    Console,
+    console_on,
+    print_control,
+    print_pairs,
+    print_wrapped,
+    shown,
+)
 
 _LISTS = {  # and what one of them is called
     "rules": "rule",
@@ -21,7 +34,7 @@ _LISTS = {  # and what one of them is called
 
 
 def controls(
-    name: Annotated[str | None, typer.Argument(help="One control.", show_default=False)] = None,
+    name: Annotated[str | None, typer.Argument(help="One control.", show_default=False, autocompletion=names_beginning)] = None,
     words: Annotated[
         list[str] | None,
         typer.Argument(
@@ -29,7 +42,12 @@ def controls(
         ),
     ] = None,
     diff: Annotated[
-        str | None, typer.Option("--diff", help="Another control: what differs.", metavar="OTHER")
+        str | None, typer.Option(
+            "--diff",
+            help="Another control: what differs.",
+            metavar="OTHER",
+            autocompletion=names_beginning,
+        ),
     ] = None,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
@@ -47,7 +65,7 @@ def controls(
         return
     control = control_named(name)
     if diff is None and not words and format is Format.TEXT:
-        write_text(output, lambda console: print_control(console, control))
+        _paged(output, lambda console: print_control(console, control))
         return
     facts = _chosen(control_facts(control), words or ())
     if diff is None:
@@ -62,6 +80,30 @@ def controls(
     _tell(told, format, output, lambda: _difference_lines(told))
 
 
+class _Held(io.StringIO):
+    """A text for a terminal, held back."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def _paged(output: Path | None, write: Callable[[Console], None]) -> None:
+    """Text that is longer than the terminal goes through a pager: `PAGER`, or what there is."""
+    if output is not None or not (sys.stdout.isatty() and sys.stdin.isatty()):
+        write_text(output, write)
+        return
+    held = _Held()
+    write(console_on(held))
+    text = held.getvalue()
+    if text.count("\n") < shutil.get_terminal_size().lines:
+        sys.stdout.write(text)
+        return
+    from pydoc import pager  # not imported where nothing is paged
+
+    os.environ.setdefault("LESS", "-R")  # colours as they are
+    pager(text)
+
+
 def _tell(facts: dict[str, Any], format: Format, output: Any, lines: Any) -> None:
     if format is Format.JSON:
         write_json(output, facts)
@@ -69,9 +111,9 @@ def _tell(facts: dict[str, Any], format: Format, output: Any, lines: Any) -> Non
 
     def write(console: Console) -> None:
         for line in lines():
-            console.print(shown(line))
+            print_wrapped(console, shown(line))
 
-    write_text(output, write)
+    _paged(output, write)
 
 
 def _chosen(facts: dict[str, Any], words: Iterable[str]) -> dict[str, Any]:
@@ -150,15 +192,27 @@ def _compared(kind: str, fact: dict[str, Any] | None) -> Any:
     return fact.get("value", fact.get("numbers"))
 
 
+MOST_WORDS = 8  # of a list that is shown whole
+
+
+def _told_apart(*values: Any) -> list[str]:
+    """Two values, of long lists what the other has not."""
+    lists = [str(value).split() for value in values]
+    if None in values or max(map(len, lists)) <= MOST_WORDS:
+        return ["is not there" if value is None else _shown_value(value) for value in values]
+    return [
+        "besides: " + (" ".join(word for word in mine if word not in other) or "nothing")
+        for mine, other in (lists, lists[::-1])
+    ]
+
+
 def _difference_lines(told: dict[str, Any]) -> Iterator[str]:
     names = told["controls"]
     width = max(map(len, names))
     for difference in told["differences"]:
         yield f"{_LISTS[difference['kind']]} {difference['name']}: {difference['meaning']}"
-        for name, value, source in zip(
-            names, difference["values"], difference["sources"], strict=True
-        ):
-            there = "is not there" if value is None else _shown_value(value)
+        apart = _told_apart(*difference["values"])
+        for name, there, source in zip(names, apart, difference["sources"], strict=True):
             yield f"    {name.ljust(width)}  {there}" + (f"  [{source}]" if source else "")
     count = len(told["differences"])
     yield f"{count:,} difference{'' if count == 1 else 's'} between {names[0]} and {names[1]}"

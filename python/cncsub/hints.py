@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import time
 from collections.abc import Iterator, Mapping
@@ -10,16 +9,16 @@ from pathlib import Path
 from typing import Any
 
 from cncsub._core import Alarm, Control
+from cncsub.beside import files_named
 from cncsub.library import Library
 from cncsub.notes import Note
-from cncsub.project import find_project
+from cncsub.project import project_for
 from cncsub.references import Computed
 from cncsub.run import Run, Stop
 
 MOST_BLOCKS = 20_000  # of a run that is tried again, and of a memory that is searched
 MOST_SECONDS = 1.0
 MOST_TOLD = 3
-MOST_FILES = 2_000  # of a folder
 MOST_TEXT = 20_000  # letters of a program that are looked at
 
 # How programs of other languages look, and the control here that reads them, if there is one.
@@ -63,29 +62,9 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
         yield f"{name} is in the memory, where M98 calls it"
     if not outside and name in library.external:
         yield f"{name} is on the external device, where M198 calls it"
-    for file in _files_named(library, alarm, name):
+    beside = files_named(Path(alarm.file).parent, name, library) if alarm.file else ()
+    for file in beside:
         yield f"{file} was not read: name it, or its folder, too"
-
-
-def _files_named(library: Library, alarm: Alarm, name: str) -> Iterator[str]:
-    """Files beside the program that are called as the program that is missing."""
-    folder = Path(alarm.file).parent
-    digits = name.lstrip("Oo:%").lstrip("0")
-    if not Path(alarm.file).is_file() or not name:
-        return
-    read = {Path(file).resolve() for file in library.files}
-    try:
-        with os.scandir(folder) as entries:
-            beside = [entry for _, entry in zip(range(MOST_FILES), entries)]
-    except OSError:  # a folder that nobody may list
-        return
-    for entry in beside:
-        stem = Path(entry.name).stem
-        same = stem.upper() == name.upper()
-        if digits.isdecimal():
-            same |= re.fullmatch(rf"[Oo]?0*{digits}", stem) is not None
-        if same and entry.is_file() and Path(entry.path).resolve() not in read:
-            yield entry.path
 
 
 # ---- another language ----
@@ -150,7 +129,7 @@ def _changed(control: Control) -> Iterator[tuple[str, Control]]:
 
 def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
     """A note where the control is the project's, because no option named one."""
-    project = find_project(Path.cwd())
+    project = project_for(options.get("paths"))
     if options["control"] is None and project.control is not None:
         told = f"the control is {project.control}, which the project names"
         yield Note("defaulted", told, str(project.file))

@@ -20,7 +20,8 @@ from cncsub.options import (
     Paths,
     Prefer,
     library_of,
-    tell_notes,
+    notes_on,
+    tell_all,
     write_json,
     write_text,
     wrong_use,
@@ -43,14 +44,15 @@ def list_programs(
 ) -> None:
     """List the programs: where they begin, their titles, what they call and who calls them."""
     with wrong_use():
-        library = library_of({**locals(), "mdi": None})
+        options = {**locals(), "mdi": None}
+        library = library_of(options)
+        notes = notes_on(options, library)
     rows = list(_rows(library))
     if format is Format.JSON:
-        notes = [asdict(note) for note in library.notes]
-        write_json(output, {"programs": rows, "notes": notes})
+        write_json(output, {"programs": rows, "notes": list(map(asdict, notes))})
         return
     write_text(output, lambda console: console.print("\n".join(_lines(rows)) or "no programs"))
-    tell_notes(library)
+    tell_all(notes)
 
 
 def _rows(library: cncsub.Library) -> Iterator[dict[str, Any]]:

@@ -15,10 +15,11 @@ import typer
 
 import cncsub
 from cncsub import system
-from cncsub.controls import did_you_mean
+from cncsub.beside import with_files_beside
+from cncsub.controls import did_you_mean, names_beginning
 from cncsub.notes import Note, counting, same_blocks
 from cncsub.printing import Console, console_on, shown
-from cncsub.project import Project, find_project
+from cncsub.project import project_for
 
 MOST_WATCHED = 1000  # variables of one range; the engine takes no more of all
 
@@ -56,6 +57,7 @@ ControlName = Annotated[
         help="The control; `cncsub controls` lists them.",
         envvar="CNCSUB_CONTROL",
         show_envvar=False,
+        autocompletion=names_beginning,
     ),
 ]
 Main = Annotated[str | None, typer.Option(help="The program to run, such as O20.")]
@@ -143,7 +145,7 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     }
     if watched := watched_numbers(options.get("watch") or ()):
         asked["watch"] = watched
-    project = project_here()
+    project = project_for(options.get("paths"))
     if (setup := options["setup"] or project.setup) is not None:
         asked["setup"] = cncsub.Setup.from_toml(setup)
     if (inputs := options["inputs"] or project.inputs) is not None:
@@ -153,7 +155,7 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
 
 def _variables(options: Mapping[str, Any]) -> dict[int, float | None]:
     """Those of the file, and above them those of `--set`."""
-    file = options.get("variables") or project_here().variables
+    file = options.get("variables") or project_for(options.get("paths")).variables
     given = {} if file is None else dict(cncsub.read_variables(file))
     return given | dict(_assignment("--set", text, _vacant) for text in options["set"] or ())
 
@@ -192,18 +194,13 @@ def status_of(run: cncsub.Run | cncsub.Stream) -> int:
     return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
 
 
-def project_here() -> Project:
-    """What the project says whose folder one stands in."""
-    return find_project(Path.cwd())
-
-
 def library_of(options: Mapping[str, Any]) -> cncsub.Library:
     output = options["output"]
     if output is not None and any(
         output.resolve() == Path(path).resolve() for path in options["paths"] or ()
     ):
         raise ValueError(f"{output} is the program; name another file to write to")
-    project = project_here()
+    project = project_for(options.get("paths"))
     named = options["control"] or project.control
     control = control_named(named)
     if named == project.control and project.parameters:
@@ -223,10 +220,38 @@ def library_of(options: Mapping[str, Any]) -> cncsub.Library:
         return cncsub.loads(text, encoding=options["encoding"], **places)
     if paths:
         prefer = options.get("prefer") or ()
-        return cncsub.load(*paths, encoding=options["encoding"], prefer=prefer, **places)
+
+        def load(named: Sequence[str]) -> cncsub.Library:
+            return cncsub.load(*named, encoding=options["encoding"], prefer=prefer, **places)
+
+        return with_files_beside(paths[0], load) if _is_one_file(paths) else load(paths)
     if options["mdi"] is None:
         raise ValueError("which program? Name a file or a folder, or give --mdi")
     return cncsub.loads("", **places)
+
+
+def _is_one_file(paths: Sequence[str]) -> bool:
+    return len(paths) == 1 and Path(paths[0]).is_file()
+
+
+def files_beside(options: Mapping[str, Any], library: cncsub.Library) -> list[str]:
+    """The files that were read because the one that was named calls their programs."""
+    return list(library.files[1:]) if _is_one_file(options["paths"] or ()) else []
+
+
+def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
+    """What is easily overlooked of a memory, but for files that the options name themselves."""
+    named = {options.get(name) for name in ("setup", "inputs", "variables")}
+    known = {Path(file).resolve() for file in named if file is not None}
+    beside = [
+        Note("beside", "read too, because a call names its program", file)
+        for file in files_beside(options, library)
+    ]
+    return beside + [
+        note
+        for note in library.notes
+        if note.kind != "left-out" or Path(note.file).resolve() not in known
+    ]
 
 
 MOST_NOTES = 20
@@ -248,13 +273,8 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
                 else f"choose one with --prefer {counts.file}, or leave a file out"
             )
             raise ValueError(f"{counts.name} stands twice, with other blocks: {places}; {cure}")
-    tell_notes(library)
+    tell_all(notes_on(options, library))
     return library
-
-
-def tell_notes(library: cncsub.Library) -> None:
-    """Tells on the error stream what is easily overlooked."""
-    tell_all(library.notes)
 
 
 def tell_all(notes: Sequence[Note]) -> None:
@@ -273,7 +293,10 @@ def tell_hints(hints: Iterable[str]) -> None:
 
 def control_named(name: str | None) -> cncsub.Control:
     if name is None:
-        raise WrongUseError(f"which control? Give -c and one of {', '.join(cncsub.controls)}")
+        raise WrongUseError(
+            f"which control? Give -c and one of {', '.join(cncsub.controls)};"
+            " CNCSUB_CONTROL or a cncsub.toml beside the programs names it for all commands"
+        )
     if name not in cncsub.controls:
         near = did_you_mean(name, cncsub.controls, f"; there are {', '.join(cncsub.controls)}")
         raise WrongUseError(f"no control is called {name!r}{near}")

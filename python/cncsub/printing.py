@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
+import textwrap
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import IO, TYPE_CHECKING, Any
@@ -51,6 +52,11 @@ class Console:
             self._rich = Console(
                 file=file, highlight=False, markup=False, emoji=False, soft_wrap=True
             )
+
+    @property
+    def width(self) -> int | None:
+        """The columns of a terminal; elsewhere a line may be as long as it is."""
+        return self._rich.width if self._rich is not None and self._file.isatty() else None
 
     def print(self, text: str | Text = "", end: str = "\n") -> None:
         """Nothing is wrapped or marked up."""
@@ -206,7 +212,7 @@ def print_control(console: Console, control: cncsub.Control) -> None:
     _print_facts(console, "Rules", rules)
     for group, (source, evidence) in control.absent.items():
         console.print(Text.assemble(("  no rules of ", ""), (group, "cyan")))
-        console.print(Text(f"      [{source}; {evidence}]", style="dim"))
+        _print_source(console, f"[{source}; {evidence}]")
     parameters = (
         (
             f"{p.name} = {p.value:g}",
@@ -239,19 +245,50 @@ def _numbers(alarm: Any) -> str:
 def _print_sources(console: Console, control: cncsub.Control) -> None:
     console.print(Text("\nSources, and what each is on this control", style="bold"))
     for source in sources_of(control):
-        console.print(Text.assemble((f"  {source.key}", "cyan"), f": {source.title}"))
+        _print_fact(console, source.key, source.title)
         address = f"; {source.address}" if source.address else ""
-        console.print(Text(f"      [{source.on(control.name)}{address}]", style="dim"))
+        _print_source(console, f"[{source.on(control.name)}{address}]")
 
 
 def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, Any]]) -> None:
     console.print(Text(f"\n{title}", style="bold"))
     for head, text, fact in facts:
-        console.print(Text.assemble((f"  {head}", "cyan"), f": {text}"))
-        console.print(Text(f"      [{fact.source}; {fact.evidence}]", style="dim"))
+        _print_fact(console, head, text)
+        _print_source(console, f"[{fact.source}; {fact.evidence}]")
         for entry, (source, evidence) in getattr(fact, "sources", {}).items():
             there = "" if entry in str(fact.value).split() else "not "
-            console.print(Text(f"      {there}{entry} [{source}; {evidence}]", style="dim"))
+            _print_source(console, f"{there}{entry} [{source}; {evidence}]")
+
+
+def _print_fact(console: Console, head: str, text: str) -> None:
+    """The head in colour; wrapped on a terminal, with what follows below the text."""
+    first, *rest = _wrapped(console, f"  {head}: {text}", "    ")
+    named = f"  {head}"
+    if first.startswith(named):
+        console.print(Text.assemble((named, "cyan"), first[len(named) :]))
+    else:  # a head that is longer than a line
+        console.print(Text(first, style="cyan"))
+    for line in rest:
+        console.print(line)
+
+
+def _print_source(console: Console, text: str) -> None:
+    for line in _wrapped(console, f"      {text}", "      "):
+        console.print(Text(line, style="dim"))
+
+
+def print_wrapped(console: Console, line: str) -> None:
+    """A line, wrapped on a terminal below where its text begins."""
+    indent = line[: len(line) - len(line.lstrip())] + "  "
+    for part in _wrapped(console, line, indent):
+        console.print(part)
+
+
+def _wrapped(console: Console, text: str, indent: str) -> list[str]:
+    if console.width is None or len(text) <= console.width:
+        return [text]
+    options: Any = {"break_long_words": False, "break_on_hyphens": False}
+    return textwrap.wrap(text, max(40, console.width), subsequent_indent=indent, **options)
 
 
 def _value(value: bool | int | str) -> str:

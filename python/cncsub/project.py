@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -50,6 +50,15 @@ def find_project(folder: Path) -> Project:
             if isinstance(tool, dict) and "cncsub" in tool:
                 return _read(shared, tool["cncsub"])
     return Project()
+
+
+def project_for(paths: Sequence[str] | None) -> Project:
+    """That of the folder one stands in; where there is none, that of the first path."""
+    here = find_project(Path.cwd())
+    if here.file is not None or not paths or paths[0] in ("", "-"):
+        return here
+    place = Path(paths[0]).absolute()
+    return find_project(place if place.is_dir() else place.parent)
 
 
 def _toml(file: Path) -> dict[str, Any]:

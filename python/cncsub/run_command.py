@@ -39,6 +39,7 @@ from cncsub.options import (
     Watch,
     WrongUseError,
     memory_of,
+    notes_on,
     opened,
     run_options,
     status_of,
@@ -163,7 +164,7 @@ def _run(
         library = memory_of(options)
         asked = run_options(options, trace)
         where = f"on {library.control.title}"
-        notes = [asdict(note) for note in library.notes]
+        notes = [asdict(note) for note in notes_on(options, library)]
         if options["mdi"] is not None:
             return library.mdi(options["mdi"], **asked), f"MDI {where}", notes, []
         program = library.main if options["main"] is None else library[options["main"]]

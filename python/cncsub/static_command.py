@@ -7,7 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from cncsub.options import Format, memory_of, write_json, write_text, wrong_use
+from cncsub.options import Format, memory_of, notes_on, write_json, write_text, wrong_use
 from cncsub.printing import Console, shown
 from cncsub.statictree import MOST, StaticCall, static_tree
 
@@ -31,7 +31,7 @@ def draw_static_tree(
     name = "nothing" if program is None else program.name
     title = f"{name} on {library.control.title}, as it is written"
     if format is Format.JSON:
-        notes = [asdict(note) for note in library.notes]
+        notes = [asdict(note) for note in notes_on(options, library)]
         facts = {"title": title, "whole": whole, "calls": _facts(calls), "notes": notes}
         write_json(output, facts)
         return

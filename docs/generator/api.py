@@ -1,0 +1,165 @@
+"""The Python interface: from the docstrings of the package, and for what the engine makes from its stubs."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+from pathlib import Path
+
+import cncsub
+from cncsub import _core
+from generator.markdown import code, fenced, table, words
+
+# Every public name of the package, by the page it stands on.
+PAGES: dict[str, tuple[str, str, list[str]]] = {
+    "programs": (
+        "Programs",
+        "Reading programs, and what stands in them.",
+        ["load", "loads", "Library", "Program", "Block", "Word", "Note", "read_variables"],
+    ),
+    "references": (
+        "References",
+        "What programs refer to, told without running.",
+        ["CallGraph", "Edge", "CallTo", "JumpTo", "VariableUse", "Computed", "Flow", "FlowEdge"],
+    ),
+    "runs": (
+        "Runs",
+        "What a run tells, one step at a time, in parts.",
+        ["Run", "Stop", "AlarmError", "Machine", "Stream", "Part", "Endless", "Why", "LoopBlock", "Listed", "report"],
+    ),
+    "tables": (
+        "Tables",
+        "Steps, calls, moves and changes of variables, as columns and as rows.",
+        ["tables.Steps", "tables.Calls", "tables.Moves", "tables.Watch", "Step", "Call", "Move", "Change", "Dropped", "MissedSkip"],
+    ),
+    "controls": (
+        "Controls and alarms",
+        "The controls with their facts, causes and sources; alarms as values.",
+        ["controls", "causes", "sources", "Cause", "Source", "Control", "Alarm", "Frame"],
+    ),
+    "setup": (
+        "Setup and inputs",
+        "What was set at the machine, and what answers while a program runs.",
+        ["Setup", "Inputs", "Workpiece", "Plane", "Box", "Cylinder", "Sphere"],
+    ),
+    "checking": ("Checking", "What is wrong, told without running.", ["CheckRule", "Finding", "Edit"]),
+    "comparing": (
+        "Flattening, comparing, translating",
+        "One program without calls, two controls, two versions.",
+        ["flatten", "Flat", "FlattenError", "compare", "Comparison", "translate", "Translation", "TranslateError"],
+    ),
+    "archives": ("Archives", "Every program of some folders.", ["run_many", "check_many"]),
+    "testing": (
+        "Testing",
+        "Cases, and what pytest gets from cncsub.",
+        [
+            "testing.case",
+            "testing.check_case",
+            "testing.load_table",
+            "testing.plugin.Cnc",
+            "testing.strategies.arguments",
+            "testing.strategies.call_words",
+            "coverage.Coverage",
+            "coverage.collecting",
+        ],
+    ),
+}
+# Classes that are made by calling them; the others come from a run, a library, a check.
+_CALLED = ("Setup", "Inputs", "Workpiece", "Plane", "Box", "Cylinder", "Sphere")
+_ENGINE = ("Control", "Alarm", "Frame")
+_WITH = {"Control": ("Rule", "Parameter", "AlarmEntry", "VariableOption")}  # what it hands out
+
+
+def names() -> list[str]:
+    return ["reference/api/index.md", *(f"reference/api/{page}.md" for page in PAGES)]
+
+
+def pages() -> dict[str, str]:
+    told = {f"reference/api/{page}.md": _page(*PAGES[page]) for page in PAGES}
+    return {"reference/api/index.md": _index(), **told}
+
+
+def documented() -> set[str]:
+    """The public names that stand on a page."""
+    return {name for _, _, names in PAGES.values() for name in names if "." not in name}
+
+
+def _index() -> str:
+    text = (
+        "# Python\n\n`import cncsub` imports none of pandas, pyarrow and rich; what needs them says so where they are missing.\n"
+        "[What is public](../../public.md) is what stands on these pages.\n\n"
+    )
+    rows = (
+        [f"[{title}]({page}.md)", words(about), ", ".join(code(name) for name in names)]
+        for page, (title, about, names) in PAGES.items()
+    )
+    return text + table(("page", "about", "names"), rows)
+
+
+def _page(title: str, about: str, listed: list[str]) -> str:
+    text = f"# {title}\n\n{about}\n\n"
+    for name in listed:
+        if name in _ENGINE:
+            for each in (name, *_WITH.get(name, ())):
+                text += _of_the_engine(each)
+        else:
+            called = "    options:\n      merge_init_into_class: true\n" if name in _CALLED else ""
+            text += f"::: {_home(name)}\n{called}\n"
+    return text
+
+
+def _home(name: str) -> str:
+    """Where a name is defined, for whoever reads the sources without running them."""
+    if "." in name:
+        module, _, own = name.rpartition(".")
+        value = getattr(__import__(f"cncsub.{module}", fromlist=[own]), own)
+    else:
+        own, value = name, getattr(cncsub, name)
+    module = getattr(value, "__module__", None) if inspect.isclass(value) or callable(value) else None
+    return f"{module or 'cncsub.controls'}.{own}"
+
+
+# ---- what the engine makes: its stubs, and the words of `help()` ----
+
+
+def _of_the_engine(name: str) -> str:
+    kind = getattr(_core, name)
+    stub = _stubs()[name]
+    text = f"## {name} {{ #{name} }}\n\n"
+    doc = inspect.cleandoc(kind.__doc__ or "")
+    about, _, example = doc.partition(">>> ")
+    if about.strip():
+        text += f"{about.strip()}\n\n"
+    if example:
+        text += fenced("python", f">>> {example}") + "\n"
+    rows, methods = [], ""
+    for member in stub.body:
+        if not isinstance(member, ast.FunctionDef) or member.name.startswith("_"):
+            continue
+        doc = inspect.cleandoc(getattr(kind, member.name).__doc__ or "")
+        if any(isinstance(d, ast.Name) and d.id == "property" for d in member.decorator_list):
+            first, _, example = doc.partition(">>> ")
+            rows.append([code(member.name), code(ast.unparse(member.returns or ast.Constant(""))), words(" ".join(first.split()))])
+        else:
+            methods += _method(name, member, doc)
+    if rows:
+        text += table(("attribute", "type", "what it is"), rows) + "\n"
+    return text + methods
+
+
+def _method(owner: str, member: ast.FunctionDef, doc: str) -> str:
+    arguments = ast.unparse(member.args).removeprefix("self").removeprefix(", ")
+    text = f"### {owner}.{member.name}\n\n"
+    text += fenced("python", f"{member.name}({arguments}) -> {ast.unparse(member.returns or ast.Constant(None))}") + "\n"
+    lines = doc.splitlines()
+    if lines and lines[0].startswith(f"{member.name}("):
+        lines = lines[1:]
+    about, _, example = "\n".join(lines).partition(">>> ")
+    text += f"{about.strip()}\n\n" if about.strip() else ""
+    return text + (fenced("python", f">>> {example}") + "\n" if example else "")
+
+
+def _stubs() -> dict[str, ast.ClassDef]:
+    stub = Path(_core.__file__).with_name("_core.pyi")
+    tree = ast.parse(stub.read_text(encoding="utf-8"))
+    return {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}

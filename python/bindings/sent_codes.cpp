@@ -1,0 +1,99 @@
+// The M, T and S codes that were sent to the machine, as a table and as lists.
+#include <cmath>
+
+#include "bindings.hpp"
+#include "gil.hpp"
+#include "live.hpp"
+#include "rows.hpp"
+
+namespace py = pybind11;
+
+namespace cncsub::bindings {
+
+namespace {
+
+using Sent = Trace::Sent;
+
+constexpr std::string_view kKinds = "MTS";
+
+template <class T, class Value>
+py::object array_of(const Record& record, Value&& value) {
+  const auto& codes = record.trace().codes;
+  const Array<T> array(codes.size());
+  T* next = array.data;
+  work_away([&](InterruptCheck& interrupt) {
+    codes.for_each_run(0, codes.size(), [&](const Sent* rows, std::size_t count) {
+      if (interrupt.requested(count * sizeof(Sent))) return;
+      for (std::size_t i = 0; i < count; ++i) *next++ = static_cast<T>(value(rows[i]));
+    });
+  });
+  return array.object;
+}
+
+py::object code_column(const Record& record, const std::string& name) {
+  const Record::Reading reading(record);
+  const Code& code = record.code();
+  if (name == "kind")
+    return array_of<std::int32_t>(record, [](const Sent& sent) { return kKinds.find(sent.kind); });
+  if (name == "value") return array_of<double>(record, [](const Sent& sent) { return sent.value; });
+  if (name == "step")
+    return array_of<std::int64_t>(record, [](const Sent& sent) { return sent.step; });
+  if (name == "program")
+    return array_of<std::int32_t>(
+        record, [&](const Sent& sent) { return code.program_at(sent.address); });
+  if (name == "n")
+    return array_of<std::int32_t>(record,
+                                  [&](const Sent& sent) { return code.blocks[sent.address].n; });
+  if (name == "line")
+    return array_of<std::int32_t>(record,
+                                  [&](const Sent& sent) { return code.blocks[sent.address].line; });
+  throw py::key_error(name);
+}
+
+/// A whole number where it is one.
+py::object plain_number(double value) {
+  constexpr double kExact = 9007199254740992.0;
+  if (std::fabs(value) <= kExact && value == std::floor(value))
+    return py::int_(static_cast<std::int64_t>(value));
+  return py::float_(value);
+}
+
+py::tuple code_row(const Record& record, std::size_t index) {
+  const Record::Reading reading(record);
+  if (index >= record.trace().codes.size()) throw py::index_error("no such code");
+  const Sent& sent = record.trace().codes[index];
+  const Code& code = record.code();
+  const Block& block = code.blocks[sent.address];
+  return py::make_tuple(std::string(1, sent.kind), plain_number(sent.value), sent.step,
+                        code.name_of(code.program_at(sent.address)), sequence_number(block.n),
+                        block.line);
+}
+
+py::list values_of(const Record& record, char kind) {
+  const Record::Reading reading(record);
+  const auto& codes = record.trace().codes;
+  py::list list;
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (codes[i].kind == kind) list.append(py::int_(static_cast<std::int64_t>(codes[i].value)));
+    if (i % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return list;
+}
+
+}  // namespace
+
+void add_sent_codes(py::class_<Record>& trace) {
+  trace
+      .def_property_readonly("codes",
+                             [](const Record& record) {
+                               const Record::Reading reading(record);
+                               return record.trace().codes.size();
+                             })
+      .def("code_row", &code_row, py::arg("index"))
+      .def("code_column", &code_column, py::arg("name"))
+      .def_property_readonly("m_codes", [](const Record& record) { return values_of(record, 'M'); })
+      .def_property_readonly("t_codes",
+                             [](const Record& record) { return values_of(record, 'T'); });
+}
+
+}  // namespace cncsub::bindings

@@ -1,0 +1,64 @@
+"""Files beside a program that are called as what it calls: a control has them in its memory too."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from cncsub import _core
+
+if TYPE_CHECKING:
+    from cncsub.library import Library
+
+MOST_FILES = 2_000  # of a folder
+MOST_ROUNDS = 100  # files that call files that call files
+
+
+def with_files_beside(path: str, load: Callable[[list[str]], Library]) -> Library:
+    """The program of a file, with the files beside it that its calls lead to. A name that several
+    files have leads to none of them.
+    """
+    library = load([path])
+    folder = Path(path).parent
+    for _ in range(MOST_ROUNDS):
+        found: dict[str, None] = {}
+        for name in missing_programs(library):
+            files = list(files_named(folder, name, library))
+            if len(files) == 1:
+                found[files[0]] = None
+        if not found:
+            break
+        library = load([path, *library.files[1:], *found])
+    return library
+
+
+def missing_programs(library: Library) -> list[str]:
+    """What calls of the memory name and the memory has not."""
+    names: dict[str, None] = {}
+    for _, _, (_, name, found, external, *_) in _core.all_calls(library._code):
+        if name and found is None and not external:
+            names[name] = None
+    return list(names)
+
+
+def files_named(folder: Path, name: str, library: Library) -> Iterator[str]:
+    """Files of a folder that are called as a program is, and are not in the library."""
+    digits = name.lstrip("Oo:%").lstrip("0")
+    if not name:
+        return
+    read = {Path(file).resolve() for file in library.files}
+    try:
+        with os.scandir(folder) as entries:
+            there = [entry for _, entry in zip(range(MOST_FILES), entries)]
+    except OSError:  # a folder that nobody may list
+        return
+    for entry in sorted(there, key=lambda entry: entry.name):
+        stem = Path(entry.name).stem
+        same = stem.upper() == name.upper()
+        if digits.isdecimal():
+            same |= re.fullmatch(rf"[Oo]?0*{digits}", stem) is not None
+        if same and entry.is_file() and Path(entry.path).resolve() not in read:
+            yield os.path.join(folder, entry.name)  # noqa: PTH118  (as it was named)

@@ -1,0 +1,15 @@
+#!/bin/sh
+# Builds the documentation in build/docs/site, with warnings as errors. The site needs no network, and opens from the disk:
+# build/docs/site/index.html. `sh tools/docs.sh --serve` shows it at http://localhost:8000 instead.
+set -eu
+cd "$(dirname "$0")/.."
+. tools/environment.sh
+
+install '.[docs]'
+PYTHONPATH=docs "$VENV/bin/python" -m generator build/docs
+if [ "${1:-}" = --serve ]; then
+    exec "$VENV/bin/zensical" serve --config-file build/docs/mkdocs.yml
+fi
+# It shows Python's traceback where it stops for a warning; what it has found stands above that.
+"$VENV/bin/zensical" build --strict --clean --config-file build/docs/mkdocs.yml
+exec "$VENV/bin/python" tools/check_site.py build/docs/site
