@@ -71,6 +71,8 @@ def test_no_dialect_knows_another() -> None:
 def test_the_engine_knows_neither_python_nor_a_terminal() -> None:
     forbidden = re.compile(r"pybind11|Python\.h|<iostream>|std::cout|std::cerr|\bprintf\(")
     wrong = [
-        str(file.relative_to(ROOT)) for file in sources() if forbidden.search(file.read_text("utf-8"))
+        str(file.relative_to(ROOT))
+        for file in sources()
+        if forbidden.search(file.read_text("utf-8"))
     ]
     assert not wrong

@@ -55,7 +55,9 @@ def test_nothing_is_installed_outside_the_package_and_its_metadata() -> None:
     strangers = [
         str(f)
         for f in files
-        if not re.match(r"cncsub/|cncsub-[^/]+\.dist-info/|.*/(bin|Scripts)/cncsub(\.exe)?$", f.as_posix())
+        if not re.match(
+            r"cncsub/|cncsub-[^/]+\.dist-info/|.*/(bin|Scripts)/cncsub(\.exe)?$", f.as_posix()
+        )
     ]
     assert files
     assert strangers == []

@@ -267,9 +267,9 @@ def _refused_entry(entry: os.DirEntry[str], path: Path, root: Path) -> str | Non
     try:
         mode = entry.stat().st_mode
         # The folder lies below the root, and so does what is no link.
-        if system.leads_elsewhere(entry) and not Path(os.path.realpath(path, strict=True)).is_relative_to(
-            root
-        ):
+        if system.leads_elsewhere(entry) and not Path(
+            os.path.realpath(path, strict=True)
+        ).is_relative_to(root):
             return "a link that leads out of the folder"
     except OSError:
         return "a link that leads nowhere" if entry.is_symlink() else "cannot be opened"
