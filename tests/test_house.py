@@ -40,7 +40,7 @@ def sources() -> Iterator[Path]:
 
 
 def included(file: Path) -> Iterator[tuple[str, Path]]:
-    for name in re.findall(r'^#include "([^"]+)"', file.read_text(), re.MULTILINE):
+    for name in re.findall(r'^#include "([^"]+)"', file.read_text("utf-8"), re.MULTILINE):
         if name not in {"controls/list.def", "dialect/list.def"}:  # written by the build
             yield name, ROOT / "cpp" / name
 
@@ -73,6 +73,8 @@ def test_no_dialect_knows_another() -> None:
 def test_the_engine_knows_neither_python_nor_a_terminal() -> None:
     forbidden = re.compile(r"pybind11|Python\.h|<iostream>|std::cout|std::cerr|\bprintf\(")
     wrong = [
-        str(file.relative_to(ROOT)) for file in sources() if forbidden.search(file.read_text())
+        str(file.relative_to(ROOT))
+        for file in sources()
+        if forbidden.search(file.read_text("utf-8"))
     ]
     assert not wrong

@@ -3,8 +3,10 @@
 import re
 import subprocess
 import sys
+import tomllib
 from importlib import metadata, resources
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -53,7 +55,9 @@ def test_nothing_is_installed_outside_the_package_and_its_metadata() -> None:
     strangers = [
         str(f)
         for f in files
-        if not re.match(r"cncsub/|cncsub-[^/]+\.dist-info/|.*/bin/cncsub$", f.as_posix())
+        if not re.match(
+            r"cncsub/|cncsub-[^/]+\.dist-info/|.*/(bin|Scripts)/cncsub(\.exe)?$", f.as_posix()
+        )
     ]
     assert files
     assert strangers == []
@@ -89,3 +93,72 @@ def test_the_import_needs_no_optional_package() -> None:
     blocked = ["pandas", "pyarrow"]
     code = f"import sys; sys.modules.update(dict.fromkeys({blocked})); import cncsub; print('ok')"
     assert run_python(code) == "ok\n"
+
+
+# ---- wheels for other systems ----
+
+
+def _project() -> dict[str, Any]:
+    return tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+
+
+def _workflow(name: str) -> dict[str, Any]:
+    yaml = pytest.importorskip("yaml")
+    text = (ROOT / ".github" / "workflows" / f"{name}.yml").read_text(encoding="utf-8")
+    told: dict[str, Any] = yaml.safe_load(text)
+    return told
+
+
+def test_wheels_are_built_for_every_python_that_the_package_takes() -> None:
+    project = _project()
+    built = project["tool"]["cibuildwheel"]["build"]
+    oldest = int(re.fullmatch(r">=3\.(\d+)", project["project"]["requires-python"])[1])  # type: ignore[index]
+    numbers = {int(re.fullmatch(r"cp3(\d+)t?-\*", name)[1]) for name in built}  # type: ignore[index]
+    assert numbers == set(range(oldest, max(numbers) + 1))
+    assert any("t-" in name for name in built), "no free-threaded build"
+    # What the classifiers claim was run; what is built beyond it says so itself, by its tests.
+    claimed = re.findall(r":: Python :: 3\.(\d+)", " ".join(project["project"]["classifiers"]))
+    assert {oldest} <= set(map(int, claimed)) <= numbers
+
+
+def test_every_architecture_of_the_configuration_has_a_machine_that_builds_it() -> None:
+    asked = _project()["tool"]["cibuildwheel"]
+    wanted = [(s, a) for s in ("linux", "macos", "windows") for a in asked[s]["archs"]]
+    runs = _workflow("wheels")["jobs"]["wheels"]["strategy"]["matrix"]["include"]
+    systems = {"ubuntu": "linux", "macos": "macos", "windows": "windows"}
+    built = [(systems[run["os"].split("-")[0]], run["archs"]) for run in runs]
+    assert sorted(built) == sorted(wanted)
+
+
+def test_the_tests_of_a_wheel_are_there_and_run_from_what_is_copied_beside_them() -> None:
+    asked = _project()["tool"]["cibuildwheel"]
+    files = [w for line in asked["test-command"] for w in line.split() if "/" in w]
+    assert any(file.startswith("tests/conformance/") for file in files)
+    for file in files:
+        assert (ROOT / file).exists(), file
+        assert file.split("/")[0] in asked["test-sources"]
+    for name in asked["test-sources"]:
+        assert (ROOT / name).exists(), name
+
+
+def test_publishing_needs_a_tag_and_trust_and_no_password() -> None:
+    told = _workflow("wheels")
+    publish = told["jobs"]["publish"]
+    assert publish["permissions"] == {"id-token": "write"}
+    assert publish["if"] == "startsWith(github.ref, 'refs/tags/v')"
+    assert set(publish["needs"]) == {"sdist", "wheels"}
+    assert told["permissions"] == {"contents": "read"}
+    for name in ("tests", "wheels"):
+        text = (ROOT / ".github" / "workflows" / f"{name}.yml").read_text(encoding="utf-8")
+        assert not re.search(r"secrets\.|password|token:\s*\$", text)
+
+
+def test_the_workflows_run_files_that_are_there() -> None:
+    for name in ("tests", "wheels"):
+        text = (ROOT / ".github" / "workflows" / f"{name}.yml").read_text(encoding="utf-8")
+        for file in re.findall(r"(?<![\w/.])(?:tests|tools|\.ci)/[\w./-]+\w", text):
+            assert (ROOT / file).exists(), file
+
+
+def test_the_source_distribution_is_without_what_only_a_forge_reads() -> None:
+    assert {".ci", ".github"} <= set(_project()["tool"]["scikit-build"]["sdist"]["exclude"])

@@ -19,14 +19,14 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).parents[1]
-sys.path.insert(0, str(ROOT / "tests" / "conformance"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "conformance"))
 
 import cncsub
 from cncsub import _core
 from cncsub.testing import outcome
 from conformance import rows
 
+ROOT = Path(__file__).parents[1]
 FORMAT = 1  # as in cpp/selftest/rows.hpp
 MOST = 300  # steps and moves of a run that are written out; all are counted
 ESCAPES = str.maketrans({"\\": r"\\", "\t": r"\t", "\n": r"\n", "\r": r"\r"})
@@ -46,7 +46,7 @@ def written(value: object) -> str:
     return str(value).translate(ESCAPES)
 
 
-class LeftOut(Exception):
+class LeftOutError(Exception):
     """Why a run is no row."""
 
 
@@ -98,7 +98,7 @@ def setup_lines(setup: Mapping[str, Any] | None) -> Iterator[str]:
                 for axis, number in axes.items():
                     yield line(key, name, axis, float(number))
         else:
-            raise LeftOut(f"a setup with {key}")
+            raise LeftOutError(f"a setup with {key}")
 
 
 def inputs_lines(inputs: Mapping[str, Any] | None) -> Iterator[str]:
@@ -126,7 +126,7 @@ def inputs_lines(inputs: Mapping[str, Any] | None) -> Iterator[str]:
                 for skip in skips:
                     yield line("skip", signal, *skip)
         else:
-            raise LeftOut(f"inputs with {key}")
+            raise LeftOutError(f"inputs with {key}")
 
 
 def option_lines(main: int, options: Mapping[str, Any]) -> Iterator[str]:
@@ -145,7 +145,7 @@ def option_lines(main: int, options: Mapping[str, Any]) -> Iterator[str]:
         elif key == "watch" and not len(value):
             continue
         else:
-            raise LeftOut(f"an option {key}")
+            raise LeftOutError(f"an option {key}")
     yield from setup_lines(options["setup"])
     yield from inputs_lines(options["inputs"])
 
@@ -228,7 +228,7 @@ def table_rows(told: Told, left_out: Counter[str]) -> Iterator[list[str]]:
             library = outcome.load(case, cncsub.controls[name])
             run = outcome.execute(case, library)
             yield row_lines(told, f"{case.topic}: {case.claim} [{name}]", library, case.mdi, run)
-        except LeftOut as reason:
+        except LeftOutError as reason:
             left_out[str(reason)] += 1
         except UnicodeDecodeError:
             left_out["a text that is no UTF-8"] += 1

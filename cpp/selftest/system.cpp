@@ -90,10 +90,9 @@ void check_angles(Differences& wrong) {
       const double angle = i < 1000 ? i : static_cast<double>(random() >> 20U) / 1e6 - 1e7;
       const double a = by_pairs(angle), b = known(angle);
       if (a != b) ++apart;
-      if (!(std::fabs(a - b) <= 3e-16 * std::fabs(b)))
-        wrong.push_back(std::string(what) + " of " + std::to_string(angle) + " is another one");
+      if (!(std::fabs(a - b) <= 3e-16 * std::fabs(b))) apart += 1000;
     }
-    if (apart > 40) wrong.push_back(std::string(what) + ": " + std::to_string(apart) + " differ");
+    if (apart > 40) wrong.push_back(std::string(what) + " by pairs is another one");
   };
   if (system::kHasExtended) {
     check("sine", system::sine_by_pairs, system::extended_sine);

@@ -16,6 +16,7 @@
 #include "cncsub/machine/degrees.hpp"
 #include "cncsub/machine/expressions.hpp"
 #include "cncsub/machine/variables.hpp"
+#include "cncsub/system/extended.hpp"
 
 namespace cncsub::instruction {
 

@@ -1,5 +1,6 @@
-// Sines and angles as LinuxCNC computes them: in numbers of 64 bits of mantissa and more, which the
-// compilers of Windows and of Apple's processors do not have.
+// Sines and angles as LinuxCNC computes them: in numbers of 64 bits of mantissa and more. The
+// compilers of Microsoft and of Apple's processors have none, and what MinGW has leaves the turns of
+// an angle to the processor, which knows pi to few digits.
 #pragma once
 
 #include <cfloat>
@@ -7,7 +8,11 @@
 
 namespace cncsub::system {
 
+#ifdef _WIN32
+constexpr bool kHasExtended = false;
+#else
 constexpr bool kHasExtended = LDBL_MANT_DIG >= 64;
+#endif
 
 // What stands in where a long double is no more than a double: pairs of doubles, rounded where an
 // extended number would be. They are tested wherever they are not needed.
