@@ -96,9 +96,9 @@ def test_what_is_drawn_is_the_path() -> None:
     run = ran()
     path = run.polyline(0.001)
     pairs = segments(run.plot())
-    assert distances(path.points, pairs).max() < 0.002
+    assert distances(path.points, pairs).max() < 0.004
     ends = np.unique(pairs.reshape(-1, 3), axis=0)
-    assert distances(ends, np.stack((path.points[:-1], path.points[1:]), axis=1)).max() < 0.002
+    assert distances(ends, np.stack((path.points[:-1], path.points[1:]), axis=1)).max() < 0.004
     way = np.linalg.norm(pairs[:, 1] - pairs[:, 0], axis=1).sum()
     assert way == pytest.approx(run.moves.total_length, rel=1e-3)
 
@@ -107,7 +107,7 @@ def test_a_point_tells_its_block_its_calls_and_its_move() -> None:
     figure = ran().plot()
     texts = [text for trace in lines(figure) for text in trace.text if text]
     (inner,) = {text for text in texts if "O3 N10" in text and "move 4," in text}
-    assert inner.startswith("<b>O3 N10 line 16</b><br>G3 X10. R5.".replace("<br>G3", "<br>N10 G3"))
+    assert inner.startswith("<b>O3 N10 line 17</b><br>N10 G3 X10. R5.<br>")
     assert "in G65 O3 from O2 N20" in inner
     assert "in M98 O2 from O1 N50" in inner
     assert "ccw F300, T1" in inner
@@ -133,7 +133,7 @@ def test_colours_are_told_by_name(color: str, names: list[str]) -> None:
     shown = [trace for trace in lines(figure) if trace.showlegend]
     assert [trace.name for trace in shown] == names
     assert len({trace.line.color for trace in shown}) == len(names)
-    assert distances(ran().polyline(0.001).points, segments(figure)).max() < 0.002
+    assert distances(ran().polyline(0.001).points, segments(figure)).max() < 0.004
 
 
 @pytest.mark.parametrize("color", ["feed", "time", "z"])
@@ -152,7 +152,7 @@ def test_colours_on_a_scale(color: str) -> None:
     if color == "time":
         assert np.all(np.diff(values[drawn]) >= -1e-9)
         assert values[drawn][-1] <= run.moves.total_time + 1e-9
-    assert distances(run.polyline(0.001).points, segments(figure)).max() < 0.002
+    assert distances(run.polyline(0.001).points, segments(figure)).max() < 0.004
 
 
 def test_many_names_share_a_colour_and_say_so() -> None:
@@ -222,34 +222,39 @@ def test_a_lathe_is_seen_as_on_its_drawing() -> None:
 
 # ---- thinning ----
 
-ways = st.lists(
-    st.tuples(*[st.floats(-1, 1, width=16) for _ in range(3)], st.sampled_from(["G0", "G1"])),
-    min_size=150,
-    max_size=400,
-)
-
-
 @settings(max_examples=40, deadline=None)
-@given(ways, st.sampled_from(["kind", "feed", "z"]))
+@given(
+    seed=st.integers(0, 10_000),
+    moves=st.integers(110, 400),
+    reach=st.sampled_from([0.05, 1.0, 30.0]),
+    turns=st.sampled_from([0.0, 0.2, 1.0]),
+    color=st.sampled_from(["kind", "feed", "z"]),
+)
 def test_what_is_left_out_lies_as_near_as_the_picture_tells(
-    ways: list[tuple[float, float, float, str]], color: str
+    seed: int, moves: int, reach: float, turns: float, color: str
 ) -> None:
-    text = "".join(f"{g} X{x:.3f} Y{y:.3f} Z{z:.3f}\n" for x, y, z, g in ways)
-    run = ran(f"O1\nG91\nF100\n{text}M30\n")
+    made = np.random.default_rng(seed)
+    way = np.array([0.2, 0.1, 0.0])
+    text = []
+    for _ in range(moves):
+        if made.random() < turns:
+            way = made.uniform(-reach, reach, 3)
+        path = "G0" if made.random() < 0.1 else "G1"
+        text.append(f"{path} X{way[0]:.3f} Y{way[1]:.3f} Z{way[2]:.3f}")
+    run = ran("O1\nG91\nF100\n" + "\n".join(text) + "\nM30\n")
     figure = run.plot(most=100, color=color, play=False)
-    path = run.polyline(0.01)
-    words = note(figure)
-    cut = re.search(r"nothing behind move ([\d,]+)", words)
-    points = path.points
+    line = run.polyline(0.01)
+    cut = re.search(r"nothing behind move ([\d,]+)", note(figure))
+    points = line.points
     if cut:
-        points = points[path.move < int(cut[1].replace(",", ""))]
+        points = points[line.move < int(cut[1].replace(",", ""))]
     pairs = segments(figure)
     if len(points) > 1:
         assert distances(points, pairs).max() <= told_distance(figure) + 1e-9
     # Nothing is drawn where nothing ran.
-    true = np.stack((path.points[:-1], path.points[1:]), axis=1)
-    middles = pairs.mean(axis=1)
-    assert distances(middles, true).max() <= told_distance(figure) + 1e-9
+    true = np.stack((line.points[:-1], line.points[1:]), axis=1)
+    drawn = np.concatenate([pairs.mean(axis=1), pairs[:, 0], pairs[:, 1]])
+    assert distances(drawn, true).max() <= told_distance(figure) + 1e-9
     assert sum(len(trace.x) for trace in lines(figure)) <= 100 * 4
 
 
@@ -346,7 +351,10 @@ def test_calls_without_time_are_told() -> None:
     figure = run.calls.plot()
     assert [bar.name for bar in figure.data] == ["O3"]
     assert "1 call took no time" in note(figure)
-    assert "1 call had not ended" in note(figure)
+    machine = cncsub.loads(JOB, control=CONTROL).machine()
+    for _ in range(9):
+        machine.step()
+    assert "1 call had not ended" in note(machine.calls.plot())
     still = ran("O1\nM98 P2\nM30\nO2\nM99\n").calls.plot()
     assert "no move took time" in note(still)
     assert still.data[0].x.tolist() == [1]
@@ -396,7 +404,7 @@ def test_the_graph_of_a_library() -> None:
         "called": ["O2"],
         "not reached from the main program": ["O7"],
         "missing": ["O9"],
-        "computed when it runs": ["#1"],
+        "computed when it runs": ["[#1]"],
     }
     middles = next(trace for trace in figure.data if trace.mode == "markers")
     assert any("M98 at line 2, 3 times" in text for text in middles.hovertext)

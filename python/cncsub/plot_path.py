@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -100,7 +101,7 @@ def path_figure(
         raise ValueError(f"color is one of {', '.join(COLOURED_BY)}, not {color!r}")
     if coordinates not in ("work", "machine"):
         raise ValueError(f"coordinates is work or machine, not {coordinates!r}")
-    if isinstance(most, bool) or not isinstance(most, int) or most < 100:
+    if isinstance(most, bool) or most < 100:
         raise ValueError(f"most is a number of points from 100 on, not {most!r}")
     first, last = rows_of(moves, core.moves)
     head = title if title is not None else _title(run, first, last)
@@ -186,7 +187,8 @@ class _Picture:
         if not len(column):
             return np.zeros(self.last - self.first, dtype=np.int32)
         steps = self._column("step") - int(self.run.steps[0].step)
-        return column[np.clip(steps, 0, len(column) - 1)]
+        found: Numbers = column[np.clip(steps, 0, len(column) - 1)]
+        return found
 
     def _name(self, by: str, code: int) -> str:
         if by == "program":
@@ -536,7 +538,8 @@ class _Picture:
         """When each drawn point is reached, s."""
         rows = drawn.move - (self.number + self.first)
         took = np.diff(self.times, prepend=0.0)
-        return self.times[rows] - took[rows] * (1 - drawn.part)
+        ended: Numbers = self.times[rows] - took[rows] * (1 - drawn.part)
+        return ended
 
     def _marker(self, drawn: Drawn) -> dict[str, Any]:
         x, y, z = drawn.points[0].tolist()
@@ -593,7 +596,8 @@ def _cycle(colours: int) -> list[str]:
 
 
 def _length(mm: float) -> str:
-    return f"{mm:.2g} mm"
+    digit = 10.0 ** (math.floor(math.log10(mm)) - 1)
+    return f"{math.ceil(mm / digit - 1e-9) * digit:.2g} mm"  # never less than it is
 
 
 def _runs(mask: Numbers, keys: Numbers) -> tuple[Numbers, Numbers]:

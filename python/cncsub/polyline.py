@@ -84,7 +84,8 @@ def sampled(
         return found
     for column in found:
         column.flags.writeable = False  # what ran cannot be changed
-    return Polyline(*found, coordinates, tolerance, bool(core.diameters & 1))
+    x, y, z, move, begins = found
+    return Polyline(x, y, z, move, begins, coordinates, tolerance, bool(core.diameters & 1))
 
 
 _LONG = 200_000  # moves from which arcs are sampled no finer than a picture shows
