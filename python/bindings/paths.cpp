@@ -1,9 +1,8 @@
 // The path of a run as points.
-#include "cncsub/trace/polyline.hpp"
-
 #include <algorithm>
 
 #include "bindings.hpp"
+#include "cncsub/trace/polyline.hpp"
 #include "gil.hpp"
 #include "live.hpp"
 #include "rows.hpp"
@@ -39,8 +38,7 @@ py::object polyline(const Record& record, const std::string& frame, double toler
     std::for_each(move.data, move.data + count,
                   [&](std::int64_t& row) { row += trace.first_move; });
   });
-  return py::make_tuple(x.object, y.object, z.object, move.object,
-                        begins.object.attr("view")("?"));
+  return py::make_tuple(x.object, y.object, z.object, move.object, begins.object.attr("view")("?"));
 }
 
 /// The numbers of a contiguous array of one dimension.
@@ -71,7 +69,8 @@ py::object thinned(const py::buffer& x, const py::buffer& y, const py::buffer& z
 
 }  // namespace
 
-void add_begin(py::dict& fields, const MoveBegin& begin) {
+void add_begin(py::dict& fields, const Moves& moves, std::size_t index) {
+  const MoveBegin begin = moves.begin_of(index);
   constexpr std::string_view kNames = "xyz";
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     const std::string axis(1, kNames[i]);
@@ -79,6 +78,8 @@ void add_begin(py::dict& fields, const MoveBegin& begin) {
     fields[py::str("ms" + axis)] = begin.machine[i];
     fields[py::str("mc" + axis)] = begin.centre[i];
   }
+  fields["cycle"] = begin.cycle;
+  fields["compensated"] = moves.compensated(index);
 }
 
 void add_paths(py::class_<Record>& trace) {

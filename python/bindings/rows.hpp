@@ -35,7 +35,8 @@ void add_watch(pybind11::class_<Record>& trace);
 void add_sent_codes(pybind11::class_<Record>& trace);
 void add_paths(pybind11::class_<Record>& trace);
 
-/// Where a row of the moves begins, and the centre of the tool's arc.
-void add_begin(pybind11::dict& fields, const MoveBegin& begin);
+/// What a row of the moves has besides: where it begins, the centre of the tool's arc, whether a
+/// cycle makes it and whether a radius offset holds.
+void add_begin(pybind11::dict& fields, const Moves& moves, std::size_t index);
 
 }  // namespace cncsub::bindings

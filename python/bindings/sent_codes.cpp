@@ -1,4 +1,5 @@
-// The M, T and S codes that were sent to the machine, as a table and as lists.
+// The M, T and S codes that were sent to the machine, as a table and as lists, and the skips that
+// met nothing.
 #include <cmath>
 
 #include "bindings.hpp"
@@ -39,8 +40,8 @@ py::object code_column(const Record& record, const std::string& name) {
   if (name == "step")
     return array_of<std::int64_t>(record, [](const Sent& sent) { return sent.step; });
   if (name == "program")
-    return array_of<std::int32_t>(
-        record, [&](const Sent& sent) { return code.program_at(sent.address); });
+    return array_of<std::int32_t>(record,
+                                  [&](const Sent& sent) { return code.program_at(sent.address); });
   if (name == "n")
     return array_of<std::int32_t>(record,
                                   [&](const Sent& sent) { return code.blocks[sent.address].n; });
@@ -80,6 +81,20 @@ py::list values_of(const Record& record, char kind) {
   return list;
 }
 
+/// Step, program, sequence number and line of the blocks of G31 that met nothing.
+py::list missed_skips(const Record& record) {
+  const Record::Reading reading(record);
+  const Code& code = record.code();
+  py::list list;
+  const auto& missed = record.trace().missed_skips;
+  for (std::size_t i = 0; i < missed.size(); ++i) {
+    const Block& block = code.blocks[missed[i].address];
+    list.append(py::make_tuple(missed[i].step, code.name_of(code.program_at(missed[i].address)),
+                               sequence_number(block.n), block.line));
+  }
+  return list;
+}
+
 }  // namespace
 
 void add_sent_codes(py::class_<Record>& trace) {
@@ -92,8 +107,8 @@ void add_sent_codes(py::class_<Record>& trace) {
       .def("code_row", &code_row, py::arg("index"))
       .def("code_column", &code_column, py::arg("name"))
       .def_property_readonly("m_codes", [](const Record& record) { return values_of(record, 'M'); })
-      .def_property_readonly("t_codes",
-                             [](const Record& record) { return values_of(record, 'T'); });
+      .def_property_readonly("t_codes", [](const Record& record) { return values_of(record, 'T'); })
+      .def_property_readonly("missed_skips", &missed_skips);
 }
 
 }  // namespace cncsub::bindings

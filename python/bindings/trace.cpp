@@ -177,10 +177,13 @@ py::dict call_arguments(const Record& record, std::size_t index) {
   return values;
 }
 
-bool is_whole(const std::string& name) {
-  return name == "move" || name == "step" || name == "kind" || name == "plane" || name == "tool" ||
-         name == "h" || name == "d" || name == "feed_mode" || name == "skip" || name == "cycle" ||
+bool is_small(const std::string& name) {
+  return name == "kind" || name == "feed_mode" || name == "skip" || name == "cycle" ||
          name == "compensated";
+}
+bool is_whole(const std::string& name) {
+  return name == "move" || name == "step" || name == "plane" || name == "tool" || name == "h" ||
+         name == "d" || is_small(name);
 }
 
 /// Steps and moves of this part by their numbers in the run.
@@ -216,10 +219,8 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
   for (const std::string& name : names) {
     if (columns.contains(name)) continue;  // its array is being filled
     if (is_whole(name)) {
-      const bool small = name == "kind" || name == "feed_mode" || name == "skip" ||
-                         name == "cycle" || name == "compensated";
-      columns[py::str(name)] = small ? whole_move_column<std::int32_t>(record, name)
-                                     : whole_move_column<std::int64_t>(record, name);
+      columns[py::str(name)] = is_small(name) ? whole_move_column<std::int32_t>(record, name)
+                                              : whole_move_column<std::int64_t>(record, name);
       continue;
     }
     const Array<double> array(moves.size());
@@ -231,20 +232,6 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
   work_away([&](InterruptCheck& interrupt) { known = moves.columns(lengths, places, &interrupt); });
   if (!known) throw py::key_error("no such column");
   return columns;
-}
-
-/// Step, program, sequence number and line of the blocks of G31 that met nothing.
-py::list missed_skips(const Record& record) {
-  const Record::Reading reading(record);
-  const Code& code = record.code();
-  py::list list;
-  const auto& missed = record.trace().missed_skips;
-  for (std::size_t i = 0; i < missed.size(); ++i) {
-    const Block& block = code.blocks[missed[i].address];
-    list.append(py::make_tuple(missed[i].step, code.name_of(code.program_at(missed[i].address)),
-                               sequence_number(block.n), block.line));
-  }
-  return list;
 }
 
 std::string axis_name(char axis, const char* before = "") {
@@ -277,9 +264,7 @@ py::dict move_row(const Record& record, std::size_t index) {
   fields["d"] = state.d;
   fields["length"] = row.length;
   fields["time"] = row.time;
-  add_begin(fields, record.trace().moves.begin_of(index));
-  fields["cycle"] = state.cycle;
-  fields["compensated"] = record.trace().moves.compensated(index);
+  add_begin(fields, record.trace().moves, index);
   return fields;
 }
 
@@ -396,8 +381,7 @@ void add_trace(py::module_& m) {
       .def_property_readonly("bounds", &bounds_of)
       .def_property_readonly("dropped", &dropped)
       .def_property_readonly(
-          "messages", [](const Record& record) { return listed(record, record.trace().messages); })
-      .def_property_readonly("missed_skips", &missed_skips);
+          "messages", [](const Record& record) { return listed(record, record.trace().messages); });
 }
 
 }  // namespace cncsub::bindings

@@ -248,7 +248,8 @@ class Library(Mapping[str, Program]):
         so. Raises `ImportError` without plotly.
 
         >>> import cncsub
-        >>> library = cncsub.loads("O1\\nN10 M98 P2\\nM30\\nO2\\nM98 P9\\nM99\\n", control="fanuc-0i-f")
+        >>> text = "O1\\nN10 M98 P2\\nM30\\nO2\\nM98 P9\\nM99\\n"
+        >>> library = cncsub.loads(text, control="fanuc-0i-f")
         >>> [trace.name for trace in library.plot().data if trace.name]
         ['main program', 'called', 'missing']
         """

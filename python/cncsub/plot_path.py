@@ -23,7 +23,7 @@ from cncsub.plotting import (
     figure,
     shown_text,
 )
-from cncsub.polyline import Polyline, rows_of, sampled
+from cncsub.polyline import Polyline, rows_of, sampled_for_picture, size_of
 
 if TYPE_CHECKING:
     from cncsub.run import Recorded
@@ -32,7 +32,8 @@ if TYPE_CHECKING:
 
 MOST = 60_000  # points of a picture
 _FINEST, _WIDEST = 1 / 20_000, 1 / 250  # of the size of the picture: first and last tolerance
-_LONG = 200_000  # moves from which arcs are sampled no finer than a picture shows
+_MOST_LOOKS = 4_000_000  # whether a line runs where another does
+_DENSE = 4_000  # points from which lines are thin
 _BANDS = 24  # of colours that go over into each other
 _MOST_NAMES = 11  # colours beside that of the rest
 _SCENE = 1.9  # the diagonal of what is drawn, in the units of a camera
@@ -81,7 +82,7 @@ class Drawn:
     part: Numbers  # how much of its move was made at a point
     keys: Numbers  # -1: no line leads to the point
     told: list[str]
-    whole: int
+    breaks: int  # where other coordinates came into force
 
 
 def path_figure(
@@ -100,7 +101,7 @@ def path_figure(
         raise ValueError(f"color is one of {', '.join(COLOURED_BY)}, not {color!r}")
     if coordinates not in ("work", "machine"):
         raise ValueError(f"coordinates is work or machine, not {coordinates!r}")
-    if isinstance(most, bool) or not isinstance(most, int) or most < 100:
+    if isinstance(most, bool) or most < 100:
         raise ValueError(f"most is a number of points from 100 on, not {most!r}")
     first, last = rows_of(moves, core.moves)
     head = title if title is not None else _title(run, first, last)
@@ -186,7 +187,8 @@ class _Picture:
         if not len(column):
             return np.zeros(self.last - self.first, dtype=np.int32)
         steps = self._column("step") - int(self.run.steps[0].step)
-        return column[np.clip(steps, 0, len(column) - 1)]
+        found: Numbers = column[np.clip(steps, 0, len(column) - 1)]
+        return found
 
     def _name(self, by: str, code: int) -> str:
         if by == "program":
@@ -219,7 +221,7 @@ class _Picture:
         rows = line.move - (self.number + self.first)
         key = keys[rows]
         key[line.begins] = -1
-        whole, size = len(line), _size(line)
+        whole, size = len(line), size_of(line)
         kept = np.arange(whole)
         x, y, z = line.x, line.y, line.z
         off, tolerance = 0.0, size * _FINEST
@@ -234,39 +236,26 @@ class _Picture:
                 x, y, z = x[chosen], y[chosen], z[chosen]
                 if len(kept) > before * 0.8:
                     break
-            tolerance *= 2
+            if len(kept) > max(50 * most, 0.9 * whole):  # most of it goes here and there
+                tolerance = max(tolerance * 3, size * _WIDEST)
+            else:
+                tolerance *= 1.5 if len(kept) < 4 * most else 3
         if len(kept) < whole:
             told.append(
                 f"Thinned: {len(kept):,} of {whole:,} points; what is left out lies within"
                 f" {_length(off)} of what is drawn."
             )
-        kept, key = self._uncovered(kept, (x, y, z), key, size, most, told)
-        return self._finish(line, kept, key, told, most)
+        last = int(kept[-1])
+        kept, key, looked = self._uncovered(kept, (x, y, z), key, size, most, told)
+        return self._finish(line, kept, key, told, most, looked, last)
 
     def _sampled(self, coordinates: str) -> tuple[Polyline, list[str]]:
-        long = self.last - self.first > _LONG
-        rough = self._rough_size(coordinates, long)
-        tolerance = rough * (1 / 2_000 if long else _FINEST)
         most = max(4 * self.most, 3 * (self.last - self.first))
-        while True:
-            line = sampled(self.core, coordinates, tolerance, self.first, self.last, most)
-            if not isinstance(line, int):
-                break
-            if tolerance > rough:  # four points in a turn are as few as there are
-                most = line
-            tolerance *= 4
-        told = []
-        if tolerance > rough / 2_000:
-            told.append(f"Arcs are drawn within {_length(tolerance)}.")
-        return line, told
-
-    def _rough_size(self, coordinates: str, long: bool) -> float:
-        if not long:
-            line = sampled(self.core, coordinates, math.inf, self.first, self.last, 1 << 40)
-            assert not isinstance(line, int)
-            return _size(line)
-        before = "m" if coordinates == "machine" else ""
-        return max(float(np.ptp(self._column(before + name))) for name in "xyz") or 1.0
+        line, coarse = sampled_for_picture(self.core, coordinates, self.first, self.last, most)
+        arcs = [self.core.move_kinds.index(kind) for kind in ("cw", "ccw")]
+        if coarse and np.isin(self._column("kind"), arcs).any():
+            return line, [f"Arcs are drawn within {_length(line.tolerance)}."]
+        return line, []
 
     def _uncovered(
         self,
@@ -276,26 +265,37 @@ class _Picture:
         size: float,
         most: int,
         told: list[str],
-    ) -> tuple[Numbers, Numbers]:
+    ) -> tuple[Numbers, Numbers, int]:
         """Without lines that run where others of their colour do already, as far as a picture
-        shows.
+        shows; and the last point that was looked at.
         """
         if len(kept) <= most:
-            return kept, key
+            return kept, key, int(kept[-1])
         cell = size * _WIDEST
+        looked = _looked_at(at, cell)
+        if looked < len(kept):  # the rest is cut
+            kept, key = kept[:looked], key[:looked]
+            at = (at[0][:looked], at[1][:looked], at[2][:looked])
         new = _new_lines(at, key, cell)
         told.append(
-            f"Lines that run within {_length(cell * math.sqrt(3))} of one of their colour that was"
+            f"Lines that run within {_length(cell * 2)} of one of their colour that was"
             " drawn before are left out."
         )
         ends = np.append(new[1:], False) | new  # the points that lines need
         drawn = np.where(new, key, -1)
-        return kept[ends], drawn[ends]
+        return kept[ends], drawn[ends], int(kept[-1])
 
     def _finish(
-        self, line: Polyline, kept: Numbers, key: Numbers, told: list[str], most: int
+        self,
+        line: Polyline,
+        kept: Numbers,
+        key: Numbers,
+        told: list[str],
+        most: int,
+        looked: int,
+        last: int,
     ) -> Drawn:
-        if len(kept) > most:
+        if len(kept) > most or looked < last:
             kept, key = kept[:most], key[:most]
             behind = int(line.move[kept[-1]])
             told.append(
@@ -308,7 +308,7 @@ class _Picture:
         lasts = np.searchsorted(line.move, move, side="right")
         begun = line.begins[firsts].astype(np.int64)  # its first point is where it starts
         part = (kept - firsts + 1 - begun) / np.maximum(1, lasts - firsts - begun)
-        return Drawn(points, move, part, key, told, len(line))
+        return Drawn(points, move, part, key, told, int(line.begins[1:].sum()))
 
     # ---- the figure ----
 
@@ -328,7 +328,7 @@ class _Picture:
         frames: list[dict[str, Any]] = []
         more: dict[str, Any] = {}
         if play:
-            data.append(self._marker(drawn, 0.0))
+            data.append(self._marker(drawn))
             frames, more = self._player(drawn, len(data) - 1)
         layout = {"scene": self._scene(drawn), **more}
         return figure(
@@ -342,8 +342,7 @@ class _Picture:
             words = "Work coordinates, mm: the programmed path."
             if both:
                 words += " Dotted: the tool with its radius offset."
-            offsets = int((drawn.keys[1:] < 0).sum())
-            if offsets and not any(text.startswith("Lines that") for text in drawn.told):
+            if drawn.breaks:
                 words += (
                     " Other coordinates came into force in between, and parts of several may lie"
                     ' over each other; coordinates="machine" draws them apart.'
@@ -351,7 +350,9 @@ class _Picture:
         if self.core.diameters & 1:
             words += " X is drawn as a radius."
         if (self.families == 0).any():
-            words += " Rapid moves are drawn straight; a control may lead each axis at its own rate."
+            words += (
+                " Rapid moves are drawn straight; a control may lead each axis at its own rate."
+            )
         return words
 
     def _hover(self, drawn: Drawn) -> list[str]:
@@ -359,8 +360,9 @@ class _Picture:
         columns = self.core.move_columns(["step", "feed", "tool", "kind"])
         picked = [columns[name][rows].tolist() for name in ("step", "kind", "feed", "tool")]
         ends = self.times[rows - self.first].tolist()
-        kinds, names = self.core.move_kinds, self.colouring
-        of, texts, known = self.places.of, [], {}
+        kinds, of = self.core.move_kinds, self.places.of
+        texts: list[str] = []
+        known: dict[int, str] = {}
         for move, end, step, kind, feed, tool in zip(drawn.move.tolist(), ends, *picked):
             text = known.get(move)
             if text is None:
@@ -369,7 +371,6 @@ class _Picture:
                     f"{of(step)}<br>{word}, T{tool}, move {move:,}, step {step:,}, {clock(end)}"
                 )
             texts.append(text)
-        del names
         return texts
 
     def _traces(self, drawn: Drawn, keys: Numbers, hover: list[str]) -> Iterator[dict[str, Any]]:
@@ -378,7 +379,8 @@ class _Picture:
         code = drawn.keys % wide
         rapid = family == 0
         if self.colouring.scaled:
-            yield self._trace(drawn, hover, (family > 0), scaled=True)
+            if (family > 0).any():
+                yield self._trace(drawn, hover, family > 0, scaled=True)
             if rapid.any():
                 yield self._trace(drawn, hover, rapid, name="rapid", colour=OTHERS, dash=True)
             return
@@ -419,7 +421,8 @@ class _Picture:
         points = drawn.points[places]
         points[gaps] = np.nan
         text = [None if place < 0 else hover[place] for place in places.tolist()]
-        line: dict[str, Any] = {"width": 2 if dash else 4}
+        many = len(drawn.points) > _DENSE
+        line: dict[str, Any] = {"width": (1 if many else 2) if dash else (2 if many else 4)}
         if scaled:
             line |= self._scale(drawn, places, starts)
         else:
@@ -459,16 +462,19 @@ class _Picture:
             begun = np.flatnonzero(starts)
             colours[begun] = shown[places[begun + 1]]
         words = {"feed": "feed, mm/min or mm/rev", "time": "time, s", "z": "Z, mm"}
+        low, high = float(np.nanmin(colours)), float(np.nanmax(colours))
+        ticks = {} if high > low else {"tickvals": [low], "ticktext": [f"{low:g}"]}
         return {
             "color": colours,
             "colorscale": _SCALE,
-            "cmin": float(np.nanmin(colours)) if len(colours) else 0,
-            "cmax": float(np.nanmax(colours)) if len(colours) else 1,
+            "cmin": low if high > low else low - 1,
+            "cmax": high if high > low else high + 1,
             "colorbar": {
                 "title": {"text": words[self.colouring.by], "side": "right"},
                 "thickness": 12,
                 "len": 0.7,
                 "outlinewidth": 0,
+                **ticks,
             },
             "showscale": True,
         }
@@ -491,10 +497,11 @@ class _Picture:
     def _scene(self, drawn: Drawn) -> dict[str, Any]:
         flat = float(np.ptp(drawn.points[:, 1])) < 1e-9 < float(np.ptp(drawn.points[:, 0]))
         turning = flat and bool(self.core.diameters & 1)
+        flat_z = not turning and float(np.ptp(drawn.points[:, 2])) < 1e-9
         camera: dict[str, Any] = {"projection": {"type": "orthographic"}}
         if turning:  # as on the drawing: Z to the right, X up
             camera |= {"eye": {"x": 0, "y": 2, "z": 0}, "up": {"x": 1, "y": 0, "z": 0}}
-        elif float(np.ptp(drawn.points[:, 2])) < 1e-9:  # from above
+        elif flat_z:  # from above
             camera |= {"eye": {"x": 0, "y": 0, "z": 2}, "up": {"x": 0, "y": 1, "z": 0}}
         else:
             camera |= {"eye": {"x": -0.9, "y": -1.5, "z": 1.0}}
@@ -511,6 +518,8 @@ class _Picture:
             }
             for letter in "xyz"
         }
+        if turning or flat_z:  # one looks along it
+            axes["yaxis" if turning else "zaxis"]["visible"] = False
         # As long as it is, whatever its shape: one millimetre is as long on every axis.
         sides = np.maximum(np.ptp(drawn.points, axis=0), 1e-3)
         sides = np.maximum(sides, sides.max() / 50) / float(np.linalg.norm(sides))
@@ -529,11 +538,11 @@ class _Picture:
         """When each drawn point is reached, s."""
         rows = drawn.move - (self.number + self.first)
         took = np.diff(self.times, prepend=0.0)
-        return self.times[rows] - took[rows] * (1 - drawn.part)
+        ended: Numbers = self.times[rows] - took[rows] * (1 - drawn.part)
+        return ended
 
-    def _marker(self, drawn: Drawn, part: float) -> dict[str, Any]:
-        x, y, z = drawn.points[0]
-        del part
+    def _marker(self, drawn: Drawn) -> dict[str, Any]:
+        x, y, z = drawn.points[0].tolist()
         return {
             "type": "scatter3d",
             "mode": "markers",
@@ -586,12 +595,9 @@ def _cycle(colours: int) -> list[str]:
     return [COLOURS[place % len(COLOURS)] for place in range(colours)]
 
 
-def _size(line: Polyline) -> float:
-    return max(float(np.ptp(column)) for column in (line.x, line.y, line.z)) or 1.0
-
-
 def _length(mm: float) -> str:
-    return f"{mm:.2g} mm"
+    digit = 10.0 ** (math.floor(math.log10(mm)) - 1)
+    return f"{math.ceil(mm / digit - 1e-9) * digit:.2g} mm"  # never less than it is
 
 
 def _runs(mask: Numbers, keys: Numbers) -> tuple[Numbers, Numbers]:
@@ -613,12 +619,23 @@ def _runs(mask: Numbers, keys: Numbers) -> tuple[Numbers, Numbers]:
     return places[1:], starts[1:]
 
 
+def _looks(at: tuple[Numbers, Numbers, Numbers], cell: float) -> Numbers:
+    """In how many places to look where the line to each point but the first runs."""
+    way = np.sqrt(sum(np.diff(column) ** 2 for column in at))
+    looks: Numbers = np.ceil(way / (cell / 2)).astype(np.int64) + 1
+    return looks
+
+
+def _looked_at(at: tuple[Numbers, Numbers, Numbers], cell: float) -> int:
+    """How many points there is time to look at."""
+    return int(np.searchsorted(np.cumsum(_looks(at, cell)), _MOST_LOOKS, side="right")) + 1
+
+
 def _new_lines(at: tuple[Numbers, Numbers, Numbers], key: Numbers, cell: float) -> Numbers:
     """Which points have a line that goes where none of its key went before, in cells of a grid."""
     x, y, z = at
     count_of = len(x)
-    way = np.sqrt(np.diff(x) ** 2 + np.diff(y) ** 2 + np.diff(z) ** 2)
-    looks = np.minimum(np.ceil(way / (cell / 2)).astype(np.int64) + 1, 2_000)
+    looks = _looks(at, cell)
     line = np.repeat(np.arange(1, count_of), looks)
     begun = np.cumsum(looks) - looks
     part = (np.arange(len(line)) - np.repeat(begun, looks)) / np.repeat(looks, looks)

@@ -85,9 +85,7 @@ class _Timeline:
             )
         words = "time, s" if self.over == "time" else "step"
         bottom = "" if count_of == 1 else str(count_of)
-        layout["xaxis"] = axis(
-            words, anchor=f"y{bottom}", range=[0, self.end or 1], zeroline=False
-        )
+        layout["xaxis"] = axis(words, anchor=f"y{bottom}", range=[0, self.end or 1], zeroline=False)
         height = 260 if count_of == 1 else 130 * count_of
         return figure(data, layout, title=title, told=self.told, height=height, below=44)
 

@@ -20,9 +20,10 @@ TEXT = "#7a858e"  # legible on white and on black
 GRID = "rgba(127,137,145,0.3)"
 SOLID_GRID = "#99a2a8"  # WebGL knows no transparent lines
 # Apart from each other for most eyes, and on white as on black.
-COLOURS = (
-    "#3d8fd6 #e8833a #2fa36b #b565d8 #c9a227 #d9534f #1aa6a6 #8a7a5c #7c83e0 #e06c9f #6d9b2f #5f8fa0"
-).split()
+COLOURS = [
+    *("#3d8fd6", "#e8833a", "#2fa36b", "#b565d8", "#c9a227", "#d9534f"),
+    *("#1aa6a6", "#8a7a5c", "#7c83e0", "#e06c9f", "#6d9b2f", "#5f8fa0"),
+]
 OTHERS = "#8a949b"
 _WIDE = 76  # letters of a line under a picture
 _MOST_LETTERS = 90  # of a block
@@ -49,7 +50,8 @@ def figure(
     """
     data = list(data)
     listed = sum(1 for one in data if one.get("showlegend", True) and one.get("name"))
-    head = 48 if listed < 2 else 84 if listed < 4 else 112  # lines of a legend on a narrow page
+    legend = listed > 1 or any(one.get("showlegend") for one in data)
+    head = 48 if not legend else 84 if listed < 4 else 112  # lines of a legend on a narrow page
     lines = [line for part in told for line in textwrap.wrap(part, _WIDE)]
     note = {
         "text": "<br>".join(escape(line, quote=False) for line in lines),
@@ -86,6 +88,7 @@ def figure(
         },
         "margin": {"l": 16, "r": 16, "t": head, "b": below + 24 + 15 * len(lines)},
         "height": height + head + 24 + 15 * len(lines) + below,
+        "showlegend": legend,
         "legend": {
             "orientation": "h",
             "x": 0,

@@ -84,13 +84,55 @@ def sampled(
         return found
     for column in found:
         column.flags.writeable = False  # what ran cannot be changed
-    return Polyline(*found, coordinates, tolerance, bool(core.diameters & 1))
+    x, y, z, move, begins = found
+    return Polyline(x, y, z, move, begins, coordinates, tolerance, bool(core.diameters & 1))
+
+
+_LONG = 200_000  # moves from which arcs are sampled no finer than a picture shows
+_FINE, _COARSE = 1 / 20_000, 1 / 2_000  # of the size of a picture
+
+
+def sampled_for_picture(
+    core: _core.Trace, coordinates: str, first: int, last: int, most: int
+) -> tuple[Polyline, bool]:
+    """The points as finely as a picture shows them, more coarsely where they were more than `most`;
+    and whether that can be seen.
+    """
+    long = last - first > _LONG
+    size = _rough_size(core, coordinates, first, last, long)
+    tolerance = size * (_COARSE if long else _FINE)
+    while True:
+        line = sampled(core, coordinates, tolerance, first, last, most)
+        if not isinstance(line, int):
+            return line, tolerance > size * _COARSE
+        if tolerance > size:  # four points in a turn are as few as there are
+            most = line
+        tolerance *= 4
+
+
+def _rough_size(core: _core.Trace, coordinates: str, first: int, last: int, long: bool) -> float:
+    import numpy as np
+
+    if not long:
+        line = sampled(core, coordinates, math.inf, first, last, 1 << 40)
+        assert not isinstance(line, int)
+        return size_of(line)
+    before = "m" if coordinates == "machine" else ""
+    columns = core.move_columns([before + name for name in "xyz"])
+    return max(float(np.ptp(column[first:last])) for column in columns.values()) or 1.0
+
+
+def size_of(line: Polyline) -> float:
+    """The longest side of the box around a path, mm; 1 where it does not leave its point."""
+    return (
+        max((float(c.max() - c.min()) for c in (line.x, line.y, line.z) if len(c)), default=0)
+        or 1.0
+    )
 
 
 def checked_tolerance(tolerance: Any) -> float:
-    if isinstance(tolerance, bool) or not isinstance(tolerance, int | float):
-        if not hasattr(tolerance, "__float__"):
-            raise TypeError(f"tolerance is a length in mm such as 0.01, not {tolerance!r}")
+    if isinstance(tolerance, bool) or not hasattr(tolerance, "__float__"):
+        raise TypeError(f"tolerance is a length in mm such as 0.01, not {tolerance!r}")
     try:
         value = float(tolerance)
     except OverflowError:

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from cncsub.polyline import sampled_for_picture
+
 if TYPE_CHECKING:
     from cncsub.run import Run
 
 MOST_LINKED = 1_000  # motions that are links of their own
 MOST_POINTS = 20_000  # of one drawing
-MOST_ARCS = 50_000  # drawn round
+MOST_SAMPLED = 2_000_000  # points, before they are thinned
 FINEST, WIDEST = 0.5, 4.0  # grids for thinning, in thousandths of the drawing
-_TURN = np.pi / 18  # between two points of an arc
-_PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 _SIDE = 1000.0  # of a drawing, in its own units
 _SLANT = np.array([[0.866, 0.0], [-0.866, 0.0], [0.0, 1.0]]) + np.array(
     [[0.0, 0.5], [0.0, 0.5], [0.0, 0.0]]
@@ -27,80 +27,26 @@ _SLANT = np.array([[0.866, 0.0], [-0.866, 0.0], [0.0, 1.0]]) + np.array(
 
 @dataclass(frozen=True)
 class Path:
-    """The ends of motions with what lies between: `points` (mm, X Y Z, X as a radius), and for each
-    the motion it ends or passes.
+    """The points of a path, and for each the motion it belongs to: `points` (mm, X Y Z, X as a
+    radius), `begins`: no line leads to the point.
     """
 
     points: np.ndarray[Any, np.dtype[np.float64]]
     moves: np.ndarray[Any, np.dtype[np.int64]]
+    begins: np.ndarray[Any, np.dtype[np.bool_]]
     rapid: np.ndarray[Any, np.dtype[np.bool_]]  # by motion
     diameters: bool
-    chords: int  # arcs drawn straight
+    off: float  # mm that arcs are drawn off; 0 where nobody sees it
 
 
-def path_of(run: Run) -> Path:
-    """The programmed path in work coordinates."""
-    moves = run.moves
-    ends = np.column_stack([moves.column(axis) for axis in "xyz"]).astype(float)
-    ends = np.nan_to_num(ends)
-    kinds = np.array(moves.kinds)[moves.kind] if len(moves) else np.array([], dtype=str)
-    diameters = _diameters(ends, kinds, np.asarray(moves.length))
-    if diameters:
-        ends[:, 0] /= 2
-    arcs = np.flatnonzero(np.isin(kinds, ("cw", "ccw")))
-    arcs = arcs[arcs > 0]
-    chords = max(0, len(arcs) - MOST_ARCS)
-    centres = np.column_stack([moves.column(name) for name in ("cx", "cy", "cz")])
-    if diameters:
-        centres[:, 0] /= 2
-    between = {
-        int(move): _arc(ends[move - 1], ends[move], centres[move], *_turn(moves, kinds, move))
-        for move in arcs[:MOST_ARCS]
-    }
-    counts = np.ones(len(ends), dtype=np.int64)
-    for move, points in between.items():
-        counts[move] = len(points)
-    numbers = np.repeat(np.arange(len(ends)), counts)
-    points = np.repeat(ends, counts, axis=0)
-    first = np.cumsum(counts) - counts
-    for move, curve in between.items():
-        points[first[move] : first[move] + len(curve)] = curve
-    return Path(points, numbers, kinds == "rapid", diameters, chords)
-
-
-def _turn(moves: Any, kinds: Any, move: int) -> tuple[int, bool]:
-    return int(moves.plane[move]), bool(kinds[move] == "cw")
-
-
-def _diameters(ends: Any, kinds: Any, lengths: Any) -> bool:
-    """Whether X counts diameters: told by the lengths of straight motions."""
-    straight = np.isin(kinds, ("rapid", "feed"))[1:]
-    way = np.diff(ends, axis=0)[straight]
-    length = lengths[1:][straight]
-    off = [
-        np.abs(length - np.linalg.norm(way * (scale, 1, 1), axis=1)).sum() for scale in (1.0, 0.5)
-    ]
-    return bool(off[1] < off[0])
-
-
-def _arc(start: Any, end: Any, centre: Any, plane: int, clockwise: bool) -> Any:
-    """Points of an arc behind its start, up to its end; helices rise evenly."""
-    a, b = _PLANES.get(plane, (0, 1))
-    if np.isnan(centre[a]) or np.isnan(centre[b]):
-        return end[np.newaxis]
-    first, last = (np.arctan2(p[b] - centre[b], p[a] - centre[a]) for p in (start, end))
-    sweep = (first - last if clockwise else last - first) % (2 * np.pi)
-    if sweep < 1e-9:
-        sweep = 2 * np.pi
-    part = np.linspace(0, 1, max(2, int(np.ceil(sweep / _TURN))) + 1)[1:]
-    angle = first + part * (-sweep if clockwise else sweep)
-    radii = [np.hypot(p[a] - centre[a], p[b] - centre[b]) for p in (start, end)]
-    radius = radii[0] + part * (radii[1] - radii[0])
-    points = start + part[:, np.newaxis] * (end - start)
-    points[:, a] = centre[a] + radius * np.cos(angle)
-    points[:, b] = centre[b] + radius * np.sin(angle)
-    points[-1] = end
-    return points
+def path_of(run: Run, coordinates: str = "work") -> Path:
+    """The programmed path in work coordinates, or that of the tool in machine coordinates."""
+    moves = len(run.moves)
+    most = max(MOST_SAMPLED, 2 * moves)
+    line, coarse = sampled_for_picture(run._trace, coordinates, 0, moves, most)
+    rapid = np.asarray(run.moves.kind == "rapid")
+    off = line.tolerance if coarse else 0.0
+    return Path(line.points, line.move, line.begins, rapid, line.diameters, off)
 
 
 # ---- drawings ----
@@ -127,7 +73,7 @@ def _figure(name: str, flat: Any, path: Path, place: Place) -> str:
     low, size = flat.min(axis=0), float(np.ptp(flat, axis=0).max()) or 1.0
     scaled = (flat - low) / size * _SIDE
     scaled[:, 1] = scaled[:, 1].max() - scaled[:, 1]
-    kept, grid = _thinned(scaled)
+    kept, grid = _thinned(scaled, path.begins)
     width, height = (max(float(side), 1.0) for side in scaled.max(axis=0))
     told = f"{name}, {size:.4g} mm across"
     if len(kept) < len(flat):
@@ -146,7 +92,7 @@ def _figure(name: str, flat: Any, path: Path, place: Place) -> str:
     )
 
 
-def _thinned(points: Any) -> tuple[Any, float]:
+def _thinned(points: Any, begins: Any) -> tuple[Any, float]:
     """The rows to draw: those that leave their cell of a grid, which gets wider until few enough
     are left, but no wider than what the eye sees. The first grid is finer than any screen.
     """
@@ -155,7 +101,7 @@ def _thinned(points: Any) -> tuple[Any, float]:
         return np.arange(len(points)), 0.0
     while True:
         cells = np.floor(points / grid)
-        moved = np.any(np.diff(cells, axis=0) != 0, axis=1)
+        moved = np.any(np.diff(cells, axis=0) != 0, axis=1) | begins[1:]
         kept = np.flatnonzero(np.concatenate(([True], moved)))
         if len(kept) <= MOST_POINTS or grid >= WIDEST:
             return kept, grid
@@ -167,11 +113,13 @@ def _lines(points: Any, kept: Any, path: Path, place: Place) -> Iterator[str]:
     linked = len(path.rapid) <= MOST_LINKED
     moves = path.moves[kept]
     keys = moves.tolist() if linked else path.rapid[moves].tolist()
-    before = 0
-    for _, group in itertools.groupby(range(len(kept)), keys.__getitem__):
+    begins = path.begins[kept].tolist()
+    stretch = np.cumsum(path.begins[kept]).tolist()
+    for _, group in itertools.groupby(range(len(kept)), lambda row: (stretch[row], keys[row])):
         rows = list(group)
-        drawn = kept[[before, *rows]]
-        before = rows[-1]
+        drawn = kept[rows if begins[rows[0]] else [rows[0] - 1, *rows]]
+        if len(drawn) < 2:
+            continue
         move = int(moves[rows[0]])
         ends = " ".join(f"{x:.1f},{y:.1f}" for x, y in points[drawn])
         kind = ' class="rapid"' if path.rapid[move] else ""

@@ -7,12 +7,14 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from html import escape
 from importlib.resources import files
-from pathlib import Path
+from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from cncsub.facts import explanations
 from cncsub.report_code import Anchors, code_section
-from cncsub.report_path import MOST_LINKED, path_of, views
+from cncsub.report_path import MOST_LINKED, Path, path_of, views
 from cncsub.report_tables import calls_rows, table
 from cncsub.statictree import letters
 
@@ -31,7 +33,7 @@ MOST_MISSED = 20
 def report(
     library: Library,
     run: Run,
-    path: str | Path | None = None,
+    path: str | FilePath | None = None,
     *,
     title: str | None = None,
     findings: Iterable[Finding] | None = None,
@@ -56,7 +58,7 @@ def report(
     found = library.check(main) if findings is None else list(findings)
     text = "".join(_page(library, run, title or main or "a run", found))
     if path is not None:
-        Path(path).write_text(text, encoding="utf-8", newline="\n")
+        FilePath(path).write_text(text, encoding="utf-8", newline="\n")
     return text
 
 
@@ -170,7 +172,7 @@ def _path(run: Run, anchors: Anchors) -> Iterator[str]:
     if not len(run.moves):
         yield "<p>It moved nothing, or the run kept no moves.</p>"
         return
-    path = path_of(run)
+    path, tool = path_of(run), path_of(run, "machine")
     steps, kinds = run.moves.step, run.moves.kinds
     kind = run.moves.kind
 
@@ -185,13 +187,26 @@ def _path(run: Run, anchors: Anchors) -> Iterator[str]:
     told = ["The programmed path in work coordinates; rapid motions are dashed"]
     if path.diameters:
         told.append("X is drawn as a radius")
+    if path.begins[1:].any():
+        told.append("other coordinates came into force in between: parts may lie over each other")
     if len(run.moves) > MOST_LINKED:
         told.append(f"motions are links up to {MOST_LINKED:,} of them")
     else:
         told.append("a motion leads to its block")
-    if path.chords:
-        told.append(f"{path.chords:,} arcs are drawn straight")
+    if path.off:
+        told.append(f"arcs are drawn within {path.off:.2g} mm")
     yield f'<p class="pale">{"; ".join(told)}.</p>'
+    if _moved(path, tool):
+        yield "<details><summary>The tool in machine coordinates, with all its offsets</summary>"
+        yield f'<div class="views">{"".join(views(tool, place))}</div></details>'
+
+
+def _moved(path: Path, tool: Path) -> bool:
+    """Whether the tool goes another way than the program, and not only elsewhere."""
+    if len(path.points) != len(tool.points):
+        return True
+    shifts = tool.points - path.points
+    return bool(np.ptp(shifts, axis=0).max() > 1e-6) if len(shifts) else False
 
 
 # ---- findings and tables ----

@@ -535,8 +535,8 @@ class Calls(Table[Call]):
         return {"program": self.programs, "kind": self.kinds}.get(name)
 
     def plot(self, *, over: str = "time", title: str | None = None) -> Figure:
-        """The calls as an icicle, a figure of plotly (`cncsub[plot]`): each a bar from its beginning
-        to its end, below the one it was made in. `over`: `"time"` (s, that of the moves) or
+        """The calls as an icicle, a figure of plotly (`cncsub[plot]`): each a bar from where it
+        begins to its end, below the one it was made in. `over`: `"time"` (s, that of the moves) or
         `"steps"`. Calls too short to be seen are drawn together, and told with their number.
 
         Raises `ImportError` without plotly, and `ValueError` for another axis.

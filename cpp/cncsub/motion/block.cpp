@@ -80,8 +80,8 @@ Result make_motion(MotionContext& m, BlockWords& block) {
   if (block.has(Group::Cycle)) {
     if (auto wrong = enter_cycle(m, block)) return wrong;
   }
-  block.cycle = in_cycle(m.state);
-  if (block.cycle) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
+  block.cycle = block.cycle || in_cycle(m.state);
+  if (in_cycle(m.state)) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
   switch (meaning) {
     case Meaning::Cw:
@@ -122,8 +122,8 @@ bool all_in_range(const MotionState& s) {
 
 }  // namespace
 
-Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step) {
-  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state)};
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
+  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
   const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
   if (auto wrong = read_codes(m, block)) return wrong;
   if (auto wrong = check_block(m, block)) return wrong;

@@ -6,7 +6,7 @@
 namespace cncsub {
 
 /// Carries a block out.
-Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step);
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
 
 /// What is wrong with a G code by itself, and which of them do not count.
 Result read_codes(MotionContext& m, const BlockWords& block);

@@ -90,6 +90,7 @@ class Moves::Walk {
     begin.machine = {from_[0], from_[1], from_[2]};
     const MoveRow row = next(index);
     begin.in_plane = in_plane_;
+    begin.cycle = state_->cycle;
     const MoveBegin::Point none{};
     const MoveBegin::Point& tip = state_->tip == 0 ? none : moves_.tips_[state_->tip - 1];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -141,7 +142,7 @@ class Moves::Walk {
   Along<Arc> arcs_;
   Along<Vector> vectors_;
   Along<Seconds> seconds_;
-  Axes from_{};  // machine position before the row
+  Axes from_{};                    // machine position before the row
   MoveBegin::Point programmed_{};  // the same without a radius offset
   double in_plane_ = 0;            // of the row that was visited last
   const Chunk* chunk_ = nullptr;

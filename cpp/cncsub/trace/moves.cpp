@@ -33,8 +33,7 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
   diameters_ = diameters;
 }
 
-std::uint32_t Moves::intern(MoveState state, const Axes& offset,
-                            const std::array<double, 3>& tip) {
+std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::array<double, 3>& tip) {
   if (offsets_.empty() || offsets_.back() != offset) offsets_.push(offset);
   if (tip != std::array<double, 3>{}) {
     if (tips_.empty() || tips_.back() != tip) tips_.push(tip);
@@ -95,7 +94,8 @@ MoveRow Moves::row(std::size_t index) const {
 
 MoveBegin Moves::begin_of(std::size_t index) const {
   MoveBegin found;
-  each(index, index + 1, [&](std::size_t, const MoveRow&, const MoveBegin& begin) { found = begin; });
+  each(index, index + 1,
+       [&](std::size_t, const MoveRow&, const MoveBegin& begin) { found = begin; });
   return found;
 }
 
@@ -250,8 +250,9 @@ Moves::Bounds Moves::bounds(InterruptCheck* interrupt) const {
 }
 
 std::size_t Moves::bytes() const {
-  std::size_t sum = chunks_.size() * sizeof(Chunk) + states_.bytes() + offsets_.bytes() + tips_.bytes() +
-                    arcs_.bytes() + vectors_.bytes() + seconds_.bytes() + skips_.bytes();
+  std::size_t sum = chunks_.size() * sizeof(Chunk) + states_.bytes() + offsets_.bytes() +
+                    tips_.bytes() + arcs_.bytes() + vectors_.bytes() + seconds_.bytes() +
+                    skips_.bytes();
   for (const Extra& extra : extras_) sum += extra.values.bytes();
   return sum;
 }

@@ -40,6 +40,7 @@ struct MoveBegin {
   Point offset{};       // from work to machine coordinates
   Point centre{};       // of the tool's arc, machine coordinates; NaN where none
   double in_plane = 0;  // of an arc: the tool's way in its plane, mm
+  bool cycle = false;   // a canned cycle makes the move
 };
 
 class Moves {

@@ -58,7 +58,8 @@ double size_of_turn(double in_plane, double first, double last) {
 }
 
 /// How far the chord of a step may turn. The second derivative of the curve by its angle is no
-/// longer than `bend`, and a chord leaves a curve by at most an eighth of it times the step squared.
+/// longer than `bend`, and a chord leaves a curve by at most an eighth of it times the step
+/// squared.
 std::size_t steps_of(const Curve& arc, double tolerance) {
   const double size = std::fabs(arc.turn);
   if (size == 0) return 1;
@@ -158,7 +159,8 @@ Sampler::Sampler(const Moves& moves, PathFrame frame, double tolerance, std::siz
 template <class Use>
 void Sampler::each_curve(std::size_t first, std::size_t last, Use&& use) const {
   Follower follow(frame_, tolerance_, moves_.diameters());
-  const std::size_t known = first > first_ ? first - 1 : first;  // whether it leaps asks the one before
+  const std::size_t known =
+      first > first_ ? first - 1 : first;  // whether it leaps asks the one before
   moves_.each(known, last, [&](std::size_t i, const MoveRow& row, const MoveBegin& begin) {
     const Curve curve = follow.next(row, begin);
     if (i >= first) use(i, curve);

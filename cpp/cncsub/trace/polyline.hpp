@@ -1,5 +1,5 @@
-// The way of the moves as points: ends as they are, and of arcs, helices and spirals as many between
-// them as a tolerance asks for.
+// The way of the moves as points: ends as they are, and of arcs, helices and spirals as many
+// between them as a tolerance asks for.
 #pragma once
 
 #include <cstddef>
@@ -55,8 +55,8 @@ class Sampler {
 };
 
 /// Marks which points of a line are enough for it: what is left out lies within `tolerance` of the
-/// chord that goes past it, and the chord as near to what was left out. Points where `key`, which is
-/// that of the line which leads to a point, changes are kept. Never more than a window of points
+/// chord that goes past it, and the chord as near to what was left out. Points where `key`, which
+/// is that of the line which leads to a point, changes are kept. Never more than a window of points
 /// goes into one chord, so that a second look may find fewer.
 void thin(const double* x, const double* y, const double* z, const std::int32_t* key,
           std::size_t count, double tolerance, std::uint8_t* keep, InterruptCheck* interrupt);

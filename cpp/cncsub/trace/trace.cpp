@@ -28,8 +28,7 @@ std::int64_t Trace::step_of_move(std::uint32_t step) const {
 
 std::size_t Trace::bytes() const {
   return steps.bytes() + calls.bytes() + arguments.bytes() + moves.bytes() + codes.bytes() +
-         messages.bytes() + dropped.bytes() + text + missed_skips.bytes() +
-         changes.bytes();
+         messages.bytes() + dropped.bytes() + text + missed_skips.bytes() + changes.bytes();
 }
 
 void Trace::say(std::string message) {

@@ -94,7 +94,7 @@ Result finish_contour(MotionContext& m, BlockWords& block, const std::vector<NcW
     if (calls(m.facts.control->calls.roles.value, words))
       return Fault{Cause::ProfileCall, words.at, 1, {}};
     if (follows_profile(words)) return Fault{Cause::ProfileCode, words.at, 1, {}};
-    if (auto wrong = run_block(m, words, block.step)) return wrong;
+    if (auto wrong = run_block(m, words, block.step, block.cycle)) return wrong;
   }
   const GCode radius = m.state.modal[at(Group::Radius)];
   m.state.modal[at(Group::Radius)] = m.facts.codes.of(Meaning::RadiusOff);
