@@ -578,3 +578,91 @@ def test_a_rule_is_explained() -> None:
         json.loads(command("explain", "CS201", "--format", "json")[1])["name"] == "program-missing"
     )
     assert command("explain", "CS999")[0] == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["missing.nc"], "missing.nc: no such file or folder"),
+        (["part.nc", "--main", "O7"], "no program O7"),
+        (["part.nc", "--rule", "CS9"], "check has no rule 'CS9'"),
+        (["part.nc", "--format", "xml"], "'xml' is not one of"),
+        (["part.nc", "--param", "x"], "NAME=VALUE"),
+        (["part.nc", "--setup", "no.toml"], "no.toml: No such file"),
+        (["part.nc", "--encoding", "klingon"], "unknown encoding 'klingon'"),
+        (["part.nc", "-o", "no/such/folder.json", "--format", "json"], "No such file or directory"),
+        (["-", "--fix"], "name its file"),
+        (["empty"], "there is no program in the folder"),
+    ],
+)
+def test_wrong_use_is_told_with_exit_status_2(part: Path, words: list[str], told: str) -> None:
+    (part.parent / "empty").mkdir()
+    status, output = command("check", *words, "-c", MILL)
+    assert (status, told in output) == (2, True), output
+    assert "Traceback" not in output
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("[tool.cncsub]\n", "its keys stand at the top"),
+        ("folders = [1]", "folders is a list of texts, not 1"),
+        ("parameters = 3", "parameters is a table"),
+        ('parameters = {a = "b"}', "the parameter a is a number"),
+        ('[check]\nseverity = {CS201 = "fatal"}', "a finding is error, warning, note"),
+        ("\udcff\udcfe", "it is no text in UTF-8"),
+        ('control = "fanuc-0i-x"', "near are fanuc-0i-f"),
+    ],
+)
+def test_a_project_that_means_nothing_is_told(part: Path, text: str, told: str) -> None:
+    (part.parent / "cncsub.toml").write_bytes(text.encode(errors="surrogateescape"))
+    status, output = command("check", "part.nc")
+    assert (status, told in output) == (2, True), output
+
+
+@pytest.mark.parametrize(
+    ("data", "status"),
+    [
+        (b"", 1),
+        (bytes(range(256)) * 40, 1),
+        (b"O1\nN10 G0 X" + b"1" * 3_000_000 + b"\nM30\n", 1),
+        (b"O1\nN10 (" + b"a" * 3_000_000 + b")\nM30\n", 0),
+        ("O1\nM30\n".encode("utf-16"), 0),
+    ],
+    ids=["empty", "binary", "a long word", "a long comment", "utf-16"],
+)
+@pytest.mark.parametrize("format", ["text", "json", "sarif", "junit", "github"])
+def test_any_file_has_a_defined_outcome(
+    tmp_path: Path, data: bytes, status: int, format: str
+) -> None:
+    file = tmp_path / "any.nc"
+    file.write_bytes(data)
+    done, output = command("check", str(file), "-c", MILL, "--format", format)
+    assert done == status
+    if format == "text":
+        assert max(map(len, output.splitlines()), default=0) < 1000
+    if format == "json":
+        assert all(finding["line"] >= 1 for finding in json.loads(output)["findings"])
+
+
+def test_m99_is_put_behind_the_last_line_with_the_ends_of_its_file(tmp_path: Path) -> None:
+    file = tmp_path / "part.nc"
+    file.write_bytes(b"O1\r\nM98 P2\r\nM30\r\nO2\r\nG0 X1. (\xd6\xd0)\r\n%\r\n")
+    assert "+M99" in command("check", str(file), "-c", MILL, "--diff")[1]
+    assert command("check", str(file), "-c", MILL, "--fix")[0] == 0
+    assert file.read_bytes().endswith(b"G0 X1. (\xd6\xd0)\r\nM99\r\n%\r\n")
+
+
+def test_paths_lead_from_the_program_that_is_run() -> None:
+    text = "O1\nN10 M98 P2\nM30\nO2\nN20 G65 P3 A1.\nM99\nO3\nN30 G0 X#1\nN40 M98 P9\nM99\n"
+    library = cncsub.loads(text, control=MILL)
+    (finding,) = library.check()
+    assert [(f.program, f.n, f.kind) for f in finding.path] == [
+        ("O1", 10, "M98"), ("O2", 20, "G65"),
+    ]  # fmt: skip
+    assert finding.alarm is not None
+    run = library.run()
+    assert run.alarm is not None
+    frames = [(f.program, f.n, f.kind) for f in run.alarm.frames]
+    assert [(f.program, f.n, f.kind) for f in finding.alarm.frames] == frames
+    assert library.check("O2")[0].path[0].program == "O2"

@@ -9,6 +9,8 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 import cncsub
@@ -215,8 +217,9 @@ def test_what_was_read_again_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) 
     with collecting() as collected:
         for _ in range(20):
             cncsub.loads(IF, control="fanuc-0i-f", name="a.nc").run()
-    assert len(looked) == 1
+    assert (collected.total.percent, looked) == (80, [])
     assert [row.count for row in collected.total.blocks][:1] == [20]
+    assert len(looked) == 1
 
 
 def test_lcov_tells_lines_and_branches() -> None:
@@ -366,3 +369,22 @@ def test_both_ways_of_a_block_skip_make_it_whole() -> None:
     ]
     assert both.percent == pytest.approx(100 * 5 / 6)
     assert "BRDA:2,0,0,1" in on.to_lcov()
+
+
+@given(
+    st.lists(
+        st.sampled_from(
+            ["N{0} G0 X1.", "/N{0} M98 P2", "N{0} G65 P3 A1.", "N{0} IF[#1 EQ 1]GOTO {1}", "N{0} M99", "O2", "O3",
+             "N{0} M30", "N{0} WHILE[#1 LT 2]DO1", "N{0} END1", "N{0} #1=#1+1", "/2N{0} G91", "(A)", ""]
+        ),
+        max_size=30,
+    ),
+    st.sampled_from(sorted(cncsub.controls)),
+)  # fmt: skip
+def test_the_percentage_is_that_of_the_rows(lines: list[str], control: str) -> None:
+    text = "O1\n" + "\n".join(line.format(i, i * 7 % 30) for i, line in enumerate(lines)) + "\n"
+    coverage = cncsub.loads(text, control=control).run(max_blocks=500, block_skip=[2]).coverage()
+    quick = coverage.percent
+    rows = [row.covered for table in (coverage.blocks, coverage.branches) for row in table]
+    assert quick == pytest.approx(100 * sum(rows) / len(rows) if rows else 100)
+    assert coverage.percent == quick  # now with its programs

@@ -39,6 +39,18 @@ def test_a_case_that_holds_and_one_that_does_not() -> None:
     check_case(square(vars={100: 9}), "mitsubishi-m800")
 
 
+def test_a_failure_names_the_block_the_calls_and_the_last_write() -> None:
+    with pytest.raises(AssertionError) as failed:
+        check_case(square(runs="N10 N30 N20", vars={100: 8}))
+    told = str(failed.value)
+    assert (
+        "behind: O2 N30, line 5: N30 #100=#1*#1\n      called from O1 N10, line 2 (G65 O2)\n"
+        "ran then: O2 N40, line 6: N40 M99\n"
+    ) in told
+    assert "#100 was written last by O2 N30, line 5: N30 #100=#1*#1" in told
+    assert "the last block: O1 N20, line 3: N20 M30" in told
+
+
 def test_a_case_that_means_nothing_is_refused() -> None:
     with pytest.raises(ValueError, match="has nothing to run"):
         case("nothing", control="fanuc-0i-f", runs="N10")
@@ -152,6 +164,12 @@ def test_tables_are_tests(project: pytest.Pytester) -> None:
     done = project.runpytest_inprocess("-q")
     done.assert_outcomes(errors=1)
     done.stdout.fnmatch_lines(["*case 1 has no claim*"])
+
+
+def test_a_start_of_pytest_does_not_import_cncsub(project: pytest.Pytester) -> None:
+    project.makepyfile("import sys\n\ndef test_it():\n    assert 'cncsub' not in sys.modules\n")
+    (project.path / "square.nctest.toml").unlink()
+    project.runpytest_subprocess("-q", "-p", "no:cacheprovider").assert_outcomes(passed=1)
 
 
 SUITE = """

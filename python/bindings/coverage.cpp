@@ -68,6 +68,25 @@ py::list blocks(const Code& code) {
   return programs;
 }
 
+/// Which addresses are blocks that can be executed, by address; those that decide: address, branch,
+/// whether it has a skip mark.
+py::tuple deciding(const Code& code) {
+  const Branches branches(code);
+  const Array<std::int64_t> known(code.blocks.size());
+  std::fill_n(known.data, code.blocks.size(), 0);
+  py::list decide;
+  for (const Program& program : code.programs)
+    for (Address a = program.first; a < program.last; ++a) {
+      known.data[a] = 1;
+      if (branches.of[a] == Branch::None && code.blocks[a].skip == 0) continue;
+      if (code.program_at(a) != static_cast<std::int32_t>(&program - code.programs.data()))
+        continue;  // a part's own, counted there
+      decide.append(py::make_tuple(a, std::string(to_string(branches.of[a])),
+                                   code.blocks[a].skip != 0));
+    }
+  return py::make_tuple(known.object, decide);
+}
+
 }  // namespace
 
 void add_coverage(py::module_& m) {
@@ -77,6 +96,7 @@ void add_coverage(py::module_& m) {
       py::arg("trace"));
   m.def("coverage", &coverage, py::arg("trace"));
   m.def("coverage_blocks", &blocks, py::arg("code"));
+  m.def("coverage_deciding", &deciding, py::arg("code"));
 }
 
 }  // namespace cncsub::bindings

@@ -27,6 +27,7 @@ from cncsub.workpiece import Box, Cylinder, Plane, Sphere, Workpiece
 
 if TYPE_CHECKING:
     from cncsub.archives import check_many, run_many
+    from cncsub.changes import BlockChange
     from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
     from cncsub.comparison import Comparison, compare
     from cncsub.endless import Endless, LoopBlock, Why
@@ -45,6 +46,7 @@ _LATER = {
     name: module
     for module, names in {
         "archives": "check_many run_many",
+        "changes": "BlockChange",
         "checking": "CheckRule Edit Finding Flow FlowEdge",
         "comparison": "Comparison compare",
         "endless": "Endless LoopBlock Why",
@@ -79,6 +81,7 @@ __all__ = [
     "Alarm",
     "AlarmError",
     "Block",
+    "BlockChange",
     "Box",
     "Call",
     "CallGraph",

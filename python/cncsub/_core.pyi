@@ -264,6 +264,11 @@ def coverage_blocks(
     mark.
     """
 
+def coverage_deciding(code: Code) -> tuple[np.ndarray[Any, Any], list[tuple[int, str, bool]]]:
+    """1 by the addresses of blocks that can be executed; address, branch and skip mark of those
+    that decide.
+    """
+
 @final
 class Code:
     """The compiled programs of a library."""

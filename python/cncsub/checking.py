@@ -81,19 +81,35 @@ class Finding:
     def __str__(self) -> str:
         number = f" [{self.alarm.number}]" if self.alarm is not None and self.alarm.number else ""
         at = self.program if self.n is None else f"{self.program} N{self.n}"
-        before = self.source[: self.column - 1]
+        before, shown, width = _clipped(self.source, self.column - 1, len(self.word))
         blank = "".join("\t" if letter == "\t" else " " for letter in before)
         lines = [
             f"{self.severity} {self.rule} {self.name}{number}: {self.message}",
             f"  --> {at}, {self.file}:{self.line}:{self.column}",
-            f"   | {self.source}",
-            f"   | {blank}{'^' * max(1, len(self.word))}",
+            f"   | {shown}",
+            f"   | {blank}{'^' * max(1, width)}",
         ]
         for frame in reversed(self.path):
             caller = frame.program if frame.n is None else f"{frame.program} N{frame.n}"
             lines.append(f"called from {caller} ({frame.kind}), {frame.file}:{frame.line}")
         lines.append(f"hint: {self.hint}")
         return "\n".join(lines)
+
+
+_WIDE = 160  # letters of a line that are shown
+
+
+def _clipped(source: str, at: int, width: int) -> tuple[str, str, int]:
+    """What stands before a word in a line as it is shown, the line, and the width of the word: a
+    line of a megabyte is shown where the word is.
+    """
+    if len(source) <= _WIDE:
+        return source[:at], source, width
+    first = 0 if at < _WIDE // 2 else at - _WIDE // 4
+    last = first + _WIDE
+    head = "..." if first else ""
+    shown = head + source[first:last] + ("..." if last < len(source) else "")
+    return head + source[first:at], shown, min(width, last - at)
 
 
 def rule_named(name: str) -> CheckRule:
@@ -156,7 +172,7 @@ def _finding(
         rule.severity,
         place.program,
         place.n,
-        place.line,
+        max(1, place.line),  # an empty file has no lines
         place.column,
         place.file,
         place.word,

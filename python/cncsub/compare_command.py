@@ -36,6 +36,7 @@ from cncsub.options import (
     write_text,
     wrong_use,
 )
+from cncsub.changes import changed_lines
 from cncsub.printing import shown
 from cncsub.translate_command import Translate, tell_translation
 
@@ -118,10 +119,17 @@ def diff(
     _tell(compared, format, output)
 
 
+MOST_CHANGES = 100
+
+
 def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> None:
     if format is Format.JSON:
         write_json(output, comparison_facts(compared))
     else:
-        lines = "\n".join(shown(line) for line in str(compared).split("\n"))
+        told = str(compared).split("\n")
+        if compared.changes:
+            told += ["what blocks do otherwise:"]
+            told += [f"  {line}" for line in changed_lines(compared.changes, MOST_CHANGES)]
+        lines = "\n".join(map(shown, told))
         write_text(output, lambda console: console.print(lines))
     raise typer.Exit(0 if compared.same else 1)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 from cncsub._core import Control
+from cncsub.changes import BlockChange, block_changes
 from cncsub.controls import control_of
+from cncsub.differing import alike, column_of, first_difference
 from cncsub.exchanging import rules_between
 from cncsub.library import Library, Options, load
 from cncsub.rows import Step
@@ -16,11 +18,8 @@ from cncsub.run import Run
 from cncsub.signatures import spelled_out
 
 if TYPE_CHECKING:
-    import numpy as np
+    from cncsub.differing import Column
 
-    Column = np.ndarray[Any, Any]
-
-_NEAR = 1e-9  # mm, degrees, mm/min: values that differ by less are alike
 _WATCHED = 1000  # variables that can be watched at once
 _LISTS = {"m_codes": "M code", "t_codes": "T code", "messages": "message"}
 _CALLS = ("kind", "program", "start_n", "repeats", "level")
@@ -46,7 +45,9 @@ class Comparison:
     `rules`: names of rules that make the difference: the first control with the second one's values
     for these does what the second one does. Empty where programs are compared, and where no rules
     make it: then it lies in the languages, or in tables of a control that are no rules. `untried`:
-    rules whose values could not be exchanged.
+    rules whose values could not be exchanged. `parameters`: names of parameters that are no rules
+    and make the difference, such as 6050, which registers a code that calls. `changes`: where
+    programs are compared, all that their blocks do otherwise.
 
     >>> import cncsub
     >>> library = cncsub.loads("O1\\nN10 M98 P2 L0\\nM30\\nO2\\nM99\\n", control="fanuc-0i-f")
@@ -61,6 +62,8 @@ class Comparison:
     rules: tuple[str, ...]
     untried: tuple[str, ...]
     runs: tuple[Run, Run] = field(repr=False)
+    parameters: tuple[str, ...] = ()
+    changes: tuple[BlockChange, ...] = field(default=(), repr=False)
 
     def _repr_html_(self) -> str:
         from cncsub.notebook_values import comparison_html
@@ -73,6 +76,8 @@ class Comparison:
         lines = [self.what]
         if self.rules:
             lines.append("the rules that make it: " + ", ".join(self.rules))
+        if self.parameters:
+            lines.append("the parameters that make it: " + ", ".join(self.parameters))
         if self.untried:
             lines.append("rules that could not be exchanged: " + ", ".join(self.untried))
         return "\n".join(lines)
@@ -114,7 +119,10 @@ def compare(
     pair = Pair((a, b), ("before", "after"), main, options, same_texts=False)
     runs = pair.runs()
     parting = pair.parting(*runs)
-    return _told(pair, runs, parting, (), ())
+    compared = _told(pair, runs, parting, (), ())
+    if compared.same:
+        return compared
+    return replace(compared, changes=block_changes((a, b), runs, pair.watched(*runs)))
 
 
 def _library(of: Library | str | os.PathLike[str], control: str | Control | None) -> Library:
@@ -154,8 +162,10 @@ def _compare_controls(
             return False
         return pair.parting(tried, wanted) is None
 
-    rules, untried = rules_between(one, other, explains)
-    return _told(pair, runs, parting, rules, untried)
+    names, untried = rules_between(one, other, explains)
+    rules = tuple(name for name in names if name not in one.parameters)
+    parameters = tuple(name for name in names if name in one.parameters)
+    return replace(_told(pair, runs, parting, rules, untried), parameters=parameters)
 
 
 def _told(
@@ -209,7 +219,14 @@ class Pair:
     def parting(self, a: Run, b: Run) -> Parting | None:
         """The earliest of all differences."""
         found = list(self._partings(a, b))
-        return min(found, key=lambda parting: (parting.first, parting.second), default=None)
+        return min(found, key=lambda p: (min(p.first, p.second), p.first, p.second), default=None)
+
+    def watched(self, a: Run, b: Run) -> tuple[Run, Run]:
+        """Both once more, with the variables watched that hold a value in one of them."""
+        held = {n for run in (a, b) for n, value in run.variables.items() if value is not None}
+        numbers = [n for n in sorted(held) if _has(a, n) and _has(b, n)][:_WATCHED]
+        one, other = (self.run(library, watch=numbers) for library in self.libraries)
+        return one, other
 
     def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
         yield from self._of_calls(a, b)
@@ -227,15 +244,15 @@ class Pair:
         return Parting(*at, "\n".join(lines))
 
     def _of_steps(self, a: Run, b: Run) -> Iterator[Parting]:
-        at = _first(
-            [(_column(a.steps, name), _column(b.steps, name)) for name in ("program", "line")]
+        at = first_difference(
+            [(column_of(a.steps, name), column_of(b.steps, name)) for name in ("program", "line")]
         )
         if at is not None:
             yield self._say((a, b), (at, at), ("", ""))
 
     def _of_calls(self, a: Run, b: Run) -> Iterator[Parting]:
-        columns = [(_column(a.calls, name), _column(b.calls, name)) for name in _CALLS]
-        at = _first(columns)
+        columns = [(column_of(a.calls, name), column_of(b.calls, name)) for name in _CALLS]
+        at = first_difference(columns)
         if at is None:
             return
         steps, does = [], []
@@ -252,7 +269,7 @@ class Pair:
 
     def _moved(self, run: Run, name: str) -> Column:
         """A column of the moves, as it is compared."""
-        return _column(run.moves, name)
+        return column_of(run.moves, name)
 
     def _of_moves(self, a: Run, b: Run) -> Iterator[Parting]:
         names = list(dict.fromkeys([*a.moves.columns, *b.moves.columns]))
@@ -260,7 +277,7 @@ class Pair:
         for name in names:
             if name in _NOT_COMPARED:
                 continue
-            at = _first([(self._moved(a, name), self._moved(b, name))])
+            at = first_difference([(self._moved(a, name), self._moved(b, name))])
             if at is not None and (best is None or at < best):
                 best, which = at, name
         if best is None:
@@ -312,14 +329,14 @@ class Pair:
         other = [
             number
             for number in sorted(values[0].keys() | values[1].keys())
-            if not _alike(values[0].get(number), values[1].get(number))
+            if not alike(values[0].get(number), values[1].get(number))
         ]
         numbers = [n for n in other if _has(a, n) and _has(b, n)]
         if not numbers:
             return
         watched = [self.run(library, watch=numbers[:_WATCHED]).watch for library in self.libraries]
         names = ("variable", "value")
-        at = _first([(watched[0][name], watched[1][name]) for name in names])
+        at = first_difference([(watched[0][name], watched[1][name]) for name in names])
         if at is None:  # what they began with differs
             at = 0
         steps, does = [], []
@@ -348,40 +365,3 @@ def _has(run: Run, number: int) -> bool:
     except KeyError:
         return False
     return True
-
-
-def _alike(a: float | None, b: float | None) -> bool:
-    return a == b or (a is not None and b is not None and abs(a - b) < _NEAR)
-
-
-def _column(table: Any, name: str) -> Column:
-    """A column with its texts written out; NaN where the table has no such column."""
-    import numpy as np
-
-    if name not in table.columns:
-        return np.full(len(table), np.nan)
-    column: Column = table[name]
-    texts = table._texts(name)
-    if texts is None:
-        return column
-    written: Column = np.asarray([*texts, None], dtype=object)
-    return written[column]
-
-
-def _first(pairs: Sequence[tuple[Column, Column]]) -> int | None:
-    """The first row in which one of the columns differs, or the end of the shorter table."""
-    import numpy as np
-
-    a, b = pairs[0]
-    count = min(len(a), len(b))
-    differs = np.zeros(count, dtype=bool)
-    for one, other in pairs:
-        x, y = one[:count], other[:count]
-        if x.dtype.kind == "f" and y.dtype.kind == "f":
-            differs |= ~((np.abs(x - y) < _NEAR) | (np.isnan(x) & np.isnan(y)))
-        else:
-            differs |= x != y
-    found = np.flatnonzero(differs)
-    if len(found):
-        return int(found[0])
-    return None if len(a) == len(b) else count

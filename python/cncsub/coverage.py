@@ -288,6 +288,22 @@ class _Raw:
         )
 
 
+    def outcomes(self) -> tuple[int, int]:
+        """How many blocks and outcomes of branches are covered, and how many there are."""
+        blocks, deciding = _core.coverage_deciding(self.code)
+        executed = (self.held + self.failed) > 0
+        counts: list[int] = []
+        for address, kind, skip in deciding:
+            if skip:
+                counts += (int(self.skipped[address]), int(executed[address]))
+            if kind in _LOOPS:
+                counts += (self.loops[address, place] for place in range(len(_OUTCOMES)))
+            elif kind:
+                counts += (int(self.held[address]), int(self.failed[address]))
+        covered = int((executed & (blocks > 0)).sum()) + sum(count > 0 for count in counts)
+        return covered, int(blocks.sum()) + len(counts)
+
+
 def _programs(raw: _Raw) -> Iterator[Counted]:
     import numpy as np
 
@@ -450,6 +466,9 @@ class Coverage:
         """Covered blocks and covered outcomes of branches, of all of them together; 100 where there
         are none. Calls and arguments do not count.
         """
+        if self._made is None and len(self._parts) == 1:  # no program is looked at for it
+            covered, known = self._parts[0].outcomes()
+            return 100.0 * covered / known if known else 100.0
         covered = known = 0
         for program in self.programs:  # no rows are made for it
             covered += program.blocks_covered()
@@ -523,7 +542,7 @@ class _Merged:
         for old in known:
             if old.text == program.text and old.blocks == program.blocks:
                 return old
-        if known and not _has_no_file(program):
+        if known and not _has_no_file(program.file):
             raise ValueError(
                 f"{program.name} of {program.file} has another text, or is read by another control,"
                 " in the runs that are added: add runs of one version, or name their files"
@@ -540,8 +559,8 @@ def _keyed(programs: Iterable[Counted]) -> Iterator[tuple[tuple[str, str, int], 
         seen[name] += 1
 
 
-def _has_no_file(program: Counted) -> bool:
-    return program.file.startswith("<") or program.file == "MDI"
+def _has_no_file(file: str) -> bool:
+    return file.startswith("<") or file == "MDI"
 
 
 def coverage_of(trace: _core.Trace, code: _core.Code) -> Coverage:
@@ -567,6 +586,9 @@ def _raw(trace: _core.Trace, code: _core.Code) -> _Raw:
     )
 
 
+_Read = tuple[object, object]  # which control, which texts
+
+
 class Collected:
     """The sum of the runs of a `collecting()`.
 
@@ -578,9 +600,9 @@ class Collected:
         self.runs = 0
         self.left_out = 0
         self._lock = threading.Lock()
-        self._parts: dict[object, _Raw] = {}  # by what was read, on which control
-        self._reads: dict[int, object] = {}  # of the codes that are parts, by their ids
-        self._merged = _Merged()  # to know which texts there are
+        self._parts: dict[_Read, _Raw] = {}
+        self._reads: dict[int, _Read] = {}  # of the codes that are parts, by their ids
+        self._texts: dict[tuple[str, str, int], tuple[str, object]] = {}  # and the control
         self._total: Coverage | None = Coverage()
 
     @property
@@ -607,24 +629,49 @@ class Collected:
         if read in self._parts:
             self._parts[read] = self._parts[read].plus(found)
             return True
-        try:  # a run that ended well is not to fail for what is counted of it
-            self._merged.add(_programs(found))
-        except ValueError:
-            return False
+        if not self._fits(found, read[0]):
+            return False  # a run that ended well is not to fail for what is counted of it
         self._parts[read] = found
         self._reads[id(found.code)] = read  # the part keeps its code, and with it the id
+        return True
+
+    def _fits(self, found: _Raw, control: object) -> bool:
+        """Whether no file's program has another text; only where the control differs its blocks are
+        looked at.
+        """
+        new: dict[tuple[str, str, int], tuple[str, object]] = {}
+        seen: Counter[tuple[str, str]] = Counter()
+        for index in range(len(found.code)):
+            data = found.code.program(index)
+            name = data.file, data.name
+            new[*name, seen[name]] = data.text, control
+            seen[name] += 1
+        other = [
+            key
+            for key, value in new.items()
+            if not _has_no_file(key[0]) and self._texts.setdefault(key, value) != value
+        ]
+        if any(self._texts[key][0] != new[key][0] for key in other):
+            return False
+        if other:
+            try:
+                merged = _Merged()
+                for part in (*self._parts.values(), found):
+                    merged.add(_programs(part))
+            except ValueError:
+                return False
         return True
 
     def __repr__(self) -> str:
         return f"<Collected: {self.runs} runs, {self.left_out} left out>"
 
 
-def _what_is_read(code: _core.Code) -> object:
+def _what_is_read(code: _core.Code) -> _Read:
     """Codes for which this is the same have the same blocks at the same addresses."""
     control = code.control
     rules = tuple((rule.name, rule.value) for rule in control.rules)
     parameters = tuple((name, each.value) for name, each in control.parameters.items())
-    return control.name, rules, parameters, tuple(map(tuple, code.sources))
+    return (control.name, rules, parameters), tuple(map(tuple, code.sources))
 
 
 @contextmanager

@@ -12,8 +12,9 @@ Value = bool | int | str
 def rules_between(
     one: Control, other: Control, explains: Callable[[Control], bool]
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The fewest rules of `other` with which `one` is a control that `explains`, and those whose
-    values could not be given to it. None where even all of them do not.
+    """The fewest rules, and parameters that are no rules, of `other` with which `one` is a control
+    that `explains`, and rules whose values could not be given to it. None where even all of them do
+    not.
     """
     values = {rule.name: rule.value for rule in other.rules}
     changes: dict[str, Value] = {}
@@ -27,14 +28,29 @@ def rules_between(
         else:
             changes[rule.name] = written
 
+    parameters = _other_parameters(one, other)
+
     def exchanged(names: Sequence[str]) -> bool:
         try:
-            control = one.replace(**{name: changes[name] for name in names})
+            control = one.replace(**{name: changes[name] for name in names if name in changes})
+            given = {name: parameters[name] for name in names if name in parameters}
+            control = control.with_parameters(given) if given else control
         except ValueError:  # these values do not go together
             return False
         return explains(control)
 
-    return tuple(_fewest(list(changes), exchanged)), tuple(untried)
+    return tuple(_fewest([*changes, *parameters], exchanged)), tuple(untried)
+
+
+def _other_parameters(one: Control, other: Control) -> dict[str, float]:
+    """Those of one family of controls that differ and are no rules, with the other's values."""
+    if one.parameters.keys() != other.parameters.keys():
+        return {}
+    return {
+        name: other.parameters[name].value
+        for name, own in one.parameters.items()
+        if own.rule is None and not own.rules and own.value != other.parameters[name].value
+    }
 
 
 def _written(control: Control, name: str, value: Value) -> Value | None:

@@ -73,6 +73,21 @@ def comparison_facts(compared: cncsub.Comparison) -> dict[str, Any]:
         "what": compared.what,
         "rules": list(compared.rules),
         "untried": list(compared.untried),
+        "parameters": list(compared.parameters),
+        "changes": [_change_facts(change) for change in compared.changes],
+    }
+
+
+def _change_facts(change: cncsub.BlockChange) -> dict[str, Any]:
+    def place(of: Any) -> dict[str, Any] | None:
+        return None if of is None else of._asdict()
+
+    return {
+        "what": change.what,
+        "before": place(change.before),
+        "after": place(change.after),
+        "old": change.old,
+        "new": change.new,
     }
 
 

@@ -89,7 +89,7 @@ def _result(finding: Finding, numbers: Sequence[str]) -> dict[str, Any]:
         "ruleId": finding.rule,
         "ruleIndex": numbers.index(finding.rule),
         "level": _LEVELS[finding.severity],
-        "message": {"text": f"{told}. {finding.hint}"},
+        "message": {"text": f"{told}. Hint: {finding.hint}"},
         "locations": [_location(finding.file, finding.line, finding.column, len(finding.word))],
     }
     if finding.path:
@@ -181,7 +181,7 @@ def github_annotations(findings: Iterable[Finding]) -> str:
     kinds = {"error": "error", "warning": "warning", "note": "notice"}
     lines = (
         f"::{kinds[f.severity]} file={escaped(f.file, True)},line={f.line},col={f.column},"
-        f"title={escaped(f'{f.rule} {f.name}', True)}::{escaped(f'{f.message}. {f.hint}')}"
+        f"title={escaped(f'{f.rule} {f.name}', True)}::{escaped(f'{f.message}. Hint: {f.hint}')}"
         for f in findings
     )
     return "\n".join(lines)
@@ -209,8 +209,9 @@ class Mended:
         line, old = lines[edit.line - 1], edit.old.encode()
         at = edit.column - 1
         if not old:
-            at = len(line.removesuffix(b"\r"))
-            lines[edit.line - 1] = line[:at] + edit.new.encode() + line[at:]
+            end = b"\r" if line.endswith(b"\r") else b""
+            new = edit.new.encode().replace(b"\n", end + b"\n")
+            lines[edit.line - 1] = line.removesuffix(end) + new + end
             self._new[edit.file] = b"\n".join(lines)
             return
         if not line[:at].isascii() or not line.startswith(old, at):

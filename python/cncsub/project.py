@@ -64,7 +64,9 @@ def project_for(paths: Sequence[str] | None) -> Project:
 def _toml(file: Path) -> dict[str, Any]:
     try:
         return tomllib.loads(file.read_text(encoding="utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except UnicodeDecodeError:
+        raise ValueError(f"{file}: it is no text in UTF-8") from None
+    except tomllib.TOMLDecodeError as error:
         raise ValueError(f"{file}: {error}") from None
 
 
@@ -84,6 +86,8 @@ def _read(file: Path, told: Any) -> Project:
     if not isinstance(told, dict):
         raise ValueError(f"{file}: tool.cncsub is a table")
     for key, value in told.items():
+        if key == "tool":
+            raise ValueError(f"{file}: its keys stand at the top; [tool.cncsub] is for pyproject.toml")
         if key not in _KINDS:
             raise ValueError(f"{file}: a project has no {key!r}{did_you_mean(key, _KINDS)}")
         if not isinstance(value, _KINDS[key]):
@@ -92,6 +96,10 @@ def _read(file: Path, told: Any) -> Project:
     for key in check:
         if key not in ("ignore", "severity"):
             raise ValueError(f"{file}: check has no {key!r}; it takes ignore and severity")
+
+    for folder in told.get("folders", []):
+        if not isinstance(folder, str):
+            raise ValueError(f"{file}: folders is a list of texts, not {folder!r}")
 
     def path(name: str) -> Path | None:
         return file.parent / told[name] if name in told else None

@@ -104,13 +104,9 @@ void mend_end(const Checker& c, const ProgramFlow& flow, Finding& found) {
   if (!called || flow.ever_ends() || ends_in_g99(c, flow)) return;
   const std::string& text = c.code.files[program.file].text;
   const Block& last = c.code.blocks[flow.last() - 1];
-  std::size_t end = std::min(text.find('\n', last.text), text.size());
-  const bool two = end > last.text && text[end - 1] == '\r';
-  if (two) --end;
+  const std::size_t end = std::min(text.find('\n', last.text), text.size());
   if (program.text_end < end) return;  // another program begins in the line
-  found.edits.push_back({flow.last() - 1,
-                         {static_cast<std::uint32_t>(end), 0},
-                         two ? "\r\nM99" : "\nM99"});
+  found.edits.push_back({flow.last() - 1, {static_cast<std::uint32_t>(end), 0}, "\nM99"});
 }
 
 /// What runs into its end.
