@@ -34,6 +34,7 @@ struct Spelling {
   };
   Around comment, value, message;
   bool numbered = true;
+  std::string_view radius = "R";  // the address of an arc's radius
 };
 
 /// Reads the number that stands here as the value of a word; nothing where none with a digit does.
