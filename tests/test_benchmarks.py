@@ -31,6 +31,12 @@ def test_every_kind_of_block_runs_to_its_end() -> None:
     assert "| G90 G1 |" in table
 
 
+def test_every_way_to_a_flat_program_is_measured() -> None:
+    table = printed("flattening.py", "--blocks", "30000")
+    assert len(table.splitlines()) == 7
+    assert "| M98 L of plain moves" in table
+
+
 def test_the_benchmark_prints_its_tables(tmp_path: Path) -> None:
     readme = tmp_path / "README.md"
     readme.write_text("before\n<!-- benchmark -->\nold\n<!-- end of benchmark -->\nbehind\n")

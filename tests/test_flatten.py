@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import pickle
 from pathlib import Path
+from typing import Any
 
 import pytest
 from typer.testing import CliRunner
 
 import cncsub
+import flat_programs
 from cncsub.cli import app
-from cncsub.testing.outcome import load
 from conformance import rows
 
 CASES = {
@@ -38,18 +39,69 @@ CASES = {
         "O1\n#1=10/3\nG0 X#1\nX[#1*2]\nM30\n",
         "O1\nG0 X3.333\nX6.667\nM30\n",
     ),
+    "to that of the units in force": (
+        "O1\n#1=1/3\nG20\nG0 X#1\nG21\nX#1\nM30\n",
+        "O1\nG20\nG0 X0.3333\nG21\nX0.333\nM30\n",
+    ),
     "a modal macro behind each move": (
         "O1\nG66 P2\nG0 X1.\nG67\nM30\nO2\nM8\nM99\n",
         "O1\nG0 X1.\nM8\nM30\n",
     ),
     "a main program that starts over": ("O1\nG0 X1.\nM99\n", "O1\nG0 X1.\nM99\n"),
+    "words are spelled as they were": (
+        "O0001(PART)\nN10 G00 X10.0 Z-0.50 M08\nT0101(TOOL)\nX#1 G01 F.2\nN20 M30\n",
+        "O0001\nG00 X10.0 Z-0.50 M08\nT0101\nG01 F.2\nM30\n",
+    ),
+    "a value between two increments, where nothing rounds it": (
+        "O1\n#1=100/3\nG68 X0 Y0 R#1\nG69\nG4 X[1/3]\nM30\n",
+        "O1\nG68 X0 Y0 R[33.333333333333336]\nG69\nG4 X[0.3333333333333333]\nM30\n",
+    ),
+    "what the control knows of itself": (
+        "O1\nG0 X[#5041+1]\n#1=100\n#101=4\nY#[#1+1]\nM30\n",
+        "O1\nG0 X1.\nY4.\nM30\n",
+    ),
+    "an offset": (
+        "O1\n#100=5\nWHILE[#100 LT 7]DO1\n#[5216+#100]=#100/3\n#100=#100+1\nEND1\nG0 X1.\nM30\n",
+        "O1\n#5221=1.6666666666666667\n#5222=2\nG0 X1.\nM30\n",
+    ),
+    "messages": (
+        "O1\n#1=1.5\nPOPEN\nDPRNT[X#1[53] OK]\nPCLOS\n#3006=1(LOOK AT IT)\nM30\n",
+        "O1\nPOPEN\n#1=1.5\nDPRNT[X#1[53]OK]\nPCLOS\n#3006=1(LOOK AT IT)\nM30\n",
+    ),
+    "an alarm of its own": (
+        "O1\nG0 X1.\nIF[#1 EQ #0]GOTO9\nM30\nN9 #3000=7(OFF)\n",
+        "O1\nG0 X1.\n#3000=7(OFF)\n",
+    ),
+    "computed codes": (
+        "O1\n#1=90\nG#1 G0 X1.\n#2=8\nM#2\n#3=30\nM#3\n",
+        "O1\nG90 G0 X1.\nM8\nM[30]\n",
+    ),
+    "a jump out of a subprogram": (
+        "O1\nM98 P2\nG0 X1.\nN9 Y1.\nM30\nO2\nZ1.\nM99 P9\n",
+        "O1\nZ1.\nY1.\nM30\n",
+    ),
+}
+LATHE = {
+    "the profile of a cycle is renumbered": (
+        "O1\nG0 X100. Z2.\n#1=20\nG71 U2. R1.\nG71 P50 Q70 U0.4 W0.1 F0.2\n"
+        "N50 G0 X#1\nG1 Z-10. F0.1\nN70 X60.\nG70 P50 Q70\nM30\n",
+        "O1\nG0 X100. Z2.\nG71 U2. R1.\nG71 P1 Q2 U0.4 W0.1 F0.2\n"
+        "N1 G0 X20.\nG1 Z-10. F0.1\nN2 X60.\nG70 P1 Q2\nM30\n",
+    ),
+    "and stands behind the end where the cycle does not pass over it": (
+        "O1\nG0 X100. Z2.\nG70 P50 Q70\nM30\nN50 G0 X20.\nG1 Z-10. F0.1\nN70 X60.\n",
+        "O1\nG0 X100. Z2.\nG70 P1 Q2\nM30\nN1 G0 X20.\nG1 Z-10. F0.1\nN2 X60.\n",
+    ),
+    "a whole value that would count increments": (
+        "O1\nG0 X100. Z2.\n#1=5\nG75 R1.\nG75 X80. Z-20. P#1 Q#1 F0.1\nM30\n",
+        "O1\nG0 X100. Z2.\nG75 R1.\nG75 X80. Z-20. P5 Q[5] F0.1\nM30\n",
+    ),
 }
 REFUSED = {
-    "O1\nG0 X[#5041+1]\nM30\n": "is an expression",
-    "O1\n#1=100\nG0 X#[#1+1]\nM30\n": "is an expression",
-    "O1\n#5221=5\nM30\n": "a variable of the control",
-    "O1\n#3000=1(OFF)\nM30\n": "ends by an alarm",
-    "O1\nN10 GOTO 10\nM30\n": "does not end",
+    "O1\nG0 X1.\nM98 P9\nM30\n": "ends by an alarm",
+    "O1\nN10 GOTO 10\nM30\n": "does not end: it stopped with (waiting|limit)",
+    "O1\nWHILE[#1000 EQ 0]DO1\nEND1\nM30\n": "stopped with waiting for #1000",
+    "O1\nG0 X1.\nM99\n": "does not end: it stopped with limit",
 }
 
 
@@ -62,69 +114,133 @@ def test_what_is_written(name: str) -> None:
     assert len(flat.origins) == expected.count("\n") - 1
 
 
+@pytest.mark.parametrize("name", LATHE)
+def test_what_is_written_for_a_lathe(name: str) -> None:
+    text, expected = LATHE[name]
+    library = cncsub.loads(text, control="fanuc-0i-f")
+    flat = library.flatten(setup={"machine": "lathe-a"})
+    flat.verify()
+    assert flat.text == expected
+    assert len(flat.origins) == expected.count("\n") - 1
+
+
 @pytest.mark.parametrize("text", REFUSED)
 def test_what_is_refused(text: str) -> None:
     library = cncsub.loads(text, control="fanuc-0i-f")
     with pytest.raises(cncsub.FlattenError, match=REFUSED[text]) as caught:
-        cncsub.flatten(library, max_blocks=50)
+        cncsub.flatten(library, max_blocks=50, max_cycles=1000)
     assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args
+
+
+def test_a_value_that_cannot_be_written_is_refused_with_its_block() -> None:
+    control = cncsub.controls["fanuc-0i-f"]
+    lists = {rule.name: rule.value for rule in control.rules}
+    library = cncsub.loads(
+        "O1\n#1=100/3\nN20 G68 X0 Y0 R#1\nM30\n",
+        control=control.replace(lacking_statements=f"{lists['lacking_statements']} [".strip()),
+    )
+    with pytest.raises(cncsub.FlattenError, match="the value of R cannot be written") as caught:
+        library.flatten()
+    assert (caught.value.program, caught.value.n, caught.value.line) == ("O1", 20, 3)
+
+
+def test_a_code_that_calls_stands_in_brackets_where_it_did_not_call() -> None:
+    control = cncsub.controls["fanuc-0i-f"].with_parameters({"6080": 60})
+    library = cncsub.loads("O1\nM60\nM30\nO9020\nM60\nG0 X1.\nM99\n", control=control)
+    flat = library.flatten()
+    flat.verify()
+    assert flat.text == "O1\nM[60]\nG0 X1.\nM30\n"
 
 
 def test_for_another_control() -> None:
     library = cncsub.loads(CASES["an expression"][0], control="fanuc-0i-f")
     flat = cncsub.flatten(library, control="mitsubishi-m700")
     assert flat.text == CASES["an expression"][1]
+    library = cncsub.loads("O1\nG5.4 P1\nM98 P2\nM30\nO2\nM99\n", control="fanuc-0i-f")
+    if library.run().stop == cncsub.Stop.END:
+        with pytest.raises(cncsub.FlattenError, match="would not run alike"):
+            library.flatten(control="gsk-928te")
 
 
 def test_the_command(tmp_path: Path) -> None:
     text, expected = CASES["calls and repeats"]
     program, out = tmp_path / "p.nc", tmp_path / "flat.nc"
     program.write_text(text)
-    done = CliRunner().invoke(app, ["flatten", str(program), "-c", "fanuc-0i-f", "-o", str(out)])
+    command = ["flatten", str(program), "-c", "fanuc-0i-f"]
+    done = CliRunner().invoke(app, [*command, "-o", str(out)])
     assert done.exit_code == 0, done.output
     assert out.read_text() == expected
-    program.write_text("O1\n#5221=5\nM30\n")
-    done = CliRunner().invoke(app, ["flatten", str(program), "-c", "fanuc-0i-f"])
+    assert CliRunner().invoke(app, command).output == expected
+    program.write_text("O1\nM98 P9\nM30\n")
+    done = CliRunner().invoke(app, [*command, "-o", str(out)])
     assert done.exit_code == 2
+    assert out.read_text() == expected  # what is refused has written nothing
 
 
-def test_origins_name_block_call_and_pass() -> None:
+def test_origins_are_a_table() -> None:
     library = cncsub.loads(CASES["calls and repeats"][0], control="fanuc-0i-f")
     flat = cncsub.flatten(library, comments=True)
-    assert flat.origins["program"].tolist() == ["O1", "O2", "O2", "O1"]
-    assert flat.origins["call"].tolist() == [-1, 0, 0, -1]
+    origins = flat.origins
+    assert [origins.programs[code] for code in origins["program"]] == ["O1", "O2", "O2", "O1"]
+    assert origins.n.tolist() == [10, -1, -1, -1]
+    assert origins.line.tolist() == [2, 6, 6, 4]
+    assert origins["call"].tolist() == [-1, 0, 0, -1]
+    assert origins["pass"].tolist() == [1, 1, 2, 1]
+    assert origins[2] == cncsub.Origin("O2", None, 6, 0, 2)
+    assert getattr(origins[2], "pass") == 2
+    assert [row.line for row in origins] == [2, 6, 6, 4]
+    assert origins.to_pandas()["program"].tolist() == ["O1", "O2", "O2", "O1"]
+    arrow = origins.to_arrow()
+    assert arrow.column_names == origins.columns
+    assert arrow["program"].to_pylist() == ["O1", "O2", "O2", "O1"]
+    assert repr(origins).splitlines()[0].split() == origins.columns
+    with pytest.raises(KeyError, match="blocks have no column 'x'"):
+        origins["x"]
     assert "(O1 N10 LINE 2)" in flat.text
+    run = library.run()
+    assert [run.calls[c].program for c in origins["call"].tolist() if c >= 0] == ["O2", "O2"]
+
+
+def test_a_long_program_is_written_in_pieces(tmp_path: Path, monkeypatch: Any) -> None:
+    text = "O1\nM98 P2 L9999\nM98 P2 L9999\nM30\nO2\nG91 G1 X0.5 Y-0.25 F1000.\nZ#1\nX1.M99\n"
+    library = cncsub.loads(text.replace("X1.M99", "X1.\nM99"), control="fanuc-0i-f")
+    whole = library.flatten()
+    assert len(list(whole.pieces())) == 1
+    monkeypatch.setattr("cncsub.flattening._KEPT", 1000)  # as of a text of more than 64 MB
+    text = "O1\nM98 P3 L200\nM30\nO3\nM98 P2 L200\nM99\n" + text[text.index("O2") :].replace(
+        "X1.M99", "X1.\nM99"
+    )
+    flat = cncsub.loads(text, control="fanuc-0i-f").flatten()
+    pieces = list(flat.pieces())
+    assert len(pieces) > 1
+    assert all(piece.endswith("\n") for piece in pieces)
+    assert repr(flat) == "<Flat: 80,001 blocks>"
+    out = tmp_path / "flat.nc"
+    flat.write(out)
+    assert out.read_text() == "".join(pieces) == flat.text
+    assert len(flat.origins) == 80_001
+    assert flat.origins.call[-2] == 200
+    flat.verify()
+
+
+# ---- everything there is ----
 
 
 def test_every_row_that_ends_is_flattened_or_refused() -> None:
-    """`flatten` itself runs and compares; anything else than a refusal is a defect."""
-    known = (
-        "would not run alike",
-        "expression",
-        "of the control",
-        "vacant",
-        "not clear which",
-        "call that has ended",
-    )
-    done = 0
-    reasons: list[str] = []
-    for row in rows()[::10]:
-        if row.case.mdi is not None:
-            continue
-        try:
-            library = load(row.case, cncsub.controls[row.control])
-            if library.run(max_blocks=300).stop != cncsub.Stop.END:
-                continue
-        except (ValueError, KeyError):
-            continue
-        try:
-            cncsub.flatten(library, max_blocks=300)
-            done += 1
-        except cncsub.FlattenError as error:
-            reasons.append(error.reason)
-    strange = [reason for reason in reasons if not any(text in reason for text in known)]
-    assert not strange
-    assert done > 5 * len(reasons), (done, len(reasons))
+    """`python tests/differential/flat_programs.py --rows` does the same with all of them."""
+    refused, done = flat_programs.of_rows(rows()[3::10])
+    assert not set(refused) - flat_programs.REASONS
+    assert done > 50 * sum(refused.values()), (done, refused)
+
+
+def test_every_example_is_flattened() -> None:
+    assert flat_programs.of_examples() > 100
+
+
+def test_generated_programs_are_flattened_on_every_control() -> None:
+    """`python tests/differential/flat_programs.py --programs 10000` does the same with more of them."""
+    assert flat_programs.of_calls(range(10)) > 100
+    assert flat_programs.of_macros(range(60)) > 300
 
 
 def test_verify_runs_both_again() -> None:
@@ -134,3 +250,7 @@ def test_verify_runs_both_again() -> None:
     flat.text = flat.text.replace("X5.", "X6.", 1)
     with pytest.raises(AssertionError, match="x = 6"):
         flat.verify()
+    flat.text = "O1\nM98 P2\nM30\nO2\nM99\n"
+    with pytest.raises(AssertionError):
+        flat.verify()
+

@@ -19,7 +19,7 @@ from cncsub.engine_types import tell_engine_types
 from cncsub.inputs import Inputs
 from cncsub.library import Library, load, loads
 from cncsub.program import Block, Program, Word
-from cncsub.rows import Call, Change, Dropped, MissedSkip, Move, SentCode, Step
+from cncsub.rows import Call, Change, Dropped, MissedSkip, Move, Origin, SentCode, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
@@ -112,6 +112,7 @@ __all__ = [
     "MissedSkip",
     "Move",
     "Note",
+    "Origin",
     "Part",
     "Plane",
     "Polyline",

@@ -9,7 +9,6 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::string_view kMayCall = "GMSTB";
 constexpr std::string_view kCommaLetters = "CRAD";
 
 /// What the address of a written word is in a mask; -1 where it is none of one letter.
@@ -34,8 +33,8 @@ void end_line(std::string& to) {
 /// Makes the line of one block.
 class BlockWriter::Maker {
  public:
-  Maker(BlockWriter& to, const Block& block, const Written& otherwise)
-      : to_(to), block_(block), otherwise_(otherwise) {
+  Maker(BlockWriter& to, const Block& block, const std::array<std::int64_t, 2>* profile)
+      : to_(to), block_(block), profile_(profile) {
     const Code& code = to.code_;
     if ((block.flags & Block::kCodeExpression) == 0) codes_ = code.codes_of(block);
     cells_ = code.cells.data() + block.data;
@@ -51,13 +50,20 @@ class BlockWriter::Maker {
 
   void take(const WrittenWord& word);
   void take_rest();
+  const std::string& failed() const { return failed_; }
+  /// The part that says which word cannot be written.
+  Part unwritten() const { return {Part::Kind::Unwritten, failed_[0], 0, 0}; }
 
  private:
-  static void add_to(std::vector<Part>& parts, Part part) { parts.push_back(part); }
   void add(Part part) { to_.parts_.push_back(part); }
   double constant(int place) const {
     const auto before = static_cast<std::uint32_t>(block_.mask & ((1u << place) - 1));
     return cells_[std::popcount(before)].value;
+  }
+  /// Whether an M code is the end of the block's program.
+  bool ends(int m) const {
+    return block_.op == Op::EndProgram &&
+           to_.code_.control->calls.roles.value.of_m(m) == Role::End;
   }
   bool take_code(char letter, const WrittenWord& word);
   bool take_end(const WrittenWord& word);
@@ -66,27 +72,28 @@ class BlockWriter::Maker {
 
   BlockWriter& to_;
   const Block& block_;
-  const Written& otherwise_;
+  const std::array<std::int64_t, 2>* profile_;
   CodeList codes_;
   const Cell* cells_ = nullptr;
   std::uint32_t expressions_ = 0, whole_ = 0, left_ = 0;
   std::uint32_t g_taken_ = 0, m_taken_ = 0;
   bool ended_ = false;
+  std::string failed_;
 };
 
+/// A code that calls where it stands as a number was executed as a word: it stands in brackets.
 void BlockWriter::Maker::text(char letter, const WrittenWord& word) {
-  if (!otherwise_.in_brackets || kMayCall.find(letter) == std::string_view::npos)
-    return to_.add_text(word.text);
+  if (!to_.words_.calls(letter, to_whole<int>(word.value))) return to_.add_text(word.text);
   std::string written;
-  to_.words_.bracketed(written, std::string(1, letter), word.value);
-  to_.add_text(written.empty() ? word.text : written);
+  if (to_.words_.bracketed(written, std::string(1, letter), word.value))
+    to_.add_text(written);
+  else
+    failed_ = word.text;
 }
 
 bool BlockWriter::Maker::take_end(const WrittenWord& word) {
   const double m = word.value;
-  const bool ends = block_.op == Op::EndProgram && !ended_ && m == std::floor(m) &&
-                    to_.code_.control->calls.roles.value.of_m(to_whole<int>(m)) == Role::End;
-  if (!ends) return false;
+  if (ended_ || m != std::floor(m) || !ends(to_whole<int>(m))) return false;
   ended_ = true;
   to_.add_text(word.text);
   return true;
@@ -100,6 +107,7 @@ bool BlockWriter::Maker::take_code(char letter, const WrittenWord& word) {
   for (std::size_t i = 0; i < codes.size(); ++i) {
     if (codes[i] != code || (taken >> i & 1) != 0) continue;
     taken |= 1u << i;
+    ended_ = ended_ || (!g && ends(codes[i]));
     text(letter, word);
     return true;
   }
@@ -109,9 +117,8 @@ bool BlockWriter::Maker::take_code(char letter, const WrittenWord& word) {
 void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
   const std::uint32_t mark = 1u << place;
   if ((left_ & mark) == 0) return;
-  const bool profile = otherwise_.profile != nullptr && (place == 'P' - 'A' || place == 'Q' - 'A');
-  if (profile) {
-    const std::int64_t n = otherwise_.profile[place == 'P' - 'A' ? 0 : 1];
+  if (profile_ != nullptr && (place == 'P' - 'A' || place == 'Q' - 'A')) {
+    const std::int64_t n = (*profile_)[place == 'P' - 'A' ? 0 : 1];
     to_.add_text(static_cast<char>('A' + place) + std::to_string(n));
   } else if ((expressions_ & mark) != 0) {
     add({Part::Kind::Word, 0, static_cast<std::uint32_t>(place), 0});
@@ -124,11 +131,12 @@ void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
 }
 
 void BlockWriter::Maker::take(const WrittenWord& word) {
-  const int place = place_of(word.address);
+  const bool radius = word.address == to_.code_.spelling->radius;
+  const int place = radius ? 'R' - 'A' : place_of(word.address);
   if (place < 0) return;
   const char letter = place < 26 ? static_cast<char>('A' + place) : ',';
   if (letter == 'G' || letter == 'M')
-    word.known&& take_code(letter, word);
+    static_cast<void>(word.known && take_code(letter, word));
   else
     take_value(place, word);
 }
@@ -153,6 +161,7 @@ void BlockWriter::Maker::take_rest() {
   if ((block_.flags & Block::kCodeExpression) != 0) add({Part::Kind::Codes, 'M', 0, 0});
   for (std::size_t i = 0; i < codes_.m_count; ++i)
     if (std::string text; (m_taken_ >> i & 1) == 0) {
+      ended_ = ended_ || ends(codes_.m_codes[i]);
       to_.words_.code(text, 'M', codes_.m_codes[i] * 10);
       to_.add_text(text);
     }
@@ -175,14 +184,15 @@ void BlockWriter::add_text(std::string_view text) {
 }
 
 BlockWriter::Line BlockWriter::make(const Block& block, std::int32_t program,
-                                    const Written& otherwise) {
+                                    const std::array<std::int64_t, 2>* profile) {
   open_ = parts_.size();
-  Maker maker(*this, block, otherwise);
+  Maker maker(*this, block, profile);
   const Program& own = code_.programs[static_cast<std::size_t>(program)];
   const std::string_view text = code_.text_of(block, own).substr(0, kLookedAt);
   std::size_t from = 0;
   while (const auto word = code_.read_word(text, from)) maker.take(*word);
   maker.take_rest();
+  if (!maker.failed().empty()) parts_.push_back(maker.unwritten());
   return {static_cast<std::uint32_t>(open_), static_cast<std::uint32_t>(parts_.size() - open_ + 1)};
 }
 
@@ -191,7 +201,7 @@ const BlockWriter::Line& BlockWriter::line_of(const Block& block, std::int32_t p
   const bool own = &block >= first && &block < first + code_.blocks.size();
   Line& line = own ? lines_[static_cast<std::size_t>(&block - first)]
                    : variants_[static_cast<std::uint32_t>(&block - code_.variants.data())];
-  if (line.parts == 0) line = make(block, program, {});
+  if (line.parts == 0) line = make(block, program);
   return line;
 }
 
@@ -211,6 +221,10 @@ bool BlockWriter::put(std::string& to, const Line& line, const NcWords* values) 
   const Part* part = parts_.data() + line.first;
   if (values != nullptr) words_.begin(*values->codes);
   for (std::uint32_t i = 1; i < line.parts; ++i, ++part) {
+    if (part->kind == Part::Kind::Unwritten) {
+      failed_ = part->letter;
+      return false;
+    }
     if (part->kind == Part::Kind::Text) {
       to.append(texts_, part->at, part->size);
     } else if (values == nullptr) {
@@ -230,20 +244,18 @@ bool BlockWriter::put(std::string& to, const Line& line, const NcWords* values) 
 }
 
 bool BlockWriter::write(std::string& to, const Block& block, std::int32_t program,
-                        const Heard& heard, const Written& otherwise) {
-  const NcWords* values = heard.computed ? &heard.values : nullptr;
-  if (!otherwise.in_brackets && otherwise.profile == nullptr)
-    return put(to, line_of(block, program), values);
+                        const NcWords* values) {
+  return put(to, line_of(block, program), values);
+}
+
+bool BlockWriter::write_cycle(std::string& to, const Block& block, std::int32_t program,
+                              const NcWords* values,
+                              const std::array<std::int64_t, 2>& profile) {
   const std::size_t parts = parts_.size(), texts = texts_.size();
-  const bool done = put(to, make(block, program, otherwise), values);
+  const bool done = put(to, make(block, program, &profile), values);
   parts_.resize(parts);
   texts_.resize(texts);
   return done;
-}
-
-bool BlockWriter::write(std::string& to, const Block& block, std::int32_t program,
-                        const NcWords& values) {
-  return put(to, line_of(block, program), &values);
 }
 
 }  // namespace cncsub

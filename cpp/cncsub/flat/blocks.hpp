@@ -3,6 +3,7 @@
 // says the same.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -13,29 +14,23 @@
 
 namespace cncsub {
 
-/// What is written otherwise than it stands.
-struct Written {
-  bool in_brackets = false;             // codes and what may call as they do
-  const std::int64_t* profile = nullptr;  // P and Q, the numbers of its first and last block
-};
-
 class BlockWriter {
  public:
   explicit BlockWriter(const Machine& machine);
 
-  /// Writes the words of a block, with these values where they are `computed`. False where one of
-  /// them cannot be written: then `failed` is that word.
-  bool write(std::string& to, const Block& block, std::int32_t program, const Heard& heard,
-             const Written& otherwise = {});
-  /// The same of a block of words whose values were read by somebody else.
-  bool write(std::string& to, const Block& block, std::int32_t program, const NcWords& values);
+  /// Writes the words of a block, with `values` (or null) where they are computed. False where one
+  /// of them cannot be written: then `failed` is that word.
+  bool write(std::string& to, const Block& block, std::int32_t program, const NcWords* values);
+  /// The same of a cycle whose P and Q become the numbers of a profile's first and last block.
+  bool write_cycle(std::string& to, const Block& block, std::int32_t program,
+                   const NcWords* values, const std::array<std::int64_t, 2>& profile);
   const std::string& failed() const { return failed_; }
 
  private:
   /// A piece of a block's line.
   struct Part {
-    enum class Kind : std::uint8_t { Text, Word, Codes } kind = Kind::Text;
-    char letter = 0;                 // Codes: G or M
+    enum class Kind : std::uint8_t { Text, Word, Codes, Unwritten } kind = Kind::Text;
+    char letter = 0;                 // Codes: G or M; Unwritten: what cannot be written
     std::uint32_t at = 0, size = 0;  // Text: in `texts_`; Word: its place in a mask
   };
   struct Line {
@@ -43,7 +38,8 @@ class BlockWriter {
   };
 
   const Line& line_of(const Block& block, std::int32_t program);
-  Line make(const Block& block, std::int32_t program, const Written& otherwise);
+  Line make(const Block& block, std::int32_t program,
+            const std::array<std::int64_t, 2>* profile = nullptr);
   void add_text(std::string_view text);
   bool put(std::string& to, const Line& line, const NcWords* values);
   bool put_codes(std::string& to, char letter, const BlockCodes& codes);

@@ -73,6 +73,7 @@ const BlockCodes& FlatRun::codes_of(const Block& block) const {
 
 bool FlatRun::ends() const {
   if (machine_.stop() != Stop::Alarm) return machine_.stop() == Stop::End || machine_.stop() == Stop::Cycles;
+  if (heard_.raised != nullptr) return true;
   return !heard_.assigned.empty() &&
          is_user_alarm(machine_.code(), heard_.assigned.back().number);
 }
@@ -84,9 +85,7 @@ bool FlatRun::next(const std::function<bool()>& interrupted, std::string& text,
   text.clear();
   origins.clear();
   if (over_) return false;
-  const Code& code = machine_.code();
-  const Program& main = code.programs[static_cast<std::size_t>(program_)];
-  if (!begun_ && main.name_length != Program::kOfFile) text = code.name_of(main) + "\n";
+  if (!begun_) write_head(text);
   begun_ = true;
   machine_.run(interrupted, [&](const Machine&) { return before_block(text, origins); });
   over_ = machine_.stop() != Stop::Running || refusal_;
@@ -96,6 +95,35 @@ bool FlatRun::next(const std::function<bool()>& interrupted, std::string& text,
   }
   machine_.take();
   return true;
+}
+
+/// The name of the program as it is written, with what a control puts around it: <NAME>,
+/// %_N_NAME_MPF.
+void FlatRun::write_head(std::string& text) {
+  const Code& code = machine_.code();
+  const Program& main = code.programs[static_cast<std::size_t>(program_)];
+  const std::string_view file = code.files[main.file].text;
+  if (main.name_length == Program::kOfFile) {
+    const std::size_t first = file.find_first_not_of(" \t\n", main.text);
+    taped_ = first != std::string_view::npos && file[first] == '%';
+    if (taped_) text += "%\n";
+    return;
+  }
+  std::size_t from = file.rfind('\n', main.name_at);
+  from = main.name_at == 0 || from == std::string_view::npos ? 0 : from + 1;
+  from = std::min(file.find_first_not_of(" \t", from), std::size_t{main.name_at});
+  const std::string_view before = file.substr(from, main.name_at - from);
+  const std::size_t end = main.name_at + main.name_length;
+  if (before == "<")
+    text += before;
+  else if (before.starts_with("%_"))
+    text += before;
+  text += file.substr(main.name_at, main.name_length);
+  if (before == "<")
+    text += '>';
+  else if (before.starts_with("%_"))
+    text += file.substr(end, file.find_first_of(" \t\r\n", end) - end);
+  text += '\n';
 }
 
 /// Whether the piece is full, or the run cannot be written.
@@ -124,12 +152,18 @@ void FlatRun::write_done(std::string& text, FlatOrigins& origins) {
 
 /// The run has stopped.
 void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
-  const bool returns = machine_.stop() == Stop::Cycles ||
-                       (machine_.stop() == Stop::End && heard_.returned);
-  if (!returns || starts_over_) return;
-  const auto code = machine_.code().control->calls.roles.value.code_of(Role::Return);
-  text += code ? code->text() : "M99";
-  end_line(text, origins);
+  const bool cycles = machine_.stop() == Stop::Cycles;
+  const bool returns = cycles || (machine_.stop() == Stop::End && heard_.returned);
+  const bool said = heard_.words != nullptr && heard_.words->op == Op::EndProgram;
+  if (returns && !starts_over_) {
+    const auto code = machine_.code().control->calls.roles.value.code_of(Role::Return);
+    text += code ? code->text() : "M99";
+    end_line(text, origins);
+  } else if (!said && !starts_over_ && machine_.stop() == Stop::End && !late_.empty()) {
+    refuse("the blocks that a cycle follows would stand where the program has no end");
+  }
+  for (const Late& profile : late_) write_profile(text, origins, profile);
+  if (taped_) text += "%\n";
 }
 
 // ---- lines ----
@@ -160,20 +194,27 @@ void FlatRun::end_line(std::string& text, FlatOrigins& origins) {
 
 bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   if (!write_assigned(text, origins) || !write_print(text, origins)) return false;
+  write_raised(text, origins);
   const Block* block = coming_.plain ? &machine_.code().blocks[coming_.at] : heard_.words;
   if (block == nullptr) return true;
   if (heard_.profile) return write_with_profile(text, origins, *block);
   const std::size_t before = text.size();
-  if (!write_words(text, *block, {.in_brackets = heard_.called})) return false;
+  if (!write_words(text, *block)) return false;
   if (text.size() == before) return true;
   end_line(text, origins);
   starts_over_ = codes_of(*block).has(Role::StartOver);
   return true;
 }
 
-bool FlatRun::write_words(std::string& text, const Block& block, const Written& otherwise) {
+bool FlatRun::write_words(std::string& text, const Block& block,
+                          const std::array<std::int64_t, 2>* profile) {
   const std::size_t before = text.size();
-  if (!blocks_.write(text, block, program_at(coming_.at), heard_, otherwise))
+  const NcWords* values = heard_.computed ? &heard_.values : nullptr;
+  const std::int32_t program = program_at(coming_.at);
+  const bool written = profile != nullptr
+                           ? blocks_.write_cycle(text, block, program, values, *profile)
+                           : blocks_.write(text, block, program, values);
+  if (!written)
     return refuse("the value of " + blocks_.failed() + " cannot be written as a number");
   if (text.size() == before) write_idle(text, block);
   const int most = machine_.code().control->reading.max_block_length.value;
@@ -189,6 +230,18 @@ void FlatRun::write_idle(std::string& text, const Block& block) const {
 }
 
 // ---- what is assigned and said ----
+
+/// G65 H99.
+void FlatRun::write_raised(std::string& text, FlatOrigins& origins) {
+  if (heard_.raised == nullptr) return;
+  const HCode& h = *heard_.raised;
+  const Code& code = machine_.code();
+  const Program& program = code.programs[static_cast<std::size_t>(program_at(coming_.at))];
+  text += "G65 H99 P" + std::string(NumberText(heard_.raised_number).text());
+  if (h.text_length > 0)
+    text += "(" + code.files[program.file].text.substr(h.text, h.text_length) + ")";
+  end_line(text, origins);
+}
 
 bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
   const Code& code = machine_.code();
@@ -253,38 +306,56 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
 
 // ---- profiles ----
 
-/// A cycle and the blocks that it follows, which stand right behind it: it passes over them. One
-/// that goes on with the next block, as G70 does, names those of a cycle before.
+/// A cycle and the blocks that it follows. They stand right behind it where it passes over them;
+/// one that goes on with the next block, as G70 does, names those of a cycle before, or blocks
+/// behind the end of the program.
 bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block) {
   profile_.clear();
   for (const NcWords& words : heard_.profile->blocks) {
     const Block& own = machine_.code().blocks[words.at];
-    if (!blocks_.write(profile_.emplace_back(), own, program_at(words.at), words))
+    if (!blocks_.write(profile_.emplace_back(), own, program_at(words.at), &words))
       return refuse("the value of " + blocks_.failed() + " cannot be written as a number");
   }
   std::array<std::int64_t, 2> numbers{};
   const bool behind = codes_of(block).meaning(Group::OneShot) != Meaning::Finish;
-  if (!number_profile(behind, numbers)) return false;
-  if (!write_words(text, block, {.profile = numbers.data()})) return false;
+  bool is_new = true;
+  if (!number_profile(behind, numbers, is_new)) return false;
+  if (!write_words(text, block, &numbers)) return false;
   end_line(text, origins);
-  for (std::size_t i = 0; behind && i < profile_.size(); ++i) {
-    const bool first = i == 0, last = i + 1 == profile_.size();
-    if (first || last) text += "N" + std::to_string(numbers[first ? 0 : 1]) + " ";
-    if (!first && !last && profile_[i].empty()) continue;
-    text += profile_[i];
-    const Address cycle = std::exchange(coming_.at, heard_.profile->blocks[i].at);
-    end_line(text, origins);
-    coming_.at = cycle;
-  }
+  if (!is_new) return true;
+  if (behind)
+    write_profile(text, origins, late_profile(numbers));
+  else
+    late_.push_back(late_profile(numbers));
   return true;
 }
 
-bool FlatRun::number_profile(bool is_new, std::array<std::int64_t, 2>& numbers) {
+FlatRun::Late FlatRun::late_profile(const std::array<std::int64_t, 2>& numbers) const {
+  Late profile{numbers, profile_, {}, coming_.call, coming_.repeat};
+  for (const NcWords& words : heard_.profile->blocks) profile.blocks.push_back(words.at);
+  return profile;
+}
+
+void FlatRun::write_profile(std::string& text, FlatOrigins& origins, const Late& profile) {
+  const Coming cycle = coming_;
+  coming_.call = profile.call;
+  coming_.repeat = profile.repeat;
+  for (std::size_t i = 0; i < profile.lines.size(); ++i) {
+    const bool first = i == 0, last = i + 1 == profile.lines.size();
+    if (first || last) text += "N" + std::to_string(profile.numbers[first ? 0 : 1]) + " ";
+    if (!first && !last && profile.lines[i].empty()) continue;
+    text += profile.lines[i];
+    coming_.at = profile.blocks[i];
+    end_line(text, origins);
+  }
+  coming_ = cycle;
+}
+
+bool FlatRun::number_profile(bool behind, std::array<std::int64_t, 2>& numbers, bool& is_new) {
   const Control& control = *machine_.code().control;
+  const auto known = profiles_.find(profile_);
+  is_new = behind || known == profiles_.end();
   if (!is_new) {
-    const auto known = profiles_.find(profile_);
-    if (known == profiles_.end())
-      return refuse("the blocks that it follows stand behind no cycle before it");
     numbers = known->second;
     return true;
   }

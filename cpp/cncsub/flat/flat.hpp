@@ -60,16 +60,29 @@ class FlatRun {
     bool plain = false;  // a plain move of which nothing is heard
   };
 
+  /// The blocks of a profile.
+  struct Late {
+    std::array<std::int64_t, 2> numbers{};
+    std::vector<std::string> lines;
+    std::vector<Address> blocks;
+    std::int32_t call = -1, repeat = 1;
+  };
+
   bool before_block(std::string& text, FlatOrigins& origins);
   void write_done(std::string& text, FlatOrigins& origins);
   bool write_block(std::string& text, FlatOrigins& origins);
-  bool write_words(std::string& text, const Block& block, const Written& otherwise);
+  bool write_words(std::string& text, const Block& block,
+                   const std::array<std::int64_t, 2>* profile = nullptr);
   void write_idle(std::string& text, const Block& block) const;
   bool write_assigned(std::string& text, FlatOrigins& origins);
+  void write_raised(std::string& text, FlatOrigins& origins);
   bool write_print(std::string& text, FlatOrigins& origins);
   bool print_fields(std::string& text, FlatOrigins& origins, std::string& statement);
   bool write_with_profile(std::string& text, FlatOrigins& origins, const Block& block);
-  bool number_profile(bool is_new, std::array<std::int64_t, 2>& numbers);
+  bool number_profile(bool behind, std::array<std::int64_t, 2>& numbers, bool& is_new);
+  void write_profile(std::string& text, FlatOrigins& origins, const Late& profile);
+  Late late_profile(const std::array<std::int64_t, 2>& numbers) const;
+  void write_head(std::string& text);
   const BlockCodes& codes_of(const Block& block) const;
   void write_end(std::string& text, FlatOrigins& origins);
   void end_line(std::string& text, FlatOrigins& origins);
@@ -89,6 +102,8 @@ class FlatRun {
   std::int64_t last_n_ = 0;   // that was given to a block of a profile
   std::vector<std::string> profile_;  // the lines of the profile that the last block follows
   std::map<std::vector<std::string>, std::array<std::int64_t, 2>> profiles_;
+  std::vector<Late> late_;  // profiles that stand behind the end of the program
+  bool taped_ = false;      // the text stands between two %
   std::optional<FlatRefusal> refusal_;
 };
 

@@ -24,9 +24,6 @@ char letter_of(int place) {
   return place >= kCommaC ? kCommaLetters[static_cast<std::size_t>(place - kCommaC)]
                           : static_cast<char>('A' + place);
 }
-std::string address_of(int place) {
-  return (place >= kCommaC ? "," : "") + std::string(1, letter_of(place));
-}
 
 }  // namespace
 
@@ -44,7 +41,9 @@ WordWriter::WordWriter(const Machine& machine)
       control_(*machine.code().control),
       lathe_(machine.meanings().machine != MachineType::Mill),
       increments_(control_.reading.whole_numbers.value == WholeNumbers::Increments),
-      mills_axes_(!lathe_ && !control_.motion.angles_on_mills.value) {}
+      mills_axes_(!lathe_ && !control_.motion.angles_on_mills.value) {
+  add_calling();
+}
 
 void WordWriter::begin(const BlockCodes& codes) {
   const MotionState& state = machine_.motion().state();
@@ -74,28 +73,37 @@ bool WordWriter::counts_increments(char letter, double value) const {
          control_.turning.cycle_unit.value == CycleUnit::Increments;
 }
 
-/// Whether a code calls a program, returns or ends one where it is written as a number.
-bool WordWriter::calls(char letter, int code) const {
+/// What a parameter of the control registers, and what the caller has registered.
+void WordWriter::add_calling() {
   for (const auto& entry : control_.calls.registered_codes.value)
-    if (entry.letter == letter && (entry.code == 0 || entry.code == code)) return true;
+    calling_.emplace_back(entry.letter, entry.code == 0 ? -1 : entry.code);
   const auto parameter = [this](std::int32_t number) {
-    return std::fabs(control_.parameter(std::to_string(number)));
+    return std::abs(to_whole<int>(control_.parameter(std::to_string(number)), -99999999, 99999999));
   };
   for (const CodeCall& list : control_.code_calls) {
     if (!list.enable.empty() && control_.parameter(list.enable) == 0) continue;
-    if (list.address == '@') {
-      for (std::int32_t i = 0; i < list.count; ++i)
-        if (parameter(list.parameter + i) == letter) return true;
-    } else if (list.address == letter) {
-      if (list.form == CodeCall::Form::Switch) return true;
-      const bool range = list.form == CodeCall::Form::Range;
-      const double first = parameter(list.parameter), count = range ? parameter(list.count) : 0;
-      if (range && code >= first && code < first + count) return true;
-      for (std::int32_t i = 0; !range && i < list.count; ++i)
-        if (parameter(list.parameter + i) == code) return true;
+    const bool range = list.form == CodeCall::Form::Range;
+    if (list.form == CodeCall::Form::Switch) calling_.emplace_back(list.address, -1);
+    const int count = range ? std::min(parameter(list.count), 1000) : list.count;
+    for (int i = 0; i < count; ++i) {
+      const int code = range ? parameter(list.parameter) + i : parameter(list.parameter + i);
+      if (list.address == '@')  // the parameter holds a letter
+        calling_.emplace_back(static_cast<char>(code < 128 ? code : 0), -1);
+      else if (code != 0)
+        calling_.emplace_back(list.address, code);
     }
   }
-  return false;
+  std::sort(calling_.begin(), calling_.end());
+}
+
+bool WordWriter::calls(char letter, int code) const {
+  return std::binary_search(calling_.begin(), calling_.end(), std::pair(letter, code)) ||
+         std::binary_search(calling_.begin(), calling_.end(), std::pair(letter, -1));
+}
+
+std::string WordWriter::address_of(int place) const {
+  if (place == 'R' - 'A') return std::string(machine_.code().spelling->radius);
+  return (place >= kCommaC ? "," : "") + std::string(1, letter_of(place));
 }
 
 /// Whether the number is written with a point. One without counts increments where lengths do.
@@ -125,10 +133,11 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
   const bool rounded = !comma && rounds(letter);
   if (rounded) value = cncsub::rounded(machine_.motion().view(), letter, value);
   const NumberText text(value);
-  const bool named = is_in("STB", letter) && calls(letter, to_whole<int>(value));
-  if (named || !takes(letter, comma, value, text, rounded))
-    return bracketed(to, address_of(place), value);
-  to += address_of(place);
+  const std::string address = address_of(place);
+  const bool named = !comma && calls(letter, to_whole<int>(value));
+  if (named || !takes(letter, comma, value, text, rounded)) return bracketed(to, address, value);
+  to += address;
+  if (!comma && address.size() > 1) to += '=';
   to += text.text();
   if (text.decimals() == 0 && points(letter, text) &&
       control_.reading.point_addresses.value.has(letter))
@@ -139,7 +148,11 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
 bool WordWriter::constant(std::string& to, int place, double value, bool whole) const {
   const char letter = letter_of(place);
   const NumberText text(value);
-  to += address_of(place);
+  const std::string address = address_of(place);
+  if (place < kCommaC && calls(letter, to_whole<int>(value)))
+    return bracketed(to, address, value);
+  to += address;
+  if (place < kCommaC && address.size() > 1) to += '=';
   to += text.text();
   const bool counts = increments_ && is_in(kLengths, letter);
   if (!whole && counts && text.decimals() == 0) to += '.';

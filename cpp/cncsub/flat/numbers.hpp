@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "cncsub/machine/machine.hpp"
 
@@ -39,6 +41,8 @@ class WordWriter {
   bool constant(std::string& to, int place, double value, bool whole) const;
   /// A code that was computed, of which one that calls or ends would do so now: not in brackets.
   bool code(std::string& to, char letter, int tenfold) const;
+  /// Whether a code calls a program where it is written as a number.
+  bool calls(char letter, int code) const;
   /// The same in brackets in any case.
   bool bracketed(std::string& to, std::string_view address, double value) const;
 
@@ -47,12 +51,14 @@ class WordWriter {
   bool takes(char letter, bool comma, double value, const NumberText& text, bool rounded) const;
   bool points(char letter, const NumberText& text) const;
   bool counts_increments(char letter, double value) const;
-  bool calls(char letter, int code) const;
+  std::string address_of(int place) const;
+  void add_calling();
 
   const Machine& machine_;
   const Control& control_;
   bool lathe_, increments_;
   bool mills_axes_;   // A and C are axes and nothing else
+  std::vector<std::pair<char, int>> calling_;  // sorted; -1: every code of the letter
   bool plain_ = false;  // axis words are lengths
   bool arc_ = false, cycle_ = false;
 };

@@ -199,6 +199,8 @@ bool raise_alarm(Run& run, const HCode& h) {
     return wrong(run, h, Cause::IllegalUserAlarm, h.p, "H99 raises alarms 0 to 99");
   std::string text = comment_of(run, h);
   if (!text.empty() && text[0] == '/') text.erase(0, 1);
+  if (run.heard != nullptr) run.heard->raised = &h;
+  if (run.heard != nullptr) run.heard->raised_number = number;
   const int first = run.control().macros.h99_offset.value;
   return alarm_of_program(run, h, text, std::to_string(first + to_whole<int>(number)));
 }

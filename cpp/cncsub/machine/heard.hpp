@@ -28,8 +28,9 @@ struct Heard {
   bool computed = false;  // some of its words are computed: these are their values
   NcWords values;
   BlockCodes codes;
-  bool called = false;     // a code of the block calls where no code has called
-  bool returned = false;   // M99 of the main program
+  bool returned = false;  // M99 of the main program
+  const HCode* raised = nullptr;  // G65 H99, with the value of its P
+  double raised_number = 0;
   std::vector<Assigned> assigned;
   Op device = Op::Words;  // OpenOutput or CloseOutput
   const Print* print = nullptr;
@@ -37,13 +38,14 @@ struct Heard {
   std::optional<Profile> profile;
 
   bool any() const {
-    return words != nullptr || print != nullptr || device != Op::Words || !assigned.empty();
+    return words != nullptr || print != nullptr || raised != nullptr || device != Op::Words || !assigned.empty();
   }
   void forget() {
     words = nullptr;
     device = Op::Words;
     print = nullptr;
-    computed = called = returned = false;
+    raised = nullptr;
+    computed = returned = false;
     assigned.clear();
     printed.clear();
     profile.reset();

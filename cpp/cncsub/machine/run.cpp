@@ -105,7 +105,6 @@ bool choose(Run& run, const Block& block) {
         break;
     }
   }
-  if (run.heard != nullptr) run.heard->called = second && variant.address != 0;
   return dispatch(run, run.code->variants[second ? variant.second : variant.first]);
 }
 

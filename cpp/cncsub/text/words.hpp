@@ -39,6 +39,7 @@ struct Spelling {
   };
   Around comment, value, message;
   bool numbered = true;
+  std::string_view radius = "R";  // the address of an arc's radius
 };
 
 /// Gives a word its text and its place: what stands from one character of its block to another,

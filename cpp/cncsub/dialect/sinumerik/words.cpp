@@ -111,7 +111,7 @@ void pass_word(Line& line, WrittenWord& word) {
 
 }  // namespace sinumerik
 
-const Spelling sinumerik_spelling{{";", ""}, {"=(", ")"}, {"MSG(\"", "\")"}, false};
+const Spelling sinumerik_spelling{{";", ""}, {"=(", ")"}, {"MSG(\"", "\")"}, false, "CR"};
 
 std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& from) {
   using namespace sinumerik;

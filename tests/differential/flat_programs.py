@@ -1,0 +1,144 @@
+"""Flattens what there is, and runs both: `python tests/differential/flat_programs.py --rows
+--examples --programs 10000`. Whatever is not refused has to do the same.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import cncsub
+from cncsub.testing.cases import Row
+from cncsub.testing.outcome import MAX_BLOCKS, load
+from comparison import Comparison
+from machines import OTHER_LANGUAGES
+from macros import program
+
+EXAMPLES = Path(__file__).resolve().parent.parent.parent / "examples"
+SEED = 5
+_BLOCKS = 20_000
+
+# What rows that end are refused for.
+REASONS = {
+    "a code starts the program over, and the flat program goes on behind it",
+    "the run ends by an alarm:  user-alarm",
+}
+
+
+def ended(library: cncsub.Library, main: str | None = None, **options: Any) -> bool:
+    """Whether a run comes to an end, or to an alarm that is the program's own."""
+    run = library.run(main, **options)
+    own = run.alarm is not None and run.alarm.cause == "user-alarm"
+    return own or run.stop in (cncsub.Stop.END, cncsub.Stop.CYCLES)
+
+
+def proved(library: cncsub.Library, main: str | None = None, **options: Any) -> bool:
+    """Whether a program ends; then its flat one does the same."""
+    if not ended(library, main, **options):
+        return False
+    flat = library.flatten(main, **options)
+    try:
+        flat.verify()
+    except AssertionError as error:
+        texts = "\n".join(each.text for each in library.values())
+        raise AssertionError(f"{library.control.name}: {error}\n{texts}\n---\n{flat.text}") from None
+    return True
+
+
+def of_rows(rows: Iterable[Row]) -> tuple[Counter[str], int]:
+    """The reasons for which rows that end are refused, and how many are not."""
+    refused: Counter[str] = Counter()
+    done = 0
+    for case, control in rows:
+        options: dict[str, Any] = {"max_blocks": MAX_BLOCKS, **case.options}
+        if case.mdi is not None or options.pop("mode", "auto") == "mdi":
+            continue
+        if case.setup is not None:
+            options["setup"] = cncsub.Setup(**case.setup)
+        options.pop("trace", None)
+        options.pop("watch", None)
+        try:
+            library = load(case, cncsub.controls[control])
+            library.run(**options)
+        except (ValueError, KeyError):
+            continue
+        try:
+            done += proved(library, **options)
+        except cncsub.FlattenError as error:
+            refused[error.reason] += 1
+    return refused, done
+
+
+def of_examples() -> int:
+    """How many programs of the examples are flattened, each on every control of its maker."""
+    done = 0
+    for path, control in _examples():
+        library = cncsub.load(path, control=control)
+        done += sum(proved(library, name, max_blocks=_BLOCKS) for name in library)
+    return done
+
+
+def _examples() -> Iterator[tuple[Path, str]]:
+    for control in cncsub.controls:
+        for path in sorted((EXAMPLES / control.split("-")[0]).iterdir()):
+            if path.is_dir() or path.suffix.lower() in {".nc", ".ngc", ".mpf"}:
+                yield path, control
+
+
+def of_calls(places: Iterable[int]) -> int:
+    """Generated calls, on every control and kind of machine: how many were flattened."""
+    comparison = Comparison(SEED)
+    done = 0
+    for place in places:
+        meant = comparison.program(place)
+        for station in comparison.on(place):
+            text = comparison.text(place, meant, station)
+            library = cncsub.loads(text, control=station.control)
+            done += proved(library, setup=station.setup)
+    return done
+
+
+def of_macros(places: Iterable[int]) -> int:
+    """Generated macros, on every control of the ISO language: how many of them end there and were
+    flattened.
+    """
+    controls = [name for name in cncsub.controls if name not in OTHER_LANGUAGES]
+    done = 0
+    for place in places:
+        text = program(Random(f"{SEED} {place}"))
+        for control in controls:
+            done += proved(cncsub.loads(text, control=control), max_blocks=_BLOCKS)
+    return done
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rows", action="store_true", help="every row of the tables")
+    parser.add_argument("--examples", action="store_true", help="every example")
+    parser.add_argument("--programs", type=int, default=0, help="so many generated programs")
+    parser.add_argument("--from", type=int, default=0, dest="first", help="the first of them")
+    asked = parser.parse_args()
+    if asked.rows:
+        sys.path.insert(0, str(EXAMPLES.parent / "tests" / "conformance"))
+        from conformance import rows
+
+        refused, done = of_rows(rows())
+        print(f"rows: {done:,} flattened, {sum(refused.values())} refused")
+        for reason, count in refused.most_common():
+            print(f"  {count}: {reason}")
+    if asked.examples:
+        print(f"examples: {of_examples():,} flattened")
+    if asked.programs:
+        places = range(asked.first, asked.first + asked.programs)
+        print(f"{len(places):,} programs of calls: {of_calls(places):,} flattened")
+        print(f"{len(places):,} programs of macros: {of_macros(places):,} flattened")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
