@@ -97,15 +97,20 @@ void add_row(std::vector<SourceFile>& files, const py::handle& row) {
 
 /// Ctrl-C is an exception here: half a library is no library.
 std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
-                                    const py::sequence& rows, bool external_device) {
+                                    const py::sequence& rows, bool external_device,
+                                    std::size_t threads, std::optional<std::size_t> piece) {
+  Sharing sharing;
+  sharing.threads = threads;
+  if (piece) sharing.piece = std::max<std::size_t>(1, *piece);
   std::vector<SourceFile> files;
   files.reserve(rows.size());
   for (const py::handle& row : rows) add_row(files, row);
   std::shared_ptr<const Code> code;
   {
     Away away;
-    code = compile(control, std::move(files), external_device,
-                   [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); });
+    code = compile(
+        control, std::move(files), external_device,
+        [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); }, sharing);
   }
   if (!code) throw py::error_already_set();
   return std::const_pointer_cast<Code>(code);
@@ -126,6 +131,13 @@ void add_code(py::module_& m) {
                                return p.file().text.substr(p.program().text,
                                                            p.program().text_end - p.program().text);
                              })
+      .def(
+          "start",
+          [](const ProgramData& p, std::size_t size) {
+            const std::size_t whole = p.program().text_end - p.program().text;
+            return py::bytes(p.file().text.substr(p.program().text, std::min(size, whole)));
+          },
+          py::arg("size"))
       .def_property_readonly("comment",
                              [](const ProgramData& p) { return p.code->comment_of(p.program()); })
       .def_property_readonly("external", [](const ProgramData& p) { return p.file().external; })
@@ -209,7 +221,8 @@ void add_code(py::module_& m) {
           },
           py::arg("text"));
   m.def("compile", &compile_files, py::arg("control"), py::arg("files"),
-        py::arg("external_device") = false);
+        py::arg("external_device") = false, py::kw_only(), py::arg("threads") = 0,
+        py::arg("piece") = py::none());
 }
 
 }  // namespace cncsub::bindings

@@ -1,6 +1,6 @@
 """The engine. Use it through `cncsub`; nothing here is public by itself."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, final
 
 import numpy as np
@@ -188,6 +188,7 @@ class ProgramData:
     def line(self) -> int: ...
     @property
     def text(self) -> str: ...
+    def start(self, size: int) -> bytes: ...  # of the text
     @property
     def comment(self) -> str: ...
     @property
@@ -319,9 +320,13 @@ def compile(
         tuple[str, str, Sequence[str | bytes | bytearray | Text], bool] | tuple[Texts, bool]
     ],
     external_device: bool = False,
+    *,
+    threads: int = 0,
+    piece: int | None = None,
 ) -> Code:
     """Files as (name shown, stem that names a program without a head, text in pieces, external), or
-    several as (texts, external).
+    several as (texts, external). Read by so many `threads` (0: one for each core), the text cut
+    into pieces of so many bytes; the programs are the same.
     """
 
 @final

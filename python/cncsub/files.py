@@ -297,9 +297,7 @@ def _refused_entry(path: Path, root: Path) -> str | None:
     try:
         mode = path.stat().st_mode
         # The folder lies below the root, and so does what is no link.
-        if path.is_symlink() and not Path(os.path.realpath(path, strict=True)).is_relative_to(
-            root
-        ):
+        if path.is_symlink() and not Path(os.path.realpath(path, strict=True)).is_relative_to(root):
             return "a link that leads out of the folder"
     except OSError:
         return "a link that leads nowhere" if os.path.islink(path) else "cannot be opened"  # noqa: PTH114

@@ -68,7 +68,8 @@ def _no_head(library: Library) -> Note | None:
 
 def _has_head(program: Program) -> bool:
     """Whether the text of a program begins with its name, as O1, :1, %1 and <NAME> do."""
-    text = program.text.lstrip()
+    # Of a large program no more than its head.
+    text = program._start(4 * len(program.name) + 256).lstrip()
     return text.startswith((":", "<")) or text.upper().startswith(program.name.upper())
 
 

@@ -163,6 +163,10 @@ class Program(Stays):
     def text(self) -> str:
         return self._data.text
 
+    def _start(self, size: int) -> str:
+        """The first bytes of the text."""
+        return self._data.start(size).decode(errors="replace")
+
     @property
     def comment(self) -> str:
         """The title: the first comment behind the name."""

@@ -1,7 +1,8 @@
 #include "cncsub/code/builder.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "cncsub/code/sequence.hpp"
 
 namespace cncsub {
 
@@ -26,37 +27,6 @@ Cell code_cell(const WordValue& code) {
   return cell;
 }
 
-/// By number, then by address. Pieces are sorted, then merged, so that interruption is asked
-/// between.
-void sort_entries(std::vector<SequenceEntry>& entries, std::size_t from,
-                  InterruptCheck& interrupt) {
-  const auto by_number = [](const SequenceEntry& a, const SequenceEntry& b) { return a.n < b.n; };
-  const auto end = entries.end();
-  const std::size_t size = entries.size() - from;
-  const auto at = [&](std::size_t i) {
-    return end - static_cast<std::ptrdiff_t>(size - std::min(i, size));
-  };
-  if (std::is_sorted(at(0), end, by_number)) return;
-  std::size_t piece = 1 << 16;
-  for (std::size_t i = 0; i < size && !interrupt.requested(piece * InterruptCheck::kBlock);
-       i += piece)
-    std::stable_sort(at(i), at(i + piece), by_number);
-  for (; piece < size; piece *= 2)
-    for (std::size_t i = 0;
-         i + piece < size && !interrupt.requested(piece * InterruptCheck::kBlock); i += 2 * piece)
-      std::inplace_merge(at(i), at(i + piece), at(i + 2 * piece), by_number);
-}
-
-/// The blocks of a program can be found by their numbers from now on.
-void list_numbers(Code& code, InterruptCheck& interrupt, Program& program) {
-  program.first_entry = static_cast<std::uint32_t>(code.sequence.size());
-  for (Address a = program.first; a < program.last && !interrupt.requested(InterruptCheck::kBlock);
-       ++a)
-    if (code.blocks[a].n >= 0) code.sequence.push_back({code.blocks[a].n, a});
-  program.last_entry = static_cast<std::uint32_t>(code.sequence.size());
-  sort_entries(code.sequence, program.first_entry, interrupt);
-}
-
 }  // namespace
 
 // ---- programs ----
@@ -64,6 +34,7 @@ void list_numbers(Code& code, InterruptCheck& interrupt, Program& program) {
 void Builder::begin_program(const Program& program) {
   code_.programs.push_back(program);
   code_.programs.back().first = next_address();
+  code_.programs.back().first_entry = static_cast<std::uint32_t>(code_.sequence.size());
   in_program_ = true;
 }
 
@@ -77,17 +48,24 @@ void Builder::end_program(std::uint32_t text_end, std::uint32_t line) {
   end.line = line;
   end.text = text_end;
   append(end);
-  list_numbers(code_, interrupt_, program);
+  program.last_entry = static_cast<std::uint32_t>(code_.sequence.size());
+  sort_numbers(code_, program, interrupt_);
 }
 
 void Builder::part(const Program& program) {
   code_.programs.push_back(program);
-  list_numbers(code_, interrupt_, code_.programs.back());
+  Program& part = code_.programs.back();
+  part.first_entry = static_cast<std::uint32_t>(code_.sequence.size());
+  for (Address a = part.first; a < part.last && !interrupt_.requested(InterruptCheck::kBlock); ++a)
+    if (code_.blocks[a].n >= 0) code_.sequence.push_back({code_.blocks[a].n, a});
+  part.last_entry = static_cast<std::uint32_t>(code_.sequence.size());
+  sort_numbers(code_, part, interrupt_);
 }
 
 void Builder::drop_program(std::int32_t leader) {
   if (leader > 0) code_.files[code_.programs.back().file].leader = leader;
   code_.blocks.erase(code_.blocks.begin() + code_.programs.back().first, code_.blocks.end());
+  code_.sequence.resize(code_.programs.back().first_entry);
   code_.programs.pop_back();
   in_program_ = false;
 }

@@ -48,6 +48,17 @@ struct WordList {
   }
 };
 
+class Builder;
+
+/// Files, or lines in the middle of a file, that were read into a code of their own.
+struct Joined {
+  Builder& from;
+  Code& code;
+  std::vector<int>& lists;  // its lists of codes as they are numbered where it is joined to
+  bool goes_on = false;     // its first program is the rest of the one that is written there
+  std::uint32_t line = 0;   // how many lines of the file stand before it
+};
+
 class Builder {
  public:
   Builder(Code& code, InterruptCheck& interrupt)
@@ -78,10 +89,20 @@ class Builder {
   /// A program that is a part of the one that was ended last, or of another before it.
   void part(const Program& program);
 
+  // ---- what was read apart ----
+
+  /// Whether what another builder wrote can be put behind the blocks of this one.
+  bool can_join(const Joined& of) const;
+  /// Puts it there, and leaves the other one's code without blocks, to be written anew.
+  void join(Joined& of);
+
   // ---- blocks, and the records of what they do ----
 
   Address next_address() const { return static_cast<Address>(code_.blocks.size()); }
-  void append(const Block& block) { code_.blocks.push_back(block); }
+  void append(const Block& block) {
+    if (block.n >= 0) code_.sequence.push_back({block.n, next_address()});
+    code_.blocks.push_back(block);
+  }
   Block& block(Address address) { return code_.blocks[address]; }
 
   /// Keeps a record beside the others of its kind: its number. A block that is kept so is executed

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "cncsub/code/builder.hpp"
@@ -16,20 +17,41 @@ namespace cncsub {
 /// wants it interrupted (Builder::interrupt).
 using FileReader = std::function<void(std::uint32_t file)>;
 
+/// Lines of a file that is read in pieces.
+struct Lines {
+  std::string_view text;         // of the whole file
+  std::size_t from = 0, to = 0;  // the beginning of a line, and of another one or the end
+};
+
+/// Reads large files in pieces, of which several can be read at the same time, each into a code of
+/// its own.
+struct PieceReader {
+  /// Reads on in the file that was added last, from its beginning to its end.
+  std::function<void(const Lines&)> read_on;
+  /// Reads lines as they stand in the middle of a program, into a code without blocks that has a
+  /// file without a text: how many lines. None where what stands before them decides what they are.
+  std::function<std::optional<std::uint32_t>(const Lines&)> read_apart;
+  /// Puts such lines behind those that were read on to. False where they have to be read once more.
+  std::function<bool(Joined&, std::uint32_t lines)> join;
+};
+
 struct Dialect {
   std::string_view name;
   /// The reader of the files of one library, one after the other.
   FileReader (*reader)(Builder& to);
   /// The words of a block as they are written.
   ReadWord read_word;
+  /// The same reader for pieces; null where the language is not read so.
+  PieceReader (*pieces)(Builder& to);
 };
 
 /// The dialect of this name, null where there is none.
 const Dialect* find_dialect(std::string_view name);
 
 // The build writes the list from the names of the folders; each holds the functions that it names.
-#define DIALECT(folder)                    \
-  FileReader folder##_reader(Builder& to); \
+#define DIALECT(folder)                                      \
+  FileReader folder##_reader(Builder& to);                   \
+  extern PieceReader (*const folder##_pieces)(Builder & to); \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);
 #include "dialect/list.def"
 #undef DIALECT

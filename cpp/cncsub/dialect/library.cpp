@@ -13,8 +13,8 @@
 namespace cncsub {
 
 const Dialect* find_dialect(std::string_view name) {
-  static constexpr Dialect kDialects[] = {
-#define DIALECT(folder) {#folder, folder##_reader, folder##_word},
+  static const Dialect kDialects[] = {
+#define DIALECT(folder) {#folder, folder##_reader, folder##_word, folder##_pieces},
 #include "dialect/list.def"
 #undef DIALECT
   };
@@ -57,44 +57,49 @@ void resolve_codes(Code& code) {
       *code.control, code.control->motion.machine.value, code.code_lists);
 }
 
-/// CR, LF and CRLF all end a line; a CR before a LF counts as a blank.
-void unify_line_ends(std::string& text, InterruptCheck& interrupt) {
-  std::size_t at = 0;
-  while ((at = text.find('\r', at)) != std::string::npos &&
-         !interrupt.requested(InterruptCheck::kBlock)) {
-    text[at] = at + 1 < text.size() && text[at + 1] == '\n' ? ' ' : '\n';
-    ++at;
-  }
-}
-
 bool has_constant_operands(const CallRecord& call) {
   for (const Operand* operand : {&call.p, &call.l, &call.start, &call.device})
     if (operand->kind == Operand::Kind::Expression) return false;
   return true;
 }
 
-/// Reads the files of a library, one after the other.
+/// Makes a code ready for programs.
+void prepare(Code& code, std::shared_ptr<const Control> control, const Dialect& dialect) {
+  code.control = std::move(control);
+  code.read_word = dialect.read_word;
+  number_variables(code);
+  list_codes(code);
+}
+
+const Dialect& dialect_of(const Control& control) {
+  const Dialect* dialect = find_dialect(control.dialect);
+  if (dialect == nullptr) throw std::invalid_argument("no dialect is called " + control.dialect);
+  return *dialect;
+}
+
+/// Reads the files of a library.
 class Reading {
  public:
   Reading(Code& code, const std::function<bool()>& interrupted)
-      : code_(code), interrupt_(interrupted), to_(code, interrupt_) {
-    const Dialect* dialect = find_dialect(code.control->dialect);
-    if (dialect == nullptr)
-      throw std::invalid_argument("no dialect is called " + code.control->dialect);
-    read_ = dialect->reader(to_);
-    code.read_word = dialect->read_word;
-  }
+      : code_(code),
+        interrupt_(interrupted),
+        to_(code, interrupt_),
+        dialect_(dialect_of(*code.control)),
+        read_(dialect_.reader(to_)) {}
 
-  void read(SourceFile file) {
-    code_.files.push_back(std::move(file));
-    unify_line_ends(code_.files.back().text, interrupt_);
-    read_(static_cast<std::uint32_t>(code_.files.size() - 1));
+  void read(std::vector<SourceFile>& files, const Sharing& sharing) {
+    const std::function<void(Code&)> other = [this](Code& code) {
+      prepare(code, code_.control, dialect_);
+      code.external_device = code_.external_device;
+    };
+    read_files({code_, to_, read_, dialect_, other}, files, sharing);
   }
 
   /// The files are read. Calls whose operands are written as numbers, of this program and those
   /// behind it, are decided once.
   void resolve_calls(std::size_t from) {
     to_.names().sort_heads();
+    if (code_.calls.empty()) return;
     seen_.assign(code_.variants.size(), false);
     for (std::size_t p = from; p < code_.programs.size(); ++p)
       for (Address a = code_.programs[p].first;
@@ -132,6 +137,7 @@ class Reading {
   Code& code_;
   InterruptCheck interrupt_;
   Builder to_;
+  const Dialect& dialect_;
   FileReader read_;
   std::vector<bool> seen_;  // variants, which several blocks may share
 };
@@ -149,23 +155,19 @@ void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
 
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     std::vector<SourceFile> files, bool external_device,
-                                    const std::function<bool()>& interrupted) {
+                                    const std::function<bool()>& interrupted,
+                                    const Sharing& sharing) {
   auto code = std::make_shared<Code>();
   code->external_device = external_device;
-  code->control = std::move(control);
-  number_variables(*code);
-  list_codes(*code);
+  const Dialect& dialect = dialect_of(*control);
+  prepare(*code, std::move(control), dialect);
   Reading reading(*code, interrupted);
   std::size_t bytes = 0;
   for (const SourceFile& file : files) bytes += file.text.size();
   // Room that is never written costs nothing, and a table that never moves is never copied.
   code->blocks.reserve(bytes / 8 + files.size());
   code->cells.reserve(bytes / 4);
-  code->files.reserve(files.size());
-  for (SourceFile& file : files) {
-    reading.read(std::move(file));
-    if (reading.interrupted(kProgram)) break;
-  }
+  reading.read(files, sharing);
   code->register_programs([&reading] { return reading.interrupted(kProgram); });
   reading.resolve_calls(0);
   resolve_codes(*code);
@@ -179,7 +181,8 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   auto with = std::make_shared<Code>(code);
   const std::size_t programs = with->programs.size();
   Reading reading(*with, interrupted);
-  reading.read({"MDI", "MDI", text, false});
+  std::vector<SourceFile> typed{{"MDI", "MDI", text, false}};
+  reading.read(typed, {.threads = 1});
   // What is typed in MDI is no program of the memory: it is not registered, nothing finds it.
   reading.resolve_calls(programs);
   resolve_codes(*with);

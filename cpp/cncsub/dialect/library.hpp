@@ -8,16 +8,18 @@
 #include <vector>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/dialect/sharing.hpp"
 
 namespace cncsub {
 
 /// Reads the files into one library of compiled programs. Never fails: what the control would
 /// refuse becomes a fault. Without an external device the memory stands in for it: M198 then finds
 /// the programs that M98 finds. `interrupted` is asked fifty times a second whether to give up; the
-/// result is null then.
+/// result is null then. However it is shared out to threads, the library is the same.
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     std::vector<SourceFile> files, bool external_device,
-                                    const std::function<bool()>& interrupted = {});
+                                    const std::function<bool()>& interrupted = {},
+                                    const Sharing& sharing = {});
 
 /// The same library with one more program behind the others, the text typed in MDI.
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,

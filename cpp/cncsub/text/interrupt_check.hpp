@@ -12,6 +12,7 @@ namespace cncsub {
 class InterruptCheck {
  public:
   static constexpr std::size_t kBlock = 8;  // what going over a block once more is worth, in bytes
+  static constexpr std::size_t kLook = 1 << 16;  // behind so many the clock is looked at
 
   explicit InterruptCheck(std::function<bool()> interrupted = {})
       : interrupted_(std::move(interrupted)) {}
@@ -19,7 +20,7 @@ class InterruptCheck {
   /// Whether the reading is to stop; `bytes` of text were worked on since the last question.
   bool requested(std::size_t bytes) {
     worked_ += bytes;
-    if (worked_ < kBetweenLooks || !interrupted_ || requested_) return requested_;
+    if (worked_ < kLook || !interrupted_ || requested_) return requested_;
     worked_ = 0;
     const auto now = Clock::now();
     if (now - asked_ < kBetweenQuestions) return false;
@@ -30,7 +31,6 @@ class InterruptCheck {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kBetweenLooks = 1 << 16;
   static constexpr std::chrono::milliseconds kBetweenQuestions{20};
 
   std::function<bool()> interrupted_;

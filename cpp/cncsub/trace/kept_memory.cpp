@@ -1,7 +1,11 @@
 #include "cncsub/trace/kept_memory.hpp"
 
 #include <array>
+#include <atomic>
+#include <cstdint>
 #include <mutex>
+
+#include "cncsub/code/large_pages.hpp"
 
 namespace cncsub {
 
@@ -14,6 +18,24 @@ constexpr std::size_t kMost = 0;
 constexpr std::size_t kMost = kMostKept;
 #endif
 
+constexpr std::size_t kRegion = kLargePage;  // a few that are kept hold no more than this each
+constexpr std::size_t kSmall = std::size_t{1} << 20;  // a run of less touches no large page
+
+/// Memory in large pages that pieces are cut from. It is given back with the last of them.
+struct Region {
+  std::atomic<std::uint32_t> pieces = 1;  // those that are in use or kept, and one for `cutting`
+  std::size_t cut = sizeof(Region);
+
+  void let_go() {
+    if (pieces.fetch_sub(1, std::memory_order_acq_rel) == 1) std::free(this);  // NOLINT: as made
+  }
+};
+
+/// What stands before each piece.
+struct alignas(std::max_align_t) Head {
+  Region* region;  // null: the piece stands alone
+};
+
 struct Free {
   Free* next;
 };
@@ -22,8 +44,10 @@ struct Size {  // the pieces of one size
   Free* first = nullptr;
 };
 struct Kept {
-  std::mutex mutex;  // never waited for: a fork may have left it locked
-  std::size_t bytes = 0;
+  std::mutex mutex;       // never waited for: a fork may have left it locked
+  std::size_t bytes = 0;  // that are kept
+  std::size_t taken = 0;  // that were made and not given back, as far as is known
+  Region* cutting = nullptr;
   std::array<Size, 16> sizes;  // there are fewer kinds of chunks
 
   Size* of(std::size_t wanted) {
@@ -33,6 +57,31 @@ struct Kept {
     }
     return nullptr;
   }
+  void* reuse(std::size_t wanted) {
+    Size* const size = of(wanted);
+    if (size == nullptr || size->first == nullptr) return nullptr;
+    Free* const piece = size->first;
+    size->first = piece->next;
+    bytes -= wanted;
+    return piece;
+  }
+  /// A piece of a region; null where the system has no room for one.
+  void* cut(std::size_t wanted) {
+    const std::size_t whole =
+        sizeof(Head) + (wanted + alignof(Head) - 1) / alignof(Head) * alignof(Head);
+    if (cutting == nullptr || cutting->cut + whole > kRegion) {
+      void* const memory = std::aligned_alloc(kLargePage, kRegion);
+      if (memory == nullptr) return nullptr;
+      advise_large_pages(memory, kRegion);
+      if (cutting != nullptr) cutting->let_go();
+      cutting = new (memory) Region;
+    }
+    auto* const head =
+        new (reinterpret_cast<std::byte*>(cutting) + cutting->cut) Head{cutting};  // NOLINT
+    cutting->cut += whole;
+    cutting->pieces.fetch_add(1, std::memory_order_relaxed);
+    return head + 1;
+  }
 };
 
 /// Never destroyed: runs may end after it would be.
@@ -41,25 +90,27 @@ Kept& kept() {
   return all;
 }
 
+void* alone(std::size_t bytes) {
+  return new (::operator new(sizeof(Head) + bytes)) Head{nullptr} + 1;
+}
+
 }  // namespace
 
 void* take_memory(std::size_t bytes) {
-  if (kMost > 0) {
-    Kept& all = kept();
-    const std::unique_lock lock(all.mutex, std::try_to_lock);
-    if (Size* const size = lock ? all.of(bytes) : nullptr;
-        size != nullptr && size->first != nullptr) {
-      Free* const piece = size->first;
-      size->first = piece->next;
-      all.bytes -= bytes;
-      return piece;
-    }
-  }
-  return ::operator new(bytes);
+  if (kMost == 0) return ::operator new(bytes);
+  Kept& all = kept();
+  const std::unique_lock lock(all.mutex, std::try_to_lock);
+  if (!lock) return alone(bytes);
+  if (void* const piece = all.reuse(bytes)) return piece;
+  all.taken += bytes;
+  void* const piece = all.taken > kSmall && bytes < kRegion / 8 ? all.cut(bytes) : nullptr;
+  return piece != nullptr ? piece : alone(bytes);
 }
 
 void give_memory(void* memory, std::size_t bytes) noexcept {
-  if (kMost > 0) {
+  if (kMost == 0) return ::operator delete(memory);
+  Head* const head = static_cast<Head*>(memory) - 1;
+  {
     Kept& all = kept();
     const std::unique_lock lock(all.mutex, std::try_to_lock);
     if (Size* const size = lock ? all.of(bytes) : nullptr;
@@ -68,8 +119,12 @@ void give_memory(void* memory, std::size_t bytes) noexcept {
       all.bytes += bytes;
       return;
     }
+    if (lock) all.taken -= bytes < all.taken ? bytes : all.taken;
   }
-  ::operator delete(memory);
+  if (head->region != nullptr)
+    head->region->let_go();
+  else
+    ::operator delete(head);
 }
 
 }  // namespace cncsub

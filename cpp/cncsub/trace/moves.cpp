@@ -7,13 +7,6 @@
 #include "cncsub/trace/move_walk.hpp"
 
 namespace cncsub {
-namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
-
 void Moves::grow() {
   const std::size_t chunk = rows_ / Chunk::kRows;
   room_.chunk = chunk < chunks_.size() ? &chunks_.own(chunk) : &chunks_.add();
@@ -106,77 +99,10 @@ std::string Moves::axes() const {
   return names;
 }
 
-double Moves::length(InterruptCheck* interrupt) const {
-  double sum = 0;
-  walk(interrupt, [&](std::size_t, const MoveRow& row) { sum += row.length; });
-  return sum;
-}
-
 double Moves::time(InterruptCheck* interrupt) const {
   double sum = 0;
   walk(interrupt, [&](std::size_t, const MoveRow& row) { sum += row.time; });
   return sum;
-}
-
-namespace {
-
-/// Widens the bounds of a plane's two axes by the quadrant points that an arc passes. `from` is
-/// where it starts, in its own work coordinates.
-void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters, Axes& low,
-                  Axes& high) {
-  const PlaneAxes plane = plane_axes(row.state->plane);
-  const auto a = static_cast<std::size_t>(plane.a), b = static_cast<std::size_t>(plane.b);
-  const auto share = [&](std::size_t axis) { return (diameters >> axis & 1) != 0 ? 0.5 : 1.0; };
-  const double ca = row.centre[a], cb = row.centre[b];
-  const auto part = [&](const Axes& p) {
-    return std::array{(p[a] - ca) * share(a), (p[b] - cb) * share(b)};
-  };
-  const auto first = part(from), last = part(row.point);
-  const double start = std::hypot(first[0], first[1]), end = std::hypot(last[0], last[1]);
-  const double angle = std::atan2(first[1], first[0]);
-  double turn = std::atan2(last[1], last[0]) - angle;
-  if (row.kind == MoveKind::Cw)
-    turn = turn > -1e-9 ? turn - 2 * kPi : turn;
-  else
-    turn = turn < 1e-9 ? turn + 2 * kPi : turn;
-  for (int quarter = -6; quarter <= 6; ++quarter) {
-    const double t = quarter * kPi / 2, done = (t - angle) / turn;
-    const bool passed = done >= 0 && done <= 1;
-    if (!passed) continue;
-    const double radius = start + (end - start) * done;
-    const double pa = ca + radius * std::cos(t) / share(a),
-                 pb = cb + radius * std::sin(t) / share(b);
-    low[a] = std::min(low[a], pa), high[a] = std::max(high[a], pa);
-    low[b] = std::min(low[b], pb), high[b] = std::max(high[b], pb);
-  }
-}
-
-}  // namespace
-
-Moves::Bounds Moves::bounds(InterruptCheck* interrupt) const {
-  Bounds bounds;
-  bounds.low.fill(kNone);
-  bounds.high.fill(kNone);
-  Axes low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  Axes base = start_;  // where the row starts, without a radius offset
-  walk(interrupt, [&](std::size_t, const MoveRow& row) {
-    const Axes& offset = offsets_[row.state->offset];
-    for (int i = 0; i < kAxes; ++i) {
-      low[i] = std::min(low[i], row.point[i]);
-      high[i] = std::max(high[i], row.point[i]);
-    }
-    if (row.kind == MoveKind::Cw || row.kind == MoveKind::Ccw) {
-      Axes from = base;
-      for (std::size_t i = 0; i < from.size(); ++i) from[i] -= offset[i];
-      widen_by_arc(row, from, diameters_, low, high);
-    }
-    for (std::size_t i = 0; i < base.size(); ++i) base[i] = row.point[i] + offset[i];
-  });
-  for (int i = 0; i < kAxes; ++i)
-    if (rows_ > 0 && (used_ >> i & 1) != 0) bounds.low[i] = low[i], bounds.high[i] = high[i];
-  return bounds;
 }
 
 std::size_t Moves::bytes() const {

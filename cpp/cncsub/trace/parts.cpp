@@ -2,36 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <system_error>
-#include <thread>
-#include <vector>
+
+#include "cncsub/text/helpers.hpp"
 
 namespace cncsub {
 
 namespace {
 
 constexpr std::size_t kRowBytes = 8;  // that working out a row is worth, between two questions
-
-/// Threads that help, as many as the system gives, until this ends.
-class Helpers {
- public:
-  Helpers(std::size_t count, const std::function<void()>& work) {
-    threads_.reserve(count);
-    try {
-      while (threads_.size() < count) threads_.emplace_back(work);
-    } catch (const std::system_error&) {  // those there are do all
-      return;
-    }
-  }
-  Helpers(const Helpers&) = delete;
-  Helpers& operator=(const Helpers&) = delete;
-  ~Helpers() {
-    for (std::thread& thread : threads_) thread.join();
-  }
-
- private:
-  std::vector<std::thread> threads_;
-};
 
 }  // namespace
 
@@ -46,8 +24,7 @@ void in_parts(std::size_t rows, InterruptCheck* interrupt,
     work(piece * kPieceRows, std::min(rows, (piece + 1) * kPieceRows));
     return true;
   };
-  const std::size_t cores = std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  const Helpers helpers(std::min(cores, pieces) - 1, [&] {
+  const Helpers helpers(std::min(cores(), pieces) - 1, [&] {
     while (one()) {
     }
   });

@@ -3,7 +3,9 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "cncsub/dialect/dialect.hpp"
@@ -42,16 +44,66 @@ class TapeReader {
 
   /// Stops early where interrupt is over.
   void read(std::uint32_t file_index) {
+    const std::string& text = code_.files[file_index].text;
+    begin(file_index, text);
+    read_lines({text, 0, text.size()});
+    finish();
+  }
+
+  void read_on(const Lines& lines) {
+    if (lines.from == 0) begin(static_cast<std::uint32_t>(code_.files.size() - 1), lines.text);
+    read_lines(lines);
+    if (lines.to == lines.text.size()) finish();
+  }
+
+  std::optional<std::uint32_t> read_apart(const Lines& lines) {
+    begin(0, lines.text);
+    apart_ = true;
+    first_in_file_ = leader_possible_ = false;
+    statements_ = 0;
+    to_.begin_program({});
+    read_lines(lines);
+    return apart_ ? std::optional(line_) : std::nullopt;
+  }
+
+  /// What `of` read apart can only be the rest of a program, behind every mark that a tape begins
+  /// with.
+  bool join(Joined& of, std::uint32_t lines) {
+    if (!to_.in_program() || leader_possible_ || first_in_file_) return false;
+    of.goes_on = true;
+    of.line = line_;
+    if (!to_.can_join(of)) return false;
+    const std::size_t program = code_.programs.size() - 1;
+    to_.join(of);
+    line_ += lines;
+    const bool ended = program + 1 < code_.programs.size() || !to_.in_program();
+    if (!ended) return true;
+    if (code_.statements.size() > statements_) match_structure(to_, code_.programs[program]);
+    statements_ = 0;  // of the program that is open: it may have some
+    return true;
+  }
+
+ private:
+  void begin(std::uint32_t file_index, std::string_view text) {
     file_ = file_index;
-    const std::string& text = code_.files[file_].text;
+    text_ = text;
     begin_ = text.data();
-    const char* at = begin_;
-    const char* end = begin_ + text.size();
-    semicolons_ = Marks(';', at, end);
-    comments_ = Marks('(', at, end);
     line_ = 0;
     first_in_file_ = true;
     leader_possible_ = true;
+  }
+
+  void finish() {
+    // A file without a block is still a program of the memory, an empty one.
+    if (first_in_file_) begin_headless(0);
+    close(static_cast<std::uint32_t>(text_.size()));
+  }
+
+  void read_lines(const Lines& lines) {
+    const char* at = begin_ + lines.from;
+    const char* end = begin_ + lines.to;
+    semicolons_ = Marks(';', at, end);
+    comments_ = Marks('(', at, end);
     const bool semicolons = code_.control->reading.semicolon.value == Semicolon::EndOfBlock;
     while (at < end) {
       const char* newline =
@@ -68,12 +120,8 @@ class TapeReader {
       if (to_.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return;
       at = line_end + 1;
     }
-    // A file without a block is still a program of the memory, an empty one.
-    if (first_in_file_) begin_headless(0);
-    close(static_cast<std::uint32_t>(text.size()));
   }
 
- private:
   /// The first semicolon that is not inside a comment, or the end.
   static const char* outside_comment(const char* at, const char* end) {
     bool comment = false;
@@ -162,8 +210,7 @@ class TapeReader {
   /// Whether a tape begins with the % of this line: a program's head, or blocks that another %
   /// ends.
   bool tape_begins(const Scanner& percent) {
-    const std::string& text = code_.files[file_].text;
-    const char* end = begin_ + text.size();
+    const char* end = begin_ + text_.size();
     bool blocks = false;
     for (const char* at = percent.at; at < end;) {
       const char* line_end = std::find(at, end, '\n');
@@ -268,7 +315,9 @@ class TapeReader {
     if (to_.in_program()) {
       const Program& before = code_.programs.back();
       const bool empty = before.first == to_.next_address();
-      if (empty && heads(ProgramHead::Percent) && before.text < offset) {
+      if (empty && is_rest()) {
+        apart_ = false;  // whether it is empty is not known
+      } else if (empty && heads(ProgramHead::Percent) && before.text < offset) {
         // An O line right before a % line only names the file.
         to_.drop_program();
       }
@@ -304,19 +353,25 @@ class TapeReader {
 
   void close(std::uint32_t offset) {
     if (!to_.in_program()) return;
+    const bool rest = is_rest();
     to_.end_program(offset, line_);
-    if (code_.statements.size() > statements_) match_structure(to_, code_.programs.back());
+    if (!rest && code_.statements.size() > statements_) match_structure(to_, code_.programs.back());
   }
+
+  /// Whether the open program began before the lines that are read apart.
+  bool is_rest() const { return apart_ && code_.programs.size() == 1; }
 
   Builder& to_;
   const Code& code_;
   BlockReader reader_;
+  std::string_view text_;  // of the file
   const char* begin_ = nullptr;
   Marks semicolons_, comments_;
   std::uint32_t file_ = 0;
   std::size_t statements_ = 0;  // of the programs before
   std::uint32_t line_ = 0;
   bool first_in_file_ = true;
+  bool apart_ = false;           // lines from the middle of a program are read
   bool leader_possible_ = true;  // neither a head nor a % was met in this file
 };
 
@@ -325,5 +380,20 @@ class TapeReader {
 FileReader iso_reader(Builder& to) {
   return [reader = std::make_shared<TapeReader>(to)](std::uint32_t file) { reader->read(file); };
 }
+
+namespace {
+
+PieceReader pieces(Builder& to) {
+  const auto reader = std::make_shared<TapeReader>(to);
+  return {
+      [reader](const Lines& lines) { reader->read_on(lines); },
+      [reader](const Lines& lines) { return reader->read_apart(lines); },
+      [reader](Joined& of, std::uint32_t lines) { return reader->join(of, lines); },
+  };
+}
+
+}  // namespace
+
+PieceReader (*const iso_pieces)(Builder& to) = &pieces;
 
 }  // namespace cncsub

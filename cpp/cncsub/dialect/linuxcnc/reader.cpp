@@ -194,4 +194,7 @@ cncsub::FileReader linuxcnc_reader(Builder& to) {
   return [reader](std::uint32_t file) { reader->read(file); };
 }
 
+// What a label means depends on what stands before it.
+PieceReader (*const linuxcnc_pieces)(Builder& to) = nullptr;
+
 }  // namespace cncsub

@@ -91,4 +91,7 @@ FileReader sinumerik_reader(Builder& to) {
   return [reader](std::uint32_t file) { reader->read(file); };
 }
 
+// What a label means depends on what stands before it.
+PieceReader (*const sinumerik_pieces)(Builder& to) = nullptr;
+
 }  // namespace cncsub

@@ -1,0 +1,248 @@
+// What was read into a code of its own, by another thread perhaps, is put behind what was read
+// before: every number that leads from one table into another one grows by what stands there.
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <utility>
+
+#include "cncsub/code/builder.hpp"
+#include "cncsub/code/sequence.hpp"
+
+namespace cncsub {
+
+namespace {
+
+template <class Table>
+std::uint32_t size_of(const Table& table) {
+  return static_cast<std::uint32_t>(table.size());
+}
+
+/// Puts one table behind another: where it begins there.
+template <class Table>
+std::uint32_t append(Table& to, Table& from) {
+  const std::uint32_t base = size_of(to);
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  from.clear();
+  return base;
+}
+
+/// What the numbers of the part grow by.
+class Joining {
+ public:
+  Joining(Code& code, Joined& of) : code_(code), of_(of) {}
+
+  void join() {
+    append_tables();
+    for (std::size_t i = blocks_; i < code_.blocks.size(); ++i) move_block(code_.blocks[i]);
+    for (std::size_t i = variants_; i < code_.variants.size(); ++i) move_block(code_.variants[i]);
+    move_values();
+    move_statements();
+    for (std::size_t i = faults_; i < code_.faults.size(); ++i) move(code_.faults[i].block);
+    for (std::size_t i = drops_; i < code_.drops.size(); ++i) code_.drops[i].data += cells_;
+    for (std::size_t i = entries_; i < code_.sequence.size(); ++i)
+      code_.sequence[i].address += blocks_;
+    move_programs();
+  }
+
+ private:
+  void append_tables() {
+    Code& from = of_.code;
+    blocks_ = append(code_.blocks, from.blocks);
+    variants_ = append(code_.variants, from.variants);
+    cells_ = append(code_.cells, from.cells);
+    instructions_ = append(code_.instructions, from.instructions);
+    expressions_ = append(code_.expressions, from.expressions);
+    calls_ = append(code_.calls, from.calls);
+    jumps_ = append(code_.jumps, from.jumps);
+    arguments_ = append(code_.arguments, from.arguments);
+    statements_ = append(code_.statements, from.statements);
+    h_codes_ = append(code_.h_codes, from.h_codes);
+    prints_ = append(code_.prints, from.prints);
+    choices_ = append(code_.choices, from.choices);
+    faults_ = append(code_.faults, from.faults);
+    drops_ = append(code_.drops, from.drops);
+    entries_ = append(code_.sequence, from.sequence);
+  }
+
+  std::uint32_t record_base(Op op) const {
+    switch (op) {
+      case Op::Words:
+      case Op::Linear:
+      case Op::Arc:
+      case Op::CancelModal:
+      case Op::EndProgram:
+      case Op::EndOfRecord:
+      case Op::Labelled:  // no part has any
+      case Op::Together:
+        return 0;
+      case Op::Call:
+      case Op::MacroCall:
+      case Op::ModalCall:
+      case Op::Return:
+        return calls_;
+      case Op::Jump:
+        return jumps_;
+      case Op::Assign:
+      case Op::Goto:
+      case Op::IfGoto:
+      case Op::IfThen:
+      case Op::If:
+      case Op::Else:
+      case Op::EndIf:
+      case Op::While:
+      case Op::Do:
+      case Op::EndDo:
+      case Op::OpenOutput:
+      case Op::CloseOutput:
+      case Op::NameVariables:
+        return statements_;
+      case Op::HCode:
+        return h_codes_;
+      case Op::Print:
+        return prints_;
+      case Op::Choose:
+        return choices_;
+      case Op::Fault:
+        return faults_;
+    }
+    return 0;
+  }
+
+  void move_block(Block& block) {
+    block.line += of_.line;
+    block.data += cells_;
+    if (!is_words(block.op)) block.aux += record_base(block.op);
+    if ((block.flags & (Block::kHasExtra | Block::kCodeExpression | Block::kListed)) != 0)
+      move_cells(block);
+  }
+
+  void move_cells(const Block& block) {
+    Cell* cell = code_.cells.data() + block.data;
+    std::uint32_t computed = 0;
+    if ((block.flags & Block::kHasExtra) != 0) computed = cell++->extra.expressions;
+    if ((block.flags & Block::kListed) != 0) {
+      cell->expression = static_cast<std::uint64_t>(of_.lists[cell->expression]);
+    } else if ((block.flags & Block::kCodeExpression) != 0) {
+      for (int i = 0; i < block.code_cells(); ++i)
+        if (cell[i].value < 0) cell[i].value -= expressions_;
+    }
+    cell += block.code_cells();
+    for (std::uint32_t left = computed; left != 0; left &= left - 1) {
+      const std::uint32_t before = block.mask & ((left & -left) - 1);
+      cell[std::popcount(before)].expression += expressions_;
+    }
+  }
+
+  void move(Operand& operand) const {
+    if (operand.kind == Operand::Kind::Expression) operand.expression += expressions_;
+  }
+  void move(Address& address) const {
+    if (address != kNowhere) address += blocks_;
+  }
+
+  /// Expressions, and the words of calls and jumps.
+  void move_values() {
+    for (std::size_t i = expressions_; i < code_.expressions.size(); ++i)
+      code_.expressions[i].first += instructions_;
+    for (std::size_t i = calls_; i < code_.calls.size(); ++i) {
+      CallRecord& call = code_.calls[i];
+      for (Operand* operand : {&call.p, &call.l, &call.start, &call.device}) move(*operand);
+      call.first_argument += arguments_;
+    }
+    for (std::size_t i = arguments_; i < code_.arguments.size(); ++i)
+      move(code_.arguments[i].operand);
+    for (std::size_t i = jumps_; i < code_.jumps.size(); ++i) {
+      move(code_.jumps[i].p);
+      code_.jumps[i].input += expressions_;
+    }
+    for (std::size_t i = prints_; i < code_.prints.size(); ++i)
+      for (PrintField& field : code_.prints[i].fields) field.expression += expressions_;
+    for (std::size_t i = choices_; i < code_.choices.size(); ++i) {
+      code_.choices[i].first += variants_;
+      code_.choices[i].second += variants_;
+    }
+  }
+
+  void move_statements() {
+    const auto move_one = [this](Statement& statement) {
+      statement.expression += expressions_;
+      statement.variable += expressions_;
+      statement.then += variants_;
+      move(statement.to);
+      move(statement.end);
+    };
+    for (std::size_t i = statements_; i < code_.statements.size(); ++i)
+      move_one(code_.statements[i]);
+    for (std::size_t i = h_codes_; i < code_.h_codes.size(); ++i) {
+      HCode& code = code_.h_codes[i];
+      move_one(code);
+      for (Operand* operand : {&code.p, &code.q, &code.r}) move(*operand);
+    }
+  }
+
+  void move_programs() {
+    const auto file = size_of(code_.files) - (of_.goes_on ? 1 : 0);
+    for (Program& program : of_.code.programs) {
+      program.first += blocks_;
+      program.last += blocks_;
+      program.first_entry += entries_;
+      program.last_entry += entries_;
+      program.file += file;
+      program.line += of_.line;
+    }
+  }
+
+  Code& code_;
+  Joined& of_;
+  // Where the tables of the part begin.
+  std::uint32_t blocks_ = 0, variants_ = 0, cells_ = 0, instructions_ = 0, expressions_ = 0,
+                calls_ = 0, jumps_ = 0, arguments_ = 0, statements_ = 0, h_codes_ = 0, prints_ = 0,
+                choices_ = 0, faults_ = 0, drops_ = 0, entries_ = 0;
+};
+
+/// The number here of each list of codes of the part. False where there are too many.
+bool list_codes(Code& code, const Code& part, std::vector<int>& numbers) {
+  const auto lists = part.code_lists.all();
+  while (numbers.size() < lists.size()) {
+    const int number = code.code_lists.keep(lists[numbers.size()]);
+    if (number < 0) return false;
+    numbers.push_back(number);
+  }
+  return true;
+}
+
+}  // namespace
+
+bool Builder::can_join(const Joined& of) const {
+  const Code& part = of.code;
+  const bool own_names = !part.names.empty() || part.labels.size() > 1 || !part.labelled.empty() ||
+                         !part.heads.empty() || !part.named_variables.empty() || part.returned >= 0;
+  const bool looks_at_file = of.goes_on && !part.h_codes.empty();
+  return !own_names && !looks_at_file && part.together.empty() && list_codes(code_, part, of.lists);
+}
+
+void Builder::join(Joined& of) {
+  Joining(code_, of).join();
+  in_program_ = std::exchange(of.from.in_program_, false);
+  of.from.first_drop_ = 0;
+  first_drop_ = code_.drops.size();
+  auto& programs = of.code.programs;
+  auto first = programs.begin();
+  if (of.goes_on) {
+    const Program& rest = *first++;
+    if (first != programs.end() || !in_program_) {
+      Program& program = code_.programs.back();
+      program.text_end = rest.text_end;
+      program.last = rest.last;
+      program.last_entry = rest.last_entry;
+      sort_numbers(code_, program, interrupt_);
+    }
+  } else {
+    std::move(of.code.files.begin(), of.code.files.end(), std::back_inserter(code_.files));
+    of.code.files.clear();
+  }
+  code_.programs.insert(code_.programs.end(), first, programs.end());
+  programs.clear();
+}
+
+}  // namespace cncsub

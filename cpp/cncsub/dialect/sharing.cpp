@@ -1,0 +1,298 @@
+#include "cncsub/dialect/sharing.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "cncsub/text/helpers.hpp"
+
+namespace cncsub {
+
+void unify_line_ends(char* at, char* end, InterruptCheck& interrupt) {
+  const auto next = [&](char* from) {
+    return static_cast<char*>(std::memchr(from, '\r', static_cast<std::size_t>(end - from)));
+  };
+  while (at != end && (at = next(at)) != nullptr && !interrupt.requested(InterruptCheck::kBlock)) {
+    *at = at + 1 != end && at[1] == '\n' ? ' ' : '\n';
+    ++at;
+  }
+}
+
+namespace {
+
+constexpr std::size_t kProgram = 64;   // what giving a program its names is worth
+constexpr std::size_t kOwnRoom = 256;  // a shorter text may lie in its string, and move with it
+
+/// Files [first, last), or lines of the first of them.
+struct Job {
+  std::size_t first = 0, last = 0;
+  Lines lines;
+  char* text = nullptr;  // that of the file; null: whole files
+
+  bool begins_file() const { return text != nullptr && lines.from == 0; }
+};
+
+void cut(SourceFile& file, std::size_t number, std::size_t piece, std::vector<Job>& jobs) {
+  const std::size_t size = file.text.size();
+  for (std::size_t at = 0; at < size;) {
+    std::size_t to = size;
+    if (size - at > 2 * piece) to = std::min(file.text.find('\n', at + piece), size - 1) + 1;
+    jobs.push_back({number, number + 1, {file.text, at, to}, file.text.data()});
+    at = to;
+  }
+}
+
+std::vector<Job> jobs_of(std::vector<SourceFile>& files, std::size_t piece) {
+  std::vector<Job> jobs;
+  std::size_t bytes = piece;  // of the last job, if files can be added to it
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::size_t size = files[i].text.size();
+    if (size > std::max(2 * piece, kOwnRoom)) {
+      cut(files[i], i, piece, jobs);
+      bytes = piece;
+    } else if (bytes >= piece) {
+      jobs.push_back({i, i + 1, {}, nullptr});
+      bytes = size;
+    } else {
+      jobs.back().last = i + 1;
+      bytes += size;
+    }
+  }
+  return jobs;
+}
+
+/// A code of its own for one job after the other, and who writes it.
+struct Apart {
+  Apart(const SharedReading& reading, const std::function<bool()>& stopped)
+      : interrupt(stopped), to(prepared(reading), interrupt) {
+    read = reading.dialect.reader(to);
+    pieces = reading.dialect.pieces(to);
+  }
+  Apart(const Apart&) = delete;
+  Apart& operator=(const Apart&) = delete;
+  ~Apart() = default;
+
+  Code code;
+  InterruptCheck interrupt;
+  Builder to;
+  FileReader read;
+  PieceReader pieces;
+  std::vector<int> lists;
+  std::optional<std::uint32_t> lines;  // of a piece that could be read
+
+ private:
+  Code& prepared(const SharedReading& reading) {
+    reading.prepare(code);
+    return code;
+  }
+};
+
+class Pool {
+ public:
+  Pool(const SharedReading& reading, std::vector<SourceFile>& files, std::vector<Job> jobs)
+      : reading_(reading),
+        files_(files),
+        jobs_(std::move(jobs)),
+        slots_(jobs_.size()),
+        pieces_(reading.dialect.pieces(reading.to)) {}
+
+  void read(std::size_t threads) {
+    ahead_ = 2 * threads + 2;
+    const Helpers helpers(std::min(threads, jobs_.size()) - 1, [this] { help(); });
+    const struct End {
+      Pool& pool;
+      ~End() { pool.end(); }
+    } end{*this};
+    for (std::size_t k = 0; k < jobs_.size() && !interrupted(kProgram); ++k) do_job(k);
+  }
+
+ private:
+  struct Slot {
+    enum class State { Free, Taken, Done } state = State::Free;
+    std::unique_ptr<Apart> apart;  // null: nothing could be read apart
+  };
+
+  bool interrupted(std::size_t bytes) { return reading_.to.interrupt().requested(bytes); }
+
+  void end() {
+    const std::scoped_lock lock(mutex_);
+    stop_ = true;
+    changed_.notify_all();
+  }
+
+  /// What a helper does: the next job, and the next one, never far before the one that is joined.
+  void help() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      changed_.wait(lock, [this] { return stop_ || next_ < std::min(jobs_.size(), most()); });
+      if (stop_) return;
+      take_next(lock);
+      if (next_ == jobs_.size()) return;
+    }
+  }
+
+  std::size_t most() const { return joined_ + ahead_; }
+
+  /// Reads the next job apart.
+  void take_next(std::unique_lock<std::mutex>& lock) {
+    const std::size_t number = next_++;
+    if (jobs_[number].begins_file()) return;  // nothing is known of what stands before it
+    slots_[number].state = Slot::State::Taken;
+    std::unique_ptr<Apart> apart;
+    if (!free_.empty()) {
+      apart = std::move(free_.back());
+      free_.pop_back();
+    }
+    lock.unlock();
+    read_apart(jobs_[number], apart);
+    lock.lock();
+    slots_[number].apart = std::move(apart);
+    slots_[number].state = Slot::State::Done;
+    changed_.notify_all();
+  }
+
+  /// Where memory runs out, whoever joins meets that too, and tells.
+  void read_apart(const Job& job, std::unique_ptr<Apart>& apart) noexcept {
+    try {
+      if (!apart)
+        apart = std::make_unique<Apart>(reading_,
+                                        [this] { return stop_.load(std::memory_order_relaxed); });
+      if (job.text != nullptr)
+        read_lines(job, *apart);
+      else
+        read_some(job, *apart);
+    } catch (...) {
+      if (job.text == nullptr && apart) give_back(job, apart->code.files);
+      apart.reset();
+    }
+  }
+
+  void read_lines(const Job& job, Apart& apart) {
+    unify(job, apart.interrupt);
+    apart.code.files.assign(1, {});
+    apart.lines = apart.pieces.read_apart(job.lines);
+    apart.code.files.clear();
+  }
+
+  void read_some(const Job& job, Apart& apart) {
+    apart.code.files.reserve(job.last - job.first);
+    for (std::size_t i = job.first; i < job.last && !apart.interrupt.requested(kProgram); ++i) {
+      SourceFile& file = apart.code.files.emplace_back(std::move(files_[i]));
+      unify_line_ends(file.text.data(), file.text.data() + file.text.size(), apart.interrupt);
+      apart.read(static_cast<std::uint32_t>(apart.code.files.size() - 1));
+    }
+    apart.lines = 0;
+  }
+
+  void give_back(const Job& job, std::vector<SourceFile>& files) noexcept {
+    for (std::size_t i = 0; i < files.size(); ++i) files_[job.first + i] = std::move(files[i]);
+    files.clear();
+  }
+
+  static void unify(const Job& job, InterruptCheck& interrupt) {
+    unify_line_ends(job.text + job.lines.from, job.text + job.lines.to, interrupt);
+  }
+
+  /// Everything before the job is in the code.
+  void do_job(std::size_t number) {
+    std::unique_ptr<Apart> apart = taken(number);
+    if (!apart || !join(number, *apart)) {
+      if (apart && jobs_[number].text == nullptr) give_back(jobs_[number], apart->code.files);
+      apart.reset();
+      read_itself(jobs_[number]);
+    }
+    const std::scoped_lock lock(mutex_);
+    if (apart) free_.push_back(std::move(apart));
+    joined_ = number + 1;
+    changed_.notify_all();
+  }
+
+  /// What was read of a job by somebody else; null where nobody took it.
+  std::unique_ptr<Apart> taken(std::size_t number) {
+    std::unique_lock lock(mutex_);
+    if (next_ == number) ++next_;
+    Slot& slot = slots_[number];
+    while (slot.state == Slot::State::Taken && !stop_) {
+      if (next_ < std::min(jobs_.size(), most()))
+        take_next(lock);
+      else
+        changed_.wait_for(lock, std::chrono::milliseconds(20));
+      lock.unlock();
+      const bool over = interrupted(InterruptCheck::kLook);
+      lock.lock();
+      if (over) stop_ = true;
+    }
+    return std::move(slot.apart);
+  }
+
+  bool join(std::size_t number, Apart& apart) {
+    const Job& job = jobs_[number];
+    if (!apart.lines || stop_) return false;
+    Joined of{apart.to, apart.code, apart.lists};
+    if (job.text == nullptr) {
+      if (!reading_.to.can_join(of)) return false;
+      reading_.to.join(of);
+      return true;
+    }
+    if (!pieces_.join(of, *apart.lines)) return false;
+    if (job.lines.to == job.lines.text.size())
+      pieces_.read_on({job.lines.text, job.lines.to, job.lines.to});
+    return true;
+  }
+
+  void read_itself(const Job& job) {
+    if (job.text == nullptr || job.begins_file())
+      for (std::size_t i = job.first; i < job.last && !interrupted(kProgram); ++i) {
+        SourceFile& file = reading_.code.files.emplace_back(std::move(files_[i]));
+        if (job.text != nullptr) break;
+        unify_line_ends(file.text.data(), file.text.data() + file.text.size(),
+                        reading_.to.interrupt());
+        reading_.read(static_cast<std::uint32_t>(reading_.code.files.size() - 1));
+      }
+    if (job.text == nullptr) return;
+    unify(job, reading_.to.interrupt());
+    pieces_.read_on(job.lines);
+  }
+
+  const SharedReading& reading_;
+  std::vector<SourceFile>& files_;
+  const std::vector<Job> jobs_;
+  std::vector<Slot> slots_;
+  PieceReader pieces_;
+  std::size_t ahead_ = 0;
+  std::mutex mutex_;  // of all that follows, and of the slots
+  std::condition_variable changed_;
+  std::size_t next_ = 0, joined_ = 0;
+  std::vector<std::unique_ptr<Apart>> free_;
+  std::atomic<bool> stop_ = false;
+};
+
+void read_alone(const SharedReading& reading, std::vector<SourceFile>& files) {
+  for (SourceFile& file : files) {
+    std::string& text = reading.code.files.emplace_back(std::move(file)).text;
+    unify_line_ends(text.data(), text.data() + text.size(), reading.to.interrupt());
+    reading.read(static_cast<std::uint32_t>(reading.code.files.size() - 1));
+    if (reading.to.interrupt().requested(kProgram)) return;
+  }
+}
+
+}  // namespace
+
+void read_files(const SharedReading& reading, std::vector<SourceFile>& files,
+                const Sharing& sharing) {
+  reading.code.files.reserve(files.size());  // texts stay where they are
+  const std::size_t threads = sharing.threads == 0 ? cores() : sharing.threads;
+  std::size_t bytes = 0;
+  for (const SourceFile& file : files) bytes += file.text.size();
+  if (threads < 2 || bytes < 4 * sharing.piece || reading.dialect.pieces == nullptr)
+    return read_alone(reading, files);
+  Pool(reading, files, jobs_of(files, sharing.piece)).read(threads);
+}
+
+}  // namespace cncsub

@@ -1,0 +1,38 @@
+// Reading a library on several cores. The text is cut into jobs: some small files, or lines of a
+// large one. Whoever is free reads the next job into a code of its own; one thread puts the codes
+// behind each other in the order of the text, and what cannot be read apart it reads itself. What
+// comes out is what one thread alone would have made.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "cncsub/code/builder.hpp"
+#include "cncsub/code/code.hpp"
+#include "cncsub/dialect/dialect.hpp"
+
+namespace cncsub {
+
+struct Sharing {
+  std::size_t threads = 0;                   // 0: one for each core
+  std::size_t piece = std::size_t{1} << 18;  // bytes of a job
+};
+
+/// CR, LF and CRLF all end a line; a CR before a LF counts as a blank.
+void unify_line_ends(char* at, char* end, InterruptCheck& interrupt);
+
+/// Where the files go, and how another code is made ready for a part of them.
+struct SharedReading {
+  Code& code;
+  Builder& to;
+  const FileReader& read;
+  const Dialect& dialect;
+  const std::function<void(Code&)>& prepare;
+};
+
+/// Reads the files, which are moved into the code. Stops early where interrupt is over.
+void read_files(const SharedReading& reading, std::vector<SourceFile>& files,
+                const Sharing& sharing);
+
+}  // namespace cncsub
