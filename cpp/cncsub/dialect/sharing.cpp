@@ -236,8 +236,8 @@ class Pool {
     if (!apart.lines || stop_) return false;
     Joined of{apart.to, apart.code, apart.lists};
     if (job.text == nullptr) {
-      if (!reading_.to.can_join(of)) return false;
-      reading_.to.join(of);
+      if (!can_join(reading_.to, of)) return false;
+      cncsub::join(reading_.to, of);
       return true;
     }
     if (!pieces_.join(of, *apart.lines)) return false;
