@@ -117,8 +117,10 @@ def test_columns_of_several_pieces_say_what_the_rows_say(what: str) -> None:
             if 0 <= index < size:
                 assert_rows_say_the_same(table, index)
     assert len(run.moves) > PIECE or len(run.steps) > PIECE
-    # Added up in order, one after another, as the engine does.
-    assert sum(run.moves.length.tolist()) == run.moves.total_length
+    # Each piece is added up in order, and then the pieces, as the engine does.
+    lengths = run.moves.length.tolist()
+    pieces = [sum(lengths[at : at + PIECE]) for at in range(0, len(lengths), PIECE)]
+    assert sum(pieces) == run.moves.total_length
 
 
 @pytest.mark.parametrize("what", PROGRAMS)

@@ -1,6 +1,7 @@
 // Many threads on one library: each runs it with options of its own, types in MDI, copies one
-// machine and reads one finished run, all at once, and gets what one thread alone gets. Built with
-// the thread sanitizer, it also says that no two of them touch the same thing.
+// machine and reads one finished run, all at once, and gets what one thread alone gets. And many
+// threads read one text. Built with the thread sanitizer, it also says that no two of them touch
+// the same thing.
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -138,11 +139,42 @@ struct Shared {
   }
 };
 
+/// The programs as several threads read them, in pieces of so many bytes.
+std::string read_by(const Control& control, std::size_t threads, std::size_t piece) {
+  std::string large;
+  for (int i = 0; i < 20; ++i) large += kProgram;
+  std::vector<SourceFile> files{{"large", "large", large, false}};
+  for (int i = 0; i < 20; ++i) files.push_back({std::to_string(i), "", kProgram, i % 2 == 0});
+  Sharing sharing;
+  sharing.threads = threads;
+  sharing.piece = piece;
+  const auto code =
+      compile(std::make_shared<const Control>(control), std::move(files), true, {}, sharing);
+  std::string text = run(code, 0) + run(code, 3);
+  for (const Program& program : code->programs) {
+    text += ' ' + code->name_of(program) + ' ' + std::to_string(program.line);
+    for (Address a = program.first; a < program.last; ++a)
+      text += ' ' + std::to_string(code->blocks[a].line) + ':' + std::to_string(code->blocks[a].n);
+  }
+  return text;
+}
+
+/// How many ways of sharing the reading make other programs than one thread does.
+int reads_wrong(const Control& control) {
+  const std::string alone = read_by(control, 1, 1);
+  int wrong = 0;
+  for (const std::size_t threads : {2, 5})
+    for (const std::size_t piece : {1, 100, 700})
+      if (read_by(control, threads, piece) != alone) ++wrong;
+  return wrong;
+}
+
 }  // namespace
 
 int main() {
   std::atomic<int> wrong = 0;
   for (const Control& control : all_controls()) {
+    wrong += reads_wrong(control);
     const Shared shared(control);
     std::vector<std::vector<std::string>> alone;
     for (int number = 0; number < kThreads; ++number) alone.push_back(shared.everything(number));

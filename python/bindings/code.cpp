@@ -111,8 +111,9 @@ std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
   std::shared_ptr<const Code> code;
   {
     Away away;
-    code = compile(control, std::move(files), external_device,
-                   [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); }, sharing);
+    code = compile(
+        control, std::move(files), external_device,
+        [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); }, sharing);
   }
   if (!code) throw py::error_already_set();
   return std::const_pointer_cast<Code>(code);

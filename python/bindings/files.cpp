@@ -128,8 +128,7 @@ py::object names_in(const py::str& folder, const py::iterable& no_programs) {
   std::unordered_set<std::string> endings;
   for (const py::handle& ending : no_programs) endings.insert(ending.cast<std::string>());
   FolderListing listing;
-  work_away(
-      [&](InterruptCheck& interrupt) { listing = list_folder(path, endings, interrupt); });
+  work_away([&](InterruptCheck& interrupt) { listing = list_folder(path, endings, interrupt); });
   if (listing.error != 0) return py::int_(listing.error);
   return py::make_tuple(python_names(listing.files), python_names(listing.folders),
                         python_names(listing.others), listing.ordered);

@@ -42,7 +42,7 @@ bool has_ending_of(std::string_view name, const std::unordered_set<std::string>&
   std::string ending(name.substr(dot));
   std::transform(ending.begin(), ending.end(), ending.begin(), lower);
   // What small letters are beyond ASCII is for others to say.
-  return !is_ascii(ending) || endings.count(ending) != 0;
+  return !is_ascii(ending) || endings.contains(ending);
 }
 
 /// The place of a name as bytes: texts in small letters, each with a NUL behind it, and numbers by

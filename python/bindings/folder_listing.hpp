@@ -15,8 +15,8 @@ struct FolderListing {
   std::vector<std::string> files;    // regular files that nothing can be said against
   std::vector<std::string> folders;  // the same
   std::vector<std::string> others;   // to be looked at: links, hidden names, devices, ...
-  bool ordered = true;               // false: names beyond ASCII are among them, nothing is in order
-  int error = 0;                     // of the system, where the folder was not read
+  bool ordered = true;  // false: names beyond ASCII are among them, nothing is in order
+  int error = 0;        // of the system, where the folder was not read
 };
 
 /// `endings`: of files that are no programs, in small letters, with their dot.

@@ -1,6 +1,6 @@
 """The engine. Use it through `cncsub`; nothing here is public by itself."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, final
 
 import numpy as np

@@ -32,7 +32,6 @@ _NEAR = 5000  # names are compared with one that is not there
 TRACES = ("none", "calls", "blocks", "moves")
 
 
-
 class Options(TypedDict, total=False):
     """The options of `Library.run` but `main` and `mode`."""
 

@@ -59,8 +59,15 @@ struct Joined {
   std::uint32_t line = 0;   // how many lines of the file stand before it
 };
 
+/// Whether what another builder wrote can be put behind the blocks of this one.
+bool can_join(Builder& to, const Joined& of);
+/// Puts it there, and leaves the other one's code without blocks, to be written anew.
+void join(Builder& to, Joined& of);
+
 class Builder {
  public:
+  friend struct Joint;  // of `join`
+
   Builder(Code& code, InterruptCheck& interrupt)
       : code_(code),
         interrupt_(interrupt),
@@ -88,13 +95,6 @@ class Builder {
   void drop_program(std::int32_t leader = 0);
   /// A program that is a part of the one that was ended last, or of another before it.
   void part(const Program& program);
-
-  // ---- what was read apart ----
-
-  /// Whether what another builder wrote can be put behind the blocks of this one.
-  bool can_join(const Joined& of) const;
-  /// Puts it there, and leaves the other one's code without blocks, to be written anew.
-  void join(Joined& of);
 
   // ---- blocks, and the records of what they do ----
 

@@ -64,47 +64,17 @@ class Joining {
     entries_ = append(code_.sequence, from.sequence);
   }
 
+  /// Where the records of a kind of block begin; 0 for those that have none, or none in a part.
   std::uint32_t record_base(Op op) const {
-    switch (op) {
-      case Op::Words:
-      case Op::Linear:
-      case Op::Arc:
-      case Op::CancelModal:
-      case Op::EndProgram:
-      case Op::EndOfRecord:
-      case Op::Labelled:  // no part has any
-      case Op::Together:
-        return 0;
-      case Op::Call:
-      case Op::MacroCall:
-      case Op::ModalCall:
-      case Op::Return:
-        return calls_;
-      case Op::Jump:
-        return jumps_;
-      case Op::Assign:
-      case Op::Goto:
-      case Op::IfGoto:
-      case Op::IfThen:
-      case Op::If:
-      case Op::Else:
-      case Op::EndIf:
-      case Op::While:
-      case Op::Do:
-      case Op::EndDo:
-      case Op::OpenOutput:
-      case Op::CloseOutput:
-      case Op::NameVariables:
-        return statements_;
-      case Op::HCode:
-        return h_codes_;
-      case Op::Print:
-        return prints_;
-      case Op::Choose:
-        return choices_;
-      case Op::Fault:
-        return faults_;
-    }
+    const auto is_one_of = [op](auto... ops) { return ((op == ops) || ...); };
+    if (is_one_of(Op::Call, Op::MacroCall, Op::ModalCall, Op::Return)) return calls_;
+    if (op >= Op::Assign && op <= Op::EndDo) return statements_;
+    if (is_one_of(Op::OpenOutput, Op::CloseOutput, Op::NameVariables)) return statements_;
+    if (op == Op::Jump) return jumps_;
+    if (op == Op::HCode) return h_codes_;
+    if (op == Op::Print) return prints_;
+    if (op == Op::Choose) return choices_;
+    if (op == Op::Fault) return faults_;
     return 0;
   }
 
@@ -213,38 +183,47 @@ bool list_codes(Code& code, const Code& part, std::vector<int>& numbers) {
 
 }  // namespace
 
-bool Builder::can_join(const Joined& of) const {
+/// What reaches into the builder.
+struct Joint {
+  static bool can_join(Builder& to, const Joined& of);
+  static void join(Builder& to, Joined& of);
+};
+
+bool Joint::can_join(Builder& to, const Joined& of) {
   const Code& part = of.code;
   const bool own_names = !part.names.empty() || part.labels.size() > 1 || !part.labelled.empty() ||
-                         !part.heads.empty() || !part.named_variables.empty() ||
-                         part.returned >= 0;
+                         !part.heads.empty() || !part.named_variables.empty() || part.returned >= 0;
   const bool looks_at_file = of.goes_on && !part.h_codes.empty();
   return !own_names && !looks_at_file && part.together.empty() &&
-         list_codes(code_, part, of.lists);
+         list_codes(to.code_, part, of.lists);
 }
 
-void Builder::join(Joined& of) {
-  Joining(code_, of).join();
-  in_program_ = std::exchange(of.from.in_program_, false);
+void Joint::join(Builder& to, Joined& of) {
+  Code& code = to.code_;
+  Joining(code, of).join();
+  to.in_program_ = std::exchange(of.from.in_program_, false);
   of.from.first_drop_ = 0;
-  first_drop_ = code_.drops.size();
+  to.first_drop_ = code.drops.size();
   auto& programs = of.code.programs;
   auto first = programs.begin();
   if (of.goes_on) {
     const Program& rest = *first++;
-    if (first != programs.end() || !in_program_) {
-      Program& program = code_.programs.back();
+    if (first != programs.end() || !to.in_program_) {
+      Program& program = code.programs.back();
       program.text_end = rest.text_end;
       program.last = rest.last;
       program.last_entry = rest.last_entry;
-      sort_numbers(code_, program, interrupt_);
+      sort_numbers(code, program, to.interrupt_);
     }
   } else {
-    std::move(of.code.files.begin(), of.code.files.end(), std::back_inserter(code_.files));
+    std::move(of.code.files.begin(), of.code.files.end(), std::back_inserter(code.files));
     of.code.files.clear();
   }
-  code_.programs.insert(code_.programs.end(), first, programs.end());
+  code.programs.insert(code.programs.end(), first, programs.end());
   programs.clear();
 }
+
+bool can_join(Builder& to, const Joined& of) { return Joint::can_join(to, of); }
+void join(Builder& to, Joined& of) { Joint::join(to, of); }
 
 }  // namespace cncsub

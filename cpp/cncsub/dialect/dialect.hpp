@@ -50,11 +50,11 @@ struct Dialect {
 /// The dialect of this name, null where there is none.
 const Dialect* find_dialect(std::string_view name);
 
-// The build writes the list from the names of the folders; each holds what it names.
-#define DIALECT(folder)                                       \
+// The build writes the list from the names of the folders; each holds the functions that it names.
+#define DIALECT(folder)                                      \
   extern const Spelling folder##_spelling;                    \
-  FileReader folder##_reader(Builder& to);                    \
-  extern PieceReader (*const folder##_pieces)(Builder& to);   \
+  FileReader folder##_reader(Builder& to);                   \
+  extern PieceReader (*const folder##_pieces)(Builder & to); \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);
 #include "dialect/list.def"
 #undef DIALECT

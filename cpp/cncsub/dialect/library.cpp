@@ -74,8 +74,7 @@ void prepare(Code& code, std::shared_ptr<const Control> control, const Dialect& 
 
 const Dialect& dialect_of(const Control& control) {
   const Dialect* dialect = find_dialect(control.dialect);
-  if (dialect == nullptr)
-    throw std::invalid_argument("no dialect is called " + control.dialect);
+  if (dialect == nullptr) throw std::invalid_argument("no dialect is called " + control.dialect);
   return *dialect;
 }
 

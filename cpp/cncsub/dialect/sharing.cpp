@@ -26,7 +26,8 @@ void unify_line_ends(char* at, char* end, InterruptCheck& interrupt) {
 
 namespace {
 
-constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
+constexpr std::size_t kProgram = 64;   // what giving a program its names is worth
+constexpr std::size_t kOwnRoom = 256;  // a shorter text may lie in its string, and move with it
 
 /// Files [first, last), or lines of the first of them.
 struct Job {
@@ -52,7 +53,7 @@ std::vector<Job> jobs_of(std::vector<SourceFile>& files, std::size_t piece) {
   std::size_t bytes = piece;  // of the last job, if files can be added to it
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::size_t size = files[i].text.size();
-    if (size > 2 * piece) {
+    if (size > std::max(2 * piece, kOwnRoom)) {
       cut(files[i], i, piece, jobs);
       bytes = piece;
     } else if (bytes >= piece) {
@@ -160,8 +161,8 @@ class Pool {
   void read_apart(const Job& job, std::unique_ptr<Apart>& apart) noexcept {
     try {
       if (!apart)
-        apart = std::make_unique<Apart>(
-            reading_, [this] { return stop_.load(std::memory_order_relaxed); });
+        apart = std::make_unique<Apart>(reading_,
+                                        [this] { return stop_.load(std::memory_order_relaxed); });
       if (job.text != nullptr)
         read_lines(job, *apart);
       else
@@ -235,8 +236,8 @@ class Pool {
     if (!apart.lines || stop_) return false;
     Joined of{apart.to, apart.code, apart.lists};
     if (job.text == nullptr) {
-      if (!reading_.to.can_join(of)) return false;
-      reading_.to.join(of);
+      if (!can_join(reading_.to, of)) return false;
+      cncsub::join(reading_.to, of);
       return true;
     }
     if (!pieces_.join(of, *apart.lines)) return false;

@@ -52,9 +52,8 @@ bool is_still(VariableKind kind) {
 }
 
 const double* memory_of(const Run& run, const Watched::Range& range) {
-  return range.local
-             ? run.state.locals.data() + run.local_at(run.state.level, 0) + range.first
-             : run.state.commons.data() + range.first;
+  return range.local ? run.state.locals.data() + run.local_at(run.state.level, 0) + range.first
+                     : run.state.commons.data() + range.first;
 }
 
 void list_place(Watched& watched, std::uint32_t number) {
@@ -124,8 +123,7 @@ void note_one(Run& run, std::int64_t step, Address at, const Reach& reach) {
   const std::vector<std::int32_t>& list = reach.local ? watched.locals : watched.commons;
   const auto index = static_cast<std::size_t>(reach.index);
   const std::int32_t found = index < list.size() ? list[index] : kNotWatched;
-  if (found == kSeveral || (found >= 0 && !watched.moving.empty()))
-    return note_all(run, step, at);
+  if (found == kSeveral || (found >= 0 && !watched.moving.empty())) return note_all(run, step, at);
   if (found >= 0) {
     const auto number = static_cast<std::uint32_t>(found);
     note(run, number, step, at);

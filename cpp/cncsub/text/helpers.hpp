@@ -10,9 +10,7 @@
 
 namespace cncsub {
 
-inline std::size_t cores() {
-  return std::max<std::size_t>(1, std::thread::hardware_concurrency());
-}
+inline std::size_t cores() { return std::max<std::size_t>(1, std::thread::hardware_concurrency()); }
 
 /// As many threads as the system gives, at most `count`; each does `work` once. They are waited for
 /// where this ends.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <mutex>
 
-#include "cncsub/code/large_pages.hpp"
+#include "cncsub/system/memory.hpp"
 
 namespace cncsub {
 
@@ -18,7 +18,7 @@ constexpr std::size_t kMost = 0;
 constexpr std::size_t kMost = kMostKept;
 #endif
 
-constexpr std::size_t kRegion = kLargePage;  // a few that are kept hold no more than this each
+constexpr std::size_t kRegion = system::kLargePage;  // a few that are kept hold no more than this each
 constexpr std::size_t kSmall = std::size_t{1} << 20;  // a run of less touches no large page
 
 /// Memory in large pages that pieces are cut from. It is given back with the last of them.
@@ -27,7 +27,7 @@ struct Region {
   std::size_t cut = sizeof(Region);
 
   void let_go() {
-    if (pieces.fetch_sub(1, std::memory_order_acq_rel) == 1) std::free(this);  // NOLINT: as made
+    if (pieces.fetch_sub(1, std::memory_order_acq_rel) == 1) system::free_pages(this);
   }
 };
 
@@ -44,9 +44,9 @@ struct Size {  // the pieces of one size
   Free* first = nullptr;
 };
 struct Kept {
-  std::mutex mutex;        // never waited for: a fork may have left it locked
-  std::size_t bytes = 0;   // that are kept
-  std::size_t taken = 0;   // that were made and not given back, as far as is known
+  std::mutex mutex;       // never waited for: a fork may have left it locked
+  std::size_t bytes = 0;  // that are kept
+  std::size_t taken = 0;  // that were made and not given back, as far as is known
   Region* cutting = nullptr;
   std::array<Size, 16> sizes;  // there are fewer kinds of chunks
 
@@ -67,12 +67,11 @@ struct Kept {
   }
   /// A piece of a region; null where the system has no room for one.
   void* cut(std::size_t wanted) {
-    const std::size_t whole = sizeof(Head) + (wanted + alignof(Head) - 1) / alignof(Head) *
-                                                 alignof(Head);
+    const std::size_t whole =
+        sizeof(Head) + (wanted + alignof(Head) - 1) / alignof(Head) * alignof(Head);
     if (cutting == nullptr || cutting->cut + whole > kRegion) {
-      void* const memory = std::aligned_alloc(kLargePage, kRegion);
+      void* const memory = system::allocate_pages(kRegion);
       if (memory == nullptr) return nullptr;
-      advise_large_pages(memory, kRegion);
       if (cutting != nullptr) cutting->let_go();
       cutting = new (memory) Region;
     }

@@ -61,6 +61,14 @@ class Moves::Walk {
     stand_at(row);
   }
 
+  // Widen a box by rows [first, last): by the ends of X, Y and Z, by other axes, by arcs between
+  // their ends. [move_bounds.cpp]
+  void widen_by_ends(std::size_t first, std::size_t last, Bounds& box) const;
+  void widen_by_extras(std::size_t first, std::size_t last, Bounds& box) const;
+  void widen_by_arcs(std::size_t first, std::size_t last, Bounds& box);
+
+  /// Without what takes long where nobody asks for it: times and speeds.
+  template <bool timed = true>
   MoveRow next(std::size_t index) {
     const std::size_t place = index % Chunk::kRows;
     if (place == 0 || chunk_ == nullptr) chunk_ = &moves_.chunks_[index / Chunk::kRows];
@@ -80,7 +88,7 @@ class Moves::Walk {
     if (const Vector* const vector = vectors_.at(index))
       for (int i = 0; i < 3; ++i) row.machine[i] += vector->vector[i];
     const Seconds* const seconds = seconds_.at(index);
-    follow(row, arcs_.at(index), seconds == nullptr ? 0 : seconds->time);
+    follow<timed>(row, arcs_.at(index), seconds == nullptr ? 0 : seconds->time);
     from_ = row.machine;
     return row;
   }
@@ -118,6 +126,7 @@ class Moves::Walk {
   }
 
   /// What follows from where the move begins.
+  template <bool timed>
   void follow(MoveRow& row, const Arc* arc, double dwell) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     row.centre = {kNone, kNone, kNone};
@@ -128,6 +137,7 @@ class Moves::Walk {
       row.length = arc_length(path, state_->plane, from_, row.machine, moves_.diameters_);
     }
     in_plane_ = path;
+    if constexpr (!timed) return;
     const bool lathe = (moves_.diameters_ & 1) != 0;
     row.spindle = lathe ? spindle_at(*state_, row.point[0]) : state_->spindle;
     row.feed = state_->feed / (row.length < kNoWay && turns(row) ? state_->degree : 1);

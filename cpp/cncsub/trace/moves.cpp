@@ -7,13 +7,6 @@
 #include "cncsub/trace/move_walk.hpp"
 
 namespace cncsub {
-namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
-
 void Moves::grow() {
   const std::size_t chunk = rows_ / Chunk::kRows;
   room_.chunk = chunk < chunks_.size() ? &chunks_.own(chunk) : &chunks_.add();
@@ -117,136 +110,10 @@ std::string Moves::axes() const {
   return names;
 }
 
-double Moves::length(InterruptCheck* interrupt) const {
-  // Each piece by itself and then their sum, whoever works on which.
-  std::vector<double> sums((rows_ + kPieceRows - 1) / kPieceRows);
-  in_parts(rows_, interrupt, [&](std::size_t first, std::size_t last) {
-    Walk walk(*this);
-    walk.seek(first);
-    double sum = 0;
-    for (std::size_t i = first; i < last; ++i) sum += walk.next<false>(i).length;
-    sums[first / kPieceRows] = sum;
-  });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
-
 double Moves::time(InterruptCheck* interrupt) const {
   double sum = 0;
   walk(interrupt, [&](std::size_t, const MoveRow& row) { sum += row.time; });
   return sum;
-}
-
-namespace {
-
-/// Widens the bounds of a plane's two axes by the quadrant points that an arc passes. `from` is
-/// where it starts, in its own work coordinates.
-void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters, Axes& low,
-                  Axes& high) {
-  const PlaneAxes plane = plane_axes(row.state->plane);
-  const auto a = static_cast<std::size_t>(plane.a), b = static_cast<std::size_t>(plane.b);
-  const auto share = [&](std::size_t axis) { return (diameters >> axis & 1) != 0 ? 0.5 : 1.0; };
-  const double ca = row.centre[a], cb = row.centre[b];
-  const auto part = [&](const Axes& p) {
-    return std::array{(p[a] - ca) * share(a), (p[b] - cb) * share(b)};
-  };
-  const auto first = part(from), last = part(row.point);
-  const double start = std::hypot(first[0], first[1]), end = std::hypot(last[0], last[1]);
-  const double angle = std::atan2(first[1], first[0]);
-  double turn = std::atan2(last[1], last[0]) - angle;
-  if (row.kind == MoveKind::Cw)
-    turn = turn > -1e-9 ? turn - 2 * kPi : turn;
-  else
-    turn = turn < 1e-9 ? turn + 2 * kPi : turn;
-  for (int quarter = -6; quarter <= 6; ++quarter) {
-    const double t = quarter * kPi / 2, done = (t - angle) / turn;
-    const bool passed = done >= 0 && done <= 1;
-    if (!passed) continue;
-    const double radius = start + (end - start) * done;
-    const double pa = ca + radius * std::cos(t) / share(a),
-                 pb = cb + radius * std::sin(t) / share(b);
-    low[a] = std::min(low[a], pa), high[a] = std::max(high[a], pa);
-    low[b] = std::min(low[b], pb), high[b] = std::max(high[b], pb);
-  }
-}
-
-}  // namespace
-
-namespace {
-
-/// A box that nothing is in yet.
-Moves::Bounds nowhere() {
-  Moves::Bounds box;
-  box.low.fill(std::numeric_limits<double>::infinity());
-  box.high.fill(-std::numeric_limits<double>::infinity());
-  return box;
-}
-
-void widen(Moves::Bounds& box, std::size_t axis, const double* values, std::size_t count) {
-  double low = box.low[axis], high = box.high[axis];
-  for (std::size_t i = 0; i < count; ++i) {
-    low = values[i] < low ? values[i] : low;
-    high = values[i] > high ? values[i] : high;
-  }
-  box.low[axis] = low, box.high[axis] = high;
-}
-
-}  // namespace
-
-/// The box of rows [first, last). Arcs begin where the row before ends, without a radius offset.
-Moves::Bounds Moves::box_of(std::size_t first, std::size_t last) const {
-  Bounds box = nowhere();
-  for (std::size_t i = first; i < last;) {
-    const Chunk& chunk = chunks_[i / Chunk::kRows];
-    const std::size_t at = i % Chunk::kRows, count = std::min(Chunk::kRows - at, last - i);
-    widen(box, 0, chunk.x + at, count);
-    widen(box, 1, chunk.y + at, count);
-    widen(box, 2, chunk.z + at, count);
-    i += count;
-  }
-  for (const Extra& extra : extras_) {
-    const auto axis = static_cast<std::size_t>(extra.axis);
-    for (std::size_t i = first; i < std::min(last, extra.first); ++i) {
-      const double still = start_[axis] - offset_of(i)[axis];
-      widen(box, axis, &still, 1);
-    }
-    if (last <= extra.first) continue;
-    const std::size_t from = std::max(first, extra.first) - extra.first;
-    extra.values.for_each_run(from, last - extra.first,
-                              [&](const double* values, std::size_t count) {
-                                widen(box, axis, values, count);
-                              });
-  }
-  for (std::size_t i = find_row(arcs_, first); i < arcs_.size() && arcs_[i].row < last; ++i) {
-    const std::size_t at = arcs_[i].row;
-    Walk walk(*this);
-    walk.seek(at);
-    const MoveRow row = walk.next<false>(at);
-    if (row.kind != MoveKind::Cw && row.kind != MoveKind::Ccw) continue;
-    Axes from = at == 0 ? start_ : end_of(at - 1);
-    for (std::size_t axis = 0; axis < from.size(); ++axis) from[axis] -= offset_of(at)[axis];
-    widen_by_arc(row, from, diameters_, box.low, box.high);
-  }
-  return box;
-}
-
-Moves::Bounds Moves::bounds(InterruptCheck* interrupt) const {
-  std::vector<Bounds> boxes((rows_ + kPieceRows - 1) / kPieceRows, nowhere());
-  in_parts(rows_, interrupt, [&](std::size_t first, std::size_t last) {
-    boxes[first / kPieceRows] = box_of(first, last);
-  });
-  Bounds bounds;
-  bounds.low.fill(kNone);
-  bounds.high.fill(kNone);
-  Bounds all = nowhere();
-  for (std::size_t i = 0; i < all.low.size(); ++i) {
-    for (const Bounds& box : boxes) {
-      all.low[i] = std::min(all.low[i], box.low[i]);
-      all.high[i] = std::max(all.high[i], box.high[i]);
-    }
-    if (rows_ > 0 && (used_ >> i & 1) != 0)
-      bounds.low[i] = all.low[i], bounds.high[i] = all.high[i];
-  }
-  return bounds;
 }
 
 std::size_t Moves::bytes() const {

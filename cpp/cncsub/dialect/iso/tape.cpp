@@ -10,33 +10,50 @@
 
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/iso/block.hpp"
+#include "cncsub/dialect/iso/next_mark.hpp"
 #include "cncsub/dialect/iso/structure.hpp"
 
 namespace cncsub {
 
 namespace {
 
-/// Where a character stands in a text that is gone through from front to back: looked for once.
-class Marks {
- public:
-  Marks() = default;
-  Marks(char mark, const char* at, const char* end) : end_(end), mark_(mark) { seek(at); }
-
-  bool in(const char* at, const char* end) {
-    if (next_ < at) seek(at);
-    return next_ < end;
+/// The first semicolon that is not inside a comment, or the end.
+const char* outside_comment(const char* at, const char* end) {
+  bool comment = false;
+  for (; at < end; ++at) {
+    if (*at == '(') comment = true;
+    if (*at == ')') comment = false;
+    if (*at == ';' && !comment) return at;
   }
+  return end;
+}
 
- private:
-  void seek(const char* at) {
-    const void* found = std::memchr(at, mark_, static_cast<std::size_t>(end_ - at));
-    next_ = found == nullptr ? end_ : static_cast<const char*>(found);
-  }
+bool heads(const Code& code, ProgramHead head) {
+  return code.control->reading.program_heads.value.has(head);
+}
 
-  const char* next_ = nullptr;
-  const char* end_ = nullptr;
-  char mark_ = 0;
-};
+/// Whether a line that starts with % is the head of a program.
+bool percent_head(const Code& code, Scanner line) {
+  ++line.at;
+  return heads(code, ProgramHead::Percent) && is_digit(line.peek());
+}
+
+/// Whether a line is the head of a program by another mark.
+bool other_head(const Code& code, Scanner line) {
+  const char c = line.peek();
+  ++line.at;
+  if (c == 'O' || c == ':') return is_digit(line.peek());
+  return c == '<' && heads(code, ProgramHead::Name);
+}
+
+/// The first comment of the head's line becomes the title.
+void title(Program& program, const char* file, const char* start, const char* end) {
+  const char* open = std::find(start, end, '(');
+  if (open == end) return;
+  const char* close_at = std::find(open, end, ')');
+  program.comment_at = static_cast<std::uint32_t>(open + 1 - file);
+  program.comment_length = static_cast<std::uint32_t>(close_at - open - 1);
+}
 
 class TapeReader {
  public:
@@ -72,9 +89,9 @@ class TapeReader {
     if (!to_.in_program() || leader_possible_ || first_in_file_) return false;
     of.goes_on = true;
     of.line = line_;
-    if (!to_.can_join(of)) return false;
+    if (!can_join(to_, of)) return false;
     const std::size_t program = code_.programs.size() - 1;
-    to_.join(of);
+    cncsub::join(to_, of);
     line_ += lines;
     const bool ended = program + 1 < code_.programs.size() || !to_.in_program();
     if (!ended) return true;
@@ -102,8 +119,8 @@ class TapeReader {
   void read_lines(const Lines& lines) {
     const char* at = begin_ + lines.from;
     const char* end = begin_ + lines.to;
-    semicolons_ = Marks(';', at, end);
-    comments_ = Marks('(', at, end);
+    semicolons_ = NextMark(';', at, end);
+    comments_ = NextMark('(', at, end);
     const bool semicolons = code_.control->reading.semicolon.value == Semicolon::EndOfBlock;
     while (at < end) {
       const char* newline =
@@ -120,17 +137,6 @@ class TapeReader {
       if (to_.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return;
       at = line_end + 1;
     }
-  }
-
-  /// The first semicolon that is not inside a comment, or the end.
-  static const char* outside_comment(const char* at, const char* end) {
-    bool comment = false;
-    for (; at < end; ++at) {
-      if (*at == '(') comment = true;
-      if (*at == ')') comment = false;
-      if (*at == ';' && !comment) return at;
-    }
-    return end;
   }
 
   void split(const char* at, const char* end) {
@@ -192,19 +198,15 @@ class TapeReader {
     const char* start = s.at;
     if (std::exchange(leader_possible_, false) && to_.in_program() && tape_begins(s)) drop_leader();
     ++s.at;
-    if (heads(ProgramHead::Percent) && is_digit(s.peek())) {
+    if (heads(code_, ProgramHead::Percent) && is_digit(s.peek())) {
       const Number number = scan_number(s);
       s.blanks();
       begin_program(trimmed({start, static_cast<std::size_t>(s.at - start)}),
                     number.value < 1e15 ? to_whole<std::int64_t>(number.value) : -1, start);
-      title(start, s.end);
+      title(to_.program(), begin_, start, s.end);
       return;
     }
     if (to_.in_program()) close(static_cast<std::uint32_t>(start - begin_));
-  }
-
-  bool heads(ProgramHead head) const {
-    return code_.control->reading.program_heads.value.has(head);
   }
 
   /// Whether a tape begins with the % of this line: a program's head, or blocks that another %
@@ -219,22 +221,11 @@ class TapeReader {
       at = line_end + 1;
       const char c = line.peek();
       if (c == '\0') continue;
-      if (c == '%' ? blocks || percent_head(line) : !blocks && other_head(line)) return true;
+      if (c == '%' ? blocks || percent_head(code_, line) : !blocks && other_head(code_, line))
+        return true;
       blocks = blocks || c != '%';
     }
     return false;
-  }
-
-  bool percent_head(Scanner line) const {
-    ++line.at;
-    return heads(ProgramHead::Percent) && is_digit(line.peek());
-  }
-
-  bool other_head(Scanner line) const {
-    const char c = line.peek();
-    ++line.at;
-    if (c == 'O' || c == ':') return is_digit(line.peek());
-    return c == '<' && heads(ProgramHead::Name);
   }
 
   /// What stands before the first % of a tape is no program: a reader looks for the % first.
@@ -247,7 +238,7 @@ class TapeReader {
   bool head(Scanner& s) {
     const char c = upper(*s.at);
     if (c == 'O' || c == ':') return number_head(s);
-    const bool names = heads(ProgramHead::Name) || code_.control->calls.bracket_names.value;
+    const bool names = heads(code_, ProgramHead::Name) || code_.control->calls.bracket_names.value;
     return c == '<' && names && name_head(s);
   }
 
@@ -264,7 +255,7 @@ class TapeReader {
     }
     begin_program({digits, static_cast<std::size_t>(ahead.at - digits)},
                   number.digits <= 15 ? to_whole<std::int64_t>(number.value) : -1, start);
-    title(start, s.end);
+    title(to_.program(), begin_, start, s.end);
     check_number(number.value, start, ahead.at);
     s.at = ahead.at;
     return true;
@@ -294,19 +285,9 @@ class TapeReader {
     const std::string_view name =
         trimmed({s.at + 1, static_cast<std::size_t>(close_at - s.at - 1)});
     begin_program(name, number_in(name), start);
-    title(start, s.end);
+    title(to_.program(), begin_, start, s.end);
     s.at = close_at + 1;
     return true;
-  }
-
-  /// The first comment of the head's line.
-  void title(const char* start, const char* end) {
-    const char* open = std::find(start, end, '(');
-    if (open == end) return;
-    const char* close_at = std::find(open, end, ')');
-    Program& program = to_.program();
-    program.comment_at = static_cast<std::uint32_t>(open + 1 - begin_);
-    program.comment_length = static_cast<std::uint32_t>(close_at - open - 1);
   }
 
   /// A program that begins with its head, at `start`; its name is a part of the file's text.
@@ -317,7 +298,7 @@ class TapeReader {
       const bool empty = before.first == to_.next_address();
       if (empty && is_rest()) {
         apart_ = false;  // whether it is empty is not known
-      } else if (empty && heads(ProgramHead::Percent) && before.text < offset) {
+      } else if (empty && heads(code_, ProgramHead::Percent) && before.text < offset) {
         // An O line right before a % line only names the file.
         to_.drop_program();
       }
@@ -327,7 +308,7 @@ class TapeReader {
     program.number = number;
     program.name_at = static_cast<std::uint32_t>(name.data() - begin_);
     program.name_length = static_cast<std::uint32_t>(name.size());
-    open(program, offset, heads(ProgramHead::File));
+    open(program, offset, heads(code_, ProgramHead::File));
   }
 
   /// A program without a head, named by its file.
@@ -355,8 +336,7 @@ class TapeReader {
     if (!to_.in_program()) return;
     const bool rest = is_rest();
     to_.end_program(offset, line_);
-    if (!rest && code_.statements.size() > statements_)
-      match_structure(to_, code_.programs.back());
+    if (!rest && code_.statements.size() > statements_) match_structure(to_, code_.programs.back());
   }
 
   /// Whether the open program began before the lines that are read apart.
@@ -367,7 +347,7 @@ class TapeReader {
   BlockReader reader_;
   std::string_view text_;  // of the file
   const char* begin_ = nullptr;
-  Marks semicolons_, comments_;
+  NextMark semicolons_, comments_;
   std::uint32_t file_ = 0;
   std::size_t statements_ = 0;  // of the programs before
   std::uint32_t line_ = 0;

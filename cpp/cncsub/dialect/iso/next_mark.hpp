@@ -1,0 +1,31 @@
+// NextMark that most lines of a text do not have.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+namespace cncsub {
+
+/// Where a character stands in a text that is gone through from front to back: looked for once.
+class NextMark {
+ public:
+  NextMark() = default;
+  NextMark(char mark, const char* at, const char* end) : end_(end), mark_(mark) { seek(at); }
+
+  bool in(const char* at, const char* end) {
+    if (next_ < at) seek(at);
+    return next_ < end;
+  }
+
+ private:
+  void seek(const char* at) {
+    const void* found = std::memchr(at, mark_, static_cast<std::size_t>(end_ - at));
+    next_ = found == nullptr ? end_ : static_cast<const char*>(found);
+  }
+
+  const char* next_ = nullptr;
+  const char* end_ = nullptr;
+  char mark_ = 0;
+};
+
+}  // namespace cncsub
