@@ -94,7 +94,10 @@ def of_labels(seen: Seen) -> bool:
 
 def ends_there(seen: Seen) -> bool:
     last = seen.run.steps[len(seen.run.steps) - 1]
-    return (last.program, last.line) == (seen.finding.program, seen.finding.line) or not seen.reached
+    return (last.program, last.line) == (
+        seen.finding.program,
+        seen.finding.line,
+    ) or not seen.reached
 
 
 def runs_into_its_end(seen: Seen) -> bool:

@@ -199,10 +199,7 @@ def test_programs_without_an_end_are_compared_as_far_as_they_ran() -> None:
     compared = cncsub.compare(library, controls=[MILL, "mitsubishi-m700"], max_blocks=10_000)
     assert compared.same
     counted = endless.replace("N20", "N15 #100=#100+1\nN20")
-    assert (
-        "O1 N15, line 3 is new: N15 #100=#100+1"
-        in changes(endless, counted, max_blocks=10_000)
-    )
+    assert "O1 N15, line 3 is new: N15 #100=#100+1" in changes(endless, counted, max_blocks=10_000)
 
 
 def test_the_same_has_no_changes() -> None:

@@ -47,7 +47,7 @@ def test_a_state_that_came_back_is_a_proven_loop(
 def test_a_loop_is_told_with_its_places() -> None:
     found = why("O1\nN10 M98 P2\nN20 GOTO10\nO2\nN30 #500=7\nM99\n")
     assert str(found) == (
-        "an endless loop, proven: after 4 blocks everything is as it was; O1 N10, O2 N30, O2, O1 N20"
+        "an endless loop, proven: after 4 blocks everything is as it was; O1 N10, O2 N30, O2 line 6, O1 N20"
     )
     assert [block.text for block in found.blocks] == [
         "N10 M98 P2", "N30 #500=7", "M99", "N20 GOTO10",

@@ -81,8 +81,8 @@ py::tuple deciding(const Code& code) {
       if (branches.of[a] == Branch::None && code.blocks[a].skip == 0) continue;
       if (code.program_at(a) != static_cast<std::int32_t>(&program - code.programs.data()))
         continue;  // a part's own, counted there
-      decide.append(py::make_tuple(a, std::string(to_string(branches.of[a])),
-                                   code.blocks[a].skip != 0));
+      decide.append(
+          py::make_tuple(a, std::string(to_string(branches.of[a])), code.blocks[a].skip != 0));
     }
   return py::make_tuple(known.object, decide);
 }

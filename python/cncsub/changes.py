@@ -93,7 +93,9 @@ class _Did:
         keys, of_step, counts = np.unique(
             (programs << 32) + steps.line, return_inverse=True, return_counts=True
         )
-        self._blocks = {(names[key >> 32], key & 0xFFFFFFFF): i for i, key in enumerate(keys.tolist())}
+        self._blocks = {
+            (names[key >> 32], key & 0xFFFFFFFF): i for i, key in enumerate(keys.tolist())
+        }
         self._counts = counts.tolist()
 
         def rows(table: Any, made_by: Column, columns: list[str]) -> _Rows:
@@ -169,7 +171,9 @@ def block_changes(
     return tuple(found)
 
 
-def _changes(sides: tuple[_Side | None, _Side | None], did: tuple[_Did, _Did]) -> Iterator[BlockChange]:
+def _changes(
+    sides: tuple[_Side | None, _Side | None], did: tuple[_Did, _Did]
+) -> Iterator[BlockChange]:
     """Of a block and its new version, or of one that has none."""
     before, after = (
         None if side is None else Place(side[0], side[1].n, side[1].line) for side in sides

@@ -210,9 +210,7 @@ def _fix(
     return None if alarm is None else _mended_word(place, alarm, source)
 
 
-def _mended_word(
-    place: _core.Alarm, alarm: _core.Alarm, source: str
-) -> tuple[Edit, ...] | None:
+def _mended_word(place: _core.Alarm, alarm: _core.Alarm, source: str) -> tuple[Edit, ...] | None:
     """XO. is X0., X1,5 is X1.5: the control refuses them, and nothing else can be meant."""
     word = place.word
     zero = _O_FOR_ZERO.match(source, place.column - 1)

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 import cncsub
+from cncsub.changes import changed_lines
 from cncsub.controls import names_beginning
 from cncsub.facts import comparison_facts
 from cncsub.options import (
@@ -36,7 +37,6 @@ from cncsub.options import (
     write_text,
     wrong_use,
 )
-from cncsub.changes import changed_lines
 from cncsub.printing import shown
 from cncsub.translate_command import Translate, tell_translation
 

@@ -162,9 +162,9 @@ def _compare_controls(
             return False
         return pair.parting(tried, wanted) is None
 
-    names, untried = rules_between(one, other, explains)
-    rules = tuple(name for name in names if name not in one.parameters)
-    parameters = tuple(name for name in names if name in one.parameters)
+    made, untried = rules_between(one, other, explains)
+    rules = tuple(name for name in made if name not in one.parameters)
+    parameters = tuple(name for name in made if name in one.parameters)
     return replace(_told(pair, runs, parting, rules, untried), parameters=parameters)
 
 

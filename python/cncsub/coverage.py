@@ -257,6 +257,11 @@ class Counted:
             yield kind, "taken", self.held[block]
             yield kind, "not taken", self.failed[block]
 
+    def never_given(self) -> list[str]:
+        """The arguments that it reads and no call gave, where it was given some: `B (#2)`."""
+        numbers = sorted(v for v in self.reads if not self.given[v]) if self.given else []
+        return [f"{_LETTER_OF[v]} (#{v})" if v in _LETTER_OF else f"#{v}" for v in numbers]
+
     def calls_of(self) -> Iterator[tuple[int, str, str, int]]:
         """Block, kind, called, count: those that were made, and sites that made none."""
         made = {block for block, _, _ in self.calls}
@@ -286,7 +291,6 @@ class _Raw:
             self.calls + other.calls,
             self.given + other.given,
         )
-
 
     def outcomes(self) -> tuple[int, int]:
         """How many blocks and outcomes of branches are covered, and how many there are."""
@@ -592,8 +596,8 @@ _Read = tuple[object, object]  # which control, which texts
 class Collected:
     """The sum of the runs of a `collecting()`.
 
-    `total`: their coverage. `runs`: how many were counted. `left_out`: those that kept no blocks, or
-    had other texts in files of the same names.
+    `total`: their coverage. `runs`: how many were counted. `left_out`: those that kept no blocks,
+    or had other texts in files of the same names.
     """
 
     def __init__(self) -> None:

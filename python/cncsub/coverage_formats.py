@@ -17,6 +17,7 @@ body { font: 1rem/1.4 sans-serif; margin: 1rem auto; max-width: 70rem; padding: 
 summary { cursor: pointer; font-weight: bold; padding: .3rem 0; }
 table { border-collapse: collapse; font: .9rem monospace; width: 100%; }
 th, td { padding: .1rem .6rem; text-align: right; }
+th:nth-child(3), td:nth-child(3) { white-space: nowrap; }
 th:last-child, td:last-child { text-align: left; white-space: pre-wrap; width: 99%; }
 .yes { background: var(--yes); } .no { background: var(--no); } .part { background: var(--part); }
 """
@@ -124,7 +125,9 @@ def html(coverage: Coverage) -> str:
     blocks, branches = coverage.blocks, coverage.branches
     done = (
         f"{coverage.percent:.1f} %: {blocks.covered} of {len(blocks)} blocks,"
-        f" {branches.covered} of {len(branches)} outcomes of branches"
+        f" {branches.covered} of {len(branches)} outcomes of branches,"
+        f" {coverage.calls.covered} of {len(coverage.calls)} calls,"
+        f" {coverage.arguments.covered} of {len(coverage.arguments)} arguments"
     )
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Coverage</title>'
@@ -140,7 +143,7 @@ def _program(program: Counted) -> str:
     for index, block in enumerate(program.blocks):
         outcomes = list(program.outcomes(index))
         count = program.count(index)
-        missed = [name for name, of in outcomes if not of]
+        missed = [_MISSED.get(name, name) for name, of in outcomes if not of]
         state = "no" if count == 0 else "part" if missed else "yes"
         told = "not executed" if count == 0 else f"never {', '.join(missed)}" if missed else ""
         rows.append(
@@ -152,8 +155,25 @@ def _program(program: Counted) -> str:
         f"<details open><summary>{escape(program.name)} ({escape(program.file)}):"
         f" {done} of {len(lines)} lines</summary>\n<table><thead><tr><th>line</th><th>count</th>"
         f"<th>missed</th><th>block</th></tr></thead><tbody>\n{''.join(rows)}</tbody></table>"
-        "</details>\n"
+        f"{_not_used(program)}</details>\n"
     )
+
+
+# What is said of the passes of a loop.
+_MISSED = {"none": "left out", "once": "one pass", "many": "several passes"}
+
+
+def _not_used(program: Counted) -> str:
+    """Calls that were not made, arguments that no call gave."""
+    lines = [
+        f"line {program.blocks.line[block]}: {kind} {called} was not called"
+        for block, kind, called, count in program.calls_of()
+        if not count and not program.count(block)
+    ]
+    never = program.never_given()
+    if never:
+        lines.append(f"never given: {', '.join(never)}")
+    return "".join(f"<p>{escape(line)}</p>\n" for line in lines)
 
 
 def coverage_lines(coverage: Coverage) -> Iterator[str]:

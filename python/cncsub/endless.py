@@ -30,7 +30,8 @@ class LoopBlock:
     text: str
 
     def __str__(self) -> str:
-        return self.program if self.n is None else f"{self.program} N{self.n}"
+        where = f"line {self.line}" if self.n is None else f"N{self.n}"
+        return f"{self.program} {where}"
 
 
 @dataclass(frozen=True, slots=True)

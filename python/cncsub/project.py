@@ -87,7 +87,9 @@ def _read(file: Path, told: Any) -> Project:
         raise ValueError(f"{file}: tool.cncsub is a table")
     for key, value in told.items():
         if key == "tool":
-            raise ValueError(f"{file}: its keys stand at the top; [tool.cncsub] is for pyproject.toml")
+            raise ValueError(
+                f"{file}: its keys stand at the top; [tool.cncsub] is for pyproject.toml"
+            )
         if key not in _KINDS:
             raise ValueError(f"{file}: a project has no {key!r}{did_you_mean(key, _KINDS)}")
         if not isinstance(value, _KINDS[key]):

@@ -19,7 +19,7 @@ from cncsub.run import Run, Stop
 from cncsub.signatures import spelled_out
 
 if TYPE_CHECKING:
-    from cncsub.comparison import Column
+    from cncsub.differing import Column
 
 _ENDS = (2, 30)  # the stop is compared; which end codes are sent to the machine is not
 _NEAR = 1e-9  # s

@@ -95,8 +95,9 @@ std::vector<Finding> check(const Code& code, std::int32_t main, const std::strin
   for (const ProgramFlow& flow : checker.flows)
     for (const CallEdge& edge : flow.calls())
       checker.callers[static_cast<std::size_t>(edge.called)].push_back(edge);
-  for (const auto& part : {check_refusals, check_targets, check_reach, check_nesting, check_modes,
-                           check_variables, check_labels, check_logic, check_values, check_writing}) {
+  for (const auto& part :
+       {check_refusals, check_targets, check_reach, check_nesting, check_modes, check_variables,
+        check_labels, check_logic, check_values, check_writing}) {
     if (over()) break;
     part(checker);
   }

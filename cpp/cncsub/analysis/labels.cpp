@@ -55,9 +55,7 @@ class LabelCheck {
   void head(Address at, const Labelled& own);
   void statements(const std::vector<Address>& all);
   void crossings(std::uint32_t sub);
-  const Labelled& labelled(Address at) const {
-    return c_.code.labelled[c_.code.blocks[at].aux];
-  }
+  const Labelled& labelled(Address at) const { return c_.code.labelled[c_.code.blocks[at].aux]; }
   TextPlace place(Address at) const { return {labelled(at).at, labelled(at).width}; }
 
   Checker& c_;
@@ -100,8 +98,8 @@ void LabelCheck::run() {
 /// Branches and loops of one subprogram of which one begins inside another and ends behind it.
 void LabelCheck::crossings(std::uint32_t sub) {
   std::vector<std::pair<Address, Address>> from_to;
-  for (auto at = statements_.lower_bound({sub, 0}); at != statements_.end() && at->first.first == sub;
-       ++at) {
+  for (auto at = statements_.lower_bound({sub, 0});
+       at != statements_.end() && at->first.first == sub; ++at) {
     Address open = kNowhere;
     for (const Address each : at->second) {
       const LabelledKind kind = labelled(each).kind;

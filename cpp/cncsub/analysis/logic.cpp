@@ -172,8 +172,8 @@ void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first
 }
 
 void LogicCheck::block(Address at, const Block& block, const std::string& text) {
-  const bool extra = (block.flags & Block::kHasExtra) != 0 &&
-                     c_.code.cells[block.data].extra.expressions != 0;
+  const bool extra =
+      (block.flags & Block::kHasExtra) != 0 && c_.code.cells[block.data].extra.expressions != 0;
   if (!is_statement(block)) {
     if (block.op == Op::Fault || (block.op <= Op::Arc && !extra)) return;
     return brackets(at, std::string_view(text).substr(block.text, block.length), block.text);
@@ -182,9 +182,7 @@ void LogicCheck::block(Address at, const Block& block, const std::string& text) 
   const std::string_view written = std::string_view(text).substr(of.at, of.width);
   // Conditions that are compared first and joined then are what they look like, but for AND and OR.
   const bool numbers = asked_ == Asked::OtherLogic || of_numbers(of);
-  const Asked asked = numbers                  ? asked_
-                      : asked_ == Asked::Both ? Asked::OtherLogic
-                                              : Asked::Nothing;
+  const Asked asked = numbers ? asked_ : asked_ == Asked::Both ? Asked::OtherLogic : Asked::Nothing;
   if (asked != Asked::Nothing && has_logic(written) && Operations(asked).mixed(written))
     c_.found(Check::LogicOrder, at, {of.at, of.width}, read_as(asked));
 }

@@ -145,8 +145,7 @@ Modes ModeCheck::after(Modes before, Address at) const {
   const bool sometimes = block.skip != 0 || block.op == Op::IfThen || block.op == Op::Choose;
   const auto put = [&](Modes own) {
     for (int mode = 0; mode < kModes; ++mode)
-      if (value(own, mode) != 0)
-        modes = (sometimes ? modes : modes & ~of(mode, kOne)) | own;
+      if (value(own, mode) != 0) modes = (sometimes ? modes : modes & ~of(mode, kOne)) | own;
   };
   const auto set = [&](Meaning meaning, Group group) { put(set_by(meaning, group)); };
   each_variant(c_.code, block, [&](const Block& each) {
@@ -289,8 +288,7 @@ void ModeCheck::leaks(const ProgramFlow& flow) {
       if (moves == kNowhere) continue;
       told.insert({edge.called, mode});
       const CallRecord& record = c_.code.calls[edge.record];
-      c_.found(rule_of(mode), edge.from,
-               {record.at, record.width},
+      c_.found(rule_of(mode), edge.from, {record.at, record.width},
                c_.code.name_of(edge.called) + " leaves " + name(mode, leak) + " on, and line " +
                    std::to_string(c_.code.blocks[moves].line) + " moves with it");
     }

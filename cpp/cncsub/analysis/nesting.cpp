@@ -20,8 +20,7 @@ bool is_refused_again(const Checker& c, const CallEdge& edge) {
   const SelfCall rule = c.code.control->calls.self_call.value;
   const CallRecord& record = c.code.calls[edge.record];
   return edge.called == edge.caller && record.kind != CallKind::Local &&
-         (rule == SelfCall::Refused ||
-          (rule == SelfCall::WithStart && record.target.start_n < 0));
+         (rule == SelfCall::Refused || (rule == SelfCall::WithStart && record.target.start_n < 0));
 }
 
 /// Programs that call themselves where the control refuses it.
@@ -182,9 +181,9 @@ void CallOrder::refuse(const CallEdge& edge) {
     names += name(at->place) + " > ";
   }
   const CallRecord& record = c_.code.calls[edge.record];
-  c_.refused(Check::CallsOpen, edge.from,
-             {Cause::ProgramCallsCaller, record.at, record.width,
-              names + c_.code.name_of(edge.called)})
+  c_.refused(
+        Check::CallsOpen, edge.from,
+        {Cause::ProgramCallsCaller, record.at, record.width, names + c_.code.name_of(edge.called)})
       .path = std::move(path);
 }
 

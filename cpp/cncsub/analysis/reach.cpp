@@ -147,8 +147,7 @@ void check_fallen_into(Checker& c, const ProgramFlow& flow) {
   std::set<Address> told;
   for (const CallEdge& edge : flow.calls()) {
     const Address start = edge.start;
-    const bool part =
-        edge.called == flow.program() && start > flow.first() && start < flow.last();
+    const bool part = edge.called == flow.program() && start > flow.first() && start < flow.last();
     if (!part || !reached[start - 1 - flow.first()] || !told.insert(start).second) continue;
     const bool falls = std::any_of(flow.begin(start - 1), flow.end(start - 1), [&](const Exit& of) {
       return of.to == start && of.way == Way::Next;

@@ -151,8 +151,8 @@ void head_in_capitals(const Checker& c, const ProgramFlow& flow, std::string_vie
   for (std::uint32_t at = program.name_at > 0 ? program.name_at - 1 : 0; at <= program.name_at;
        ++at)
     if (at < text.size() && text[at] == 'o')
-      edits.push_back(in_capitals(
-          flow.first(), {at, program.name_at + program.name_length - at}, text));
+      edits.push_back(
+          in_capitals(flow.first(), {at, program.name_at + program.name_length - at}, text));
 }
 
 /// Told once for a program: who writes small letters writes them everywhere.

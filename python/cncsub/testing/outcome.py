@@ -346,9 +346,9 @@ def _last_writes(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterat
     watched = library.run(**{**_options(case), "watch": wrong}).watch
     rows = list(watched)
     for number in wrong:
-        row = next((r for r in reversed(rows) if r.variable == number and r.step is not None), None)
-        if row is not None and row.step < len(run.steps):
-            lines = "\n    ".join(step_lines(run, row.step))
+        steps = [row.step for row in rows if row.variable == number and row.step is not None]
+        if steps and steps[-1] < len(run.steps):
+            lines = "\n    ".join(step_lines(run, steps[-1]))
             yield f"#{number} was written last by {lines}"
 
 
