@@ -134,7 +134,7 @@ def test_what_is_refused(text: str) -> None:
 
 
 def test_a_value_that_cannot_be_written_is_refused_with_its_block() -> None:
-    control = cncsub.controls["fanuc-0i-f"].replace(statements="# IF WHILE DO GOTO")
+    control = cncsub.controls["fanuc-0i-f"].replace(statements="-[")
     library = cncsub.loads("O1\n#1=100/3\nN20 G68 X0 Y0 R#1\nM30\n", control=control)
     with pytest.raises(cncsub.FlattenError, match="the value of R cannot be written") as caught:
         library.flatten()

@@ -86,10 +86,9 @@ void add_flat(py::module_& m) {
       .def("next", &next)
       .def_property_readonly("refusal", &refusal)
       .def_property_readonly("ends", [](Flattening& self) { return Resting(self)->ends(); })
-      .def_property_readonly("stop",
-                             [](Flattening& self) {
-                               return std::string(to_string(Resting(self)->machine().stop()));
-                             })
+      .def_property_readonly(
+          "stop",
+          [](Flattening& self) { return std::string(to_string(Resting(self)->machine().stop())); })
       .def_property_readonly(
           "waiting_for",
           [](Flattening& self) { return Resting(self)->machine().state().waiting_for; })

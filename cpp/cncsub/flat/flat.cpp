@@ -15,9 +15,8 @@ constexpr std::size_t kPiece = 1 << 20;  // bytes of a piece of text
 
 /// What is assigned to a variable.
 std::string value_text(const Code& code, double value) {
-  return is_vacant(value)
-             ? "#0"
-             : expression_text(value, code.control->macros.max_constant_digits.value);
+  return is_vacant(value) ? "#0"
+                          : expression_text(value, code.control->macros.max_constant_digits.value);
 }
 
 /// Whether what stands in a variable is seen from outside the program.
@@ -74,10 +73,10 @@ const BlockCodes& FlatRun::codes_of(const Block& block) const {
 }
 
 bool FlatRun::ends() const {
-  if (machine_.stop() != Stop::Alarm) return machine_.stop() == Stop::End || machine_.stop() == Stop::Cycles;
+  if (machine_.stop() != Stop::Alarm)
+    return machine_.stop() == Stop::End || machine_.stop() == Stop::Cycles;
   if (heard_.raised != nullptr) return true;
-  return !heard_.assigned.empty() &&
-         is_user_alarm(machine_.code(), heard_.assigned.back().number);
+  return !heard_.assigned.empty() && is_user_alarm(machine_.code(), heard_.assigned.back().number);
 }
 
 // ---- the run ----

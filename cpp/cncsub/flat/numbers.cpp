@@ -168,8 +168,7 @@ bool WordWriter::constant(std::string& to, int place, double value, bool whole) 
   const char letter = letter_of(place);
   const NumberText text(value);
   const std::string address = address_of(place);
-  if (place < kCommaC && calls(letter, to_whole<int>(value)))
-    return bracketed(to, address, value);
+  if (place < kCommaC && calls(letter, to_whole<int>(value))) return bracketed(to, address, value);
   to += address;
   if (place < kCommaC && address.size() > 1) to += '=';
   to += text.text();

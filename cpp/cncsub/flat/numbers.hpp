@@ -61,9 +61,9 @@ class WordWriter {
   const Machine& machine_;
   const Control& control_;
   bool lathe_, increments_;
-  bool mills_axes_;   // A and C are axes and nothing else
+  bool mills_axes_;                            // A and C are axes and nothing else
   std::vector<std::pair<char, int>> calling_;  // sorted; -1: every code of the letter
-  bool plain_ = false;  // axis words are lengths
+  bool plain_ = false;                         // axis words are lengths
   bool arc_ = false, cycle_ = false;
 };
 
