@@ -32,17 +32,29 @@ py::object column(const std::vector<std::int32_t>& values) {
   return array.object;
 }
 
+/// The run as it rests.
+class Resting {
+ public:
+  explicit Resting(Flattening& self) : only_(self.at_work, std::try_to_lock), run_(self.run) {
+    if (!only_) throw std::runtime_error("the flat program is being written in another thread");
+  }
+  FlatRun* operator->() const { return &run_; }
+
+ private:
+  std::unique_lock<std::mutex> only_;
+  FlatRun& run_;
+};
+
 /// The next piece: its text and the columns of its origins. None where nothing more comes.
 py::object next(Flattening& self) {
-  const std::unique_lock only(self.at_work, std::try_to_lock);
-  if (!only) throw std::runtime_error("the flat program is being written in another thread");
+  const Resting run(self);
   std::string text;
   FlatOrigins origins;
   bool more = false;
   {
     Away away;
     const auto interrupted = [] { return PyErr_CheckSignals() != 0; };
-    more = self.run.next([&] { return away.ask(interrupted); }, text, origins);
+    more = run->next([&] { return away.ask(interrupted); }, text, origins);
   }
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
   if (!more) return py::none();
@@ -57,10 +69,11 @@ py::object next(Flattening& self) {
 
 /// Why the text ends before the run does: the reason, and program, n and line; None where it is
 /// whole.
-py::object refusal(const Flattening& self) {
-  const auto& refused = self.run.refusal();
+py::object refusal(Flattening& self) {
+  const Resting run(self);
+  const auto& refused = run->refusal();
   if (!refused) return py::none();
-  const Code& code = self.run.machine().code();
+  const Code& code = run->machine().code();
   const Block& block = code.blocks[refused->at];
   return py::make_tuple(refused->reason, code.name_of(code.program_at(refused->at)),
                         sequence_number(block.n), block.line);
@@ -69,32 +82,32 @@ py::object refusal(const Flattening& self) {
 }  // namespace
 
 void add_flat(py::module_& m) {
-  py::class_<Flattening>(m, "Flattening", py::is_final())
+  py::class_<Flattening, std::shared_ptr<Flattening>>(m, "Flattening", py::is_final())
       .def("next", &next)
       .def_property_readonly("refusal", &refusal)
-      .def_property_readonly("ends", [](const Flattening& self) { return self.run.ends(); })
+      .def_property_readonly("ends", [](Flattening& self) { return Resting(self)->ends(); })
       .def_property_readonly(
           "stop",
-          [](const Flattening& self) { return std::string(to_string(self.run.machine().stop())); })
+          [](Flattening& self) { return std::string(to_string(Resting(self)->machine().stop())); })
       .def_property_readonly(
           "waiting_for",
-          [](const Flattening& self) { return self.run.machine().state().waiting_for; })
+          [](Flattening& self) { return Resting(self)->machine().state().waiting_for; })
       .def_property_readonly("alarm",
-                             [](const Flattening& self) {
-                               const auto& alarm = self.run.machine().alarm();
+                             [](Flattening& self) {
+                               const Resting run(self);
+                               const auto& alarm = run->machine().alarm();
                                return alarm ? py::cast(*alarm) : py::object(py::none());
                              })
-      .def_property_readonly("program_names", [](const Flattening& self) {
-        const Code& code = self.run.machine().code();
+      .def_property_readonly("program_names", [](Flattening& self) {
+        const Resting run(self);
+        const Code& code = run->machine().code();
         py::list names;
         for (const Program& program : code.programs) names.append(code.name_of(program));
         return names;
       });
   m.def(
       "flattening",
-      [](Live& live, bool comments) {
-        return std::make_unique<Flattening>(*Look(live), comments);
-      },
+      [](Live& live, bool comments) { return std::make_shared<Flattening>(*Look(live), comments); },
       py::arg("machine"), py::arg("comments"));
 }
 

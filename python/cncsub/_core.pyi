@@ -477,7 +477,7 @@ class Flattening:
     """What a run executes as a flat program, piece by piece."""
 
     def next(self) -> tuple[bytes, dict[str, np.ndarray[Any, Any]]] | None:
-        """The next piece, its text and the columns of its origins; None where nothing more comes."""
+        """The next piece, its text and the columns of its origins; None behind the last one."""
     @property
     def refusal(self) -> tuple[str, str, int | None, int] | None:
         """Why the text is not whole: the reason, program, n and line."""

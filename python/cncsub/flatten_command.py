@@ -57,8 +57,8 @@ def flatten(
 ) -> None:
     """Write what a program executes as one program without calls, jumps and loops.
 
-    It is written while it runs, and what cannot be written is refused with its block. `--to` another
-    control: the flat program is run there and compared before it is written.
+    What cannot be written is refused with its block, before anything is written. With `--to` the
+    flat program is run on the other control and compared first.
     """
     options = {**locals(), "mdi": None}
     with wrong_use():

@@ -261,9 +261,10 @@ def flatten(
         "setup": setup,
     }
     target = library.control if control is None else control_of(control)
+    traced: Options = {**options, "trace": "calls"}
 
     def begin() -> _core.Flattening:
-        return _core.flattening(library._begin(main, **options, trace="calls"), comments)
+        return _core.flattening(library._begin(main, **traced), comments)
 
     def parts(text: str) -> Parting | None:
         return _parts(library, main, target, options, text)

@@ -46,7 +46,9 @@ def proved(library: cncsub.Library, main: str | None = None, **options: Any) -> 
         flat.verify()
     except AssertionError as error:
         texts = "\n".join(each.text for each in library.values())
-        raise AssertionError(f"{library.control.name}: {error}\n{texts}\n---\n{flat.text}") from None
+        raise AssertionError(
+            f"{library.control.name}: {error}\n{texts}\n---\n{flat.text}"
+        ) from None
     return True
 
 

@@ -27,7 +27,9 @@ def program(random: Random) -> str:
 
 
 def _variables(random: Random) -> list[str]:
-    return [f"#{100 + i}={random.choice(('-', ''))}{random.randint(0, 900) / 7:.4f}" for i in range(6)]
+    return [
+        f"#{100 + i}={random.choice(('-', ''))}{random.randint(0, 900) / 7:.4f}" for i in range(6)
+    ]
 
 
 def _value(random: Random) -> str:

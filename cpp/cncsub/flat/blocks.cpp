@@ -62,8 +62,7 @@ class BlockWriter::Maker {
   }
   /// Whether an M code is the end of the block's program.
   bool ends(int m) const {
-    return block_.op == Op::EndProgram &&
-           to_.code_.control->calls.roles.value.of_m(m) == Role::End;
+    return block_.op == Op::EndProgram && to_.code_.control->calls.roles.value.of_m(m) == Role::End;
   }
   bool take_code(char letter, const WrittenWord& word);
   bool take_end(const WrittenWord& word);
@@ -249,8 +248,7 @@ bool BlockWriter::write(std::string& to, const Block& block, std::int32_t progra
 }
 
 bool BlockWriter::write_cycle(std::string& to, const Block& block, std::int32_t program,
-                              const NcWords* values,
-                              const std::array<std::int64_t, 2>& profile) {
+                              const NcWords* values, const std::array<std::int64_t, 2>& profile) {
   const std::size_t parts = parts_.size(), texts = texts_.size();
   const bool done = put(to, make(block, program, &profile), values);
   parts_.resize(parts);

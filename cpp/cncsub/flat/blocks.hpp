@@ -1,6 +1,6 @@
 // The words of blocks, written anew. What a block executes is told by its code; how a number is
-// spelled (`X10.0`, `T0101`, `M08`) and in which order words stand is taken from its text where that
-// says the same.
+// spelled (`X10.0`, `T0101`, `M08`) and in which order words stand is taken from its text where
+// that says the same.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ class BlockWriter {
   /// of them cannot be written: then `failed` is that word.
   bool write(std::string& to, const Block& block, std::int32_t program, const NcWords* values);
   /// The same of a cycle whose P and Q become the numbers of a profile's first and last block.
-  bool write_cycle(std::string& to, const Block& block, std::int32_t program,
-                   const NcWords* values, const std::array<std::int64_t, 2>& profile);
+  bool write_cycle(std::string& to, const Block& block, std::int32_t program, const NcWords* values,
+                   const std::array<std::int64_t, 2>& profile);
   const std::string& failed() const { return failed_; }
 
  private:
@@ -49,8 +49,8 @@ class BlockWriter {
   const Machine& machine_;
   const Code& code_;
   WordWriter words_;
-  std::vector<Line> lines_;                                // of Code::blocks
-  std::unordered_map<std::uint32_t, Line> variants_;       // of Code::variants
+  std::vector<Line> lines_;                           // of Code::blocks
+  std::unordered_map<std::uint32_t, Line> variants_;  // of Code::variants
   std::vector<Part> parts_;
   std::string texts_;
   std::size_t open_ = 0;  // the first part of the line that is being made

@@ -13,9 +13,10 @@ namespace {
 
 constexpr std::size_t kPiece = 1 << 20;  // bytes of a piece of text
 
-/// A variable as a value of an assignment.
-std::string value_text(double value) {
-  return is_vacant(value) ? "#0" : std::string(NumberText(value).text());
+/// What is assigned to a variable.
+std::string value_text(const Code& code, double value) {
+  return is_vacant(value) ? "#0"
+                          : expression_text(value, code.control->macros.max_constant_digits.value);
 }
 
 /// Whether what stands in a variable is seen from outside the program.
@@ -72,10 +73,10 @@ const BlockCodes& FlatRun::codes_of(const Block& block) const {
 }
 
 bool FlatRun::ends() const {
-  if (machine_.stop() != Stop::Alarm) return machine_.stop() == Stop::End || machine_.stop() == Stop::Cycles;
+  if (machine_.stop() != Stop::Alarm)
+    return machine_.stop() == Stop::End || machine_.stop() == Stop::Cycles;
   if (heard_.raised != nullptr) return true;
-  return !heard_.assigned.empty() &&
-         is_user_alarm(machine_.code(), heard_.assigned.back().number);
+  return !heard_.assigned.empty() && is_user_alarm(machine_.code(), heard_.assigned.back().number);
 }
 
 // ---- the run ----
@@ -109,20 +110,14 @@ void FlatRun::write_head(std::string& text) {
     if (taped_) text += "%\n";
     return;
   }
-  std::size_t from = file.rfind('\n', main.name_at);
-  from = main.name_at == 0 || from == std::string_view::npos ? 0 : from + 1;
-  from = std::min(file.find_first_not_of(" \t", from), std::size_t{main.name_at});
-  const std::string_view before = file.substr(from, main.name_at - from);
+  if (main.name_length == 0) return;
+  const std::string_view before = file.substr(main.text, main.name_at - main.text);
   const std::size_t end = main.name_at + main.name_length;
-  if (before == "<")
-    text += before;
-  else if (before.starts_with("%_"))
-    text += before;
+  text += before;
   text += file.substr(main.name_at, main.name_length);
-  if (before == "<")
-    text += '>';
-  else if (before.starts_with("%_"))
-    text += file.substr(end, file.find_first_of(" \t\r\n", end) - end);
+  if (before.ends_with('<')) text += '>';
+  if (before.starts_with("%_"))
+    text += file.substr(end, std::min(file.find_first_of(" \t\r\n;", end), file.size()) - end);
   text += '\n';
 }
 
@@ -251,7 +246,7 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
     if (!code.spelling->numbered ||
         code.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
       return refuse(name + " is written, and the control has no statement that assigns a number");
-    text += name + "=" + value_text(of.value);
+    text += name + "=" + value_text(code, of.value);
     const VariableKind kind = code.place(of.number).kind;
     if (kind == VariableKind::UserAlarm || kind == VariableKind::Message)
       text += "(" + of.comment + ")";
@@ -274,7 +269,7 @@ bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string&
     if (!code.place(local).is_local())
       return refuse("what is printed has more values than there are local variables");
     const std::string name = "#" + std::to_string(local);
-    text += name + "=" + value_text(value);
+    text += name + "=" + value_text(code, value);
     end_line(text, origins);
     const int digits = field.whole_digits * 10 + field.decimals;
     statement += name + "[" + (digits < 10 && !heard_.print->binary ? "0" : "") +

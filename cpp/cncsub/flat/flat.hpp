@@ -97,9 +97,9 @@ class FlatRun {
   Coming coming_;
   bool has_parts_ = false;  // some programs are a part of others
   bool over_ = false, begun_ = false;
-  bool starts_over_ = false;  // the last block starts the program over by a code of its own
-  std::int32_t program_ = 0;  // of the last block
-  std::int64_t last_n_ = 0;   // that was given to a block of a profile
+  bool starts_over_ = false;          // the last block starts the program over by a code of its own
+  std::int32_t program_ = 0;          // of the last block
+  std::int64_t last_n_ = 0;           // that was given to a block of a profile
   std::vector<std::string> profile_;  // the lines of the profile that the last block follows
   std::map<std::vector<std::string>, std::array<std::int64_t, 2>> profiles_;
   std::vector<Late> late_;  // profiles that stand behind the end of the program

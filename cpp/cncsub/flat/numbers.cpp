@@ -36,6 +36,25 @@ NumberText::NumberText(double value) {
   if (std::fabs(value) < 1) whole_ = 0;
 }
 
+std::string expression_text(double value, int most_digits) {
+  const NumberText number(value);
+  const std::string_view text = number.text();
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const bool negative = text[0] == '-';
+  std::string sum;
+  int digits = 0;  // of the last number of the sum
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool counts = text[i] >= (digits == 0 ? '1' : '0') && text[i] <= '9';
+    if (counts && ++digits > most_digits && i > point) {
+      sum += negative ? "-0." : "+0.";
+      sum.append(i - point - 1, '0');
+      digits = text[i] == '0' ? 0 : 1;
+    }
+    sum += text[i];
+  }
+  return sum;
+}
+
 WordWriter::WordWriter(const Machine& machine)
     : machine_(machine),
       control_(*machine.code().control),
@@ -149,8 +168,7 @@ bool WordWriter::constant(std::string& to, int place, double value, bool whole) 
   const char letter = letter_of(place);
   const NumberText text(value);
   const std::string address = address_of(place);
-  if (place < kCommaC && calls(letter, to_whole<int>(value)))
-    return bracketed(to, address, value);
+  if (place < kCommaC && calls(letter, to_whole<int>(value))) return bracketed(to, address, value);
   to += address;
   if (place < kCommaC && address.size() > 1) to += '=';
   to += text.text();
@@ -177,7 +195,7 @@ bool WordWriter::bracketed(std::string& to, std::string_view address, double val
   const Spelling::Around& around = machine_.code().spelling->value;
   to += address;
   to += around.before;
-  to += NumberText(value).text();
+  to += expression_text(value, control_.macros.max_constant_digits.value);
   to += around.behind;
   return true;
 }

@@ -26,6 +26,10 @@ class NumberText {
   std::size_t size_ = 0, end_of_whole_ = 0, whole_ = 0;
 };
 
+/// A value in an expression, where a number has so many digits at most: what has more is a sum,
+/// `1.6666666+0.0000000666`.
+std::string expression_text(double value, int most_digits);
+
 /// Writes words by the rules of a control. A value is written as a plain number where the control
 /// takes that for the same; where it would not (a value between two increments where it does not
 /// round, a sign or a point that the address takes from a variable only) as a value in brackets.
@@ -57,9 +61,9 @@ class WordWriter {
   const Machine& machine_;
   const Control& control_;
   bool lathe_, increments_;
-  bool mills_axes_;   // A and C are axes and nothing else
+  bool mills_axes_;                            // A and C are axes and nothing else
   std::vector<std::pair<char, int>> calling_;  // sorted; -1: every code of the letter
-  bool plain_ = false;  // axis words are lengths
+  bool plain_ = false;                         // axis words are lengths
   bool arc_ = false, cycle_ = false;
 };
 

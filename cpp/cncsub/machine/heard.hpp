@@ -28,7 +28,7 @@ struct Heard {
   bool computed = false;  // some of its words are computed: these are their values
   NcWords values;
   BlockCodes codes;
-  bool returned = false;  // M99 of the main program
+  bool returned = false;          // M99 of the main program
   const HCode* raised = nullptr;  // G65 H99, with the value of its P
   double raised_number = 0;
   std::vector<Assigned> assigned;
@@ -38,7 +38,8 @@ struct Heard {
   std::optional<Profile> profile;
 
   bool any() const {
-    return words != nullptr || print != nullptr || raised != nullptr || device != Op::Words || !assigned.empty();
+    return words != nullptr || print != nullptr || raised != nullptr || device != Op::Words ||
+           !assigned.empty();
   }
   void forget() {
     words = nullptr;
