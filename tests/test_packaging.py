@@ -13,7 +13,7 @@ import pytest
 import cncsub
 
 ROOT = Path(__file__).resolve().parent.parent
-HEAVY = ["numpy", "pandas", "pyarrow", "polars", "rich", "typer", "click"]
+HEAVY = ["numpy", "pandas", "plotly", "pyarrow", "polars", "rich", "typer", "click"]
 
 
 def run_python(code: str) -> str:
@@ -90,7 +90,7 @@ def test_importing_the_package_does_not_import(module: str, imported: set[str]) 
 
 
 def test_the_import_needs_no_optional_package() -> None:
-    blocked = ["pandas", "pyarrow"]
+    blocked = ["pandas", "plotly", "pyarrow"]
     code = f"import sys; sys.modules.update(dict.fromkeys({blocked})); import cncsub; print('ok')"
     assert run_python(code) == "ok\n"
 

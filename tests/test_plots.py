@@ -222,6 +222,7 @@ def test_a_lathe_is_seen_as_on_its_drawing() -> None:
 
 # ---- thinning ----
 
+
 @settings(max_examples=40, deadline=None)
 @given(
     seed=st.integers(0, 10_000),

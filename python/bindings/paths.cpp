@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "bindings.hpp"
+#include "cncsub/trace/move_walk.hpp"
 #include "cncsub/trace/polyline.hpp"
 #include "gil.hpp"
 #include "live.hpp"
@@ -56,13 +57,13 @@ py::object thinned(const py::buffer& x, const py::buffer& y, const py::buffer& z
   const py::buffer_info of_x = x.request(), of_y = y.request(), of_z = z.request(),
                         of_key = key.request();
   const auto count = static_cast<std::size_t>(of_x.size);
-  const double* const px = numbers<double>(of_x, count);
-  const double* const py_ = numbers<double>(of_y, count);
-  const double* const pz = numbers<double>(of_z, count);
+  const double* const along_x = numbers<double>(of_x, count);
+  const double* const along_y = numbers<double>(of_y, count);
+  const double* const along_z = numbers<double>(of_z, count);
   const auto* const keys = numbers<std::int32_t>(of_key, count);
   const Array<std::uint8_t> keep(count);
   work_away([&](InterruptCheck& interrupt) {
-    thin(px, py_, pz, keys, count, tolerance, keep.data, &interrupt);
+    thin(along_x, along_y, along_z, keys, count, tolerance, keep.data, &interrupt);
   });
   return keep.object.attr("view")("?");
 }
@@ -70,7 +71,7 @@ py::object thinned(const py::buffer& x, const py::buffer& y, const py::buffer& z
 }  // namespace
 
 void add_begin(py::dict& fields, const Moves& moves, std::size_t index) {
-  const MoveBegin begin = moves.begin_of(index);
+  const MoveBegin begin = MoveReader(moves).begin_of(index);
   constexpr std::string_view kNames = "xyz";
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     const std::string axis(1, kNames[i]);
@@ -79,7 +80,7 @@ void add_begin(py::dict& fields, const Moves& moves, std::size_t index) {
     fields[py::str("mc" + axis)] = begin.centre[i];
   }
   fields["cycle"] = begin.cycle;
-  fields["compensated"] = moves.compensated(index);
+  fields["compensated"] = begin.compensated;
 }
 
 void add_paths(py::class_<Record>& trace) {
@@ -89,7 +90,7 @@ void add_paths(py::class_<Record>& trace) {
       .def_property_readonly("diameters",
                              [](const Record& record) {
                                const Record::Reading reading(record);
-                               return record.trace().moves.diameters();
+                               return MoveReader(record.trace().moves).diameters();
                              })
       .def_static("thinned", &thinned, py::arg("x"), py::arg("y"), py::arg("z"), py::arg("key"),
                   py::arg("tolerance"));

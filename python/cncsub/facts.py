@@ -29,6 +29,7 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "dropped": [asdict(word) for word in run.dropped],
         "m_codes": run.m_codes,
         "t_codes": run.t_codes,
+        "codes": [dict(record) for record in records(run.codes)],
         "variables": {str(number): value for number, value in run.variables.items()},
         "position": run.position,
         "modal": run.modal,

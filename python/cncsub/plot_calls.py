@@ -140,7 +140,7 @@ class _Icicle:
 
     def _hover(self, row: int, places: Places) -> str:
         call = self.calls[row]
-        passes = f", {count(call.repeats, 'pass')}".replace("passs", "passes")
+        passes = f", {call.repeats:,} passes" if call.repeats != 1 else ""
         took = float(self.ended[row] - self.begun[row])
         words = clock(took) if self.over == "time" else count(int(took), "step")
         start = f" at N{call.start_n}" if call.start_n is not None else ""

@@ -10,10 +10,12 @@ html, body { margin: 0; height: 100%; background: #fff; }
 @media (prefers-color-scheme: dark) { html, body { background: #14181b; } }
 #picture { width: 100%; min-height: 100vh; }
 """
-# A scene fills the window; where that is narrow, what is told under it gets smaller lines.
+# A scene fills the window; where that is narrow it is drawn smaller, and what is told under a
+# picture gets shorter lines.
 _SCRIPT = """
 (function () {
   var at = document.getElementById('picture');
+  var scene = figure.layout.scene;
   var least = figure.layout.height || 400;
   var notes = figure.layout.annotations || [];
   var told = notes.length ? notes[0].text : '';
@@ -37,7 +39,14 @@ _SCRIPT = """
       layout.annotations[0].text = lines.join('<br>');
       layout.margin.b = bottom + 15 * (lines.length - before);
     }
-    if (figure.layout.scene) layout.height = Math.max(least, window.innerHeight);
+    if (scene) {
+      layout.height = Math.max(least, window.innerHeight);
+      var room = layout.height - layout.margin.t - layout.margin.b;
+      var share = Math.min(1, (at.clientWidth - 32) / room);
+      var ratio = {};
+      for (var side in scene.aspectratio) ratio[side] = scene.aspectratio[side] * share;
+      layout.scene = Object.assign({}, scene, { aspectratio: ratio });
+    }
     return layout;
   }
   Plotly.newPlot(at, figure.data, Object.assign({}, figure.layout, laid()),
@@ -45,7 +54,14 @@ _SCRIPT = """
       if (figure.frames) Plotly.addFrames(at, figure.frames);
       var width = at.clientWidth;
       window.addEventListener('resize', function () {
-        if (at.clientWidth !== width) { width = at.clientWidth; Plotly.relayout(at, laid()); }
+        if (at.clientWidth === width) return;
+        width = at.clientWidth;
+        var layout = laid();
+        if (scene) {  // what was turned stays as it is
+          layout['scene.aspectratio'] = layout.scene.aspectratio;
+          delete layout.scene;
+        }
+        Plotly.relayout(at, layout);
       });
     });
 })();

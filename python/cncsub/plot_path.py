@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -10,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cncsub import _core
+from cncsub.plot_player import marker, player
+from cncsub.plot_points import Drawn, drawn_path, line_runs
 from cncsub.plotting import (
     COLOURS,
-    GRID,
     OTHERS,
     SOLID_GRID,
     TEXT,
@@ -23,7 +23,7 @@ from cncsub.plotting import (
     figure,
     shown_text,
 )
-from cncsub.polyline import Polyline, rows_of, sampled_for_picture, size_of
+from cncsub.polyline import rows_of
 
 if TYPE_CHECKING:
     from cncsub.run import Recorded
@@ -31,13 +31,10 @@ if TYPE_CHECKING:
     Numbers = np.ndarray[Any, np.dtype[Any]]
 
 MOST = 60_000  # points of a picture
-_FINEST, _WIDEST = 1 / 20_000, 1 / 250  # of the size of the picture: first and last tolerance
-_MOST_LOOKS = 4_000_000  # whether a line runs where another does
 _DENSE = 4_000  # points from which lines are thin
 _BANDS = 24  # of colours that go over into each other
 _MOST_NAMES = 11  # colours beside that of the rest
 _SCENE = 1.9  # the diagonal of what is drawn, in the units of a camera
-_INSTANTS = 160  # of the slider
 _FAMILIES = ("rapid", "feed", "cycle", "compensation")
 _WORDS = {
     "rapid": "rapid",
@@ -69,20 +66,6 @@ class Colouring:
     @property
     def scaled(self) -> bool:
         return self.values is not None
-
-
-@dataclass(frozen=True)
-class Drawn:
-    """The points that are drawn, the family and the colour of the line that leads to each, and
-    where a line begins.
-    """
-
-    points: Numbers
-    move: Numbers
-    part: Numbers  # how much of its move was made at a point
-    keys: Numbers  # -1: no line leads to the point
-    told: list[str]
-    breaks: int  # where other coordinates came into force
 
 
 def path_figure(
@@ -215,101 +198,6 @@ class _Picture:
             keys = keys[np.maximum.accumulate(rows)]
         return keys.astype(np.int32)
 
-    def path(self, coordinates: str, keys: Numbers, most: int) -> Drawn:
-        """The points of a path, as many as may be drawn."""
-        line, told = self._sampled(coordinates)
-        rows = line.move - (self.number + self.first)
-        key = keys[rows]
-        key[line.begins] = -1
-        whole, size = len(line), size_of(line)
-        kept = np.arange(whole)
-        x, y, z = line.x, line.y, line.z
-        off, tolerance = 0.0, size * _FINEST
-        while len(kept) > most and tolerance <= size * _WIDEST:
-            for _ in range(2):  # a second look finds what windows hid from the first
-                if len(kept) <= most:
-                    break
-                chosen = self.core.thinned(x, y, z, key, tolerance)
-                off += tolerance
-                before = len(kept)
-                kept, key = kept[chosen], key[chosen]
-                x, y, z = x[chosen], y[chosen], z[chosen]
-                if len(kept) > before * 0.8:
-                    break
-            if len(kept) > max(50 * most, 0.9 * whole):  # most of it goes here and there
-                tolerance = max(tolerance * 3, size * _WIDEST)
-            else:
-                tolerance *= 1.5 if len(kept) < 4 * most else 3
-        if len(kept) < whole:
-            told.append(
-                f"Thinned: {len(kept):,} of {whole:,} points; what is left out lies within"
-                f" {_length(off)} of what is drawn."
-            )
-        last = int(kept[-1])
-        kept, key, looked = self._uncovered(kept, (x, y, z), key, size, most, told)
-        return self._finish(line, kept, key, told, most, looked, last)
-
-    def _sampled(self, coordinates: str) -> tuple[Polyline, list[str]]:
-        most = max(4 * self.most, 3 * (self.last - self.first))
-        line, coarse = sampled_for_picture(self.core, coordinates, self.first, self.last, most)
-        arcs = [self.core.move_kinds.index(kind) for kind in ("cw", "ccw")]
-        if coarse and np.isin(self._column("kind"), arcs).any():
-            return line, [f"Arcs are drawn within {_length(line.tolerance)}."]
-        return line, []
-
-    def _uncovered(
-        self,
-        kept: Numbers,
-        at: tuple[Numbers, Numbers, Numbers],
-        key: Numbers,
-        size: float,
-        most: int,
-        told: list[str],
-    ) -> tuple[Numbers, Numbers, int]:
-        """Without lines that run where others of their colour do already, as far as a picture
-        shows; and the last point that was looked at.
-        """
-        if len(kept) <= most:
-            return kept, key, int(kept[-1])
-        cell = size * _WIDEST
-        looked = _looked_at(at, cell)
-        if looked < len(kept):  # the rest is cut
-            kept, key = kept[:looked], key[:looked]
-            at = (at[0][:looked], at[1][:looked], at[2][:looked])
-        new = _new_lines(at, key, cell)
-        told.append(
-            f"Lines that run within {_length(cell * 2)} of one of their colour that was"
-            " drawn before are left out."
-        )
-        ends = np.append(new[1:], False) | new  # the points that lines need
-        drawn = np.where(new, key, -1)
-        return kept[ends], drawn[ends], int(kept[-1])
-
-    def _finish(
-        self,
-        line: Polyline,
-        kept: Numbers,
-        key: Numbers,
-        told: list[str],
-        most: int,
-        looked: int,
-        last: int,
-    ) -> Drawn:
-        if len(kept) > most or looked < last:
-            kept, key = kept[:most], key[:most]
-            behind = int(line.move[kept[-1]])
-            told.append(
-                f"Cut: nothing behind move {behind:,} is drawn; moves=range({behind}, ...) shows"
-                " the rest, most= draws more points."
-            )
-        points = np.column_stack((line.x[kept], line.y[kept], line.z[kept]))
-        move = line.move[kept]
-        firsts = np.searchsorted(line.move, move, side="left")
-        lasts = np.searchsorted(line.move, move, side="right")
-        begun = line.begins[firsts].astype(np.int64)  # its first point is where it starts
-        part = (kept - firsts + 1 - begun) / np.maximum(1, lasts - firsts - begun)
-        return Drawn(points, move, part, key, told, int(line.begins[1:].sum()))
-
     # ---- the figure ----
 
     def figure(self, title: str, play: bool) -> Any:
@@ -317,19 +205,21 @@ class _Picture:
         compensated = self.families == 3
         both = self.coordinates == "work" and bool(compensated.any())
         share = self.most * 2 // 3 if both else self.most
-        drawn = self.path(self.coordinates, keys, share)
+        rows = (self.first, self.last)
+        drawn = drawn_path(self.core, self.coordinates, rows, keys, share)
         hover = self._hover(drawn)
-        data = list(self._traces(drawn, keys, hover))
+        data = list(self._traces(drawn, hover))
         told = [self._told(drawn, both), *drawn.told]
         if both:
-            tool = self.path("tool", np.where(compensated, 0, -1).astype(np.int32), self.most // 3)
+            of_tool = np.where(compensated, 0, -1).astype(np.int32)
+            tool = drawn_path(self.core, "tool", rows, of_tool, self.most // 3)
             data.append(self._tool_trace(tool))
             told += [f"The tool: {text}" for text in tool.told]
         frames: list[dict[str, Any]] = []
         more: dict[str, Any] = {}
         if play:
-            data.append(self._marker(drawn))
-            frames, more = self._player(drawn, len(data) - 1)
+            data.append(marker(drawn))
+            frames, more = player(drawn, self._ended(drawn), len(data) - 1)
         layout = {"scene": self._scene(drawn), **more}
         return figure(
             data, layout, title=title, told=told, frames=frames, below=72 if play else 0, height=500
@@ -373,7 +263,7 @@ class _Picture:
             texts.append(text)
         return texts
 
-    def _traces(self, drawn: Drawn, keys: Numbers, hover: list[str]) -> Iterator[dict[str, Any]]:
+    def _traces(self, drawn: Drawn, hover: list[str]) -> Iterator[dict[str, Any]]:
         wide = _BANDS + _MOST_NAMES
         family = np.where(drawn.keys < 0, -1, drawn.keys // wide)
         code = drawn.keys % wide
@@ -416,7 +306,7 @@ class _Picture:
         listed: bool = True,
         scaled: bool = False,
     ) -> dict[str, Any]:
-        places, starts = _runs(mask, drawn.keys)
+        places, starts = line_runs(mask, drawn.keys)
         gaps = places < 0
         points = drawn.points[places]
         points[gaps] = np.nan
@@ -480,7 +370,7 @@ class _Picture:
         }
 
     def _tool_trace(self, tool: Drawn) -> dict[str, Any]:
-        places, _ = _runs(tool.keys == 0, tool.keys)
+        places, _ = line_runs(tool.keys == 0, tool.keys)
         points = tool.points[places]
         points[places < 0] = np.nan
         return {
@@ -532,59 +422,12 @@ class _Picture:
             "dragmode": "orbit",
         }
 
-    # ---- the slider ----
-
     def _ended(self, drawn: Drawn) -> Numbers:
         """When each drawn point is reached, s."""
         rows = drawn.move - (self.number + self.first)
         took = np.diff(self.times, prepend=0.0)
         ended: Numbers = self.times[rows] - took[rows] * (1 - drawn.part)
         return ended
-
-    def _marker(self, drawn: Drawn) -> dict[str, Any]:
-        x, y, z = drawn.points[0].tolist()
-        return {
-            "type": "scatter3d",
-            "mode": "markers",
-            "x": [x],
-            "y": [y],
-            "z": [z],
-            "marker": {"size": 6, "color": "#f5c400", "line": {"color": TEXT, "width": 2}},
-            "name": "tool",
-            "showlegend": False,
-            "hovertemplate": "the tool<br>X%{x:.3f} Y%{y:.3f} Z%{z:.3f}<extra></extra>",
-        }
-
-    def _player(self, drawn: Drawn, trace: int) -> tuple[list[dict[str, Any]], dict[str, Any]]:
-        """Instants at equal times, the tool on the line that is drawn, and the keys to go along."""
-        ended = self._ended(drawn)
-        total = float(ended[-1])
-        if total <= 0:
-            ended = np.arange(len(ended), dtype=float)
-            total = float(ended[-1])
-        instants = min(_INSTANTS, max(2, len(ended)))
-        frames, steps = [], []
-        for number, at in enumerate(np.linspace(0, total, instants)):
-            behind = min(int(np.searchsorted(ended, at, side="left")), len(ended) - 1)
-            point = _between(drawn, ended, behind, float(at))
-            label = clock(float(at))
-            frames.append(
-                {
-                    "name": str(number),
-                    "traces": [trace],
-                    "data": [
-                        {
-                            "type": "scatter3d",
-                            "x": [point[0]],
-                            "y": [point[1]],
-                            "z": [point[2]],
-                        }
-                    ],
-                }
-            )
-            go = {"mode": "immediate", "frame": {"duration": 0, "redraw": True}}
-            steps.append({"label": label, "method": "animate", "args": [[str(number)], go]})
-        return frames, {"sliders": [_slider(steps)], "updatemenus": [_keys()]}
 
 
 # From blue over green to orange: as dark at one end as at the other, and told apart by most eyes.
@@ -593,117 +436,3 @@ _SCALE = [[0.0, "#3b5bdb"], [0.33, "#1c9c8f"], [0.66, "#c9a227"], [1.0, "#e8590c
 
 def _cycle(colours: int) -> list[str]:
     return [COLOURS[place % len(COLOURS)] for place in range(colours)]
-
-
-def _length(mm: float) -> str:
-    digit = 10.0 ** (math.floor(math.log10(mm)) - 1)
-    return f"{math.ceil(mm / digit - 1e-9) * digit:.2g} mm"  # never less than it is
-
-
-def _runs(mask: Numbers, keys: Numbers) -> tuple[Numbers, Numbers]:
-    """The points of the lines that are marked, as places in the path: each run with its start, and
-    -1 between two runs; and which of them are starts. A run ends where the key changes.
-    """
-    marked = np.flatnonzero(mask)
-    marked = marked[marked > 0]
-    if not len(marked):
-        return np.zeros(0, dtype=np.int64), np.zeros(0, dtype=bool)
-    fresh = np.ones(len(marked), dtype=bool)
-    fresh[1:] = (np.diff(marked) != 1) | (keys[marked[1:]] != keys[marked[:-1]])
-    at = np.flatnonzero(fresh)
-    # Before each start: a gap and the point that the line comes from.
-    doubled = np.repeat(at, 2)
-    added = np.column_stack((np.full(len(at), -1), marked[at] - 1)).ravel()
-    places = np.insert(marked, doubled, added)
-    starts = np.insert(np.zeros(len(marked), dtype=bool), doubled, np.tile([False, True], len(at)))
-    return places[1:], starts[1:]
-
-
-def _looks(at: tuple[Numbers, Numbers, Numbers], cell: float) -> Numbers:
-    """In how many places to look where the line to each point but the first runs."""
-    way = np.sqrt(sum(np.diff(column) ** 2 for column in at))
-    looks: Numbers = np.ceil(way / (cell / 2)).astype(np.int64) + 1
-    return looks
-
-
-def _looked_at(at: tuple[Numbers, Numbers, Numbers], cell: float) -> int:
-    """How many points there is time to look at."""
-    return int(np.searchsorted(np.cumsum(_looks(at, cell)), _MOST_LOOKS, side="right")) + 1
-
-
-def _new_lines(at: tuple[Numbers, Numbers, Numbers], key: Numbers, cell: float) -> Numbers:
-    """Which points have a line that goes where none of its key went before, in cells of a grid."""
-    x, y, z = at
-    count_of = len(x)
-    looks = _looks(at, cell)
-    line = np.repeat(np.arange(1, count_of), looks)
-    begun = np.cumsum(looks) - looks
-    part = (np.arange(len(line)) - np.repeat(begun, looks)) / np.repeat(looks, looks)
-    codes = np.zeros(len(line), dtype=np.int64)
-    for column in (x, y, z):
-        low = float(column.min())
-        here = column[line - 1] + (column[line] - column[line - 1]) * part
-        codes = codes * 1_024 + np.floor((here - low) / cell).astype(np.int64)
-    codes = codes * 4_096 + key[line]
-    _, first = np.unique(codes, return_index=True)
-    new = np.zeros(count_of, dtype=bool)
-    new[line[first]] = True
-    return new & (key >= 0)
-
-
-def _between(drawn: Drawn, ended: Numbers, behind: int, at: float) -> list[float]:
-    """Where the tool is at a time, on the line to the point `behind`."""
-    to = drawn.points[behind]
-    if behind == 0 or drawn.keys[behind] < 0:
-        return [float(value) for value in to]
-    took = float(ended[behind] - ended[behind - 1])
-    part = 1.0 if took <= 0 else (at - float(ended[behind - 1])) / took
-    way = drawn.points[behind - 1] + (to - drawn.points[behind - 1]) * min(1.0, max(0.0, part))
-    return [float(value) for value in way]
-
-
-def _slider(steps: list[dict[str, Any]]) -> dict[str, Any]:
-    return {
-        "active": 0,
-        "steps": steps,
-        "x": 0,
-        "len": 1,
-        "y": 0,
-        "yanchor": "top",
-        "pad": {"t": 10, "b": 0},
-        "currentvalue": {
-            "prefix": "at ",
-            "xanchor": "right",
-            "offset": 14,
-            "font": {"size": 13, "color": TEXT},
-        },
-        "tickcolor": "rgba(0,0,0,0)",
-        "ticklen": 0,
-        "minorticklen": 0,
-        "font": {"size": 1, "color": "rgba(0,0,0,0)"},
-        "bordercolor": GRID,
-        "bgcolor": GRID,
-        "transition": {"duration": 0},
-    }
-
-
-def _keys() -> dict[str, Any]:
-    go = {"frame": {"duration": 80, "redraw": True}, "fromcurrent": True, "mode": "immediate"}
-    halt = {"frame": {"duration": 0, "redraw": False}, "mode": "immediate"}
-    return {
-        "type": "buttons",
-        "direction": "left",
-        "x": 0,
-        "y": 0,
-        "xanchor": "left",
-        "yanchor": "top",
-        "pad": {"t": 2},
-        "showactive": False,
-        "bgcolor": "rgba(127,137,145,0.15)",
-        "bordercolor": GRID,
-        "font": {"size": 13},
-        "buttons": [
-            {"label": "&#9654;", "method": "animate", "args": [None, go]},
-            {"label": "&#10074;&#10074;", "method": "animate", "args": [[None], halt]},
-        ],
-    }

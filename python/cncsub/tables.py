@@ -352,14 +352,14 @@ class Watch(Table[Change]):
         self._looked = -1  # when there were so many changes
 
     def __call__(self, *variables: int) -> Watch:
-        """The changes of these variables alone, as a table. `KeyError` for one that is not
-        watched.
+        """The changes of these variables alone, of all where none is named, as a table. `KeyError`
+        for one that is not watched.
         """
         for number in variables:
             if number not in self.beginning:
                 watched = ", ".join(f"#{known}" for known in self.beginning) or "nothing"
                 raise KeyError(f"#{number} is not watched: run(watch=[{number}]); {watched} is")
-        return Watch(self._core, tuple(variables))
+        return Watch(self._core, tuple(variables) or self._only)
 
     @property
     def beginning(self) -> dict[int, float | None]:

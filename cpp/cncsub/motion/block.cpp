@@ -10,6 +10,26 @@
 namespace cncsub {
 namespace {
 
+/// Whether a code stands for a cycle of moves.
+bool makes_cycle(Meaning meaning) {
+  switch (meaning) {
+    case Meaning::TurnCycle:
+    case Meaning::ThreadCycle:
+    case Meaning::FaceCycle:
+    case Meaning::TapCycle:
+    case Meaning::Finish:
+    case Meaning::RoughTurn:
+    case Meaning::RoughFace:
+    case Meaning::RoughPattern:
+    case Meaning::PeckFace:
+    case Meaning::PeckTurn:
+    case Meaning::MultipleThread:
+      return true;
+    default:
+      return false;
+  }
+}
+
 Result one_shot(MotionContext& m, BlockWords& block) {
   switch (block.meaning(Group::OneShot)) {
     case Meaning::Dwell:
@@ -41,14 +61,11 @@ Result one_shot(MotionContext& m, BlockWords& block) {
     case Meaning::RoughTurn:
     case Meaning::RoughFace:
     case Meaning::RoughPattern:
-      block.cycle = true;
       return contour(m, block, block.meaning(Group::OneShot));
     case Meaning::PeckFace:
     case Meaning::PeckTurn:
-      block.cycle = true;
       return grooving(m, block, block.meaning(Group::OneShot));
     case Meaning::MultipleThread:
-      block.cycle = true;
       return multiple_thread(m, block);
     default:
       return std::nullopt;
@@ -80,9 +97,9 @@ Result make_motion(MotionContext& m, BlockWords& block) {
   if (block.has(Group::Cycle)) {
     if (auto wrong = enter_cycle(m, block)) return wrong;
   }
-  block.cycle = block.cycle || in_cycle(m.state);
-  if (in_cycle(m.state)) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
+  block.cycle = block.cycle || in_cycle(m.state) || makes_cycle(meaning);
+  if (in_cycle(m.state)) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
   switch (meaning) {
     case Meaning::Cw:
     case Meaning::Ccw:
@@ -94,7 +111,6 @@ Result make_motion(MotionContext& m, BlockWords& block) {
     case Meaning::ThreadCycle:
     case Meaning::FaceCycle:
     case Meaning::TapCycle:
-      block.cycle = true;
       return turning_cycle(m, block, meaning);
     case Meaning::Thread:
     case Meaning::VariableThread:
@@ -110,6 +126,7 @@ Result act(MotionContext& m, BlockWords& block) {
   if (goes_with_motion(m.state, block))
     return block.consumed ? std::nullopt : make_motion(m, block);
   take_motion_code(m, block);  // it holds for the blocks behind
+  block.cycle = block.cycle || makes_cycle(block.meaning(Group::OneShot));
   return one_shot(m, block);
 }
 

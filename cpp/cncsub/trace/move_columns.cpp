@@ -223,11 +223,6 @@ bool Moves::Part::whole_column(std::string_view name, Whole* out) const {
   return true;
 }
 
-bool Moves::compensated(std::size_t index) const {
-  const std::size_t near = find_row(vectors_, index == 0 ? 0 : index - 1);
-  return near < vectors_.size() && vectors_[near].row <= index;
-}
-
 bool Moves::columns(const std::vector<std::string>& names, const std::vector<double*>& out,
                     InterruptCheck* interrupt) const {
   const bool even = even_degrees(states_);
@@ -248,9 +243,11 @@ bool Moves::columns(const std::vector<std::string>& names, const std::vector<dou
     for (std::size_t i = 0; i < names.size(); ++i) part.plain_column(names[i], out[i]);
     if (feed != nullptr) part.by_state(feed, [](const MoveState& s) { return s.feed; });
     if (follow.empty()) return;
-    each(first, last, [&](std::size_t i, const MoveRow& row, const MoveBegin& begin) {
-      for (const Derived& column : follow) column.out[i] = column.of(row, begin);
-    });
+    MoveReader(*this).each(first, last,
+                           [&](std::size_t i, const MoveRow& row, const MoveBegin& begin) {
+                             for (const Derived& column : follow)
+                               column.out[i] = column.of(row, begin);
+                           });
   });
   return true;
 }

@@ -54,6 +54,7 @@ class Moves::Walk {
   void seek(std::size_t row) {
     from_ = moves_.start_;
     programmed_ = {from_[0], from_[1], from_[2]};
+    vector_ = false;
     if (row > 0) {
       stand_at(row - 1);
       next(row - 1);
@@ -85,7 +86,9 @@ class Moves::Walk {
       if (index >= extra.first) row.point[extra.axis] = extra.values[index - extra.first];
     for (int i = 0; i < kAxes; ++i) row.machine[i] = row.point[i] + offset_[i];
     programmed_ = {row.machine[0], row.machine[1], row.machine[2]};
-    if (const Vector* const vector = vectors_.at(index))
+    const Vector* const vector = vectors_.at(index);
+    vector_ = vector != nullptr;
+    if (vector_)
       for (int i = 0; i < 3; ++i) row.machine[i] += vector->vector[i];
     const Seconds* const seconds = seconds_.at(index);
     follow<timed>(row, arcs_.at(index), seconds == nullptr ? 0 : seconds->time);
@@ -96,9 +99,11 @@ class Moves::Walk {
   MoveRow next(std::size_t index, MoveBegin& begin) {
     const MoveBegin::Point programmed = programmed_;
     begin.machine = {from_[0], from_[1], from_[2]};
+    const bool vector_before = vector_;
     const MoveRow row = next(index);
     begin.in_plane = in_plane_;
     begin.cycle = state_->cycle;
+    begin.compensated = vector_before || vector_;
     const MoveBegin::Point none{};
     const MoveBegin::Point& tip = state_->tip == 0 ? none : moves_.tips_[state_->tip - 1];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -155,6 +160,7 @@ class Moves::Walk {
   Axes from_{};                    // machine position before the row
   MoveBegin::Point programmed_{};  // the same without a radius offset
   double in_plane_ = 0;            // of the row that was visited last
+  bool vector_ = false;            // a radius offset holds at its end
   const Chunk* chunk_ = nullptr;
   std::uint32_t state_index_ = 0;
   const MoveState* state_ = nullptr;
@@ -162,15 +168,33 @@ class Moves::Walk {
   Axes still_{};   // where an axis without a column stands, in any coordinates
 };
 
-template <class Use>
-void Moves::each(std::size_t first, std::size_t last, Use&& use) const {
-  Walk walk(*this);
-  walk.seek(first);
-  MoveBegin begin;
-  for (std::size_t i = first; i < last; ++i) {
-    const MoveRow row = walk.next(i, begin);
-    use(i, row, begin);
+/// The moves with where they begin, for what is made of them.
+class MoveReader {
+ public:
+  explicit MoveReader(const Moves& moves) : moves_(moves) {}
+
+  /// Calls `use(index, row, begin)` for rows [first, last).
+  template <class Use>
+  void each(std::size_t first, std::size_t last, Use&& use) const {
+    Moves::Walk walk(moves_);
+    walk.seek(first);
+    MoveBegin begin;
+    for (std::size_t i = first; i < last; ++i) {
+      const MoveRow row = walk.next(i, begin);
+      use(i, row, begin);
+    }
   }
-}
+  MoveBegin begin_of(std::size_t index) const {
+    MoveBegin found;
+    each(index, index + 1,
+         [&](std::size_t, const MoveRow&, const MoveBegin& begin) { found = begin; });
+    return found;
+  }
+  /// Bit 0 is X: its coordinates are diameters.
+  std::uint32_t diameters() const { return moves_.diameters_; }
+
+ private:
+  const Moves& moves_;
+};
 
 }  // namespace cncsub

@@ -85,13 +85,6 @@ MoveRow Moves::row(std::size_t index) const {
   return row;
 }
 
-MoveBegin Moves::begin_of(std::size_t index) const {
-  MoveBegin found;
-  each(index, index + 1,
-       [&](std::size_t, const MoveRow&, const MoveBegin& begin) { found = begin; });
-  return found;
-}
-
 template <class Use>
 void Moves::walk(InterruptCheck* interrupt, Use&& use) const {
   Walk walk(*this);

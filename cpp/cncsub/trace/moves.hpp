@@ -35,12 +35,13 @@ struct MoveRow {
 struct MoveBegin {
   using Point = std::array<double, 3>;
 
-  Point point{};        // programmed, in the work coordinates of the move
-  Point machine{};      // of the tool, machine coordinates
-  Point offset{};       // from work to machine coordinates
-  Point centre{};       // of the tool's arc, machine coordinates; NaN where none
-  double in_plane = 0;  // of an arc: the tool's way in its plane, mm
-  bool cycle = false;   // a canned cycle makes the move
+  Point point{};             // programmed, in the work coordinates of the move
+  Point machine{};           // of the tool, machine coordinates
+  Point offset{};            // from work to machine coordinates
+  Point centre{};            // of the tool's arc, machine coordinates; NaN where none
+  double in_plane = 0;       // of an arc: the tool's way in its plane, mm
+  bool cycle = false;        // a canned cycle makes the move
+  bool compensated = false;  // a radius offset holds at its end, or here
 };
 
 class Moves {
@@ -50,14 +51,6 @@ class Moves {
 
   std::size_t size() const { return rows_; }
   MoveRow row(std::size_t index) const;
-  MoveBegin begin_of(std::size_t index) const;
-  /// Whether a radius offset holds at the end of a move, or at its beginning.
-  bool compensated(std::size_t index) const;
-  /// Bit 0 is X: its coordinates are diameters.
-  std::uint32_t diameters() const { return diameters_; }
-  /// Calls `use(index, row, begin)` for rows [first, last); in move_walk.hpp.
-  template <class Use>
-  void each(std::size_t first, std::size_t last, Use&& use) const;
   /// The axes that moves named, X Y Z first.
   std::string axes() const;
   // What goes over all moves asks `interrupt` now and then; given up, it leaves the rest undone.
@@ -113,6 +106,8 @@ class Moves {
   void truncate(std::size_t rows);
 
  private:
+  friend class MoveReader;
+
   struct Chunk {
 #ifdef CNCSUB_FUZZ  // as in column.hpp
     static constexpr std::size_t kRows = 64;

@@ -158,10 +158,11 @@ Sampler::Sampler(const Moves& moves, PathFrame frame, double tolerance, std::siz
 /// Calls `use(row, curve)` for rows [first, last) of the table.
 template <class Use>
 void Sampler::each_curve(std::size_t first, std::size_t last, Use&& use) const {
-  Follower follow(frame_, tolerance_, moves_.diameters());
+  const MoveReader reader(moves_);
+  Follower follow(frame_, tolerance_, reader.diameters());
   const std::size_t known =
       first > first_ ? first - 1 : first;  // whether it leaps asks the one before
-  moves_.each(known, last, [&](std::size_t i, const MoveRow& row, const MoveBegin& begin) {
+  reader.each(known, last, [&](std::size_t i, const MoveRow& row, const MoveBegin& begin) {
     const Curve curve = follow.next(row, begin);
     if (i >= first) use(i, curve);
   });
