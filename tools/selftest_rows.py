@@ -160,11 +160,10 @@ def outcome_lines(run: cncsub.Run) -> Iterator[str]:
         place = alarm.program, -1 if alarm.n is None else alarm.n, alarm.line, alarm.column
         yield line("alarm", alarm.cause, alarm.number or "", *place, alarm.word or "")
         yield line("message", str(alarm))
-    programs = run.steps.programs
-    steps = zip(run.steps.program.tolist(), run.steps.line.tolist(), run.steps.n.tolist())
     yield line("steps", len(run.steps))
-    for (program, at, n), _ in zip(steps, range(MOST)):
-        yield line("step", programs[program], at, n)
+    for index in range(min(len(run.steps), MOST)):
+        step = run.steps[index]
+        yield line("step", step.program, step.line, -1 if step.n is None else step.n)
     for number in sorted(run.variables):
         yield line("variable", number, run.variables[number])
     for key in ("m_codes", "t_codes", "messages"):

@@ -52,8 +52,11 @@ void tell_steps(std::vector<Line>& lines, const Machine& machine) {
 
 void tell_values(std::vector<Line>& lines, const Machine& machine) {
   const Trace& trace = machine.trace();
-  for (const auto& [number, value] : machine.variables(0))
+  for (const auto& [number, stored] : machine.variables(0)) {
+    double value = stored;
+    machine.read(number, 0, value);  // some are counted when they are read
     lines.push_back({"variable", text(number), value});
+  }
   for (const std::int64_t code : all_of(trace.m_codes)) lines.push_back({"m_codes", text(code)});
   for (const std::int64_t code : all_of(trace.t_codes)) lines.push_back({"t_codes", text(code)});
   for (const std::string& said : all_of(trace.messages)) lines.push_back({"messages", said});
