@@ -157,7 +157,9 @@ def test_the_readme_is_short() -> None:
 
 
 def test_the_readme_names_every_control_and_no_other() -> None:
-    rows = re.findall(r"^\| [A-Z]\w+ \| (`.*`) \|$", README.read_text(encoding="utf-8"), re.MULTILINE)
+    rows = re.findall(
+        r"^\| [A-Z]\w+ \| (`.*`) \|$", README.read_text(encoding="utf-8"), re.MULTILINE
+    )
     assert sorted(re.findall(r"`([\w-]+)`", " ".join(rows))) == sorted(cncsub.controls)
 
 
@@ -165,8 +167,12 @@ def written_commands() -> list[tuple[str, str]]:
     """The calls of cncsub in the text and in the `sh` blocks of pages."""
     found = []
     for page in PAGES:
-        text = re.sub(r"^```(?!sh).*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
-        calls = re.findall(r"`(cncsub [a-z][^`]*)`", text) + re.findall(r"^ *(cncsub (?:" + "|".join(COMMANDS) + r") [^#\n]*)", text, re.M)
+        text = re.sub(
+            r"^```(?!sh).*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S
+        )
+        calls = re.findall(r"`(cncsub [a-z][^`]*)`", text) + re.findall(
+            r"^ *(cncsub (?:" + "|".join(COMMANDS) + r") [^#\n]*)", text, re.M
+        )
         found += [(str(page.relative_to(ROOT)), " ".join(call.split())) for call in calls]
     return sorted(set(found))
 

@@ -60,7 +60,9 @@ def test_what_a_code_is_called_is_what_it_does() -> None:
 
 
 def test_nearly_every_cause_has_a_program_that_raises_it(pages: dict[str, str]) -> None:
-    without = [s for s in cncsub.causes if "A program that raises it" not in pages[f"causes/{s}.md"]]
+    without = [
+        s for s in cncsub.causes if "A program that raises it" not in pages[f"causes/{s}.md"]
+    ]
     assert len(without) <= 12, without
     told = pages["causes/repeat-given-twice.md"]
     assert "293 repeat-given-twice" in told
@@ -97,7 +99,10 @@ def test_every_written_page_stands_in_the_list_of_contents(pages: dict[str, str]
 
 
 def test_links_lead_to_pages(pages: dict[str, str]) -> None:
-    there = {*pages, *(f.relative_to(assembling.DOCS).as_posix() for f in assembling.DOCS.rglob("*.*"))}
+    there = {
+        *pages,
+        *(f.relative_to(assembling.DOCS).as_posix() for f in assembling.DOCS.rglob("*.*")),
+    }
     for name, text in pages.items():
         told = re.sub(r"^```.*?^```$|`[^`\n]*`", "", text, flags=re.MULTILINE | re.DOTALL)
         for target in re.findall(r"\]\(([^)\s#]+)[^)]*\)", told):

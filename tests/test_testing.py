@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from decimal import Decimal
 from importlib.metadata import entry_points
 from pathlib import Path

@@ -1,6 +1,7 @@
-"""Looks at a site that was built: it has every page, its links lead somewhere, and it loads nothing from elsewhere.
+"""Looks at a site that was built: it has every page, its links lead somewhere, and it loads nothing
+from elsewhere.
 
-    python tools/check_site.py build/docs/site
+python tools/check_site.py build/docs/site
 """
 
 from __future__ import annotations
@@ -53,7 +54,9 @@ def faults(site: Path, wanted: set[str]) -> list[str]:
         found += [f"{name}: leads to {at}" for at in page.links if not _leads(at, file, pages)]
     for style in site.rglob("*.css"):
         text = style.read_text(encoding="utf-8")
-        found += [f"{style}: loads {at}" for at in re.findall(r"url\(\s*[\"']?(https?:[^)\"']+)", text)]
+        found += [
+            f"{style}: loads {at}" for at in re.findall(r"url\(\s*[\"']?(https?:[^)\"']+)", text)
+        ]
     return found
 
 

@@ -1,7 +1,7 @@
 """Draws the pictures of the documentation from runs of the examples.
 
-    python tools/pictures.py            # writes docs/pictures/path.svg
-    python tools/pictures.py --check    # exit status 1 where it would be another picture
+python tools/pictures.py            # writes docs/pictures/path.svg
+python tools/pictures.py --check    # exit status 1 where it would be another picture
 """
 
 from __future__ import annotations
@@ -51,7 +51,11 @@ def path() -> str:
         f"  <style>\n{STYLE}\n  </style>",
         *(f'  <path class="{kind}" d="{strokes}"/>' for kind, strokes in drawn),
     ]
-    words = [("cut", "the programmed path"), ("tool", "the tool's centre (G41)"), ("rapid", "rapid")]
+    words = [
+        ("cut", "the programmed path"),
+        ("tool", "the tool's centre (G41)"),
+        ("rapid", "rapid"),
+    ]
     for row, (kind, word) in enumerate(words):
         y = _n(-high + 10 + 6 * row)
         x = right - 47

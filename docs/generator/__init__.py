@@ -1,5 +1,5 @@
-"""Makes the pages of the site that are facts of the package: the controls, causes, sources, rules of
-`check`, commands and the Python interface. A page is Markdown by its path below `docs`.
+"""Makes the pages of the site that are facts of the package: the controls, causes, sources, rules
+of `check`, commands and the Python interface. A page is Markdown by its path below `docs`.
 
     PYTHONPATH=docs python -m generator build/docs    # all pages, written and made
 """

@@ -1,4 +1,4 @@
-"""The Python interface: from the docstrings of the package, and for what the engine makes from its stubs."""
+"""The Python interface: from the docstrings of the package, and from the stubs of the engine."""
 
 from __future__ import annotations
 
@@ -25,12 +25,35 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
     "runs": (
         "Runs",
         "What a run tells, one step at a time, in parts.",
-        ["Run", "Stop", "AlarmError", "Machine", "Stream", "Part", "Endless", "Why", "LoopBlock", "Listed", "report"],
+        [
+            "Run",
+            "Stop",
+            "AlarmError",
+            "Machine",
+            "Stream",
+            "Part",
+            "Endless",
+            "Why",
+            "LoopBlock",
+            "Listed",
+            "report",
+        ],
     ),
     "tables": (
         "Tables",
         "Steps, calls, moves and changes of variables, as columns and as rows.",
-        ["tables.Steps", "tables.Calls", "tables.Moves", "tables.Watch", "Step", "Call", "Move", "Change", "Dropped", "MissedSkip"],
+        [
+            "tables.Steps",
+            "tables.Calls",
+            "tables.Moves",
+            "tables.Watch",
+            "Step",
+            "Call",
+            "Move",
+            "Change",
+            "Dropped",
+            "MissedSkip",
+        ],
     ),
     "controls": (
         "Controls and alarms",
@@ -42,11 +65,24 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
         "What was set at the machine, and what answers while a program runs.",
         ["Setup", "Inputs", "Workpiece", "Plane", "Box", "Cylinder", "Sphere"],
     ),
-    "checking": ("Checking", "What is wrong, told without running.", ["CheckRule", "Finding", "Edit"]),
+    "checking": (
+        "Checking",
+        "What is wrong, told without running.",
+        ["CheckRule", "Finding", "Edit"],
+    ),
     "comparing": (
         "Flattening, comparing, translating",
         "One program without calls, two controls, two versions.",
-        ["flatten", "Flat", "FlattenError", "compare", "Comparison", "translate", "Translation", "TranslateError"],
+        [
+            "flatten",
+            "Flat",
+            "FlattenError",
+            "compare",
+            "Comparison",
+            "translate",
+            "Translation",
+            "TranslateError",
+        ],
     ),
     "archives": ("Archives", "Every program of some folders.", ["run_many", "check_many"]),
     "testing": (
@@ -86,7 +122,8 @@ def documented() -> set[str]:
 
 def _index() -> str:
     text = (
-        "# Python\n\n`import cncsub` imports none of pandas, pyarrow and rich; what needs them says so where they are missing.\n"
+        "# Python\n\n`import cncsub` imports none of pandas, pyarrow and rich; what needs them"
+        " says so where they are missing.\n"
         "[What is public](../../public.md) is what stands on these pages.\n\n"
     )
     rows = (
@@ -115,7 +152,9 @@ def _home(name: str) -> str:
         value = getattr(__import__(f"cncsub.{module}", fromlist=[own]), own)
     else:
         own, value = name, getattr(cncsub, name)
-    module = getattr(value, "__module__", None) if inspect.isclass(value) or callable(value) else None
+    module = (
+        getattr(value, "__module__", None) if inspect.isclass(value) or callable(value) else None
+    )
     return f"{module or 'cncsub.controls'}.{own}"
 
 
@@ -139,7 +178,13 @@ def _of_the_engine(name: str) -> str:
         doc = inspect.cleandoc(getattr(kind, member.name).__doc__ or "")
         if any(isinstance(d, ast.Name) and d.id == "property" for d in member.decorator_list):
             first, _, example = doc.partition(">>> ")
-            rows.append([code(member.name), code(ast.unparse(member.returns or ast.Constant(""))), words(" ".join(first.split()))])
+            rows.append(
+                [
+                    code(member.name),
+                    code(ast.unparse(member.returns or ast.Constant(""))),
+                    words(" ".join(first.split())),
+                ]
+            )
         else:
             methods += _method(name, member, doc)
     if rows:
@@ -150,7 +195,13 @@ def _of_the_engine(name: str) -> str:
 def _method(owner: str, member: ast.FunctionDef, doc: str) -> str:
     arguments = ast.unparse(member.args).removeprefix("self").removeprefix(", ")
     text = f"### {owner}.{member.name}\n\n"
-    text += fenced("python", f"{member.name}({arguments}) -> {ast.unparse(member.returns or ast.Constant(None))}") + "\n"
+    text += (
+        fenced(
+            "python",
+            f"{member.name}({arguments}) -> {ast.unparse(member.returns or ast.Constant(None))}",
+        )
+        + "\n"
+    )
     lines = doc.splitlines()
     if lines and lines[0].startswith(f"{member.name}("):
         lines = lines[1:]

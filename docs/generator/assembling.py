@@ -1,5 +1,5 @@
-"""The pages of the site, written and made, in one folder that a builder takes: links of the repository become those of the site, and the list of
-contents is written out."""
+"""The pages of the site, written and made, in one folder that a builder takes: links of the
+repository become those of the site, and the list of contents is written out."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""A page for each cause of an alarm: what happened, the cure, a program that raises it, and the number
-that each control shows for it."""
+"""A page for each cause of an alarm: what happened, the cure, a program that raises it, and the
+number that each control shows for it."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ _ROWS = Path(__file__).resolve().parents[2] / "tests" / "conformance"
 _HEAD = """\
 # Alarms
 
-What stops a program, by our own names: a **cause** says what happened on whatever control, and each control shows a number and a text of
-its own for it. `cncsub explain PS0076` finds the cause of a number.
+What stops a program, by our own names: a **cause** says what happened on whatever control, and
+each control shows a number and a text of its own for it. `cncsub explain PS0076` finds the cause of
+a number.
 
 """
 
@@ -58,7 +59,10 @@ def _page(slug: str) -> str:
         if any(row[2].endswith("\\*") for row in rows):
             text += "\n\\* This wording is not that of a printed list of the control.\n"
         if len(rows) < len(cncsub.controls):
-            text += "\nOn the other controls no source gives it a number; where it happens there, the alarm has the cause alone.\n"
+            text += (
+                "\nOn the other controls no source gives it a number; where it happens there,"
+                " the alarm has the cause alone.\n"
+            )
     else:
         text += "No source gives it a number on any control: the alarm has the cause alone.\n"
     return text
@@ -106,7 +110,11 @@ def _shortest() -> dict[str, tuple[Any, str]]:
 
 def _is_plain(case: Any) -> bool:
     """Whether the program alone raises it: no folder, no device, readable."""
-    return isinstance(case.program, str) and case.program.isprintable() is not None and not case.external
+    return (
+        isinstance(case.program, str)
+        and case.program.isprintable() is not None
+        and not case.external
+    )
 
 
 def _size(case: Any) -> tuple[bool, int]:

@@ -21,8 +21,9 @@ _GROUPS = {
 _HEAD = """\
 # Rules of check
 
-What `cncsub check` finds, each with a program in which it is found. `cncsub explain CS201` prints the same; a comment
-`(cncsub: ignore CS201)` switches a rule off for its line, `--ignore` and `cncsub.toml` for all ([Checking](../guides/checking.md)).
+What `cncsub check` finds, each with a program in which it is found. `cncsub explain CS201` prints
+the same; a comment `(cncsub: ignore CS201)` switches a rule off for its line, `--ignore` and
+`cncsub.toml` for all ([Checking](../guides/checking.md)).
 
 """
 
@@ -33,7 +34,12 @@ def names() -> list[str]:
 
 def pages() -> dict[str, str]:
     rows = (
-        [f"[{rule.number}](#{anchor(rule.number)})", code(rule.name), rule.severity, words(rule.meaning)]
+        [
+            f"[{rule.number}](#{anchor(rule.number)})",
+            code(rule.name),
+            rule.severity,
+            words(rule.meaning),
+        ]
         for rule in RULES
     )
     text = _HEAD + table(("rule", "name", "severity", "finds"), rows) + "\n"

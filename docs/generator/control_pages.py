@@ -1,5 +1,5 @@
-"""A page for each control: how far to trust it, its rules by group, parameters, alarms, variables by
-option and G codes, each with where it is known from."""
+"""A page for each control: how far to trust it, its rules by group, parameters, alarms, variables
+by option and G codes, each with where it is known from."""
 
 from __future__ import annotations
 
@@ -33,16 +33,35 @@ def pages() -> dict[str, str]:
 
 
 def table_of_controls() -> str:
-    heads = ("`-c`", "control", "levels", "P of M98", "start word", "names", "macros", "M198", "rules")
+    heads = (
+        "`-c`",
+        "control",
+        "levels",
+        "P of M98",
+        "start word",
+        "names",
+        "macros",
+        "M198",
+        "rules",
+    )
     return table(heads, map(_row, cncsub.controls.values()))
 
 
 # What controls with a language of their own say otherwise, which no rule of the ISO family tells.
 _OWN_LANGUAGE = {
-    "linuxcnc": {"levels": "9 of both kinds", "P": "number", "names": "names of files", "macros": "O-words"},
+    "linuxcnc": {
+        "levels": "9 of both kinds",
+        "P": "number",
+        "names": "names of files",
+        "macros": "O-words",
+    },
     "siemens-one": {"names": "names of programs"},
 }
-_P = {"number": "number", "count-and-number": "count + number", "sequence-number": "N of the own program"}
+_P = {
+    "number": "number",
+    "count-and-number": "count + number",
+    "sequence-number": "N of the own program",
+}
 
 
 def _row(control: cncsub.Control) -> list[str]:
@@ -104,7 +123,11 @@ def levels(control: cncsub.Control) -> str:
         return str(subprograms)
     if not rules["nesting_counts_macros"]:
         return f"{subprograms} + {macros}"
-    return f"{subprograms} of both kinds" if macros == subprograms else f"{subprograms}, of them {macros} macros"
+    return (
+        f"{subprograms} of both kinds"
+        if macros == subprograms
+        else f"{subprograms}, of them {macros} macros"
+    )
 
 
 def worth(control: cncsub.Control) -> list[int]:
@@ -135,19 +158,22 @@ def _head(control: cncsub.Control) -> str:
         for group, (source, how) in control.absent.items()
     )
     return (
-        f"# {words(control.title)}\n\n`{control.name}`: open calls {levels(control)}; {len(control.parameters)} parameters,"
-        f" {numbered} causes with a number on its screen.\n\n"
+        f"# {words(control.title)}\n\n`{control.name}`: open calls {levels(control)};"
+        f" {len(control.parameters)} parameters, {numbered} causes with a number on its screen.\n\n"
         f"```console\n$ cncsub run program.nc -c {control.name}\n```\n\n"
         "## How far to trust it\n\n"
         "So many of its rules, and of their entries, stand on\n\n"
         + table(("evidence", "count", "share"), rows)
-        + "\n[What each is worth](../reference/sources.md). What is inferred is general knowledge or a policy of ours: try it on the machine"
-        " before you rely on it.\n\n" + absent
+        + "\n[What each is worth](../reference/sources.md). What is inferred is general"
+        " knowledge or a policy of ours: try it on the machine before you rely on it.\n\n" + absent
     )
 
 
 def _rules(control: cncsub.Control) -> str:
-    text = "## Rules\n\nWhat it does where controls differ: `control.replace(max_nesting=10)` changes one.\n\n"
+    text = (
+        "## Rules\n\nWhat it does where controls differ: `control.replace(max_nesting=10)` changes"
+        " one.\n\n"
+    )
     for group, title in _GROUPS.items():
         rules = [rule for rule in control.rules if rule.group == group]
         if rules:
@@ -205,22 +231,36 @@ def _options(control: cncsub.Control) -> str:
     if not control.variable_options:
         return ""
     rows = (
-        [code(o.name), words(o.numbers), words(o.meaning), "fitted" if o.fitted else "-", _worth(o.source, o.evidence)]
+        [
+            code(o.name),
+            words(o.numbers),
+            words(o.meaning),
+            "fitted" if o.fitted else "-",
+            _worth(o.source, o.evidence),
+        ]
         for o in control.variable_options.values()
     )
     return (
-        "## Variables by option\n\n[What a shop bought](../guides/parameters.md) is told by `control.replace`.\n\n"
-        + table(("option", "variables", "what it is", "", "source"), rows)
+        "## Variables by option\n\n[What a shop bought](../guides/parameters.md) is told by"
+        " `control.replace`.\n\n" + table(("option", "variables", "what it is", "", "source"), rows)
     )
 
 
 def _alarms(control: cncsub.Control) -> str:
     text = "## Alarms\n\n"
     if not control.alarms:
-        return text + "No source gives numbers: an alarm has its cause alone ([all causes](../causes/index.md)).\n"
+        return (
+            text + "No source gives numbers: an alarm has its cause alone"
+            " ([all causes](../causes/index.md)).\n"
+        )
     rows = sorted(
         (
-            [code(a.number) or "-", f"[{slug}](../causes/{slug}.md)", words(a.text or "-"), _worth(a.source, a.evidence)]
+            [
+                code(a.number) or "-",
+                f"[{slug}](../causes/{slug}.md)",
+                words(a.text or "-"),
+                _worth(a.source, a.evidence),
+            ]
             for slug, a in control.alarms.items()
         ),
         key=lambda row: (row[0] == "-", row[0]),
@@ -233,11 +273,19 @@ def _alarms(control: cncsub.Control) -> str:
 _FATES = {
     "computed": "Computed",
     "passed": "Passed over: no path depends on them",
-    "not computed": "Not computed: the control has them, and a run stops there with [code-not-computed](../causes/code-not-computed.md)",
-    "not known": "Not known: no source says whether the control has them; a run stops there with [code-not-known](../causes/code-not-known.md)",
+    "not computed": "Not computed: the control has them, and a run stops there with"
+    " [code-not-computed](../causes/code-not-computed.md)",
+    "not known": "Not known: no source says whether the control has them; a run stops there with"
+    " [code-not-known](../causes/code-not-known.md)",
     "refused": "Refused",
 }
-_FATE_OF = {"Neutral": "passed", "Ignored": "passed", "Uncomputed": "not computed", "Unknown": "not known", "None": "refused"}
+_FATE_OF = {
+    "Neutral": "passed",
+    "Ignored": "passed",
+    "Uncomputed": "not computed",
+    "Unknown": "not known",
+    "None": "refused",
+}
 
 
 def _codes(control: cncsub.Control) -> str:
@@ -264,19 +312,33 @@ def _machines(control: cncsub.Control) -> Iterator[tuple[str, str]]:
     (kind,) = (str(r.value) for r in control.rules if r.name == "machine")
     turning = any(rule.group == "turning" for rule in control.rules)
     if kind == "mill" and turning:
-        yield from (("mill", "As a mill"), ("lathe-a", "As a lathe, system A"), ("lathe-b", "As a lathe, system B"))
+        yield from (
+            ("mill", "As a mill"),
+            ("lathe-a", "As a lathe, system A"),
+            ("lathe-b", "As a lathe, system B"),
+        )
     else:
         yield kind, ""
 
 
 def _spelled(meaning: str) -> str:
     """`set coordinate` of `SetCoordinate`."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z0-9])", " ", meaning).lower().replace(" xy", " XY").replace(" zx", " ZX").replace(" yz", " YZ")
+    return (
+        re.sub(r"(?<=[a-z])(?=[A-Z0-9])", " ", meaning)
+        .lower()
+        .replace(" xy", " XY")
+        .replace(" zx", " ZX")
+        .replace(" yz", " YZ")
+    )
 
 
 def _sources(control: cncsub.Control) -> str:
     rows = (
-        [f"[{words(s.key)}](../reference/sources.md#{source_anchor(s.key)})", words(s.title), s.on(control.name)]
+        [
+            f"[{words(s.key)}](../reference/sources.md#{source_anchor(s.key)})",
+            words(s.title),
+            s.on(control.name),
+        ]
         for s in sources_of(control)
     )
     return "## Sources\n\n" + table(("key", "what it is", "worth here"), rows)

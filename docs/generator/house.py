@@ -23,7 +23,9 @@ def arrows() -> dict[str, set[str]]:
 
 def _room(path: str) -> str:
     first, _, rest = path.partition("/")
-    return rest.partition("/")[0] if first == "cncsub" else ("controls" if first == "controls" else "")
+    return (
+        rest.partition("/")[0] if first == "cncsub" else ("controls" if first == "controls" else "")
+    )
 
 
 def _levels(known: dict[str, set[str]]) -> dict[str, int]:
@@ -62,7 +64,7 @@ def drawing() -> str:
             places[room] = (left + number * (_WIDTH + _GAP), y)
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}"'
-        ' role="img" class="rooms" aria-label="the rooms of the engine and which of them each knows">',
+        ' role="img" class="rooms" aria-label="the rooms of the engine">',
         '<defs><marker id="to" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" markerHeight="7"'
         ' orient="auto"><path d="M0 0L8 4L0 8z" fill="currentColor"/></marker></defs>',
     ]

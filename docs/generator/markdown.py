@@ -16,8 +16,7 @@ def words(text: str) -> str:
     """A text as it stands: what is in backticks stays code, nothing else means anything."""
     parts = _CODE.split(text)
     return "".join(
-        part.replace("|", "\\|") if part.startswith("`") else _plain(part)
-        for part in parts
+        part.replace("|", "\\|") if part.startswith("`") else _plain(part) for part in parts
     )
 
 

@@ -11,8 +11,9 @@ _PAGE = "reference/sources.md"
 _HEAD = """\
 # Sources
 
-Every rule, parameter and alarm of a control cites where it is known from, by a key of this page (`cncsub.sources` holds them all).
-A source is worth what stands here on the controls it is about, and on any other control it is secondary at best:
+Every rule, parameter and alarm of a control cites where it is known from, by a key of this page
+(`cncsub.sources` holds them all). A source is worth what stands here on the controls it is about,
+and on any other control it is secondary at best:
 
 | evidence | what it is |
 | --- | --- |

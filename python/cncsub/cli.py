@@ -73,7 +73,9 @@ class OneLineGroup(typer.core.TyperGroup):
         place, told = COMMANDS[cmd_name]
         module, function = place.split(".")
         alone = typer.Typer(add_completion=False, **LOOK)
-        alone.command(cmd_name, short_help=told)(getattr(import_module(f"cncsub.{module}"), function))
+        alone.command(cmd_name, short_help=told)(
+            getattr(import_module(f"cncsub.{module}"), function)
+        )
         return typer.main.get_command(alone)
 
 

@@ -34,7 +34,10 @@ _LISTS = {  # and what one of them is called
 
 
 def controls(
-    name: Annotated[str | None, typer.Argument(help="One control.", show_default=False, autocompletion=names_beginning)] = None,
+    name: Annotated[
+        str | None,
+        typer.Argument(help="One control.", show_default=False, autocompletion=names_beginning),
+    ] = None,
     words: Annotated[
         list[str] | None,
         typer.Argument(
@@ -42,7 +45,8 @@ def controls(
         ),
     ] = None,
     diff: Annotated[
-        str | None, typer.Option(
+        str | None,
+        typer.Option(
             "--diff",
             help="Another control: what differs.",
             metavar="OTHER",

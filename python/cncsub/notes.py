@@ -17,8 +17,8 @@ class Note:
 
     `kind`: `"conflict"`, a program that does not count, because another one of its name with other
     blocks does; `"copy"`, the same where both have the same blocks; `"left-out"`, what was not
-    read; `"no-head"`, the first program has no head and runs because its file comes first; `"beside"`,
-    a file that the command read too, because a call names its program.
+    read; `"no-head"`, the first program has no head and runs because its file comes first;
+    `"beside"`, a file that the command read too, because a call names its program.
     `file`, `line`: the place, `None` for a file as a whole.
     """
 

@@ -1,4 +1,4 @@
-"""The tables of the README, from what was measured."""
+"""The tables of docs/performance.md, from what was measured."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def report(results: Results) -> str:
 
 def write(file: Path, mark: str, text: str) -> None:
     """Replace what stands between two marks of a file, such as those of this function's callers in
-    the README: `<!-- benchmark -->` and `<!-- end of benchmark -->`.
+    the page: `<!-- benchmark -->` and `<!-- end of benchmark -->`.
     """
     head, begin, rest = file.read_text(encoding="utf-8").partition(f"<!-- {mark} -->")
     _, end, tail = rest.partition(f"<!-- end of {mark} -->")

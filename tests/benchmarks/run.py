@@ -1,8 +1,8 @@
 """Measures cncsub beside its peers: `python tests/benchmarks/run.py [--size small|full]`.
 
 Every measurement is a process of its own on the same files; the rounds are interleaved, so that
-what else the machine does falls on all of them. Prints tables of medians for the README;
-`--write README.md` puts them there, between the marks.
+what else the machine does falls on all of them. Prints tables of medians for the page;
+`--write docs/performance.md` puts them there, between the marks.
 """
 
 from __future__ import annotations
