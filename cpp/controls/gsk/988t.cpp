@@ -18,7 +18,8 @@ Control gsk_988t() {
   c.calls.calls_in_modal = {CallsInModal::Refused, kTalm + "204", Manual};
   c.turning.max_pockets = {10, "Talm 140", Manual};
   // The papers of the 988TA say that such a block is not done, or takes the sign. [TA 12, 13]
-  has(c.common.refuses, {Cause::GrooveAxis, Cause::GrooveEscape}, "Talm 154, 157", Manual);
+  has(c.common.refuses, {Cause::GrooveAxis, Cause::GrooveEscape, Cause::ThreadRunOutAcross},
+      "Talm 040, 154, 157; the 988TA goes no further than the start: TA 18 note 5", Manual);
   // A feed must be commanded. [Talm 021]
   add_parameter(
       c, {"1411", 0, "the feed at power-on", "TApar", Manual, {number(rule::power_on_feed)}});

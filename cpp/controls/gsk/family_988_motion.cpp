@@ -205,9 +205,9 @@ void add_988_motion(Control& c) {
        Cause::CyclePlane, Cause::CycleAxis, Cause::TurningPlane, Cause::TurningAxis, Cause::PqSame,
        Cause::ProfileStart, Cause::PatternX, Cause::PatternZ, Cause::GrooveStep, Cause::StrokeArea,
        Cause::MeasuringZone, Cause::SkipPerRevolution, Cause::ThreadRunOutSign,
-       Cause::ThreadRunOutAcross, Cause::DataEndFirst, Cause::RigidSpeed, Cause::RigidMove,
+       Cause::DataEndFirst, Cause::RigidSpeed, Cause::RigidMove,
        Cause::RigidWordTwice, Cause::TapSpeed, Cause::TapInSurfaceSpeed, Cause::CycleAxisChanged},
-      "TA 5 notes 2 and 3; Talm 037, 040, 054, 058, 063, 068, 107, 121 to 192, 271", Manual);
+      "TA 5 notes 2 and 3; Talm 037, 054, 058, 063, 068, 107, 121 to 192, 271", Manual);
   c.turning.thread_starts = {true, "TA 18: L", Manual};
   c.turning.thread_words_not_computed = {"LDE", "TA 21: L, D, E of G76", Manual};
   c.motion.angle_words = {",A", "TApar 3405#4", Manual};

@@ -19,6 +19,10 @@ Control syntec_22ma() {
                            Inferred};
   give_role(c.calls.roles, "G65", Role::MacroCall, "SYP: G65 P9810 Z", Secondary);
 
+  lacks(c.common.refuses, {Cause::ArcFeedZero, Cause::CornerNextShort},
+        "the numbers of Mitsubishi's list alone tell them from a missing feed and a long corner",
+        Inferred);
+
   // Numbers are Mitsubishi's own: of alarms, of parameters, of codes that a parameter makes call.
   c.alarms.clear();
   c.user_alarm_number.clear();

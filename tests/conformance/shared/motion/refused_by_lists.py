@@ -1,6 +1,6 @@
 """What the printed lists of alarms refuse beyond the common conflicts, and the neighbours that run."""
 
-from conformance import case
+from conformance import case, inert
 
 MDI, TDI = "gsk-980mdi", "gsk-980tdi"
 T, TA = "gsk-988t", "gsk-988ta"
@@ -202,7 +202,7 @@ case(
 )
 case(
     "a run-out of G92 that goes further than its start is refused on the 988T",
-    control=[T, TA], source="Talm 040", evidence="secondary", setup=LATHE,
+    control=T, source="Talm 040", evidence="maker's manual", setup=LATHE,
     pins="refuses:thread-run-out-across",
     program="O1\nN10 M3 S100\nN20 G92 X38 Z-20 F2 J2 K1\nN30 M30",
     runs="N10", alarm="thread-run-out-across", number="040", at="O1 N20", word="J2",
@@ -237,3 +237,140 @@ case(
     """,
     alarm="no-offset-intersection", number="0262", at="O1 N40", word="X-20.",
 )
+
+# What no list of the others refuses: it runs there, or alarms for what is wrong besides.
+T_TA, HAAS, HNC, TE, SYNTEC = [T, TA], "haas-ngc", "hnc-21m", "gsk-928te", "syntec-22ma"
+LIKE_FANUC = [*FANUC, *MITSUBISHI, SYNTEC]
+
+
+def taken(claim, control, first, second, cause, setup=MILL, source="no alarm is known", **stops):
+    """The block that other lists refuse runs here; or `stops` says for what else it alarms."""
+    case(
+        claim, control=control, source=source, evidence="inferred", setup=setup,
+        pins=f"refuses:{cause}",
+        program=f"O1\nN10 {first}\nN20 {second}\nN30 M30",
+        **(numbered(control, stops) if stops else {"runs": "N10 N20 N30"}),
+    )
+
+
+def numbered(control, stops):
+    """The numbers that are known, of each control."""
+    names = [control] if isinstance(control, str) else control
+    number = stops.get("number")
+    known = number if isinstance(number, dict) else dict.fromkeys(names, number)
+    return stops | {"number": {name: known.get(name) for name in names}}
+
+
+taken(
+    "F0 in an arc is a missing feed where no list tells it apart", [TE, MDI, TDI, *T_TA, HAAS, HNC, SYNTEC],
+    "G1 X10. F100", "G2 X20. R5. F0", "arc-feed-zero",
+    runs="N10", alarm="no-feed", number={T: "021", TA: "021", MDI: "0023"}, at="O1 N20", word="F0",
+)
+taken(
+    "a move shorter than the corner before it is a corner that is too long where no list tells it apart",
+    [*FANUC, TE, MDI, *T_TA, HAAS, HNC, SYNTEC], "G1 X10. ,C2. F100", "Y1.", "corner-next-short",
+    runs="N10", alarm="corner-too-short",
+    number=on_fanuc("055") | {T: "275", TA: "275", MDI: "0271"}, at="O1 N10", word=",C2.",
+)
+taken(
+    "a move shorter than the chamfer before it is a chamfer that is too long on the 980TDi", TDI,
+    "G98 G1 X20. L2. F100", "Z1.", "corner-next-short", LATHE,
+    runs="N10", alarm="corner-too-short", at="O1 N10", word="L2.",
+)
+taken(
+    "G55 behind a chamfer is taken", [*LIKE_FANUC, HAAS, HNC], "G1 X10. ,C2. F100", "G55 Y10.",
+    "corner-with-codes",
+)
+taken(
+    "G55 behind a chamfer is taken on the 980TDi", TDI, "G98 G1 X20. L2. F100", "G55 Z-10.",
+    "corner-with-codes", LATHE,
+)
+taken(
+    "G55 behind a chamfer is taken on the 988s", T_TA, "G98 G1 X20. ,C2. F100", "G55 Z-10.",
+    "corner-with-codes", LATHE,
+)
+case(
+    "G40 ends compensation with the next line, whatever motion is in force",
+    control=[*LIKE_FANUC, HAAS, HNC], source="no alarm is known", evidence="inferred", setup=RADIUS,
+    pins="refuses:offset-end-in-arc-mode",
+    program="O1\nN10 G41 G1 X10. D1 F100\nN20 X20.\nN30 G3 X30. Y10. R10.\nN40 G40\nN50 G1 Y30.\nN60 M30",
+    runs="N10 N20 N30 N40 N50 N60",
+)
+case(
+    "G40 ends compensation with the next line on a lathe, whatever motion is in force",
+    control=[TDI, *T_TA], source="no alarm is known", evidence="inferred", setup=LATHE,
+    pins="refuses:offset-end-in-arc-mode",
+    program="O1\nN10 G98 G42 G1 X30. Z0. F100\nN20 Z-10.\nN30 G2 X40. Z-15. R5.\nN40 G40\nN50 G1 X60.\nN60 M30",
+    runs="N10 N20 N30 N40 N50 N60",
+)
+taken(
+    "G41 may stand without a move", [*LIKE_FANUC, HAAS, HNC, TDI, *T_TA], "G1 F100", "G41 D1",
+    "offset-without-move", RADIUS,
+)
+taken(
+    "M29 may stand in the block of its tapping cycle", [*LIKE_FANUC, HAAS, HNC, TDI, *T_TA],
+    "G0 Z10.", "M29 S500 G84 X10. Z-5. R2. F500", "rigid-tap-code-in-cycle",
+)
+taken(
+    "S may stand between M29 and its tapping cycle", [*FANUC, MDI], "M29 S500", "S600",
+    "rigid-tap-word-twice",
+)
+taken(
+    "a move may stand behind M29", [TE, TDI, HAAS, HNC, *MITSUBISHI, SYNTEC], "M29 S500", "G0 X20.",
+    "move-before-rigid-tap",
+)
+taken(
+    "tapping may begin without a spindle speed", [*FANUC, TDI, HAAS, HNC], "G0 Z10.",
+    "G84 X10. Z-5. R2. F500", "tap-without-speed",
+)
+taken(
+    "rigid tapping without S is tapping without S on the 980MDi", MDI, "M29", "G84 X10 Z-5 R2 F500",
+    "rigid-tap-without-speed",
+    runs="N10", alarm="tap-without-speed", number="0230", at="O1 N20", word="G84",
+)
+taken(
+    "tapping at constant surface speed is taken", [*FANUC, TDI], "G96 S100 M3", "G84 X10. Z-5. R2. F500",
+    "tap-in-surface-speed",
+)
+taken(
+    "tapping at constant surface speed lacks the speed where that is refused", [MDI, *MITSUBISHI, SYNTEC],
+    "G96 S100 M3", "G84 X10. Z-5. R2. F500", "tap-in-surface-speed",
+    runs="N10", alarm="tap-without-speed", number={MDI: "0230"} | dict.fromkeys(MITSUBISHI, "P181"),
+    at="O1 N20", word="G84",
+)
+taken(
+    "a plane may be selected while a cycle is active", [*LIKE_FANUC, MDI, HAAS, HNC],
+    "G81 X10. Z-5. R2. F500", "G18", "cycle-axis-changed",
+)
+taken(
+    "the drilling axis may change while a cycle is active on the 980TDi", TDI,
+    "G98 G83 Z-10. R-1. F100", "G87 X20. R-1. F100", "cycle-axis-changed", LATHE,
+)
+taken(
+    "G11 without G10 is taken", [*LIKE_FANUC, TDI], "G0 X0", "G11", "g11-before-g10",
+)
+taken(
+    "a run-out of G92 that goes further than its start goes to the start", TDI, "M3 S100",
+    "G92 X38. Z-20. F2. J2. K1.", "thread-run-out-across", LATHE, source="TDi 24.9",
+)
+taken(
+    "the sign of a run-out does not count on the 980TDi", TDI, "M3 S100", "G32 X40. Z-20. F2. K-1.",
+    "thread-run-out-sign", LATHE, source="TDi 24.9",
+)
+
+NO_WAIT = "M29 is nothing to the blocks behind it where a move there is not refused"
+NO_RUN_OUT = "J and K are no run-out of its threads"
+for _control in (TE, TDI, HAAS, HNC, *MITSUBISHI, SYNTEC):
+    inert("refuses:rigid-tap-word-twice refuses:rigid-tap-without-speed", control=_control, reason=NO_WAIT)
+for _control in (*FANUC, *MITSUBISHI, SYNTEC, MDI, HAAS, HNC, TE):
+    inert("refuses:thread-run-out-across refuses:thread-run-out-sign", control=_control, reason=NO_RUN_OUT)
+for _control in (TE,):
+    inert(
+        "refuses:corner-with-codes refuses:cycle-axis-changed refuses:g11-before-g10 "
+        "refuses:offset-end-in-arc-mode refuses:offset-without-move refuses:rigid-tap-code-in-cycle "
+        "refuses:tap-in-surface-speed refuses:tap-without-speed",
+        control=_control, reason="no source says which codes of the control this is about",
+    )
+for _control in (HAAS, HNC):
+    inert("refuses:tap-in-surface-speed", control=_control, reason="the control has no G96")
+    inert("refuses:g11-before-g10", control=_control, reason="its G10 is none that G11 ends")

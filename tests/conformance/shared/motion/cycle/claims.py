@@ -163,7 +163,8 @@ case(
 )
 case(
     "the radius offset begins with the first move behind G41",
-    control=MILLS, source="source 003, G41", evidence="source document", setup=D,
+    # The 980MDi wants the move in the block itself. [MDib 0033]
+    control=[name for name in MILLS if name != MDI], source="source 003, G41", evidence="source document", setup=D,
     program=lines(*("G41 D1", "G1 X10. Y10. F100"), "G1 Y50.", "X60.", "G40 X80. Y80."),
     centre="X5 Y10 | X5 Y55 | X60 Y55 | X80 Y80",
 )

@@ -101,7 +101,7 @@ thread(
     "R X58.7\nT X58.7 Z-27\nT X64.7 Z-28\nR X65\nR Z5", source="TDi 24.9 note 10",
 )
 thread(
-    "a run-out of G92 goes no further than the start", [*GSK_988, TDI], "G92 X58.7 Z-28 F3 J9 K1",
+    "a run-out of G92 goes no further than the start", [TA, TDI], "G92 X58.7 Z-28 F3 J9 K1",
     "R X58.7\nT X58.7 Z-27\nT X65 Z-28\nR X65\nR Z5", source="TA 18 note 5",
 )
 case(
