@@ -53,7 +53,9 @@ def test_nothing_is_installed_outside_the_package_and_its_metadata() -> None:
     strangers = [
         str(f)
         for f in files
-        if not re.match(r"cncsub/|cncsub_pytest/|cncsub-[^/]+\.dist-info/|.*/bin/cncsub$", f.as_posix())
+        if not re.match(
+            r"cncsub/|cncsub_pytest/|cncsub-[^/]+\.dist-info/|.*/bin/cncsub$", f.as_posix()
+        )
     ]
     assert files
     assert strangers == []
