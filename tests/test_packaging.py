@@ -56,7 +56,8 @@ def test_nothing_is_installed_outside_the_package_and_its_metadata() -> None:
         str(f)
         for f in files
         if not re.match(
-            r"cncsub/|cncsub-[^/]+\.dist-info/|.*/(bin|Scripts)/cncsub(\.exe)?$", f.as_posix()
+            r"cncsub/|cncsub_pytest/|cncsub-[^/]+\.dist-info/|.*/(bin|Scripts)/cncsub(\.exe)?$",
+            f.as_posix(),
         )
     ]
     assert files

@@ -160,8 +160,11 @@ void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first
   std::size_t depth = 0, from = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '(' || text[i] == ';') return;  // a comment
-    if (text[i] == '[' && depth++ == 0) from = i;
-    if (text[i] != ']' || depth == 0 || --depth > 0) continue;
+    if (text[i] == '[' && depth == 0) from = i;
+    if (text[i] == '[') ++depth;
+    if (text[i] != ']' || depth == 0) continue;
+    --depth;
+    if (depth > 0) continue;
     const std::string_view inside = text.substr(from + 1, i - from - 1);
     if (!has_logic(inside) || !Operations(asked_).mixed(inside)) continue;
     c_.found(Check::LogicOrder, at,

@@ -108,6 +108,27 @@ bool all_zero(const Code& code, const Block& block) {
   return true;
 }
 
+/// Sets a mode; where it is set sometimes only, what was in force may be so still.
+void put(Modes& modes, Modes own, bool sometimes) {
+  for (int mode = 0; mode < kModes; ++mode)
+    if (value(own, mode) != 0) modes = (sometimes ? modes : modes & ~of(mode, kOne)) | own;
+}
+
+/// What is in force when a main program begins.
+Modes at_first() {
+  Modes usual = 0;
+  for (int mode = 0; mode < kModes; ++mode) usual |= of(mode, has_no_usual(mode) ? kFound : kUsual);
+  return usual;
+}
+
+/// What is in force behind a call of a program that leaves this.
+Modes through(Modes modes, Modes left) {
+  Modes kept = 0;
+  for (int mode = 0; mode < kModes; ++mode)
+    if ((value(left, mode) & kFound) != 0) kept |= modes & of(mode, kOne);
+  return kept | (left & ~all(kFound));
+}
+
 class ModeCheck {
  public:
   explicit ModeCheck(Checker& c)
@@ -117,6 +138,7 @@ class ModeCheck {
 
  private:
   Modes set_by(Meaning meaning, Group group) const;
+  Modes set_by(int g, const Block& block) const;
   Modes after(Modes before, Address at) const;
   std::vector<Modes> states(const ProgramFlow& flow) const;
   Modes leaves(const ProgramFlow& flow, const std::vector<Modes>& states) const;
@@ -138,28 +160,26 @@ Modes ModeCheck::set_by(Meaning meaning, Group group) const {
   return group == Group::Motion ? of(Cycle, kUsual) : 0;
 }
 
+/// The same of a code of a block, ten times its number.
+Modes ModeCheck::set_by(int g, const Block& block) const {
+  const GCode code = c_.g_codes.find(g);
+  if (code.meaning == Meaning::Local && all_zero(c_.code, block)) return of(Shift, kUsual);
+  return set_by(code.meaning, code.group);
+}
+
 /// What is in force behind a block and what it calls.
 Modes ModeCheck::after(Modes before, Address at) const {
   const Block& block = c_.code.blocks[at];
   Modes modes = before;
   const bool sometimes = block.skip != 0 || block.op == Op::IfThen || block.op == Op::Choose;
-  const auto put = [&](Modes own) {
-    for (int mode = 0; mode < kModes; ++mode)
-      if (value(own, mode) != 0) modes = (sometimes ? modes : modes & ~of(mode, kOne)) | own;
-  };
-  const auto set = [&](Meaning meaning, Group group) { put(set_by(meaning, group)); };
   each_variant(c_.code, block, [&](const Block& each) {
-    if (each.op == Op::Linear || each.op == Op::Arc) {
-      if ((each.flags & Block::kNoG) == 0) set(Meaning::Line, Group::Motion);
-      return;
-    }
-    each_g(c_.code, each, [&](int g) {
-      const GCode code = c_.g_codes.find(g);
-      set(code.meaning, code.group);
-      if (code.meaning == Meaning::Local && all_zero(c_.code, each)) put(of(Shift, kUsual));
-    });
-    if (each.op == Op::ModalCall) put(of(Macro, kOther));
-    if (each.op == Op::CancelModal) put(of(Macro, kUsual));
+    const bool plain = each.op == Op::Linear || each.op == Op::Arc;
+    if (plain && (each.flags & Block::kNoG) == 0)
+      put(modes, set_by(Meaning::Line, Group::Motion), sometimes);
+    if (plain) return;
+    each_g(c_.code, each, [&](int g) { put(modes, set_by(g, each), sometimes); });
+    if (each.op == Op::ModalCall) put(modes, of(Macro, kOther), sometimes);
+    if (each.op == Op::CancelModal) put(modes, of(Macro, kUsual), sometimes);
   });
   return modes;
 }
@@ -175,9 +195,7 @@ std::vector<Modes> ModeCheck::states(const ProgramFlow& flow) const {
     waiting.push_back(at);
   };
   const bool called = c_.is_called(flow.program());
-  Modes usual = 0;
-  for (int mode = 0; mode < kModes; ++mode) usual |= of(mode, has_no_usual(mode) ? kFound : kUsual);
-  reach(flow.first(), called ? all(kFound) : usual);
+  reach(flow.first(), called ? all(kFound) : at_first());
   for (const Address entry : flow.entries()) reach(entry, all(kFound));
   std::vector<const CallEdge*> calls(flow.size(), nullptr);
   for (const CallEdge& edge : flow.calls()) calls[edge.from - flow.first()] = &edge;
@@ -186,13 +204,8 @@ std::vector<Modes> ModeCheck::states(const ProgramFlow& flow) const {
     waiting.pop_back();
     Modes modes = before[at - flow.first()];
     if (at < flow.last()) modes = after(modes, at);
-    if (const CallEdge* edge = calls[at - flow.first()]) {
-      const Modes left = left_[static_cast<std::size_t>(edge->called)];
-      Modes kept = 0;
-      for (int mode = 0; mode < kModes; ++mode)
-        if ((value(left, mode) & kFound) != 0) kept |= modes & of(mode, kOne);
-      modes = kept | (left & ~all(kFound));
-    }
+    if (const CallEdge* edge = calls[at - flow.first()])
+      modes = through(modes, left_[static_cast<std::size_t>(edge->called)]);
     for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit) reach(exit->to, modes);
   }
   return before;

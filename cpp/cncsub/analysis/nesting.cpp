@@ -31,9 +31,10 @@ void check_self_calls(Checker& c) {
       const bool code = block.op == Op::Choose && c.code.choices[block.aux].address != 0;
       if (code || c.inside(flow) || !is_refused_again(c, edge)) continue;
       const CallRecord& record = c.code.calls[edge.record];
-      const std::string name = c.code.name_of(edge.called);
+      std::string names = c.code.name_of(edge.called);
+      names += " > " + c.code.name_of(edge.called);
       c.refused(Check::CallsOpen, edge.from,
-                {Cause::ProgramCallsItself, record.at, record.width, name + " > " + name});
+                {Cause::ProgramCallsItself, record.at, record.width, std::move(names)});
     }
 }
 
@@ -178,7 +179,8 @@ void CallOrder::refuse(const CallEdge& edge) {
   std::vector<Address> path;
   for (auto at = first; at != open_.end(); ++at) {
     if (at + 1 != open_.end()) path.push_back(tree_.calls(at->place)[at->call - 1].edge->from);
-    names += name(at->place) + " > ";
+    names += name(at->place);
+    names += " > ";
   }
   const CallRecord& record = c_.code.calls[edge.record];
   c_.refused(
@@ -190,7 +192,7 @@ void CallOrder::refuse(const CallEdge& edge) {
 /// "O2", and "O2 N100" where it is entered inside.
 std::string CallOrder::name(std::size_t place) const {
   const Entered& of = tree_.entered(place);
-  const std::string program = c_.code.name_of(of.program);
+  std::string program = c_.code.name_of(of.program);
   if (of.start == c_.flow(of.program).first() || of.start >= c_.code.blocks.size()) return program;
   const std::int32_t n = c_.code.blocks[of.start].n;
   return n < 0 ? program : program + " N" + std::to_string(n);

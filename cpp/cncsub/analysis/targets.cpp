@@ -167,8 +167,9 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
     if (c_.code.return_target(caller, to.n, edge.from) == kNowhere) {
       missing(caller).path = {edge.from};
       ++told;
-    } else
+    } else {
       ambiguous(to.from, caller, to.n, to.place);
+    }
   }
 }
 

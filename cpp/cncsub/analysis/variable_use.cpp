@@ -37,6 +37,16 @@ bool VariableUses::tests_vacancy(const Block& block) const {
   return tests;
 }
 
+namespace {
+
+/// A word or a copy of a variable: without a value the word is not there, and the copy has none.
+bool is_alone(const Block& block, std::string_view written) {
+  if (is_words(block.op)) return written.find_first_of("[+*/") == std::string_view::npos;
+  return block.op == Op::Assign && written.find_first_of("[+*/-") == std::string_view::npos;
+}
+
+}  // namespace
+
 void VariableUses::take(const ProgramFlow& flow, Address at) {
   const Block& block = c_.code.blocks[at];
   const bool plain = block.op == Op::Linear || block.op == Op::Arc || block.op == Op::Fault;
@@ -54,10 +64,7 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
     const Bits own = each.number < 0 ? 0 : bit_of(each.number, use.reads);
     use.read_locals |= own;
     const std::string_view written = std::string_view(text).substr(each.place.at, each.place.width);
-    // A word or a copy: without a value the word is not there, and the copy has none.
-    const char* operations = is_words(block.op) ? "[+*/" : "[+*/-";
-    const bool alone = (is_words(block.op) || block.op == Op::Assign) &&
-                       written.find_first_of(operations) == std::string_view::npos;
+    const bool alone = is_alone(block, written);
     if (alone) use.word_locals |= own;
   }
   for (const VariableReference& each : of.writes) {
