@@ -192,7 +192,7 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   write_raised(text, origins);
   const Block* block = coming_.plain ? &machine_.code().blocks[coming_.at] : heard_.words;
   if (block == nullptr) return true;
-  if (heard_.profile) return write_with_profile(text, origins, *block);
+  if (heard_.profile) return write_with_profile(text, origins, *block, *heard_.profile);
   const std::size_t before = text.size();
   if (!write_words(text, *block)) return false;
   if (text.size() == before) return true;
@@ -304,9 +304,10 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
 /// A cycle and the blocks that it follows. They stand right behind it where it passes over them;
 /// one that goes on with the next block, as G70 does, names those of a cycle before, or blocks
 /// behind the end of the program.
-bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block) {
+bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block,
+                                 const Profile& profile) {
   profile_.clear();
-  for (const NcWords& words : heard_.profile->blocks) {
+  for (const NcWords& words : profile.blocks) {
     const Block& own = machine_.code().blocks[words.at];
     if (!blocks_.write(profile_.emplace_back(), own, program_at(words.at), &words))
       return refuse("the value of " + blocks_.failed() + " cannot be written as a number");
@@ -319,16 +320,17 @@ bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const 
   end_line(text, origins);
   if (!is_new) return true;
   if (behind)
-    write_profile(text, origins, late_profile(numbers));
+    write_profile(text, origins, late_profile(numbers, profile));
   else
-    late_.push_back(late_profile(numbers));
+    late_.push_back(late_profile(numbers, profile));
   return true;
 }
 
-FlatRun::Late FlatRun::late_profile(const std::array<std::int64_t, 2>& numbers) const {
-  Late profile{numbers, profile_, {}, coming_.call, coming_.repeat};
-  for (const NcWords& words : heard_.profile->blocks) profile.blocks.push_back(words.at);
-  return profile;
+FlatRun::Late FlatRun::late_profile(const std::array<std::int64_t, 2>& numbers,
+                                    const Profile& profile) const {
+  Late late{numbers, profile_, {}, coming_.call, coming_.repeat};
+  for (const NcWords& words : profile.blocks) late.blocks.push_back(words.at);
+  return late;
 }
 
 void FlatRun::write_profile(std::string& text, FlatOrigins& origins, const Late& profile) {
