@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cncsub/control/g_codes.hpp"
+#include "cncsub/motion/facts.hpp"
 #include "cncsub/motion/query.hpp"
 
 namespace cncsub {
@@ -34,6 +35,11 @@ bool has_effect(const Code& code, std::int64_t number) {
     default:
       return place.range != nullptr;
   }
+}
+
+/// Whether a modal call takes the words of the block that comes next.
+bool takes_words(const State& s) {
+  return !s.modals.empty() && s.modals.back().every_block && s.frames.back().modal < 0;
 }
 
 bool is_user_alarm(const Code& code, std::int64_t number) {
@@ -69,7 +75,7 @@ const BlockCodes& FlatRun::codes_of(const Block& block) const {
   const Code& code = machine_.code();
   if ((block.flags & Block::kListed) == 0) return kNoCodes;
   const std::size_t extra = (block.flags & Block::kHasExtra) != 0 ? 1 : 0;
-  return machine_.meanings().blocks[code.cells[block.data + extra].expression];
+  return machine_.motion().view().facts.meanings->blocks[code.cells[block.data + extra].expression];
 }
 
 bool FlatRun::ends() const {
@@ -130,7 +136,7 @@ bool FlatRun::before_block(std::string& text, FlatOrigins& origins) {
   coming_.executed = s.executed;
   coming_.call = s.frames.back().call;
   coming_.repeat = s.frames.back().repeat;
-  coming_.plain = (op == Op::Linear || op == Op::Arc) && !machine_.takes_words();
+  coming_.plain = (op == Op::Linear || op == Op::Arc) && !takes_words(s);
   heard_.forget();
   return refusal_ || text.size() >= kPiece;
 }

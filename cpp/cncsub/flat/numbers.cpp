@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "cncsub/motion/facts.hpp"
 #include "cncsub/motion/query.hpp"
 
 namespace cncsub {
@@ -58,7 +59,7 @@ std::string expression_text(double value, int most_digits) {
 WordWriter::WordWriter(const Machine& machine)
     : machine_(machine),
       control_(*machine.code().control),
-      lathe_(machine.meanings().machine != MachineType::Mill),
+      lathe_(machine.motion().view().facts.lathe()),
       increments_(control_.reading.whole_numbers.value == WholeNumbers::Increments),
       mills_axes_(!lathe_ && !control_.motion.angles_on_mills.value) {
   for (const auto& entry : control_.calls.registered_codes.value)
