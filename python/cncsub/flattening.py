@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     Columns = Mapping[str, np.ndarray[Any, Any]]
 
 _NEAR = 1e-9  # s
-_KEPT = 1 << 26  # bytes of text that are kept; of a longer one each look runs the program again
+_KEPT = 1 << 24  # bytes of text that are kept; of a longer one each look runs the program again
 _ORIGINS = ("program", "n", "line", "call", "pass")
 
 
@@ -117,7 +117,7 @@ class _FlatPair(Pair):
 class Flat:
     """A flat program: `text`, and `origins` with a row for each block of it.
 
-    A text of more than 64 MB is not kept: whoever asks for `text`, `origins`, `pieces()` or
+    A text of more than 16 MB is not kept: whoever asks for `text`, `origins`, `pieces()` or
     `write()` has the program run again.
     """
 

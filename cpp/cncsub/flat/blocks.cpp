@@ -169,7 +169,7 @@ void BlockWriter::Maker::take_rest() {
 }
 
 BlockWriter::BlockWriter(const Machine& machine)
-    : machine_(machine), code_(machine.code()), words_(machine), lines_(code_.blocks.size()) {}
+    : code_(machine.code()), words_(machine), lines_(code_.blocks.size()) {}
 
 /// Behind a text it becomes one with it.
 void BlockWriter::add_text(std::string_view text) {

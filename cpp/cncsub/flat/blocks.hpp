@@ -46,7 +46,6 @@ class BlockWriter {
 
   class Maker;
 
-  const Machine& machine_;
   const Code& code_;
   WordWriter words_;
   std::vector<Line> lines_;                           // of Code::blocks

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cncsub/control/g_codes.hpp"
+#include "cncsub/motion/facts.hpp"
 #include "cncsub/motion/query.hpp"
 
 namespace cncsub {
@@ -34,6 +35,11 @@ bool has_effect(const Code& code, std::int64_t number) {
     default:
       return place.range != nullptr;
   }
+}
+
+/// Whether a modal call takes the words of the block that comes next.
+bool takes_words(const State& s) {
+  return !s.modals.empty() && s.modals.back().every_block && s.frames.back().modal < 0;
 }
 
 bool is_user_alarm(const Code& code, std::int64_t number) {
@@ -69,7 +75,7 @@ const BlockCodes& FlatRun::codes_of(const Block& block) const {
   const Code& code = machine_.code();
   if ((block.flags & Block::kListed) == 0) return kNoCodes;
   const std::size_t extra = (block.flags & Block::kHasExtra) != 0 ? 1 : 0;
-  return machine_.meanings().blocks[code.cells[block.data + extra].expression];
+  return machine_.motion().view().facts.meanings->blocks[code.cells[block.data + extra].expression];
 }
 
 bool FlatRun::ends() const {
@@ -130,7 +136,7 @@ bool FlatRun::before_block(std::string& text, FlatOrigins& origins) {
   coming_.executed = s.executed;
   coming_.call = s.frames.back().call;
   coming_.repeat = s.frames.back().repeat;
-  coming_.plain = (op == Op::Linear || op == Op::Arc) && !machine_.takes_words();
+  coming_.plain = (op == Op::Linear || op == Op::Arc) && !takes_words(s);
   heard_.forget();
   return refusal_ || text.size() >= kPiece;
 }
@@ -192,7 +198,7 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   write_raised(text, origins);
   const Block* block = coming_.plain ? &machine_.code().blocks[coming_.at] : heard_.words;
   if (block == nullptr) return true;
-  if (heard_.profile) return write_with_profile(text, origins, *block);
+  if (heard_.profile) return write_with_profile(text, origins, *block, *heard_.profile);
   const std::size_t before = text.size();
   if (!write_words(text, *block)) return false;
   if (text.size() == before) return true;
@@ -304,9 +310,10 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
 /// A cycle and the blocks that it follows. They stand right behind it where it passes over them;
 /// one that goes on with the next block, as G70 does, names those of a cycle before, or blocks
 /// behind the end of the program.
-bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block) {
+bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block,
+                                 const Profile& profile) {
   profile_.clear();
-  for (const NcWords& words : heard_.profile->blocks) {
+  for (const NcWords& words : profile.blocks) {
     const Block& own = machine_.code().blocks[words.at];
     if (!blocks_.write(profile_.emplace_back(), own, program_at(words.at), &words))
       return refuse("the value of " + blocks_.failed() + " cannot be written as a number");
@@ -319,16 +326,17 @@ bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const 
   end_line(text, origins);
   if (!is_new) return true;
   if (behind)
-    write_profile(text, origins, late_profile(numbers));
+    write_profile(text, origins, late_profile(numbers, profile));
   else
-    late_.push_back(late_profile(numbers));
+    late_.push_back(late_profile(numbers, profile));
   return true;
 }
 
-FlatRun::Late FlatRun::late_profile(const std::array<std::int64_t, 2>& numbers) const {
-  Late profile{numbers, profile_, {}, coming_.call, coming_.repeat};
-  for (const NcWords& words : heard_.profile->blocks) profile.blocks.push_back(words.at);
-  return profile;
+FlatRun::Late FlatRun::late_profile(const std::array<std::int64_t, 2>& numbers,
+                                    const Profile& profile) const {
+  Late late{numbers, profile_, {}, coming_.call, coming_.repeat};
+  for (const NcWords& words : profile.blocks) late.blocks.push_back(words.at);
+  return late;
 }
 
 void FlatRun::write_profile(std::string& text, FlatOrigins& origins, const Late& profile) {

@@ -78,10 +78,11 @@ class FlatRun {
   void write_raised(std::string& text, FlatOrigins& origins);
   bool write_print(std::string& text, FlatOrigins& origins);
   bool print_fields(std::string& text, FlatOrigins& origins, std::string& statement);
-  bool write_with_profile(std::string& text, FlatOrigins& origins, const Block& block);
+  bool write_with_profile(std::string& text, FlatOrigins& origins, const Block& block,
+                          const Profile& profile);
   bool number_profile(bool behind, std::array<std::int64_t, 2>& numbers, bool& is_new);
   void write_profile(std::string& text, FlatOrigins& origins, const Late& profile);
-  Late late_profile(const std::array<std::int64_t, 2>& numbers) const;
+  Late late_profile(const std::array<std::int64_t, 2>& numbers, const Profile& profile) const;
   void write_head(std::string& text);
   const BlockCodes& codes_of(const Block& block) const;
   void write_end(std::string& text, FlatOrigins& origins);

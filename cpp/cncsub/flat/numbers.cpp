@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "cncsub/motion/facts.hpp"
 #include "cncsub/motion/query.hpp"
 
 namespace cncsub {
@@ -58,10 +59,14 @@ std::string expression_text(double value, int most_digits) {
 WordWriter::WordWriter(const Machine& machine)
     : machine_(machine),
       control_(*machine.code().control),
-      lathe_(machine.meanings().machine != MachineType::Mill),
+      lathe_(machine.motion().view().facts.lathe()),
       increments_(control_.reading.whole_numbers.value == WholeNumbers::Increments),
       mills_axes_(!lathe_ && !control_.motion.angles_on_mills.value) {
-  add_calling();
+  for (const auto& entry : control_.calls.registered_codes.value)
+    calling_.emplace_back(entry.letter, entry.code == 0 ? -1 : entry.code);
+  for (const CodeCall& list : control_.code_calls)
+    if (list.enable.empty() || control_.parameter(list.enable) != 0) add_calling(list);
+  std::sort(calling_.begin(), calling_.end());
 }
 
 void WordWriter::begin(const BlockCodes& codes) {
@@ -92,27 +97,21 @@ bool WordWriter::counts_increments(char letter, double value) const {
          control_.turning.cycle_unit.value == CycleUnit::Increments;
 }
 
-/// What a parameter of the control registers, and what the caller has registered.
-void WordWriter::add_calling() {
-  for (const auto& entry : control_.calls.registered_codes.value)
-    calling_.emplace_back(entry.letter, entry.code == 0 ? -1 : entry.code);
+/// The codes that a list of parameters makes call.
+void WordWriter::add_calling(const CodeCall& list) {
   const auto parameter = [this](std::int32_t number) {
     return std::abs(to_whole<int>(control_.parameter(std::to_string(number)), -99999999, 99999999));
   };
-  for (const CodeCall& list : control_.code_calls) {
-    if (!list.enable.empty() && control_.parameter(list.enable) == 0) continue;
-    const bool range = list.form == CodeCall::Form::Range;
-    if (list.form == CodeCall::Form::Switch) calling_.emplace_back(list.address, -1);
-    const int count = range ? std::min(parameter(list.count), 1000) : list.count;
-    for (int i = 0; i < count; ++i) {
-      const int code = range ? parameter(list.parameter) + i : parameter(list.parameter + i);
-      if (list.address == '@')  // the parameter holds a letter
-        calling_.emplace_back(static_cast<char>(code < 128 ? code : 0), -1);
-      else if (code != 0)
-        calling_.emplace_back(list.address, code);
-    }
+  const bool range = list.form == CodeCall::Form::Range;
+  if (list.form == CodeCall::Form::Switch) calling_.emplace_back(list.address, -1);
+  const int count = range ? std::min(parameter(list.count), 1000) : list.count;
+  for (int i = 0; i < count; ++i) {
+    const int code = range ? parameter(list.parameter) + i : parameter(list.parameter + i);
+    if (list.address == '@')  // the parameter holds a letter
+      calling_.emplace_back(static_cast<char>(code < 128 ? code : 0), -1);
+    else if (code != 0)
+      calling_.emplace_back(list.address, code);
   }
-  std::sort(calling_.begin(), calling_.end());
 }
 
 bool WordWriter::calls(char letter, int code) const {

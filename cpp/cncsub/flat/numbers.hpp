@@ -56,7 +56,7 @@ class WordWriter {
   bool points(char letter, const NumberText& text) const;
   bool counts_increments(char letter, double value) const;
   std::string address_of(int place) const;
-  void add_calling();
+  void add_calling(const CodeCall& list);
 
   const Machine& machine_;
   const Control& control_;

@@ -6,7 +6,6 @@
 #include "cncsub/machine/changes.hpp"
 #include "cncsub/machine/ends.hpp"
 #include "cncsub/machine/limits.hpp"
-#include "cncsub/machine/modal.hpp"
 #include "cncsub/machine/run.hpp"
 #include "cncsub/machine/variables.hpp"
 
@@ -99,8 +98,6 @@ Trace Machine::take() {
   run_.motion.forget_table();
   return run_.trace.take(open, stop() != Stop::Running, run_.state.executed);
 }
-
-bool Machine::takes_words() const { return cncsub::takes_words(run_); }
 
 std::uint64_t Machine::memory() const { return cncsub::memory(run_); }
 

@@ -48,11 +48,6 @@ class Machine {
   const Code& code() const { return *run_.code; }
   std::shared_ptr<const Code> shared_code() const { return run_.code; }
   const State& state() const { return run_.state; }
-  const Options& options() const { return run_.options; }
-  /// What the codes mean on its kind of machine.
-  const CodeMeanings& meanings() const { return *run_.meanings; }
-  /// Whether a modal call takes the words of the block that comes next.
-  bool takes_words() const;
   const Motion& motion() const { return run_.motion; }
   Stop stop() const { return run_.state.stop; }
   const std::optional<Alarm>& alarm() const { return run_.state.alarm; }
