@@ -202,6 +202,7 @@ class Pool {
   /// Everything before the job is in the code.
   void do_job(std::size_t number) {
     std::unique_ptr<Apart> apart = taken(number);
+    if (stop_) return;  // somebody may still be at it
     if (!apart || !join(number, *apart)) {
       if (apart && jobs_[number].text == nullptr) give_back(jobs_[number], apart->code.files);
       apart.reset();
@@ -233,7 +234,7 @@ class Pool {
 
   bool join(std::size_t number, Apart& apart) {
     const Job& job = jobs_[number];
-    if (!apart.lines || stop_) return false;
+    if (!apart.lines) return false;
     Joined of{apart.to, apart.code, apart.lists};
     if (job.text == nullptr) {
       if (!can_join(reading_.to, of)) return false;
