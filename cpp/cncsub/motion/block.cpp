@@ -37,6 +37,13 @@ Result one_shot(MotionContext& m, BlockWords& block) {
       return set_coordinate(m, block);
     case Meaning::ClearCoordinate:
       return clear_coordinate(m, block);
+    case Meaning::SetShift:
+    case Meaning::ClearShift:
+    case Meaning::SuspendShift:
+    case Meaning::RestoreShift:
+      return change_shift(m, block);
+    case Meaning::StoreReference:
+      return store_reference(m, block);
     case Meaning::Finish:
     case Meaning::RoughTurn:
     case Meaning::RoughFace:

@@ -106,6 +106,12 @@ void Motion::set_extra_offset(int p, int axis, double value) {
     write(state_.tables.extra[static_cast<std::size_t>(p - 1)], axis, value);
 }
 
+void Motion::set_kept_shift(int axis, double value) { write(state_.kept_shift, axis, value); }
+
+void Motion::set_reference(int number, int axis, double value) {
+  write(state_.tables.reference[number], axis, value);
+}
+
 void Motion::set_offset(VariableKind kind, int number, double value) {
   std::vector<double>* table = state_.tables.of(kind);
   if (table == nullptr || number < 0 || number >= static_cast<int>(table->size())) return;

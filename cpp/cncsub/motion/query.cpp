@@ -91,6 +91,15 @@ double work_offset(MotionView m, int system, int axis) {
   return shown(m, axis, m.state.tables.work[static_cast<std::size_t>(system)]);
 }
 
+double kept_shift(MotionView m, int axis) {
+  return axis < 0 ? m.state.shifted : shown(m, axis, m.state.kept_shift);
+}
+
+double reference_point(MotionView m, int number, int axis) {
+  const auto found = m.state.tables.reference.find(number);
+  return found == m.state.tables.reference.end() ? 0 : shown(m, axis, found->second);
+}
+
 double extra_offset(MotionView m, int p, int axis) {
   if (p < 1 || p > static_cast<int>(m.state.tables.extra.size())) return 0;
   return shown(m, axis, m.state.tables.extra[static_cast<std::size_t>(p - 1)]);

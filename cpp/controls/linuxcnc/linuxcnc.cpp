@@ -37,6 +37,19 @@ void motion(Control& c) {
   c.motion.tap_return = {TapReturn::Level, kRun, SourceDocument};
   c.motion.peck_retract = {254, kRun, SourceDocument};
   c.motion.peck_clearance = {254, kRun, SourceDocument};
+  c.motion.g_meanings = {
+      "28=reference-all 28.1=store-reference 30=second-reference-all 30.1=store-reference-2 "
+      "41.1=radius-left-given 42.1=radius-right-given 43.1=length-given 43.2=length-added "
+      "52=shift 59.1=extra-system-1 59.2=extra-system-2 59.3=extra-system-3 92.1=clear-shift "
+      "92.2=suspend-shift 92.3=restore-shift",
+      kGCode, Manual};
+  c.motion.max_extra_systems = {3, kGCode, Manual};
+  c.motion.length_type = {LengthType::Shift, kGCode, Manual};
+  has(c.motion.data_forms, {DataForm::InForce, DataForm::Here}, kGCode, Manual);
+  c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
+  c.motion.acute_corner = {AcuteCorner::AlwaysArc, kRun, SourceDocument};
+  c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
+  has(c.common.refuses, {Cause::CycleRotary}, kRun, SourceDocument);
   c.motion.machine_move = {MachineMove::Modal, kRun, SourceDocument};
   c.motion.arc_tolerance = {28, kRun, SourceDocument};
   c.motion.arc_tolerance_inch = {72, kRun, SourceDocument};
@@ -51,10 +64,16 @@ void variables(Control& c) {
     c.variables.push_back({first, last, kind, access, address, kRun, SourceDocument, from});
   };
   c.variables.push_back({1, 30, Kind::Local, Access::ReadWrite, 0, "LC o-code", Manual});
-  add(31, 5220, Kind::Kept, Access::ReadWrite);
-  add(5221, 5326, Kind::WorkOffset, Access::ReadWrite, 0, 20);
-  add(5327, 5399, Kind::Kept, Access::ReadWrite);
-  add(5400, 5419, Kind::Kept, Access::ReadOnly);
+  add(31, 5160, Kind::Kept, Access::ReadWrite);
+  add(5161, 5189, Kind::ReferencePoint, Access::ReadWrite);
+  add(5190, 5209, Kind::Kept, Access::ReadWrite);
+  add(5210, 5219, Kind::Shift, Access::ReadWrite);
+  add(5220, 5220, Kind::WorkSystem, Access::ReadOnly);
+  add(5221, 5340, Kind::WorkOffset, Access::ReadWrite, 0, 20);
+  add(5341, 5399, Kind::ExtraWorkOffset, Access::ReadWrite);
+  add(5400, 5400, Kind::ActiveWord, Access::ReadOnly, 'T');
+  add(5401, 5409, Kind::ActiveLength, Access::ReadOnly);
+  add(5410, 5419, Kind::Kept, Access::ReadOnly);
   add(5420, 5428, Kind::WorkPosition, Access::ReadOnly);
   add(5429, 5601, Kind::Kept, Access::ReadWrite);
   // No program can name these: they are what the named variables of the interpreter tell.
@@ -74,6 +93,14 @@ void alarms(Control& c) {
       {ArgumentOutOfRange, "Calculation resulted in 'not a number'"},
       {BracketNotClosed, "Unclosed expression"},
       {CommentInComment, "Nested comment found"},
+      {CompensationEndArc,
+       "The move just after exiting cutter compensation mode must be straight, not an arc"},
+      {CompensationInterference,
+       "Straight feed in concave corner cannot be reached by the tool without gouging"},
+      {CompensationNoIntersection,
+       "Arc to straight motion makes a corner the compensated tool can't fit in without gouging"},
+      {CompensationArcTooSmall, "Tool radius not less than arc radius with cutter radius compensation"},
+      {CycleRotary, "Cannot put {name} in canned cycle"},
       {CycleRepeats, "Cannot do zero repeats of cycle"},
       {CommentNotClosed, "Unclosed comment found"},
       {BlockTooLong, "Command too long"},
@@ -90,7 +117,7 @@ void alarms(Control& c) {
       {Overflow, "Calculation resulted in 'infinity'"},
       {PowerOfNegative, "Attempt to raise negative to non integer power"},
       {ProgramNotFound, "EOF in file:{file} seeking o-word: o<{name}> from line: {line}"},
-      {RadiusTolerance, "Radius to end of arc differs from radius to start"},
+      {RadiusTolerance, "Radius to end of arc differs from radius to start: {name}"},
       {RadiusTooSmall, "Arc radius too small to reach end point"},
       {ReturnInMainProgram, "{line}: not in a subroutine definition: '{block}'"},
       {SquareRootOfNegative, "Negative argument to sqrt"},

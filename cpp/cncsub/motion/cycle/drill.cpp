@@ -59,6 +59,17 @@ Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
   return std::nullopt;
 }
 
+Result check_rotary(MotionView m, const BlockWords& block) {
+  if (!m.facts.refuses(Cause::CycleRotary)) return std::nullopt;
+  for (const char name : std::string_view("ABC")) {
+    if (!block.words.has(name)) continue;
+    Fault wrong = fault_at(name, Cause::CycleRotary, block);
+    wrong.name = name == 'A' ? "an a" : std::string("a ") + static_cast<char>(name - 'A' + 'a');
+    return wrong;
+  }
+  return std::nullopt;
+}
+
 Result check_tap(MotionView m, const BlockWords& block) {
   if (m.state.cycle.cycle != Meaning::Tap && m.state.cycle.cycle != Meaning::LeftTap)
     return std::nullopt;
@@ -270,6 +281,7 @@ Result canned_cycle(MotionContext& m, BlockWords& block) {
   bool position = w.has('R');
   for (const char axis : kAxisNames) position = position || w.has(axis);
   int repeats = 1;
+  if (auto wrong = check_rotary(m, block)) return wrong;
   if (position || block.has(Group::Cycle))
     if (auto wrong = cycle_words(m, block, repeats)) return wrong;
   if (!position || repeats == 0) return std::nullopt;
