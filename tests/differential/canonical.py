@@ -89,6 +89,11 @@ def read_output(stdout: str, stderr: str = "") -> Output:
     return made
 
 
+def is_call(line: str) -> bool:
+    """Whether a line that was taken for a message is a canonical call with dots in its name."""
+    return re.match(r"\s*\d+ N\S*\s+SPINDLE\.", line) is not None
+
+
 def _numbers(inner: str) -> list[float]:
     return [float(value) for value in inner.split(",")]
 

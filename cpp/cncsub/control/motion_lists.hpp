@@ -103,6 +103,8 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"store-reference-2", Group::OneShot, Meaning::StoreReference, 2},
     {"tap-cycle", Group::Motion, Meaning::TapCycle},
     {"thread", Group::Motion, Meaning::Thread},
+    {"thread-by-k", Group::Motion, Meaning::Thread, 1},
+    {"rigid-tap", Group::Motion, Meaning::Thread, 2},
     {"rotation", Group::Rotation, Meaning::RotationOn},
     {"rotation-off", Group::Rotation, Meaning::RotationOff},
     {"dwell", Group::OneShot, Meaning::Dwell},

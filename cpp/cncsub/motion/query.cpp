@@ -75,9 +75,15 @@ double machine_position(MotionView m, int axis) {
   return shown(m, axis, m.state.plain ? machine_point(m.state) : m.state.tool_at);
 }
 
+/// The tool length where it shifts the work coordinates: they are those of the point of the tool.
+static Axes shifting_length(MotionView m) {
+  return m.facts.control->motion.length_type.value == LengthType::Shift ? m.state.length : Axes{};
+}
+
 double work_position(MotionView m, int axis) {
   return shown(m, axis,
-               (m.state.plain ? machine_point(m.state) : m.state.tool_at) - m.state.offset);
+               (m.state.plain ? machine_point(m.state) : m.state.tool_at) - m.state.offset -
+                   shifting_length(m));
 }
 
 double skip_position(MotionView m, int axis) { return shown(m, axis, m.state.skip); }

@@ -34,18 +34,18 @@ void motion(Control& c) {
   c.motion.cycle_repeats = {"L", kGCode, Manual};
   c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, kRun, SourceDocument};
   c.motion.cycle_approach = {CycleApproach::RFirst, kRun, SourceDocument};
-  c.motion.tap_return = {TapReturn::Level, kRun, SourceDocument};
+  c.motion.tap_return = {TapReturn::Shuffled, kRun, SourceDocument};
   c.motion.peck_retract = {254, kRun, SourceDocument};
   c.motion.peck_clearance = {254, kRun, SourceDocument};
   c.motion.g_meanings = {
-      "28=reference-all 28.1=store-reference 30=second-reference-all 30.1=store-reference-2 "
+      "33=thread-by-k 33.1=rigid-tap 38.2=skip 38.3=skip 91.1=neutral 28=reference-all 28.1=store-reference 30=second-reference-all 30.1=store-reference-2 "
       "41.1=radius-left-given 42.1=radius-right-given 43.1=length-given 43.2=length-added "
       "52=shift 59.1=extra-system-1 59.2=extra-system-2 59.3=extra-system-3 92.1=clear-shift "
       "92.2=suspend-shift 92.3=restore-shift",
       kGCode, Manual};
   c.motion.max_extra_systems = {3, kGCode, Manual};
   c.motion.length_type = {LengthType::Shift, kGCode, Manual};
-  has(c.motion.data_forms, {DataForm::InForce, DataForm::Here}, kGCode, Manual);
+  has(c.motion.data_forms, {DataForm::InForce, DataForm::Here, DataForm::Tools}, kGCode, Manual);
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
   c.motion.acute_corner = {AcuteCorner::AlwaysArc, kRun, SourceDocument};
   c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
@@ -80,7 +80,9 @@ void variables(Control& c) {
   add(14001, 14021, Kind::ActiveCode, Access::ReadOnly);
   add(14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, Access::ReadOnly, 'F');
   add(14100 + 'S' - 'A', 14100 + 'S' - 'A', Kind::ActiveWord, Access::ReadOnly, 'S');
-  add(15040, 15042, Kind::WorkPosition, Access::ReadOnly);
+  add(14100 + 'T' - 'A', 14100 + 'T' - 'A', Kind::ActiveWord, Access::ReadOnly, 'T');
+  add(15020, 15025, Kind::MachinePosition, Access::ReadOnly);
+  add(15040, 15045, Kind::WorkPosition, Access::ReadOnly);
 }
 
 /// Its errors have words and no numbers. Where a message tells what is wrong with a word its own
@@ -93,6 +95,7 @@ void alarms(Control& c) {
       {ArgumentOutOfRange, "Calculation resulted in 'not a number'"},
       {BracketNotClosed, "Unclosed expression"},
       {CommentInComment, "Nested comment found"},
+      {CompensationShift, "Cannot set reference point with cutter compensation in effect"},
       {CompensationEndArc,
        "The move just after exiting cutter compensation mode must be straight, not an arc"},
       {CompensationInterference,
@@ -104,6 +107,16 @@ void alarms(Control& c) {
       {CycleRepeats, "Cannot do zero repeats of cycle"},
       {CommentNotClosed, "Unclosed comment found"},
       {BlockTooLong, "Command too long"},
+      {CompensationPlane, "Cannot change planes with cutter radius compensation on"},
+      {CompensationCycle, "Cannot use canned cycles with cutter compensation on"},
+      {CompensationSkip, "Cannot probe with cutter radius compensation on"},
+      {G10L, "Line with G10 does not have L0, L1, L10, L11, L2, or L20"},
+      {G10P, "P value out of range (0-9) with G10 L2"},
+      {G10System, "P value out of range (0-9) with G10 L2"},
+      {G10Word, "P value out of range (0-9) with G10 L2"},
+      {G10Offset, "Requested tool not found in the tool table"},
+      {ThreadLead, "K word missing with g33/g33.1"},
+      {RadiusOffsetNumber, "G41.1 with no D word"},
       {DivisionByZero, "Attempt to divide by zero"},
       {EndOfRecord, "File ended with no percent sign or program end"},
       {IllegalVariable, "Parameter number out of range"},

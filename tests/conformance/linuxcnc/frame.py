@@ -23,7 +23,7 @@ case("G10 L2 P0 sets the work system in force, and does not add in G91", pins="d
 case("its P7 is G59.1", pins="max_extra_systems data_forms:in-force", **RUN,
      program="N10 G10 L2 P7 X5\nN20 G10 L2 P9 X8\nN30 G59.1 G0 X1\nN40 G59.3 G0 X1\nN50 M2", moves_x=[1, 1], final_machine="X9")
 case("there is no system behind G59.3", pins="max_extra_systems", **RUN,
-     program="N10 G10 L2 P10 X5\nN20 M2", runs="", alarm="g10-system", word="P10")
+     program="N10 G10 L2 P10 X5\nN20 M2", runs="", alarm="g10-system-number", word="P10")
 case("G10 L20 sets a system so that the tool stands at the point", pins="data_forms:here", **RUN,
      program="N10 G0 X10\nN20 G10 L20 P2 X3\nN30 G55 G0 X4\nN40 M2", final_machine="X11")
 case("a turned work system is not computed", **RUN,
@@ -46,3 +46,5 @@ case("G30.1 stores the second point, #5181 tells it", **RUN,
      messages=["1.000000"], moves_x=[1, 5, 4, 1])
 case("#5161 is the reference point, and may be written", **RUN,
      program="N10 #5161=3\nN20 G28\nN30 M2", final_work="X3")
+case("a bare G30 goes to the second reference point", **RUN,
+     program="N10 #5181=3\nN20 G30\nN30 M2", final_work="X3")

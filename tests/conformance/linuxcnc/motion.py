@@ -46,3 +46,7 @@ case("G10 L1 writes the table of tools", pins="data_forms:tools", **RUN,
      program="N10 G10 L1 P1 Z5 R1\nN20 G43 H1\nN30 (print,#5403)\nN40 M2", messages=["5.000000"])
 case("L10 puts the tool at the point", pins="data_forms:tools", **RUN,
      program="N10 G0 Z20\nN20 G10 L10 P1 Z15\nN30 G43 H1\nN40 (print,#5422)\nN50 M2", messages=["15.000000"])
+case("G38.2 and G38.3 go to their end where nothing is touched", **RUN,
+     program="N10 G38.2 X5 F100\nN20 G38.3 X7\nN30 M2", moves="F X5\nF X7")
+case("G91.1 counts centres from the start, as they are counted anyway", **RUN,
+     program="N10 G91.1 G2 X2 I1 F100\nN20 M2", moves="CW X2 Y0 C X1 Y0")

@@ -19,3 +19,5 @@ case("which it needs", **RUN,
      program="N10 G41.1 G1 X5 F100\nN20 M2", runs="", alarm="radius-offset-number", word="G41.1")
 case("an arc that ends off its circle is told in numbers", **RUN,
      program="N10 G2 X2 Y1 I1 F100\nN20 M2", runs="", alarm="radius-tolerance", word="X2")
+case("D of G42.1 is the diameter too", **RUN,
+     program="N10 G42.1 D2 G1 X5 F100\nN20 X9\nN30 M2", centre="X5 Y-1 | X9 Y-1")

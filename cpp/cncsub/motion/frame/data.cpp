@@ -117,6 +117,27 @@ Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
 
 }  // namespace
 
+namespace {
+
+/// G10 L1 and L10 of a tool: its length and radius; with L10 the length that puts the tool at Z.
+Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p) {
+  OffsetTables& tables = m.state.tables;
+  if (p < 1 || p != std::floor(p) || p >= static_cast<double>(tables.length.size()))
+    return fault(Cause::G10Offset, block);
+  for (const char name : std::string_view("XYABCUVW"))
+    if (block.words.has(name) && block.words[name] != 0)
+      return fault_at(name, Cause::CodeNotComputed, block, "a tool has a length along Z alone");
+  const auto tool = to_whole<std::size_t>(p);
+  if (block.words.has('Z')) {
+    const double z = number(m, block, 'Z');
+    m.log.change(tables.length[tool]) = l == 1 ? z : m.state.work[2] + m.state.length[2] - z;
+  }
+  if (block.words.has('R')) m.log.change(tables.radius[tool]) = number(m, block, 'R');
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result set_data(MotionContext& m, BlockWords& block) {
   m.state.data_set = true;
   const NcWords& w = block.words;
@@ -130,6 +151,8 @@ Result set_data(MotionContext& m, BlockWords& block) {
   if (!systems && !offsets) return fault(Cause::G10L, block);
   if (!w.has('P') && l != 2) return fault(Cause::G10Word, block);
   const double p = w.has('P') ? w['P'] : m.state.work_system;
+  if (m.facts.control->motion.data_forms.value.has(DataForm::Tools) && l != 2 && l != 20)
+    return l == 11 ? fault(Cause::CodeNotComputed, block) : set_tool_entry(m, block, l, p);
   if (l == 20 && m.facts.control->motion.data_forms.value.has(DataForm::Here))
     return set_system_here(m, block, p);
   return offsets ? set_offset_data(m, block, l, p) : set_zero_point(m, block, l == 20, p);

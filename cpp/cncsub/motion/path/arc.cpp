@@ -91,6 +91,17 @@ std::string arc_in_numbers(MotionView m, const Piece& piece, Point start, Point 
   return "start=" + shown(start) + " center=" + shown(centre) + " end=" + shown(end) + radii;
 }
 
+/// What is wrong with an arc that ends off its circle.
+Fault off_circle(MotionView m, const BlockWords& block, const Piece& piece, Point start,
+                 Point centre, Point end) {
+  char text[64];
+  std::snprintf(text, sizeof text, "radius %.4f at the start, %.4f at the end",
+                size(start - centre), size(end - centre));
+  Fault wrong = fault(Cause::RadiusTolerance, block, text);
+  wrong.name = arc_in_numbers(m, piece, start, centre, end);
+  return wrong;
+}
+
 Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   const Control& c = *m.facts.control;
   const PlaneAxes plane = plane_axes(m.state.plane);
@@ -111,13 +122,8 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   const double first = std::hypot(i, j), last = std::hypot(a1 - ca, b1 - cb);
   if (piece.radius != 0 && first == 0) return fault(Cause::CompensationArcStart, block);
   if (first == 0 && m.facts.refuses(Cause::NoRadius)) return fault(Cause::NoRadius, block);
-  if (is_off_circle(c.motion, first, last, m.state.unit != 1)) {
-    char text[64];
-    std::snprintf(text, sizeof text, "radius %.4f at the start, %.4f at the end", first, last);
-    Fault wrong = fault(Cause::RadiusTolerance, block, text);
-    wrong.name = arc_in_numbers(m, piece, {a0, b0}, {ca, cb}, {a1, b1});
-    return wrong;
-  }
+  if (is_off_circle(c.motion, first, last, m.state.unit != 1))
+    return off_circle(m, block, piece, {a0, b0}, {ca, cb}, {a1, b1});
   if (first == 0) {
     piece.kind = MoveKind::Feed;
     return std::nullopt;

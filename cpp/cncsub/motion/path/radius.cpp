@@ -22,6 +22,19 @@ double sharpness(Point u, Point v) { return dot(u, v) < 0 ? 1 : std::fabs(cross(
 /// [rs274 2.9: 0.05 radians]
 const double kHardlyACorner = std::sin(0.05);
 
+/// Whether the tool goes outside of an arc.
+bool outside_arc(const Curve& curve, double offset) {
+  return !curve.straight() && (curve.turn > 0) != (offset > 0);
+}
+
+/// The arc with the radius that it has at its end.
+Curve by_its_end(Curve curve) {
+  if (curve.straight() || size(curve.from - curve.centre) == 0) return curve;
+  const double share = size(curve.to - curve.centre) / size(curve.from - curve.centre);
+  curve.from = curve.centre + share * (curve.from - curve.centre);
+  return curve;
+}
+
 /// So many moves wait at most because they are too short.
 constexpr std::size_t kReadAhead = 8;
 
@@ -79,15 +92,18 @@ Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, dou
   const Point na = offset * left(u), nb = offset * left(v);
   if (behind != nullptr && join_before_step(a, b, *behind, offset, join)) return std::nullopt;
   const bool arcs = sink.facts.control->motion.acute_corner.value == AcuteCorner::AlwaysArc;
-  if (arcs && dot(u, v) > 0 && std::fabs(cross(u, v)) < kHardlyACorner) {
+  const bool hardly = arcs && std::fabs(cross(u, v)) < kHardlyACorner;
+  if (hardly && dot(u, v) > 0) {
     join.leave = na;
+  } else if (hardly && dot(u, v) < 0 && !outside_arc(b.straight() ? a : b, offset)) {
+    go_around(a, b, u, v, offset, join);
   } else if (same_normal(na, nb)) {  // tangent: an arc keeps its own normal
     join.leave = a.straight() ? nb : na;
   } else if (!inside(u, v, offset)) {
     go_around(a, b, u, v, offset, join);
   } else if (join_over_step(a, b, offset, join)) {
     return std::nullopt;
-  } else if (const auto meet = meeting(a, b, offset, least)) {
+  } else if (const auto meet = meeting(a, arcs ? by_its_end(b) : b, offset, least)) {
     join.leave = *meet - a.to;
   } else if (!a.straight() && moved_radius(a, a.to, offset) < -least) {
     return Fault{Cause::CompensationArcTooSmall, sink.state.held.radius.front().at, 1, {}};
