@@ -84,6 +84,10 @@ def read_output(stdout: str, stderr: str = "") -> Output:
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "feed"
             made.moves.append(Move(kind, _straight(_numbers(inner), unit)))
+        elif name == "RIGID_TAP":  # there, and back the way it came
+            before = made.moves[-1].end if made.moves else dict.fromkeys("XYZABC", 0.0)
+            there = {**before, **_straight(_numbers(inner), unit)}
+            made.moves += [Move("feed", there), Move("feed", before)]
         elif name == "ARC_FEED":
             made.moves.append(_arc(_numbers(inner), axes, unit))
     return made

@@ -126,7 +126,6 @@ struct Cut {
   Point first, second, centre;
   bool left_turn = false;
   bool none = false;
-  bool second_short = false;
 };
 
 bool cut_chamfer(const Curve& a, const Curve& b, double size, bool chamfer_line, Cut& cut) {
@@ -136,9 +135,7 @@ bool cut_chamfer(const Curve& a, const Curve& b, double size, bool chamfer_line,
     const double inner = std::acos(std::clamp(-dot(u, v), -1.0, 1.0));
     size = size / (2 * std::sin(inner / 2));
   }
-  if (!at_distance(a, size, true, cut.first)) return false;
-  cut.second_short = !at_distance(b, size, false, cut.second);
-  return !cut.second_short;
+  return at_distance(a, size, true, cut.first) && at_distance(b, size, false, cut.second);
 }
 
 bool cut_round(const Curve& a, const Curve& b, double radius, Cut& cut) {
@@ -150,9 +147,7 @@ bool cut_round(const Curve& a, const Curve& b, double radius, Cut& cut) {
   const auto centre = meeting(a, b, offset, 0);
   if (!centre) return false;
   cut.centre = *centre;
-  if (!foot_on(a, cut.centre, cut.first)) return false;
-  cut.second_short = !foot_on(b, cut.centre, cut.second);
-  return !cut.second_short;
+  return foot_on(a, cut.centre, cut.first) && foot_on(b, cut.centre, cut.second);
 }
 
 /// The angle an arc still runs through when its ends have been cut.
@@ -175,10 +170,8 @@ bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, con
   Cut cut;
   const bool round = first.corner == 'R';
   if (!(round ? cut_round(a, b, std::fabs(first.corner_size), cut)
-              : cut_chamfer(a, b, std::fabs(first.corner_size), chamfer_line, cut))) {
-    corner.second_short = cut.second_short;
+              : cut_chamfer(a, b, std::fabs(first.corner_size), chamfer_line, cut)))
     return false;
-  }
   if (cut.none) return true;
   view.set(corner.at_first, cut.first);
   view.set(corner.at_second, cut.second);

@@ -310,8 +310,6 @@ Control family() {
   statements(c);
   macros(c);
   take_list(c, alarms_m700());
-  // Of the move behind the corner the number is another one. [MZ 914, paired]
-  c.alarms[Cause::CornerTooShort].directed.push_back({"->", "P384", ""});
   c.user_alarm_number = "P277";
   variables(c);
   variable_choices(c);

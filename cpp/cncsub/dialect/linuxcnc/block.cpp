@@ -106,8 +106,12 @@ bool BlockReader::words(Block& block) {
     if (!item(block, words)) return true;
   if (!words.any && words.statements.empty() && !words.print && block.n < 0) return false;
   if (auto wrong = wrong_word(words.line)) {
-    refuse(block, wrong->cause, std::move(wrong->text),
-           words.line.at[static_cast<std::size_t>(wrong->letter - 'a')]);
+    const auto letter = static_cast<std::size_t>(wrong->letter - 'a');
+    to_.refuse(block, Fault{.cause = wrong->cause,
+                            .at = words.line.at[letter],
+                            .width = words.line.width[letter],
+                            .detail = wrong->text,
+                            .text = wrong->text});
     return true;
   }
   write(block, words);
@@ -148,6 +152,7 @@ bool BlockReader::word(Block& block, Words& words, char letter) {
   if (letter == 'g') return g_code(block, words, value);
   if (letter == 'm') return m_code(block, words, value);
   words.line.at[static_cast<std::size_t>(letter - 'a')] = at;
+  words.line.width[static_cast<std::size_t>(letter - 'a')] = value.width;
   if (!value.computed && value.number < 0) words.line.negative.insert(letter);
   words.list.set(letter - 'a', word_of(value), false);
   return true;
@@ -156,6 +161,7 @@ bool BlockReader::word(Block& block, Words& words, char letter) {
 bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   words.line.computed = words.line.computed || value.computed;
   words.line.at['g' - 'a'] = value.at;
+  words.line.width['g' - 'a'] = value.width;
   if (value.computed) {
     if (words.list.g_count < 12) words.list.add_g(word_of(value));
     return true;

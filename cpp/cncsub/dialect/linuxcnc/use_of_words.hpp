@@ -18,7 +18,7 @@ struct LineWords {
   bool computed = false;    // a code is an expression
   std::set<char> letters;   // of the other words, small
   std::set<char> negative;  // of those, with a number below 0
-  std::array<std::uint32_t, 26> at{};  // where each stands
+  std::array<std::uint32_t, 26> at{}, width{};  // where each stands
 
   bool has_g(std::initializer_list<int> codes) const;
   bool has_m(std::initializer_list<int> codes) const;

@@ -70,9 +70,6 @@ Result wait_for_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
 
 }  // namespace
 
-/// The sign of the second move, where a control has a number of its own for that.
-constexpr std::array<std::array<char, 2>, 2> kSecondMove = {{{}, {'-', '>'}}};
-
 Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   Held& held = sink.state.held;
   if (held.corner.empty()) return wait_for_corner(sink, piece, from);
@@ -84,10 +81,7 @@ Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
   const bool chamfer_side = sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
   if (!cut_corner(view, held.corner_from, first, piece, chamfer_side, corner))
-    return Fault{.cause = Cause::CornerTooShort,
-                 .at = first.at,
-                 .detail = corner.second_short ? "the move behind the corner is too short" : "",
-                 .direction = kSecondMove[corner.second_short ? 1 : 0]};
+    return Fault{Cause::CornerTooShort, first.at, 1, {}};
   if (auto wrong = through_radius(sink, corner.first, held.corner_from)) return wrong;
   if (corner.has_between)
     if (auto wrong = through_radius(sink, corner.between, corner.at_first)) return wrong;

@@ -93,13 +93,12 @@ Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, dou
   if (behind != nullptr && join_before_step(a, b, *behind, offset, join)) return std::nullopt;
   const bool arcs = sink.facts.control->motion.acute_corner.value == AcuteCorner::AlwaysArc;
   const bool hardly = arcs && std::fabs(cross(u, v)) < kHardlyACorner;
-  if (hardly && dot(u, v) > 0) {
+  const bool cusp = hardly && dot(u, v) < 0;
+  if (hardly && !cusp) {
     join.leave = na;
-  } else if (hardly && dot(u, v) < 0 && !outside_arc(b.straight() ? a : b, offset)) {
-    go_around(a, b, u, v, offset, join);
   } else if (same_normal(na, nb)) {  // tangent: an arc keeps its own normal
     join.leave = a.straight() ? nb : na;
-  } else if (!inside(u, v, offset)) {
+  } else if (cusp ? !outside_arc(b.straight() ? a : b, offset) : !inside(u, v, offset)) {
     go_around(a, b, u, v, offset, join);
   } else if (join_over_step(a, b, offset, join)) {
     return std::nullopt;

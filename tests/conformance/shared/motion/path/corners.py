@@ -135,21 +135,3 @@ case(
         F Z-40
     """,
 )
-
-case(
-    "a corner longer than the move behind it alarms, on the Mitsubishi with a number of its own",
-    control=["fanuc-16i", "fanuc-30i", "mitsubishi-m700", "gsk-980mdi", "gsk-988t"],
-    source={
-        "fanuc-16i": "ALM PS0055", "fanuc-30i": "ALM PS0055", "mitsubishi-m700": "MZ 914, paired with P384",
-        "gsk-980mdi": "MDib 0271", "gsk-988t": "Talm 275",
-    },
-    evidence="secondary",
-    program="O1\nG90 G01 X50 ,C5 F100\nY3\nM30",
-    replace=MM,
-    setup=MILL,
-    alarm="corner-too-short",
-    number={
-        "fanuc-16i": "055", "fanuc-30i": "PS0055", "mitsubishi-m700": "P384", "gsk-980mdi": "0271", "gsk-988t": "275",
-    },
-    at="O1", word=",C5",
-)
