@@ -229,7 +229,8 @@ _TABLE = _joined(
     _group(
         LINUXCNC,
         "common reading calls macros",
-        "max_nesting main_return missing_end self_call caller_call reset_clears:locals",
+        "max_nesting main_return missing_end self_call caller_call reset_clears:locals"
+        " refuses:rotary-axis-in-cycle",
         ANOTHER_LANGUAGE,
     ),
     _group(
@@ -243,6 +244,7 @@ _TABLE = _joined(
         FAMILY_MOTION,
     ),
     # SINUMERIK
+    _all("power_on:G91 power_on:G95 power_on:G20 power_on:G22", (ONE,), FAMILY_MOTION),
     _group(
         ONE,
         "common reading calls macros",

@@ -19,8 +19,7 @@ struct Fault {
   std::uint32_t width = 1;  // bytes; 0 = the name, number or sign that stands there
   std::string detail;
   Address block = kNowhere;  // the block it stands in; otherwise the one that is being executed
-  std::array<char, 2> direction{};  // "X+", or "->" for the move behind: where the
-                                    // control may have a number for each
+  std::array<char, 2> direction{};  // "X+", where the control may have a number for each
   char address = 0;                 // of the word that is wrong, where `at` does not say it
   int code = -1;                    // or that G code, ten times its number
   std::string text = {};            // the control's own words, where they name what is wrong

@@ -119,14 +119,6 @@ double system_read(const Run& run, const VariablePlace& place, std::int64_t numb
   }
 }
 
-/// The shift of G92 and the reference points.
-void write_frame(Motion& motion, const VariablePlace& place, double value) {
-  if (place.kind == VariableKind::Shift)
-    motion.set_kept_shift(place.index - 1, value);
-  else
-    motion.set_reference(place.index / kSystems + 1, place.index % kSystems, value);
-}
-
 std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int64_t number,
                                   double value) {
   const int index = place.index;
@@ -146,7 +138,7 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
       break;
     case VariableKind::Shift:
     case VariableKind::ReferencePoint:
-      write_frame(run.motion, place, value);
+      run.motion.set_offset(place.kind, index, value);
       break;
     case VariableKind::AxisWorkOffset:
       run.motion.set_work_offset(index, axis_of(*place.range), value);

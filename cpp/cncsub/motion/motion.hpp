@@ -71,8 +71,6 @@ class Motion {
   // What variables write. `axis` counts as in query.hpp.
   void set_work_offset(int system, int axis, double value);
   void set_extra_offset(int p, int axis, double value);
-  void set_kept_shift(int axis, double value);
-  void set_reference(int number, int axis, double value);
   void set_offset(VariableKind kind, int number, double value);
 
   /// The rows go to another table from now on.

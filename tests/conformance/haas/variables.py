@@ -360,10 +360,10 @@ case(
     program="O1\nN10 G10 P1 R5.\nN20 M30", runs="", alarm="g10-word-missing", word="G10", at="O1 N10",
 )
 case(
-    "G154 P names an extra system that G10 L20 sets on the Haas", **KNOWN, pins="data_forms:here data_forms:in-force",
+    "G154 P names an extra system that G10 L20 sets on the Haas", **KNOWN, pins="data_forms:here",
     setup={"machine": "mill"},
-    program="O1\nN10 G10 L20 P2 X5.\nN20 G154 P2 G0 X0\nN30 G55 G10 L2 P0 X3.\nN40 G54 G0 X0\nN50 M30",
-    final_machine="X3",
+    program="O1\nN10 G10 L20 P2 X5.\nN20 G154 P2 G0 X0\nN30 M30",
+    final_machine="X5",
 )
 case(
     "R of G10 L10 is the length of an H on the Haas", **KNOWN, pins="data_forms:tools", setup={"machine": "mill"},
@@ -375,5 +375,5 @@ case(
 )
 case(
     "GOTO to a number that is not there is 539 on the Haas", **KNOWN,
-    program="O1\nN10 GOTO 99\nN20 M30", runs="", alarm="jump-target-not-found", number="539", at="O1 N10", word="GOTO 99",
+    program="O1\nN10 GOTO 99\nN20 M30", runs="", alarm="jump-target-not-found", number="539", at="O1 N10", word="99",
 )
