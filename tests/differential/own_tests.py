@@ -35,7 +35,9 @@ def setup_of(folder: Path) -> cncsub.Setup:
     radii: dict[int, float] = {}
     for table in sorted(folder.glob("*.tbl")):
         for line in table.read_text(errors="replace").splitlines():
-            words = {a: float(v) for a, v in re.findall(r"([TZD])\s*([-+.\d]+)", line.split(";")[0])}
+            words = {
+                a: float(v) for a, v in re.findall(r"([TZD])\s*([-+.\d]+)", line.split(";")[0])
+            }
             if 0 < words.get("T", 0) < 9999:
                 lengths[int(words["T"])] = words.get("Z", 0.0) * INCH
                 radii[int(words["T"])] = words.get("D", 0.0) / 2 * INCH
@@ -64,7 +66,12 @@ def moves_of(run: cncsub.Run, tool: bool) -> list[Move]:
         arc = row.kind in ("cw", "ccw")
         kind = "feed" if row.kind == "thread" else str(row.kind)
         made.append(Move(kind, end, place(row, "c", "XYZ") if arc else {}))
-    return with_length([Move(m.kind, dict.fromkeys("XYZABC", 0.0) | dict(m.end), m.centre, m.seconds) for m in made])
+    return with_length(
+        [
+            Move(m.kind, dict.fromkeys("XYZABC", 0.0) | dict(m.end), m.centre, m.seconds)
+            for m in made
+        ]
+    )
 
 
 def alike(one: Move, other: Move) -> bool:

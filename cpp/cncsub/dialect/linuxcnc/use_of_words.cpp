@@ -30,10 +30,7 @@ const Use kUses[] = {
      {410, 420, 411, 421, 700, 710, 711, 712, 720, 721, 722, 960},
      {},
      "D word with no G41, G41.1, G42, G42.1, G71, G71.1, G71.2 or G96 to use it"},
-    {'e',
-     {760, 330, 331, 700},
-     {66, 67, 68},
-     "E word with no G70, G76, M66, M67 or M68 to use it"},
+    {'e', {760, 330, 331, 700}, {66, 67, 68}, "E word with no G70, G76, M66, M67 or M68 to use it"},
     {'h', {430, 432, 760}, {}, "H word with no G43 or G76 to use it"},
     {'i',
      {20, 30, 50, 51, 710, 711, 712, 720, 721, 722, 760, 870, 331, 100},
@@ -62,8 +59,8 @@ const Use kUses[] = {
      {66, 67, 68, 61, 19},
      "Q word with no G5, G10, G64, G73, G76, G83, M19, M66, M67, M68 or user M code that uses it"},
     {'r',
-     {20,  30,  760, 710, 711, 712, 720, 721, 722, 810, 820, 830, 840,
-      850, 860, 870, 880, 890, 730, 740, 411, 421, 100},
+     {20,  30,  760, 710, 711, 712, 720, 721, 722, 810, 820, 830,
+      840, 850, 860, 870, 880, 890, 730, 740, 411, 421, 100},
      {19},
      "R word with no g code that uses it"},
 };
@@ -84,7 +81,8 @@ bool has_axes(const LineWords& line) {
 /// Words that are missing, or that stand beside a code which wants none.
 std::optional<WrongWord> against_code(const LineWords& line) {
   if (line.has_g({800}) && has_axes(line) && !line.has_g({100, 280, 300, 520, 920})) {
-    const char axis = *std::find_if(kAxes.begin(), kAxes.end(), [&](char c) { return line.has(c); });
+    const char axis =
+        *std::find_if(kAxes.begin(), kAxes.end(), [&](char c) { return line.has(c); });
     return WrongWord{axis, Cause::AddressNotUsable, "Cannot use axis values with g80"};
   }
   const auto motion = std::find_if(line.g.begin(), line.g.end(), is_motion);

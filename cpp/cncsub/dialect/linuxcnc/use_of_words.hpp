@@ -14,10 +14,10 @@ namespace cncsub::linuxcnc {
 
 /// What stands in a line, as far as its text tells.
 struct LineWords {
-  std::vector<int> g, m;    // codes; G times ten
-  bool computed = false;    // a code is an expression
-  std::set<char> letters;   // of the other words, small
-  std::set<char> negative;  // of those, with a number below 0
+  std::vector<int> g, m;                        // codes; G times ten
+  bool computed = false;                        // a code is an expression
+  std::set<char> letters;                       // of the other words, small
+  std::set<char> negative;                      // of those, with a number below 0
   std::array<std::uint32_t, 26> at{}, width{};  // where each stands
 
   bool has_g(std::initializer_list<int> codes) const;

@@ -129,8 +129,8 @@ Result drill_down(MotionContext& m, BlockWords& block, int axis, double r, doubl
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
   const bool plain = m.facts.control->turning.drill_retract.value && cycle.r == 0;
   if (pecks && cycle.q != 0 && !plain) return peck(m, block, axis, r, z);
-  if (auto wrong = taps(cycle) ? feed_tap(m, block, axis, z)
-                               : move_axis(m, block, MoveKind::Feed, axis, z))
+  if (auto wrong =
+          taps(cycle) ? feed_tap(m, block, axis, z) : move_axis(m, block, MoveKind::Feed, axis, z))
     return wrong;
   switch (cycle.cycle) {
     case Meaning::LeftTap:

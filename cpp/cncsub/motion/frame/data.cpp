@@ -63,7 +63,7 @@ Result set_without_l(MotionContext& m, BlockWords& block) {
 /// G10 L2 and L20: the zero point of a work system, or of an extra one.
 Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, double p) {
   OffsetTables& tables = m.state.tables;
-  const bool in_force = m.facts.control->motion.data_forms.value.has(DataForm::InForce);
+  const bool in_force = m.facts.control->motion.data_forms.value.has(DataForm::Active);
   if (in_force) {
     if (block.words.has('R') && block.words['R'] != 0)
       return fault_at('R', Cause::CodeNotComputed, block, "R of G10 turns the work system");

@@ -65,8 +65,7 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
     if ((named >> i & 1) == 0) continue;
     m.state.middle[i] = middle[i] + m.state.offset[i];
     end[i] =
-        (found == m.state.tables.reference.end() ? 0
-                                                 : found->second[static_cast<std::size_t>(i)]) -
+        (found == m.state.tables.reference.end() ? 0 : found->second[static_cast<std::size_t>(i)]) -
         m.state.offset[i] - length_left(m, i);
   }
   return move(m, block, uncompensated(m, block, MoveKind::Rapid, end, named));
@@ -103,8 +102,7 @@ Result check_reference(MotionContext& m, BlockWords& block) {
   const auto found = points.find(1);
   const Axes machine = machine_point(m.state);
   for (int i = 0; i < kAxes; ++i) {
-    const double wanted =
-        found == points.end() ? 0 : found->second[static_cast<std::size_t>(i)];
+    const double wanted = found == points.end() ? 0 : found->second[static_cast<std::size_t>(i)];
     if ((named >> i & 1) != 0 && std::fabs(machine[i] - wanted) > m.facts.increment / 2)
       return fault(Cause::NotAtReference, block);
   }

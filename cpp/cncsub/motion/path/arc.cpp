@@ -77,10 +77,10 @@ std::string arc_in_numbers(MotionView m, const Piece& piece, Point start, Point 
   const double unit = m.state.unit;
   const auto shown = [&](Point p) {
     char text[96];
-    std::snprintf(text, sizeof text, "(%c%.4f,%c%.4f)", kAxisNames[static_cast<std::size_t>(plane.a)],
-                  (p.a - piece.offset[plane.a]) / unit,
-                  kAxisNames[static_cast<std::size_t>(plane.b)],
-                  (p.b - piece.offset[plane.b]) / unit);
+    std::snprintf(
+        text, sizeof text, "(%c%.4f,%c%.4f)", kAxisNames[static_cast<std::size_t>(plane.a)],
+        (p.a - piece.offset[plane.a]) / unit, kAxisNames[static_cast<std::size_t>(plane.b)],
+        (p.b - piece.offset[plane.b]) / unit);
     return std::string(text);
   };
   const double first = size(start - centre) / unit, last = size(end - centre) / unit;
