@@ -164,7 +164,12 @@ _TABLE = _joined(
     _all("bore_return", (TDI,), "the control has no boring cycle"),
     _all("arc_tolerance_inch", (TDI, TE), "the control knows no inches"),
     _all("helix", (TE,), "a lathe without a third axis makes no helix"),
-    _all("other_system data_forms:L52", (TE, HNC), "the control has no G10"),
+    _all(
+        "other_system data_forms:L52 data_forms:in-force data_forms:here data_forms:tools",
+        (TE, HNC),
+        "the control has no G10",
+    ),
+    _all("data_forms:here data_forms:tools refuses:rotary-axis-in-cycle", GSK_LATHES, A_LATHE),
     _all("data_forms:without-L", (HNC,), "the control has no G10"),
     _all("data_forms:without-L", GSK_LATHES, A_LATHE),
     _all("max_extra_systems", (*GSK_LATHES, HNC), "the control has no G54.1"),
@@ -224,7 +229,8 @@ _TABLE = _joined(
     _group(
         LINUXCNC,
         "common reading calls macros",
-        "max_nesting main_return missing_end self_call caller_call reset_clears:locals",
+        "max_nesting main_return missing_end self_call caller_call reset_clears:locals"
+        " refuses:rotary-axis-in-cycle",
         ANOTHER_LANGUAGE,
     ),
     _group(
@@ -232,11 +238,13 @@ _TABLE = _joined(
         "motion",
         "arc_tolerance arc_tolerance_inch arc_tolerance_share no_radius negative_radius"
         " helix unit_change machine_move cycle_repeats zero_cycle_repeats peck_retract cycle_approach"
-        " tap_return"
+        " tap_return start_up acute_corner missing_radius_offset length_type max_extra_systems g_meanings"
+        " data_forms:in-force data_forms:here data_forms:tools"
         " peck_clearance power_on_feed dwell_words dwell_point",
         FAMILY_MOTION,
     ),
     # SINUMERIK
+    _all("power_on:G91 power_on:G95 power_on:G20 power_on:G22", (ONE,), FAMILY_MOTION),
     _group(
         ONE,
         "common reading calls macros",

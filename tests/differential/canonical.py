@@ -84,9 +84,18 @@ def read_output(stdout: str, stderr: str = "") -> Output:
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "feed"
             made.moves.append(Move(kind, _straight(_numbers(inner), unit)))
+        elif name == "RIGID_TAP":  # there, and back the way it came
+            before = made.moves[-1].end if made.moves else dict.fromkeys("XYZABC", 0.0)
+            there = {**before, **_straight(_numbers(inner), unit)}
+            made.moves += [Move("feed", there), Move("feed", before)]
         elif name == "ARC_FEED":
             made.moves.append(_arc(_numbers(inner), axes, unit))
     return made
+
+
+def is_call(line: str) -> bool:
+    """Whether a line that was taken for a message is a canonical call with dots in its name."""
+    return re.match(r"\s*\d+ N\S*\s+SPINDLE\.", line) is not None
 
 
 def _numbers(inner: str) -> list[float]:

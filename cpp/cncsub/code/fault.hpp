@@ -24,7 +24,7 @@ struct Fault {
   char address = 0;                 // of the word that is wrong, where `at` does not say it
   int code = -1;                    // or that G code, ten times its number
   std::string text = {};            // the control's own words, where they name what is wrong
-  std::string name = {};            // of a variable, for the control's words
+  std::string name = {};            // of a variable, or numbers, for the control's words
 };
 
 struct Code;

@@ -169,6 +169,9 @@ enum class VariableKind : std::uint8_t {
   ServoError,       // #5101...
   WorkOffset,       // #5201...: 20 numbers a system, the first of them external
   AxisWorkOffset,   // #2500...: 100 numbers an axis, the first of them external
+  Shift,            // #5210...: whether the shift of G92 counts, and the shift
+  ReferencePoint,   // #5161...: 20 numbers a reference point
+  WorkSystem,       // #5220: which work system is in force
   ExtraWorkOffset,  // #7001...: G54.1 P1...
   LengthWear,       // tool offsets
   LengthGeometry,

@@ -45,7 +45,7 @@ constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
 #define CNCSUB_MEANINGS(M) \
   M(None) M(Unknown) M(Neutral) M(DataEnd) M(Uncomputed) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
   M(FromReference) M(SecondReference) M(Skip) M(MeasureTool) M(Local) M(Machine) M(SetCoordinate) \
-  M(ClearCoordinate) M(Lengthen) M(Shorten) M(LengthenTwice) M(ShortenTwice) M(OneWay) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
+  M(ClearCoordinate) M(SetShift) M(ClearShift) M(SuspendShift) M(RestoreShift) M(StoreReference) M(Lengthen) M(Shorten) M(LengthenTwice) M(ShortenTwice) M(OneWay) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
   M(PeckTurn) M(MultipleThread) M(Rapid) M(Line) M(Cw) M(Ccw) M(Thread) M(VariableThread) \
   M(TurnCycle) M(ThreadCycle) M(FaceCycle) M(TapCycle) M(ThreePoints) M(ThreePointsAbsolute) M(PlaneXY) M(PlaneZX) M(PlaneYZ) \
   M(Absolute) M(Incremental) M(StrokeOn) M(StrokeOff) M(PerMinute) M(PerRevolution) \
@@ -89,8 +89,22 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"pulses", Group::Units, Meaning::Pulses},
     {"mirror", Group::Mirror, Meaning::MirrorOn},
     {"mirror-off", Group::Mirror, Meaning::MirrorOff},
+    {"radius-left-given", Group::Radius, Meaning::RadiusLeft, 1},
+    {"radius-right-given", Group::Radius, Meaning::RadiusRight, 1},
+    {"shift", Group::OneShot, Meaning::SetShift},
+    {"clear-shift", Group::OneShot, Meaning::ClearShift},
+    {"suspend-shift", Group::OneShot, Meaning::SuspendShift},
+    {"restore-shift", Group::OneShot, Meaning::RestoreShift},
+    {"reference-all", Group::OneShot, Meaning::Reference, 1},
+    {"second-reference-all", Group::OneShot, Meaning::SecondReference, 1},
+    {"length-given", Group::Length, Meaning::LengthPlus, 1},
+    {"length-added", Group::Length, Meaning::LengthPlus, 2},
+    {"store-reference", Group::OneShot, Meaning::StoreReference, 1},
+    {"store-reference-2", Group::OneShot, Meaning::StoreReference, 2},
     {"tap-cycle", Group::Motion, Meaning::TapCycle},
     {"thread", Group::Motion, Meaning::Thread},
+    {"thread-by-k", Group::Motion, Meaning::Thread, 1},
+    {"rigid-tap", Group::Motion, Meaning::Thread, 2},
     {"rotation", Group::Rotation, Meaning::RotationOn},
     {"rotation-off", Group::Rotation, Meaning::RotationOff},
     {"dwell", Group::OneShot, Meaning::Dwell},

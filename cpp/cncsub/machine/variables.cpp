@@ -62,6 +62,13 @@ std::optional<double> of_motion(const MotionView& motion, const VariablePlace& p
       return active_length(motion, index);
     case VariableKind::ServoError:
       return 0;
+    case VariableKind::Shift:
+      return kept_shift(motion, index - 1);
+    case VariableKind::ReferencePoint:
+      return reference_point(motion, index / kSystems + 1, index % kSystems);
+    case VariableKind::WorkSystem:
+      return motion.state.work_system > 0 ? motion.state.work_system
+                                          : 6 + motion.state.extra_system;
     case VariableKind::WorkOffset:
       return work_offset(motion, index / kSystems, index % kSystems);
     case VariableKind::AxisWorkOffset:
@@ -128,6 +135,10 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
       break;
     case VariableKind::WorkOffset:
       run.motion.set_work_offset(index / kSystems, index % kSystems, value);
+      break;
+    case VariableKind::Shift:
+    case VariableKind::ReferencePoint:
+      run.motion.set_offset(place.kind, index, value);
       break;
     case VariableKind::AxisWorkOffset:
       run.motion.set_work_offset(index, axis_of(*place.range), value);

@@ -30,6 +30,24 @@ bool makes_cycle(Meaning meaning) {
   }
 }
 
+/// G70 to G76 of lathes.
+Result multiple_cycle(MotionContext& m, BlockWords& block) {
+  switch (block.meaning(Group::OneShot)) {
+    case Meaning::Finish:
+    case Meaning::RoughTurn:
+    case Meaning::RoughFace:
+    case Meaning::RoughPattern:
+      return contour(m, block, block.meaning(Group::OneShot));
+    case Meaning::PeckFace:
+    case Meaning::PeckTurn:
+      return grooving(m, block, block.meaning(Group::OneShot));
+    case Meaning::MultipleThread:
+      return multiple_thread(m, block);
+    default:
+      return std::nullopt;
+  }
+}
+
 Result one_shot(MotionContext& m, BlockWords& block) {
   switch (block.meaning(Group::OneShot)) {
     case Meaning::Dwell:
@@ -57,18 +75,12 @@ Result one_shot(MotionContext& m, BlockWords& block) {
       return set_coordinate(m, block);
     case Meaning::ClearCoordinate:
       return clear_coordinate(m, block);
-    case Meaning::Finish:
-    case Meaning::RoughTurn:
-    case Meaning::RoughFace:
-    case Meaning::RoughPattern:
-      return contour(m, block, block.meaning(Group::OneShot));
-    case Meaning::PeckFace:
-    case Meaning::PeckTurn:
-      return grooving(m, block, block.meaning(Group::OneShot));
-    case Meaning::MultipleThread:
-      return multiple_thread(m, block);
+    case Meaning::SetShift:
+      return change_shift(m, block);
+    case Meaning::StoreReference:
+      return store_reference(m, block);
     default:
-      return std::nullopt;
+      return multiple_cycle(m, block);
   }
 }
 
@@ -113,6 +125,8 @@ Result make_motion(MotionContext& m, BlockWords& block) {
     case Meaning::TapCycle:
       return turning_cycle(m, block, meaning);
     case Meaning::Thread:
+      if (m.state.modal[at(Group::Motion)].which != 0) return thread_by_k(m, block);
+      [[fallthrough]];
     case Meaning::VariableThread:
       return thread(m, block, meaning);
     default:
@@ -122,7 +136,13 @@ Result make_motion(MotionContext& m, BlockWords& block) {
 
 /// What the block does with its axis words.
 Result act(MotionContext& m, BlockWords& block) {
-  if (block.meaning(Group::OneShot) == Meaning::Ignored) return std::nullopt;
+  const Meaning once = block.meaning(Group::OneShot);
+  if (once == Meaning::Ignored) return std::nullopt;
+  if (once == Meaning::ClearShift || once == Meaning::SuspendShift ||
+      once == Meaning::RestoreShift) {  // they take no axis words: those move
+    if (auto wrong = change_shift(m, block)) return wrong;
+    return make_motion(m, block);
+  }
   if (goes_with_motion(m.state, block))
     return block.consumed ? std::nullopt : make_motion(m, block);
   take_motion_code(m, block);  // it holds for the blocks behind

@@ -13,6 +13,9 @@
 namespace cncsub {
 namespace {
 
+/// Numbers of variables from one reference point to the next.
+constexpr int kReferenceStep = 20;
+
 /// Moves that wait for the next one wait no more.
 Result end_waiting(MoveSink& sink) {
   const Held& held = sink.state.held;
@@ -107,6 +110,11 @@ void Motion::set_extra_offset(int p, int axis, double value) {
 }
 
 void Motion::set_offset(VariableKind kind, int number, double value) {
+  if (kind == VariableKind::Shift) return write(state_.kept_shift, number - 1, value);
+  if (kind == VariableKind::ReferencePoint) {
+    const int point = number / kReferenceStep + 1;
+    return write(state_.tables.reference[point], number % kReferenceStep, value);
+  }
   std::vector<double>* table = state_.tables.of(kind);
   if (table == nullptr || number < 0 || number >= static_cast<int>(table->size())) return;
   (*table)[static_cast<std::size_t>(number)] = value * (g20(state_) ? kInch : 1);

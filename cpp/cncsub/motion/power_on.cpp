@@ -22,7 +22,8 @@ void fill_table(std::vector<double>& table, const std::map<int, double>& values)
   }
 }
 
-OffsetTables tables_of(const Setup& setup, const Control& control) {
+OffsetTables tables_of(const Setup& setup, const Control& control,
+                       const std::map<int, Axes>& reference) {
   OffsetTables tables;
   const auto rows = [](std::int32_t most) {
     return static_cast<std::size_t>(std::min(most, kLargestOffset));
@@ -47,6 +48,7 @@ OffsetTables tables_of(const Setup& setup, const Control& control) {
     entry.tip = tool.tip;
     entry.radius = tool.radius;
   }
+  tables.reference = reference;
   return tables;
 }
 
@@ -54,7 +56,7 @@ OffsetTables tables_of(const Setup& setup, const Control& control) {
 
 MotionState state_of(const MotionFacts& facts, const Setup& setup) {
   MotionState state;
-  state.tables = tables_of(setup, *facts.control);
+  state.tables = tables_of(setup, *facts.control, facts.reference);
   for (std::size_t i = 0; i < 3; ++i) {
     const double share = facts.share(static_cast<int>(i)), rate = facts.rapid[i];
     state.half[i] = share * share;

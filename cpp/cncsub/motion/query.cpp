@@ -75,9 +75,15 @@ double machine_position(MotionView m, int axis) {
   return shown(m, axis, m.state.plain ? machine_point(m.state) : m.state.tool_at);
 }
 
+/// The tool length where it shifts the work coordinates: they are those of the point of the tool.
+static Axes shifting_length(MotionView m) {
+  return m.facts.control->motion.length_type.value == LengthType::Shift ? m.state.length : Axes{};
+}
+
 double work_position(MotionView m, int axis) {
   return shown(m, axis,
-               (m.state.plain ? machine_point(m.state) : m.state.tool_at) - m.state.offset);
+               (m.state.plain ? machine_point(m.state) : m.state.tool_at) - m.state.offset -
+                   shifting_length(m));
 }
 
 double skip_position(MotionView m, int axis) { return shown(m, axis, m.state.skip); }
@@ -89,6 +95,15 @@ double active_length(MotionView m, int axis) {
 double work_offset(MotionView m, int system, int axis) {
   if (system < 0 || system > 6) return 0;
   return shown(m, axis, m.state.tables.work[static_cast<std::size_t>(system)]);
+}
+
+double kept_shift(MotionView m, int axis) {
+  return axis < 0 ? m.state.shifted : shown(m, axis, m.state.kept_shift);
+}
+
+double reference_point(MotionView m, int number, int axis) {
+  const auto found = m.state.tables.reference.find(number);
+  return found == m.state.tables.reference.end() ? 0 : shown(m, axis, found->second);
 }
 
 double extra_offset(MotionView m, int p, int axis) {

@@ -28,6 +28,9 @@ double work_position(MotionView m, int axis);
 double skip_position(MotionView m, int axis);
 double active_length(MotionView m, int axis);
 double work_offset(MotionView m, int system, int axis);
+/// What the shift of G92 becomes when it is taken back in; of axis -1 whether it counts, 1 or 0.
+double kept_shift(MotionView m, int axis);
+double reference_point(MotionView m, int number, int axis);
 double extra_offset(MotionView m, int p, int axis);
 double offset(MotionView m, VariableKind kind, int number);
 

@@ -158,8 +158,10 @@ struct ModalState {
   Axes offset{};  // work to base: zero points, shift, local
   Axes length{};  // base to machine: tool length
   Axes shift{}, local{};
-  Axes tool_shift{};  // lathe tool offset as a shift of the work coordinates
-  Axes middle{};      // intermediate point of G28, base
+  Axes kept_shift{};     // what the shift becomes when it is taken back in
+  bool shifted = false;  // it counts
+  Axes tool_shift{};     // lathe tool offset as a shift of the work coordinates
+  Axes middle{};         // intermediate point of G28, base
   std::uint32_t middle_known = 0;
   Axes tool_at{};  // machine position behind the last recorded move; kept where not `plain`
   bool tool_pending = false;  // a tool offset waits for the next move
@@ -179,7 +181,8 @@ struct ModalState {
   bool data_set = false;     // a G10 came
   int b = 0, h = 0, d = 0, t = 0;
   int tool = 0, tool_offset = 0;
-  double lead = 0;  // of threads, where it is kept apart from the feed
+  double given_radius = 0;  // that of a radius compensation without an offset number
+  double lead = 0;          // of threads, where it is kept apart from the feed
   double polar_angle = 0;
   bool polar_known = false;
   bool moved_before = false;  // or set coordinates: the head of the program is over
@@ -199,6 +202,7 @@ struct OffsetTables {
   std::vector<Axes> extra;                                       // G54.1 P1...
   std::vector<double> length, length_wear, radius, radius_wear;  // by number
   std::map<int, ToolOffsets> tools;
+  std::map<int, Axes> reference;  // points, by number: machine coordinates
 
   /// Those of H or D, which a variable reads or writes.
   const std::vector<double>* of(VariableKind kind) const;

@@ -101,6 +101,7 @@ void variables(Control& c) {
       {0, 0, Kind::Vacant, kReadOnly, 0, "H96 p.113", Secondary},
       {1, 33, Kind::Local, kReadWrite, 0, "HAA", Secondary},
       {1000, 1063, Kind::Input, kReadOnly, 0, kHaas, Inferred},
+      {1100, 1139, Kind::Output, kReadWrite, 0, kHaas, Inferred},
       {2001, 2200, Kind::LengthGeometry, kReadWrite, 0, zap, Secondary},
       {2201, 2400, Kind::LengthWear, kReadWrite, 0, zap, Secondary},
       {2401, 2600, Kind::RadiusGeometry, kReadWrite, 0, zap, Secondary},
@@ -112,6 +113,8 @@ void variables(Control& c) {
       {3006, 3006, Kind::Message, kWriteOnly, 0, zap, Secondary},
       {3011, 3011, Kind::Date, kReadOnly, 0, zap, Secondary},
       {3012, 3012, Kind::Time, kReadOnly, 0, zap, Secondary},
+      {3026, 3026, Kind::ActiveWord, kReadOnly, 'T', kHaas, Inferred},
+      {3901, 3902, Kind::PartsCount, kReadWrite, 0, kHaas, Inferred},
       {4001, 4021, Kind::ModalCode, kReadOnly, 0, kHaas, Inferred},
       {5001, 5006, Kind::BlockEnd, kReadOnly, 0, kHaas, Inferred},
       {5021, 5026, Kind::MachinePosition, kReadOnly, 0, kHaas, Inferred},
@@ -194,6 +197,7 @@ void alarms(Control& c) {
       {"529", "ILLEGAL G65 PARAMETER", {IllegalArgument}},
       {"530", "TOO MANY I, J, OR K'S IN G65", {TooManyArgumentSets}},
       {"531", "MACRO NESTING TOO DEEP", {MacroNestingTooDeep}},
+      {"539", "ILLEGAL GOTO", {JumpTargetNotFound}},
       {"538", "MATCHING END NOT FOUND", {Cause::MissingEnd}},
   };
   for (const Row& row : rows)

@@ -7,6 +7,7 @@ namespace cncsub {
 namespace {
 
 using enum Evidence;
+using enum Cause;
 
 constexpr const char* kRun = "rs274 2.9";
 constexpr const char* kOverview = "LC overview";
@@ -34,9 +35,23 @@ void motion(Control& c) {
   c.motion.cycle_repeats = {"L", kGCode, Manual};
   c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, kRun, SourceDocument};
   c.motion.cycle_approach = {CycleApproach::RFirst, kRun, SourceDocument};
-  c.motion.tap_return = {TapReturn::Level, kRun, SourceDocument};
+  c.motion.tap_return = {TapReturn::Shuffled, kRun, SourceDocument};
   c.motion.peck_retract = {254, kRun, SourceDocument};
   c.motion.peck_clearance = {254, kRun, SourceDocument};
+  c.motion.g_meanings = {
+      "33=thread-by-k 33.1=rigid-tap 38.2=skip 38.3=skip 91.1=neutral 28=reference-all "
+      "28.1=store-reference 30=second-reference-all 30.1=store-reference-2 "
+      "41.1=radius-left-given 42.1=radius-right-given 43.1=length-given 43.2=length-added "
+      "52=shift 59.1=extra-system-1 59.2=extra-system-2 59.3=extra-system-3 92.1=clear-shift "
+      "92.2=suspend-shift 92.3=restore-shift",
+      kGCode, Manual};
+  c.motion.max_extra_systems = {3, kGCode, Manual};
+  c.motion.length_type = {LengthType::Shift, kGCode, Manual};
+  has(c.motion.data_forms, {DataForm::Active, DataForm::Here, DataForm::Tools}, kGCode, Manual);
+  c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
+  c.motion.acute_corner = {AcuteCorner::AlwaysArc, kRun, SourceDocument};
+  c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
+  has(c.common.refuses, {CycleRotary}, kRun, SourceDocument);
   c.motion.machine_move = {MachineMove::Modal, kRun, SourceDocument};
   c.motion.arc_tolerance = {28, kRun, SourceDocument};
   c.motion.arc_tolerance_inch = {72, kRun, SourceDocument};
@@ -51,58 +66,86 @@ void variables(Control& c) {
     c.variables.push_back({first, last, kind, access, address, kRun, SourceDocument, from});
   };
   c.variables.push_back({1, 30, Kind::Local, Access::ReadWrite, 0, "LC o-code", Manual});
-  add(31, 5220, Kind::Kept, Access::ReadWrite);
-  add(5221, 5326, Kind::WorkOffset, Access::ReadWrite, 0, 20);
-  add(5327, 5399, Kind::Kept, Access::ReadWrite);
-  add(5400, 5419, Kind::Kept, Access::ReadOnly);
+  add(31, 5160, Kind::Kept, Access::ReadWrite);
+  add(5161, 5189, Kind::ReferencePoint, Access::ReadWrite);
+  add(5190, 5209, Kind::Kept, Access::ReadWrite);
+  add(5210, 5219, Kind::Shift, Access::ReadWrite);
+  add(5220, 5220, Kind::WorkSystem, Access::ReadOnly);
+  add(5221, 5340, Kind::WorkOffset, Access::ReadWrite, 0, 20);
+  add(5341, 5399, Kind::ExtraWorkOffset, Access::ReadWrite);
+  add(5400, 5400, Kind::ActiveWord, Access::ReadOnly, 'T');
+  add(5401, 5409, Kind::ActiveLength, Access::ReadOnly);
+  add(5410, 5419, Kind::Kept, Access::ReadOnly);
   add(5420, 5428, Kind::WorkPosition, Access::ReadOnly);
   add(5429, 5601, Kind::Kept, Access::ReadWrite);
   // No program can name these: they are what the named variables of the interpreter tell.
   add(14001, 14021, Kind::ActiveCode, Access::ReadOnly);
   add(14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, Access::ReadOnly, 'F');
   add(14100 + 'S' - 'A', 14100 + 'S' - 'A', Kind::ActiveWord, Access::ReadOnly, 'S');
-  add(15040, 15042, Kind::WorkPosition, Access::ReadOnly);
+  add(14100 + 'T' - 'A', 14100 + 'T' - 'A', Kind::ActiveWord, Access::ReadOnly, 'T');
+  add(15020, 15025, Kind::MachinePosition, Access::ReadOnly);
+  add(15040, 15045, Kind::WorkPosition, Access::ReadOnly);
 }
 
 /// Its errors have words and no numbers. Where a message tells what is wrong with a word its own
 /// name, the alarm shows that.
+constexpr std::pair<Cause, const char*> kTexts[] = {
+    {AddressWithoutValue, "No characters found in reading real value"},
+    {ArcSineOutOfRange, "Argument to {name} out of range"},
+    {ArgumentOutOfRange, "Calculation resulted in 'not a number'"},
+    {BracketNotClosed, "Unclosed expression"},
+    {CommentInComment, "Nested comment found"},
+    {CompensationShift, "Cannot set reference point with cutter compensation in effect"},
+    {CompensationEndArc,
+     "The move just after exiting cutter compensation mode must be straight, not an arc"},
+    {CompensationInterference,
+     "Straight feed in concave corner cannot be reached by the tool without gouging"},
+    {CompensationNoIntersection,
+     "Arc to straight motion makes a corner the compensated tool can't fit in without gouging"},
+    {CompensationArcTooSmall,
+     "Tool radius not less than arc radius with cutter radius compensation"},
+    {CycleRotary, "Cannot put {name} in canned cycle"},
+    {CycleRepeats, "Cannot do zero repeats of cycle"},
+    {CommentNotClosed, "Unclosed comment found"},
+    {BlockTooLong, "Command too long"},
+    {CompensationPlane, "Cannot change planes with cutter radius compensation on"},
+    {CompensationCycle, "Cannot use canned cycles with cutter compensation on"},
+    {CompensationSkip, "Cannot probe with cutter radius compensation on"},
+    {G10L, "Line with G10 does not have L0, L1, L10, L11, L2, or L20"},
+    {G10P, "P value out of range (0-9) with G10 L2"},
+    {G10System, "P value out of range (0-9) with G10 L2"},
+    {G10Word, "P value out of range (0-9) with G10 L2"},
+    {G10Offset, "Requested tool not found in the tool table"},
+    {ThreadLead, "K word missing with g33/g33.1"},
+    {RadiusOffsetNumber, "G41.1 with no D word"},
+    {DivisionByZero, "Attempt to divide by zero"},
+    {EndOfRecord, "File ended with no percent sign or program end"},
+    {IllegalVariable, "Parameter number out of range"},
+    {LabelGivenTwice, "{line}: duplicate O-word label: '{block}'"},
+    {LabelNotFound, "{line}: undefined O-word label: '{block}'"},
+    {LabelOfAnotherKind, "{line}: no matching label: '{block}'"},
+    {LogarithmOfNonPositive, "Zero or negative argument to ln"},
+    {NestingTooDeep, "Too many subroutine levels"},
+    {NoFeed, "Cannot do g1 with zero feed rate"},
+    {NoRadius, "R i j k words all missing for arc"},
+    {Overflow, "Calculation resulted in 'infinity'"},
+    {PowerOfNegative, "Attempt to raise negative to non integer power"},
+    {ProgramNotFound, "EOF in file:{file} seeking o-word: o<{name}> from line: {line}"},
+    {RadiusTolerance, "Radius to end of arc differs from radius to start: {name}"},
+    {RadiusTooSmall, "Arc radius too small to reach end point"},
+    {ReturnInMainProgram, "{line}: not in a subroutine definition: '{block}'"},
+    {SquareRootOfNegative, "Negative argument to sqrt"},
+    {SubprogramInSubprogram, "Nested subroutine definition"},
+    {SubprogramGivenTwice,
+     "File:{file} line:{line} redefining sub: o|{name}| already defined in file:{file}"},
+    {TooManyArguments, "Too many subroutine parameters"},
+    {VariableNameUnknown, "Named parameter #<{name}> not defined"},
+    {VariableWriteProtected, "Parameter is readonly"},
+    {WholeNumberExpected, "Non integer value for integer"},
+};
+
 void alarms(Control& c) {
-  using enum Cause;
-  const std::pair<Cause, const char*> texts[] = {
-      {AddressWithoutValue, "No characters found in reading real value"},
-      {ArcSineOutOfRange, "Argument to {name} out of range"},
-      {ArgumentOutOfRange, "Calculation resulted in 'not a number'"},
-      {BracketNotClosed, "Unclosed expression"},
-      {CommentInComment, "Nested comment found"},
-      {CycleRepeats, "Cannot do zero repeats of cycle"},
-      {CommentNotClosed, "Unclosed comment found"},
-      {BlockTooLong, "Command too long"},
-      {DivisionByZero, "Attempt to divide by zero"},
-      {EndOfRecord, "File ended with no percent sign or program end"},
-      {IllegalVariable, "Parameter number out of range"},
-      {LabelGivenTwice, "{line}: duplicate O-word label: '{block}'"},
-      {LabelNotFound, "{line}: undefined O-word label: '{block}'"},
-      {LabelOfAnotherKind, "{line}: no matching label: '{block}'"},
-      {LogarithmOfNonPositive, "Zero or negative argument to ln"},
-      {NestingTooDeep, "Too many subroutine levels"},
-      {NoFeed, "Cannot do g1 with zero feed rate"},
-      {NoRadius, "R i j k words all missing for arc"},
-      {Overflow, "Calculation resulted in 'infinity'"},
-      {PowerOfNegative, "Attempt to raise negative to non integer power"},
-      {ProgramNotFound, "EOF in file:{file} seeking o-word: o<{name}> from line: {line}"},
-      {RadiusTolerance, "Radius to end of arc differs from radius to start"},
-      {RadiusTooSmall, "Arc radius too small to reach end point"},
-      {ReturnInMainProgram, "{line}: not in a subroutine definition: '{block}'"},
-      {SquareRootOfNegative, "Negative argument to sqrt"},
-      {SubprogramInSubprogram, "Nested subroutine definition"},
-      {SubprogramGivenTwice,
-       "File:{file} line:{line} redefining sub: o|{name}| already defined in file:{file}"},
-      {TooManyArguments, "Too many subroutine parameters"},
-      {VariableNameUnknown, "Named parameter #<{name}> not defined"},
-      {VariableWriteProtected, "Parameter is readonly"},
-      {WholeNumberExpected, "Non integer value for integer"},
-  };
-  for (const auto& [cause, text] : texts) c.alarms[cause] = {"", text, kRun, SourceDocument, true};
+  for (const auto& [cause, text] : kTexts) c.alarms[cause] = {"", text, kRun, SourceDocument, true};
 }
 
 }  // namespace

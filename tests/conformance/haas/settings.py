@@ -53,7 +53,7 @@ case(
 )
 case(
     "M96 to a number that its program does not have", **KNOWN,
-    program="O1\nN10 M96 P40 Q8\nN20 M30", runs="", alarm="jump-target-not-found", at="O1 N10", word="P40",
+    program="O1\nN10 M96 P40 Q8\nN20 M30", runs="", alarm="jump-target-not-found", number="539", at="O1 N10", word="P40",
 )
 case(
     "M96 without P is 313, as M97 is", **KNOWN,

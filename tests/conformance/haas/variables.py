@@ -359,3 +359,21 @@ case(
     "G10 P R needs L on the Haas", **KNOWN, pins="data_forms:without-L", setup={"machine": "mill"},
     program="O1\nN10 G10 P1 R5.\nN20 M30", runs="", alarm="g10-word-missing", word="G10", at="O1 N10",
 )
+case(
+    "G154 P names an extra system that G10 L20 sets on the Haas", **KNOWN, pins="data_forms:here",
+    setup={"machine": "mill"},
+    program="O1\nN10 G10 L20 P2 X5.\nN20 G154 P2 G0 X0\nN30 M30",
+    final_machine="X5",
+)
+case(
+    "R of G10 L10 is the length of an H on the Haas", **KNOWN, pins="data_forms:tools", setup={"machine": "mill"},
+    program="O1\nN10 G10 L10 P1 R5.\nN20 G43 H1 G0 Z0\nN30 M30", final_machine="Z5",
+)
+case(
+    "#1100 to #1139 are the outputs of the Haas, #3026 its tool", **KNOWN,
+    program="O1\nN10 T3 M6\nN20 #1100=1\nN30 #1=#1100+#3026\nN40 #1139=0\nN50 M30", vars={1: 4},
+)
+case(
+    "GOTO to a number that is not there is 539 on the Haas", **KNOWN,
+    program="O1\nN10 GOTO 99\nN20 M30", runs="", alarm="jump-target-not-found", number="539", at="O1 N10", word="99",
+)

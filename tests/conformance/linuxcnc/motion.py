@@ -32,3 +32,21 @@ case("and each hole begins there, where G91 counts on", pins="cycle_approach", *
      moves="R Z0.25\nR Z0.5\nR X1\nR Z0.5\nF Z-0.5\nR Z0.5\nR X2\nR Z0.5\nF Z-0.5\nR Z0.5")
 case("a tap is fed out to the level of G98", pins="tap_return", **RUN,
      program="N10 G0 Z5 S100 M3\nN20 G98 G84 Z-1 R2 F100\nN30 G80 M2", moves="R Z5\nR Z2\nF Z-1\nF Z5")
+case("a canned cycle turns no rotary axis", pins="refuses:rotary-axis-in-cycle", **RUN,
+     program="N10 G81 A90 Z-1 R1 F100\nN20 M2", runs="", alarm="rotary-axis-in-cycle", word="A90")
+case("G33 is a thread whose lead is K", **RUN, program="N10 S100 M3\nN20 G33 Z-2 K0.5\nN30 M2", moves="T Z-2")
+case("which it needs for every move", **RUN,
+     program="N10 S100 M3\nN20 G33 Z-2\nN30 M2", runs="N10", alarm="thread-lead", word="G33")
+case("G33.1 taps and goes back the way it came", **RUN,
+     program="N10 S100 M3\nN20 G33.1 Z-2 K0.5\nN30 M2", moves="T Z-2\nT Z0")
+case("a tap outside of G17 takes its axes for each other", pins="tap_return", **RUN,
+     program="N10 G18 S100 M3 G0 Y2\nN20 G84 X1 Z3 Y-1 R1 F100\nN30 G80 M2",
+     moves="R Y2\nR X1 Z3\nR Y1\nF X-1 Y3 Z1\nF X2 Y3 Z1", final_work="X1 Y2 Z3")
+case("G10 L1 writes the table of tools", pins="data_forms:tools", **RUN,
+     program="N10 G10 L1 P1 Z5 R1\nN20 G43 H1\nN30 (print,#5403)\nN40 M2", messages=["5.000000"])
+case("L10 puts the tool at the point", pins="data_forms:tools", **RUN,
+     program="N10 G0 Z20\nN20 G10 L10 P1 Z15\nN30 G43 H1\nN40 (print,#5422)\nN50 M2", messages=["15.000000"])
+case("G38.2 and G38.3 go to their end where nothing is touched", **RUN,
+     program="N10 G38.2 X5 F100\nN20 G38.3 X7\nN30 M2", moves="F X5\nF X7")
+case("G91.1 counts centres from the start, as they are counted anyway", **RUN,
+     program="N10 G91.1 G2 X2 I1 F100\nN20 M2", moves="CW X2 Y0 C X1 Y0")

@@ -105,6 +105,15 @@ bool BlockReader::words(Block& block) {
   while (!line_.at_end())
     if (!item(block, words)) return true;
   if (!words.any && words.statements.empty() && !words.print && block.n < 0) return false;
+  if (auto wrong = wrong_word(words.line)) {
+    const auto letter = static_cast<std::size_t>(wrong->letter - 'a');
+    to_.refuse(block, Fault{.cause = wrong->cause,
+                            .at = words.line.at[letter],
+                            .width = words.line.width[letter],
+                            .detail = wrong->text,
+                            .text = wrong->text});
+    return true;
+  }
   write(block, words);
   return true;
 }
@@ -134,7 +143,7 @@ bool BlockReader::word(Block& block, Words& words, char letter) {
   Value value;
   words.any = true;
   const bool code = letter == 'g' || letter == 'm';
-  if (!code && !words.letters.insert(letter).second)
+  if (!code && !words.line.letters.insert(letter).second)
     return refuse(block, Cause::AddressGivenTwice,
                   std::string("Multiple ") + letter + " words on one line", at);
   if (!(letter == 'm' ? expression_.whole(value) : expression_.value(value))) return refuse(block);
@@ -142,11 +151,17 @@ bool BlockReader::word(Block& block, Words& words, char letter) {
   value.width = line_.width_from(at);
   if (letter == 'g') return g_code(block, words, value);
   if (letter == 'm') return m_code(block, words, value);
+  words.line.at[static_cast<std::size_t>(letter - 'a')] = at;
+  words.line.width[static_cast<std::size_t>(letter - 'a')] = value.width;
+  if (!value.computed && value.number < 0) words.line.negative.insert(letter);
   words.list.set(letter - 'a', word_of(value), false);
   return true;
 }
 
 bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
+  words.line.computed = words.line.computed || value.computed;
+  words.line.at['g' - 'a'] = value.at;
+  words.line.width['g' - 'a'] = value.width;
   if (value.computed) {
     if (words.list.g_count < 12) words.list.add_g(word_of(value));
     return true;
@@ -162,11 +177,13 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   if (!words.g_groups.insert(group).second)
     return refuse(block, Cause::AddressGivenTwice, "Two g codes used from same modal group",
                   value.at);
+  words.line.g.push_back(code);
   words.list.add_g({false, 0, static_cast<double>(code)});
   return true;
 }
 
 bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
+  words.line.computed = words.line.computed || value.computed;
   if (value.computed) {
     if (words.list.m_count < 6) words.list.add_m(word_of(value));
     return true;
@@ -185,6 +202,7 @@ bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
                   value.at);
   const Role role = to_.control().calls.roles.value.of_m(code);
   words.ends = words.ends || role == Role::End || role == Role::Return;
+  words.line.m.push_back(code);
   if (words.list.m_count < 6) words.list.add_m({false, 0, static_cast<double>(code)});
   return true;
 }

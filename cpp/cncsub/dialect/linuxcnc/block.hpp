@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cncsub/dialect/linuxcnc/expression.hpp"
+#include "cncsub/dialect/linuxcnc/use_of_words.hpp"
 
 namespace cncsub::linuxcnc {
 
@@ -33,7 +34,7 @@ class BlockReader {
     WordList list;
     std::vector<Statement> statements;
     std::optional<Print> print;
-    std::set<char> letters;
+    LineWords line;
     std::set<int> g_groups, m_groups;
     bool any = false;
     bool ends = false;

@@ -9,18 +9,30 @@ namespace {
 using Step = BuiltIn::Step;
 
 // What the control tells about itself lies at these numbers, beyond those that programs can name.
-constexpr double kModal = 14000, kWord = 14100, kWork = 15040;
+constexpr double kModal = 14000, kWord = 14100, kMachine = 15020, kWork = 15040;
 
 constexpr Step modal(int group) { return {Ins::Variable, kModal + group}; }
 constexpr Step word(char address) { return {Ins::Variable, kWord + (address - 'A')}; }
+constexpr Step machine(int axis) { return {Ins::Variable, kMachine + axis}; }
 constexpr Step work(int axis) { return {Ins::Variable, kWork + axis}; }
 constexpr Step number(double value) { return {Ins::Constant, value}; }
 constexpr Step equal() { return {Ins::Equal, 0}; }
 constexpr Step times() { return {Ins::Multiply, 0}; }
 
-constexpr std::array<BuiltIn, 20> kBuiltIns = {{
+constexpr std::array<BuiltIn, 39> kBuiltIns = {{
+    {"_a", {work(3)}},
+    {"_abs_a", {machine(3)}},
+    {"_abs_b", {machine(4)}},
+    {"_abs_c", {machine(5)}},
+    {"_abs_x", {machine(0)}},
+    {"_abs_y", {machine(1)}},
+    {"_abs_z", {machine(2)}},
     {"_absolute", {modal(3), number(90), equal()}},
+    {"_b", {work(4)}},
+    {"_c", {work(5)}},
     {"_call_level", {Step{Ins::Level, 0}}},
+    {"_ccomp", {modal(7), number(10), times()}},
+    {"_coord_system", {modal(14), number(10), times()}},
     {"_feed", {word('F')}},
     {"_imperial", {modal(6), number(20), equal()}},
     {"_incremental", {modal(3), number(91), equal()}},
@@ -29,9 +41,16 @@ constexpr std::array<BuiltIn, 20> kBuiltIns = {{
     {"_metric", {modal(6), number(21), equal()}},
     {"_motion_mode", {modal(1), number(10), times()}},
     {"_plane", {modal(2), number(10), times()}},
+    {"_remap_level", {number(0)}},
+    {"_retract_old_z", {modal(10), number(98), equal()}},
+    {"_retract_r_plane", {modal(10), number(99), equal()}},
     {"_rpm", {word('S')}},
+    {"_selected_tool", {word('T')}},
+    {"_spindle_css_mode", {modal(13), number(96), equal()}},
+    {"_spindle_rpm_mode", {modal(13), number(97), equal()}},
     {"_task", {number(0)}},
     {"_units_per_minute", {modal(5), number(94), equal()}},
+    {"_units_per_rev", {modal(5), number(95), equal()}},
     {"_value", {Step{Ins::Common, 0}}},
     {"_value_returned", {Step{Ins::Common, 1}}},
     {"_vmajor", {number(2.9)}},
@@ -41,21 +60,10 @@ constexpr std::array<BuiltIn, 20> kBuiltIns = {{
     {"_z", {work(2)}},
 }};
 
-constexpr std::string_view kOfMachine[] = {"_a",
-                                           "_abs_a",
-                                           "_abs_b",
-                                           "_abs_c",
-                                           "_abs_u",
+constexpr std::string_view kOfMachine[] = {"_abs_u",
                                            "_abs_v",
                                            "_abs_w",
-                                           "_abs_x",
-                                           "_abs_y",
-                                           "_abs_z",
                                            "_adaptive_feed",
-                                           "_b",
-                                           "_c",
-                                           "_ccomp",
-                                           "_coord_system",
                                            "_current_pocket",
                                            "_current_tool",
                                            "_feed_hold",
@@ -66,19 +74,12 @@ constexpr std::string_view kOfMachine[] = {"_a",
                                            "_lathe_radius_mode",
                                            "_metric_machine",
                                            "_mist",
-                                           "_remap_level",
-                                           "_retract_old_z",
-                                           "_retract_r_plane",
                                            "_selected_pocket",
-                                           "_selected_tool",
                                            "_speed_override",
-                                           "_spindle_css_mode",
                                            "_spindle_cw",
                                            "_spindle_on",
-                                           "_spindle_rpm_mode",
                                            "_tool_offset",
                                            "_u",
-                                           "_units_per_rev",
                                            "_v",
                                            "_w"};
 

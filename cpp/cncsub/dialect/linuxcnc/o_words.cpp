@@ -103,7 +103,7 @@ bool BlockReader::words_of_98(Block& block, CallRecord& call) {
       continue;
     }
     line_.take();
-    if (!words.letters.insert(letter).second)
+    if (!words.line.letters.insert(letter).second)
       return refuse(block, Cause::AddressGivenTwice,
                     std::string("Multiple ") + letter + " words on one line", call.at);
     Value value;

@@ -113,6 +113,9 @@ Result take_first_block(MotionContext& m, const BlockWords& block, Meaning meani
     if (w.has('W')) data.shift_z = number(m, block, 'W');
     if (w.has('R')) data.passes = whole(w['R']);
   } else {
+    // The allowance stands in the second block, which has P and Q. [TDi 23.1; ALM 061]
+    const char other = meaning == Meaning::RoughTurn ? 'W' : 'U';
+    if (w.has(other)) return fault(Cause::PqMissing, block);
     const char depth = meaning == Meaning::RoughTurn ? 'U' : 'W';
     if (w.has(depth)) data.depth = std::fabs(number(m, block, depth)), data.has_depth = true;
     if (w.has('R')) data.escape = number(m, block, 'R'), data.has_escape = true;
@@ -166,7 +169,7 @@ Result check_first_block(const NcWords& first, const std::vector<Piece>& pieces,
   const bool pattern = meaning == Meaning::RoughPattern;
   if (pattern && (pieces.empty() || (!x && !z)))
     return Fault{Cause::PatternFirstBlock, first.at, 1, {}};
-  if (!pattern && (pieces.empty() || pieces.front().turn != 0))
+  if (!pattern && (pieces.empty() || pieces.front().turn != 0 || pieces.front().at != first.at))
     return Fault{Cause::ProfileFirstBlock, first.at, 1, {}};
   if (meaning == Meaning::RoughTurn && !x) return Fault{Cause::ProfileFirstX, first.at, 1, {}};
   if (meaning == Meaning::RoughFace && !z) return Fault{Cause::ProfileFirstZ, first.at, 1, {}};

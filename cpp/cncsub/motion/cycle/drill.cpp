@@ -59,6 +59,17 @@ Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
   return std::nullopt;
 }
 
+Result check_rotary(MotionView m, const BlockWords& block) {
+  if (!m.facts.refuses(Cause::CycleRotary)) return std::nullopt;
+  for (const char name : std::string_view("ABC")) {
+    if (!block.words.has(name)) continue;
+    Fault wrong = fault_at(name, Cause::CycleRotary, block);
+    wrong.name = name == 'A' ? "an a" : std::string("a ") + static_cast<char>(name - 'A' + 'a');
+    return wrong;
+  }
+  return std::nullopt;
+}
+
 Result check_tap(MotionView m, const BlockWords& block) {
   if (m.state.cycle.cycle != Meaning::Tap && m.state.cycle.cycle != Meaning::LeftTap)
     return std::nullopt;
@@ -91,12 +102,36 @@ Result peck(MotionContext& m, BlockWords& block, int axis, double r, double z) {
   return move_axis(m, block, MoveKind::Feed, axis, z);
 }
 
+/// A tap is fed to a level. Where the control takes its axes for each other outside of G17, so do
+/// we; the cycle goes on over its hole. [rs274 2.9: convert_cycle_g74_g84]
+Result feed_tap(MotionContext& m, BlockWords& block, int axis, double level) {
+  const TapReturn form = m.facts.control->motion.tap_return.value;
+  if (form != TapReturn::Shuffled || m.state.plane == Plane::XY)
+    return move_axis(m, block, MoveKind::Feed, axis, level);
+  Axes hole = m.state.work;
+  Axes end = hole;
+  hole[static_cast<std::size_t>(axis)] = level;
+  if (m.state.plane == Plane::ZX)
+    end[0] = level, end[1] = hole[2], end[2] = hole[0];
+  else
+    end[0] = hole[2], end[1] = level, end[2] = hole[1];
+  auto wrong = move(m, block, MoveKind::Feed, end, straight_axes(~0U));
+  m.state.work = hole;
+  return wrong;
+}
+
+bool taps(const CycleData& cycle) {
+  return cycle.cycle == Meaning::Tap || cycle.cycle == Meaning::LeftTap;
+}
+
 Result drill_down(MotionContext& m, BlockWords& block, int axis, double r, double z) {
   const CycleData& cycle = m.state.cycle;
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
   const bool plain = m.facts.control->turning.drill_retract.value && cycle.r == 0;
   if (pecks && cycle.q != 0 && !plain) return peck(m, block, axis, r, z);
-  if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, z)) return wrong;
+  if (auto wrong =
+          taps(cycle) ? feed_tap(m, block, axis, z) : move_axis(m, block, MoveKind::Feed, axis, z))
+    return wrong;
   switch (cycle.cycle) {
     case Meaning::LeftTap:
     case Meaning::FineBore:
@@ -133,8 +168,8 @@ Result drill_up(MotionContext& m, BlockWords& block, int axis, double r, double 
   switch (cycle.cycle) {
     case Meaning::LeftTap:
     case Meaning::Tap:
-      if (m.facts.control->motion.tap_return.value == TapReturn::Level)
-        return move_axis(m, block, MoveKind::Feed, axis, level);
+      if (m.facts.control->motion.tap_return.value != TapReturn::R)
+        return feed_tap(m, block, axis, level);
       [[fallthrough]];
     case Meaning::Bore:
     case Meaning::BoreDwell:
@@ -270,6 +305,7 @@ Result canned_cycle(MotionContext& m, BlockWords& block) {
   bool position = w.has('R');
   for (const char axis : kAxisNames) position = position || w.has(axis);
   int repeats = 1;
+  if (auto wrong = check_rotary(m, block)) return wrong;
   if (position || block.has(Group::Cycle))
     if (auto wrong = cycle_words(m, block, repeats)) return wrong;
   if (!position || repeats == 0) return std::nullopt;

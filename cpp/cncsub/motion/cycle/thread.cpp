@@ -239,6 +239,21 @@ Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, do
   return cut_thread(m, block, end, axis_bit(0) | axis_bit(2), out, sign_of(way), 0);
 }
 
+Result thread_by_k(MotionContext& m, BlockWords& block) {
+  const Axes start = m.state.work;
+  std::uint32_t named = 0;
+  const Axes end = end_point(m, block, named);
+  if (named == 0) return std::nullopt;
+  if (!block.words.has('K')) return fault(Cause::ThreadLead, block);
+  Piece piece = make_piece(m, block, MoveKind::Thread, end, named);
+  piece.state.feed = std::fabs(number(m, block, 'K'));
+  piece.state.feed_mode = FeedMode::PerRevolution;
+  if (auto wrong = move(m, block, piece)) return wrong;
+  if (m.state.modal[at(Group::Motion)].which != 2) return std::nullopt;
+  piece.end = start + piece.offset;
+  return move(m, block, piece);
+}
+
 Result multiple_thread(MotionContext& m, BlockWords& block) {
   const NcWords& w = block.words;
   m.state.turn = {};

@@ -1,5 +1,6 @@
 // Work coordinates: zero points and shifts.
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/query.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
@@ -55,7 +56,27 @@ Result set_coordinate(MotionContext& m, BlockWords& block) {
     if (m.facts.control->turning.set_coordinate_without_tool.value)
       m.state.shift[i] += m.state.tool_shift[i];
   }
+  m.state.kept_shift = m.state.shift;
+  m.state.shifted = true;
   refresh_offset(m.state);
+  return std::nullopt;
+}
+
+Result change_shift(MotionContext& m, BlockWords& block) {
+  MotionState& s = m.state;
+  if (compensating(s)) return fault(Cause::CompensationShift, block);
+  const Meaning meaning = block.meaning(Group::OneShot);
+  if (meaning == Meaning::SetShift) {
+    for (int i = 0; i < kAxes; ++i)
+      if (const char name = kAxisNames[static_cast<std::size_t>(i)]; block.words.has(name))
+        s.shift[i] = number(m, block, name);
+    s.kept_shift = s.shift;
+  } else {
+    s.shift = meaning == Meaning::RestoreShift ? s.kept_shift : Axes{};
+    if (meaning == Meaning::ClearShift) s.kept_shift = {};
+  }
+  s.shifted = meaning == Meaning::SetShift || meaning == Meaning::RestoreShift;
+  refresh_offset(s);
   return std::nullopt;
 }
 

@@ -16,6 +16,9 @@ Result select_work(MotionContext& m, BlockWords& block);
 /// G92, and G50 of a lathe: the point gets these coordinates, on the named axes.
 Result set_coordinate(MotionContext& m, BlockWords& block);
 Result clear_coordinate(MotionContext& m, BlockWords& block);
+/// The shift that G92 sets is given by itself, cleared, put aside or taken back in. [LC g-code,
+/// G52, G92.1, G92.2, G92.3]
+Result change_shift(MotionContext& m, BlockWords& block);
 /// G52. U and W of a lathe say the same as X and Z. [TDi 19]
 Result set_local(MotionContext& m, BlockWords& block);
 /// G10.
@@ -57,6 +60,8 @@ bool mirrored_plane(const MotionState& state);
 Result machine_move(MotionContext& m, BlockWords& block);
 /// G28 and G30: rapid to the intermediate point, rapid to the reference point, the named axes only.
 Result reference(MotionContext& m, BlockWords& block, int number_of_point);
+/// The place of the tool becomes reference point 1 or 2. [LC g-code, G28.1, G30.1]
+Result store_reference(MotionContext& m, BlockWords& block);
 /// G29: over the intermediate point of the last G28 to the point; under G91 the values count from
 /// there.
 Result from_reference(MotionContext& m, BlockWords& block);

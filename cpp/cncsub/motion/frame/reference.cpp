@@ -6,6 +6,18 @@
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
+namespace {
+
+/// The tool length is taken away on an axis that goes to a machine coordinate, but where it shifts
+/// the work coordinates: there it stays, and this is it.
+double length_left(MotionContext& m, int axis) {
+  double& length = m.state.length[static_cast<std::size_t>(axis)];
+  if (m.facts.control->motion.length_type.value == LengthType::Shift) return length;
+  return length = 0;
+}
+
+}  // namespace
+
 Result machine_move(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;
   const bool modal = c.motion.machine_move.value == MachineMove::Modal;
@@ -19,8 +31,8 @@ Result machine_move(MotionContext& m, BlockWords& block) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
     if (!block.words.has(name) || (m.facts.machine == MachineType::LatheA && i > 5)) continue;
     named |= axis_bit(i);
-    if (!m.state.incremental) m.state.length[i] = 0;
-    end[i] = number(m, block, name) + (m.state.incremental ? end[i] : -m.state.offset[i]);
+    end[i] = number(m, block, name) +
+             (m.state.incremental ? end[i] : -m.state.offset[i] - length_left(m, i));
   }
   if (named == 0) return std::nullopt;
   if (kind == MoveKind::Feed)
@@ -40,20 +52,31 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
   }
   std::uint32_t named = 0;
   const Axes middle = linear_target(m, block, named);
-  if (named == 0) return std::nullopt;
-  if (auto wrong = move(m, block, uncompensated(m, block, MoveKind::Rapid, middle, named)))
+  const auto found = m.state.tables.reference.find(number_of_point);
+  if (named == 0) {
+    if (block.code(Group::OneShot).which == 0) return std::nullopt;
+    named = m.state.named | 7u;  // all axes go, and no point lies between [rs274 2.9]
+  } else if (auto wrong = move(m, block, uncompensated(m, block, MoveKind::Rapid, middle, named))) {
     return wrong;
+  }
   m.state.middle_known |= named;
-  const auto found = m.facts.reference.find(number_of_point);
   Axes end = m.state.work;
   for (int i = 0; i < kAxes; ++i) {
     if ((named >> i & 1) == 0) continue;
     m.state.middle[i] = middle[i] + m.state.offset[i];
-    m.state.length[i] = 0;
-    end[i] = (found == m.facts.reference.end() ? 0 : found->second[static_cast<std::size_t>(i)]) -
-             m.state.offset[i];
+    end[i] =
+        (found == m.state.tables.reference.end() ? 0 : found->second[static_cast<std::size_t>(i)]) -
+        m.state.offset[i] - length_left(m, i);
   }
   return move(m, block, uncompensated(m, block, MoveKind::Rapid, end, named));
+}
+
+Result store_reference(MotionContext& m, BlockWords& block) {
+  if (compensating(m.state)) return fault(Cause::CompensationShift, block);
+  const Axes machine = machine_point(m.state);
+  Axes& point = m.state.tables.reference[block.code(Group::OneShot).which];
+  for (std::size_t i = 0; i < machine.size(); ++i) m.log.change(point[i]) = machine[i];
+  return std::nullopt;
 }
 
 Result from_reference(MotionContext& m, BlockWords& block) {
@@ -75,11 +98,11 @@ Result check_reference(MotionContext& m, BlockWords& block) {
   const Axes end = linear_target(m, block, named);
   if (named == 0) return std::nullopt;
   if (auto wrong = move(m, block, MoveKind::Rapid, end, named)) return wrong;
-  const auto found = m.facts.reference.find(1);
+  const auto& points = m.state.tables.reference;
+  const auto found = points.find(1);
   const Axes machine = machine_point(m.state);
   for (int i = 0; i < kAxes; ++i) {
-    const double wanted =
-        found == m.facts.reference.end() ? 0 : found->second[static_cast<std::size_t>(i)];
+    const double wanted = found == points.end() ? 0 : found->second[static_cast<std::size_t>(i)];
     if ((named >> i & 1) != 0 && std::fabs(machine[i] - wanted) > m.facts.increment / 2)
       return fault(Cause::NotAtReference, block);
   }

@@ -9,6 +9,7 @@ namespace {
 Result length_axis(MotionView m, BlockWords& block, int& axis) {
   switch (m.facts.control->motion.length_type.value) {
     case LengthType::Z:
+    case LengthType::Shift:
       axis = 2;
       return std::nullopt;
     case LengthType::Normal:
@@ -22,6 +23,63 @@ Result length_axis(MotionView m, BlockWords& block, int& axis) {
         }
       return fault(Cause::LengthAxis, block);
   }
+  return std::nullopt;
+}
+
+/// The offset of the number of the tool, none where there is none.
+int offset_of_tool(const MotionState& state, const std::vector<double>& offsets) {
+  return state.t > 0 && static_cast<std::size_t>(state.t) < offsets.size() ? state.t : 0;
+}
+
+/// G43.1 and G43.2: the length is given by axis words, or added to the one in force.
+void give_length(MotionContext& m, BlockWords& block, bool add) {
+  for (int i = 0; i < kAxes; ++i)
+    if (const char name = kAxisNames[static_cast<std::size_t>(i)]; block.words.has(name)) {
+      double& length = m.state.length[static_cast<std::size_t>(i)];
+      length = number(m, block, name) + (add ? length : 0);
+      block.consumed = true;
+    }
+}
+
+/// The length of G43, G44, G49 and H.
+Result take_length(MotionContext& m, BlockWords& block) {
+  if (m.facts.lathe()) return std::nullopt;
+  if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
+  const bool h = block.words.has('H');
+  if (!h && !block.has(Group::Length)) return std::nullopt;
+  if (h) {
+    const double number = block.words['H'];
+    if (number < 0 || number >= static_cast<double>(m.state.tables.length.size()))
+      return fault(Cause::OffsetNumber, block);
+    m.state.h = to_whole<int>(number);
+  } else if (m.facts.control->motion.missing_radius_offset.value == MissingOffset::Tool) {
+    m.state.h = offset_of_tool(m.state, m.state.tables.length);
+  }
+  if (block.has(Group::Length)) m.state.modal[at(Group::Length)] = block.code(Group::Length);
+  const Meaning meaning = m.state.modal[at(Group::Length)].meaning;
+  if (meaning == Meaning::LengthOff) {
+    m.state.length = {};
+    return std::nullopt;
+  }
+  int axis = m.state.length_axis;
+  if (block.has(Group::Length))
+    if (auto wrong = length_axis(m, block, axis)) return wrong;
+  if (axis != m.state.length_axis)
+    m.state.length[static_cast<std::size_t>(m.state.length_axis)] = 0;
+  m.state.length_axis = axis;
+  const auto number = static_cast<std::size_t>(m.state.h);
+  const int form = block.has(Group::Length) ? block.code(Group::Length).which : 0;
+  if (form == 1 || (form == 2 && !h)) {
+    give_length(m, block, form == 2);
+    return std::nullopt;
+  }
+  const double value =
+      m.state.h == 0 ? 0 : m.state.tables.length[number] + m.state.tables.length_wear[number];
+  if (form == 2) {
+    m.state.length[static_cast<std::size_t>(axis)] += value;
+    return std::nullopt;
+  }
+  m.state.length[static_cast<std::size_t>(axis)] = meaning == Meaning::LengthMinus ? -value : value;
   return std::nullopt;
 }
 
@@ -58,36 +116,15 @@ Result set_tool(MotionContext& m, BlockWords& block) {
 }
 
 Result set_length(MotionContext& m, BlockWords& block) {
-  if (m.facts.lathe()) return std::nullopt;
-  if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
-  const bool h = block.words.has('H');
-  if (!h && !block.has(Group::Length)) return std::nullopt;
-  if (h) {
-    const double number = block.words['H'];
-    if (number < 0 || number >= static_cast<double>(m.state.tables.length.size()))
-      return fault(Cause::OffsetNumber, block);
-    m.state.h = to_whole<int>(number);
-  }
-  if (block.has(Group::Length)) m.state.modal[at(Group::Length)] = block.code(Group::Length);
-  const Meaning meaning = m.state.modal[at(Group::Length)].meaning;
-  if (meaning == Meaning::LengthOff) {
-    m.state.length = {};
-    return std::nullopt;
-  }
-  int axis = m.state.length_axis;
-  if (block.has(Group::Length))
-    if (auto wrong = length_axis(m, block, axis)) return wrong;
-  if (axis != m.state.length_axis)
-    m.state.length[static_cast<std::size_t>(m.state.length_axis)] = 0;
-  m.state.length_axis = axis;
-  const auto number = static_cast<std::size_t>(m.state.h);
-  const double value =
-      m.state.h == 0 ? 0 : m.state.tables.length[number] + m.state.tables.length_wear[number];
-  m.state.length[static_cast<std::size_t>(axis)] = meaning == Meaning::LengthMinus ? -value : value;
+  const Axes before = m.state.length;
+  if (auto wrong = take_length(m, block)) return wrong;
+  if (m.facts.control->motion.length_type.value == LengthType::Shift)
+    m.state.work = m.state.work + (before - m.state.length);
   return std::nullopt;
 }
 
 Result move_by_length(MotionContext& m, BlockWords& block, const Axes& before) {
+  if (m.facts.control->motion.length_type.value == LengthType::Shift) return std::nullopt;
   if (m.state.length == before || block.submitted || m.state.tool_pending ||
       block.has(Group::OneShot))
     return std::nullopt;
@@ -106,7 +143,11 @@ Result move_by_length(MotionContext& m, BlockWords& block, const Axes& before) {
 Result set_radius(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;
   const bool measures = block.meaning(Group::OneShot) == Meaning::MeasureTool;  // D is its zone
-  if (block.words.has('D') && !m.facts.lathe() && !measures) {
+  const bool given = block.has(Group::Radius) && block.code(Group::Radius).which == 1;
+  if (given) {
+    if (!block.words.has('D')) return fault(Cause::RadiusOffsetNumber, block);
+    m.state.given_radius = number(m, block, 'D') / 2;
+  } else if (block.words.has('D') && !m.facts.lathe() && !measures) {
     const double number = block.words['D'];
     if (number < 0 || number >= static_cast<double>(m.state.tables.radius.size()))
       return fault(Cause::RadiusOffsetNumber, block);
@@ -114,6 +155,10 @@ Result set_radius(MotionContext& m, BlockWords& block) {
   }
   if (!block.has(Group::Radius)) return std::nullopt;
   m.state.modal[at(Group::Radius)] = block.code(Group::Radius);
+  if (given) return std::nullopt;
+  if (compensating(m.state) && !block.words.has('D') &&
+      c.motion.missing_radius_offset.value == MissingOffset::Tool)
+    m.state.d = offset_of_tool(m.state, m.state.tables.radius);
   if (!m.facts.lathe() && compensating(m.state) && m.state.d == 0 && !block.words.has('D') &&
       c.motion.missing_radius_offset.value == MissingOffset::Alarm)
     return fault(Cause::RadiusOffsetNumber, block);
@@ -125,6 +170,7 @@ double radius_value(MotionView m) {
     const auto found = m.state.tables.tools.find(m.state.tool_offset);
     return found == m.state.tables.tools.end() ? 0 : found->second.radius;
   }
+  if (m.state.modal[at(Group::Radius)].which == 1) return m.state.given_radius;
   const auto number = static_cast<std::size_t>(m.state.d);
   if (m.state.d == 0 || number >= m.state.tables.radius.size()) return 0;
   const double offset = m.state.tables.radius[number] + m.state.tables.radius_wear[number];

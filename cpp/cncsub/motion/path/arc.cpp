@@ -71,6 +71,37 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   return std::nullopt;
 }
 
+/// The arc in numbers, in the unit of the program, for controls whose message tells them.
+std::string arc_in_numbers(MotionView m, const Piece& piece, Point start, Point centre, Point end) {
+  const PlaneAxes plane = plane_axes(piece.plane);
+  const double unit = m.state.unit;
+  const auto shown = [&](Point p) {
+    char text[96];
+    std::snprintf(
+        text, sizeof text, "(%c%.4f,%c%.4f)", kAxisNames[static_cast<std::size_t>(plane.a)],
+        (p.a - piece.offset[plane.a]) / unit, kAxisNames[static_cast<std::size_t>(plane.b)],
+        (p.b - piece.offset[plane.b]) / unit);
+    return std::string(text);
+  };
+  const double first = size(start - centre) / unit, last = size(end - centre) / unit;
+  const double miss = std::fabs(first - last);
+  char radii[128];
+  std::snprintf(radii, sizeof radii, " r1=%.4f r2=%.4f abs_err=%.4g rel_err=%.4f%%", first, last,
+                miss, miss / std::max(first, last) * 100);
+  return "start=" + shown(start) + " center=" + shown(centre) + " end=" + shown(end) + radii;
+}
+
+/// What is wrong with an arc that ends off its circle.
+Fault off_circle(MotionView m, const BlockWords& block, const Piece& piece, Point start,
+                 Point centre, Point end) {
+  char text[64];
+  std::snprintf(text, sizeof text, "radius %.4f at the start, %.4f at the end",
+                size(start - centre), size(end - centre));
+  Fault wrong = fault(Cause::RadiusTolerance, block, text);
+  wrong.name = arc_in_numbers(m, piece, start, centre, end);
+  return wrong;
+}
+
 Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   const Control& c = *m.facts.control;
   const PlaneAxes plane = plane_axes(m.state.plane);
@@ -91,11 +122,8 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   const double first = std::hypot(i, j), last = std::hypot(a1 - ca, b1 - cb);
   if (piece.radius != 0 && first == 0) return fault(Cause::CompensationArcStart, block);
   if (first == 0 && m.facts.refuses(Cause::NoRadius)) return fault(Cause::NoRadius, block);
-  if (is_off_circle(c.motion, first, last, m.state.unit != 1)) {
-    char text[64];
-    std::snprintf(text, sizeof text, "radius %.4f at the start, %.4f at the end", first, last);
-    return fault(Cause::RadiusTolerance, block, text);
-  }
+  if (is_off_circle(c.motion, first, last, m.state.unit != 1))
+    return off_circle(m, block, piece, {a0, b0}, {ca, cb}, {a1, b1});
   if (first == 0) {
     piece.kind = MoveKind::Feed;
     return std::nullopt;

@@ -18,6 +18,23 @@ double angle(Point from, Point to) { return std::atan2(cross(from, to), dot(from
 /// How far a step along one direction leads away from a line in another, 0 to 1.
 double sharpness(Point u, Point v) { return dot(u, v) < 0 ? 1 : std::fabs(cross(u, v)); }
 
+/// The sine of a corner at which a control that goes around all corners in arcs goes straight on.
+/// [rs274 2.9: 0.05 radians]
+const double kHardlyACorner = std::sin(0.05);
+
+/// Whether the tool goes outside of an arc.
+bool outside_arc(const Curve& curve, double offset) {
+  return !curve.straight() && (curve.turn > 0) != (offset > 0);
+}
+
+/// The arc with the radius that it has at its end.
+Curve by_its_end(Curve curve) {
+  if (curve.straight() || size(curve.from - curve.centre) == 0) return curve;
+  const double share = size(curve.to - curve.centre) / size(curve.from - curve.centre);
+  curve.from = curve.centre + share * (curve.from - curve.centre);
+  return curve;
+}
+
 /// So many moves wait at most because they are too short.
 constexpr std::size_t kReadAhead = 8;
 
@@ -53,12 +70,13 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
       join.way.push_back(na + along * u);
   };
   const double cosine = dot(u, v);
-  if (cosine >= -1e-9) {
+  const AcuteCorner corner = sink.facts.control->motion.acute_corner.value;
+  if (cosine >= -1e-9 && corner != AcuteCorner::AlwaysArc) {
     go_on(reach * std::fabs(cross(u, v)) / (1 + cosine));
     if (!b.straight()) join.way.push_back(nb);
     return;
   }
-  if (sink.facts.control->motion.acute_corner.value == AcuteCorner::Arc) {
+  if (corner != AcuteCorner::Lines) {
     join.way.push_back(nb);
     join.turn = std::acos(std::max(cosine, -1.0)) * (offset > 0 ? -1 : 1);
     return;
@@ -73,13 +91,18 @@ Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, dou
   const Point u = a.end_direction(), v = b.start_direction();
   const Point na = offset * left(u), nb = offset * left(v);
   if (behind != nullptr && join_before_step(a, b, *behind, offset, join)) return std::nullopt;
-  if (same_normal(na, nb)) {  // tangent: an arc keeps its own normal
+  const bool arcs = sink.facts.control->motion.acute_corner.value == AcuteCorner::AlwaysArc;
+  const bool hardly = arcs && std::fabs(cross(u, v)) < kHardlyACorner;
+  const bool cusp = hardly && dot(u, v) < 0;
+  if (hardly && !cusp) {
+    join.leave = na;
+  } else if (same_normal(na, nb)) {  // tangent: an arc keeps its own normal
     join.leave = a.straight() ? nb : na;
-  } else if (!inside(u, v, offset)) {
+  } else if (cusp ? !outside_arc(b.straight() ? a : b, offset) : !inside(u, v, offset)) {
     go_around(a, b, u, v, offset, join);
   } else if (join_over_step(a, b, offset, join)) {
     return std::nullopt;
-  } else if (const auto meet = meeting(a, b, offset, least)) {
+  } else if (const auto meet = meeting(a, arcs ? by_its_end(b) : b, offset, least)) {
     join.leave = *meet - a.to;
   } else if (!a.straight() && moved_radius(a, a.to, offset) < -least) {
     return Fault{Cause::CompensationArcTooSmall, sink.state.held.radius.front().at, 1, {}};
@@ -200,11 +223,11 @@ Result RadiusPath::follow(Piece& piece, const Curve& curve, const Curve* behind,
   const Curve before = curve_of(view, held.radius_from, first);
   const Point u = before.end_direction();
   const double offset = offset_of(first);
-  const bool start_around = held.starting &&
-                            sink.facts.control->motion.start_up.value == StartUp::TypeB &&
+  const StartUp start_up = sink.facts.control->motion.start_up.value;
+  const bool start_around = held.starting && start_up == StartUp::TypeB &&
                             !inside(u, v, offset_of(piece)) && cross(u, v) != 0;
   Join way;
-  if (held.starting && !start_around) {
+  if (held.starting && !start_around && start_up != StartUp::OwnNormal) {
     way.leave = offset * left(v);
   } else if (!held.starting && offset * offset_of(piece) < 0) {  // to the other side
     way.leave = offset * left(u);

@@ -173,3 +173,9 @@ case(
     """,
     moves="F Z-10\nR Z0",
 )
+case(
+    "a rotary axis goes to its place with the others of a canned cycle",
+    pins="refuses:rotary-axis-in-cycle", control=[*MITSUBISHI, *FANUC], **KNOWN, setup=MILL,
+    program="O1\nN10 G90 G81 X5. A90. Z-5. R2. F100.\nN20 G80\nN30 M30",
+    runs="N10 N20 N30", final_work="X5 Z0 A90",
+)

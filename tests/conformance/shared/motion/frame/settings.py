@@ -288,3 +288,23 @@ one("the third axis of a mill's arc is a helix", [*FANUC, *MITSUBISHI, MDI, HNC]
     "G2 X10. Y10. R20. Z5. F100", before="G90 G17 G0 X0 Y0", final_machine="X10 Y10 Z5")
 one("an arc of a lathe in its plane runs", [*FANUC, *GSK_988, TDI], "G2 X10. Z10. R20. F100",
     before="G18 G0 X0 Z0", setup=LATHE, final_machine="X10 Z10")
+case(
+    "P0 of G10 L2 is the external offset, which counts in all systems",
+    control=[*FANUC, *MITSUBISHI, MDI], pins="data_forms:in-force", source="general knowledge", evidence="inferred",
+    setup=MILL, program="O1\nN10 G10 L2 P0 X5.\nN20 G55 G0 X0\nN30 M30", final_machine="X5",
+)
+case(
+    "P0 of G10 L2 is the external offset of a lathe too",
+    control=[*GSK_988, TDI], pins="data_forms:in-force", source="general knowledge", evidence="inferred",
+    setup=LATHE, program="O1\nN10 G10 L2 P0 X5.\nN20 G55 G0 X0\nN30 M30", final_machine="X5",
+)
+case(
+    "G10 L20 sets an extra system, not one by the place of the tool",
+    control=[*FANUC, *MITSUBISHI, MDI], pins="data_forms:here", source="general knowledge", evidence="inferred",
+    setup=MILL, program="O1\nN10 G10 L20 P2 X5.\nN20 G54.1 P2 G0 X0\nN30 M30", final_machine="X5",
+)
+case(
+    "R of G10 L10 is the length of an H",
+    control=[*FANUC, *MITSUBISHI, MDI], pins="data_forms:tools", source="general knowledge", evidence="inferred",
+    setup=MILL, program="O1\nN10 G10 L10 P1 R5.\nN20 G43 H1 G0 Z0\nN30 M30", final_machine="Z5",
+)

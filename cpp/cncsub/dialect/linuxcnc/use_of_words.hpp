@@ -1,0 +1,39 @@
+// Which words a line may have beside its codes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cncsub/control/alarm.hpp"
+
+namespace cncsub::linuxcnc {
+
+/// What stands in a line, as far as its text tells.
+struct LineWords {
+  std::vector<int> g, m;                        // codes; G times ten
+  bool computed = false;                        // a code is an expression
+  std::set<char> letters;                       // of the other words, small
+  std::set<char> negative;                      // of those, with a number below 0
+  std::array<std::uint32_t, 26> at{}, width{};  // where each stands
+
+  bool has_g(std::initializer_list<int> codes) const;
+  bool has_m(std::initializer_list<int> codes) const;
+  bool has(char letter) const { return letters.count(letter) != 0; }
+};
+
+/// A word that is wrong beside the others, and what the interpreter says of it.
+struct WrongWord {
+  char letter = 0;
+  Cause cause{};
+  std::string text;
+};
+
+/// The first of them in the order of the interpreter's own checks; nothing where the mode that is
+/// in force decides.
+std::optional<WrongWord> wrong_word(const LineWords& line);
+
+}  // namespace cncsub::linuxcnc

@@ -1,0 +1,142 @@
+"""Runs the test programs of LinuxCNC's sources on cncsub and on its interpreter `rs274`.
+
+    python tests/differential/own_tests.py ~/linuxcnc/tests/interp
+
+Every `.ngc` of the folder and below runs by itself, with the other programs and the tool table of its
+folder. Compared are the moves of the tool's point or of its centre, the messages, and how the run
+stopped. What disagrees is printed with the first difference.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import canonical
+import cncsub
+from canonical import Move, Output, Rs274, with_length
+
+SECONDS = 20
+MAX_BLOCKS = 200_000
+SMALL = 0.0003  # mm; both sides are rounded
+INCH = 25.4  # rs274 by itself is a machine in inches: so is its tool table
+
+
+def setup_of(folder: Path) -> cncsub.Setup:
+    """Lengths and radii of the tool tables of a folder."""
+    lengths: dict[int, float] = {}
+    radii: dict[int, float] = {}
+    for table in sorted(folder.glob("*.tbl")):
+        for line in table.read_text(errors="replace").splitlines():
+            words = {
+                a: float(v) for a, v in re.findall(r"([TZD])\s*([-+.\d]+)", line.split(";")[0])
+            }
+            if 0 < words.get("T", 0) < 9999:
+                lengths[int(words["T"])] = words.get("Z", 0.0) * INCH
+                radii[int(words["T"])] = words.get("D", 0.0) / 2 * INCH
+    return cncsub.Setup(increment=1e-7, length_offsets=lengths, radius_offsets=radii)
+
+
+def on_cncsub(folder: Path, name: str) -> cncsub.Run:
+    others = [p.name for p in sorted(folder.glob("*.ngc")) if p.name != name]
+    library = cncsub.load(name, *others, control="linuxcnc")
+    return library.run(max_blocks=MAX_BLOCKS, setup=setup_of(folder))
+
+
+def moves_of(run: cncsub.Run, tool: bool) -> list[Move]:
+    """The moves; `tool`: of the middle of the tool, in machine coordinates."""
+
+    def place(row: Any, prefix: str, axes: str) -> dict[str, float]:
+        values = {axis: getattr(row, prefix + axis.lower(), None) for axis in axes}
+        return {axis: float(v) for axis, v in values.items() if v is not None and v == v}
+
+    made = []
+    for row in run.moves:
+        if row.kind == "dwell":
+            made.append(Move("dwell", seconds=float(row.time)))
+            continue
+        end = place(row, "", "XYZABC") | (place(row, "m", "XYZ") if tool else {})
+        arc = row.kind in ("cw", "ccw")
+        kind = "feed" if row.kind == "thread" else str(row.kind)
+        made.append(Move(kind, end, place(row, "c", "XYZ") if arc else {}))
+    return with_length(
+        [
+            Move(m.kind, dict.fromkeys("XYZABC", 0.0) | dict(m.end), m.centre, m.seconds)
+            for m in made
+        ]
+    )
+
+
+def alike(one: Move, other: Move) -> bool:
+    def near(a: float, b: float) -> bool:
+        return abs(a - b) <= SMALL
+
+    return (
+        one.kind == other.kind
+        and near(one.seconds, other.seconds)
+        and all(near(value, other.end.get(axis, 0.0)) for axis, value in one.end.items())
+        and all(near(value, other.centre.get(axis, value)) for axis, value in one.centre.items())
+    )
+
+
+def differences(theirs: Output, run: cncsub.Run) -> Iterator[str]:
+    wanted = theirs.errors[0].rstrip() if theirs.errors else ""
+    stopped = "" if run.stop is cncsub.Stop.END else str(run.stop)
+    got = (run.alarm.text or run.alarm.cause).rstrip() if run.alarm else stopped
+    if wanted != got:
+        yield f"rs274 stops by {wanted!r}, cncsub by {got!r}"
+    if [m.rstrip() for m in theirs.messages] != [m.rstrip() for m in run.messages]:
+        yield "the messages are others"
+    moves = with_length(theirs.moves)
+    ways = [moves_of(run, tool) for tool in (False, True)]
+    if not any(len(w) == len(moves) and all(map(alike, moves, w)) for w in ways):
+        yield f"the moves are others: {len(moves)} and {len(ways[0])}"
+
+
+def compare(command: str, file: Path) -> list[str] | None:
+    """What differs; `None` where rs274 does not end in time."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for other in file.parent.iterdir():
+            if other.is_file():
+                shutil.copy(other, folder)
+        for table in sorted(folder.glob("*.tbl"))[:1]:
+            shutil.copy(table, folder / "tool.tbl") if table.name != "tool.tbl" else None
+        theirs = Rs274(command, folder, SECONDS).run(file.name)
+        if theirs is None:
+            return None
+        theirs.messages = [m for m in theirs.messages if not canonical.is_call(m)]
+        before = Path.cwd()
+        os.chdir(folder)
+        try:
+            return list(differences(theirs, on_cncsub(folder, file.name)))
+        finally:
+            os.chdir(before)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n\n", 1)[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--command", default="rs274")
+    arguments = parser.parse_args()
+    agree = endless = 0
+    files = sorted(arguments.folder.rglob("*.ngc"))
+    for file in files:
+        found = compare(arguments.command, file.resolve())
+        agree += found == []
+        endless += found is None
+        for difference in found or ():
+            print(f"{file.relative_to(arguments.folder)}: {difference}")
+    print(f"{agree} of {len(files)} agree, {endless} do not end in rs274")
+    return 0 if agree + endless == len(files) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
