@@ -465,7 +465,25 @@ def test_two_controls_are_compared(tmp_path: Path) -> None:
     )
     assert told == {
         "version": 1, "same": True, "where": [], "what": "the same", "rules": [], "untried": [],
+        "parameters": [], "changes": [],
     }  # fmt: skip
+
+
+SUB = "o100 sub\ng0 x{0}\no100 endsub\no100 call\nm2\n"
+
+
+def test_each_file_of_linuxcnc_has_its_own_subprograms(tmp_path: Path) -> None:
+    """A file may have the name of a subprogram in it, and two files one of the same label."""
+    for name, text in (("o100.ngc", SUB.format(1)), ("part.ngc", SUB.format(2))):
+        (tmp_path / name).write_text(text)
+    for paths, x in ((("o100.ngc",), "1"), (("part.ngc", "o100.ngc"), "2")):
+        done = Done("run", *(str(tmp_path / path) for path in paths), "-c", "linuxcnc")
+        assert (done.status, done.error) == (0, ""), done.error
+        assert f"X {x} to {x}" in done.out
+    both = Done("check", str(tmp_path), "-c", "linuxcnc")
+    assert (both.status, both.out.splitlines()[-1]) == (
+        0, "checked: 2 programs on LinuxCNC mill: nothing found",
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("controls", [(), ("-c", CONTROL), ("-c", CONTROL) * 3])
