@@ -46,6 +46,23 @@ bool is_user_alarm(const Code& code, std::int64_t number) {
   return code.place(number).kind == VariableKind::UserAlarm;
 }
 
+/// Where a block comes from, as a comment behind it.
+std::string comment_of(const Code& code, const Block& block, std::int32_t program) {
+  std::string text = " ";
+  text += code.spelling->comment.before;
+  text += code.name_of(program);
+  if (block.n >= 0) text += " N" + std::to_string(block.n);
+  text += " LINE " + std::to_string(block.line);
+  text += code.spelling->comment.behind;
+  return text;
+}
+
+/// Words that are all vacant are none, but their block counts as one without a move.
+std::string idle_words(const MotionState& state, const Block& block) {
+  const int code = state.modal[at(Group::Distance)].code;
+  return block.mask != 0 && compensating(state) && code >= 0 ? code_name(code) : "";
+}
+
 }  // namespace
 
 FlatRun::FlatRun(const Machine& at_its_head, bool comments)
@@ -169,22 +186,11 @@ void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
 
 // ---- lines ----
 
-void FlatRun::comment(std::string& text, std::int32_t program) const {
-  const Code& code = machine_.code();
-  const Block& block = code.blocks[coming_.at];
-  text += ' ';
-  text += code.spelling->comment.before;
-  text += code.name_of(program);
-  if (block.n >= 0) text += " N" + std::to_string(block.n);
-  text += " LINE " + std::to_string(block.line);
-  text += code.spelling->comment.behind;
-}
-
 /// Ends a line that comes from the last block.
 void FlatRun::end_line(std::string& text, FlatOrigins& origins) {
   const Block& block = machine_.code().blocks[coming_.at];
   const std::int32_t program = program_at(coming_.at);
-  if (comments_) comment(text, program);
+  if (comments_) text += comment_of(machine_.code(), block, program);
   text += '\n';
   origins.program.push_back(program);
   origins.n.push_back(block.n);
@@ -217,17 +223,10 @@ bool FlatRun::write_words(std::string& text, const Block& block,
                            : blocks_.write(text, block, program, values);
   if (!written)
     return refuse("the value of " + blocks_.failed() + " cannot be written as a number");
-  if (text.size() == before) write_idle(text, block);
+  if (text.size() == before) text += idle_words(machine_.motion().state(), block);
   const int most = machine_.code().control->reading.max_block_length.value;
   return most <= 0 || text.size() - before <= static_cast<std::size_t>(most) ||
          refuse("the block would be longer than the control takes");
-}
-
-/// Words that are all vacant are none, but their block counts as one without a move.
-void FlatRun::write_idle(std::string& text, const Block& block) const {
-  const MotionState& state = machine_.motion().state();
-  const int code = state.modal[at(Group::Distance)].code;
-  if (block.mask != 0 && compensating(state) && code >= 0) text += code_name(code);
 }
 
 // ---- what is assigned and said ----
@@ -325,18 +324,13 @@ bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const 
   if (!write_words(text, block, &numbers)) return false;
   end_line(text, origins);
   if (!is_new) return true;
-  if (behind)
-    write_profile(text, origins, late_profile(numbers, profile));
-  else
-    late_.push_back(late_profile(numbers, profile));
-  return true;
-}
-
-FlatRun::Late FlatRun::late_profile(const std::array<std::int64_t, 2>& numbers,
-                                    const Profile& profile) const {
   Late late{numbers, profile_, {}, coming_.call, coming_.repeat};
   for (const NcWords& words : profile.blocks) late.blocks.push_back(words.at);
-  return late;
+  if (behind)
+    write_profile(text, origins, late);
+  else
+    late_.push_back(std::move(late));
+  return true;
 }
 
 void FlatRun::write_profile(std::string& text, FlatOrigins& origins, const Late& profile) {

@@ -73,7 +73,6 @@ class FlatRun {
   bool write_block(std::string& text, FlatOrigins& origins);
   bool write_words(std::string& text, const Block& block,
                    const std::array<std::int64_t, 2>* profile = nullptr);
-  void write_idle(std::string& text, const Block& block) const;
   bool write_assigned(std::string& text, FlatOrigins& origins);
   void write_raised(std::string& text, FlatOrigins& origins);
   bool write_print(std::string& text, FlatOrigins& origins);
@@ -82,12 +81,10 @@ class FlatRun {
                           const Profile& profile);
   bool number_profile(bool behind, std::array<std::int64_t, 2>& numbers, bool& is_new);
   void write_profile(std::string& text, FlatOrigins& origins, const Late& profile);
-  Late late_profile(const std::array<std::int64_t, 2>& numbers, const Profile& profile) const;
   void write_head(std::string& text);
   const BlockCodes& codes_of(const Block& block) const;
   void write_end(std::string& text, FlatOrigins& origins);
   void end_line(std::string& text, FlatOrigins& origins);
-  void comment(std::string& text, std::int32_t program) const;
   bool refuse(std::string reason);
   std::int32_t program_at(Address at);
 
