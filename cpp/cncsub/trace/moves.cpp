@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "cncsub/trace/move_walk.hpp"
@@ -34,7 +35,10 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
 }
 
 std::uint32_t Moves::intern(MoveState state, const Axes& offset) {
-  if (offsets_.empty() || offsets_.back() != offset) offsets_.push(offset);
+  // Nearly always the same, bit by bit: that is seen at once.
+  if (offsets_.empty() ||
+      (std::memcmp(&offsets_.back(), &offset, sizeof offset) != 0 && offsets_.back() != offset))
+    offsets_.push(offset);
   state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
   if (states_.empty() || !(states_.back() == state)) states_.push(state);
   return static_cast<std::uint32_t>(states_.size() - 1);
