@@ -338,11 +338,8 @@ bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlo
   }
   if ((block.letters & kArcWords) != 0) return false;
   static constexpr Axes kOrigin{};
-  if (others == 0 && s.plain) {
-    block.way = Way::Straight;
-    return true;
-  }
-  block.way = Way::OtherAxes;
+  block.way = others == 0 && s.plain ? Way::Straight : Way::OtherAxes;
+  if (block.way == Way::Straight) return true;
   return plan_line(m, words, block.path == 0, modes.incremental ? nullptr : &kOrigin, block.feed,
                    block.line);
 }
