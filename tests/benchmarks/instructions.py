@@ -26,6 +26,7 @@ from dataclasses import dataclass
 from importlib import util
 from pathlib import Path
 
+import kinds
 import report
 import texts
 
@@ -46,6 +47,7 @@ class Counted:
     control: str = "fanuc-0i-f"
     trace: str = "none"
     reads: bool = False  # reading it is counted too
+    kind: kinds.Kind | None = None  # a block of this kind, with its setup
 
 
 COUNTED = {
@@ -99,6 +101,21 @@ COUNTED = {
 }
 
 
+BLOCKS = 400  # of a kind, in size 1
+
+
+def of_kind(kind: kinds.Kind) -> Counted:
+    """Blocks of a kind, their steps and moves kept."""
+
+    def text(size: int) -> str:
+        return kind.text(BLOCKS * size)[0]
+
+    return Counted(kind.title, text, kind.text(BLOCKS)[1], trace="moves", reads=True, kind=kind)
+
+
+COUNTED |= {f"kind {name}": of_kind(kind) for name, kind in kinds.KINDS.items()}
+
+
 @dataclass(frozen=True)
 class Slope:
     """Instructions for one more unit, between the smaller two sizes and between the larger two."""
@@ -130,7 +147,8 @@ def work(folder: Path) -> None:
             mark()
             library = cncsub.load(file, control=counted.control)
             mark()
-            run = library.run(max_blocks=10**9, trace=counted.trace)
+            setup = counted.kind.setup if counted.kind else None
+            run = library.run(max_blocks=10**9, trace=counted.trace, setup=setup)
             mark()
             assert str(run.stop) == "end", (name, run.alarm)
             del run, library

@@ -43,7 +43,8 @@ Outside outside(Run& run) {
   around.skips = {&run.options.inputs.skips, &run.state.taken.skips, {}};
   around.workpiece = run.options.inputs.workpiece.get();
   run.watch.in_block = 0;
-  around.interrupted = [&run] { return breaks_off(run); };
+  around.interrupted = [](void* of) { return breaks_off(*static_cast<Run*>(of)); };
+  around.run = &run;
   return around;
 }
 

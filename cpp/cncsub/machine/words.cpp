@@ -177,11 +177,12 @@ bool move(Run& run, const Block& block, NcWords& words) {
     return true;
   }
   Outside around = outside(run);
-  Profile profile;
+  std::optional<Profile> profile;
   if (const auto wanted = run.motion.wanted_profile(words)) {
-    profile.fault = read_profile(run, *wanted, profile);
+    profile.emplace();
+    profile->fault = read_profile(run, *wanted, *profile);
     if (run.state.stop != Stop::Running) return false;
-    around.profile = &profile;
+    around.profile = &*profile;
   }
   if (auto fault = run.motion.execute(words, run.step(), run.moves(), outcome, around))
     return run.watch.broken_off == Stop::Running && alarm_of_motion(run, *fault);

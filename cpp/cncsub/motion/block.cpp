@@ -99,6 +99,7 @@ Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (named == 0) return std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
+  if (!may_have_corner(m, block)) return move(m, block, kind, end, named);
   Piece piece = make_piece(m, block, kind, end, named);
   if (auto wrong = corner_words(m, block, piece)) return wrong;
   return move(m, block, piece);
@@ -150,29 +151,46 @@ Result act(MotionContext& m, BlockWords& block) {
   return one_shot(m, block);
 }
 
+/// Whether a block may change where things lie: it has T or H, or a code of another group than
+/// these.
+bool sets_frame(const NcWords& words) {
+  constexpr std::uint32_t kOthers = bit(Group::Motion) | bit(Group::Plane) | bit(Group::Distance) |
+                                    bit(Group::Return) | bit(Group::Feed) | bit(Group::Radius) |
+                                    bit(Group::Cycle);
+  return (words.codes->groups & ~kOthers) != 0 || (words.mask & (bit('T') | bit('H'))) != 0;
+}
+
 /// Whether everything that may grow from block to block is still a number that can be meant.
-bool all_in_range(const MotionState& s) {
+bool all_in_range(const MotionState& s, bool with_frame) {
   const std::array others{s.feed, s.speed, s.surface_speed, s.max_speed, s.polar_angle};
-  return in_range(s.work) && in_range(s.offset) && in_range(s.length) && in_range(s.skip) &&
-         in_range(others);
+  return in_range(s.work) && in_range(others) &&
+         (!with_frame || (in_range(s.offset) && in_range(s.length) && in_range(s.skip)));
+}
+
+/// Takes H, D and G45 to G48, and does what the block does. `frame`: whether it may set a length,
+/// which moves its axis at once.
+Result set_offsets_and_act(MotionContext& m, BlockWords& block, bool frame) {
+  const Axes before = frame ? m.state.length : Axes{};
+  if (frame)
+    if (auto wrong = set_length(m, block)) return wrong;
+  if (auto wrong = set_radius(m, block)) return wrong;
+  if (auto wrong = set_longer(m, block)) return wrong;
+  if (auto wrong = act(m, block)) return wrong;
+  return frame ? move_by_length(m, block, before) : std::nullopt;
 }
 
 }  // namespace
 
 Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
   BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
+  const bool frame = sets_frame(words);
   const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
   if (auto wrong = read_codes(m, block)) return wrong;
   if (auto wrong = check_block(m, block)) return wrong;
   if (const int code = words.codes->uncomputed; code >= 0)
     return fault_of(code, Cause::CodeNotComputed, block);
   if (auto wrong = set_modes(m, block)) return wrong;
-  const Axes length_before = m.state.length;
-  if (auto wrong = set_length(m, block)) return wrong;
-  if (auto wrong = set_radius(m, block)) return wrong;
-  if (auto wrong = set_longer(m, block)) return wrong;
-  if (auto wrong = act(m, block)) return wrong;
-  if (auto wrong = move_by_length(m, block, length_before)) return wrong;
+  if (auto wrong = set_offsets_and_act(m, block, frame)) return wrong;
   if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
   if (corner_waits && !block.submitted) return fault(Cause::CornerNoMove, block);
   // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
@@ -180,7 +198,7 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
       once == Meaning::Local)
     m.state.moved_before = true;
-  if (!all_in_range(m.state)) return out_of_range(block.words.at);
+  if (!all_in_range(m.state, frame)) return out_of_range(block.words.at);
   return count_idle(m, block);
 }
 

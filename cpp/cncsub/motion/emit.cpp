@@ -1,6 +1,7 @@
 // From a block's motion to the rows of the table: the pieces, their lengths and times.
 #include "cncsub/motion/emit.hpp"
 
+#include <bit>
 #include <limits>
 
 #include "cncsub/motion/frame/frame.hpp"
@@ -40,19 +41,24 @@ struct Way {
   double in_plane = 0, seconds = 0;
 };
 
+/// The axes of a row: those that are named, and what a cycle moves beside them.
+void mark_axes(MoveSink& sink, const Axes& machine, std::uint32_t named) {
+  Moves& moves = *sink.table;
+  const Axes& from = sink.state.tool_at;
+  if (moves.size() == 0) moves.begin(from, sink.facts.rapid, sink.facts.diameters);
+  for (int i = 3; i < kAxes; ++i)
+    if (machine[i] != from[i]) named |= axis_bit(i);
+  if (named >> 3 != 0)
+    moves.use(named);
+  else
+    moves.mark(named);
+}
+
 /// The row of a piece.
 void write_row(MoveSink& sink, const Piece& piece, const Axes& machine,
                const std::array<double, 3>& vector, const Way& way) {
   Moves& moves = *sink.table;
-  const Axes& from = sink.state.tool_at;
-  if (moves.size() == 0) moves.begin(from, sink.facts.rapid, sink.facts.diameters);
-  std::uint32_t axes = piece.named;  // and what a cycle moves beside them
-  for (int i = 3; i < kAxes; ++i)
-    if (machine[i] != from[i]) axes |= axis_bit(i);
-  if (axes >> 3 != 0)
-    moves.use(axes);
-  else
-    moves.mark(axes);
+  mark_axes(sink, machine, piece.named);
   moves.push(piece.step, piece.kind, piece.end - piece.offset,
              moves.intern(piece.state, piece.offset + piece.length, piece.tip));
   if (way.arc) moves.arc(centre_of(piece), way.in_plane);
@@ -109,11 +115,21 @@ Piece make_piece(MotionView m, const BlockWords& block, MoveKind kind, const Axe
   return piece;
 }
 
-Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
+namespace {
+
+/// Counts a move of a block, which may be one too many.
+Result count_move(MotionContext& m, const BlockWords& block) {
   if (++m.outcome.moves > kMostMoves)
     return fault(Cause::ValueOutOfRange, block,
                  "the block would make more than " + std::to_string(kMostMoves) + " moves");
   if (m.outside.over(1)) return broken_off(block.words.at);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
+  if (auto wrong = count_move(m, block)) return wrong;
   if (!in_range(piece.end)) return out_of_range(piece.at);
   const Axes before = m.state.work;
   m.state.work = piece.end - piece.offset;
@@ -127,9 +143,62 @@ Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
   return through_corner(m.sink, piece, before + piece.offset);
 }
 
+namespace {
+
+/// Whether a straight move goes to the table as it is: nothing waits for it, nothing turns it
+/// aside, and there is no place where it may not go.
+bool is_direct(const MotionContext& m) {
+  const MotionState& s = m.state;
+  return s.modal[at(Group::Radius)].meaning == Meaning::RadiusOff && !s.held.engaged &&
+         s.held.radius.empty() && s.held.corner.empty() && m.facts.limits.empty() &&
+         !checks_area(s) && m.sink.captured == nullptr;
+}
+
+/// Whether the tool comes to another place.
+bool moves(const Axes& from, const Axes& to) {
+  std::uint64_t other = 0;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    other |= std::bit_cast<std::uint64_t>(from[i]) ^ std::bit_cast<std::uint64_t>(to[i]);
+  if (other == 0) return false;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    if (std::fabs(to[i] - from[i]) >= 1e-12) return true;
+  return false;
+}
+
+/// What `move` does with a piece, without one.
+Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& end,
+                     std::uint32_t named) {
+  MotionState& s = m.state;
+  const Axes machine = end + s.offset + s.length;
+  if (!in_range(machine)) return out_of_range(block.words.at);
+  const MoveState row = move_state(s);
+  const std::uint32_t diameters = m.facts.diameters;
+  const double length = length_of(s.tool_at, machine, diameters);
+  const double seconds =
+      seconds_of({kind, row, s.tool_at, machine, length, s.offset[0] + s.length[0], 0},
+                 m.facts.rapid, diameters);
+  if (!in_range(std::array{length, seconds, s.time + seconds})) return out_of_range(block.words.at);
+  m.outcome.axis_word = block.submitted = true;
+  m.outcome.moved = m.outcome.moved || moves(s.work, end);
+  s.tool_pending = false;
+  s.named |= named;
+  s.work = end;
+  s.time += seconds;
+  if (Moves* table = m.sink.table; table != nullptr) {
+    mark_axes(m.sink, machine, named);
+    table->push(block.step, kind, end, table->intern(row, s.offset + s.length));
+  }
+  s.tool_at = machine;
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result move(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& work_end,
             std::uint32_t named) {
-  return move(m, block, make_piece(m, block, kind, work_end, named));
+  if (!is_direct(m)) return move(m, block, make_piece(m, block, kind, work_end, named));
+  if (auto wrong = count_move(m, block)) return wrong;
+  return move_directly(m, block, kind, work_end, named);
 }
 
 Result move_axis(MotionContext& m, BlockWords& block, MoveKind kind, int axis, double value) {

@@ -59,7 +59,9 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
       angles(control->motion.angle_words.value, lathe()) {
   number_groups(*this);
   constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
-  if (!lathe()) other_axes = kOthers & ~(chamfers.mask | rounds.mask | angles.mask);
+  const std::uint32_t corners = chamfers.mask | rounds.mask | angles.mask;
+  if (!lathe()) other_axes = kOthers & ~corners;
+  if (machine == MachineType::LatheA) increments = (bit('U') | bit('W')) & ~corners;
   rapid.fill(control->motion.rapid_rate.value);
   fill(rapid, setup.rapid);
   for (const auto& [number, values] : setup.reference) fill(reference[number], values);

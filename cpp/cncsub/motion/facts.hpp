@@ -24,10 +24,12 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kInch = 25.4;
 
 /// The axis of a letter, -1 where it is none.
-inline int axis_of(char letter) {
-  const auto found = kAxisNames.find(letter);
-  return found == std::string_view::npos ? -1 : static_cast<int>(found);
+constexpr int axis_of(char letter) {
+  if (letter >= 'X' && letter <= 'Z') return letter - 'X';
+  if (letter >= 'A' && letter <= 'C') return letter - 'A' + 3;
+  return letter >= 'U' && letter <= 'W' ? letter - 'U' + 6 : -1;
 }
+static_assert(kAxisNames == "XYZABCUVW");
 /// The plane of G17, G18 or G19.
 constexpr Plane plane_of(Meaning meaning) {
   if (meaning == Meaning::PlaneZX) return Plane::ZX;
@@ -112,6 +114,7 @@ struct MotionFacts {
   std::vector<const Conflict*> conflicts, conflicts_of_words;  // those a block without G codes has
   CornerWords chamfers, rounds, angles;
   std::uint32_t other_axes = 0;  // of a mill beside X, Y and Z, the letters that say nothing else
+  std::uint32_t increments = 0;  // of a lathe with G code system A: U and W, where they are no more
 
   /// Whether the control refuses what this cause names.
   bool refuses(Cause cause) const { return control->common.refuses.value.has(cause); }

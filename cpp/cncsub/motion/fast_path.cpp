@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/geometry.hpp"
 #include "cncsub/motion/motion.hpp"
 #include "cncsub/motion/path/path.hpp"
@@ -46,12 +47,13 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   state.row_moves = nullptr;
   if (path >= 0) state.motion_code = static_cast<std::uint8_t>(path);
   set_seconds_per_mm(state);
-  state.plain = path >= 0 && !in_cycle(state) && !compensating(state) && !state.angled.waiting() &&
-                state.held.corner.empty() && state.held.radius.empty() && !state.held.engaged &&
-                feed != Meaning::InverseTime && !polar(state) && !turned(state) &&
-                facts.limits.empty() && !checks_area(state) && !state.surface && !lacks_speed(m) &&
-                !state.tool_pending && !tool_waits(state) && !state.rigid_waits &&
-                facts.control->motion.max_feed.value == 0;
+  state.direct = path >= 0 && !in_cycle(state) && !compensating(state) && !state.angled.waiting() &&
+                 state.held.corner.empty() && state.held.radius.empty() && !state.held.engaged &&
+                 !polar(state) && facts.limits.empty() && !checks_area(state) && !lacks_speed(m) &&
+                 !state.tool_pending && !tool_waits(state) && !state.rigid_waits &&
+                 facts.control->motion.max_feed.value == 0;
+  state.plain =
+      state.direct && feed != Meaning::InverseTime && !turned(state) && !state.surface;
 }
 
 void Motion::take_code(int code) {
@@ -60,7 +62,7 @@ void Motion::take_code(int code) {
 }
 
 void Motion::take_feed(double value) {
-  value *= state_.unit;
+  value = plain_feed(state_, value);
   if (value == state_.feed) return;
   state_.feed = value;
   state_.row_moves = nullptr;
@@ -180,6 +182,7 @@ void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Mov
   s.moved_before = true;
   s.named |= line.named;
   s.work = line.end;
+  if (!s.plain) s.tool_at = machine_point(s);
   if (moves == nullptr) return;
   moves->use(line.named);
   moves->push(step, rapid ? MoveKind::Rapid : MoveKind::Feed, s.work, s.row_state);
@@ -187,18 +190,35 @@ void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Mov
 
 namespace {
 
-/// False where the general path has something to say about it. `zero`: what the words of the block
-/// count from, `feed`: that of the block.
-bool plan_line(MotionView m, const NcWords& words, bool rapid, const Axes& zero, double feed,
+/// Where a line ends, and the axes that it names. `zero`: what the words of the block count from.
+void find_end(MotionView m, const NcWords& words, const Axes& zero, PlainLine& line) {
+  std::uint32_t letters = words.mask & (kEndWords | m.facts.other_axes);
+  for (; letters != 0; letters &= letters - 1) {
+    const char letter = static_cast<char>('A' + std::countr_zero(letters));
+    const auto axis = static_cast<std::size_t>(axis_of(letter));
+    line.named |= axis_bit(static_cast<int>(axis));
+    line.end[axis] = number(m, words, letter) + zero[axis];
+  }
+  letters = words.mask & m.facts.increments;
+  for (; letters != 0; letters &= letters - 1) {
+    const char letter = static_cast<char>('A' + std::countr_zero(letters));
+    const std::size_t axis = letter == 'U' ? 0 : 2;
+    line.named |= axis_bit(static_cast<int>(axis));
+    line.end[axis] += number(m, words, letter);
+  }
+}
+
+/// False where the general path has something to say about it. The words of the block count from
+/// `zero`, or from where the tool is; `feed`: that of the block.
+bool plan_line(MotionView m, const NcWords& words, bool rapid, const Axes* zero, double feed,
                PlainLine& line) {
   const MotionState& s = m.state;
-  line.end = s.work;
-  for (std::size_t i = 0; i < line.end.size(); ++i) {
-    if (!words.has(kAxisNames[i])) continue;
-    line.named |= axis_bit(static_cast<int>(i));
-    line.end[i] = number(m, words, kAxisNames[i]) + zero[i];
+  const bool turns = turned(s);
+  line.end = turns ? turned_back(s, s.work) : s.work;
+  find_end(m, words, zero != nullptr ? *zero : Axes(line.end), line);
+  if (turns) turn_point(s, line.end, line.named);
+  for (std::size_t i = 0; i < line.end.size(); ++i)
     line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= 1e-12;
-  }
   const Axes from = machine_point(s), to = line.end + s.offset + s.length;
   const std::uint32_t diameters = m.facts.diameters;
   const double length = length_of(from, to, diameters), x_zero = s.offset[0] + s.length[0];
@@ -236,8 +256,11 @@ struct Modes {
   bool incremental;
 };
 
-/// Whether the codes are nothing but modes here: of these groups what holds already.
+/// Whether the codes are nothing but modes here: of these groups what holds already. What turns
+/// points stands in the way of more.
 bool are_modes(const MotionState& state, const BlockCodes& codes) {
+  constexpr std::uint32_t kTurned = bit(Group::Motion) | bit(Group::Distance);
+  if (turned(state) && ((codes.groups & ~kTurned) != 0 || codes.m_count > 0)) return false;
   if (!codes.plain || codes.has(Role::RigidTapping)) return false;
   for (const Group group : {Group::Work, Group::Units, Group::Feed})
     if (codes.has(group) && codes.meaning(group) != state.modal[at(group)].meaning) return false;
@@ -245,12 +268,14 @@ bool are_modes(const MotionState& state, const BlockCodes& codes) {
 }
 
 /// Whether the words other than G and M codes are those of a plain move, S and T, with values that
-/// the general path has nothing to say about.
-bool has_plain_words(const MotionFacts& facts, const NcWords& words) {
+/// the general path has nothing to say about. `plain`: the state is.
+bool has_plain_words(const MotionFacts& facts, const NcWords& words, bool plain) {
   const std::uint32_t known =
       kEndWords | kArcWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
-  const std::uint32_t others = words.mask & facts.other_axes;
-  if (others != 0 && words.has('S')) return false;
+  const std::uint32_t others = words.mask & (facts.other_axes | facts.increments);
+  // X beside U, Z beside W.
+  if ((words.mask & (words.mask & facts.increments) << ('X' - 'U')) != 0) return false;
+  if ((others != 0 || !plain) && words.has('S')) return false;
   if (words.stops || (words.mask & ~(known | others)) != 0) return false;
   if (words.has('S') && !(words['S'] > 0)) return false;
   if (!words.has('F')) return true;
@@ -297,10 +322,10 @@ struct PlainBlock {
 bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlock& block) {
   using Way = PlainBlock::Way;
   const MotionState& s = m.state;
-  const std::uint32_t others = words.mask & m.facts.other_axes;
+  const std::uint32_t others = words.mask & (m.facts.other_axes | m.facts.increments);
   block.path = modes.path >= 0 ? modes.path : s.motion_code;
   block.letters = words.mask & (kEndWords | kArcWords | bit('F'));
-  block.feed = words.has('F') ? words['F'] * s.unit : s.feed;
+  block.feed = words.has('F') ? plain_feed(s, words['F']) : s.feed;
   block.values = values_of(m, words, block.letters);
   if (((block.letters | others) & ~bit('F')) == 0) return true;
   if (block.path != 0 && !(block.feed > 0)) return false;
@@ -308,14 +333,16 @@ bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlo
     block.way = Way::Arc;
     block.arc.clockwise = block.path == 2;
     const bool both = (block.letters & bit('R')) != 0 && (block.letters & kCentreWords) != 0;
-    return others == 0 && !both && !m.facts.lathe() &&
+    return others == 0 && !both && !m.facts.lathe() && s.plain &&
            plan_arc(m.facts, s, block.letters, block.values.data() + words.has('F'), modes.plane,
                     modes.incremental, block.arc);
   }
   if ((block.letters & kArcWords) != 0) return false;
-  block.way = others == 0 ? Way::Straight : Way::OtherAxes;
-  return others == 0 || plan_line(m, words, block.path == 0, modes.incremental ? s.work : Axes{},
-                                  block.feed, block.line);
+  static constexpr Axes kOrigin{};
+  block.way = others == 0 && s.plain ? Way::Straight : Way::OtherAxes;
+  if (block.way == Way::Straight) return true;
+  return plan_line(m, words, block.path == 0, modes.incremental ? nullptr : &kOrigin, block.feed,
+                   block.line);
 }
 
 /// G53 with a rapid.
@@ -325,10 +352,12 @@ bool plan_machine_move(MotionView m, const Modes& modes, const NcWords& words, P
   const bool axes = (words.mask & (kEndWords | m.facts.other_axes)) != 0 &&
                     (words.mask & ~(kEndWords | m.facts.other_axes)) == 0;
   const bool homed = m.facts.homed || !m.facts.refuses(Cause::NotHomed);
-  if (block.path != 0 || !axes || !homed || modes.incremental || s.length != Axes{}) return false;
+  if (block.path != 0 || !axes || !homed || modes.incremental || !s.plain || s.length != Axes{})
+    return false;
   if (check_conflicts(m, {.words = words, .step = 0})) return false;
   block.way = PlainBlock::Way::OtherAxes;
-  return plan_line(m, words, true, Axes{} - s.offset, s.feed, block.line);
+  const Axes zero = Axes{} - s.offset;
+  return plan_line(m, words, true, &zero, s.feed, block.line);
 }
 
 }  // namespace
@@ -336,7 +365,9 @@ bool plan_machine_move(MotionView m, const Modes& modes, const NcWords& words, P
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
   using Way = PlainBlock::Way;
   MotionState& s = state_;
-  if (!s.plain || !are_modes(s, *words.codes) || !has_plain_words(*facts_, words)) return false;
+  if (!s.direct || !are_modes(s, *words.codes) || !has_plain_words(*facts_, words, s.plain))
+    return false;
+  if (turned(s) && check_conflicts(view(), {.words = words, .step = step})) return false;
   const Modes modes(s, *words.codes);
   PlainBlock block;
   const bool machine = words.codes->meaning(Group::OneShot) == Meaning::Machine;

@@ -8,6 +8,12 @@ namespace cncsub {
 /// Whether nothing but plain moves can happen, and what they count with.
 void prepare_fast_path(const MotionFacts& facts, MotionState& state);
 
+/// F of a block as a feed: times a minute have no unit of length.
+inline double plain_feed(const MotionState& state, double value) {
+  const bool times = state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
+  return times ? value : value * state.unit;
+}
+
 /// The rows of `moves` have another state of modes from here on.
 void begin_row_state(const MotionFacts& facts, MotionState& state, Moves& moves);
 

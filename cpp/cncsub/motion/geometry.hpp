@@ -16,7 +16,8 @@ inline Point operator-(Point p, Point q) { return {p.a - q.a, p.b - q.b}; }
 inline Point operator*(double f, Point p) { return {f * p.a, f * p.b}; }
 inline double dot(Point p, Point q) { return p.a * q.a + p.b * q.b; }
 inline double cross(Point p, Point q) { return p.a * q.b - p.b * q.a; }
-inline double size(Point p) { return std::hypot(p.a, p.b); }
+/// No length of a machine is so large or so small that its square is no number.
+inline double size(Point p) { return std::sqrt(p.a * p.a + p.b * p.b); }
 /// To the left of a direction.
 inline Point left(Point p) { return {-p.b, p.a}; }
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <list>
 #include <optional>
 #include <vector>
@@ -50,8 +49,9 @@ struct Outside {
   const Profile* profile = nullptr;      // that the block names
   SkipLists skips;                       // of what they do not tell the workpiece decides
   const Workpiece* workpiece = nullptr;  // in machine coordinates
-  /// Whether to break off a block that takes very long; or nothing.
-  std::function<bool()> interrupted;
+  /// Whether to break off a block that takes very long, asked of `run`; or nothing.
+  bool (*interrupted)(void* run) = nullptr;
+  void* run = nullptr;
 
   /// Whether a signal can come: one was told, or there is a workpiece to touch.
   bool has_signals() const { return skips.any() || workpiece != nullptr; }
@@ -59,9 +59,9 @@ struct Outside {
   /// Asks that now and then; `work` is what was done since the last time, a move being 1.
   bool over(std::size_t work) {
     worked += work;
-    if (worked < kAskWork || !interrupted) return false;
+    if (worked < kAskWork || interrupted == nullptr) return false;
     worked = 0;
-    return interrupted();
+    return interrupted(run);
   }
   static constexpr std::size_t kAskWork = 1 << 14;
   std::size_t worked = 0;

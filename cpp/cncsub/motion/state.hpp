@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -139,10 +140,12 @@ struct Turned {  // rotation, scaling and mirror
   bool operator==(const Turned&) const = default;
 };
 
-/// Everything modal.
-struct ModalState {
+/// What of the modal state is nothing but numbers: a copy is one of bytes.
+struct ModalValues {
   // What the fast path reads and writes.
-  bool plain = false;  // nothing but G00 to G03 with words for X Y Z F and a centre can happen
+  bool plain = false;   // nothing but G00 to G03 with words for X Y Z F and a centre can happen
+  bool direct = false;  // the same, but points may be turned, and feeds may be times or count on a
+                        // spindle that follows the diameter
   bool incremental = false;
   std::uint8_t motion_code = 0;  // where it is plain: 1 is G01
   std::uint32_t row_state = 0;
@@ -191,6 +194,13 @@ struct ModalState {
   MultipleData multiple;
   Turned turned;
   StrokeArea area;
+
+  bool operator==(const ModalValues&) const = default;
+};
+static_assert(std::is_trivially_copyable_v<ModalValues>);
+
+/// Everything modal.
+struct ModalState : ModalValues {
   Angled angled;
   Held held;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "cncsub/trace/move_walk.hpp"
@@ -27,7 +28,10 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
 }
 
 std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::array<double, 3>& tip) {
-  if (offsets_.empty() || offsets_.back() != offset) offsets_.push(offset);
+  // Nearly always the same, bit by bit: that is seen at once.
+  if (offsets_.empty() ||
+      (std::memcmp(&offsets_.back(), &offset, sizeof offset) != 0 && offsets_.back() != offset))
+    offsets_.push(offset);
   if (tip != std::array<double, 3>{}) {
     if (tips_.empty() || tips_.back() != tip) tips_.push(tip);
     state.tip = static_cast<std::uint32_t>(tips_.size());

@@ -23,7 +23,8 @@ struct PlainReader::Words {
   std::array<double, 26> values;              // NOLINT: written where the mask says so
   std::array<std::uint32_t, 26> expressions;  // NOLINT: the same for those of `computed`
   std::uint32_t mask = 0, computed = 0;
-  std::array<int, 6> g;  // NOLINT: the first of them
+  std::uint32_t whole = 0;  // those that count in increments
+  std::array<int, 12> g;    // NOLINT: the first of them
   std::size_t g_count = 0;
   bool dwell = false;
   int m = -1;
@@ -42,6 +43,8 @@ PlainReader::PlainReader(Builder& to, const BlockRules& rules)
   if (tight(rules.control.reading.max_block_length.value, kLongest) ||
       tight(rules.control.reading.max_words.value, kMostWords))
     return;
+  brackets_ = !rules.code.lacks(StatementKind::Brackets, 0) &&
+              rules.control.macros.max_brackets.value > 0;
   assigns_ = !rules.code.lacks(StatementKind::Variables, 0);
   kinds_['('] = Kind::Comment;
   for (const char c : std::string_view("ABCDEFHIJKLPQRSTUVWXYZ"))
@@ -69,9 +72,8 @@ inline bool PlainReader::take_value(Words& words, char letter, bool negative,
                                     const Mantissa& number) const {
   if (number.decimals > 3 && cuts_fine_digits_) return false;
   const bool no_minus = !rules_.takes_minus(letter);
-  const bool counts = rules_.in_increments(letter);
-  const bool no_point = number.point ? !rules_.takes_point(letter) : counts & (number.value != 0);
-  const bool refused = (negative & no_minus) | no_point;
+  const bool counts = rules_.in_increments(letter) & !number.point & (number.value != 0);
+  const bool refused = (negative & no_minus) | (number.point & !rules_.takes_point(letter));
   const std::uint32_t mark = bit(letter);
   if (refused || (words.mask & mark) != 0) return false;
   // Signs come as they like: nothing branches on them.
@@ -80,6 +82,7 @@ inline bool PlainReader::take_value(Words& words, char letter, bool negative,
   words.values[static_cast<std::size_t>(letter - 'A')] = std::bit_cast<double>(
       std::bit_cast<std::uint64_t>(value) ^ static_cast<std::uint64_t>(negative) << 63);
   words.mask |= mark;
+  words.whole |= counts ? mark : 0;
   return true;
 }
 
@@ -131,13 +134,39 @@ bool pass_comment(const char*& at, const char* end) {
 
 }  // namespace
 
+/// A plain expression that stands from `first` to `end`, of the word of a letter or of none.
+std::uint32_t PlainReader::write(const PlainExpression& plain, char letter, const Scanner& first,
+                                 const char* end) {
+  ExpressionWriter& out = to_.expressions();
+  const std::uint32_t begin = out.next();
+  for (std::size_t i = 0; i < plain.count; ++i) {
+    const Instruction& step = plain.steps[i];
+    out.emit({step.op, static_cast<std::uint8_t>(letter), step.at, step.value});
+  }
+  return out.end(begin, first.offset(), static_cast<std::uint32_t>(end - first.at));
+}
+
+/// The expression that is the value of a word, where it is plain.
+std::optional<std::uint32_t> PlainReader::plain_value(char letter, Scanner& here) {
+  const bool bracketed = *here.at == '[';
+  if (bracketed ? !brackets_ : !assigns_) return std::nullopt;
+  const auto plain = bracketed ? plain_expression(to_.code(), {here.at + 1, here.end, here.file})
+                               : plain_variable(to_.code(), here, here.offset());
+  if (!plain || (bracketed && plain->end == here.end)) return std::nullopt;
+  const char* const end = plain->end + (bracketed ? 1 : 0);
+  const std::uint32_t written = write(*plain, letter, here, end);
+  here.at = end;
+  return written;
+}
+
 /// A value that an expression at `at` gives.
 bool PlainReader::take_computed(Words& words, char letter, const char*& at, const Scanner& s) {
   const std::uint32_t mark = bit(letter);
   if ((words.mask & mark) != 0 || (letter == 'P' && rules_.control.calls.bracket_names.value))
     return false;
   Scanner here{at, s.end, s.file};
-  const auto expression = ExpressionReader(to_, here).word_value(letter);
+  auto expression = plain_value(letter, here);
+  if (!expression) expression = ExpressionReader(to_, here).word_value(letter);
   if (!expression) return false;
   words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
   words.mask |= mark;
@@ -174,8 +203,8 @@ bool PlainReader::is_plain_dwell(const Scanner& s, const Words& words) {
          text.find('(') == std::string_view::npos;
 }
 
-/// Words of which some are computed, or of a dwell, whose values are `whole` without a point.
-void PlainReader::write_list(const Words& words, bool whole, Block& block) {
+/// Words of which some are computed or `whole`: numbers without a point that count otherwise.
+void PlainReader::write_list(const Words& words, std::uint32_t whole, Block& block) {
   WordList list;
   for (std::size_t i = 0; i < words.g_count; ++i) list.add_g({false, 0, words.g[i] * 10.0});
   if (words.m >= 0) list.add_m({false, 0, static_cast<double>(words.m)});
@@ -186,9 +215,19 @@ void PlainReader::write_list(const Words& words, bool whole, Block& block) {
     list.set(place,
              computed ? WordValue{true, words.expressions[at], 0}
                       : WordValue{false, 0, words.values[at]},
-             whole);
+             (whole >> place & 1) != 0);
   }
   to_.words(block, list);
+}
+
+/// The value of an assignment.
+std::optional<std::uint32_t> PlainReader::assigned(Scanner& here) {
+  const auto plain = *here.at == '[' ? plain_bracket(to_.code(), here)
+                                     : plain_expression(to_.code(), here);
+  if (!plain || plain->end != here.end) return ExpressionReader(to_, here).number();
+  const std::uint32_t written = write(*plain, '\0', here, plain->end);
+  here.at = plain->end;
+  return written;
 }
 
 /// An assignment whose block ends with its value.
@@ -209,7 +248,7 @@ bool PlainReader::assignment(const Scanner& s, Block& block) {
   statement.variable_width = here.offset() - statement.at;
   if (++here.at == s.end) return false;
   const ExpressionWriter::Place before = to_.expressions().place();
-  const auto value = ExpressionReader(to_, here).number();
+  const auto value = assigned(here);
   if (!value || here.at != s.end) {
     to_.expressions().take_back(before);
     return false;
@@ -224,8 +263,21 @@ bool PlainReader::assignment(const Scanner& s, Block& block) {
   return true;
 }
 
+/// Behind a slash at the head, whose switch passes over the block.
+bool PlainReader::read_skipped(const Scanner& s, Block& block) {
+  Scanner behind = s;
+  ++behind.at;
+  const bool numbered = *behind.at >= '1' && *behind.at <= '9';
+  const int number = numbered ? *behind.at++ - '0' : 1;
+  while (*behind.at == ' ') ++behind.at;
+  if (*behind.at == '/' || !read(behind, block)) return false;
+  block.skip = static_cast<std::uint16_t>(block.skip | 1U << number);
+  return true;
+}
+
 bool PlainReader::read(const Scanner& s, Block& block) {
   if (s.end - s.at >= kLongest) return false;
+  if (*s.at == '/') return read_skipped(s, block);
   if ((*s.at == '#' || *s.at == 'N') && assignment(s, block)) return true;
   Words words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   const ExpressionWriter::Place before = to_.expressions().place();
@@ -235,10 +287,9 @@ bool PlainReader::read(const Scanner& s, Block& block) {
     return false;
   }
   block.n = words.n;
-  if (words.dwell)
-    write_list(words, whole_dwell_ && std::find(s.at, s.end, '.') == s.end, block);
-  else if (words.computed != 0)
-    write_list(words, false, block);
+  if (words.dwell && whole_dwell_ && std::find(s.at, s.end, '.') == s.end) words.whole = words.mask;
+  if (words.dwell || (words.computed | words.whole) != 0)
+    write_list(words, words.whole, block);
   else
     to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask, words.values);
   return true;

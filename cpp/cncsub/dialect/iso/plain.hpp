@@ -6,12 +6,15 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <optional>
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/block_rules.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
+
+struct PlainExpression;
 
 class PlainReader {
  public:
@@ -30,11 +33,16 @@ class PlainReader {
   bool take_g(Words& words, const Mantissa& number) const;
   bool take_m(Words& words, const Mantissa& number) const;
   bool take_n(Words& words, const Mantissa& number) const;
+  bool read_skipped(const Scanner& s, Block& block);
   bool assignment(const Scanner& s, Block& block);
   bool take_words(const Scanner& s, Words& words);
   bool take_computed(Words& words, char letter, const char*& at, const Scanner& s);
+  std::uint32_t write(const PlainExpression& plain, char letter, const Scanner& first,
+                      const char* end);
+  std::optional<std::uint32_t> plain_value(char letter, Scanner& here);
+  std::optional<std::uint32_t> assigned(Scanner& here);
   static bool is_plain_dwell(const Scanner& s, const Words& words);
-  void write_list(const Words& words, bool whole, Block& block);
+  void write_list(const Words& words, std::uint32_t whole, Block& block);
 
   Builder& to_;
   const BlockRules& rules_;
@@ -43,7 +51,7 @@ class PlainReader {
   int max_digits_;
   int max_n_;
   bool cuts_fine_digits_;
-  bool assigns_ = false, dwells_ = false;
+  bool assigns_ = false, brackets_ = false, dwells_ = false;
   bool whole_dwell_ = false;  // whether a value has a point counts in G04
 };
 

@@ -1,4 +1,6 @@
 // The end point that a block names.
+#include <bit>
+
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/words.hpp"
@@ -15,6 +17,24 @@ bool corner_address(MotionView m, char name) {
 /// What a lathe with G code system A writes for increments.
 constexpr std::pair<char, char> kIncrements[] = {{'U', 'X'}, {'W', 'Z'}, {'V', 'Y'}, {'H', 'C'}};
 
+void add_increments(MotionContext& m, const BlockWords& block, Axes& end, std::uint32_t& named) {
+  for (const auto& [letter, name] : kIncrements) {
+    if (!block.words.has(letter)) continue;
+    const int axis = axis_of(name);
+    if ((named & axis_bit(axis)) != 0) {
+      m.outcome.drop(bit(letter));
+      continue;
+    }
+    named |= axis_bit(axis);
+    end[axis] += number(m, block, letter);
+  }
+}
+
+// The letters of axes, and those that may be a corner or an angle instead.
+constexpr std::uint32_t kCornerAxes = bit('A') | bit('C') | bit('U');
+constexpr std::uint32_t kAxesOfA = kEndWords | bit('A') | bit('B') | bit('C');
+constexpr std::uint32_t kAllAxes = kAxesOfA | bit('U') | bit('V') | bit('W');
+
 }  // namespace
 
 PointForm point_form(const MotionState& state) { return {state.incremental, polar(state)}; }
@@ -29,23 +49,17 @@ Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uin
   // Only a cut has corners: elsewhere C is an axis.
   const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
   const bool cuts = motion == Meaning::Line || motion == Meaning::Cw || motion == Meaning::Ccw;
-  const bool corners = cuts && !in_cycle(m.state) && goes_with_motion(m.state, block);
-  for (int i = 0; i < (lathe_a ? 6 : kAxes); ++i) {
-    const char name = kAxisNames[static_cast<std::size_t>(i)];
-    if (!block.words.has(name) || (corners && corner_address(m, name))) continue;
-    named |= axis_bit(i);
+  const bool corners = (block.words.mask & kCornerAxes) != 0 && cuts && !in_cycle(m.state) &&
+                       goes_with_motion(m.state, block);
+  std::uint32_t letters = block.words.mask & (lathe_a ? kAxesOfA : kAllAxes);
+  for (; letters != 0; letters &= letters - 1) {
+    const char name = static_cast<char>('A' + std::countr_zero(letters));
+    if (corners && corner_address(m, name)) continue;
+    const auto i = static_cast<std::size_t>(axis_of(name));
+    named |= axis_bit(static_cast<int>(i));
     end[i] = number(m, block, name) + (form.incremental ? end[i] : 0);
   }
-  for (const auto& [letter, name] : kIncrements) {
-    const int axis = axis_of(name);
-    if (!lathe_a || !block.words.has(letter)) continue;
-    if ((named & axis_bit(axis)) != 0) {
-      m.outcome.drop(bit(letter));
-      continue;
-    }
-    named |= axis_bit(axis);
-    end[axis] += number(m, block, letter);
-  }
+  if (lathe_a) add_increments(m, block, end, named);
   if (form.polar) polar_target(m, block, form.incremental, end, named);
   if (turned(m.state)) turn_point(m.state, end, named);
   return end;

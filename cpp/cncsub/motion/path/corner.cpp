@@ -42,6 +42,11 @@ double corner_size(MotionView m, const NcWords& words, int place) {
 
 }  // namespace
 
+bool may_have_corner(MotionView m, const BlockWords& block) {
+  const std::uint32_t old = m.facts.lathe() ? bit('I') | bit('K') : 0;
+  return (block.words.mask & (m.facts.chamfers.mask | m.facts.rounds.mask | old)) != 0;
+}
+
 Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
   const int chamfer = m.facts.chamfers.find(block.words.mask);
   int round = m.facts.rounds.find(block.words.mask);

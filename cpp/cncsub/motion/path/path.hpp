@@ -35,7 +35,8 @@ Result angled(MotionContext& m, BlockWords& block, Meaning meaning, double angle
 /// block without a move may stand between. [TDi 13 notes 6, 7]
 Result check_angle(MotionContext& m, const BlockWords& block, bool waited);
 
-/// Chamfers and corner rounds.
+/// Chamfers and corner rounds: whether the words of a block may say one, and what they say.
+bool may_have_corner(MotionView m, const BlockWords& block);
 Result corner_words(MotionView m, const BlockWords& block, Piece& piece);
 /// The way of a piece to the table: through a corner, which waits for the next piece, and through
 /// radius compensation, which does too.
