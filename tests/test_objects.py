@@ -51,6 +51,7 @@ objects = [
     next(iter(cncsub.causes.values())), *control.rules[:2], *list(control.parameters.values())[:2],
     *list(control.alarms.values())[:2], *control.variable_options.values(), library.external, run.calls.tree(), *run.calls.tree(),
     machine._core, machine._core.trace, machine._core.code, machine._core.code.program(0), _core.read_file(inspect.__file__, 1 << 20), *_core.read_found('', [inspect.__file__], 1 << 20, True),
+    _core.flattening(library.machine()._core, False),
     run.messages, run.position, run.modal,
 ]
 modules = [importlib.import_module(f"cncsub.{m.name}") for m in pkgutil.iter_modules(cncsub.__path__) if m.name != "__main__"]

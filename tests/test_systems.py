@@ -49,7 +49,7 @@ HEADERS = {
     *("dlfcn.h", "sched.h", "immintrin.h", "x86intrin.h", "intrin.h", "arm_neon.h", "strings.h"),
 }
 COMPILERS = re.compile(
-    r"__builtin_|__attribute__|__declspec|\[\[(gnu|clang|msvc)::|__int128|__uint128|\bssize_t\b"
+    r"__builtin_|__attribute__|__declspec|\[\[(gnu|clang|msvc)::|__int128|__uint128|(?<!py::)\bssize_t\b"
     r"|\boff_t\b|_MSC_VER|__GNUC__|__clang__|_WIN32|__APPLE__|__linux__|&&\w+\s*[,}]\s*//|goto \*"
     r"|\bstrto[dlu]|\bsetlocale|#pragma (?!once)|\b(mmap|madvise|aligned_alloc|posix_\w+)\("
     r"|std::from_chars\([^;]*chars_format"

@@ -92,7 +92,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
             "testing.case",
             "testing.check_case",
             "testing.load_table",
-            "testing.plugin.Cnc",
+            "cncsub_pytest.Cnc",
             "testing.strategies.arguments",
             "testing.strategies.call_words",
             "coverage.Coverage",
@@ -149,7 +149,8 @@ def _home(name: str) -> str:
     """Where a name is defined, for whoever reads the sources without running them."""
     if "." in name:
         module, _, own = name.rpartition(".")
-        value = getattr(__import__(f"cncsub.{module}", fromlist=[own]), own)
+        home = module if module.startswith("cncsub") else f"cncsub.{module}"
+        value = getattr(__import__(home, fromlist=[own]), own)
     else:
         own, value = name, getattr(cncsub, name)
     module = (

@@ -40,6 +40,16 @@ std::int32_t depth_of_call(const Trace& trace, std::int32_t call) {
   return call < 0 ? 0 : trace.calls[trace.call_row(call)].depth;
 }
 
+/// Whether a block lies in this program, and not in one that is a part of it; false where that is
+/// not seen at once.
+bool surely_in(const Code& code, std::int32_t program, Address address) {
+  const auto place = static_cast<std::size_t>(program);
+  const Program& guess = code.programs[place];
+  const bool before_next =
+      place + 1 == code.programs.size() || address < code.programs[place + 1].first;
+  return address >= guess.first && before_next && guess.inside == kNoProgram;
+}
+
 py::object step_column(const Record& record, const std::string& name) {
   const Record::Reading reading(record);
   const Code& code = record.code();
@@ -52,8 +62,7 @@ py::object step_column(const Record& record, const std::string& name) {
   if (name == "program") {
     std::int32_t last = 0;  // most steps lie in the program of the step before
     return step_array<std::int32_t>(record, [&, last](const Trace::Step& s) mutable {
-      const Program& guess = code.programs[static_cast<std::size_t>(last)];
-      if (s.address < guess.first || s.address > guess.last) last = code.program_at(s.address);
+      if (!surely_in(code, last, s.address)) last = code.program_at(s.address);
       return last;
     });
   }

@@ -1,12 +1,12 @@
 #include "cncsub/flat/numbers.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 
 #include "cncsub/motion/facts.hpp"
 #include "cncsub/motion/query.hpp"
+#include "cncsub/system/decimal.hpp"
 
 namespace cncsub {
 
@@ -28,11 +28,8 @@ char letter_of(int place) {
 
 }  // namespace
 
-NumberText::NumberText(double value) {
-  const auto done = std::to_chars(text_.data(), text_.data() + text_.size(), value + 0.0,
-                                  std::chars_format::fixed);
-  size_ = static_cast<std::size_t>(done.ptr - text_.data());
-  end_of_whole_ = std::min(text().find('.'), size_);
+NumberText::NumberText(double value) : text_(system::shortest_fixed(value + 0.0)) {
+  end_of_whole_ = std::min(text_.find('.'), text_.size());
   whole_ = end_of_whole_ - (value < 0 ? 1 : 0);
   if (std::fabs(value) < 1) whole_ = 0;
 }

@@ -1,7 +1,6 @@
 // Values written so that the control reads them back as the same.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -17,13 +16,15 @@ namespace cncsub {
 class NumberText {
  public:
   explicit NumberText(double value);
-  std::string_view text() const { return {text_.data(), size_}; }
+  std::string_view text() const { return text_; }
   std::size_t whole() const { return whole_; }
-  std::size_t decimals() const { return size_ == end_of_whole_ ? 0 : size_ - end_of_whole_ - 1; }
+  std::size_t decimals() const {
+    return text_.size() == end_of_whole_ ? 0 : text_.size() - end_of_whole_ - 1;
+  }
 
  private:
-  std::array<char, 400> text_;  // NOLINT: the first `size_`; the largest double has 309 digits
-  std::size_t size_ = 0, end_of_whole_ = 0, whole_ = 0;
+  std::string text_;
+  std::size_t end_of_whole_ = 0, whole_ = 0;
 };
 
 /// A value in an expression, where a number has so many digits at most: what has more is a sum,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <locale>
 #include <sstream>
+#include <utility>
 #include <version>
 
 namespace cncsub::system {
@@ -69,8 +70,17 @@ Parsed parse_by_stream(std::string_view text, double& value, Decimal form) {
   return {true, end};
 }
 
-std::string shortest_by_stream(double value) {
-  if (!std::isfinite(value)) return value != value ? "nan" : value < 0 ? "-inf" : "inf";
+namespace {
+
+struct Shortest {
+  std::string science, plain;
+};
+
+Shortest shortest_texts(double value) {
+  if (!std::isfinite(value)) {
+    const std::string text = value != value ? "nan" : value < 0 ? "-inf" : "inf";
+    return {text, text};
+  }
   constexpr int kMost = 17;
   std::string science;
   int digits = 1;
@@ -79,10 +89,19 @@ std::string shortest_by_stream(double value) {
     if (reads_as(science, value)) break;
   }
   const int exponent = std::stoi(science.substr(science.find('e') + 1));
-  const std::string plain =
+  std::string plain =
       printed(value, std::ios_base::fixed, digits - 1 > exponent ? digits - 1 - exponent : 0);
-  return plain.size() <= science.size() ? plain : science;
+  return {std::move(science), std::move(plain)};
 }
+
+}  // namespace
+
+std::string shortest_by_stream(double value) {
+  Shortest text = shortest_texts(value);
+  return text.plain.size() <= text.science.size() ? text.plain : text.science;
+}
+
+std::string shortest_fixed_by_stream(double value) { return shortest_texts(value).plain; }
 
 Parsed parse(std::string_view text, double& value, Decimal form) {
 #ifdef __cpp_lib_to_chars
@@ -101,6 +120,17 @@ std::string shortest(double value) {
   return {text.data(), end};
 #else
   return shortest_by_stream(value);
+#endif
+}
+
+std::string shortest_fixed(double value) {
+#ifdef __cpp_lib_to_chars
+  std::array<char, 400> text{};  // the largest double has 309 digits
+  auto* const end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
+  return {text.data(), end};
+#else
+  return shortest_fixed_by_stream(value);
 #endif
 }
 

@@ -22,10 +22,13 @@ Parsed parse(std::string_view text, double& value, Decimal form = Decimal::Gener
 
 /// The shortest text that reads as this value again, as std::to_chars writes it.
 std::string shortest(double value);
+/// The same without an exponent: `0.00000125`.
+std::string shortest_fixed(double value);
 
 // What stands in where a library lacks these functions for doubles (libc++ before 20, and what
 // macOS brings before 13.3). They are tested wherever they are not needed.
 Parsed parse_by_stream(std::string_view text, double& value, Decimal form);
 std::string shortest_by_stream(double value);
+std::string shortest_fixed_by_stream(double value);
 
 }  // namespace cncsub::system

@@ -63,7 +63,7 @@ class Moves::Walk {
   }
 
   // Widen a box by rows [first, last): by the ends of X, Y and Z, by other axes, by arcs between
-  // their ends. [move_bounds.cpp]
+  // their ends, as move_bounds.cpp does.
   void widen_by_ends(std::size_t first, std::size_t last, Bounds& box) const;
   void widen_by_extras(std::size_t first, std::size_t last, Bounds& box) const;
   void widen_by_arcs(std::size_t first, std::size_t last, Bounds& box);

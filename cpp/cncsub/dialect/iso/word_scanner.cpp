@@ -135,7 +135,7 @@ bool WordScanner::other(const Lexeme& read, Tokens& tokens) {
     if (s_.peek() != ')') return true;
     return stray(s_.at);
   }
-  return stray(read.at);
+  return stray(read.address == ',' ? read.at + 1 : read.at);
 }
 
 /// A slash behind words. A second one of a switch says nothing new: the first has dropped the rest,
