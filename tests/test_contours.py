@@ -6,6 +6,11 @@
 from __future__ import annotations
 
 import math
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from random import Random
 
 import numpy as np
 import pytest
@@ -14,7 +19,8 @@ from hypothesis import strategies as st
 
 import cncsub
 from curves import Curve
-from stations import NONE
+from drawing import draw
+from stations import NONE, Station, Writer
 from trials import Trials
 
 CONTOURS = 460
@@ -53,6 +59,60 @@ def test_the_distance_to_an_arc_is_that_to_its_nearest_point() -> None:
     points = np.array([[3.0, 0.0], [0.0, 0.0], [1.0, 1.0], [-1.0, 2.0], [2.0, -2.0]])
     expected = [1.0, 2.0, 2 - math.sqrt(2), 1.0, 2.0]
     np.testing.assert_allclose(arc.distances(points), expected, atol=1e-12)
+
+
+# ---- LinuxCNC, beside its own interpreter ----
+
+
+def _as_for_linuxcnc(place: int) -> tuple[str, float]:
+    """A contour in G17 that names the tool's diameter, and how long its unit is in mm."""
+    random = Random(f"{SEED} linuxcnc {place}")
+    while True:
+        drawing = draw(random)
+        written = Writer(random, Station("linuxcnc", "mill")).write(drawing)
+        plain = written.plane == 17 and "Z" not in written.text
+        if written.meant and plain and not drawing.tight:
+            break
+    unit = 25.4 if written.inch else 1.0
+    text = re.sub(
+        r"G4([12]) D1", rf"G4\1.1 D{2 * drawing.radius / unit:.6f}", written.text.replace("O1\n", "")
+    )
+    return text.replace("M30", "M2"), unit
+
+
+@pytest.mark.skipif(
+    shutil.which("rs274") is None, reason="rs274 is not installed: Debian package linuxcnc-uspace"
+)
+def test_linuxcnc_goes_beside_contours_as_its_interpreter_does(tmp_path: Path) -> None:
+    """Where both take the contour. Which of those without room is refused, and at which block, is told
+    by each in its own way.
+    """
+    compared = 0
+    for place in range(80):
+        text, unit = _as_for_linuxcnc(place)
+        file = tmp_path / f"{place}.ngc"
+        file.write_text(text)
+        theirs = subprocess.run(
+            ["rs274", "-g", str(file)],
+            capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=30, check=False, cwd=tmp_path,
+        )  # fmt: skip
+        ends = re.findall(
+            r"(?:STRAIGHT_FEED|STRAIGHT_TRAVERSE|ARC_FEED)\((-?[\d.]+), (-?[\d.]+)", theirs.stdout
+        )
+        run = cncsub.loads(text, control="linuxcnc").run(setup=cncsub.Setup(machine="mill"))
+        if run.alarm is not None or theirs.returncode != 0:
+            continue
+        ours = np.stack([run.moves.mx, run.moves.my], axis=1) / unit
+        compared += 1
+        np.testing.assert_allclose(
+            _moved(ours), _moved(np.array(ends, float)), atol=2e-3 / unit, err_msg=text
+        )
+    assert compared > 45
+
+
+def _moved(points: np.ndarray) -> np.ndarray:
+    """Points without those that stand where the one before does."""
+    return points[np.append(True, np.abs(np.diff(points, axis=0)).max(axis=1) > 1e-3)]
 
 
 # ---- the order of the moves ----

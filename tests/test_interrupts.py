@@ -163,7 +163,7 @@ def test_the_command_line_ends_without_a_traceback(tmp_path: Path) -> None:
 HOLES = "O1\nN5 G0 Z5.\nN10 G91 G81 X1. Z-1. R-1. F100 K240000\nN20 G80\nN30 M30\n"
 
 
-CUTS = "N20 G0 X1.\n" + "G1 X1. W-.01\n" * 40_000 + "N30 G1 X900. F1\n"
+CUTS = "N20 G0 X1.\n" + "G1 X1. W-.01\n" * 160_000 + "N30 G1 X900. F1\n"
 ROUGH = f"O1\nN5 G0 X900. Z1.\nG71 U.36 R.1\nN10 G71 P20 Q30 U0 W0 F1\n{CUTS}N40 M30\n"
 
 

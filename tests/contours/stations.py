@@ -17,8 +17,9 @@ PLANES = {17: "XYIJZ", 18: "ZXKIY", 19: "YZJKX"}
 # From the nose's centre to the imaginary tip, as Z and X.
 TIPS = [(0, 0), (1, 1), (-1, 1), (-1, -1), (1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (0, 0)]
 NO_INCH = {"gsk-980tdi"}
-# No source tells of radius compensation there, or the engine does not compute it.
-NONE = {"gsk-928te", "siemens-one"}
+# No source tells of radius compensation there, or the engine does not compute it. LinuxCNC begins
+# beside its own line and goes around outside corners in arcs: it is held against its interpreter.
+NONE = {"gsk-928te", "siemens-one", "linuxcnc"}
 
 
 @dataclass(frozen=True)
