@@ -75,7 +75,9 @@ def _as_for_linuxcnc(place: int) -> tuple[str, float]:
             break
     unit = 25.4 if written.inch else 1.0
     text = re.sub(
-        r"G4([12]) D1", rf"G4\1.1 D{2 * drawing.radius / unit:.6f}", written.text.replace("O1\n", "")
+        r"G4([12]) D1",
+        rf"G4\1.1 D{2 * drawing.radius / unit:.6f}",
+        written.text.replace("O1\n", ""),
     )
     return text.replace("M30", "M2"), unit
 

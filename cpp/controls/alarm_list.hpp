@@ -33,8 +33,8 @@ struct AlarmList {
 //   a number, its text, the causes that the list's words cover;
 //   a number of the list, causes that show it too, as far as is known;
 //   a number whose text the list has wrong: it repeats a neighbour's; the text is from memory;
-//   one number a direction of an axis ("X+", or "-" of any), or a kind of two moves ("LA"), behind the row of the others;
-//   a number with a source of its own.
+//   one number a direction of an axis ("X+", or "-" of any), or a kind of two moves ("LA"), behind
+//   the row of the others; a number with a source of its own.
 #define LISTED(number, text, ...) {ListedAlarm::Row::Listed, number, text, {__VA_ARGS__}},
 #define ASSUMED(number, ...) {ListedAlarm::Row::Assumed, number, "", {__VA_ARGS__}},
 #define MEANT(number, text, ...) {ListedAlarm::Row::Meant, number, text, {__VA_ARGS__}},

@@ -76,7 +76,8 @@ void same_moves(const Moves& a, const Moves& b) {
   claim(a.size() == b.size() && a.axes() == b.axes(), "both move as often");
   if (a.size() == 0 || a.size() > kMostCompared) return;
   std::vector<double> x(a.size()), y(a.size());
-  for (const char* name : {"x", "w", "mz", "cx", "feed", "spindle", "length", "time", "sx", "msz", "mcy"}) {
+  for (const char* name :
+       {"x", "w", "mz", "cx", "feed", "spindle", "length", "time", "sx", "msz", "mcy"}) {
     a.columns({name}, {x.data()});
     b.columns({name}, {y.data()});
     claim(std::equal(x.begin(), x.end(), y.begin(), same), "move by move");

@@ -34,8 +34,7 @@ PyObject* python_name(void* name) {
 /// Who listens to what Python opens is told of a path, and may refuse. Where nobody listens no
 /// object is made.
 void tell_of_opening(std::string& path) {
-  if (PySys_Audit("open", "O&Oi", &python_name, path.data(), Py_None,
-                  system::kReadOnly) != 0)
+  if (PySys_Audit("open", "O&Oi", &python_name, path.data(), Py_None, system::kReadOnly) != 0)
     throw py::error_already_set();
 }
 

@@ -118,9 +118,7 @@ KINDS = {
     "g28": Kind("G91 G28, G90", lambda i: "G91 G28 Z0\nG90 G0 Z5."),
     "g30": Kind("G30", lambda i: "G30 Z10.\nG0 Z5.", peer=False),
     "skip": Kind("G31", lambda i: f"G31 X{i % 100}. F100", peer=False),
-    "rotated": Kind(
-        "G1 under G68", lambda i: f"G1 {at(i)}", before="G68 X0 Y0 R30.\n", peer=False
-    ),
+    "rotated": Kind("G1 under G68", lambda i: f"G1 {at(i)}", before="G68 X0 Y0 R30.\n", peer=False),
     "rotation": Kind("G68, G69", lambda i: f"G68 X0 Y0 R{i % 90}.\nG69", peer=False),
     "scaled": Kind(
         "G1 under G51", lambda i: f"G1 {at(i)}", before="G51 X0 Y0 Z0 P2000\n", peer=False
@@ -167,9 +165,7 @@ KINDS = {
     ),
     "reamed": Kind("G89, a hole", lambda i: at(i), before="G98 G89 X0 Y0 Z-5. R2. P1 F100\n"),
     # Macros.
-    "offset": Kind(
-        "computed words", lambda i: "G1 X[#101+1.] Y#102", before="#101=10\n#102=20\n"
-    ),
+    "offset": Kind("computed words", lambda i: "G1 X[#101+1.] Y#102", before="#101=10\n#102=20\n"),
     "indirect": Kind(
         "indirect words",
         lambda i: "G1 X#[#101+2] Y#102",

@@ -21,10 +21,10 @@ struct Fault {
   Address block = kNowhere;  // the block it stands in; otherwise the one that is being executed
   // "X+", or "LA" of a line and the arc behind it, where the control may have a number for each
   std::array<char, 2> kind{};
-  char address = 0;                 // of the word that is wrong, where `at` does not say it
-  int code = -1;                    // or that G code, ten times its number
-  std::string text = {};            // the control's own words, where they name what is wrong
-  std::string name = {};            // of a variable, or numbers, for the control's words
+  char address = 0;       // of the word that is wrong, where `at` does not say it
+  int code = -1;          // or that G code, ten times its number
+  std::string text = {};  // the control's own words, where they name what is wrong
+  std::string name = {};  // of a variable, or numbers, for the control's words
 };
 
 struct Code;

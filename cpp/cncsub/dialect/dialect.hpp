@@ -52,7 +52,7 @@ const Dialect* find_dialect(std::string_view name);
 
 // The build writes the list from the names of the folders; each holds the functions that it names.
 #define DIALECT(folder)                                      \
-  extern const Spelling folder##_spelling;                    \
+  extern const Spelling folder##_spelling;                   \
   FileReader folder##_reader(Builder& to);                   \
   extern PieceReader (*const folder##_pieces)(Builder & to); \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);

@@ -14,7 +14,8 @@ namespace cncsub {
 
 const Dialect* find_dialect(std::string_view name) {
   static const Dialect kDialects[] = {
-#define DIALECT(folder) {#folder, folder##_reader, folder##_word, folder##_pieces, &folder##_spelling},
+#define DIALECT(folder) \
+  {#folder, folder##_reader, folder##_word, folder##_pieces, &folder##_spelling},
 #include "dialect/list.def"
 #undef DIALECT
   };

@@ -273,7 +273,7 @@ bool macro_call(Run& run, const Block& block) {
 namespace {
 
 CNCSUB_ALWAYS_INLINE inline OpenFrame frame_of(const Run& run, const CallRecord& record,
-                                                 const Target& target, std::int32_t modal) {
+                                               const Target& target, std::int32_t modal) {
   OpenFrame open;
   open.program = target.program;
   open.repeats = target.repeats;

@@ -33,7 +33,7 @@ bool evaluate_long(Run& run, const Expression& expression, const Places& places,
 /// One value, or one operation on two, at once; what is longer or has no finite result goes the
 /// long way.
 CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, const Expression& e, const Places& places,
-                                            double& value) {
+                                          double& value) {
   if (e.form == Expression::Form::Long) return evaluate_long(run, e, places, value);
   const double a = places.load(e.loads[0]);
   if (e.form == Expression::Form::One) {

@@ -133,9 +133,8 @@ constexpr Conflict kConflicts[] = {
      true},
     {Cause::TapInSurfaceSpeed,
      [](const State& s, const Block& b) {
-       return taps(b) &&
-              (b.has(Group::Surface) ? b.meaning(Group::Surface) == Meaning::SurfaceSpeed
-                                     : s.surface);
+       return taps(b) && (b.has(Group::Surface) ? b.meaning(Group::Surface) == Meaning::SurfaceSpeed
+                                                : s.surface);
      }},
     {Cause::CycleAxisChanged,
      [](const State& s, const Block& b) {
@@ -202,8 +201,9 @@ constexpr Conflict kConflicts[] = {
      }},
     {Cause::CornerCodes,
      [](const State& s, const Block& b) {
-       return !s.held.corner.empty() && (length(b) || b.has(Group::Work) ||
-                                         does(b, Meaning::SetCoordinate) || does(b, Meaning::Local));
+       return !s.held.corner.empty() &&
+              (length(b) || b.has(Group::Work) || does(b, Meaning::SetCoordinate) ||
+               does(b, Meaning::Local));
      },
      true},
     {Cause::CompensationCycle,

@@ -52,8 +52,7 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
                  !polar(state) && facts.limits.empty() && !checks_area(state) && !lacks_speed(m) &&
                  !state.tool_pending && !tool_waits(state) && !state.rigid_waits &&
                  facts.control->motion.max_feed.value == 0;
-  state.plain =
-      state.direct && feed != Meaning::InverseTime && !turned(state) && !state.surface;
+  state.plain = state.direct && feed != Meaning::InverseTime && !turned(state) && !state.surface;
 }
 
 void Motion::take_code(int code) {
@@ -99,8 +98,8 @@ bool find_centre(const MotionFacts& facts, Point way, double radius, const Plane
 /// The arc that these words describe, `values` in the order of the alphabet and without that of F.
 /// False where the general path has something to say about it.
 CNCSUB_ALWAYS_INLINE inline bool plan_arc(const MotionFacts& facts, const MotionState& s,
-                                            std::uint32_t mask, const Cell* values, Plane of_plane,
-                                            bool incremental, PlainArc& arc) {
+                                          std::uint32_t mask, const Cell* values, Plane of_plane,
+                                          bool incremental, PlainArc& arc) {
   const MotionRules& rules = facts.control->motion;
   const PlaneAxes plane = plane_axes(of_plane);
   const auto word = [&](char address) {
@@ -139,7 +138,7 @@ CNCSUB_ALWAYS_INLINE inline bool plan_arc(const MotionFacts& facts, const Motion
 }  // namespace
 
 CNCSUB_ALWAYS_INLINE inline void Motion::go_along(const PlainArc& arc, std::uint32_t mask,
-                                                    std::uint32_t step, Moves* moves) {
+                                                  std::uint32_t step, Moves* moves) {
   MotionState& s = state_;
   if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);
   s.time += arc.in_plane * s.seconds_per_mm;

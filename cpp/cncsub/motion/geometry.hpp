@@ -85,7 +85,7 @@ std::optional<Point> meeting(const Curve& a, const Curve& b, double offset, doub
 struct CornerPieces {
   Piece first, between, second;
   bool has_between = false;
-  bool second_short = false;  // where there is none: the first could be cut
+  bool second_short = false;     // where there is none: the first could be cut
   Axes at_first{}, at_second{};  // where the corner begins and ends
 };
 /// Cuts a chamfer or a round between two pieces; false when one of them is too short.

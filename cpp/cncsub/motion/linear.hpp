@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "cncsub/motion/fast_path.hpp"
-#include "cncsub/system/compiler.hpp"
 #include "cncsub/motion/motion.hpp"  // NOLINT(misc-header-include-cycle): it ends with this file
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
 /// Goes along one axis if its letter is in the mask, its value next in `values`; how far.
 CNCSUB_ALWAYS_INLINE inline double travel(ModalState& s, std::uint32_t mask, char axis,
-                                            const Cell*& values) {
+                                          const Cell*& values) {
   double& at = s.work[static_cast<std::size_t>(axis - 'X')];
   const double from = at;
   if ((mask & bit(axis)) != 0) at = (values++)->value * s.unit + (s.incremental ? from : 0);

@@ -1,6 +1,6 @@
 // Sines and angles as LinuxCNC computes them: in numbers of 64 bits of mantissa and more. The
-// compilers of Microsoft and of Apple's processors have none, and what MinGW has leaves the turns of
-// an angle to the processor, which knows pi to few digits.
+// compilers of Microsoft and of Apple's processors have none, and what MinGW has leaves the turns
+// of an angle to the processor, which knows pi to few digits.
 #pragma once
 
 #include <cfloat>

@@ -18,7 +18,8 @@ constexpr std::size_t kMost = 0;
 constexpr std::size_t kMost = kMostKept;
 #endif
 
-constexpr std::size_t kRegion = system::kLargePage;  // a few that are kept hold no more than this each
+constexpr std::size_t kRegion =
+    system::kLargePage;  // a few that are kept hold no more than this each
 constexpr std::size_t kSmall = std::size_t{1} << 20;  // a run of less touches no large page
 
 /// Memory in large pages that pieces are cut from. It is given back with the last of them.

@@ -102,7 +102,8 @@ void mill_motion(Control& c) {
   has(c.common.refuses, {Cause::NotHomed}, "MDib 0166", Manual);
   has(c.common.refuses, {Cause::ReferenceNotHomed}, "MDib 0069", Manual);
   has(c.common.refuses, kRefused,
-      "MDib 0013, 0014, 0022, 0029, 0031 to 0033, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to 0188, "
+      "MDib 0013, 0014, 0022, 0029, 0031 to 0033, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to "
+      "0188, "
       "0204, 0216, 0218, 0230 to 0235, 0243, 0247, 0264, 0278",
       Manual);
   c.motion.codes_not_turned = {

@@ -201,12 +201,14 @@ void add_988_motion(Control& c) {
                          Manual};
   c.motion.unit_change = {UnitChange::Alone, "Talm 042", Manual};
   has(c.common.refuses,
-      {Cause::TurnedWithCodes, Cause::RotationCode, Cause::CornerOffset, Cause::ThreadPasses,
-       Cause::CyclePlane, Cause::CycleAxis, Cause::TurningPlane, Cause::TurningAxis, Cause::PqSame,
-       Cause::ProfileStart, Cause::PatternX, Cause::PatternZ, Cause::GrooveStep, Cause::StrokeArea,
-       Cause::MeasuringZone, Cause::SkipPerRevolution, Cause::ThreadRunOutSign,
-       Cause::DataEndFirst, Cause::RigidSpeed, Cause::RigidMove,
-       Cause::RigidWordTwice, Cause::TapSpeed, Cause::TapInSurfaceSpeed, Cause::CycleAxisChanged},
+      {Cause::TurnedWithCodes,   Cause::RotationCode,      Cause::CornerOffset,
+       Cause::ThreadPasses,      Cause::CyclePlane,        Cause::CycleAxis,
+       Cause::TurningPlane,      Cause::TurningAxis,       Cause::PqSame,
+       Cause::ProfileStart,      Cause::PatternX,          Cause::PatternZ,
+       Cause::GrooveStep,        Cause::StrokeArea,        Cause::MeasuringZone,
+       Cause::SkipPerRevolution, Cause::ThreadRunOutSign,  Cause::DataEndFirst,
+       Cause::RigidSpeed,        Cause::RigidMove,         Cause::RigidWordTwice,
+       Cause::TapSpeed,          Cause::TapInSurfaceSpeed, Cause::CycleAxisChanged},
       "TA 5 notes 2 and 3; Talm 037, 054, 058, 063, 068, 107, 121 to 192, 271", Manual);
   c.turning.thread_starts = {true, "TA 18: L", Manual};
   c.turning.thread_words_not_computed = {"LDE", "TA 21: L, D, E of G76", Manual};

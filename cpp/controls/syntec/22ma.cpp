@@ -20,7 +20,8 @@ Control syntec_22ma() {
   give_role(c.calls.roles, "G65", Role::MacroCall, "SYP: G65 P9810 Z", Secondary);
 
   lacks(c.common.refuses, {Cause::ArcFeedZero, Cause::CornerNextShort},
-        "policy: the numbers of Mitsubishi's list alone tell them from a missing feed and a long corner",
+        "policy: the numbers of Mitsubishi's list alone tell them from a missing feed and a long "
+        "corner",
         Inferred);
 
   // Numbers are Mitsubishi's own: of alarms, of parameters, of codes that a parameter makes call.

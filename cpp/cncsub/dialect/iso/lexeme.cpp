@@ -22,8 +22,8 @@ char behind_next(Scanner s) {
 /// X1= and Y2=: whether the number behind an address is that of an axis and a part of it.
 bool is_axis(const Lexeme& word, char behind) {
   const Number& number = word.number;
-  return word.address >= 'X' && word.axis == 0 && !word.comma && number.any &&
-         number.points == 0 && number.value >= 1 && number.value <= 2 && behind == '=';
+  return word.address >= 'X' && word.axis == 0 && !word.comma && number.any && number.points == 0 &&
+         number.value >= 1 && number.value <= 2 && behind == '=';
 }
 
 /// What stands behind the address.

@@ -43,8 +43,8 @@ PlainReader::PlainReader(Builder& to, const BlockRules& rules)
   if (tight(rules.control.reading.max_block_length.value, kLongest) ||
       tight(rules.control.reading.max_words.value, kMostWords))
     return;
-  brackets_ = !rules.code.lacks(StatementKind::Brackets, 0) &&
-              rules.control.macros.max_brackets.value > 0;
+  brackets_ =
+      !rules.code.lacks(StatementKind::Brackets, 0) && rules.control.macros.max_brackets.value > 0;
   assigns_ = !rules.code.lacks(StatementKind::Variables, 0);
   kinds_['('] = Kind::Comment;
   for (const char c : std::string_view("ABCDEFHIJKLPQRSTUVWXYZ"))
@@ -222,8 +222,8 @@ void PlainReader::write_list(const Words& words, std::uint32_t whole, Block& blo
 
 /// The value of an assignment.
 std::optional<std::uint32_t> PlainReader::assigned(Scanner& here) {
-  const auto plain = *here.at == '[' ? plain_bracket(to_.code(), here)
-                                     : plain_expression(to_.code(), here);
+  const auto plain =
+      *here.at == '[' ? plain_bracket(to_.code(), here) : plain_expression(to_.code(), here);
   if (!plain || plain->end != here.end) return ExpressionReader(to_, here).number();
   const std::uint32_t written = write(*plain, '\0', here, plain->end);
   here.at = plain->end;

@@ -116,8 +116,8 @@ bool WordScanner::word(const Lexeme& read, Tokens& tokens) {
 
 bool WordScanner::late_sequence_number(const Lexeme& read, Tokens& tokens) {
   if (control_.common.refuses.value.has(Cause::SequenceNumberNotFirst))
-    return refuse({Cause::SequenceNumberNotFirst, offset(read), 1,
-                   "N must be the first word of its block"});
+    return refuse(
+        {Cause::SequenceNumberNotFirst, offset(read), 1, "N must be the first word of its block"});
   if (block_.n >= 0) return word(read, tokens);
   add(read, tokens).late = true;
   if (!sequence_number(read)) return false;

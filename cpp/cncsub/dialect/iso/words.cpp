@@ -1,4 +1,5 @@
-// The words of a block as the ISO family writes them: its lexemes, each with all that belongs to it.
+// The words of a block as the ISO family writes them: its lexemes, each with all that belongs to
+// it.
 #include "cncsub/text/words.hpp"
 
 #include "cncsub/dialect/dialect.hpp"
