@@ -205,6 +205,19 @@ bool run_statements(Run& run, bool one) {
   }
 }
 
+namespace {
+
+/// A statement that has done what it says is a step.
+bool end_statement(Run& run, const Block& block, bool holds) {
+  const bool device = block.op == Op::OpenOutput || block.op == Op::CloseOutput;
+  if (device && run.heard != nullptr) run.heard->device = block.op;
+  record_step(run, !holds);
+  run.state.pc = run.block.next;
+  return true;
+}
+
+}  // namespace
+
 bool run_statement(Run& run, const Block& block) {
   const bool other = block.op == Op::Print || block.op == Op::HCode;
   const Statement* const statement = other ? nullptr : run.code->statements.data() + block.aux;
@@ -240,12 +253,7 @@ bool run_statement(Run& run, const Block& block) {
     default:  // ENDIF, POPEN, PCLOS
       break;
   }
-  if (!runs) return false;
-  const bool device = block.op == Op::OpenOutput || block.op == Op::CloseOutput;
-  if (device && run.heard != nullptr) run.heard->device = block.op;
-  record_step(run, !holds);
-  run.state.pc = run.block.next;
-  return true;
+  return runs && end_statement(run, block, holds);
 }
 
 bool store(Run& run, const Statement& statement, double value) {

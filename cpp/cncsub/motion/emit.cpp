@@ -171,7 +171,8 @@ Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const A
   MotionState& s = m.state;
   const Axes machine = end + s.offset + s.length;
   if (!in_range(machine)) return out_of_range(block.words.at);
-  const MoveState row = move_state(s);
+  MoveState row = move_state(s);
+  row.cycle = block.cycle;
   const std::uint32_t diameters = m.facts.diameters;
   const double length = length_of(s.tool_at, machine, diameters);
   const double seconds =

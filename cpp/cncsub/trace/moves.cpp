@@ -1,8 +1,9 @@
 #include "cncsub/trace/moves.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "cncsub/trace/move_walk.hpp"
@@ -29,8 +30,11 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
 
 std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::array<double, 3>& tip) {
   // Nearly always the same, bit by bit: that is seen at once.
-  if (offsets_.empty() ||
-      (std::memcmp(&offsets_.back(), &offset, sizeof offset) != 0 && offsets_.back() != offset))
+  using Bits = std::array<std::uint64_t, std::tuple_size_v<Axes>>;
+  const auto same_bits = [&offset](const Axes& other) {
+    return std::bit_cast<Bits>(other) == std::bit_cast<Bits>(offset);
+  };
+  if (offsets_.empty() || (!same_bits(offsets_.back()) && offsets_.back() != offset))
     offsets_.push(offset);
   if (tip != std::array<double, 3>{}) {
     if (tips_.empty() || tips_.back() != tip) tips_.push(tip);

@@ -70,7 +70,7 @@ class WordScanner {
   std::string wrong_name(std::string_view name) const;
   bool is_name_here() const;
   bool calls_by_name();
-  bool stray(const char* at);
+  bool stray(const char* from);
   std::uint32_t offset(const Lexeme& read) const {
     return static_cast<std::uint32_t>(read.at - s_.file);
   }

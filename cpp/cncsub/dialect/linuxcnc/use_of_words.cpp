@@ -101,7 +101,7 @@ std::optional<WrongWord> below_zero(const LineWords& line) {
       {'t', "Negative tool id (tool not found)"},
   };
   for (const auto& [letter, text] : kTexts)
-    if (line.negative.count(letter) != 0)
+    if (line.negative.contains(letter))
       return WrongWord{letter, Cause::ValueOutOfRange, std::string(text)};
   return std::nullopt;
 }

@@ -22,7 +22,7 @@ struct LineWords {
 
   bool has_g(std::initializer_list<int> codes) const;
   bool has_m(std::initializer_list<int> codes) const;
-  bool has(char letter) const { return letters.count(letter) != 0; }
+  bool has(char letter) const { return letters.contains(letter); }
 };
 
 /// A word that is wrong beside the others, and what the interpreter says of it.

@@ -9,6 +9,12 @@
 namespace cncsub {
 namespace {
 
+/// A taper against the cut must not be larger than the cut. [TA 6, 7]
+Result check_taper(const TurnData& turn, double depth, bool face, const BlockWords& block) {
+  if (turn.r * depth >= 0 || std::fabs(turn.r) <= std::fabs(depth)) return std::nullopt;
+  return fault(face ? Cause::FaceTaper : Cause::Taper, block);
+}
+
 Result turn_once(MotionContext& m, BlockWords& block, Meaning meaning) {
   TurnData& turn = m.state.turn;
   std::uint32_t named = 0;
@@ -18,16 +24,13 @@ Result turn_once(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (block.words.has('R')) turn.r = number(m, block, 'R');
   if (named == 0 && !block.words.has('R')) return std::nullopt;
   const bool thread = meaning == Meaning::ThreadCycle;
-  if (thread)
-    if (auto wrong = take_run_out(m, block, true)) return wrong;
+  if (auto wrong = thread ? take_run_out(m, block, true) : Result()) return wrong;
   if (auto wrong = thread ? need_lead(m, block) : need_feed(m, block, Meaning::Line)) return wrong;
   const Axes start = m.state.work;
   const double x = turn.has_x ? turn.x : start[0], z = turn.has_z ? turn.z : start[2];
   const bool face = meaning == Meaning::FaceCycle;
-  // A taper against the cut must not be larger than the cut. [TA 6, 7]
   const double depth = face ? z - start[2] : (x - start[0]) / 2;
-  if (turn.r * depth < 0 && std::fabs(turn.r) > std::fabs(depth))
-    return fault(face ? Cause::FaceTaper : Cause::Taper, block);
+  if (auto wrong = check_taper(turn, depth, face, block)) return wrong;
   Axes corner = start;
   corner[0] = x;
   corner[2] = z;

@@ -60,23 +60,28 @@ Result set_without_l(MotionContext& m, BlockWords& block) {
   return set_offset_data(m, block, 10, block.words['P']);
 }
 
+/// Which system P names: of `extra` ones, or of G54 to G59 (0: the one before them all).
+Result system_of(MotionView m, const BlockWords& block, bool& extra, double& p) {
+  if (m.facts.control->motion.data_forms.value.has(DataForm::Active)) {
+    if (p == 0) p = m.state.work_system > 0 ? m.state.work_system : 6 + m.state.extra_system;
+    if (!extra && p > 6) extra = true, p -= 6;
+  }
+  const double last = extra ? static_cast<double>(m.state.tables.extra.size()) : 6;
+  if (p >= (extra ? 1 : 0) && p <= last && p == std::floor(p)) return std::nullopt;
+  if (extra) return fault(Cause::G10System, block);
+  if (m.facts.control->motion.other_system.value != OtherSystem::First)
+    return fault(Cause::G10P, block);
+  p = 1;
+  return std::nullopt;
+}
+
 /// G10 L2 and L20: the zero point of a work system, or of an extra one.
 Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, double p) {
   OffsetTables& tables = m.state.tables;
   const bool in_force = m.facts.control->motion.data_forms.value.has(DataForm::Active);
-  if (in_force) {
-    if (block.words.has('R') && block.words['R'] != 0)
-      return fault_at('R', Cause::CodeNotComputed, block, "R of G10 turns the work system");
-    if (p == 0) p = m.state.work_system > 0 ? m.state.work_system : 6 + m.state.extra_system;
-    if (!extra && p > 6) extra = true, p -= 6;
-  }
-  const double last = extra ? static_cast<double>(tables.extra.size()) : 6;
-  if (p < (extra ? 1 : 0) || p > last || p != std::floor(p)) {
-    if (extra) return fault(Cause::G10System, block);
-    if (m.facts.control->motion.other_system.value != OtherSystem::First)
-      return fault(Cause::G10P, block);
-    p = 1;
-  }
+  if (in_force && block.words.has('R') && block.words['R'] != 0)
+    return fault_at('R', Cause::CodeNotComputed, block, "R of G10 turns the work system");
+  if (auto wrong = system_of(m, block, extra, p)) return wrong;
   const bool named = std::any_of(kAxisNames.begin(), kAxisNames.end(),
                                  [&](char axis) { return block.words.has(axis); });
   if (!named && m.facts.refuses(Cause::G10Axis)) return fault(Cause::G10Axis, block);

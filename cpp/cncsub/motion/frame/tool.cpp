@@ -41,13 +41,9 @@ void give_length(MotionContext& m, BlockWords& block, bool add) {
     }
 }
 
-/// The length of G43, G44, G49 and H.
-Result take_length(MotionContext& m, BlockWords& block) {
-  if (m.facts.lathe()) return std::nullopt;
-  if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
-  const bool h = block.words.has('H');
-  if (!h && !block.has(Group::Length)) return std::nullopt;
-  if (h) {
+/// The number of the offset: that of H, or of the tool where the control takes it without H.
+Result take_h(MotionContext& m, const BlockWords& block) {
+  if (block.words.has('H')) {
     const double number = block.words['H'];
     if (number < 0 || number >= static_cast<double>(m.state.tables.length.size()))
       return fault(Cause::OffsetNumber, block);
@@ -55,6 +51,16 @@ Result take_length(MotionContext& m, BlockWords& block) {
   } else if (m.facts.control->motion.missing_radius_offset.value == MissingOffset::Tool) {
     m.state.h = offset_of_tool(m.state, m.state.tables.length);
   }
+  return std::nullopt;
+}
+
+/// The length of G43, G44, G49 and H.
+Result take_length(MotionContext& m, BlockWords& block) {
+  if (m.facts.lathe()) return std::nullopt;
+  if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
+  const bool h = block.words.has('H');
+  if (!h && !block.has(Group::Length)) return std::nullopt;
+  if (auto wrong = take_h(m, block)) return wrong;
   if (block.has(Group::Length)) m.state.modal[at(Group::Length)] = block.code(Group::Length);
   const Meaning meaning = m.state.modal[at(Group::Length)].meaning;
   if (meaning == Meaning::LengthOff) {

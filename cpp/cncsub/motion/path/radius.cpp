@@ -104,16 +104,22 @@ Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, dou
     return std::nullopt;
   } else if (const auto meet = meeting(a, arcs ? by_its_end(b) : b, offset, least)) {
     join.leave = *meet - a.to;
-  } else if (!a.straight() && moved_radius(a, a.to, offset) < -least) {
-    return Fault{Cause::CompensationArcTooSmall, sink.state.held.radius.front().at, 1, {}};
-  } else if (!b.straight() && moved_radius(b, b.from, offset) < -least) {
-    return Fault{Cause::CompensationArcTooSmall, at, 1, {}};
   } else {
-    Fault wrong{Cause::CompensationNoIntersection, at, 1, {}};
-    wrong.kind = {a.straight() ? 'L' : 'A', b.straight() ? 'L' : 'A'};
-    return wrong;
+    return no_meeting(a, b, offset, at);
   }
   return std::nullopt;
+}
+
+/// Why two offset moves do not meet: the tool does not fit into one of them, or they lie apart.
+Fault RadiusPath::no_meeting(const Curve& a, const Curve& b, double offset,
+                             std::uint32_t at) const {
+  if (!a.straight() && moved_radius(a, a.to, offset) < -least)
+    return {Cause::CompensationArcTooSmall, sink.state.held.radius.front().at, 1, {}};
+  if (!b.straight() && moved_radius(b, b.from, offset) < -least)
+    return {Cause::CompensationArcTooSmall, at, 1, {}};
+  Fault wrong{Cause::CompensationNoIntersection, at, 1, {}};
+  wrong.kind = {a.straight() ? 'L' : 'A', b.straight() ? 'L' : 'A'};
+  return wrong;
 }
 
 /// The tool must go the way the program goes, not back. [16iLB p.208] It may go back as far as does

@@ -79,6 +79,7 @@ struct RadiusPath {
   /// `behind` is the move behind those at the corner, where it is known.
   Result join(const Curve& a, const Curve& b, const Curve* behind, double offset, std::uint32_t at,
               Join& join) const;
+  Fault no_meeting(const Curve& a, const Curve& b, double offset, std::uint32_t at) const;
   void go_around(const Curve& a, const Curve& b, Point u, Point v, double offset, Join& join) const;
   Result check_direction(const Curve& curve, Piece& piece, Point& v, Point next) const;
   Result leave(Point v, const Join* join, Point next);
