@@ -76,6 +76,19 @@ def text_of(pieces: list[Any]) -> str:
     return whole.decode()
 
 
+def one_by_one(files: list[Any]) -> Iterator[tuple[str, str, str, bool]]:
+    """The files that the engine is handed, of which several may stand together."""
+    for row in files:
+        if len(row) == 2:
+            texts, outside = row
+            for place in range(len(texts)):
+                name, stem, text = texts.file(place)
+                yield name, stem, text.decode(), outside
+        else:
+            name, stem, pieces, outside = row
+            yield name, stem, text_of(list(pieces)), outside
+
+
 def file_lines(files: list[Any], device: bool) -> Iterator[str]:
     for name, stem, pieces, external in files:
         yield line("file", name, stem, external, text_of(pieces))
@@ -198,11 +211,10 @@ class Told:
         _core.machine = self.machine
 
     def compile(self, control: Any, files: list[Any], device: bool) -> Any:
-        named = [
-            (name.replace(self.scratch, "job").replace(f"{ROOT}/", ""), *rest)
-            for name, *rest in files
+        kept = [
+            (name.replace(self.scratch, "job").replace(f"{ROOT}/", ""), stem, [text], outside)
+            for name, stem, text, outside in one_by_one(files)
         ]
-        kept = [(name, stem, [text_of(list(p))], outside) for name, stem, p, outside in named]
         self.lines = [*control_lines(control), *file_lines(kept, device)]
         return self._compile(control, kept, device)
 

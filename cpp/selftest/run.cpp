@@ -57,8 +57,9 @@ void tell_values(std::vector<Line>& lines, const Machine& machine) {
     machine.read(number, 0, value);  // some are counted when they are read
     lines.push_back({"variable", text(number), value});
   }
-  for (const std::int64_t code : all_of(trace.m_codes)) lines.push_back({"m_codes", text(code)});
-  for (const std::int64_t code : all_of(trace.t_codes)) lines.push_back({"t_codes", text(code)});
+  for (const auto& [kind, line] : {std::pair{'M', "m_codes"}, std::pair{'T', "t_codes"}})
+    for (const Trace::Sent& sent : all_of(trace.codes))
+      if (sent.kind == kind) lines.push_back({line, text(static_cast<std::int64_t>(sent.value))});
   for (const std::string& said : all_of(trace.messages)) lines.push_back({"messages", said});
   for (const auto& [axis, value] : position(machine.motion().view()))
     lines.push_back({"position", axis, value});

@@ -153,6 +153,14 @@ void add_files(py::module_& m) {
                                  names[i] = py::str(texts.files[i].name);
                                return names;
                              })
+      .def(
+          "file",
+          [](const Texts& texts, std::size_t index) {
+            if (index >= texts.files.size()) throw py::index_error("no such file");
+            const SourceFile& file = texts.files[index];
+            return py::make_tuple(file.name, file.stem, py::bytes(file.text));
+          },
+          py::arg("index"))
       .def("__len__", [](const Texts& texts) { return texts.files.size(); });
   m.def("read_file", &read_text, py::arg("path"), py::arg("largest"));
   m.def("read_found", &read_found, py::arg("before"), py::arg("names"), py::arg("largest"),

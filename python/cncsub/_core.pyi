@@ -304,6 +304,7 @@ class Texts:
     """Files of a folder that are UTF-8; `compile` takes them over."""
     @property
     def names(self) -> list[str]: ...  # as shown
+    def file(self, index: int) -> tuple[str, str, bytes]: ...  # its name, stem and text
     def __len__(self) -> int: ...
 
 def read_file(path: str, largest: int) -> Text | int | str:
