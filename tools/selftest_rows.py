@@ -263,12 +263,14 @@ def main() -> int:
     told = Told(str(outcome._scratch()))
     written_rows = 0
     output.parent.mkdir(parents=True, exist_ok=True)
-    with output.open("w", encoding="utf-8", newline="\n") as file:
+    begun = output.with_name(f"{output.name}.begun")  # what is cut off is no set of rows
+    with begun.open("w", encoding="utf-8", newline="\n") as file:
         file.write(line("cncsub-selftest", FORMAT) + "\n")
         for source in (table_rows(told, left_out), example_rows(told)):
             for lines in source:
                 file.write("\n".join(lines) + "\n")
                 written_rows += 1
+    begun.replace(output)
     print(f"{output}: {written_rows} rows, {output.stat().st_size >> 10} KiB")
     for reason, count in left_out.most_common():
         print(f"left out: {count} with {reason}")
