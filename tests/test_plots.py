@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-import shutil
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -461,19 +459,6 @@ def test_the_command_writes_a_page_in_one_piece(tmp_path: Path) -> None:
             app, ["plot", str(tmp_path / "job.nc"), "-c", CONTROL, "-o", "x.html", *wrong]
         )
         assert told.exit_code == 2, wrong
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    found = shutil.which("chromium") or shutil.which("google-chrome")
-    if found is None:
-        pytest.skip("no Chromium is installed (Debian: apt-get install chromium)")
-    api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-    args = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    with api.sync_playwright() as playwright:
-        made = playwright.chromium.launch(executable_path=found, args=args)
-        yield made
-        made.close()
 
 
 @pytest.mark.parametrize("of", ["path", "calls", "programs", "watch"])
