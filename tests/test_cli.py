@@ -517,3 +517,68 @@ def test_a_command_that_prints_into_a_file_does_without_rich(job: Path) -> None:
     command = [sys.executable, "-c", code, "run", str(job / "good.nc"), "-c", CONTROL]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "[]"
+
+
+# ---- nothing that was read is written over ----
+
+
+@pytest.fixture
+def shop(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    for folder, name, text in (
+        ("job", "O0001.nc", "O1\nM98 P2\nM30\n"),
+        ("job", "O0002.nc", "O2\nM99\n"),
+        ("usb", "O0003.nc", "O3\nM99\n"),
+    ):
+        (tmp_path / folder).mkdir(exist_ok=True)
+        (tmp_path / folder / name).write_text(text)
+    (tmp_path / "setup.toml").write_text('machine = "mill"\n')
+    (tmp_path / "link.nc").hardlink_to(tmp_path / "job" / "O0001.nc")
+    return tmp_path
+
+
+OVERWRITING = [
+    "coverage job --html job/O0001.nc",
+    "coverage job --lcov job/O0002.nc",
+    "coverage job --html x.html --cobertura ./x.html",
+    "flatten job -o job/O0001.nc",
+    "check job --output job/O0002.nc",
+    "report job/O0001.nc -o job/O0002.nc",
+    "run job/O0001.nc --format csv -o job/O0002.nc",
+    "run job -o link.nc",
+    "run job --setup setup.toml -o setup.toml",
+    "run job --external usb -o usb/O0003.nc",
+    "run job -o -",
+]
+
+
+@pytest.mark.parametrize("line", OVERWRITING)
+def test_nothing_that_was_read_is_written_over(shop: Path, line: str) -> None:
+    def files() -> dict[Path, bytes]:
+        return {path: path.read_bytes() for path in sorted(shop.rglob("*")) if path.is_file()}
+
+    before = files()
+    done = CliRunner().invoke(app, [*line.split(), "-c", "fanuc-0i-f"])
+    assert done.exit_code == 2, done.output
+    assert re.search("name another file|name a file for each|standard output", done.stderr)
+    assert files() == before
+
+
+def test_a_file_that_was_not_read_may_be_written_anew(shop: Path) -> None:
+    for _ in range(2):
+        done = CliRunner().invoke(app, ["report", "job", "-o", "job/r.html", "-c", "fanuc-0i-f"])
+        assert done.exit_code == 0, done.output
+
+
+def test_a_link_in_a_circle_is_left_out(shop: Path) -> None:
+    (shop / "job" / "loop").symlink_to("loop")
+    for command in ("run", "list", "tree", "coverage"):
+        done = CliRunner().invoke(app, [command, "job", "-c", "fanuc-0i-f"])
+        assert done.exit_code == 0, done.output
+
+
+def test_a_batch_of_nothing_is_wrong_use(shop: Path) -> None:
+    (shop / "none").mkdir()
+    done = CliRunner().invoke(app, ["batch", "none", "-c", "fanuc-0i-f"])
+    assert done.exit_code == 2
+    assert "no file was found" in done.stderr

@@ -71,6 +71,9 @@ def batch(
     except (OSError, ValueError, ImportError) as error:
         raise typer.BadParameter(str(error)) from None
     counts = _tell(rows, format)
+    if not counts:
+        typer.echo("no file was found there", err=True)
+        raise typer.Exit(2)
     raise typer.Exit(0 if set(counts) <= set(FINE) else 1)
 
 

@@ -505,7 +505,7 @@ def loads(
     if isinstance(text, bytes | bytearray | memoryview):
         pieces = decoded(bytes(text), encoding)
     elif isinstance(text, str):
-        pieces = cut(text)
+        pieces = cut(text.removeprefix("\ufeff"))  # a mark of bytes that somebody has decoded
     else:
         raise TypeError(
             f"loads takes the text of a program, not {type(text).__name__}; load takes paths"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import enum
 import json
+import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -194,12 +195,43 @@ def status_of(run: cncsub.Run | cncsub.Stream) -> int:
     return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
 
 
+_WRITTEN = ("output", "html", "lcov", "cobertura")  # options that name a file to write
+_READ = ("setup", "inputs", "variables")  # and one that is read beside the programs
+
+
+def refuse_to_overwrite(options: Mapping[str, Any], files: Iterable[str | Path]) -> None:
+    """Nothing that was read is written over, whatever name it goes by."""
+    written = [Path(path) for name in _WRITTEN if (path := options.get(name)) is not None]
+    read = [*files, *(path for name in _READ if (path := options.get(name)) is not None)]
+    for place, path in enumerate(written):
+        if str(path) == "-":
+            raise ValueError("- is no file to write; without -o the standard output is written")
+        if any(os.path.realpath(path) == os.path.realpath(other) for other in written[:place]):
+            raise ValueError(f"{path} cannot be written twice; name a file for each")
+        if not path.exists():
+            continue
+        for other in read:
+            if Path(other).exists() and path.samefile(other):
+                what = (
+                    "is the program" if str(path) == str(other) else f"is {other}, which was read"
+                )
+                raise ValueError(f"{path} {what}; name another file to write to")
+        outside = options.get("external")
+        if outside is not None and Path(os.path.realpath(path)).is_relative_to(
+            os.path.realpath(outside)
+        ):
+            raise ValueError(f"{path} is a file of the external device; name another file")
+
+
 def library_of(options: Mapping[str, Any]) -> cncsub.Library:
-    output = options["output"]
-    if output is not None and any(
-        output.resolve() == Path(path).resolve() for path in options["paths"] or ()
-    ):
-        raise ValueError(f"{output} is the program; name another file to write to")
+    named = (path for path in options["paths"] or () if path != "-")
+    refuse_to_overwrite(options, [path for path in named if Path(path).is_file()])
+    library = _read(options)
+    refuse_to_overwrite(options, library.files)
+    return library
+
+
+def _read(options: Mapping[str, Any]) -> cncsub.Library:
     project = project_for(options.get("paths"))
     named = options["control"] or project.control
     control = control_named(named)
@@ -242,7 +274,7 @@ def files_beside(options: Mapping[str, Any], library: cncsub.Library) -> list[st
 def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
     """What is easily overlooked of a memory, but for files that the options name themselves."""
     named = {options.get(name) for name in ("setup", "inputs", "variables")}
-    known = {Path(file).resolve() for file in named if file is not None}
+    known = {os.path.realpath(file) for file in named if file is not None}
     beside = [
         Note("beside", "read too, because a call names its program", file)
         for file in files_beside(options, library)
@@ -250,7 +282,7 @@ def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
     return beside + [
         note
         for note in library.notes
-        if note.kind != "left-out" or Path(note.file).resolve() not in known
+        if note.kind != "left-out" or os.path.realpath(note.file) not in known
     ]
 
 
@@ -262,10 +294,10 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
     programs of one number one has to be chosen, because a control's memory holds only one.
     """
     library = library_of(options)
-    chosen = {Path(path).resolve() for path in options.get("prefer") or ()}
+    chosen = {os.path.realpath(path) for path in options.get("prefer") or ()}
     for program in library.duplicates:
         counts = counting(library, program)
-        if Path(counts.file).resolve() not in chosen and not same_blocks(program, counts):
+        if os.path.realpath(counts.file) not in chosen and not same_blocks(program, counts):
             places = f"{counts.file}:{counts.line} and {program.file}:{program.line}"
             cure = (
                 "take one of them away"

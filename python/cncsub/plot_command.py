@@ -94,6 +94,8 @@ def plot(
             raise ValueError("which file? Give -o path.html")
         if of not in _OF:
             raise ValueError(f"--of is one of {', '.join(_OF)}, not {of!r}")
+        if of == "watch" and not watch:
+            raise ValueError("which variables? Give --watch 100-149,500")
         library = memory_of(options)
         run = library.run(main, **run_options(options, "moves"))
         try:
