@@ -454,7 +454,12 @@ def test_the_command_writes_a_page_in_one_piece(tmp_path: Path) -> None:
     asked = CliRunner().invoke(app, ["plot", str(tmp_path / "job.nc"), "-c", CONTROL])
     assert asked.exit_code == 2
     assert "-o path.html" in asked.stderr
-    for wrong in (["--of", "watch"], ["--of", "cake"], ["--color", "red"], ["--over", "miles", "--of", "calls"]):
+    for wrong in (
+        ["--of", "watch"],
+        ["--of", "cake"],
+        ["--color", "red"],
+        ["--over", "miles", "--of", "calls"],
+    ):
         told = CliRunner().invoke(
             app, ["plot", str(tmp_path / "job.nc"), "-c", CONTROL, "-o", "x.html", *wrong]
         )
