@@ -102,7 +102,7 @@ def plot(
             figure = _figure(library, run, options)
         except ImportError as error:
             raise ValueError(str(error)) from None
-        output.write_text(page_of(figure), encoding="utf-8")
+        output.write_text(page_of(figure), encoding="utf-8", newline="\n")
     print_stop(console_on(sys.stderr), run)
     typer.echo(f"wrote {shown(str(output))}")
     raise typer.Exit(status_of(run))
