@@ -199,36 +199,37 @@ _WRITTEN = ("output", "html", "lcov", "cobertura")  # options that name a file t
 _READ = ("setup", "inputs", "variables")  # and one that is read beside the programs
 
 
-def refuse_to_overwrite(options: Mapping[str, Any], files: Iterable[str | Path]) -> None:
-    """Nothing that was read is written over, whatever name it goes by."""
-    written = [Path(path) for name in _WRITTEN if (path := options.get(name)) is not None]
-    read = [*files, *(path for name in _READ if (path := options.get(name)) is not None)]
-    for place, path in enumerate(written):
-        if str(path) == "-":
-            raise ValueError("- is no file to write; without -o the standard output is written")
-        if any(os.path.realpath(path) == os.path.realpath(other) for other in written[:place]):
-            raise ValueError(f"{path} cannot be written twice; name a file for each")
-        if not path.exists():
-            continue
-        for other in read:
-            if Path(other).exists() and path.samefile(other):
-                what = (
-                    "is the program" if str(path) == str(other) else f"is {other}, which was read"
-                )
-                raise ValueError(f"{path} {what}; name another file to write to")
-        outside = options.get("external")
-        if outside is not None and Path(os.path.realpath(path)).is_relative_to(
-            os.path.realpath(outside)
-        ):
-            raise ValueError(f"{path} is a file of the external device; name another file")
-
-
 def library_of(options: Mapping[str, Any]) -> cncsub.Library:
-    named = (path for path in options["paths"] or () if path != "-")
-    refuse_to_overwrite(options, [path for path in named if Path(path).is_file()])
     library = _read(options)
-    refuse_to_overwrite(options, library.files)
+    written = [Path(path) for name in _WRITTEN if (path := options.get(name)) is not None]
+    read = [*library.files, *_files_beside_programs(options)]
+    for place, path in enumerate(written):
+        _refuse_to_overwrite(path, read, written[:place], options.get("external"))
     return library
+
+
+def _files_beside_programs(options: Mapping[str, Any]) -> list[Path]:
+    """The files of setup, inputs and variables that the options name."""
+    return [Path(path) for name in _READ if (path := options.get(name)) is not None]
+
+
+def _refuse_to_overwrite(
+    path: Path, read: Sequence[str | Path], written: Sequence[Path], external: Path | None
+) -> None:
+    """Nothing that was read is written over, whatever name it goes by, and no file twice."""
+    real = Path(os.path.realpath(path))
+    if str(path) == "-":
+        raise ValueError("- is no file to write; without -o the standard output is written")
+    if any(real == Path(os.path.realpath(other)) for other in written):
+        raise ValueError(f"{path} cannot be written twice; name a file for each")
+    if not path.exists():
+        return
+    for other in read:
+        if Path(other).exists() and path.samefile(other):
+            what = "the program" if str(path) == str(other) else f"{other}, which was read"
+            raise ValueError(f"{path} is {what}; name another file to write to")
+    if external is not None and real.is_relative_to(os.path.realpath(external)):
+        raise ValueError(f"{path} is a file of the external device; name another file")
 
 
 def _read(options: Mapping[str, Any]) -> cncsub.Library:
@@ -273,8 +274,7 @@ def files_beside(options: Mapping[str, Any], library: cncsub.Library) -> list[st
 
 def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
     """What is easily overlooked of a memory, but for files that the options name themselves."""
-    named = {options.get(name) for name in ("setup", "inputs", "variables")}
-    known = {os.path.realpath(file) for file in named if file is not None}
+    known = {os.path.realpath(file) for file in _files_beside_programs(options)}
     beside = [
         Note("beside", "read too, because a call names its program", file)
         for file in files_beside(options, library)

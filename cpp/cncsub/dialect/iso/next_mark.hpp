@@ -1,4 +1,4 @@
-// NextMark that most lines of a text do not have.
+// Marks that most lines of a text do not have.
 #pragma once
 
 #include <cstddef>
