@@ -202,7 +202,7 @@ _READ = ("setup", "inputs", "variables")  # and one that is read beside the prog
 def library_of(options: Mapping[str, Any]) -> cncsub.Library:
     library = _read(options)
     written = [Path(path) for name in _WRITTEN if (path := options.get(name)) is not None]
-    read = [*library.files, *_files_beside_programs(options)]
+    read: list[str | Path] = [*library.files, *_files_beside_programs(options)]
     for place, path in enumerate(written):
         _refuse_to_overwrite(path, read, written[:place], options.get("external"))
     return library
