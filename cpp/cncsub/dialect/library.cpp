@@ -153,10 +153,6 @@ void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Room for the statements of macros, by the variables that the files name.
 void reserve_macros(Code& code, const std::vector<SourceFile>& files) {
   std::size_t variables = 0;

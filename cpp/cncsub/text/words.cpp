@@ -11,8 +11,7 @@ bool set_number(WrittenWord& word, const Number& number) {
 }
 
 bool take_number(Scanner& s, WrittenWord& word) {
-  const char first = s.peek();
-  if (!is_digit(first) && first != '.' && first != '-' && first != '+') return false;
+  if (!begins_number(s.peek())) return false;
   return set_number(word, scan_number(s));
 }
 

@@ -4,7 +4,6 @@ namespace cncsub {
 
 namespace {
 
-bool begins_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
 bool begins_expression(char c) { return c == '#' || c == '['; }
 
 /// The character that is next, without looking behind blanks where there are none.

@@ -33,8 +33,6 @@ struct Lexeme {
   std::uint8_t skip = 0;  // of a slash: the number of its switch, 0 where none is written
   Number number;
   const char* at = nullptr;  // its first character
-
-  bool is(char letter) const { return kind == Kind::Word && address == letter && !comma; }
 };
 
 /// Reads the lexeme that stands here, and leaves the scanner behind it. `axes`: X1=10 is a word of

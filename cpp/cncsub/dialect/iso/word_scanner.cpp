@@ -157,8 +157,7 @@ bool WordScanner::stray(const char* from) {
   const std::uint32_t at = s_.offset();
   if (c == '#')
     return refuse({Cause::NcAndMacroInBlock, at, 1, "a macro statement stands behind NC words"});
-  const bool number = is_digit(c) || c == '.' || c == '-' || c == '+';
-  if (number || c == '[')
+  if (begins_number(c) || c == '[')
     return refuse({Cause::ValueWithoutAddress, at, 1, "a value stands without an address"});
   if (c == ']') return refuse({Cause::BracketNotOpened, at, 1, "this bracket was never opened"});
   std::uint32_t width = 1;
