@@ -105,6 +105,33 @@ def of_calls(places: Iterable[int]) -> int:
     return done
 
 
+def of_others(places: Iterable[int]) -> tuple[Counter[str], int]:
+    """Generated calls of every mill, each for every mill that can say its words: what was refused,
+    and how many were flattened and proved.
+    """
+    comparison = Comparison(SEED)
+    mills = [
+        name
+        for name, control in cncsub.controls.items()
+        if any(rule.name == "machine" and rule.value == "mill" for rule in control.rules)
+    ]
+    refused: Counter[str] = Counter()
+    done = 0
+    for place in places:
+        meant = comparison.program(place)
+        for station in comparison.on(place):
+            if not station.mills():
+                continue
+            library = cncsub.loads(comparison.text(place, meant, station), control=station.control)
+            for control in mills:
+                try:
+                    library.flatten(control=control, setup=station.setup)
+                    done += 1
+                except cncsub.FlattenError as error:
+                    refused[f"{station.name} for {control}: {error}"] += 1
+    return refused, done
+
+
 def of_macros(places: Iterable[int]) -> int:
     """Generated macros, on every control of the ISO language: how many of them end there and were
     flattened.
@@ -123,6 +150,7 @@ def main() -> int:
     parser.add_argument("--rows", action="store_true", help="every row of the tables")
     parser.add_argument("--examples", action="store_true", help="every example")
     parser.add_argument("--programs", type=int, default=0, help="so many generated programs")
+    parser.add_argument("--others", type=int, default=0, help="so many for every other control")
     parser.add_argument("--from", type=int, default=0, dest="first", help="the first of them")
     asked = parser.parse_args()
     if asked.rows:
@@ -139,6 +167,11 @@ def main() -> int:
         places = range(asked.first, asked.first + asked.programs)
         print(f"{len(places):,} programs of calls: {of_calls(places):,} flattened")
         print(f"{len(places):,} programs of macros: {of_macros(places):,} flattened")
+    if asked.others:
+        refused, done = of_others(range(asked.first, asked.first + asked.others))
+        print(f"for other controls: {done:,} flattened, {sum(refused.values())} refused")
+        for reason, count in refused.most_common():
+            print(f"  {count}: {reason}")
     return 0
 
 

@@ -197,6 +197,10 @@ void FlatRun::write_return(std::string& text, FlatOrigins& origins) {
   const Control& control = *written_for().control;
   const bool ends = machine_.stop() == Stop::End;
   const auto code = control.calls.roles.value.code_of(Role::Return);
+  if (other_ && !ends && (!code || control.calls.main_return.value == MainReturn::Ends)) {
+    refuse("the program starts over at its end, and " + control.name + " does not do that");
+    return;
+  }
   if (other_ && ends)
     text += other_->end();
   else
