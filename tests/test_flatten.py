@@ -302,6 +302,7 @@ def test_generated_programs_are_flattened_on_every_control() -> None:
     """`python tests/differential/flat_programs.py --programs 10000` does the same with more of them."""
     assert flat_programs.of_calls(range(10)) > 100
     assert flat_programs.of_macros(range(60)) > 300
+    assert flat_programs.of_other_languages(range(40)) > 100
 
 
 def test_generated_programs_are_flattened_for_other_controls() -> None:
