@@ -32,6 +32,9 @@ def why(text: str, control: str = F, blocks: int = 500, **how: object) -> cncsub
         (F, "O1\nG91 G1 F100\nN10 X1.\nX-1.\nGOTO10\n", 3, [3, 4, 5]),
         (F, "O1\nG41 D1 G1 X1. F9\nN10 X5.\nY5.\nX0\nY0\nGOTO10\n", 5, [3, 4, 5, 6, 7]),
         (F, "O1\n#3002=0\nN10 #1=0\nGOTO10\n", 2, [3, 4]),
+        (F, "O1\n#1=#3012\nN10 #1=#1*1\nGOTO10\n", 2, [3, 4]),  # it looked outside before
+        (F, "O1\nM98 P2\nM30\nO2\nG0 X1.\nM99 L3\n", 2, [5, 6]),
+        (F, "O1\nM98 P2 L2\nM30\nO2\nM98 P3 L2\nM99 L2\nO3\nM99\n", 4, [5, 8, 6]),
         (L, "o100 while [1]\n#1=2\no100 endwhile\nM2\n", 3, [1, 2, 3]),
     ],
 )  # fmt: skip
@@ -70,6 +73,33 @@ def test_what_moves_away_is_only_long(control: str, text: str, changing: tuple[s
     assert (found.why, found.proven, found.then) == (Why.LONG, False, None)
     assert found.changing == changing
     assert found.looked == 100_000
+
+
+@pytest.mark.parametrize(
+    ("text", "outside"),
+    [
+        ("O1\nN10 #1=#3012\nGOTO10\n", "#3012"),
+        ("O1\nN10 #1=#3011\nGOTO10\n", "#3011"),
+        ("O1\nN10 G0 X1.\nX0\nIF[#1000EQ0]GOTO10\nM30\n", "#1000"),
+        ("O1\nN10 #1=#1032\nG0 X1.\nX0\nGOTO10\n", "#1032"),
+        ("O1\nN10 G90 G31 X1. F9\nG0 X0\nGOTO10\n", "the skip signal"),
+        ("O1\nN10 M98 P2 L2\nGOTO10\nO2\n#1=#3012\n#1=0\nM99\n", "#3012"),
+    ],
+)
+def test_what_looks_outside_is_not_proven(text: str, outside: str) -> None:
+    found = why(text)
+    assert (found.why, found.proven, found.outside) == (Why.LONG, False, outside)
+    assert found.period > 0
+    assert f"but for {outside}, which it reads from outside; O1 N10" in str(found)
+
+
+def test_a_program_that_starts_over_and_looks_outside_repeats_by_design() -> None:
+    found = why("O1\nN10 #1=#3012\nN20 M99\n", max_cycles=10**9)
+    assert (found.why, found.proven, found.outside) == (Why.REPEATS, False, "#3012")
+    assert str(found) == (
+        "it repeats by design at O1 N20; after 2 blocks everything is as it was, but for #3012,"
+        " which it reads from outside; O1 N20"
+    )
 
 
 def test_a_time_that_is_read_is_a_part_of_the_state() -> None:

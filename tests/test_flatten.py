@@ -149,13 +149,77 @@ def test_a_code_that_calls_stands_in_brackets_where_it_did_not_call() -> None:
     assert flat.text == "O1\nM[60]\nG0 X1.\nM30\n"
 
 
+WORDS = (
+    "O0012(PART)\nN10 G21 G17 G90 G0 X1. Y0 Z5.\n#1=10/3\nN20 G1 X#1 F100\nM98 P2 L2\n"
+    "G2 X5. Y0 R4.\nG3 X1. Y0 R2.\nG4 P500\nG4 X1.5\nM8\nT3 M6\nS500 M3\nM30\n"
+    "O2\nG91 Y500\nG90\nM99\n"
+)
+
+
+def test_for_a_control_of_another_language() -> None:
+    """Head, codes, numbers, dwells and the end are those of the other control."""
+    library = cncsub.loads(WORDS, control="fanuc-0i-f")
+    flat = library.flatten(control="linuxcnc", comments=True)
+    flat.verify()
+    assert flat.text.splitlines()[0] == "G21 G17 G90 G00 X1. Y0. Z5. (O0012 N10 LINE 2)"
+    flat = library.flatten(control="linuxcnc")
+    assert flat.text == (
+        "G21 G17 G90 G00 X1. Y0. Z5.\nG01 X3.333 F100.\nG91 Y0.5\nG90\nG91 Y0.5\nG90\n"
+        "G02 X5. Y0. R4.\nG03 X1. Y0. R2.\nG04 P0.5\nG04 P1.5\nM8\nT3 M6\nS500 M3\nM30\n"
+    )
+    assert len(flat.origins) == flat.text.count("\n")
+    flat = library.flatten(control="siemens-one", comments=True)
+    flat.verify()
+    assert "G02 X5. Y0. CR=4. ;O0012 LINE 6" in flat.text
+    flat = library.flatten(control="siemens-one")
+    assert flat.text == (
+        "%_N_PROG0012_MPF\nG00\nG71 G17 G90 G00 X1. Y0. Z5.\nG01 X3.333 F100.\nG91 Y0.5\nG90\n"
+        "G91 Y0.5\nG90\nG02 X5. Y0. CR=4.\nG03 X1. Y0. CR=2.\nG04 F0.5\nG04 F1.5\nM8\nT3 M6\n"
+        "S500 M3\nM30\n"
+    )
+    assert len(flat.origins) == flat.text.count("\n") - 1
+    assert flat.origins[0] == cncsub.Origin("O0012", None, 1, -1, 1)
+
+
+def test_from_other_languages() -> None:
+    text = "o<sub> sub\nG91 X1\no<sub> endsub\nG21 G90 G0 X1 Y0\no<sub> call\nG4 P0.5\nM2\n"
+    library = cncsub.loads(text, control="linuxcnc")
+    assert library.flatten(control="hnc-21m").text == (
+        "%1\nG21\nG90 G00 X1. Y0.\nG91 X1.\nG04 P0.5\nM2\n"
+    )
+    flat = library.flatten(control="gsk-980mdi")
+    assert flat.text == "O1\nG21\nG90 G00 X1. Y0.\nG91 X1.\nG04 P500\nM2\n"
+    assert len(flat.origins) == flat.text.count("\n") - 1
+    text = "%_N_PART_MPF\nG90 G1 X1 F100\nG4 F2\nG2 X3 Y0 CR=1\nM30\n"
+    library = cncsub.loads(text, control="siemens-one")
+    assert library.flatten(control="fanuc-0i-f").text == (
+        "O1\nG01\nG90 G01 X1. F100.\nG04 P2000\nG02 X3. Y0. R1.\nM30\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "control", "reason"),
+    [
+        ("G81 X1. R2. Z-1. F100\nM30\n", "siemens-one", "siemens-one has no code that is what G81"),
+        ("#3000=1(NO)\n", "linuxcnc", "#3000 is written, and the control has no statement"),
+        ("G0 X1.\nM99\n", "linuxcnc", "the program starts over at its end, and linuxcnc does not"),
+        ("G91 G0 X1.\nM30\n", "gsk-980tdi", "the program is one of a mill, and gsk-980tdi is a"),
+        ("#1=1/3\nG0 X1.\nG61\nM30\n", "siemens-one", "has no code that is what G61 is here"),
+    ],
+)
+def test_what_has_no_words_on_another_control(text: str, control: str, reason: str) -> None:
+    library = cncsub.loads("O1\n" + text, control="fanuc-0i-f")
+    with pytest.raises(cncsub.FlattenError, match=reason):
+        library.flatten(control=control)
+
+
 def test_for_another_control() -> None:
     library = cncsub.loads(CASES["an expression"][0], control="fanuc-0i-f")
     flat = cncsub.flatten(library, control="mitsubishi-m700")
     assert flat.text == CASES["an expression"][1]
     library = cncsub.loads("O1\nG5.4 P1\nM98 P2\nM30\nO2\nM99\n", control="fanuc-0i-f")
     if library.run().stop == cncsub.Stop.END:
-        with pytest.raises(cncsub.FlattenError, match="would not run alike"):
+        with pytest.raises(cncsub.FlattenError, match="is a control of a lathe-a"):
             library.flatten(control="gsk-928te")
 
 
@@ -238,6 +302,14 @@ def test_generated_programs_are_flattened_on_every_control() -> None:
     """`python tests/differential/flat_programs.py --programs 10000` does the same with more of them."""
     assert flat_programs.of_calls(range(10)) > 100
     assert flat_programs.of_macros(range(60)) > 300
+    assert flat_programs.of_other_languages(range(40)) > 100
+
+
+def test_generated_programs_are_flattened_for_other_controls() -> None:
+    """`python tests/differential/flat_programs.py --others 1000` does the same with more of them."""
+    refused, done = flat_programs.of_others(range(0, 6, 2))
+    assert not refused, refused
+    assert done > 100
 
 
 def test_verify_runs_both_again() -> None:

@@ -314,6 +314,7 @@ void add_controls(py::module_& m) {
   py::class_<Control, std::shared_ptr<Control>>(m, "Control", py::is_final())
       .def_readonly("name", &Control::name)
       .def_readonly("title", &Control::title)
+      .def_readonly("dialect", &Control::dialect)
       .def_property_readonly("rules",
                              [](const Control& c) {
                                const auto list = rules(c);

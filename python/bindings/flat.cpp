@@ -6,6 +6,8 @@
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 #include "bindings.hpp"
 #include "gil.hpp"
@@ -20,8 +22,10 @@ namespace {
 
 /// One caller works on it at a time.
 struct Flattening {
-  Flattening(const Machine& machine, bool comments) : run(machine, comments) {}
+  Flattening(const Machine& machine, bool comments, std::optional<Machine> of_other)
+      : other(std::move(of_other)), run(machine, comments, other ? &*other : nullptr) {}
 
+  std::optional<Machine> other;  // of the control that the program is for
   FlatRun run;
   std::mutex at_work;
 };
@@ -67,12 +71,14 @@ py::object next(Flattening& self) {
   return py::make_tuple(py::bytes(text), columns);
 }
 
-/// Why the text ends before the run does: the reason, and program, n and line; None where it is
-/// whole.
+/// Why the text ends before the run does: the reason, and program, n and line (None where it is no
+/// single block); None where it is whole.
 py::object refusal(Flattening& self) {
   const Resting run(self);
   const auto& refused = run->refusal();
   if (!refused) return py::none();
+  if (refused->at == kNowhere)
+    return py::make_tuple(refused->reason, py::none(), py::none(), py::none());
   const Code& code = run->machine().code();
   const Block& block = code.blocks[refused->at];
   return py::make_tuple(refused->reason, code.name_of(code.program_at(refused->at)),
@@ -107,8 +113,12 @@ void add_flat(py::module_& m) {
       });
   m.def(
       "flattening",
-      [](Live& live, bool comments) { return std::make_shared<Flattening>(*Look(live), comments); },
-      py::arg("machine"), py::arg("comments"));
+      [](Live& live, bool comments, Live* other) {
+        std::optional<Machine> copy;
+        if (other != nullptr) copy.emplace(*Look(*other));
+        return std::make_shared<Flattening>(*Look(live), comments, std::move(copy));
+      },
+      py::arg("machine"), py::arg("comments"), py::arg("other") = py::none());
 }
 
 }  // namespace cncsub::bindings

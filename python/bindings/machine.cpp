@@ -177,6 +177,7 @@ py::dict endless(Live& live) {
   facts["proven"] = found.proven;
   facts["period"] = found.period;
   facts["looked"] = found.looked;
+  facts["outside"] = found.outside;
   facts["blocks"] = py::tuple(blocks);
   facts["changing"] = py::tuple(py::cast(found.changing));
   facts["then"] = found.then == Stop::Running ? py::object(py::none())

@@ -115,6 +115,8 @@ class Control:
     @property
     def title(self) -> str: ...
     @property
+    def dialect(self) -> str: ...
+    @property
     def rules(self) -> tuple[Rule, ...]: ...
     @property
     def absent(self) -> dict[str, tuple[str, str]]: ...
@@ -480,7 +482,7 @@ class Flattening:
     def next(self) -> tuple[bytes, dict[str, np.ndarray[Any, Any]]] | None:
         """The next piece, its text and the columns of its origins; None behind the last one."""
     @property
-    def refusal(self) -> tuple[str, str, int | None, int] | None:
+    def refusal(self) -> tuple[str, str | None, int | None, int | None] | None:
         """Why the text is not whole: the reason, program, n and line."""
     @property
     def ends(self) -> bool:
@@ -494,7 +496,7 @@ class Flattening:
     @property
     def program_names(self) -> list[str]: ...
 
-def flattening(machine: Machine, comments: bool) -> Flattening: ...
+def flattening(machine: Machine, comments: bool, other: Machine | None = None) -> Flattening: ...
 def machine(
     code: Code,
     main: int,

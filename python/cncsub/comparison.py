@@ -23,6 +23,10 @@ if TYPE_CHECKING:
 _WATCHED = 1000  # variables that can be watched at once
 _LISTS = {"m_codes": "M code", "t_codes": "T code", "messages": "message"}
 _CALLS = ("kind", "program", "start_n", "repeats", "level")
+_ENDS = (2, 30)  # the stop is compared; which end codes are sent to the machine is not
+_NEAR = 1e-9  # s
+_CUTS = ("feed", "cw", "ccw", "thread")
+_ONLY_OF = {"feed": _CUTS, "feed_mode": _CUTS, "plane": ("cw", "ccw")}  # kinds of moves
 _NOT_COMPARED = ("move", "step", "length", "time")  # of moves: what follows from the others
 
 
@@ -356,6 +360,49 @@ class Pair:
 
         if stop(a) != stop(b):
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
+
+
+class OtherControlPair(Pair):
+    """A program and what it became for another control: it may be other blocks and another program,
+    whose moves, codes, messages and stop have to stay.
+    """
+
+    def _moved(self, run: Run, name: str) -> Column:
+        """Without what makes no difference to a move, and is not the same at power-on: the feed of
+        a rapid, the plane of a straight move.
+        """
+        column = super()._moved(run, name)
+        if name not in _ONLY_OF or not len(column):
+            return column
+        kinds = [run.moves.kinds[code] for code in run.moves.kind.tolist()]
+        counts = [kind in _ONLY_OF[name] for kind in kinds]
+        taken: Column = column.copy()
+        taken[[not count for count in counts]] = 0
+        return taken
+
+    def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
+        yield from self._of_moves(a, b)
+        codes = [[code for code in run.m_codes if code not in _ENDS] for run in (a, b)]
+        for name in _LISTS:
+            if name != "m_codes" or codes[0] != codes[1]:
+                yield from self._of_list(a, b, name)
+        at = _other_dwell(a, b)
+        if at is not None:
+            steps = (int(a.moves.step[at]), int(b.moves.step[at]))
+            yield self._say((a, b), steps, (f"move {at}", f"move {at}, a dwell of another time"))
+        causes = [run.alarm.cause if run.alarm is not None else "" for run in (a, b)]
+        if (a.stop, a.waiting_for, causes[0]) != (b.stop, b.waiting_for, causes[1]):
+            yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
+
+
+def _other_dwell(a: Run, b: Run) -> int | None:
+    """The first dwell that is not as long: it is time and no way, which rapid rates are not."""
+    moves = [run.moves for run in (a, b)]
+    if len(moves[0]) != len(moves[1]) or not all("dwell" in table.kinds for table in moves):
+        return None  # or they are not the same moves, which is told before
+    apart = abs(moves[0].time - moves[1].time) > _NEAR
+    apart &= moves[0].kind == moves[0].kinds.index("dwell")
+    return int(apart.argmax()) if apart.any() else None
 
 
 def _has(run: Run, number: int) -> bool:

@@ -14,7 +14,7 @@ class Why(enum.StrEnum):
     """What kind of program it is that does not end."""
 
     REPEATS = "repeats"  # by design: M99 of the main program starts it over
-    LOOP = "loop"  # the whole state came back exactly: it never ends
+    LOOP = "loop"  # the whole state came back exactly, without a look outside: it never ends
     WAITING = "waiting"  # for an input nobody gave
     LONG = "long"  # nothing is proven: it may end
 
@@ -40,7 +40,9 @@ class Endless:
 
     `proven`: the whole state of the control came back exactly (variables of all levels, open calls
     with their passes, open loops, modes, position, what inputs are left), so that the program never
-    ends. `period` counts the blocks from then to then, 0 where nothing is proven. `blocks` are
+    ends. `period` counts the blocks from then to then, 0 where the state did not come back. Where it
+    did, but the loop reads what the world outside may change, `outside` names that (`#3012`, `#1000`,
+    `the skip signal`), and nothing is proven. `blocks` are
     those of the loop, each once, in the order in which they run, from the outermost program's first
     one on; the block that starts the
     program over where it `repeats`; the block that waits.
@@ -66,6 +68,7 @@ class Endless:
     changing: tuple[str, ...]
     then: str | None
     waiting_for: str
+    outside: str = ""
 
     def __str__(self) -> str:
         if self.why is Why.WAITING:
@@ -85,7 +88,7 @@ class Endless:
     def _proof(self) -> str:
         if self.proven:
             return f"; after {_blocks(self.period)} everything is as it was"
-        return f"; {self._seen()}" if self.looked else ""
+        return f"; {self._seen()}" if self.looked or self.outside else ""
 
     def _places(self) -> str:
         left = len(self.blocks) - MOST_BLOCKS
@@ -93,6 +96,11 @@ class Endless:
         return listed + (f" and {_blocks(left)} more" if left > 0 else "")
 
     def _seen(self) -> str:
+        if self.outside:
+            return (
+                f"after {_blocks(self.period)} everything is as it was, but for {self.outside},"
+                f" which it reads from outside; {self._places()}"
+            )
         if self.then is not None:
             return f"{_blocks(self.looked)} further on it stops: {self.then}"
         seen = f"in {_blocks(self.looked)} more the state did not come back"
@@ -119,4 +127,5 @@ def endless_of(core: _core.Machine) -> Endless | None:
         changing=facts["changing"],
         then=facts["then"],
         waiting_for=core.waiting_for,
+        outside=facts["outside"],
     )

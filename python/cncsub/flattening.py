@@ -6,11 +6,11 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from cncsub import _core
 from cncsub._core import Control
-from cncsub.comparison import Pair, Parting
+from cncsub.comparison import OtherControlPair, Pair, Parting
 from cncsub.controls import control_of
 from cncsub.library import Library, Options, loads
 from cncsub.rows import Origin
@@ -263,23 +263,35 @@ def flatten(
     target = library.control if control is None else control_of(control)
     traced: Options = {**options, "trace": "calls"}
 
-    def begin() -> _core.Flattening:
-        return _core.flattening(library._begin(main, **traced), comments)
+    def written(in_its_words: bool) -> Flat:
+        def begin() -> _core.Flattening:
+            other = _at_power_on(target, setup) if in_its_words else None
+            return _core.flattening(library._begin(main, **traced), comments, other)
 
-    def parts(text: str) -> Parting | None:
-        return _parts(library, main, target, options, text)
+        return Flat(begin, lambda text: _parts(library, main, target, options, text))
 
-    flat = Flat(begin, parts)
-    if control is not None:
-        _check(flat, library, main, options)
+    if control is None:
+        return written(False)
+    if target.dialect == library.control.dialect:
+        flat = written(False)
+        if flat._parts(flat.text) is None:
+            return flat
+    flat = written(True)
+    parting = flat._parts(flat.text)
+    if parting is not None:
+        _refuse(parting, library, main, options)
     return flat
 
 
-def _check(flat: Flat, library: Library, main: str | int | None, options: Options) -> None:
+def _at_power_on(control: Control, setup: Setup | Mapping[str, Any] | None) -> _core.Machine:
+    """A machine of the control that has executed nothing."""
+    return loads("", control=control)._begin(None, setup=setup)
+
+
+def _refuse(
+    parting: Parting, library: Library, main: str | int | None, options: Options
+) -> NoReturn:
     """Refuses a program for another control that does not run alike."""
-    parting = flat._parts(flat.text)
-    if parting is None:
-        return
     run = library.run(main, **options)
     step = run.steps[min(parting.first, len(run.steps) - 1)]
     reason = f"the flat program would not run alike\n{parting.what}"
@@ -292,7 +304,8 @@ def _parts(
     """Where the flat program parts from the run."""
     again: Options = {**options, "max_cycles": 1, "start": None}  # the flat program begins there
     flat = loads(text, control=control)
-    pair = _FlatPair((library, flat), ("program", "flat"), main, options, same_texts=False)
+    kind = _FlatPair if control is library.control else OtherControlPair
+    pair = kind((library, flat), ("program", "flat"), main, options, same_texts=False)
     run, other = library.run(main, **options), flat.run(**again)
     if len(other.calls):
         call = other.calls[0]

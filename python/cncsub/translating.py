@@ -7,66 +7,23 @@ import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Unpack
+from typing import Unpack
 
 from cncsub._core import Control
 from cncsub.checking import Edit
-from cncsub.comparison import Pair, Parting
+from cncsub.comparison import OtherControlPair, Parting
 from cncsub.controls import control_of
 from cncsub.library import Library, Options, load
 from cncsub.rewriting import Rewriting, TranslateError
 from cncsub.run import Run, Stop
 from cncsub.signatures import spelled_out
 
-if TYPE_CHECKING:
-    from cncsub.differing import Column
-
-_ENDS = (2, 30)  # the stop is compared; which end codes are sent to the machine is not
-_NEAR = 1e-9  # s
-_CUTS = ("feed", "cw", "ccw", "thread")
-_ONLY_OF = {"feed": _CUTS, "feed_mode": _CUTS, "plane": ("cw", "ccw")}  # kinds of moves
-
-
-def _other_dwell(a: Run, b: Run) -> int | None:
-    """The first dwell that is not as long: it is time and no way, which rapid rates are not."""
-    moves = [run.moves for run in (a, b)]
-    if len(moves[0]) != len(moves[1]) or not all("dwell" in table.kinds for table in moves):
-        return None  # or they are not the same moves, which is told before
-    apart = abs(moves[0].time - moves[1].time) > _NEAR
-    apart &= moves[0].kind == moves[0].kinds.index("dwell")
-    return int(apart.argmax()) if apart.any() else None
-
-
-class _TranslatedPair(Pair):
+class _TranslatedPair(OtherControlPair):
     """What was rewritten may be another block and another program: what it does has to stay."""
 
-    def _moved(self, run: Run, name: str) -> Column:
-        """Without what makes no difference to a move, and is not the same at power-on: the feed of
-        a rapid, the plane of a straight move.
-        """
-        column = super()._moved(run, name)
-        if name not in _ONLY_OF or not len(column):
-            return column
-        kinds = [run.moves.kinds[code] for code in run.moves.kind.tolist()]
-        counts = [kind in _ONLY_OF[name] for kind in kinds]
-        taken: Column = column.copy()
-        taken[[not count for count in counts]] = 0
-        return taken
-
     def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
-        yield from self._of_moves(a, b)
-        codes = [[code for code in run.m_codes if code not in _ENDS] for run in (a, b)]
-        for name in ("m_codes", "t_codes", "messages"):
-            if name != "m_codes" or codes[0] != codes[1]:
-                yield from self._of_list(a, b, name)
+        yield from super()._partings(a, b)
         yield from self._of_variables(a, b)
-        at = _other_dwell(a, b)
-        if at is not None:
-            steps = (int(a.moves.step[at]), int(b.moves.step[at]))
-            yield self._say((a, b), steps, (f"move {at}", f"move {at}, a dwell of another time"))
-        causes = [run.alarm.cause if run.alarm is not None else "" for run in (a, b)]
-        if (a.stop, a.waiting_for, causes[0]) != (b.stop, b.waiting_for, causes[1]):
-            yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
 
 
 @dataclass(frozen=True)

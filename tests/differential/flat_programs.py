@@ -15,9 +15,12 @@ from typing import Any
 import cncsub
 from cncsub.testing.cases import Row
 from cncsub.testing.outcome import MAX_BLOCKS, load
+import o_words
 from comparison import Comparison
 from machines import OTHER_LANGUAGES
 from macros import program
+from programs import MILLING, generate, moves_of
+from spelling import SiemensSpeller, Speller, Style
 
 EXAMPLES = Path(__file__).resolve().parent.parent.parent / "examples"
 SEED = 5
@@ -105,6 +108,60 @@ def of_calls(places: Iterable[int]) -> int:
     return done
 
 
+def of_other_languages(places: Iterable[int]) -> int:
+    """Generated calls and O-words of LinuxCNC, and generated calls of Siemens: how many of them end
+    and were flattened.
+    """
+    comparison = Comparison(SEED)
+    done = 0
+    for place in places:
+        random = comparison.random(place, "another language")
+        meant = generate(random, MILLING)
+        speller = Speller(Style(), random)
+        behind = [line for below in meant.called() for line in speller.below(below)]
+        calls = {  # LinuxCNC looks for a program behind the one that calls it
+            "linuxcnc": "\n".join([*speller.body(meant), "M30", *behind]) + "\n",
+            "siemens-one": SiemensSpeller(Style(), random).write(meant),
+        }
+        for control, text in calls.items():
+            library = cncsub.loads(text, control=control)
+            run = library.run()
+            made = [move for move in moves_of(meant) if move.kind in ("cw", "ccw")]
+            if run.stop is not cncsub.Stop.END or len(run.moves) < len(made):
+                raise AssertionError(f"{control}: {run}\n{text}")
+            done += proved(library)
+        library = cncsub.loads(o_words.generate(SEED, place), control="linuxcnc")
+        done += proved(library, max_blocks=_BLOCKS)
+    return done
+
+
+def of_others(places: Iterable[int]) -> tuple[Counter[str], int]:
+    """Generated calls of every mill, each for every mill that can say its words: what was refused,
+    and how many were flattened and proved.
+    """
+    comparison = Comparison(SEED)
+    mills = [
+        name
+        for name, control in cncsub.controls.items()
+        if any(rule.name == "machine" and rule.value == "mill" for rule in control.rules)
+    ]
+    refused: Counter[str] = Counter()
+    done = 0
+    for place in places:
+        meant = comparison.program(place)
+        for station in comparison.on(place):
+            if not station.mills():
+                continue
+            library = cncsub.loads(comparison.text(place, meant, station), control=station.control)
+            for control in mills:
+                try:
+                    library.flatten(control=control, setup=station.setup)
+                    done += 1
+                except cncsub.FlattenError as error:
+                    refused[f"{station.name} for {control}: {error}"] += 1
+    return refused, done
+
+
 def of_macros(places: Iterable[int]) -> int:
     """Generated macros, on every control of the ISO language: how many of them end there and were
     flattened.
@@ -123,6 +180,7 @@ def main() -> int:
     parser.add_argument("--rows", action="store_true", help="every row of the tables")
     parser.add_argument("--examples", action="store_true", help="every example")
     parser.add_argument("--programs", type=int, default=0, help="so many generated programs")
+    parser.add_argument("--others", type=int, default=0, help="so many for every other control")
     parser.add_argument("--from", type=int, default=0, dest="first", help="the first of them")
     asked = parser.parse_args()
     if asked.rows:
@@ -139,6 +197,12 @@ def main() -> int:
         places = range(asked.first, asked.first + asked.programs)
         print(f"{len(places):,} programs of calls: {of_calls(places):,} flattened")
         print(f"{len(places):,} programs of macros: {of_macros(places):,} flattened")
+        print(f"{len(places):,} of other languages: {of_other_languages(places):,} flattened")
+    if asked.others:
+        refused, done = of_others(range(asked.first, asked.first + asked.others))
+        print(f"for other controls: {done:,} flattened, {sum(refused.values())} refused")
+        for reason, count in refused.most_common():
+            print(f"  {count}: {reason}")
     return 0
 
 

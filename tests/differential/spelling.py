@@ -123,3 +123,26 @@ class Speller:
             digits = digits.rstrip("0")
         start = "" if whole == 0 and digits and self.random.random() < 0.5 else str(whole)
         return f"{letter}{sign}{start}.{digits}"
+
+
+class SiemensSpeller(Speller):
+    """The same in the language of SINUMERIK: called by name, `CR=` for a radius, M17 to return."""
+
+    def write(self, program: Program) -> str:
+        called = list(program.called())
+        self.random.shuffle(called)
+        main = [f"%_N_MAIN{program.number}_MPF", *self.body(program), "M30"]
+        return "\n".join([*main, *(line for below in called for line in self.below(below))]) + "\n"
+
+    def below(self, program: Program) -> Iterator[str]:
+        yield f"%_N_SUB{program.number}_SPF"
+        yield from self.body(program)
+        yield self.random.choice(("M17", "RET"))
+
+    def call(self, call: Call) -> list[str]:
+        name = f"SUB{call.program.number}"
+        return [f"{name} P{call.repeats}" if call.repeats > 1 else name]
+
+    def arc_words(self, block: Block) -> Iterator[str]:
+        for text in super().arc_words(block):
+            yield f"CR={text[1:]}" if text[0] == "R" else text

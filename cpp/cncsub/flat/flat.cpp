@@ -47,13 +47,14 @@ bool is_user_alarm(const Code& code, std::int64_t number) {
 }
 
 /// Where a block comes from, as a comment behind it.
-std::string comment_of(const Code& code, const Block& block, std::int32_t program) {
+std::string comment_of(const Code& code, const Block& block, std::int32_t program,
+                       const Spelling::Around& around) {
   std::string text = " ";
-  text += code.spelling->comment.before;
+  text += around.before;
   text += code.name_of(program);
   if (block.n >= 0) text += " N" + std::to_string(block.n);
   text += " LINE " + std::to_string(block.line);
-  text += code.spelling->comment.behind;
+  text += around.behind;
   return text;
 }
 
@@ -65,8 +66,9 @@ std::string idle_words(const MotionState& state, const Block& block) {
 
 }  // namespace
 
-FlatRun::FlatRun(const Machine& at_its_head, bool comments)
+FlatRun::FlatRun(const Machine& at_its_head, bool comments, const Machine* other)
     : machine_(at_its_head), blocks_(machine_), comments_(comments) {
+  if (other != nullptr) other_.emplace(machine_, *other);
   machine_.tell(&heard_);
   program_ = machine_.state().frames.front().program;
   const auto& programs = machine_.code().programs;
@@ -109,7 +111,8 @@ bool FlatRun::next(const std::function<bool()>& interrupted, std::string& text,
   text.clear();
   origins.clear();
   if (over_) return false;
-  if (!begun_) write_head(text);
+  if (!begun_ && other_ && !other_->refusal().empty()) refuse(other_->refusal());
+  if (!begun_) write_head(text, origins);
   begun_ = true;
   machine_.run(interrupted, [&](const Machine&) { return before_block(text, origins); });
   over_ = machine_.stop() != Stop::Running || refusal_;
@@ -123,9 +126,16 @@ bool FlatRun::next(const std::function<bool()>& interrupted, std::string& text,
 
 /// The name of the program as it is written, with what a control puts around it: <NAME>,
 /// %_N_NAME_MPF.
-void FlatRun::write_head(std::string& text) {
+void FlatRun::write_head(std::string& text, FlatOrigins& origins) {
   const Code& code = machine_.code();
   const Program& main = code.programs[static_cast<std::size_t>(program_)];
+  if (other_) {
+    const std::string modes = other_->modes();
+    text += other_->head(code.name_of(main)) + modes;
+    for (const char c : modes)
+      if (c == '\n') origins.add(program_, -1, main.line, -1, 1);
+    return;
+  }
   const std::string_view file = code.files[main.file].text;
   if (main.name_length == Program::kOfFile) {
     const std::size_t first = file.find_first_not_of(" \t\n", main.text);
@@ -174,14 +184,28 @@ void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
   const bool returns = cycles || (machine_.stop() == Stop::End && heard_.returned);
   const bool said = heard_.words != nullptr && heard_.words->op == Op::EndProgram;
   if (returns && !starts_over_) {
-    const auto code = machine_.code().control->calls.roles.value.code_of(Role::Return);
-    text += code ? code->text() : "M99";
-    end_line(text, origins);
+    write_return(text, origins);
   } else if (!said && !starts_over_ && machine_.stop() == Stop::End && !late_.empty()) {
     refuse("the blocks that a cycle follows would stand where the program has no end");
   }
   for (const Late& profile : late_) write_profile(text, origins, profile);
   if (taped_) text += "%\n";
+}
+
+/// What starts the program over or, where that ends it, ends it.
+void FlatRun::write_return(std::string& text, FlatOrigins& origins) {
+  const Control& control = *written_for().control;
+  const bool ends = machine_.stop() == Stop::End;
+  const auto code = control.calls.roles.value.code_of(Role::Return);
+  if (other_ && !ends && (!code || control.calls.main_return.value == MainReturn::Ends)) {
+    refuse("the program starts over at its end, and " + control.name + " does not do that");
+    return;
+  }
+  if (other_ && ends)
+    text += other_->end();
+  else
+    text += code ? code->text() : "M99";
+  end_line(text, origins);
 }
 
 // ---- lines ----
@@ -190,13 +214,10 @@ void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
 void FlatRun::end_line(std::string& text, FlatOrigins& origins) {
   const Block& block = machine_.code().blocks[coming_.at];
   const std::int32_t program = program_at(coming_.at);
-  if (comments_) text += comment_of(machine_.code(), block, program);
+  if (comments_)
+    text += comment_of(machine_.code(), block, program, written_for().spelling->comment);
   text += '\n';
-  origins.program.push_back(program);
-  origins.n.push_back(block.n);
-  origins.line.push_back(static_cast<std::int32_t>(block.line));
-  origins.call.push_back(coming_.call);
-  origins.repeat.push_back(coming_.repeat);
+  origins.add(program, block.n, block.line, coming_.call, coming_.repeat);
 }
 
 bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
@@ -206,15 +227,16 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   if (block == nullptr) return true;
   if (heard_.profile) return write_with_profile(text, origins, *block, *heard_.profile);
   const std::size_t before = text.size();
-  if (!write_words(text, *block)) return false;
+  if (!write_words(text, origins, *block)) return false;
   if (text.size() == before) return true;
   end_line(text, origins);
   starts_over_ = codes_of(*block).has(Role::StartOver);
   return true;
 }
 
-bool FlatRun::write_words(std::string& text, const Block& block,
+bool FlatRun::write_words(std::string& text, FlatOrigins& origins, const Block& block,
                           const std::array<std::int64_t, 2>* profile) {
+  if (other_) return write_for_other(text, origins, block);
   const std::size_t before = text.size();
   const NcWords* values = heard_.computed ? &heard_.values : nullptr;
   const std::int32_t program = program_at(coming_.at);
@@ -227,6 +249,18 @@ bool FlatRun::write_words(std::string& text, const Block& block,
   const int most = machine_.code().control->reading.max_block_length.value;
   return most <= 0 || text.size() - before <= static_cast<std::size_t>(most) ||
          refuse("the block would be longer than the control takes");
+}
+
+bool FlatRun::write_for_other(std::string& text, FlatOrigins& origins, const Block& block) {
+  const NcWords words = heard_.computed ? heard_.values : constant_words(machine_, block);
+  std::string lines;
+  if (!other_->write(lines, block, words)) return refuse(other_->refused());
+  for (std::size_t end; (end = lines.find('\n')) != std::string::npos; lines.erase(0, end + 1)) {
+    text.append(lines, 0, end);
+    end_line(text, origins);
+  }
+  text += lines;
+  return true;
 }
 
 // ---- what is assigned and said ----
@@ -248,10 +282,11 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
   for (const Heard::Assigned& of : heard_.assigned) {
     if (!has_effect(code, of.number)) continue;
     const std::string name = "#" + std::to_string(of.number);
-    if (!code.spelling->numbered ||
-        code.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
+    const Code& there = written_for();
+    if (!there.spelling->numbered || there.place(of.number).kind != code.place(of.number).kind ||
+        there.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
       return refuse(name + " is written, and the control has no statement that assigns a number");
-    text += name + "=" + value_text(code, of.value);
+    text += name + "=" + value_text(there, of.value);
     const VariableKind kind = code.place(of.number).kind;
     if (kind == VariableKind::UserAlarm || kind == VariableKind::Message)
       text += "(" + of.comment + ")";
@@ -284,7 +319,7 @@ bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string&
 }
 
 bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
-  const Spelling::Around& message = machine_.code().spelling->message;
+  const Spelling::Around& message = written_for().spelling->message;
   if (heard_.device != Op::Words) {
     text += heard_.device == Op::OpenOutput ? "POPEN" : "PCLOS";
     end_line(text, origins);
@@ -312,6 +347,7 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
 bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block,
                                  const Profile& profile) {
   profile_.clear();
+  if (other_) return refuse("the cycle takes the blocks of a profile, which stay on this control");
   for (const NcWords& words : profile.blocks) {
     const Block& own = machine_.code().blocks[words.at];
     if (!blocks_.write(profile_.emplace_back(), own, program_at(words.at), &words))
@@ -321,7 +357,7 @@ bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const 
   const bool behind = codes_of(block).meaning(Group::OneShot) != Meaning::Finish;
   bool is_new = true;
   if (!number_profile(behind, numbers, is_new)) return false;
-  if (!write_words(text, block, &numbers)) return false;
+  if (!write_words(text, origins, block, &numbers)) return false;
   end_line(text, origins);
   if (!is_new) return true;
   Late late{numbers, profile_, {}, coming_.call, coming_.repeat};

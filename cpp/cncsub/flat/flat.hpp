@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cncsub/flat/blocks.hpp"
+#include "cncsub/flat/other.hpp"
 #include "cncsub/machine/heard.hpp"
 #include "cncsub/machine/machine.hpp"
 
@@ -22,6 +23,14 @@ struct FlatOrigins {
   std::vector<std::int32_t> program, n, line, call, repeat;
 
   std::size_t size() const { return program.size(); }
+  void add(std::int32_t of, std::int32_t number, std::uint32_t at_line, std::int32_t of_call,
+           std::int32_t pass) {
+    program.push_back(of);
+    n.push_back(number);
+    line.push_back(static_cast<std::int32_t>(at_line));
+    call.push_back(of_call);
+    repeat.push_back(pass);
+  }
   void clear() {
     for (auto* column : {&program, &n, &line, &call, &repeat}) column->clear();
   }
@@ -36,8 +45,9 @@ struct FlatRefusal {
 class FlatRun {
  public:
   /// `at_its_head`: a machine that has executed nothing. `comments`: behind each block where it
-  /// comes from.
-  FlatRun(const Machine& at_its_head, bool comments);
+  /// comes from. `other`: one of another control, in whose words the program is written; null
+  /// where the program's own words stay.
+  FlatRun(const Machine& at_its_head, bool comments, const Machine* other = nullptr);
   FlatRun(const FlatRun&) = delete;
   FlatRun& operator=(const FlatRun&) = delete;
 
@@ -71,8 +81,9 @@ class FlatRun {
   bool before_block(std::string& text, FlatOrigins& origins);
   void write_done(std::string& text, FlatOrigins& origins);
   bool write_block(std::string& text, FlatOrigins& origins);
-  bool write_words(std::string& text, const Block& block,
+  bool write_words(std::string& text, FlatOrigins& origins, const Block& block,
                    const std::array<std::int64_t, 2>* profile = nullptr);
+  bool write_for_other(std::string& text, FlatOrigins& origins, const Block& block);
   bool write_assigned(std::string& text, FlatOrigins& origins);
   void write_raised(std::string& text, FlatOrigins& origins);
   bool write_print(std::string& text, FlatOrigins& origins);
@@ -81,7 +92,10 @@ class FlatRun {
                           const Profile& profile);
   bool number_profile(bool behind, std::array<std::int64_t, 2>& numbers, bool& is_new);
   void write_profile(std::string& text, FlatOrigins& origins, const Late& profile);
-  void write_head(std::string& text);
+  void write_head(std::string& text, FlatOrigins& origins);
+  void write_return(std::string& text, FlatOrigins& origins);
+  /// What the program is written for.
+  const Code& written_for() const { return other_ ? other_->machine().code() : machine_.code(); }
   const BlockCodes& codes_of(const Block& block) const;
   void write_end(std::string& text, FlatOrigins& origins);
   void end_line(std::string& text, FlatOrigins& origins);
@@ -90,6 +104,7 @@ class FlatRun {
 
   Machine machine_;
   BlockWriter blocks_;
+  std::optional<OtherWriter> other_;
   Heard heard_;
   bool comments_;
   Coming coming_;

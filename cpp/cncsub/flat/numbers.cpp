@@ -53,9 +53,10 @@ std::string expression_text(double value, int most_digits) {
   return sum;
 }
 
-WordWriter::WordWriter(const Machine& machine)
+WordWriter::WordWriter(const Machine& machine, const Machine& to)
     : machine_(machine),
-      control_(*machine.code().control),
+      code_(to.code()),
+      control_(*code_.control),
       lathe_(machine.motion().view().facts.lathe()),
       increments_(control_.reading.whole_numbers.value == WholeNumbers::Increments),
       mills_axes_(!lathe_ && !control_.motion.angles_on_mills.value) {
@@ -117,7 +118,7 @@ bool WordWriter::calls(char letter, int code) const {
 }
 
 std::string WordWriter::address_of(int place) const {
-  if (place == 'R' - 'A') return std::string(machine_.code().spelling->radius);
+  if (place == 'R' - 'A') return std::string(code_.spelling->radius);
   return (place >= kCommaC ? "," : "") + std::string(1, letter_of(place));
 }
 
@@ -187,8 +188,8 @@ bool WordWriter::code(std::string& to, char letter, int tenfold) const {
 }
 
 bool WordWriter::bracketed(std::string& to, std::string_view address, double value) const {
-  if (machine_.code().lacking.test(static_cast<std::size_t>(StatementKind::Brackets))) return false;
-  const Spelling::Around& around = machine_.code().spelling->value;
+  if (code_.lacking.test(static_cast<std::size_t>(StatementKind::Brackets))) return false;
+  const Spelling::Around& around = code_.spelling->value;
   to += address;
   to += around.before;
   to += expression_text(value, control_.macros.max_constant_digits.value);

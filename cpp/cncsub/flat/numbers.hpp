@@ -36,7 +36,9 @@ std::string expression_text(double value, int most_digits);
 /// round, a sign or a point that the address takes from a variable only) as a value in brackets.
 class WordWriter {
  public:
-  explicit WordWriter(const Machine& machine);
+  explicit WordWriter(const Machine& machine) : WordWriter(machine, machine) {}
+  /// By the rules of the control of `to`, the words of a run of `machine`.
+  WordWriter(const Machine& machine, const Machine& to);
 
   /// The words are those of a block with these codes, which has been executed.
   void begin(const BlockCodes& codes);
@@ -60,6 +62,7 @@ class WordWriter {
   void add_calling(const CodeCall& list);
 
   const Machine& machine_;
+  const Code& code_;  // an empty one where the control is another one than the machine's
   const Control& control_;
   bool lathe_, increments_;
   bool mills_axes_;                            // A and C are axes and nothing else

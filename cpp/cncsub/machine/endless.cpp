@@ -54,14 +54,15 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
                     [](const T& one, const T& other) { return same(one, other); });
 }
 
-/// The open calls with their passes. Of the main program's passes only max_cycles knows, and of the
-/// numbers of calls only the record.
+/// The open calls with the passes that are left. Of the main program's passes only max_cycles knows,
+/// and of the numbers of calls and of passes only the record.
 bool same_frames(const std::vector<OpenFrame>& a, const std::vector<OpenFrame>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     OpenFrame one = a[i];
     one.call = b[i].call;
-    if (i == 0) one.repeat = b[i].repeat;
+    if (i > 0) one.repeats += b[i].repeat - one.repeat;  // M99 L counts on from the pass
+    one.repeat = b[i].repeat;
     if (one != b[i]) return false;
   }
   return true;
@@ -132,6 +133,7 @@ class Probe {
     for (OpenFrame& frame : run_.state.frames) frame.call = -1;
     run_.state.stop = Stop::Running;
     run_.state.taken.time = false;
+    run_.state.taken.asked = 0;
   }
 
   /// One block on. False where the run stops instead, or `gives_up`.
@@ -196,6 +198,13 @@ std::vector<Address> blocks_of_loop(Probe& probe, std::int64_t period) {
   return blocks;
 }
 
+/// What was read from the world outside since that was cleared, as it is called.
+std::string asked_outside(const Run& run) {
+  const std::int64_t asked = run.state.taken.asked;
+  if (asked == 0) return "";
+  return asked == Taken::kSkipSignal ? "the skip signal" : "#" + std::to_string(asked);
+}
+
 /// What can be named of the state.
 std::map<std::string, double> named(const Run& run) {
   std::map<std::string, double> values;
@@ -223,6 +232,7 @@ std::vector<std::string> changing_in(Probe& probe, std::int64_t blocks,
       if (!now.contains(name)) changing.push_back(name);
     Taken taken = before.taken;
     taken.time = probe.run().state.taken.time;
+    taken.asked = probe.run().state.taken.asked;
     if (probe.run().state.taken != taken) changing.emplace_back("what it asks of outside");
     break;
   }
@@ -276,13 +286,16 @@ Endless why_endless(const Run& run, std::int64_t blocks, const std::function<boo
   Probe probe(run, blocks);
   found.period = period_of(probe, gives_up);
   found.looked = probe.run().state.executed - run.state.executed;
-  found.proven = found.period > 0;
   if (probe.restarted_at != kNowhere || run.state.cycles > 0) found.kind = Endless::Kind::Repeats;
-  if (found.proven) {
+  if (found.period > 0) {
     // A loop that is entered after the last start does not start the program over.
     probe.restarted_at = kNowhere;
+    probe.run().state.taken.asked = 0;
     found.blocks = blocks_of_loop(probe, found.period);
-    if (probe.restarted_at == kNowhere) found.kind = Endless::Kind::Loop;
+    found.outside = asked_outside(probe.run());
+    found.proven = found.outside.empty();
+    if (probe.restarted_at == kNowhere)
+      found.kind = found.proven ? Endless::Kind::Loop : Endless::Kind::Long;
   } else {
     if (probe.run().state.stop != Stop::Limit) found.then = probe.run().state.stop;
     if (found.then == Stop::Running) {

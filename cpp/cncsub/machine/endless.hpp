@@ -14,13 +14,14 @@ namespace cncsub {
 struct Endless {
   enum class Kind : std::uint8_t {
     Repeats,  // by design: M99 of the main program starts it over
-    Loop,     // the whole state came back exactly: it never ends
+    Loop,     // the whole state came back exactly, without a look outside: it never ends
     Waiting,  // for what nobody gives
     Long,     // nothing is proven: it may end
   };
   Kind kind = Kind::Long;
   bool proven = false;          // the whole state came back exactly
-  std::int64_t period = 0;      // blocks from a state until it comes back, where that is proven
+  std::int64_t period = 0;      // blocks from a state until it comes back, 0 where it did not
+  std::string outside;          // it came back, but the loop reads this from the world outside
   std::int64_t looked = 0;      // blocks that were executed to find out
   std::vector<Address> blocks;  // of the loop, each once, in the order in which they run; or the
                                 // block that starts the program over, or that waits

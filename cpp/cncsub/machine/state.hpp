@@ -71,6 +71,9 @@ struct Taken {
   std::array<std::size_t, kSkipSignals> skips{};  // how many of Inputs::skips, list by list
   std::minstd_rand random{1};
   bool time = false;  // a program asked for the time of the moves since this was cleared
+  // The last variable that it read and the world outside sets, or kSkipSignal; 0: none since.
+  std::int64_t asked = 0;
+  static constexpr std::int64_t kSkipSignal = -1;
 
   bool operator==(const Taken&) const = default;
 };

@@ -188,6 +188,11 @@ std::optional<Fault> read_at(const Run& run, const VariablePlace& place, std::in
 
 }  // namespace
 
+static bool is_of_outside(VariableKind kind) {
+  return kind == VariableKind::Input || kind == VariableKind::InputWord ||
+         kind == VariableKind::Date || kind == VariableKind::Time;
+}
+
 std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value) {
   const VariablePlace place = run.code->place(number);
   if (place.range != nullptr && place.kind == VariableKind::Milliseconds) {
@@ -196,6 +201,7 @@ std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value)
     ++run.state.changes;
   }
   if (place.kind == VariableKind::Hours) run.state.taken.time = true;
+  if (place.range != nullptr && is_of_outside(place.kind)) run.state.taken.asked = number;
   return read_at(run, place, number, run.state.level, value);
 }
 

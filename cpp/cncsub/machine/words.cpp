@@ -196,7 +196,10 @@ bool move(Run& run, const Block& block, NcWords& words) {
     about_to_take(run);
     run.state.taken.skips = *around.skips.taken;
   }
-  if (outcome.skip != SkipMove::No) keep_skip(run, outcome.skip);
+  if (outcome.skip != SkipMove::No) {
+    keep_skip(run, outcome.skip);
+    if (around.workpiece == nullptr) run.state.taken.asked = Taken::kSkipSignal;
+  }
   run.watch.moves += outcome.moves + run.motion.held_pieces() / kHeldPieces;
   if (run.watch.moves > run.watch.look_moves) look_soon(run);
   return true;

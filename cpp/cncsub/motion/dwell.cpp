@@ -53,6 +53,8 @@ DwellWord dwell_of(MotionView m, const NcWords& words) {
 
 }  // namespace
 
+double dwell_seconds(MotionView m, const NcWords& words) { return dwell_of(m, words).seconds; }
+
 Result dwell(MotionContext& m, BlockWords& block) {
   const auto [letter, seconds] = dwell_of(m, block.words);
   if (letter == 0) return std::nullopt;

@@ -24,6 +24,8 @@ inline double number(MotionView m, const BlockWords& block, char address) {
 double in_units(MotionView m, const NcWords& words, char address);
 /// G04.
 Result dwell(MotionContext& m, BlockWords& block);
+/// The seconds that the words of a G04 say, 0 where none of them does.
+double dwell_seconds(MotionView m, const NcWords& words);
 /// F of a block as a feed.
 Result feed_of(MotionView m, const BlockWords& block, double& feed);
 /// What an M code does to the spindle and the tool in it.

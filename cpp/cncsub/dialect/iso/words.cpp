@@ -65,7 +65,7 @@ void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
 
 }  // namespace
 
-const Spelling iso_spelling{{"(", ")"}, {"[", "]"}, {}};
+const Spelling iso_spelling{{"(", ")"}, {"[", "]"}, {}, {"O", ""}};
 
 std::optional<WrittenWord> iso_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};

@@ -37,7 +37,7 @@ void pass_value(Scanner& s) {
 
 }  // namespace
 
-const Spelling linuxcnc_spelling{{"(", ")"}, {"[", "]"}, {"(MSG,", ")"}};
+const Spelling linuxcnc_spelling{{"(", ")"}, {"[", "]"}, {"(MSG,", ")"}, {}};
 
 std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};

@@ -1,0 +1,275 @@
+#include "cncsub/flat/other.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "cncsub/motion/facts.hpp"
+#include "cncsub/motion/words.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+namespace {
+
+// The words of a block in the order that most programs have.
+constexpr std::string_view kOrder = "XYZABCUVWIJKRQPLEFSTHDNO";
+constexpr std::string_view kLengths = "ABCIJKQRUVWXYZ";
+
+const MotionFacts& facts_of(const Machine& machine) { return machine.motion().view().facts; }
+const Control& control_of(const Machine& machine) { return *machine.code().control; }
+
+bool is_in(std::string_view letters, char letter) {
+  return letters.find(letter) != std::string_view::npos;
+}
+
+/// Whether the code calls, returns or ends: what becomes of such a code is the run's.
+bool is_own(Role role) {
+  return role != Role::None && role < Role::SpindleForward && role != Role::Stop &&
+         role != Role::OptionalStop && role != Role::End;
+}
+
+/// Whether P of G04 counts seconds there.
+bool counts_seconds(const Control& control) {
+  return control.motion.dwell_unit.value == DwellUnit::PSeconds ||
+         control.motion.dwell_point.value == DwellPoint::Seconds;
+}
+
+/// Ten times the G code of a plain move, which no list holds; -1 where the block has none.
+int path_code(const Block& block) {
+  const bool line = block.op == Op::Linear;
+  if ((!line && block.op != Op::Arc) || (block.flags & Block::kNoG) != 0) return -1;
+  const int first = line ? 0 : 20;
+  return (block.flags & Block::kSecondG) != 0 ? first + 10 : first;
+}
+
+}  // namespace
+
+NcWords constant_words(const Machine& machine, const Block& block) {
+  const Code& code = machine.code();
+  const CodeMeanings& meanings = *facts_of(machine).meanings;
+  NcWords words;
+  const Cell* cell = code.cells.data() + block.data;
+  if ((block.flags & Block::kHasExtra) != 0) words.whole = (cell++)->extra.whole;
+  if ((block.flags & Block::kListed) != 0) words.codes = &meanings.blocks[cell->expression];
+  cell += block.code_cells();
+  words.mask = block.mask;
+  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell)
+    words.value[static_cast<std::size_t>(std::countr_zero(left))] = cell->value;
+  return words;
+}
+
+OtherWriter::OtherWriter(const Machine& from, const Machine& to)
+    : from_(from), to_(to), words_(from, to), at_power_on_(from.motion().state().modal) {}
+
+bool OtherWriter::refuse(std::string reason) {
+  refused_ = std::move(reason);
+  return false;
+}
+
+std::string OtherWriter::refusal() const {
+  const MachineType own = facts_of(from_).machine, other = facts_of(to_).machine;
+  if (own == other) return "";
+  const auto name = [](MachineType type) {
+    return std::string(options<MachineType>()[static_cast<std::size_t>(type)].slug);
+  };
+  return "the program is one of a " + name(own) + ", and " + control_of(to_).name +
+         " is a control of a " + name(other);
+}
+
+std::string OtherWriter::head(const std::string& name) const {
+  const Spelling::Around& around = to_.code().spelling->head;
+  const Control& control = control_of(to_);
+  if (around.before.empty() || control.calls.program_word.value == ProgramWord::SequenceNumber)
+    return "";
+  const std::size_t first = name.find_first_of("0123456789");
+  std::string number = first == std::string::npos ? "" : name.substr(first);
+  if (number.find_first_not_of("0123456789") != std::string::npos) number.clear();
+  if (!around.behind.empty()) {  // a name, that begins with two letters
+    const bool letters = name.size() > 1 && is_letter(name[0]) && is_letter(name[1]);
+    return std::string(around.before) + (letters ? name : "PROG" + number) +
+           std::string(around.behind) + "\n";
+  }
+  const bool percent = control.reading.program_heads.value.has(ProgramHead::Percent);
+  return (percent ? "%" : std::string(around.before)) + (number.empty() ? "1" : number) + "\n";
+}
+
+// ---- codes ----
+
+/// The code there of what a code means here; -1 where there is none. `idle`: nothing else can be in
+/// force there.
+int OtherWriter::code_of(const GCode& own, bool& idle) const {
+  const MotionFacts& facts = facts_of(to_);
+  const auto same = [&own](const GCode& there) {
+    return there.code >= 0 && there.meaning == own.meaning && there.which == own.which;
+  };
+  if (const GCode there = facts.codes.find(own.code); same(there)) return there.code;
+  if (is_neutral(own.meaning)) return -1;
+  if (const GCode there = facts.codes.of(own.meaning); same(there)) return there.code;
+  const std::size_t group = at(own.group);
+  idle = own.group != Group::OneShot && to_.motion().state().modal[group].code < 0 &&
+         at_power_on_[group].meaning == own.meaning;
+  return -1;
+}
+
+std::string OtherWriter::modes() const {
+  std::string units, others;
+  for (std::size_t group = 0; group < kGroups; ++group) {
+    const GCode own = at_power_on_[group];
+    const GCode there = to_.motion().state().modal[group];
+    if (own.code < 0 || own.meaning == there.meaning || group == at(Group::Stroke)) continue;
+    bool idle = false;
+    const int code = code_of(own, idle);
+    if (code < 0) continue;
+    std::string& to = group == at(Group::Units) ? units : others;
+    to += (to.empty() ? "" : " ") + code_name(code);
+  }
+  if (!units.empty()) units += '\n';
+  return others.empty() ? units : units + others + '\n';
+}
+
+bool OtherWriter::put_codes(std::string& to, std::span<const int> codes) {
+  std::string units, others;
+  for (const int own : codes) {
+    const GCode meant = facts_of(from_).codes.find(own);
+    bool idle = false;
+    const int code = code_of(meant, idle);
+    if (code < 0 && !idle)
+      return refuse(control_of(to_).name + " has no code that is what " + code_name(own) +
+                    " is here");
+    if (code < 0) continue;
+    (meant.group == Group::Units ? units : others) += code_name(code) + " ";
+  }
+  const bool alone = control_of(to_).motion.unit_change.value != UnitChange::Anywhere;
+  if (alone && !units.empty()) units.back() = '\n';
+  to += units + others;
+  return true;
+}
+
+bool OtherWriter::put_m(std::string& to, const NcWords& words, bool ends) {
+  const Roles &here = control_of(from_).calls.roles.value, &there = control_of(to_).calls.roles.value;
+  bool ended = false;
+  for (const int m : words.codes->m()) {
+    const Role role = here.of_m(m);
+    if (role == there.of_m(m)) {
+      if (is_own(role)) continue;
+      if (role == Role::End)
+        to += "M" + std::to_string(m);
+      else if (!words_.code(to, 'M', m * 10))
+        return refuse("M" + std::to_string(m) + " calls there");
+    } else if (const auto code = there.code_of(role); role != Role::None && code) {
+      to += code->text();
+    } else if (!is_own(there.of_m(m)) && there.of_m(m) == Role::None) {
+      to += "M" + std::to_string(m);
+    } else {
+      return refuse("M" + std::to_string(m) + " is another code of " + control_of(to_).name);
+    }
+    ended = ended || role == Role::End;
+    to += ' ';
+  }
+  if (ends && !ended) to += end() + " ";
+  return true;
+}
+
+std::string OtherWriter::end() const {
+  const Roles& roles = control_of(to_).calls.roles.value;
+  if (roles.of_m(30) == Role::End) return "M30";
+  const auto code = roles.code_of(Role::End);
+  return code ? code->text() : "";
+}
+
+// ---- values ----
+
+/// Whether a word says how often a cycle is repeated.
+bool OtherWriter::repeats(char letter) const {
+  return in_cycle(from_.motion().state()) &&
+         control_of(from_).motion.cycle_repeats.value.has(letter);
+}
+
+void OtherWriter::put_repeats(std::string& to, char letter, double count) const {
+  const Letters& there = control_of(to_).motion.cycle_repeats.value;
+  to += there.has(letter) || there.empty() ? letter : there.front();
+  to += NumberText(count).text();
+  to += ' ';
+}
+
+/// What a word says in units of the program.
+double OtherWriter::value_of(const NcWords& words, int place) const {
+  const double value = words.value[static_cast<std::size_t>(place)];
+  if (place >= kCommaC) return value;
+  const char letter = static_cast<char>('A' + place);
+  const MotionView view = from_.motion().view();
+  const bool whole = (words.whole >> place & 1) != 0;
+  const bool increments =
+      control_of(from_).reading.whole_numbers.value == WholeNumbers::Increments;
+  if (letter == 'F' && whole && increments) return value * feed_increment(view.state);
+  if (!whole || !is_in(kLengths, letter)) return value;
+  return in_units(view, words, letter);
+}
+
+bool OtherWriter::put_word(std::string& to, int place, double value) {
+  if (!words_.computed(to, place, value))
+    return refuse("the value of " + std::string(1, static_cast<char>('A' + place)) +
+                  " cannot be written for " + control_of(to_).name);
+  to += ' ';
+  return true;
+}
+
+bool OtherWriter::put_dwell(std::string& to, double seconds) {
+  const Control& control = control_of(to_);
+  const auto& letters = control.motion.dwell_words.value;
+  const double thousandths = std::round(seconds * 1e6) / 1e3;
+  char letter = 0;
+  if (letters.has('P'))
+    letter = 'P';
+  else if (!letters.empty())
+    letter = letters.front();
+  if (letter == 'P' && !counts_seconds(control) && thousandths == std::floor(thousandths))
+    return put_word(to, 'P' - 'A', thousandths);
+  if (letter == 'P' && !counts_seconds(control))
+    for (const char each : letters)
+      if (each != 'P') letter = each;
+  if (letter == 0) return refuse(control.name + " has no word for the time of a dwell");
+  std::string text(NumberText(seconds).text());
+  if (text.find('.') == std::string::npos) text += '.';
+  to += letter + text + " ";
+  return true;
+}
+
+bool OtherWriter::put_values(std::string& to, const NcWords& words) {
+  std::uint32_t left = words.mask;
+  const bool waits = words.codes->meaning(Group::OneShot) == Meaning::Dwell;
+  words_.begin(*words.codes);
+  if (waits) {
+    if (const double seconds = dwell_seconds(from_.motion().view(), words);
+        seconds > 0 && !put_dwell(to, seconds))
+      return false;
+    for (const char letter : control_of(from_).motion.dwell_words.value) left &= ~bit(letter);
+  }
+  for (const char letter : kOrder) {
+    const int place = letter - 'A';
+    if ((left >> place & 1) == 0 || letter == 'N' || letter == 'O') continue;
+    if (repeats(letter))
+      put_repeats(to, letter, words[letter]);
+    else if (!put_word(to, place, value_of(words, place)))
+      return false;
+  }
+  for (int place = kCommaC; place < kAddresses; ++place)
+    if ((left >> place & 1) != 0 && !put_word(to, place, value_of(words, place))) return false;
+  return true;
+}
+
+bool OtherWriter::write(std::string& to, const Block& block, const NcWords& words) {
+  const std::size_t before = to.size();
+  std::array<int, 1> of_move{path_code(block)};
+  const bool plain = of_move[0] >= 0;
+  if (!put_codes(to, plain ? std::span<const int>(of_move) : words.codes->g())) return false;
+  if (!put_values(to, words) || !put_m(to, words, block.op == Op::EndProgram)) return false;
+  if (to.size() > before && (to.back() == ' ' || to.back() == '\n')) to.pop_back();
+  return true;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,56 @@
+// Blocks of a program written for another control: by what its own codes mean, in the numbers that
+// it takes, between the words that begin and end a program there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "cncsub/flat/numbers.hpp"
+#include "cncsub/machine/machine.hpp"
+
+namespace cncsub {
+
+class OtherWriter {
+ public:
+  /// `from`: the machine that runs; `to`: one of the other control that has executed nothing. Both
+  /// are to outlive this.
+  OtherWriter(const Machine& from, const Machine& to);
+
+  /// Why no program of the one can be one of the other; empty where nothing speaks against it.
+  std::string refusal() const;
+  /// What heads the program of a name: with its line feed, or nothing.
+  std::string head(const std::string& name) const;
+  /// Blocks that switch on what is in force at power-on here, and not there.
+  std::string modes() const;
+  /// Writes the words of a block that has been executed. False where they cannot be written: then
+  /// `refused` says why.
+  bool write(std::string& to, const Block& block, const NcWords& words);
+  /// What ends a program; empty where the control has no such code.
+  std::string end() const;
+  const std::string& refused() const { return refused_; }
+  const Machine& machine() const { return to_; }
+
+ private:
+  bool refuse(std::string reason);
+  int code_of(const GCode& own, bool& idle) const;
+  bool put_codes(std::string& to, std::span<const int> codes);
+  bool put_values(std::string& to, const NcWords& words);
+  bool put_m(std::string& to, const NcWords& words, bool ends);
+  bool put_word(std::string& to, int place, double value);
+  bool put_dwell(std::string& to, double seconds);
+  double value_of(const NcWords& words, int place) const;
+  bool repeats(char letter) const;
+  void put_repeats(std::string& to, char letter, double count) const;
+
+  const Machine &from_, &to_;
+  WordWriter words_;
+  std::array<GCode, kGroups> at_power_on_;  // what was in force before the first block
+  std::string refused_;
+};
+
+/// The words of a block that are all written as numbers.
+NcWords constant_words(const Machine& machine, const Block& block);
+
+}  // namespace cncsub
