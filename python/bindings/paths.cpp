@@ -59,7 +59,7 @@ const T* numbers(const py::buffer_info& info, std::size_t count) {
   return static_cast<const T*>(info.ptr);
 }
 
-/// x, y, z, move, key, part, time of the points that a picture needs, how many there were before,
+/// x, y, z, move, key, time of the points that a picture needs, how many there were before,
 /// and at how many of those the way begins anew.
 py::tuple outline(const Record& record, const std::string& frame, double tolerance, double thinner,
                   std::size_t first, std::size_t last, const py::buffer& key) {
@@ -75,8 +75,7 @@ py::tuple outline(const Record& record, const std::string& frame, double toleran
   if (record.trace().first_move != 0) row += py::int_(record.trace().first_move);
   return py::make_tuple(array_of<double>(found.x), array_of<double>(found.y),
                         array_of<double>(found.z), row, array_of<std::int32_t>(found.key),
-                        array_of<double>(found.part), array_of<double>(found.time), found.points,
-                        found.begins);
+                        array_of<double>(found.time), found.points, found.begins);
 }
 
 py::object thinned(const py::buffer& x, const py::buffer& y, const py::buffer& z,

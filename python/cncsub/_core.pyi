@@ -413,7 +413,7 @@ class Trace:
         last: int,
         key: np.ndarray[Any, Any],
     ) -> tuple[Any, ...]:
-        """x, y, z, move, key, part and time of the points that a picture needs, how many there were
+        """x, y, z, move, key and time of the points that a picture needs, how many there were
         before, and at how many the path begins anew. `key`: by move that of its line.
         """
     @staticmethod

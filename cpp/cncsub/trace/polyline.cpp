@@ -205,13 +205,11 @@ void Sampler::write(const PolylinePlaces& places, InterruptCheck* interrupt) con
 namespace {
 
 /// An outline in the making; of one piece of the rows, or of all.
-void put(Outline& outline, const Point& point, std::size_t row, double part, double time,
-         std::int32_t key) {
+void put(Outline& outline, const Point& point, std::size_t row, double time, std::int32_t key) {
   outline.x.push_back(point[0]);
   outline.y.push_back(point[1]);
   outline.z.push_back(point[2]);
   outline.time.push_back(time);
-  outline.part.push_back(static_cast<float>(part));
   outline.row.push_back(static_cast<std::uint32_t>(row));
   outline.key.push_back(key);
   if (key < 0) ++outline.begins;
@@ -232,7 +230,7 @@ void thin_out(Outline& outline, double tolerance) {
     column.shrink_to_fit();
   };
   chosen(outline.x), chosen(outline.y), chosen(outline.z);
-  chosen(outline.time), chosen(outline.part), chosen(outline.row), chosen(outline.key);
+  chosen(outline.time), chosen(outline.row), chosen(outline.key);
 }
 
 /// Pieces one behind the other, each begun when the one before has ended; they are given away.
@@ -250,8 +248,8 @@ Outline joined(std::vector<Outline>& pieces, const std::vector<double>& seconds)
     for (double& time : piece.time) time += began;
     began += seconds[i];
     move_all(whole.x, piece.x), move_all(whole.y, piece.y), move_all(whole.z, piece.z);
-    move_all(whole.time, piece.time), move_all(whole.part, piece.part);
-    move_all(whole.row, piece.row), move_all(whole.key, piece.key);
+    move_all(whole.time, piece.time), move_all(whole.row, piece.row);
+    move_all(whole.key, piece.key);
     whole.points += piece.points;
     whole.begins += piece.begins;
   }
@@ -269,11 +267,11 @@ Outline Sampler::outline(const std::int32_t* keys, double thinner,
     Outline piece;
     double now = 0;
     const auto one = [&](std::size_t i, const Curve& curve, const MoveRow& row) {
-      if (curve.begins) put(piece, curve.from, i, 0, now, -1);
+      if (curve.begins) put(piece, curve.from, i, now, -1);
       const auto steps = static_cast<double>(curve.steps);
       for (std::size_t step = 1; step <= curve.steps; ++step) {
         const double part = static_cast<double>(step) / steps;
-        put(piece, curve.at(step), i, part, now + row.time * part, keys[i - first_]);
+        put(piece, curve.at(step), i, now + row.time * part, keys[i - first_]);
       }
       now += row.time;
     };

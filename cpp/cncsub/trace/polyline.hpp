@@ -29,12 +29,11 @@ struct PolylinePlaces {
 /// The points that a picture draws of a way: few where it goes straight on.
 struct Outline {
   std::vector<double> x, y, z;
-  std::vector<double> time;       // s from the first of the moves until the point is reached
-  std::vector<float> part;        // how much of its move was made at a point
+  std::vector<double> time;        // s from the first of the moves until the point is reached
   std::vector<std::uint32_t> row;  // the move that a point belongs to
-  std::vector<std::int32_t> key;  // -1: the way begins anew here, and no line leads to the point
-  std::size_t points = 0;         // before any was left out
-  std::size_t begins = 0;         // of the points, those where it begins anew
+  std::vector<std::int32_t> key;   // -1: the way begins anew here, and no line leads to the point
+  std::size_t points = 0;          // before any was left out
+  std::size_t begins = 0;          // of the points, those where it begins anew
 };
 
 /// Samples the moves [first, last): `count` first, then `write`; or `outline`.
