@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 MOST = 60_000  # points of a picture
 _DENSE = 4_000  # points from which lines are thin
-_SCENE = 1.9  # the diagonal of what is drawn, in the units of a camera
+_SCENE = 2.4  # the diagonal of what is drawn, in the units of a camera
 _CODES = BANDS + MOST_NAMES  # of colours: more than there are
 
 

@@ -100,7 +100,7 @@ def marker(drawn: Drawn) -> dict[str, Any]:
         "x": [x],
         "y": [y],
         "z": [z],
-        "marker": {"size": 6, "color": "#f5c400", "line": {"color": TEXT, "width": 2}},
+        "marker": {"size": 5, "color": "#f5c400", "line": {"color": TEXT, "width": 2}},
         "name": "tool",
         "showlegend": False,
         "hovertemplate": "the tool<br>X%{x:.3f} Y%{y:.3f} Z%{z:.3f}<extra></extra>",
