@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+import cncsub
 from cncsub.cli import app
+from cncsub.hints import changed_controls
 
 CONTROL = "fanuc-0i-f"
 
@@ -76,7 +78,7 @@ def test_no_alarm_has_no_hints(tmp_path: Path) -> None:
         ("O1\n#101=#[#1+1]\nM30\n", ["--set", "105=1", "--set", "1=1"], []),
         ("O1\nM30\n", ["--skip", "1", "--optional-stop"], ["has a slash", "has M01"]),
         ("O1\n/M01\nM30\n", ["--skip", "1", "--optional-stop"], []),
-        ("O1\nM30\n", ["--inputs", "in.toml"], ["waits for a skip signal", "answer to M117"]),
+        ("O1\nM30\n", ["--inputs", "in.toml"], ["no block probes", "answer to M117"]),
         ("O1\nG31 X5. F100\nM117\nM30\n", ["--inputs", "in.toml"], []),
         ("O1\nM30\n", ["--external", "usb"], ["by M198"]),
     ],
@@ -107,7 +109,7 @@ def explain(*words: str) -> str:
 def test_explain_knows_the_alarms_that_programs_raise_themselves() -> None:
     assert explain("MC3020").startswith("user-alarm")
     assert "fanuc-0i-f" in explain("MC3020", "-c", CONTROL)
-    assert "no alarm or cause" in explain("MC9020", "-c", CONTROL)
+    assert "no alarm, cause or rule" in explain("MC9020", "-c", CONTROL)
 
 
 def test_explain_tells_the_number_that_is_taken_for_another() -> None:
@@ -125,3 +127,98 @@ def test_a_control_that_the_project_names_is_told(
     assert [note["kind"] for note in json.loads(done.stdout)["notes"]] == ["defaulted"]
     assert "the control is fanuc-16i, which the project names" in done.stderr
     assert CliRunner().invoke(app, ["run", "p.nc", "-c", CONTROL]).stderr == ""
+
+
+# ---- what a hint may recommend ----
+
+
+def test_no_hint_makes_a_program_mean_something_else(tmp_path: Path) -> None:
+    (tmp_path / "limits.toml").write_text("[limits]\nX = [-10, 500]\n")
+    setup = ["--setup", str(tmp_path / "limits.toml")]
+    # With G91 at power-on (3402#3) or another unit (3401#0) these would stop elsewhere, or not.
+    for text in ("O1\nG0 X600.\nM30\n", "O1\nG0 X10000.\nM30\n", "O1\nX400.\nG0 X600.\nM30\n"):
+        for control in ("fanuc-0i-f", "fanuc-30i", "gsk-988t"):
+            file = tmp_path / "main.nc"
+            file.write_text(text)
+            done = CliRunner().invoke(app, ["run", str(file), "-c", control, *setup])
+            assert "over-travel" in done.stdout
+            assert hints(done.stderr) == []
+
+
+PERMITTED = {  # what a bit allows or refuses, and never what something means
+    *("1202#2", "3404#6", "5006#1", "6000#0", "6005#0", "6006#0", "7712#4"),
+}
+
+
+def test_parameters_that_hints_may_name_allow_or_refuse_a_form_of_writing() -> None:
+    named = {
+        words.split()[1].partition("=")[0]
+        for control in cncsub.controls.values()
+        for words, _ in changed_controls(control)
+        if words.startswith("--param")
+    }
+    assert named == PERMITTED
+
+
+@pytest.mark.parametrize(
+    "condition", ["[#1 EQ #0 AND #2 EQ #0]", "[#1 EQ #0] AND [#2 EQ #0]", "[#1EQ#0]OR[#2EQ#0]"]
+)
+def test_conditions_joined_in_the_way_of_another_language_lead_to_the_own_one(
+    tmp_path: Path, condition: str
+) -> None:
+    (told,) = hints(run(tmp_path, f"O1\nIF {condition} GOTO 20\nG1 X1. F100\nN20 M30\n")[1])
+    assert told.startswith("conditions are joined as IF[[#1EQ#2]AND[#3EQ#4]]")
+    assert "--param 6006#0=1" in told
+    assert "linuxcnc" not in told
+
+
+def test_what_was_typed_has_hints_and_idle_options_too(tmp_path: Path) -> None:
+    def typed(text: str, *options: str) -> list[str]:
+        done = CliRunner().invoke(app, ["run", *options, "--mdi", text, "-c", CONTROL])
+        return [line for line in done.stderr.splitlines() if not line.startswith("stopped")]
+
+    (told,) = typed("IF[[#1EQ1]AND[#2EQ2]]GOTO1")
+    assert told.startswith("hint: --param 6006#0=1 lets it pass")
+    (tmp_path / "O9.nc").write_text("O9\nM99\n")
+    (tmp_path / "O1.nc").write_text("O1\nM30\n")
+    assert typed("M98 P9", str(tmp_path / "O1.nc")) == [
+        f"hint: {tmp_path / 'O9.nc'} was not read: name it, or its folder, too"
+    ]
+    (told,) = typed("G0 X#100", "--set", "100=5", "--set", "101=5")
+    assert "no block reads #101" in told
+    (told,) = typed("M198 P9")
+    assert told.startswith("hint: --external FOLDER")
+
+
+def test_options_without_effect_are_told_by_every_command_that_runs(tmp_path: Path) -> None:
+    file = tmp_path / "main.nc"
+    file.write_text("O1\nM98 P2\nM30\nO2\nG1 X1. F100\nM99\n")
+    out = str(tmp_path / "out")
+    for words in (
+        ["run", "--listing"],
+        ["run", "--format", "csv"],
+        ["tree"],
+        ["coverage"],
+        ["flatten"],
+        ["report", "-o", out],
+        ["plot", "-o", out],
+        ["compare", "-c", "fanuc-30i"],
+    ):
+        words = [words[0], str(file), "-c", CONTROL, "--optional-stop", *words[1:]]
+        assert "no block has M01" in CliRunner().invoke(app, words).stderr, words
+
+
+def test_a_link_has_the_files_beside_what_it_leads_to(tmp_path: Path) -> None:
+    (tmp_path / "job").mkdir()
+    (tmp_path / "job" / "O1.nc").write_text("O1\nM98 P7\nM98 P8\nM30\n")
+    (tmp_path / "job" / "O7.nc").write_text("O7\nM99\n")
+    (tmp_path / "O8.nc").write_text("O8\nM99\n")
+    link = tmp_path / "link.nc"
+    try:
+        link.symlink_to(tmp_path / "job" / "O1.nc")
+    except OSError:
+        pytest.skip("this system makes no links")
+    done = CliRunner().invoke(app, ["run", str(link), "-c", CONTROL])
+    assert done.exit_code == 0
+    assert "O7.nc: read too" in done.stderr
+    assert "O8.nc: read too" in done.stderr

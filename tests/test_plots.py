@@ -52,7 +52,13 @@ def note(figure: Any) -> str:
 
 
 def lines(figure: Any) -> list[Any]:
-    return [trace for trace in figure.data if trace.mode == "lines"]
+    """The traces of a path; entries of the legend alone are none."""
+    return [t for t in figure.data if t.mode == "lines" and t.x[0] is not None]
+
+
+def entries(figure: Any) -> list[Any]:
+    """What the legend names."""
+    return [trace for trace in figure.data if trace.showlegend]
 
 
 def segments(figure: Any) -> Any:
@@ -81,8 +87,8 @@ def told_distance(figure: Any) -> float:
 
 def test_rapid_feed_and_cycle_are_apart() -> None:
     run = ran()
-    figure = run.plot()
-    assert [trace.name for trace in figure.data] == ["rapid", "feed", "canned cycle", "tool"]
+    figure = run.plot(play=False)
+    assert [trace.name for trace in figure.data] == ["rapid", "feed", "canned cycle"]
     rapid, feed, cycle = lines(figure)
     assert rapid.line.dash == "dash"
     assert (-3.0 in cycle.z, -3.0 in feed.z) == (True, False)
@@ -104,7 +110,9 @@ def test_what_is_drawn_is_the_path() -> None:
 def test_a_point_tells_its_block_its_calls_and_its_move() -> None:
     figure = ran().plot()
     texts = [text for trace in lines(figure) for text in trace.text if text]
-    (inner,) = {text for text in texts if "O3 N10" in text and "move 4," in text}
+    at_points = {text for text in texts if "O3 N10" in text and "move 4," in text}
+    (inner,) = {text.rpartition(", ")[0] for text in at_points}  # but for the time
+    assert len(at_points) > 1
     assert inner.startswith("<b>O3 N10 line 17</b><br>N10 G3 X10. R5.<br>")
     assert "in G65 O3 from O2 N20" in inner
     assert "in M98 O2 from O1 N50" in inner
@@ -128,16 +136,20 @@ def test_a_point_tells_its_block_its_calls_and_its_move() -> None:
 )
 def test_colours_are_told_by_name(color: str, names: list[str]) -> None:
     figure = ran().plot(color=color)
-    shown = [trace for trace in lines(figure) if trace.showlegend]
+    shown = entries(figure)
     assert [trace.name for trace in shown] == names
     assert len({trace.line.color for trace in shown}) == len(names)
+    still = ran().plot(color=color, play=False)
+    assert [(t.name, t.line.color) for t in entries(still)] == [
+        (t.name, t.line.color) for t in shown
+    ]
     assert distances(ran().polyline(0.001).points, segments(figure)).max() < 0.004
 
 
 @pytest.mark.parametrize("color", ["feed", "time", "z"])
 def test_colours_on_a_scale(color: str) -> None:
     run = ran()
-    figure = run.plot(color=color)
+    figure = run.plot(color=color, play=False)
     scaled = figure.data[0]
     assert scaled.line.showscale
     values, z = np.array(scaled.line.color), np.array(scaled.z, dtype=float)
@@ -151,12 +163,15 @@ def test_colours_on_a_scale(color: str) -> None:
         assert np.all(np.diff(values[drawn]) >= -1e-9)
         assert values[drawn][-1] <= run.moves.total_time + 1e-9
     assert distances(run.polyline(0.001).points, segments(figure)).max() < 0.004
+    (beside,) = [t for t in run.plot(color=color).data if t.marker.showscale]
+    assert (beside.marker.cmin, beside.marker.cmax) == (scaled.line.cmin, scaled.line.cmax)
+    assert beside.marker.colorbar.title.text == scaled.line.colorbar.title.text
 
 
 def test_many_names_share_a_colour_and_say_so() -> None:
     text = "O1\n" + "M98 P2\n" * 30 + "M30\nO2\nG91 G1 X1. F100\nM99\n"
     figure = ran(text).plot(color="call")
-    names = [trace.name for trace in lines(figure) if trace.showlegend]
+    names = [trace.name for trace in entries(figure)]
     assert len(names) == 12
     assert names[-1] == "19 others"
 
@@ -164,7 +179,7 @@ def test_many_names_share_a_colour_and_say_so() -> None:
 def test_coordinates_of_two_offsets_lie_apart_in_machine_coordinates() -> None:
     text = "O1\nG54 G0 X0 Y0\nG1 X10. F100\nG55 G0 X0\nG1 X10.\nM30\n"
     run = ran(text, setup=OFFSETS)
-    work, machine = run.plot(), run.plot(coordinates="machine")
+    work, machine = run.plot(play=False), run.plot(coordinates="machine", play=False)
     assert "Other coordinates came into force" in note(work)
     assert "Other coordinates" not in note(machine)
     assert segments(work)[..., 0].min() == -90  # the way to G55 X0 begins at G54 X10
@@ -177,7 +192,7 @@ def test_coordinates_of_two_offsets_lie_apart_in_machine_coordinates() -> None:
 def test_the_tool_is_drawn_beside_the_programmed_path() -> None:
     run = ran(COMPENSATED, setup=cncsub.Setup(radius_offsets={1: 5.0}))
     figure = run.plot()
-    named = {trace.name: trace for trace in figure.data}
+    named = {trace.name: trace for trace in lines(figure)}
     assert {"radius compensation", "tool, radius offset"} <= set(named)
     tool = named["tool, radius offset"]
     assert tool.line.dash == "dot"
@@ -284,26 +299,61 @@ def test_lines_over_lines_are_drawn_once_and_said_so() -> None:
 # ---- the slider ----
 
 
+def drawn_until(line: Any, frame_line: Any) -> Any:
+    """Which points of a trace are drawn at an instant: those whose colour is not the one that is
+    none.
+    """
+    stops = [(float(at), colour) for at, colour in frame_line.colorscale]
+    numbers = np.array(line.color, dtype=float)
+    drawn = np.zeros(len(numbers), dtype=bool)
+    for (begin, colour), (end, _) in zip(stops[::2], stops[1::2], strict=True):
+        if colour != "rgba(0,0,0,0)":
+            drawn |= (numbers >= begin) & (numbers <= end)
+    return drawn
+
+
+@pytest.mark.parametrize("color", ["kind", "program", "feed", "time"])
+@pytest.mark.parametrize("text", [JOB, COMPENSATED])
+def test_an_instant_shows_the_path_up_to_then(color: str, text: str) -> None:
+    run = ran(text, setup=cncsub.Setup(radius_offsets={1: 5.0}))
+    figure = run.plot(color=color)
+    paths, marker = lines(figure), len(figure.data) - 1
+    assert figure.data[marker].name == "tool"
+    ends, at = run.moves.time.cumsum(), np.linspace(0, run.moves.total_time, len(figure.frames))
+    for frame, now in zip(figure.frames, at, strict=True):
+        assert frame.traces == (*range(len(paths)), marker)
+        for path, then in zip(paths, frame.data):
+            shown = drawn_until(path.line, then.line)
+            texts = [t for t, seen in zip(path.text or (), shown) if seen and t]
+            moves = {int(re.search(r"move (\d+),", text)[1]) for text in texts}  # type: ignore[index]
+            assert all(move == 0 or ends[move - 1] <= now + 1e-9 for move in moves)
+            hidden = [t for t, seen in zip(path.text or (), shown) if not seen and t]
+            moves = {int(re.search(r"move (\d+),", text)[1]) for text in hidden}  # type: ignore[index]
+            assert all(ends[move] >= now - 1e-9 for move in moves)
+    for path, then in zip(paths, figure.frames[-1].data):
+        assert np.all(drawn_until(path.line, then.line) | np.isnan(np.array(path.x, dtype=float)))
+        assert path.line.colorscale == then.line.colorscale  # as it is before anybody plays it
+
+
 def test_the_slider_leads_the_tool_along_the_path() -> None:
     run = ran()
     figure = run.plot()
-    marker = len(figure.data) - 1
-    assert figure.data[marker].name == "tool"
-    assert all(frame.traces == (marker,) for frame in figure.frames)
-    points = np.array([[f.data[0].x[0], f.data[0].y[0], f.data[0].z[0]] for f in figure.frames])
+    points = np.array(
+        [[f.data[-1].x[0], f.data[-1].y[0], f.data[-1].z[0]] for f in figure.frames]
+    )
     assert distances(points, segments(figure)).max() < 1e-6
     assert points[0].tolist() == [0, 0, 0]
     assert points[-1].tolist() == [5, 5, 50]
     (slider,) = figure.layout.sliders
     assert [step.args[0][0] for step in slider.steps] == [frame.name for frame in figure.frames]
-    assert slider.steps[0].label == "0.0 s"
+    assert (slider.steps[0].label, slider.active) == ("0.0 s", len(figure.frames) - 1)
     assert not run.plot(play=False).frames
 
 
 def test_the_tool_is_half_way_at_half_time() -> None:
     figure = ran("O1\nG1 X100. F100\nM30\n").plot()
     at = [
-        (step.label, frame.data[0].x[0])
+        (step.label, frame.data[-1].x[0])
         for step, frame in zip(figure.layout.sliders[0].steps, figure.frames)
     ]
     assert at[0][1] == 0

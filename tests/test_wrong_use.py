@@ -95,8 +95,14 @@ def test_until_takes_a_block_of_its_own_library(library: cncsub.Library) -> None
     other = cncsub.loads(TEXT, control=CONTROL)
     with pytest.raises(ValueError, match=r"Block\(n=30, .* is a block of another library"):
         other.machine().run(until=block)
-    for far in (2**70, -(2**70)):
-        assert (library.machine().run(until=far) is None) == (far > 0)
+    assert library.machine().run(until=2**70) is None
+    assert library.machine().run(until=-1) is not None
+
+
+@pytest.mark.parametrize("until", [-2, -5, -(2**70)])
+def test_until_counts_calls_from_none_on(library: cncsub.Library, until: int) -> None:
+    with pytest.raises(ValueError, match=f"until: .* not {until}"):
+        library.machine().run(until=until)
 
 
 # ---- variables and inputs ----
@@ -346,3 +352,73 @@ def test_what_a_terminal_obeys_does_not_move_the_mark() -> None:
     source, mark = str(alarm).splitlines()[2:4]
     assert source.endswith("| (  ) G1 ?")
     assert source[mark.index("^")] == "?"
+
+
+# ---- the command line calls things by its own names ----
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("plot main.nc -o x.html --points 3", "--points is a number of points from 100 on, not 3"),
+        ("plot main.nc -o x.html --color red", "--color is one of kind"),
+        ("plot main.nc -o x.html --of calls --over z", "--over is time or steps, not 'z'"),
+        ("plot main.nc -o x.html --of calls --color tool", "--color goes with --of path, not calls"),
+        ("plot main.nc -o x.html --of calls --machine", "--machine goes with --of path, not calls"),
+        ("plot main.nc -o x.html --of programs --points 500", "--points goes with --of path"),
+        ("plot main.nc -o x.html --over steps", "--over goes with --of calls or watch, not path"),
+        ("plot main.nc -o x.html --watch 100", "--watch goes with --of watch, not path"),
+        ("run main.nc --skip 12", "--skip: the block-skip switches are 1 to 9, not 12"),
+        ("run main.nc --start 7", "--start: there is no block N7 in O1"),
+        ("run main.nc --start -7", "--start, a sequence number, is at least 0, not -7"),
+        ("run main.nc --set 100=nan", "--set takes NUMBER=VALUE, such as 100=23.34 or 100=vacant"),
+        ("run main.nc --set 100=inf", "--set takes NUMBER=VALUE"),
+        ("run main.nc --set 100=1e300", "--set, --variables: #100 takes a number up to 1e+47"),
+        ("run main.nc --prefer none.nc", "--prefer names"),
+        ("run main.nc -", "- is the standard input, and is read alone"),
+        ("batch main.nc --each x", "--each is one of file, beside, folder, not 'x'"),
+        ("batch main.nc --max-seconds -1", "--max-seconds must be more than 0 and finite"),
+        ("check main.nc --rule program-mising", "'program-mising'; near are program-missing"),
+        ("check main.nc --rule CS999", "no rule 'CS999'; there are CS101 to CS"),
+        ("run dangling.nc", "a link that leads nowhere; near are mangling.nc, main.nc\n"),
+    ],
+)
+def test_a_wrong_option_is_told_by_the_name_of_the_option(
+    words: str, told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from typer.testing import CliRunner
+
+    from cncsub.cli import app
+
+    monkeypatch.chdir(tmp_path)
+    Path("main.nc").write_text(TEXT)
+    Path("mangling.nc").write_text(TEXT)
+    Path("dangling.nc").symlink_to("nowhere")
+    done = CliRunner().invoke(app, [*words.split(), "-c", CONTROL])
+    assert (done.exit_code, done.stdout) == (2, "")
+    assert told in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_explain_knows_what_is_near() -> None:
+    from typer.testing import CliRunner
+
+    from cncsub.cli import app
+
+    def told(name: str) -> str:
+        return CliRunner().invoke(app, ["explain", name]).output
+
+    assert "near are program-missing" in told("program-mising")
+    assert told("program-missing").startswith("CS201 program-missing")
+    assert "there are CS101 to CS" in told("CS999")
+    assert "near are PS0076" in told("PS076x")
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, np.nan, np.float64("-inf")])
+def test_what_is_no_number_is_no_value_of_a_variable(
+    library: cncsub.Library, value: float
+) -> None:
+    with pytest.raises(ValueError, match=r"variables: #100 takes a number (or None|up to)"):
+        library.run(variables={100: value})
+    with pytest.raises(ValueError, match="#100 takes a number"):
+        library.machine().variables[100] = value

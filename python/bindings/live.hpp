@@ -74,6 +74,7 @@ class Record {
       : code_(std::move(code)), trace_(std::make_shared<const Trace>(std::move(trace))) {}
 
   const Code& code() const { return *code_; }
+  const std::shared_ptr<const Code>& shared_code() const { return code_; }
   const Trace& trace() const { return *trace_; }
   /// Seconds of all moves.
   double time() const {

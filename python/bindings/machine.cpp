@@ -121,7 +121,7 @@ py::object step(Live& live, const py::type& row) {
   const Trace& trace = machine->trace();
   if (!done) return py::none();
   if (trace.steps.empty()) throw py::index_error("no step was recorded");
-  return step_object(trace, machine->code(), trace.steps.size() - 1, row);
+  return step_object(trace, machine->shared_code(), trace.steps.size() - 1, row);
 }
 
 void run_blocks(Live& live, std::int64_t blocks) {

@@ -42,6 +42,13 @@ py::object polyline(const Record& record, const std::string& frame, double toler
   return py::make_tuple(x.object, y.object, z.object, move.object, begins.object.attr("view")("?"));
 }
 
+template <class To, class From>
+py::object array_of(const std::vector<From>& from) {
+  const Array<To> array(from.size());
+  std::copy(from.begin(), from.end(), array.data);
+  return array.object;
+}
+
 /// The numbers of a contiguous array of one dimension.
 template <class T>
 const T* numbers(const py::buffer_info& info, std::size_t count) {
@@ -50,6 +57,25 @@ const T* numbers(const py::buffer_info& info, std::size_t count) {
       static_cast<std::size_t>(info.size) != count)
     throw py::type_error("three columns of float64 and one of int32, equally long");
   return static_cast<const T*>(info.ptr);
+}
+
+/// x, y, z, move, key, time of the points that a picture needs, how many there were before,
+/// and at how many of those the way begins anew.
+py::tuple outline(const Record& record, const std::string& frame, double tolerance, double thinner,
+                  std::size_t first, std::size_t last, const py::buffer& key) {
+  const Record::Reading reading(record);
+  const Moves& moves = record.trace().moves;
+  const py::buffer_info of_key = key.request();
+  if (first > last || last > moves.size()) throw py::index_error("no such moves");
+  const auto* const keys = numbers<std::int32_t>(of_key, last - first);
+  const Sampler sampler(moves, frame_of(frame), tolerance, first, last);
+  Outline found;
+  work_away([&](InterruptCheck& interrupt) { found = sampler.outline(keys, thinner, &interrupt); });
+  py::object row = array_of<std::int64_t>(found.row);
+  if (record.trace().first_move != 0) row += py::int_(record.trace().first_move);
+  return py::make_tuple(array_of<double>(found.x), array_of<double>(found.y),
+                        array_of<double>(found.z), row, array_of<std::int32_t>(found.key),
+                        array_of<double>(found.time), found.points, found.begins);
 }
 
 py::object thinned(const py::buffer& x, const py::buffer& y, const py::buffer& z,
@@ -87,6 +113,8 @@ void add_paths(py::class_<Record>& trace) {
   trace
       .def("polyline", &polyline, py::arg("frame"), py::arg("tolerance"), py::arg("first"),
            py::arg("last"), py::arg("most"))
+      .def("outline", &outline, py::arg("frame"), py::arg("tolerance"), py::arg("thinner"),
+           py::arg("first"), py::arg("last"), py::arg("key"))
       .def_property_readonly("diameters",
                              [](const Record& record) {
                                const Record::Reading reading(record);

@@ -27,13 +27,18 @@ struct Array {
 
 /// A step as an object of `row`, the class `Step`: whoever asks for one block after another pays
 /// for no more than that.
-pybind11::object step_object(const Trace& trace, const Code& code, std::size_t index,
-                             const pybind11::type& row);
+pybind11::object step_object(const Trace& trace, const std::shared_ptr<const Code>& code,
+                             std::size_t index, const pybind11::type& row);
 
-/// The table of what was watched, that of the codes that were sent, and the path as points.
+/// The tables of steps, of what was watched and of the codes that were sent, and the path as
+/// points.
+void add_steps(pybind11::class_<Record>& trace);
 void add_watch(pybind11::class_<Record>& trace);
 void add_sent_codes(pybind11::class_<Record>& trace);
 void add_paths(pybind11::class_<Record>& trace);
+
+/// The block of a row of the moves, by what it holds of its step.
+void add_block(pybind11::dict& fields, const Record& record, std::uint32_t step_of_move);
 
 /// What a row of the moves has besides: where it begins, the centre of the tool's arc, whether a
 /// cycle makes it and whether a radius offset holds.

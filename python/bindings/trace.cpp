@@ -11,96 +11,13 @@
 #include "gil.hpp"
 #include "live.hpp"
 #include "rows.hpp"
+#include "step_values.hpp"
 
 namespace py = pybind11;
 
 namespace cncsub::bindings {
 
 namespace {
-
-/// `value` is copied for each part of the steps: it may remember the step before.
-template <class T, class Value>
-py::object step_array(const Record& record, const Value& value) {
-  const auto& steps = record.trace().steps;
-  const Array<T> array(steps.size());
-  T* const out = array.data;
-  work_away([&](InterruptCheck& interrupt) {
-    in_parts(steps.size(), &interrupt, [&](std::size_t first, std::size_t last) {
-      Value own = value;
-      T* next = out + first;
-      steps.for_each_run(first, last, [&](const Trace::Step* rows, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) *next++ = static_cast<T>(own(rows[i]));
-      });
-    });
-  });
-  return array.object;
-}
-
-std::int32_t depth_of_call(const Trace& trace, std::int32_t call) {
-  return call < 0 ? 0 : trace.calls[trace.call_row(call)].depth;
-}
-
-/// Whether a block lies in this program, and not in one that is a part of it; false where that is
-/// not seen at once.
-bool surely_in(const Code& code, std::int32_t program, Address address) {
-  const auto place = static_cast<std::size_t>(program);
-  const Program& guess = code.programs[place];
-  const bool before_next =
-      place + 1 == code.programs.size() || address < code.programs[place + 1].first;
-  return address >= guess.first && before_next && guess.inside == kNoProgram;
-}
-
-py::object step_column(const Record& record, const std::string& name) {
-  const Record::Reading reading(record);
-  const Code& code = record.code();
-  if (name == "step") {
-    const std::size_t size = record.trace().steps.size();
-    const Array<std::int64_t> array(size);
-    std::iota(array.data, array.data + size, record.trace().first_step);
-    return array.object;
-  }
-  if (name == "program") {
-    std::int32_t last = 0;  // most steps lie in the program of the step before
-    return step_array<std::int32_t>(record, [&, last](const Trace::Step& s) mutable {
-      if (!surely_in(code, last, s.address)) last = code.program_at(s.address);
-      return last;
-    });
-  }
-  if (name == "n")
-    return step_array<std::int32_t>(record,
-                                    [&](const Trace::Step& s) { return code.blocks[s.address].n; });
-  if (name == "line")
-    return step_array<std::int32_t>(
-        record, [&](const Trace::Step& s) { return code.blocks[s.address].line; });
-  if (name == "depth")
-    return step_array<std::int32_t>(
-        record, [&](const Trace::Step& s) { return depth_of_call(record.trace(), s.call); });
-  if (name == "frame")
-    return step_array<std::int32_t>(record, [](const Trace::Step& s) { return s.call; });
-  if (name == "repeat")
-    return step_array<std::int32_t>(record, [](const Trace::Step& s) { return s.repeat; });
-  throw py::key_error(name);
-}
-
-py::object step_row(const Record& record, std::size_t index, const py::type& row) {
-  const Record::Reading reading(record);
-  if (index >= record.trace().steps.size()) throw py::index_error("no such step");
-  return step_object(record.trace(), record.code(), index, row);
-}
-
-/// The blocks of some steps as they are written, from row `first` on.
-py::list step_texts(const Record& record, std::size_t first, std::size_t last) {
-  const Record::Reading reading(record);
-  const Code& code = record.code();
-  const auto& steps = record.trace().steps;
-  py::list texts;
-  for (std::size_t i = first; i < std::min(last, steps.size()); ++i) {
-    const std::uint32_t address = steps[i].address;
-    const Program& program = code.programs[static_cast<std::size_t>(code.program_at(address))];
-    texts.append(py::str(std::string(code.text_of(code.blocks[address], program))));
-  }
-  return texts;
-}
 
 py::list dropped(const Record& record) {
   const Record::Reading reading(record);
@@ -195,6 +112,40 @@ bool is_whole(const std::string& name) {
          name == "d" || is_small(name);
 }
 
+/// A column of the moves that follows from their steps: each row holds the last bits of its step,
+/// and then what follows from it; -1 where nobody knows the step any longer.
+py::object column_by_step(const Record& record, const std::string& name) {
+  const Trace& trace = record.trace();
+  const Array<std::int32_t> array(trace.moves.size());
+  std::int32_t* const out = array.data;
+  work_away([&](InterruptCheck& interrupt) {
+    trace.moves.column("step", out, &interrupt);
+    with_step_value(record, name, [&](const auto& value) {
+      in_parts(trace.moves.size(), &interrupt, [&](std::size_t first, std::size_t last) {
+        auto own = value;
+        std::uint32_t known = 0;
+        std::int32_t held = -1;
+        bool any = false;
+        for (std::size_t i = first; i < last; ++i) {
+          const auto bits = static_cast<std::uint32_t>(out[i]);
+          if (!any || bits != known) {
+            const Trace::Step* const step = trace.find_step(trace.step_of_move(bits));
+            held = step == nullptr ? -1 : static_cast<std::int32_t>(own(*step));
+            known = bits;
+            any = true;
+          }
+          out[i] = held;
+        }
+      });
+    });
+  });
+  return array.object;
+}
+
+bool is_of_step(const std::string& name) {
+  return name == "program" || name == "n" || name == "line" || name == "frame" || name == "depth";
+}
+
 /// Steps and moves of this part by their numbers in the run.
 void number_through(const Trace& trace, bool steps, std::int64_t* first, const std::int64_t* last) {
   for (; first != last; ++first)
@@ -227,6 +178,10 @@ py::dict move_columns(const Record& record, const std::vector<std::string>& name
   std::vector<double*> places;
   for (const std::string& name : names) {
     if (columns.contains(name)) continue;  // its array is being filled
+    if (is_of_step(name)) {
+      columns[py::str(name)] = column_by_step(record, name);
+      continue;
+    }
     if (is_whole(name)) {
       columns[py::str(name)] = is_small(name) ? whole_move_column<std::int32_t>(record, name)
                                               : whole_move_column<std::int64_t>(record, name);
@@ -273,6 +228,7 @@ py::dict move_row(const Record& record, std::size_t index) {
   fields["d"] = state.d;
   fields["length"] = row.length;
   fields["time"] = row.time;
+  add_block(fields, record, row.step);
   add_begin(fields, record.trace().moves, index);
   return fields;
 }
@@ -331,32 +287,7 @@ std::vector<std::string> move_axes(const Record& record) {
   return names;
 }
 
-/// A row of a frozen class: its fields, in their order, are set as the class itself sets them.
-template <class... Values>
-py::object row_object(const py::type& row, const Values&... values) {
-  const py::tuple names = row.attr("__match_args__");
-  py::object object = row.attr("__new__")(row);
-  std::size_t place = 0;
-  const auto set = [&](const py::object& value) {
-    const py::object name = names[place++];
-    if (PyObject_GenericSetAttr(object.ptr(), name.ptr(), value.ptr()) != 0)
-      throw py::error_already_set();
-  };
-  (set(values), ...);
-  return object;
-}
-
 }  // namespace
-
-py::object step_object(const Trace& trace, const Code& code, std::size_t index,
-                       const py::type& row) {
-  const Trace::Step step = trace.steps[index];
-  const Block& block = code.blocks[step.address];
-  return row_object(row, py::int_(trace.first_step + static_cast<std::int64_t>(index)),
-                    py::str(code.name_of(code.program_at(step.address))), sequence_number(block.n),
-                    py::int_(block.line), py::int_(depth_of_call(trace, step.call)),
-                    py::int_(step.call), py::int_(step.repeat));
-}
 
 void add_trace(py::module_& m) {
   const auto size = [](auto rows) {
@@ -369,11 +300,8 @@ void add_trace(py::module_& m) {
   add_watch(trace);
   add_sent_codes(trace);
   add_paths(trace);
-  trace.def_property_readonly("steps", size([](const Trace& trace) { return trace.steps.size(); }))
-      .def("step_row", &step_row, py::arg("index"), py::arg("row"))
-      .def("step_column", &step_column, py::arg("name"))
-      .def("step_texts", &step_texts, py::arg("first"), py::arg("last"))
-      .def_property_readonly("program_names", &program_names)
+  add_steps(trace);
+  trace.def_property_readonly("program_names", &program_names)
       .def_property_readonly("calls", size([](const Trace& trace) { return trace.ended_calls(); }))
       .def("call_row", &call_row, py::arg("index"))
       .def("call_column", &call_column, py::arg("name"))

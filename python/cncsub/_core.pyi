@@ -282,6 +282,7 @@ class Code:
     def duplicates(self) -> list[int]: ...
     def __len__(self) -> int: ...  # its programs
     def program(self, index: int) -> ProgramData: ...
+    def place_of(self, address: int) -> tuple[int, int]: ...  # a program, and a block of it
     def names(self, external: bool = False) -> list[str]: ...  # what a name leads to
     def places(self, external: bool = False) -> list[int]: ...  # of the programs of these names
     @property
@@ -353,6 +354,7 @@ class Trace:
     def step_row(self, index: int, row: type[Step]) -> Step: ...
     def step_column(self, name: str) -> np.ndarray[Any, Any]: ...
     def step_texts(self, first: int, last: int) -> list[str]: ...  # the blocks of some rows
+    def step_text_column(self) -> tuple[np.ndarray[Any, Any], list[str]]: ...  # those of all
     @property
     def program_names(self) -> list[str]: ...
     @property
@@ -404,6 +406,18 @@ class Trace:
         self, frame: str, tolerance: float, first: int, last: int, most: int
     ) -> tuple[np.ndarray[Any, Any], ...] | int:
         """x, y, z, move, begins; or the number of points, where that is more than `most`."""
+    def outline(
+        self,
+        frame: str,
+        tolerance: float,
+        thinner: float,
+        first: int,
+        last: int,
+        key: np.ndarray[Any, Any],
+    ) -> tuple[Any, ...]:
+        """x, y, z, move, key and time of the points that a picture needs, how many there were
+        before, and at how many the path begins anew. `key`: by move that of its line.
+        """
     @staticmethod
     def thinned(
         x: np.ndarray[Any, Any],

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from cncsub._core import Alarm, Machine
 from cncsub.program import find_program
-from cncsub.ran import calls_to, place_of, text_of
+from cncsub.ran import calls_to, place_of
 from cncsub.tables import Calls, Steps
 
 _LAST = 8  # steps that are shown, of those before the stop
@@ -96,7 +96,7 @@ def _lines(run: Stopped) -> Iterator[str]:
     yield f"what ran last, of {run.blocks} blocks:" if count else f"{run.blocks} blocks ran"
     for i in range(max(0, count - _LAST), count):
         step = run.steps[i]
-        text = text_of(run, step).strip()
+        text = step.text.strip()
         yield f"  {place_of(step)}, depth {step.depth}" + (f": {text}" if text else "")
     if count and run.alarm is None:  # an alarm tells its calls
         yield from (f"  {line}" for line in calls_to(run, run.steps[count - 1]))

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from cncsub.controls import names_beginning
+from cncsub.options import wrong_use
 from cncsub.printing import shown
 
 _SHOWN = 20  # of the runs that did not end well, as text
@@ -56,20 +57,21 @@ def batch(
     """
     from cncsub.archives import run_many
 
-    try:
-        rows = run_many(
-            paths,
-            control,
-            each=each,
-            external=external,
-            jobs=jobs,
-            out=out,
-            progress=True,
-            max_blocks=max_blocks,
-            max_seconds=max_seconds,
-        )
-    except (OSError, ValueError, ImportError) as error:
-        raise typer.BadParameter(str(error)) from None
+    with wrong_use():
+        try:
+            rows = run_many(
+                paths,
+                control,
+                each=each,
+                external=external,
+                jobs=jobs,
+                out=out,
+                progress=True,
+                max_blocks=max_blocks,
+                max_seconds=max_seconds,
+            )
+        except ImportError as error:
+            raise ValueError(str(error)) from None
     counts = _tell(rows, format)
     if not counts:
         typer.echo("no file was found there", err=True)

@@ -22,17 +22,23 @@ def with_files_beside(path: str, load: Callable[[list[str]], Library]) -> Librar
     files have leads to none of them.
     """
     library = load([path])
-    folder = Path(path).parent
+    folders = folders_of(path)
     for _ in range(MOST_ROUNDS):
         found: dict[str, None] = {}
         for name in missing_programs(library):
-            files = list(files_named(folder, name, library))
+            files = [file for folder in folders for file in files_named(folder, name, library)]
             if len(files) == 1:
                 found[files[0]] = None
         if not found:
             break
         library = load([path, *library.files[1:], *found])
     return library
+
+
+def folders_of(path: str) -> list[Path]:
+    """The folder of a file, and of a link that of the file it leads to."""
+    folder, real = Path(path).parent, Path(os.path.realpath(path)).parent
+    return [folder] if real == Path(os.path.realpath(folder)) else [folder, real]
 
 
 def missing_programs(library: Library) -> list[str]:

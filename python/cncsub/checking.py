@@ -121,8 +121,15 @@ def rule_named(name: str) -> CheckRule:
     """
     found = _BY_NAME.get(name) or _BY_NAME.get(name.upper()) or _BY_NAME.get(name.lower())
     if found is None:
-        raise KeyError(f"check has no rule {name!r}{did_you_mean(name, _BY_NAME)}")
+        first, last = RULES[0].number, RULES[-1].number
+        there = f"; there are {first} to {last}, and CS1, CS2 ... for the groups of them"
+        raise KeyError(f"check has no rule {name!r}{did_you_mean(name, _BY_NAME, there)}")
     return found
+
+
+def rule_names() -> list[str]:
+    """The slugs of all rules."""
+    return [rule.name for rule in RULES]
 
 
 def chosen_rules(names: Iterable[str] | None) -> frozenset[str]:

@@ -33,6 +33,7 @@ from cncsub.options import (
     control_named,
     memory_of,
     run_options,
+    told_idle,
     write_json,
     write_text,
     wrong_use,
@@ -82,6 +83,7 @@ def compare(
         pair = [control_named(name) for name in control]
         library = memory_of({**options, "control": control[0]})
         asked = run_options(options, "moves")
+        told_idle(library, asked)
         if translate:
             made = cncsub.translate(library.read_for(pair[0]), pair[1], main=main, **asked)
             tell_translation(made, output, as_json=format is Format.JSON)

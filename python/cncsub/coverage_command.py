@@ -30,6 +30,7 @@ from cncsub.options import (
     VariablesFile,
     memory_of,
     run_options,
+    told_idle,
     wrong_use,
 )
 from cncsub.printing import Console, console_on, shown
@@ -69,8 +70,10 @@ def coverage(
     with wrong_use():
         library = memory_of(options)
         names: list[str | None] = [*main] if main else [None]
+        asked = run_options(options, "blocks")
+        told_idle(library, asked)
         for name in names:
-            run = library.run(name, **run_options(options, "blocks"))
+            run = library.run(name, **asked)
             total += run.coverage()
             _tell_stop(run, name)
         for path, text in ((html, total.to_html), (lcov, total.to_lcov)):

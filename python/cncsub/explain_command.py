@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 import cncsub
-from cncsub.checking import rule_named
+from cncsub.checking import rule_named, rule_names
 from cncsub.facts import explanations, unknown_alarm
 from cncsub.options import (
     ControlName,
@@ -31,17 +31,21 @@ def explain(
     output: Output = None,
 ) -> None:
     """Tell what an alarm means, what raises it and how to cure it; or what a rule finds."""
-    if re.fullmatch(r"CS\d{3}", alarm, re.IGNORECASE):
+    if re.fullmatch(r"CS\d*", alarm, re.IGNORECASE) or _names_rule(alarm):
         _explain_rule(alarm, format, output)
         return
     among = list(cncsub.controls.values()) if control is None else [control_named(control)]
     facts = explanations(alarm, among)
     if not facts:
-        raise WrongUseError(unknown_alarm(alarm, among))
+        raise WrongUseError(unknown_alarm(alarm, among, rule_names()))
     if format is Format.JSON:
         write_json(output, facts)
     else:
         write_text(output, lambda console: print_explanations(console, facts))
+
+
+def _names_rule(asked: str) -> bool:
+    return asked.lower() in rule_names() and asked.lower() not in cncsub.causes
 
 
 def _explain_rule(name: str, format: Format, output: Path | None) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import asdict
 from typing import Any
 
@@ -293,8 +294,8 @@ def _alarm_entry(entry: Any) -> dict[str, Any]:
     }
 
 
-def unknown_alarm(asked: str, among: list[cncsub.Control]) -> str:
+def unknown_alarm(asked: str, among: list[cncsub.Control], rules: Iterable[str]) -> str:
     numbers = [n for c in among for a in c.alarms.values() for n in _numbers(a) if n]
-    near = did_you_mean(asked, [*cncsub.causes, *dict.fromkeys(numbers)])
+    near = did_you_mean(asked, [*cncsub.causes, *rules, *dict.fromkeys(numbers)])
     where = f" on {among[0].name}" if len(among) == 1 else ""
-    return f"no alarm or cause is called {asked!r}{where}{near}"
+    return f"no alarm, cause or rule is called {asked!r}{where}{near}"

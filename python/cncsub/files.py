@@ -170,8 +170,9 @@ def _near_files(path: Path) -> list[str]:
     except OSError:
         return []
     folded = {name.casefold(): name for name in names}
-    near = difflib.get_close_matches(path.name.casefold(), folded, n=3, cutoff=0.6)
-    return [str(path.parent / folded[name]) for name in near]
+    near = difflib.get_close_matches(path.name.casefold(), folded, n=4, cutoff=0.6)
+    # A link that leads nowhere lies in the folder too.
+    return [str(path.parent / folded[name]) for name in near if folded[name] != path.name][:3]
 
 
 def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None:

@@ -28,6 +28,7 @@ from cncsub.options import (
     memory_of,
     opened,
     run_options,
+    told_idle,
     wrong_use,
 )
 
@@ -66,6 +67,7 @@ def flatten(
         target = None if to is None else control_named(to)
         asked = run_options(options, "moves")
         asked.pop("trace", None)
+        told_idle(library, asked)
         flat = library.flatten(main, control=target, comments=comments, **asked)
     if output is None:
         for piece in flat.pieces():

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterator, Mapping
-from pathlib import Path
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from cncsub._core import Alarm, Control
-from cncsub.beside import files_named
+from cncsub.beside import files_named, folders_of
 from cncsub.library import Library
 from cncsub.notes import Note
-from cncsub.project import project_for
+from cncsub.program import Program
 from cncsub.references import Computed
 from cncsub.run import Run, Stop
 
@@ -23,28 +22,47 @@ MOST_TEXT = 20_000  # letters of a program that are looked at
 
 # How programs of other languages look, and the control here that reads them, if there is one.
 _LANGUAGES: tuple[tuple[str, str, str | None], ...] = (
-    (r"^\s*\d+\s+BEGIN PGM\b", "Heidenhain (Klartext)", None),
+    (r"^ *\d+ +BEGIN PGM\b", "Heidenhain (Klartext)", None),
     (
-        r"^\s*(?:N\d+\s+)?R\d+\s*=|^\s*(?:N\d+\s+)?M17\b|^%_N_\w+_(?:MPF|SPF)",
+        r"^ *(?:N\d+ +)?R\d+ *=|^ *(?:N\d+ +)?M17\b|^%_N_\w+_(?:MPF|SPF)",
         "SINUMERIK",
         "siemens-one",
     ),
-    (r"^\s*o(?:\d+|<\w+>)\s+(?:sub|call|if|while)\b|^\s*#<\w+>\s*=", "LinuxCNC", "linuxcnc"),
-    (r"^\s*(?:N\w+\s+)?(?:CALL\s+O\w+|RTS\b|V[CZ]\d*\w*\s*=)", "Okuma (OSP)", None),
-    (r"^\s*(?:N\d+\s*)?G65\s*H\d+\s*P#", "GSK 980 or FANUC macro A", "gsk-980tdi"),
+    (r"^ *o(?:\d+|<\w+>) +(?:sub|call|if|while)\b|^ *#<\w+> *=", "LinuxCNC", "linuxcnc"),
+    (r"^ *(?:N\w+ +)?(?:CALL +O\w+|RTS\b|V[CZ]\d*\w* *=)", "Okuma (OSP)", None),
+    (r"^ *(?:N\d+ *)?G65 *H\d+ *P#", "GSK 980 or FANUC macro A", "gsk-980tdi"),
 )
 
 
-def hints_of(library: Library, run: Run, asked: Mapping[str, Any], main: Any = None) -> list[str]:
-    """What leads on from the alarm of a run; `asked` are the options it ran with."""
+# Rules by which a control refuses a form of writing. A parameter of these alone lets a block pass
+# that says what it says with either value; any other one would make the program mean something
+# else, which is no cure for an alarm.
+_PERMITS = re.compile(
+    r"refuses:.*|missing_end|cancel_alone|main_return|start_word|omitted_program|conditions:joined"
+)
+
+
+def hints_of(
+    library: Library, run: Run, asked: Mapping[str, Any], main: Any = None, mdi: str | None = None
+) -> list[str]:
+    """What leads on from the alarm of a run; `asked` are the options it ran with, `mdi` what was
+    typed.
+    """
     alarm = run.alarm
     if alarm is None:
         return []
+
+    def again(other: Library, **options: Any) -> Run:
+        if mdi is not None:
+            return other.mdi(mdi, **{**asked, "trace": "calls", "watch": (), **options})
+        return other.run(main, **{**asked, "trace": "calls", "watch": (), **options})
+
     hints = list(_missing_program(library, alarm))
-    if (other := _language(library, alarm)) is not None:
+    if (other := _language(library, run, alarm, mdi, again)) is not None:
         hints.append(other)
     elif not hints:
-        hints += _allowed(library, run, alarm, asked, main)
+        hints += _allowed(library, run, again)
+        hints += () if hints else _joined(library.control, run, alarm)
     return hints
 
 
@@ -62,27 +80,34 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
         yield f"{name} is in the memory, where M98 calls it"
     if not outside and name in library.external:
         yield f"{name} is on the external device, where M198 calls it"
-    beside = files_named(Path(alarm.file).parent, name, library) if alarm.file else ()
-    for file in beside:
+    # What was typed lies in no folder.
+    files = [alarm.file] if alarm.file in library.files else library.files[:1]
+    folders = {folder: None for file in files for folder in folders_of(file)}
+    for file in (file for folder in folders for file in files_named(folder, name, library)):
         yield f"{file} was not read: name it, or its folder, too"
 
 
 # ---- another language ----
 
 
-def _language(library: Library, alarm: Alarm) -> str | None:
+def _language(
+    library: Library, run: Run, alarm: Alarm, mdi: str | None, again: Callable[..., Run]
+) -> str | None:
     """The language that a program seems to be written in, where the control reads another one."""
     program = library.get(alarm.program)
-    if program is None:
+    if program is None and mdi is None:
         return None
-    text = program.text[:MOST_TEXT]
+    text = (mdi or "" if program is None else program.text)[:MOST_TEXT]
     for pattern, name, control in _LANGUAGES:
         if control == library.control.name or not re.search(pattern, text, re.M | re.I):
             continue
         if control is None:
             return f"it seems to be written in the language of {name}, which no control here reads"
-        read = library.read_for(control).run(max_blocks=1_000, trace="none")
-        if read.alarm is None or read.blocks > 0:
+        try:
+            read = again(library.read_for(control), max_blocks=1_000, trace="none")
+        except (KeyError, ValueError):  # it has no such program, variable, axis
+            continue
+        if read.alarm is None or read.blocks > run.blocks:
             return f"it seems to be written for {name}: -c {control}"
     return None
 
@@ -90,28 +115,27 @@ def _language(library: Library, alarm: Alarm) -> str | None:
 # ---- what allows what was refused ----
 
 
-def _allowed(
-    library: Library, run: Run, alarm: Alarm, asked: Mapping[str, Any], main: Any
-) -> Iterator[str]:
+def _allowed(library: Library, run: Run, again: Callable[..., Run]) -> Iterator[str]:
     """Parameters and options with which the run goes past the block: each is tried."""
     if run.blocks > MOST_BLOCKS:
         return
     end = time.monotonic() + MOST_SECONDS
-    options = {**asked, "trace": "calls", "watch": (), "max_blocks": run.blocks + 1}
     told = 0
-    for words, control in _changed(library.control):
+    for words, control in changed_controls(library.control):
         if told == MOST_TOLD or time.monotonic() > end:
             return
-        again = library.read_for(control).run(main, **options)
-        if again.alarm is None and again.stop is not Stop.WAITING and again.blocks >= run.blocks:
+        tried = again(library.read_for(control), max_blocks=run.blocks + 1)
+        if tried.alarm is None and tried.stop is not Stop.WAITING and tried.blocks >= run.blocks:
             told += 1
             yield words
 
 
-def _changed(control: Control) -> Iterator[tuple[str, Control]]:
+def changed_controls(control: Control) -> Iterator[tuple[str, Control]]:
     """The control with one parameter or one option changed, and how to ask for that."""
     for parameter in control.parameters.values():
-        if "#" in parameter.name and parameter.value in (0, 1):
+        rules = parameter.rules
+        permits = bool(rules) and all(map(_PERMITS.fullmatch, rules))
+        if permits and "#" in parameter.name and parameter.value in (0, 1):
             value = 1 - int(parameter.value)
             words = f"--param {parameter.name}={value} lets it pass: {parameter.meaning}"
             yield words, control.with_parameters({parameter.name: value})
@@ -124,29 +148,36 @@ def _changed(control: Control) -> Iterator[tuple[str, Control]]:
             yield f"the control's option {option.name} lets it pass: {option.numbers}", changed
 
 
-# ---- options nobody gave, and options without effect ----
+def _joined(control: Control, run: Run, alarm: Alarm) -> Iterator[str]:
+    """How conditions are joined, where a block joins them otherwise."""
+    if alarm.cause != "if-format" or not re.search(r"\b(?:AND|OR|XOR)\b", str(alarm), re.I):
+        return
+    for parameter in control.parameters.values():
+        if "conditions:joined" in parameter.rules:
+            given = "" if parameter.value else f", with --param {parameter.name}=1"
+            yield f"conditions are joined as IF[[#1EQ#2]AND[#3EQ#4]]{given}: {parameter.meaning}"
 
 
-def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
-    """A note where the control is the project's, because no option named one."""
-    project = project_for(options.get("paths"))
-    if options["control"] is None and project.control is not None:
-        told = f"the control is {project.control}, which the project names"
-        yield Note("defaulted", told, str(project.file))
+# ---- options without effect ----
 
 
-def without_effect(library: Library, asked: Mapping[str, Any]) -> Iterator[Note]:
-    """A note for each option that no block asks for, where the blocks can be read through."""
-    programs = [*library.values(), *library.external.values()]
+def without_effect(
+    library: Library, asked: Mapping[str, Any], typed: Program | None = None
+) -> Iterator[Note]:
+    """A note for each option that no block asks for, where the blocks can be read through; `typed`
+    is what was typed in MDI.
+    """
+    programs = [*library.values(), *library.external.values(), *([typed] if typed else ())]
     if sum(len(program.blocks) for program in programs) > MOST_BLOCKS:
         return
     if variables := asked.get("variables"):
-        read = _read_variables(library)
+        read = _read_variables(programs)
         for number in variables if read is not None else ():
             if number not in (read or ()):
                 yield _note("--set, --variables", f"no block reads #{number}")
     text = "\n".join(program.text for program in programs)
-    if len(library.external) and not any(e.kind == "M198" for e in library.call_graph().edges):
+    called = any(e.kind == "M198" for e in library.call_graph().edges)
+    if len(library.external) and not called and not (typed and _calls_outside(typed)):
         yield _note("--external", "no block calls a program of the external device by M198")
     if asked.get("block_skip") and "/" not in text:
         yield _note("--skip", "no block has a slash")
@@ -154,8 +185,12 @@ def without_effect(library: Library, asked: Mapping[str, Any]) -> Iterator[Note]
         yield _note("--optional-stop", "no block has M01")
     inputs = asked.get("inputs")
     if inputs is not None:
-        if inputs.skips and not re.search(r"G\s*(?:0*31|36|37|38|04|4)(?!\d)", text, re.I):
-            yield _note("--inputs", "skips are told, but no block waits for a skip signal")
+        read = _read_variables(programs)
+        for number in inputs.signals if read is not None else ():
+            if number not in (read or ()):
+                yield _note("--inputs", f"the signal #{number} is told, which no block reads")
+        if (inputs.skips or inputs.workpiece) and not re.search(r"G\s*(?:0*31|36|37|38|04|4)(?!\d)", text, re.I):
+            yield _note("--inputs", "what is touched is told, but no block probes")
         for code in inputs.answers:
             number = code[1:].lstrip("0") or "0"
             if not re.search(rf"{code[0]}0*{number}(?!\d)", text, re.I):
@@ -166,10 +201,14 @@ def _note(option: str, message: str) -> Note:
     return Note("no-effect", f"no effect: {message}", option)
 
 
-def _read_variables(library: Library) -> set[int] | None:
+def _calls_outside(program: Program) -> bool:
+    return any(call.kind == "M198" for block in program.blocks for call in block.calls)
+
+
+def _read_variables(programs: Iterable[Program]) -> set[int] | None:
     """The variables that blocks read by number; `None` where one is computed."""
     found: set[int] = set()
-    for program in [*library.values(), *library.external.values()]:
+    for program in programs:
         for block in program.blocks:
             for use in block.reads:
                 if isinstance(use.variable, Computed):

@@ -5,6 +5,7 @@ probe.
 from __future__ import annotations
 
 import dataclasses
+import math
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -224,7 +225,7 @@ def _variables(what: str, values: object) -> dict[int, float | None]:
 
 
 def _value(what: str, value: object) -> float | None:
-    """A number, or None for vacant; NaN is vacant too."""
+    """A number, or None for vacant."""
     if value is None:
         return None
     try:
@@ -233,9 +234,11 @@ def _value(what: str, value: object) -> float | None:
         number = float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{what} takes a number or None (vacant), not {value!r}") from None
-    if abs(number) > LARGEST_VALUE:  # NaN is not
+    if math.isnan(number):
+        raise ValueError(f"{what} takes a number or None (vacant), not nan")
+    if abs(number) > LARGEST_VALUE:
         raise ValueError(f"{what} takes a number up to {LARGEST_VALUE:g}, not {value!r}")
-    return None if number != number else number
+    return number
 
 
 def _is_whole(number: object) -> bool:

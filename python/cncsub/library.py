@@ -675,5 +675,5 @@ def _switches(block_skip: object) -> tuple[int, ...]:
         )
     switches = tuple(_whole("block_skip", switch, 1) for switch in block_skip)
     if any(switch > 9 for switch in switches):
-        raise ValueError(f"the block-skip switches are 1 to 9, not {max(switches)}")
+        raise ValueError(f"block_skip: the block-skip switches are 1 to 9, not {max(switches)}")
     return switches

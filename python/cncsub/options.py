@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import enum
 import json
+import math
 import os
 import re
 import sys
@@ -80,7 +81,8 @@ Param = Annotated[
     typer.Option(help="A parameter of the control: 6050=70, 6001#5=1.", metavar="NAME=VALUE"),
 ]
 Skip = Annotated[
-    list[int] | None, typer.Option(help="A block-skip switch that is on, 1 to 9.", metavar="N")
+    list[int] | None,
+    typer.Option(help="A block-skip switch that is on, 1 to 9.", metavar="N"),
 ]
 External = Annotated[
     Path | None, typer.Option(help="The folder of the external device, which M198 reads.")
@@ -118,18 +120,41 @@ Output = Annotated[
 ]
 
 
+# How the command line calls what Python calls otherwise.
+_OPTIONS = {
+    "block_skip": "--skip",
+    "coordinates": "--machine",
+    "most": "--points",
+    "variables": "--set, --variables",
+    **{
+        name: "--" + name.replace("_", "-")
+        for name in (
+            *("color", "each", "encoding", "external", "inputs", "jobs", "max_blocks"),
+            *("max_cycles", "max_seconds", "out", "over", "prefer", "setup", "start", "watch"),
+        )
+    },
+}
+_OPTION = re.compile(rf"({'|'.join(_OPTIONS)})(?=[:,]| (?:is|must|takes|names|holds|has)\b)")
+
+
 @contextlib.contextmanager
 def wrong_use() -> Iterator[None]:
-    """Every wrong option is a usage error."""
+    """Every wrong option is a usage error, which calls it as the command line does."""
     try:
         yield
     except KeyError as error:
-        raise WrongUseError(str(error.args[0])) from None
+        raise WrongUseError(_by_option(error.args[0])) from None
     except OSError as error:
         named = f"{error.filename}: " if error.filename else ""
         raise WrongUseError(f"{named}{error.strerror or error}") from None
     except (ValueError, TypeError) as error:
-        raise WrongUseError(str(error)) from None
+        raise WrongUseError(_by_option(error)) from None
+
+
+def _by_option(error: object) -> str:
+    words = str(error)
+    name = _OPTION.match(words)
+    return words if name is None else _OPTIONS[name[1]] + words[name.end() :]
 
 
 def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
@@ -248,6 +273,8 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
     paths = options["paths"] or (project.folders if options["mdi"] is None else ())
     if options.get("prefer") and (not paths or paths == ["-"]):
         raise ValueError("--prefer chooses between files: name the files or folders to read")
+    if "-" in paths and len(paths) > 1:
+        raise ValueError("- is the standard input, and is read alone: leave it out, or the files")
     if paths == ["-"]:
         text = sys.stdin.buffer.read()
         return cncsub.loads(text, encoding=options["encoding"], **places)
@@ -279,11 +306,36 @@ def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
         Note("beside", "read too, because a call names its program", file)
         for file in files_beside(options, library)
     ]
-    return beside + [
+    return [*defaulted(options), *beside] + [
         note
         for note in library.notes
         if note.kind != "left-out" or os.path.realpath(note.file) not in known
     ]
+
+
+def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
+    """A note where the control is the project's, because no option named one."""
+    project = project_for(options.get("paths"))
+    if options["control"] is None and project.control is not None:
+        told = f"the control is {project.control}, which the project names"
+        yield Note("defaulted", told, str(project.file))
+
+
+def told_idle(
+    library: cncsub.Library, asked: Mapping[str, Any], typed: cncsub.Program | None = None
+) -> list[Note]:
+    """Tells which options no block asks for; `typed` is what was typed in MDI."""
+    from cncsub.hints import without_effect
+
+    idle = list(without_effect(library, asked, typed))
+    tell_all(idle)
+    return idle
+
+
+def typed_in(run: cncsub.Run) -> cncsub.Program:
+    """What was typed in MDI, as a program: the last one of the memory."""
+    code = run._core.code
+    return cncsub.Program(code.program(len(code) - 1), len(code) - 1)
 
 
 MOST_NOTES = 20
@@ -346,7 +398,11 @@ def _named_value(option: str, text: str) -> tuple[str, float]:
 
 
 def _vacant(value: str) -> float | None:
-    return None if value.strip().lower() in ("vacant", "none", "#0") else float(value)
+    if value.strip().lower() in ("vacant", "none", "#0"):
+        return None
+    if not math.isfinite(number := float(value)):
+        raise ValueError
+    return number
 
 
 def _assignment(

@@ -30,6 +30,7 @@ from cncsub.options import (
     memory_of,
     run_options,
     status_of,
+    told_idle,
     wrong_use,
 )
 from cncsub.plot_page import page_of
@@ -41,7 +42,7 @@ Of = Annotated[
     str, typer.Option("--of", help="What is drawn: path, calls, programs, watch.", metavar="WHAT")
 ]
 Color = Annotated[
-    str,
+    str | None,
     typer.Option(
         "--color",
         help="Of the path: kind, program, call, tool, depth, feed, time, z.",
@@ -56,18 +57,27 @@ Over = Annotated[
     typer.Option("--over", help="Of calls and watch: time or steps.", metavar="AXIS"),
 ]
 Points = Annotated[
-    int, typer.Option("--points", help="So many points of the path may be drawn.", metavar="N")
+    int | None,
+    typer.Option("--points", help="So many points of the path may be drawn: 60000.", metavar="N"),
 ]
+# What is asked of one drawing only.
+_ONLY = {
+    "color": ("path",),
+    "machine": ("path",),
+    "points": ("path",),
+    "over": ("calls", "watch"),
+    "watch": ("watch",),
+}
 
 
 def plot(
     paths: Paths = None,
     control: ControlName = None,
     of: Of = "path",
-    color: Color = "kind",
+    color: Color = None,
     machine: MachineCoordinates = False,
     over: Over = None,
-    points: Points = 60_000,
+    points: Points = None,
     main: Main = None,
     set: Set = None,
     variables: VariablesFile = None,
@@ -94,10 +104,15 @@ def plot(
             raise ValueError("which file? Give -o path.html")
         if of not in _OF:
             raise ValueError(f"--of is one of {', '.join(_OF)}, not {of!r}")
+        for name, drawings in _ONLY.items():
+            if options[name] not in (None, False) and of not in drawings:
+                raise ValueError(f"--{name} goes with --of {' or '.join(drawings)}, not {of}")
         if of == "watch" and not watch:
             raise ValueError("which variables? Give --watch 100-149,500")
         library = memory_of(options)
-        run = library.run(main, **run_options(options, "moves"))
+        asked = run_options(options, "moves")
+        told_idle(library, asked)
+        run = library.run(main, **asked)
         try:
             figure = _figure(library, run, options)
         except ImportError as error:
@@ -117,4 +132,6 @@ def _figure(library: cncsub.Library, run: cncsub.Run, options: dict[str, Any]) -
     if options["of"] == "watch":
         return run.watch.plot(**over)
     where = "machine" if options["machine"] else "work"
-    return run.plot(color=options["color"], coordinates=where, most=options["points"])
+    asked = {"color": options["color"], "most": options["points"]}
+    asked = {name: value for name, value in asked.items() if value is not None}
+    return run.plot(coordinates=where, **asked)

@@ -42,7 +42,7 @@ _SCRIPT = """
     if (scene) {
       layout.height = Math.max(least, window.innerHeight);
       var room = layout.height - layout.margin.t - layout.margin.b;
-      var share = Math.min(1, 0.8 * (at.clientWidth - 32) / room);
+      var share = Math.min(1, 0.66 * (at.clientWidth - 32) / room);
       var ratio = {};
       for (var side in scene.aspectratio) ratio[side] = scene.aspectratio[side] * share;
       layout.scene = Object.assign({}, scene, { aspectratio: ratio });

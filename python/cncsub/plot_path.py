@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from cncsub import _core
-from cncsub.plot_player import marker, player
+from cncsub.plot_colours import (
+    BANDS,
+    COLOURED_BY,
+    COMPENSATION,
+    MOST_NAMES,
+    RAPID,
+    SCALE,
+    WORDS,
+    Moved,
+    mixed,
+)
+from cncsub.plot_player import Instants, Line, marker, player
 from cncsub.plot_points import Drawn, drawn_path, line_runs
 from cncsub.plotting import (
-    COLOURS,
     OTHERS,
     SOLID_GRID,
     TEXT,
@@ -32,40 +42,8 @@ if TYPE_CHECKING:
 
 MOST = 60_000  # points of a picture
 _DENSE = 4_000  # points from which lines are thin
-_BANDS = 24  # of colours that go over into each other
-_MOST_NAMES = 11  # colours beside that of the rest
-_SCENE = 1.9  # the diagonal of what is drawn, in the units of a camera
-_FAMILIES = ("rapid", "feed", "cycle", "compensation")
-_WORDS = {
-    "rapid": "rapid",
-    "feed": "feed",
-    "cycle": "canned cycle",
-    "compensation": "radius compensation",
-}
-_FAMILY_COLOURS = {
-    "rapid": "#d9534f",
-    "feed": "#3d8fd6",
-    "cycle": "#2fa36b",
-    "compensation": "#b565d8",
-}
-_BY_NAME = ("kind", "program", "call", "tool", "depth")
-_BY_VALUE = {"feed": "F", "time": "s", "z": "mm"}
-COLOURED_BY = (*_BY_NAME, *_BY_VALUE)
-
-
-@dataclass(frozen=True)
-class Colouring:
-    """The colour of each move: a name of few, or a value on a scale."""
-
-    by: str
-    codes: Numbers  # by move, int32: a name, or a band of values
-    names: list[str]  # of the codes, where they are names
-    colours: list[str]
-    values: Numbers | None = None  # by move
-
-    @property
-    def scaled(self) -> bool:
-        return self.values is not None
+_SCENE = 2.4  # the diagonal of what is drawn, in the units of a camera
+_CODES = BANDS + MOST_NAMES  # of colours: more than there are
 
 
 def path_figure(
@@ -100,6 +78,22 @@ def _title(run: Recorded, first: int, last: int) -> str:
     return f"{name}: {count(last - first, 'move')}{part}"
 
 
+@dataclass(frozen=True)
+class _Stretches:
+    """Some of the lines of a path, as one trace of a figure."""
+
+    places: Numbers  # of its points in the path; -1 between two lines
+    starts: Numbers  # whether a line begins at a point
+    name: str
+    colours: Sequence[str]
+    codes: Numbers | int = 0  # of the points: which of the colours
+    dash: str | None = None
+    width: float = 4
+    group: str | None = None
+    listed: bool = False
+    told: bool = True  # what stands under the pointer
+
+
 class _Picture:
     def __init__(
         self, run: Recorded, color: str, coordinates: str, first: int, last: int, most: int
@@ -109,121 +103,74 @@ class _Picture:
         self.coordinates = coordinates
         self.first, self.last, self.most = first, last, most
         self.number = run.moves[0].move  # of the first row
-        self.families = self._families()
-        self.times = self._column("time").cumsum()
-        self.colouring = self._colouring(color)
+        self.moved = Moved(run, coordinates, first, last)
+        self.families = self.moved.families
+        self.colouring = self.moved.coloured(color)
         self.places = Places(self.core)
-
-    def _column(self, name: str) -> Numbers:
-        column: Numbers = self.core.move_columns([name])[name]
-        return column[self.first : self.last]
-
-    def _families(self) -> Numbers:
-        """By move: rapid, feed, cycle, compensation."""
-        kinds = self._column("kind")
-        families = np.ones(len(kinds), dtype=np.int32)
-        families[self._column("compensated") != 0] = 3
-        families[self._column("cycle") != 0] = 2
-        families[kinds == self.core.move_kinds.index("rapid")] = 0
-        return families
-
-    # ---- colours ----
-
-    def _colouring(self, by: str) -> Colouring:
-        if by == "kind":
-            words = [_WORDS[name] for name in _FAMILIES]
-            return Colouring(by, self.families, words, [_FAMILY_COLOURS[f] for f in _FAMILIES])
-        if by in _BY_VALUE:
-            values = self._values(by)
-            low, high = float(values.min()), float(values.max())
-            wide = (high - low) or 1.0
-            bands = np.minimum((values - low) / wide * _BANDS, _BANDS - 1).astype(np.int32)
-            return Colouring(by, bands, [], [], values)
-        return self._named(by)
-
-    def _values(self, by: str) -> Numbers:
-        if by == "time":
-            return self.times
-        if by == "feed":
-            return self._column("feed")
-        return self._column("z" if self.coordinates == "work" else "mz")
-
-    def _named(self, by: str) -> Colouring:
-        found, codes = np.unique(self._codes(by), return_inverse=True)
-        names = [self._name(by, int(code)) for code in found]
-        if len(names) <= _MOST_NAMES + 1:
-            return Colouring(by, codes.astype(np.int32), names, _cycle(len(names)))
-        # The names with the longest way have colours, the rest shares one.
-        way = np.bincount(codes, weights=self._column("length"), minlength=len(names))
-        kept = np.sort(np.argsort(-way, kind="stable")[:_MOST_NAMES])
-        place = np.full(len(names), _MOST_NAMES, dtype=np.int32)
-        place[kept] = np.arange(_MOST_NAMES)
-        rest = f"{len(names) - _MOST_NAMES:,} others"
-        return Colouring(
-            by, place[codes], [*(names[k] for k in kept), rest], [*_cycle(_MOST_NAMES), OTHERS]
-        )
-
-    def _codes(self, by: str) -> Numbers:
-        if by == "tool":
-            return self._column("tool")
-        column = self.core.step_column({"call": "frame"}.get(by, by))
-        if not len(column):
-            return np.zeros(self.last - self.first, dtype=np.int32)
-        steps = self._column("step") - int(self.run.steps[0].step)
-        found: Numbers = column[np.clip(steps, 0, len(column) - 1)]
-        return found
-
-    def _name(self, by: str, code: int) -> str:
-        if by == "program":
-            return self.core.program_names[code]
-        if by == "tool":
-            return f"T{code}" if code else "no tool"
-        if by == "depth":
-            return f"{count(code, 'call')} deep" if code else "main program"
-        if code < 0:
-            return "main program"
-        calls = self.run.calls
-        if code < len(calls) and calls[code].call == code:
-            return f"{calls[code].kind} {calls[code].program}, call {code}"
-        return f"call {code}"
 
     # ---- the path ----
 
     def _key_of_moves(self) -> Numbers:
-        dwell = self._column("kind") == self.core.move_kinds.index("dwell")
-        keys = self.families * np.int32(_BANDS + _MOST_NAMES) + self.colouring.codes
+        keys = self.families * np.int32(_CODES) + self.colouring.codes
         # What stands still draws no line; its point goes with the line before.
+        dwell = self.moved.column("kind") == self.core.move_kinds.index("dwell")
         if dwell.any():
             rows = np.where(dwell, 0, np.arange(len(keys)))
             keys = keys[np.maximum.accumulate(rows)]
-        return keys.astype(np.int32)
+        return keys.astype(np.int32, copy=False)
 
     # ---- the figure ----
 
     def figure(self, title: str, play: bool) -> Any:
-        keys = self._key_of_moves()
-        compensated = self.families == 3
+        compensated = self.families == COMPENSATION
         both = self.coordinates == "work" and bool(compensated.any())
         share = self.most * 2 // 3 if both else self.most
         rows = (self.first, self.last)
-        drawn = drawn_path(self.core, self.coordinates, rows, keys, share)
-        hover = self._hover(drawn)
-        data = list(self._traces(drawn, hover))
+        drawn = drawn_path(self.core, self.coordinates, rows, self._key_of_moves(), share)
         told = [self._told(drawn, both), *drawn.told]
+        tool = None
         if both:
             of_tool = np.where(compensated, 0, -1).astype(np.int32)
             tool = drawn_path(self.core, "tool", rows, of_tool, self.most // 3)
-            data.append(self._tool_trace(tool))
             told += [f"The tool: {text}" for text in tool.told]
-        frames: list[dict[str, Any]] = []
-        more: dict[str, Any] = {}
-        if play:
-            data.append(marker(drawn))
-            frames, more = player(drawn, self._ended(drawn), len(data) - 1)
+        instants = Instants(drawn.points) if play else None
+        if instants is not None:
+            drawn = instants.marked(drawn)
+            tool = None if tool is None else instants.marked(tool)
+        data, more = self._data(drawn, tool, instants)
         layout = {"scene": self._scene(drawn), **more}
+        frames = layout.pop("frames", [])
         return figure(
             data, layout, title=title, told=told, frames=frames, below=72 if play else 0, height=500
         )
+
+    def _data(
+        self, drawn: Drawn, tool: Drawn | None, instants: Instants | None
+    ) -> tuple[list[dict[str, Any]], dict[str, Any]]:
+        """The traces; and the instants of the slider."""
+        hover = self._hover(drawn)
+        paths = [(drawn, some) for some in self._stretches(drawn)]
+        if tool is not None:
+            paths.append((tool, self._of_tool(tool)))
+        data: list[dict[str, Any]] = []
+        lines = []
+        for of, some in paths:
+            text = hover if some.told else None
+            if instants is None:
+                data.append(self._trace(of, some, text, self._plain(of, some)))
+                continue
+            line = Line(len(of.points), some.colours)
+            numbers = {"color": line.numbers(some.places, some.codes), **line.as_whole()}
+            lines.append((len(data), line, instants.reached(of.points)))
+            data.append({**self._trace(of, some, text, numbers), "showlegend": False})
+        if instants is None:
+            return data, {}
+        data += [_entry(some) for _, some in paths if some.listed]
+        if self.colouring.scaled:
+            data.append(self._scale_beside(drawn))
+        data.append(marker(drawn))
+        frames, more = player(instants, drawn, lines, len(data) - 1)
+        return data, {"frames": frames, **more}
 
     def _told(self, drawn: Drawn, both: bool) -> str:
         if self.coordinates == "machine":
@@ -239,155 +186,161 @@ class _Picture:
                 )
         if self.core.diameters & 1:
             words += " X is drawn as a radius."
-        if (self.families == 0).any():
+        if (self.families == RAPID).any():
             words += (
                 " Rapid moves are drawn straight; a control may lead each axis at its own rate."
             )
         return words
 
     def _hover(self, drawn: Drawn) -> list[str]:
-        rows = drawn.move - self.number
+        moves = drawn.points.move
         columns = self.core.move_columns(["step", "feed", "tool", "kind"])
-        picked = [columns[name][rows].tolist() for name in ("step", "kind", "feed", "tool")]
-        ends = self.times[rows - self.first].tolist()
+        names = ("step", "kind", "feed", "tool")
+        picked = [columns[name][moves - self.number].tolist() for name in names]
         kinds, of = self.core.move_kinds, self.places.of
         texts: list[str] = []
         known: dict[int, str] = {}
-        for move, end, step, kind, feed, tool in zip(drawn.move.tolist(), ends, *picked):
+        times = drawn.points.time.tolist()
+        for move, time, step, kind, feed, tool in zip(moves.tolist(), times, *picked):
             text = known.get(move)
             if text is None:
                 word = kinds[kind] + ("" if kinds[kind] == "rapid" else f" F{feed:g}")
-                text = known[move] = (
-                    f"{of(step)}<br>{word}, T{tool}, move {move:,}, step {step:,}, {clock(end)}"
-                )
-            texts.append(text)
+                text = known[move] = f"{of(step)}<br>{word}, T{tool}, move {move:,}, step {step:,}"
+            texts.append(f"{text}, {clock(time)}")
         return texts
 
-    def _traces(self, drawn: Drawn, hover: list[str]) -> Iterator[dict[str, Any]]:
-        wide = _BANDS + _MOST_NAMES
-        family = np.where(drawn.keys < 0, -1, drawn.keys // wide)
-        code = drawn.keys % wide
-        rapid = family == 0
+    # ---- its lines ----
+
+    def _stretches(self, drawn: Drawn) -> Iterator[_Stretches]:
+        family = np.where(drawn.keys < 0, -1, drawn.keys // _CODES)
+        code = drawn.keys % _CODES
+        rapid = family == RAPID
+        thin = 1 if len(drawn.points) > _DENSE else 2  # of rapid moves; others are twice as wide
         if self.colouring.scaled:
-            if (family > 0).any():
-                yield self._trace(drawn, hover, family > 0, scaled=True)
+            if (family > RAPID).any():
+                places, starts = line_runs(family > RAPID, drawn.keys)
+                bands = [mixed((band + 0.5) / BANDS) for band in range(BANDS)]
+                shown = np.minimum(self._shares(drawn, places, starts) * BANDS, BANDS - 1)
+                yield _Stretches(places, starts, "", bands, shown.astype(int), width=2 * thin)
             if rapid.any():
-                yield self._trace(drawn, hover, rapid, name="rapid", colour=OTHERS, dash=True)
+                runs = line_runs(rapid, drawn.keys)
+                yield _Stretches(*runs, "rapid", [OTHERS], dash="dash", width=thin)
             return
         of_kind = self.colouring.by == "kind"
         for place, (name, colour) in enumerate(zip(self.colouring.names, self.colouring.colours)):
             mine = (code == place) & (family >= 0)
             cutting, quick = mine & ~rapid, mine & rapid
+            alone = of_kind or not cutting.any()
             group = f"{place}"
             if cutting.any():
-                yield self._trace(drawn, hover, cutting, name=name, colour=colour, group=group)
+                runs = line_runs(cutting, drawn.keys)
+                yield _Stretches(
+                    *runs, name, [colour], width=2 * thin, group=group, listed=True
+                )
             if quick.any():
-                yield self._trace(
-                    drawn,
-                    hover,
-                    quick,
-                    name=name if of_kind or not cutting.any() else f"{name}, rapid",
-                    colour=colour,
+                yield _Stretches(
+                    *line_runs(quick, drawn.keys),
+                    name if alone else f"{name}, rapid",
+                    [colour],
+                    dash="dash",
+                    width=thin,
                     group=group,
-                    dash=True,
-                    listed=of_kind or not cutting.any(),
+                    listed=alone,
                 )
 
+    def _of_tool(self, tool: Drawn) -> _Stretches:
+        runs = line_runs(tool.keys == 0, tool.keys)
+        name = "tool, radius offset"
+        colours = ["#c9a227"]
+        return _Stretches(*runs, name, colours, dash="dot", width=3, listed=True, told=False)
+
     def _trace(
-        self,
-        drawn: Drawn,
-        hover: list[str],
-        mask: Numbers,
-        *,
-        name: str = "",
-        colour: str = "",
-        group: str | None = None,
-        dash: bool = False,
-        listed: bool = True,
-        scaled: bool = False,
+        self, drawn: Drawn, some: _Stretches, hover: list[str] | None, line: dict[str, Any]
     ) -> dict[str, Any]:
-        places, starts = line_runs(mask, drawn.keys)
-        gaps = places < 0
-        points = drawn.points[places]
-        points[gaps] = np.nan
-        text = [None if place < 0 else hover[place] for place in places.tolist()]
-        many = len(drawn.points) > _DENSE
-        line: dict[str, Any] = {"width": (1 if many else 2) if dash else (2 if many else 4)}
-        if scaled:
-            line |= self._scale(drawn, places, starts)
-        else:
-            line["color"] = colour
-        if dash:
-            line["dash"] = "dash"
-        return {
+        points = drawn.xyz[some.places]
+        points[some.places < 0] = np.nan
+        words = "the tool" if hover is None else "%{text}"
+        trace = {
             "type": "scatter3d",
             "mode": "lines",
             "x": points[:, 0],
             "y": points[:, 1],
             "z": points[:, 2],
-            "text": text,
-            "hovertemplate": "%{text}<br>X%{x:.3f} Y%{y:.3f} Z%{z:.3f}<extra></extra>",
-            "name": shown_text(name),
-            "legendgroup": group,
-            "showlegend": listed and not scaled,
-            "line": line,
+            "hovertemplate": f"{words}<br>X%{{x:.3f}} Y%{{y:.3f}} Z%{{z:.3f}}<extra></extra>",
+            "name": shown_text(some.name),
+            "legendgroup": some.group,
+            "showlegend": some.listed,
+            "line": {"width": some.width, "dash": some.dash, **line},
             "connectgaps": False,
         }
+        if hover is not None:
+            trace["text"] = [None if at < 0 else hover[at] for at in some.places.tolist()]
+        return trace
 
-    def _scale(self, drawn: Drawn, places: Numbers, starts: Numbers) -> dict[str, Any]:
-        """A colour for each point: that of the line that leads there, at its start that which it
+    # ---- what is coloured by a value ----
+
+    def _plain(self, drawn: Drawn, some: _Stretches) -> dict[str, Any]:
+        """The colour of lines that nothing plays."""
+        if len(some.colours) == 1:
+            return {"color": some.colours[0]}
+        colours = self._shown(drawn, some.places, some.starts)
+        return {"color": colours, **self._whole_scale(drawn), "showscale": True}
+
+    def _shown(self, drawn: Drawn, places: Numbers, starts: Numbers) -> Numbers:
+        """A value for each point: that of the line that leads there, at its start that which it
         begins with.
         """
         values = self.colouring.values
         assert values is not None
-        rows = drawn.move - (self.number + self.first)
-        shown = values[rows]
+        points = drawn.points
         if self.colouring.by == "time":
-            took = np.diff(values, prepend=0.0)
-            shown = shown - took[rows] * (1 - drawn.part)
-        elif self.colouring.by == "z":
-            shown = drawn.points[:, 2]
-        colours = shown[places].astype(float)
-        if self.colouring.by == "feed":  # the start of a line has the feed of the line
-            begun = np.flatnonzero(starts)
-            colours[begun] = shown[places[begun + 1]]
-        words = {"feed": "feed, mm/min or mm/rev", "time": "time, s", "z": "Z, mm"}
-        low, high = float(np.nanmin(colours)), float(np.nanmax(colours))
+            return points.time[places]
+        if self.colouring.by == "z":
+            return points.z[places]
+        feeds = values[points.move - (self.number + self.first)]
+        shown: Numbers = feeds[places]
+        begun = np.flatnonzero(starts)  # the start of a line has the feed of the line
+        shown[begun] = feeds[places[begun + 1]]
+        return shown
+
+    def _limits(self, drawn: Drawn) -> tuple[float, float]:
+        cutting = drawn.keys // _CODES > RAPID
+        places, starts = line_runs(cutting, drawn.keys)
+        shown = self._shown(drawn, places, starts)[places >= 0]
+        return float(shown.min()), float(shown.max())
+
+    def _shares(self, drawn: Drawn, places: Numbers, starts: Numbers) -> Numbers:
+        low, high = self._limits(drawn)
+        shares = (self._shown(drawn, places, starts) - low) / ((high - low) or 1.0)
+        return np.clip(shares, 0.0, 1.0)
+
+    def _whole_scale(self, drawn: Drawn) -> dict[str, Any]:
+        low, high = self._limits(drawn)
         ticks = {} if high > low else {"tickvals": [low], "ticktext": [f"{low:g}"]}
         return {
-            "color": colours,
-            "colorscale": _SCALE,
+            "colorscale": SCALE,
             "cmin": low if high > low else low - 1,
             "cmax": high if high > low else high + 1,
             "colorbar": {
-                "title": {"text": words[self.colouring.by], "side": "right"},
+                "title": {"text": WORDS[self.colouring.by], "side": "right"},
                 "thickness": 12,
                 "len": 0.7,
                 "outlinewidth": 0,
                 **ticks,
             },
-            "showscale": True,
         }
 
-    def _tool_trace(self, tool: Drawn) -> dict[str, Any]:
-        places, _ = line_runs(tool.keys == 0, tool.keys)
-        points = tool.points[places]
-        points[places < 0] = np.nan
-        return {
-            "type": "scatter3d",
-            "mode": "lines",
-            "x": points[:, 0],
-            "y": points[:, 1],
-            "z": points[:, 2],
-            "name": "tool, radius offset",
-            "line": {"width": 3, "color": "#c9a227", "dash": "dot"},
-            "hovertemplate": "the tool<br>X%{x:.3f} Y%{y:.3f} Z%{z:.3f}<extra></extra>",
-        }
+    def _scale_beside(self, drawn: Drawn) -> dict[str, Any]:
+        """The scale of the colours, whose line shows how far the path has come."""
+        beside = {"color": [0.0], **self._whole_scale(drawn), "showscale": True}
+        return {**_nowhere("markers"), "marker": beside, "showlegend": False}
+
+    # ---- where one looks from ----
 
     def _scene(self, drawn: Drawn) -> dict[str, Any]:
-        flat = float(np.ptp(drawn.points[:, 1])) < 1e-9 < float(np.ptp(drawn.points[:, 0]))
+        flat = float(np.ptp(drawn.points.y)) < 1e-9 < float(np.ptp(drawn.points.x))
         turning = flat and bool(self.core.diameters & 1)
-        flat_z = not turning and float(np.ptp(drawn.points[:, 2])) < 1e-9
+        flat_z = not turning and float(np.ptp(drawn.points.z)) < 1e-9
         camera: dict[str, Any] = {"projection": {"type": "orthographic"}}
         if turning:  # as on the drawing: Z to the right, X up
             camera |= {"eye": {"x": 0, "y": 2, "z": 0}, "up": {"x": 1, "y": 0, "z": 0}}
@@ -411,7 +364,7 @@ class _Picture:
         if turning or flat_z:  # one looks along it
             axes["yaxis" if turning else "zaxis"]["visible"] = False
         # As long as it is, whatever its shape: one millimetre is as long on every axis.
-        sides = np.maximum(np.ptp(drawn.points, axis=0), 1e-3)
+        sides = np.maximum(np.ptp(drawn.xyz, axis=0), 1e-3)
         sides = np.maximum(sides, sides.max() / 50) / float(np.linalg.norm(sides))
         ratio = {letter: float(side) * _SCENE for letter, side in zip("xyz", sides)}
         return {
@@ -422,17 +375,19 @@ class _Picture:
             "dragmode": "orbit",
         }
 
-    def _ended(self, drawn: Drawn) -> Numbers:
-        """When each drawn point is reached, s."""
-        rows = drawn.move - (self.number + self.first)
-        took = np.diff(self.times, prepend=0.0)
-        ended: Numbers = self.times[rows] - took[rows] * (1 - drawn.part)
-        return ended
+
+def _nowhere(mode: str) -> dict[str, Any]:
+    """A trace that draws nothing."""
+    none = {axis: [None] for axis in "xyz"}
+    return {"type": "scatter3d", "mode": mode, **none, "hoverinfo": "skip"}
 
 
-# From blue over green to orange: as dark at one end as at the other, and told apart by most eyes.
-_SCALE = [[0.0, "#3b5bdb"], [0.33, "#1c9c8f"], [0.66, "#c9a227"], [1.0, "#e8590c"]]
-
-
-def _cycle(colours: int) -> list[str]:
-    return [COLOURS[place % len(COLOURS)] for place in range(colours)]
+def _entry(some: _Stretches) -> dict[str, Any]:
+    """A line of the legend, for a line whose own colours tell how far the path has come."""
+    return {
+        **_nowhere("lines"),
+        "name": shown_text(some.name),
+        "legendgroup": some.group,
+        "showlegend": True,
+        "line": {"width": some.width, "dash": some.dash, "color": some.colours[0]},
+    }

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
 
 from cncsub import _core
-from cncsub.polyline import Polyline, sampled_for_picture, size_of
+from cncsub.polyline import STRETCH, points_about, rough_size, sampling, stretches
 
 Numbers = np.ndarray[Any, np.dtype[Any]]
 
@@ -18,17 +18,43 @@ _MOST_LOOKS = 4_000_000  # whether a line runs where another does
 
 
 @dataclass(frozen=True)
-class Drawn:
-    """The points that are drawn, the family and the colour of the line that leads to each, and
-    where a line begins.
-    """
+class Points:
+    """Points of a path, one behind the other."""
 
-    points: Numbers
+    x: Numbers
+    y: Numbers
+    z: Numbers
     move: Numbers
-    part: Numbers  # how much of its move was made at a point
-    keys: Numbers  # -1: no line leads to the point
+    key: Numbers  # of the line that leads to the point; -1: none does
+    time: Numbers  # s until it is reached
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def at(self, places: Any) -> Points:
+        return Points(*(getattr(self, one.name)[places] for one in fields(self)))
+
+    @property
+    def columns(self) -> tuple[Numbers, Numbers, Numbers]:
+        return self.x, self.y, self.z
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """The points that are drawn, and what is told of the rest."""
+
+    points: Points
     told: list[str]
     breaks: int  # where other coordinates came into force
+
+    @property
+    def keys(self) -> Numbers:
+        return self.points.key
+
+    @property
+    def xyz(self) -> Numbers:
+        """X, Y and Z side by side."""
+        return np.column_stack(self.points.columns)
 
 
 def drawn_path(
@@ -38,103 +64,116 @@ def drawn_path(
     may be drawn. `keys`: of each move that of its line, a number from 0 below 4,096, or -1: it is
     not drawn.
     """
-    line, told = _sampled(core, coordinates, rows, most)
-    first = int(line.move[0])
-    key = keys[line.move - first]
-    key[line.begins] = -1
-    whole, size = len(line), size_of(line)
-    kept = np.arange(whole)
-    x, y, z = line.x, line.y, line.z
-    off, tolerance = 0.0, size * _FINEST
-    while len(kept) > most and tolerance <= size * _WIDEST:
-        for _ in range(2):  # a second look finds what windows hid from the first
-            if len(kept) <= most:
-                break
-            chosen = core.thinned(x, y, z, key, tolerance)
-            off += tolerance
-            before = len(kept)
-            kept, key = kept[chosen], key[chosen]
-            x, y, z = x[chosen], y[chosen], z[chosen]
-            if len(kept) > before * 0.8:
-                break
-        if len(kept) > max(50 * most, 0.9 * whole):  # most of it goes here and there
-            tolerance = max(tolerance * 3, size * _WIDEST)
-        else:
-            tolerance *= 1.5 if len(kept) < 4 * most else 3
-    if len(kept) < whole:
+    first, last = rows
+    size = rough_size(core, coordinates, first, last)
+    fine, coarse = sampling(core, coordinates, first, last, max(4 * most, 3 * (last - first)), size)
+    told = [f"Arcs are drawn within {_length(fine)}."] if coarse else []
+    path = _Path(core, coordinates, fine, first, keys)
+    tolerance, looked = 0.0, last
+    if points_about(core, coordinates, first, last, fine) > most:
+        tolerance, looked = path.tolerance(last, size, most)
+    points, whole, begins = path.points(first, looked, tolerance)
+    points, off = _thinned(core, points, tolerance, size, most)
+    if len(points) < whole:
         told.append(
-            f"Thinned: {len(kept):,} of {whole:,} points; what is left out lies within"
+            f"Thinned: {len(points):,} of {whole:,} points; what is left out lies within"
             f" {_length(off)} of what is drawn."
         )
-    last = int(kept[-1])
-    kept, key, looked = _uncovered(kept, (x, y, z), key, size, most, told)
-    return _finish(line, kept, key, told, most, looked, last)
+    end = int(points.move[-1]) if looked == last else None
+    points = _uncovered(points, size, most, told).at(slice(most))
+    behind = int(points.move[-1])
+    if behind != end:
+        told.append(
+            f"Cut: nothing behind move {behind:,} is drawn; moves=range({behind}, ...) shows"
+            " the rest, most= draws more points."
+        )
+    return Drawn(points, told, begins - 1)
 
 
-def _sampled(
-    core: _core.Trace, coordinates: str, rows: tuple[int, int], most: int
-) -> tuple[Polyline, list[str]]:
-    first, last = rows
-    line, coarse = sampled_for_picture(
-        core, coordinates, first, last, max(4 * most, 3 * (last - first))
-    )
-    arcs = [core.move_kinds.index(kind) for kind in ("cw", "ccw")]
-    if coarse and np.isin(core.move_columns(["kind"])["kind"][first:last], arcs).any():
-        return line, [f"Arcs are drawn within {_length(line.tolerance)}."]
-    return line, []
+class _Path:
+    """A path from which points are taken."""
+
+    def __init__(
+        self, core: _core.Trace, coordinates: str, fine: float, first: int, keys: Numbers
+    ) -> None:
+        self._core = core
+        self._of = (coordinates, fine)
+        self._first = first
+        self._keys = keys
+
+    def points(self, first: int, last: int, tolerance: float) -> tuple[Points, int, int]:
+        """Those of some moves that are enough; how many there are in all, and at how many the path
+        begins anew.
+        """
+        keys = self._keys[first - self._first : last - self._first]
+        *columns, whole, begins = self._core.outline(*self._of, tolerance, first, last, keys)
+        return Points(*columns), whole, begins
+
+    def _twice(self, first: int, last: int, tolerance: float) -> Points:
+        """As `points`, looked at again."""
+        points, _, _ = self.points(first, last, tolerance)
+        return points.at(self._core.thinned(*points.columns, points.key, tolerance))
+
+    def tolerance(self, last: int, size: float, most: int) -> tuple[float, int]:
+        """The tolerance to begin with, and the move up to which there is time to look. Stretches of
+        a long path tell them.
+        """
+        widest, tolerance = size * _WIDEST, size * _FINEST
+        begins = stretches(self._first, last)
+        if not begins:
+            return tolerance, last
+        share = len(begins) * STRETCH / (last - self._first)
+        while True:
+            some = [self._twice(begin, begin + STRETCH, tolerance) for begin in begins]
+            if sum(map(len, some)) <= most * share:
+                return tolerance, last
+            if tolerance == widest:
+                break
+            tolerance = min(2 * tolerance, widest)
+        looks = sum(int(_looks(points.columns, widest).sum()) for points in some) / share
+        part = min(1.0, 1.5 * _MOST_LOOKS / looks)  # more would not be looked at
+        return widest, self._first + max(STRETCH, int((last - self._first) * part))
 
 
-def _uncovered(
-    kept: Numbers,
-    at: tuple[Numbers, Numbers, Numbers],
-    key: Numbers,
-    size: float,
-    most: int,
-    told: list[str],
-) -> tuple[Numbers, Numbers, int]:
-    """Without lines that run where others of their colour do already, as far as a picture
-    shows; and the last point that was looked at.
+def _thinned(
+    core: _core.Trace, points: Points, tolerance: float, size: float, most: int
+) -> tuple[Points, float]:
+    """With a wider tolerance again and again, until they are few enough; and how far what was left
+    out may lie. With `tolerance`, 0 or more, they were thinned already.
     """
-    if len(kept) <= most:
-        return kept, key, int(kept[-1])
+    off, begun, looks, widest = tolerance, len(points), 1, size * _WIDEST
+    while len(points) > most:
+        if looks == 2 or tolerance == 0:  # a second look finds what windows hid from the first
+            if tolerance >= widest:
+                break
+            many = len(points) > max(50 * most, 0.9 * begun)  # most of it goes here and there
+            wider = tolerance * (1.5 if len(points) < 4 * most else 3)
+            tolerance = widest if many else min(wider or size * _FINEST, widest)
+            looks = 0
+        before = len(points)
+        points = points.at(core.thinned(*points.columns, points.key, tolerance))
+        off += tolerance
+        looks = 2 if len(points) > 0.8 * before else looks + 1
+    return points, off
+
+
+def _uncovered(points: Points, size: float, most: int, told: list[str]) -> Points:
+    """Without lines that run where others of their colour do already, as far as a picture
+    shows. Those for which there is no time are cut.
+    """
+    if len(points) <= most:
+        return points
     cell = size * _WIDEST
-    looked = _looked_at(at, cell)
-    if looked < len(kept):  # the rest is cut
-        kept, key = kept[:looked], key[:looked]
-        at = (at[0][:looked], at[1][:looked], at[2][:looked])
-    new = _new_lines(at, key, cell)
+    points = points.at(slice(_looked_at(points.columns, cell)))
+    new = _new_lines(points.columns, points.key, cell)
     told.append(
         f"Lines that run within {_length(cell * 2)} of one of their colour that was"
         " drawn before are left out."
     )
     ends = np.append(new[1:], False) | new  # the points that lines need
-    drawn = np.where(new, key, -1)
-    return kept[ends], drawn[ends], int(kept[-1])
-
-
-def _finish(
-    line: Polyline,
-    kept: Numbers,
-    key: Numbers,
-    told: list[str],
-    most: int,
-    looked: int,
-    last: int,
-) -> Drawn:
-    if len(kept) > most or looked < last:
-        kept, key = kept[:most], key[:most]
-        behind = int(line.move[kept[-1]])
-        told.append(
-            f"Cut: nothing behind move {behind:,} is drawn; moves=range({behind}, ...) shows"
-            " the rest, most= draws more points."
-        )
-    points = np.column_stack((line.x[kept], line.y[kept], line.z[kept]))
-    move = line.move[kept]
-    firsts = np.searchsorted(line.move, move, side="left")
-    lasts = np.searchsorted(line.move, move, side="right")
-    begun = line.begins[firsts].astype(np.int64)  # its first point is where it starts
-    part = (kept - firsts + 1 - begun) / np.maximum(1, lasts - firsts - begun)
-    return Drawn(points, move, part, key, told, int(line.begins[1:].sum()))
+    ends[-1] = True
+    drawn = replace(points, key=np.where(new, points.key, -1).astype(np.int32))
+    return drawn.at(ends)
 
 
 def _length(mm: float) -> str:
@@ -151,7 +190,8 @@ def _looks(at: tuple[Numbers, Numbers, Numbers], cell: float) -> Numbers:
 
 def _looked_at(at: tuple[Numbers, Numbers, Numbers], cell: float) -> int:
     """How many points there is time to look at."""
-    return int(np.searchsorted(np.cumsum(_looks(at, cell)), _MOST_LOOKS, side="right")) + 1
+    within = tuple(column[: _MOST_LOOKS + 1] for column in at)  # each takes one look at least
+    return int(np.searchsorted(np.cumsum(_looks(within, cell)), _MOST_LOOKS, side="right")) + 1
 
 
 def _new_lines(at: tuple[Numbers, Numbers, Numbers], key: Numbers, cell: float) -> Numbers:

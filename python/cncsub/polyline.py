@@ -90,33 +90,58 @@ def sampled(
 
 _LONG = 200_000  # moves from which arcs are sampled no finer than a picture shows
 _FINE, _COARSE = 1 / 20_000, 1 / 2_000  # of the size of a picture
+_STRETCHES, STRETCH = 16, 4_096  # of a long path that tell about it, and their moves
 
 
-def sampled_for_picture(
-    core: _core.Trace, coordinates: str, first: int, last: int, most: int
-) -> tuple[Polyline, bool]:
-    """The points as finely as a picture shows them, more coarsely where they were more than `most`;
-    and whether that can be seen.
+def sampling(
+    core: _core.Trace, coordinates: str, first: int, last: int, most: int, size: float
+) -> tuple[float, bool]:
+    """The tolerance (mm) of arcs as fine as a picture of a size shows it, a coarser one where there
+    were more than `most` points; and whether that can be seen.
     """
-    long = last - first > _LONG
-    size = _rough_size(core, coordinates, first, last, long)
-    tolerance = size * (_COARSE if long else _FINE)
-    while True:
-        line = sampled(core, coordinates, tolerance, first, last, most)
-        if not isinstance(line, int):
-            return line, tolerance > size * _COARSE
-        if tolerance > size:  # four points in a turn are as few as there are
-            most = line
-        tolerance *= 4
+    tolerance = size * (_COARSE if last - first > _LONG else _FINE)
+    while tolerance <= size and points_about(core, coordinates, first, last, tolerance) > most:
+        tolerance *= 4  # four points in a turn are as few as there are
+    return tolerance, tolerance > size * _COARSE
 
 
-def _rough_size(core: _core.Trace, coordinates: str, first: int, last: int, long: bool) -> float:
-    import numpy as np
+def points_about(
+    core: _core.Trace, coordinates: str, first: int, last: int, tolerance: float
+) -> int:
+    """How many points a path has; of a long one, by what stretches of it have."""
 
-    if not long:
+    def count(begin: int, end: int) -> int:
+        found = core.polyline(coordinates, tolerance, begin, end, 0)
+        return found if isinstance(found, int) else 0
+
+    begins = stretches(first, last)
+    if not begins:
+        return count(first, last)
+    counted = sum(count(begin, begin + STRETCH) for begin in begins)
+    return counted * (last - first) // (len(begins) * STRETCH)
+
+
+def stretches(first: int, last: int) -> list[int]:
+    """The first moves of stretches that tell about a long path; none of one that is not long."""
+    if last - first <= _LONG:
+        return []
+    room = last - first - STRETCH
+    return [first + room * i // (_STRETCHES - 1) for i in range(_STRETCHES)]
+
+
+def rough_size(core: _core.Trace, coordinates: str, first: int, last: int) -> float:
+    """The longest side of the box around a path, mm; 1 where it does not leave its point. Of a
+    whole long path that of the programmed one.
+    """
+    if last - first <= _LONG:
         line = sampled(core, coordinates, math.inf, first, last, 1 << 40)
         assert not isinstance(line, int)
         return size_of(line)
+    if (first, last) == (0, core.moves) and coordinates != "machine":
+        sides = (high - low for axis, (low, high) in core.bounds.items() if axis in "xyz")
+        return max(sides, default=0.0) or 1.0
+    import numpy as np
+
     before = "m" if coordinates == "machine" else ""
     columns = core.move_columns([before + name for name in "xyz"])
     return max(float(np.ptp(column[first:last])) for column in columns.values()) or 1.0

@@ -128,6 +128,12 @@ class Blocks(Stays, Sequence[Block]):
         return f"<{len(self)} blocks of {self._program.name}>"
 
 
+def block_at(code: _core.Code, address: int) -> Block:
+    """The block that stands at a place of the code."""
+    program, index = code.place_of(address)
+    return Program(code.program(program), program).blocks[index]
+
+
 class Program(Stays):
     """One program of a library.
 

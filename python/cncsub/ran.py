@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import Protocol
 
 from cncsub._core import Machine
-from cncsub.program import find_program
 from cncsub.rows import Step
 from cncsub.tables import Calls, Steps
 
@@ -28,17 +27,6 @@ def place_of(step: Step) -> str:
     return f"{step.program}{n}, line {step.line}"
 
 
-def text_of(run: Ran, step: Step) -> str:
-    """The block of a step as it is written, empty where nobody knows it (typed in MDI)."""
-    code = run._core.code
-    index = find_program(code, step.program)
-    if index < 0:
-        return ""
-    data = code.program(index)
-    blocks = map(data.block, range(data.blocks))
-    return next((text for _, line, text in blocks if line == step.line), "")
-
-
 def calls_to(run: Ran, step: Step) -> Iterator[str]:
     """The open calls at a step, the innermost first, a line for each."""
     frame: int | None = step.frame
@@ -57,6 +45,6 @@ def calls_to(run: Ran, step: Step) -> Iterator[str]:
 def step_lines(run: Ran, index: int) -> Iterator[str]:
     """A step with its block and its calls."""
     step = run.steps[index]
-    text = text_of(run, step).strip()
+    text = step.text.strip()
     yield place_of(step) + (f": {text}" if text else "")
     yield from (f"  {line}" for line in calls_to(run, step))

@@ -29,6 +29,7 @@ from cncsub.options import (
     memory_of,
     run_options,
     status_of,
+    told_idle,
     wrong_use,
 )
 from cncsub.printing import console_on, print_stop, shown
@@ -62,6 +63,7 @@ def report(
         library = memory_of(options)
         program = library.main if main is None else library[main]
         asked = run_options(options, "moves")
+        told_idle(library, asked)
         run = library.run(main, **asked)
         title = None if program is None else program.name
         found = library.check(main, setup=asked.get("setup"))

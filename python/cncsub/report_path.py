@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cncsub.polyline import sampled_for_picture
+from cncsub.polyline import rough_size, sampled, sampling
 
 if TYPE_CHECKING:
     from cncsub.run import Run
@@ -43,7 +43,10 @@ def path_of(run: Run, coordinates: str = "work") -> Path:
     """The programmed path in work coordinates, or that of the tool in machine coordinates."""
     moves = len(run.moves)
     most = max(MOST_SAMPLED, 2 * moves)
-    line, coarse = sampled_for_picture(run._trace, coordinates, 0, moves, most)
+    size = rough_size(run._trace, coordinates, 0, moves)
+    fine, coarse = sampling(run._trace, coordinates, 0, moves, most, size)
+    line = sampled(run._trace, coordinates, fine, 0, moves, 1 << 40)
+    assert not isinstance(line, int)
     rapid = np.asarray(run.moves.kind == "rapid")
     off = line.tolerance if coarse else 0.0
     return Path(line.points, line.move, line.begins, rapid, line.diameters, off)

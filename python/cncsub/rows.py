@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from cncsub import _core
+    from cncsub.program import Block
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,10 +22,24 @@ class Dropped:
     text: str
 
 
+class _Placed:
+    """What knows its block, and looks it up when somebody asks."""
+
+    __slots__ = ("_address", "_code", "_text")
+    _code: _core.Code | None  # set by the engine
+    _address: int
+    _text: str  # where the block stayed behind
+
+
 @dataclass(frozen=True, slots=True)
-class Step:
+class Step(_Placed):
     """One executed block. `frame` is the number of its call, its row in `run.calls`; -1 in
     the main program.
+
+    >>> import cncsub
+    >>> step = cncsub.loads("O1\\nN10 G4 X1.\\nM30\\n", control="fanuc-0i-f").run().steps[0]
+    >>> step.text, step.block.words[-1].value, step.block.program.name
+    ('N10 G4 X1.', 1.0, 'O1')
     """
 
     step: int
@@ -30,6 +49,31 @@ class Step:
     depth: int
     frame: int
     repeat: int
+
+    @property
+    def text(self) -> str:
+        """The block as it is written."""
+        block = self.block
+        return getattr(self, "_text", "") if block is None else block.text
+
+    @property
+    def block(self) -> Block | None:
+        """The block that was executed, with its words and its program. `None` where the step came
+        from another process: it travels with its text alone.
+        """
+        code = getattr(self, "_code", None)
+        if code is None:
+            return None
+        from cncsub.program import block_at
+
+        return block_at(code, self._address)
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        return (*(getattr(self, name) for name in self.__match_args__), self.text)
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        for name, value in zip((*self.__match_args__, "_text"), state, strict=True):
+            object.__setattr__(self, name, value)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +108,8 @@ class Move:
 
     `sx`, `sy`, `sz`: where the programmed path of the move begins, in the work coordinates of its
     end; `msx`, `msy`, `msz`: where the tool stood, in machine coordinates. `mcx`, `mcy`, `mcz`: the
-    centre of the tool's arc, machine coordinates. `cycle`: whether a canned cycle makes the move;
+    centre of the tool's arc, machine coordinates. `program`, `n`, `line`: the block of its step;
+    `None` where nobody knows it any longer. `cycle`: whether a canned cycle makes the move;
     `compensated`: whether a radius offset holds at its beginning or its end.
     """
 
@@ -102,6 +147,9 @@ class Move:
     length: float = 0.0
     time: float = 0.0
     skip: str = "no"
+    program: str | None = None
+    n: int | None = None
+    line: int | None = None
     sx: float | None = None
     sy: float | None = None
     sz: float | None = None

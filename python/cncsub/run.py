@@ -597,9 +597,9 @@ class Machine(_Outcome):
 
         `until` stops before a block: a `Block`, or program and sequence number such as `("O2",
         30)`. A whole number stops where no more than that many calls are open:
-        `machine.run(until=len(machine.stack) - 1)` steps out. Returns `None` where it stopped
-        there. An unknown program or block is a `KeyError`, a block of another library a
-        `ValueError`. A machine that Ctrl-C stopped goes on.
+        `machine.run(until=len(machine.stack) - 1)` steps out, of the main program to its end (-1).
+        Returns `None` where it stopped there. An unknown program or block is a `KeyError`, a block
+        of another library and a number below -1 a `ValueError`. A machine that Ctrl-C stopped goes on.
         """
         self._core.run(None if until is None else self._place(until))
         # The machine may go on; the run stays what it is.
@@ -614,7 +614,10 @@ class Machine(_Outcome):
             return self._block_place(*until)
         if isinstance(until, bool) or not hasattr(until, "__index__"):
             raise _wrong_until(until)
-        return -1, max(-1, min(operator.index(until), 1 << 30))
+        depth = operator.index(until)
+        if depth < -1:
+            raise ValueError(f"until: no fewer than 0 calls are open; -1 runs to the end, not {depth}")
+        return -1, min(depth, 1 << 30)
 
     def _block_place(self, name: str | int, n: int) -> tuple[int, int]:
         if isinstance(n, bool) or not hasattr(n, "__index__"):

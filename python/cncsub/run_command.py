@@ -13,7 +13,7 @@ import typer
 
 import cncsub
 from cncsub.facts import run_facts, tree_facts
-from cncsub.hints import defaulted, hints_of, without_effect
+from cncsub.hints import hints_of
 from cncsub.listing_command import Listing, Where, filters, write_listing
 from cncsub.options import (
     ControlName,
@@ -43,8 +43,9 @@ from cncsub.options import (
     opened,
     run_options,
     status_of,
-    tell_all,
     tell_hints,
+    told_idle,
+    typed_in,
     write_json,
     write_text,
     wrong_use,
@@ -99,6 +100,7 @@ def run(
             blocks = made.listing(**asked)
         write_listing(blocks, output, as_json=format is RunFormat.JSON)
         print_stop(console_on(sys.stderr), made)
+        tell_hints(hints)
         raise typer.Exit(status_of(made))
     if format is RunFormat.TEXT:
         write_text(output, lambda console: print_run(console, made, title))
@@ -165,14 +167,14 @@ def _run(
         asked = run_options(options, trace)
         where = f"on {library.control.title}"
         notes = [asdict(note) for note in notes_on(options, library)]
-        if options["mdi"] is not None:
-            return library.mdi(options["mdi"], **asked), f"MDI {where}", notes, []
+        if (mdi := options["mdi"]) is not None:
+            made = library.mdi(mdi, **asked)
+            notes += map(asdict, told_idle(library, asked, typed_in(made)))
+            return made, f"MDI {where}", notes, hints_of(library, made, asked, mdi=mdi)
         program = library.main if options["main"] is None else library[options["main"]]
         name = "nothing" if program is None else program.name
         made = library.run(options["main"], **asked)
-        idle = [*defaulted(options), *without_effect(library, asked)]
-        tell_all(idle)
-        notes += map(asdict, idle)
+        notes += map(asdict, told_idle(library, asked))
         return made, f"{name} {where}", notes, hints_of(library, made, asked, options["main"])
 
 
@@ -183,7 +185,9 @@ def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
             raise ValueError("csv and parquet write the moves; --watch takes text or json")
         if options["mdi"] is not None:
             raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
-        return memory_of(options).stream(options["main"], **run_options(options, "moves"))
+        library, asked = memory_of(options), run_options(options, "moves")
+        told_idle(library, asked)
+        return library.stream(options["main"], **asked)
 
 
 def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> None:

@@ -278,6 +278,9 @@ def _field_names(row: type[Step | Call | Move | Change | SentCode]) -> list[str]
 class Steps(Table[Step]):
     """One row per executed block: `step, program, n, line, depth, frame, repeat`.
 
+    `text`, the block as it is written, is there for whoever names it; a row has it too, and its
+    `block`.
+
     >>> import cncsub
     >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 M99\\n"
     >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
@@ -285,14 +288,34 @@ class Steps(Table[Step]):
     [10, 30, 30, 20]
     >>> run.steps[1]
     Step(step=1, program='O2', n=30, line=5, depth=1, frame=0, repeat=1)
+    >>> run.steps[1].text, (run.steps.text == "N30 M99").tolist()
+    ('N30 M99', [False, True, True, False])
     """
 
     _title = "steps"
     _nulls = frozenset(("n",))
 
+    def __init__(self, core: _core.Trace) -> None:
+        super().__init__(core)
+        self._written: tuple[Column, list[str]] | None = None
+
     @property
     def columns(self) -> list[str]:
         return _field_names(Step)
+
+    @property
+    def more_columns(self) -> list[str]:
+        return ["text"]
+
+    @property
+    def texts(self) -> list[str]:
+        """The texts behind the codes of the column `text`, each once."""
+        return self._text_column()[1]
+
+    def _text_column(self) -> tuple[Column, list[str]]:
+        if self._written is None or len(self._written[0]) != len(self):
+            self._written = self._core.step_text_column()
+        return self._written
 
     @property
     def programs(self) -> list[str]:
@@ -306,9 +329,14 @@ class Steps(Table[Step]):
         return self._core.step_row(index, Step)
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
-        return {name: self._core.step_column(name) for name in names}
+        return {
+            name: self._text_column()[0].copy() if name == "text" else self._core.step_column(name)
+            for name in names
+        }
 
     def _texts(self, name: str) -> list[str] | None:
+        if name == "text":
+            return self.texts
         return self.programs if name == "program" else None
 
 
@@ -601,9 +629,9 @@ class Moves(Table[Move]):
     Columns: `move, step, kind`, the axes in use (`x, y, z` ...: programmed end, work coordinates),
     `mx, my, mz` ... (machine position of the tool), `cx, cy, cz` (arc centre, work coordinates, NaN
     where there is none), `plane` (17, 18, 19), `feed`, `feed_mode`, `spindle`, `tool`, `h`, `d`,
-    `length` (mm), `time` (s; a spindle without a speed counts as one turn a minute) and `skip`
-    (`no`, and of moves of G31 `touched` or `missed`). Kinds are `rapid`, `feed`, `cw`, `ccw`,
-    `thread` and `dwell`.
+    `length` (mm), `time` (s; a spindle without a speed counts as one turn a minute), `skip` (`no`,
+    and of moves of G31 `touched` or `missed`) and the block of the step: `program, n, line`. Kinds
+    are `rapid`, `feed`, `cw`, `ccw`, `thread` and `dwell`.
 
     `more_columns` are there for whoever names them: `sx, sy, sz` (where the programmed path of the
     move begins, in the work coordinates of its end), `msx, msy, msz` (where the tool stood, machine
@@ -624,7 +652,7 @@ class Moves(Table[Move]):
     """
 
     _title = "moves"
-    _nulls = frozenset(("cx", "cy", "cz", "mcx", "mcy", "mcz"))
+    _nulls = frozenset(("cx", "cy", "cz", "n", "line", "mcx", "mcy", "mcz"))
 
     def __init__(self, core: _core.Trace, axes: list[str] | None = None) -> None:
         super().__init__(core)
@@ -647,6 +675,11 @@ class Moves(Table[Move]):
     @property
     def more_columns(self) -> list[str]:
         return list(_MORE)
+
+    @property
+    def programs(self) -> list[str]:
+        """The names behind the codes of the column `program`."""
+        return self._core.program_names
 
     @property
     def kinds(self) -> list[str]:
@@ -700,6 +733,8 @@ class Moves(Table[Move]):
         return columns
 
     def _texts(self, name: str) -> list[str] | None:
+        if name == "program":
+            return self.programs
         texts = {"kind": self.kinds, "feed_mode": self.feed_modes, "skip": self.skips}
         return texts.get(name)
 

@@ -92,11 +92,14 @@ void Machine::reset() {
 std::vector<Frame> Machine::frames() const { return open_calls(run_); }
 
 Trace Machine::take() {
-  std::vector<std::int32_t> open;
+  Trace::Open open{.calls = {},
+                   .held = run_.motion.held_steps(),
+                   .next_step = run_.state.executed,
+                   .last = stop() != Stop::Running};
   for (const OpenFrame& frame : run_.state.frames)
-    if (frame.call >= 0) open.push_back(frame.call);
+    if (frame.call >= 0) open.calls.push_back(frame.call);
   run_.motion.forget_table();
-  return run_.trace.take(open, stop() != Stop::Running, run_.state.executed);
+  return run_.trace.take(open);
 }
 
 std::uint64_t Machine::memory() const { return cncsub::memory(run_); }

@@ -79,6 +79,8 @@ class Motion {
   std::int64_t held_pieces() const {
     return static_cast<std::int64_t>(state_.held.corner.size() + state_.held.radius.size());
   }
+  /// The steps of those moves.
+  std::vector<std::uint32_t> held_steps() const;
   std::size_t held_bytes() const {
     return (state_.held.corner.capacity() + state_.held.radius.capacity()) * sizeof(Piece);
   }

@@ -96,11 +96,12 @@ class Moves::Walk {
     return row;
   }
 
+  template <bool timed = true>
   MoveRow next(std::size_t index, MoveBegin& begin) {
     const MoveBegin::Point programmed = programmed_;
     begin.machine = {from_[0], from_[1], from_[2]};
     const bool vector_before = vector_;
-    const MoveRow row = next(index);
+    const MoveRow row = next<timed>(index);
     begin.in_plane = in_plane_;
     begin.cycle = state_->cycle;
     begin.compensated = vector_before || vector_;
@@ -174,13 +175,13 @@ class MoveReader {
   explicit MoveReader(const Moves& moves) : moves_(moves) {}
 
   /// Calls `use(index, row, begin)` for rows [first, last).
-  template <class Use>
+  template <bool timed = true, class Use>
   void each(std::size_t first, std::size_t last, Use&& use) const {
     Moves::Walk walk(moves_);
     walk.seek(first);
     MoveBegin begin;
     for (std::size_t i = first; i < last; ++i) {
-      const MoveRow row = walk.next(i, begin);
+      const MoveRow row = walk.next<timed>(i, begin);
       use(i, row, begin);
     }
   }

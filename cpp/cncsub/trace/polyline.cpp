@@ -155,17 +155,18 @@ Sampler::Sampler(const Moves& moves, PathFrame frame, double tolerance, std::siz
       first_(std::min(first, moves.size())),
       last_(std::min(std::max(first, last), moves.size())) {}
 
-/// Calls `use(row, curve)` for rows [first, last) of the table.
-template <class Use>
+/// Calls `use(index, curve, row)` for rows [first, last) of the table.
+template <bool timed, class Use>
 void Sampler::each_curve(std::size_t first, std::size_t last, Use&& use) const {
   const MoveReader reader(moves_);
   Follower follow(frame_, tolerance_, reader.diameters());
   const std::size_t known =
       first > first_ ? first - 1 : first;  // whether it leaps asks the one before
-  reader.each(known, last, [&](std::size_t i, const MoveRow& row, const MoveBegin& begin) {
+  const auto one = [&](std::size_t i, const MoveRow& row, const MoveBegin& begin) {
     const Curve curve = follow.next(row, begin);
-    if (i >= first) use(i, curve);
-  });
+    if (i >= first) use(i, curve, row);
+  };
+  reader.each<timed>(known, last, one);
 }
 
 std::size_t Sampler::count(InterruptCheck* interrupt) {
@@ -173,7 +174,7 @@ std::size_t Sampler::count(InterruptCheck* interrupt) {
   begins_.assign((rows + kPieceRows - 1) / kPieceRows + 1, 0);
   in_parts(rows, interrupt, [&](std::size_t first, std::size_t last) {
     std::size_t points = 0;
-    each_curve(first_ + first, first_ + last, [&](std::size_t, const Curve& curve) {
+    each_curve(first_ + first, first_ + last, [&](std::size_t, const Curve& curve, const MoveRow&) {
       points = std::min(kMostPoints, points + curve.steps + (curve.begins ? 1 : 0));
     });
     begins_[first / kPieceRows + 1] = points;
@@ -193,11 +194,93 @@ void Sampler::write(const PolylinePlaces& places, InterruptCheck* interrupt) con
       places.row[place] = static_cast<std::int64_t>(row);
       places.begins[place++] = begins ? 1 : 0;
     };
-    each_curve(first_ + first, first_ + last, [&](std::size_t i, const Curve& curve) {
+    const auto one = [&](std::size_t i, const Curve& curve, const MoveRow&) {
       if (curve.begins) put(curve.from, i, true);
       for (std::size_t step = 1; step <= curve.steps; ++step) put(curve.at(step), i, false);
-    });
+    };
+    each_curve(first_ + first, first_ + last, one);
   });
+}
+
+namespace {
+
+/// An outline in the making; of one piece of the rows, or of all.
+void put(Outline& outline, const Point& point, std::size_t row, double time, std::int32_t key) {
+  outline.x.push_back(point[0]);
+  outline.y.push_back(point[1]);
+  outline.z.push_back(point[2]);
+  outline.time.push_back(time);
+  outline.row.push_back(static_cast<std::uint32_t>(row));
+  outline.key.push_back(key);
+  if (key < 0) ++outline.begins;
+  ++outline.points;
+}
+
+/// Without the points that are not enough.
+void thin_out(Outline& outline, double tolerance) {
+  if (outline.x.empty()) return;
+  std::vector<std::uint8_t> keep(outline.x.size());
+  thin_piece(outline.x.data(), outline.y.data(), outline.z.data(), outline.key.data(), 0,
+             keep.size(), tolerance, keep.data());
+  const auto chosen = [&](auto& column) {
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < keep.size(); ++i)
+      if (keep[i] != 0) column[place++] = column[i];
+    column.resize(place);
+    column.shrink_to_fit();
+  };
+  chosen(outline.x), chosen(outline.y), chosen(outline.z);
+  chosen(outline.time), chosen(outline.row), chosen(outline.key);
+}
+
+/// Pieces one behind the other, each begun when the one before has ended; they are given away.
+Outline joined(std::vector<Outline>& pieces, const std::vector<double>& seconds) {
+  Outline whole;
+  double began = 0;
+  std::size_t size = 0;
+  for (const Outline& piece : pieces) size += piece.x.size();
+  const auto move_all = [&](auto& to, auto& from) {
+    to.reserve(size);
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    Outline piece = std::move(pieces[i]);
+    for (double& time : piece.time) time += began;
+    began += seconds[i];
+    move_all(whole.x, piece.x), move_all(whole.y, piece.y), move_all(whole.z, piece.z);
+    move_all(whole.time, piece.time), move_all(whole.row, piece.row);
+    move_all(whole.key, piece.key);
+    whole.points += piece.points;
+    whole.begins += piece.begins;
+  }
+  return whole;
+}
+
+}  // namespace
+
+Outline Sampler::outline(const std::int32_t* keys, double thinner,
+                         InterruptCheck* interrupt) const {
+  const std::size_t rows = last_ - first_, count = (rows + kPieceRows - 1) / kPieceRows;
+  std::vector<Outline> pieces(count);
+  std::vector<double> seconds(count);
+  in_parts(rows, interrupt, [&](std::size_t first, std::size_t last) {
+    Outline piece;
+    double now = 0;
+    const auto one = [&](std::size_t i, const Curve& curve, const MoveRow& row) {
+      if (curve.begins) put(piece, curve.from, i, now, -1);
+      const auto steps = static_cast<double>(curve.steps);
+      for (std::size_t step = 1; step <= curve.steps; ++step) {
+        const double part = static_cast<double>(step) / steps;
+        put(piece, curve.at(step), i, now + row.time * part, keys[i - first_]);
+      }
+      now += row.time;
+    };
+    each_curve<true>(first_ + first, first_ + last, one);
+    if (thinner > 0) thin_out(piece, thinner);
+    pieces[first / kPieceRows] = std::move(piece);
+    seconds[first / kPieceRows] = now;
+  });
+  return joined(pieces, seconds);
 }
 
 }  // namespace cncsub

@@ -26,7 +26,17 @@ struct PolylinePlaces {
   std::uint8_t* begins;
 };
 
-/// Samples the moves [first, last): `count` first, then `write`.
+/// The points that a picture draws of a way: few where it goes straight on.
+struct Outline {
+  std::vector<double> x, y, z;
+  std::vector<double> time;        // s from the first of the moves until the point is reached
+  std::vector<std::uint32_t> row;  // the move that a point belongs to
+  std::vector<std::int32_t> key;   // -1: the way begins anew here, and no line leads to the point
+  std::size_t points = 0;          // before any was left out
+  std::size_t begins = 0;          // of the points, those where it begins anew
+};
+
+/// Samples the moves [first, last): `count` first, then `write`; or `outline`.
 ///
 /// The chord between two points leaves the true curve by no more than `tolerance`, and a turn has
 /// four points at least. A move that does not begin where the one before ended (other work
@@ -41,10 +51,14 @@ class Sampler {
   std::size_t count(InterruptCheck* interrupt);
   void write(const PolylinePlaces& places, InterruptCheck* interrupt) const;
 
+  /// The points that are enough, as `thin` chooses them; all of them where `thinner` is 0. `keys`:
+  /// of each of the moves that of its line, from 0.
+  Outline outline(const std::int32_t* keys, double thinner, InterruptCheck* interrupt) const;
+
   static constexpr std::size_t kMostPoints = std::size_t{1} << 31;
 
  private:
-  template <class Use>
+  template <bool timed = false, class Use>
   void each_curve(std::size_t first, std::size_t last, Use&& use) const;
 
   const Moves& moves_;
@@ -53,6 +67,10 @@ class Sampler {
   std::size_t first_, last_;
   std::vector<std::size_t> begins_;  // the first point of each part
 };
+
+/// The points of one thread, for `thin` and `outline`: marks which of [first, last) are enough.
+void thin_piece(const double* x, const double* y, const double* z, const std::int32_t* key,
+                std::size_t first, std::size_t last, double tolerance, std::uint8_t* keep);
 
 /// Marks which points of a line are enough for it: what is left out lies within `tolerance` of the
 /// chord that goes past it, and the chord as near to what was left out. Points where `key`, which

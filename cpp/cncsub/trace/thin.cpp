@@ -62,19 +62,24 @@ class Thinner {
 
 }  // namespace
 
+void thin_piece(const double* x, const double* y, const double* z, const std::int32_t* key,
+                std::size_t first, std::size_t last, double tolerance, std::uint8_t* keep) {
+  Thinner thinner(x, y, z, tolerance, keep);
+  std::fill(keep + first, keep + last, std::uint8_t{0});
+  keep[first] = 1;
+  for (std::size_t from = first; from + 1 < last;) {
+    std::size_t to = from + 1;
+    while (to + 1 < last && key[to + 1] == key[to] && to - from < kWindow) ++to;
+    keep[to] = 1;
+    thinner.window(from, to);
+    from = to;
+  }
+}
+
 void thin(const double* x, const double* y, const double* z, const std::int32_t* key,
           std::size_t count, double tolerance, std::uint8_t* keep, InterruptCheck* interrupt) {
   in_parts(count, interrupt, [&](std::size_t first, std::size_t last) {
-    Thinner thinner(x, y, z, tolerance, keep);
-    std::fill(keep + first, keep + last, std::uint8_t{0});
-    keep[first] = 1;
-    for (std::size_t from = first; from + 1 < last;) {
-      std::size_t to = from + 1;
-      while (to + 1 < last && key[to + 1] == key[to] && to - from < kWindow) ++to;
-      keep[to] = 1;
-      thinner.window(from, to);
-      from = to;
-    }
+    thin_piece(x, y, z, key, first, last, tolerance, keep);
   });
 }
 

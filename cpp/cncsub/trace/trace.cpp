@@ -26,6 +26,16 @@ std::int64_t Trace::step_of_move(std::uint32_t step) const {
   return first_step + static_cast<std::int64_t>(ahead) - kBack;
 }
 
+const Trace::Step* Trace::find_step(std::int64_t number) const {
+  const std::int64_t row = number - first_step;
+  if (row >= 0)
+    return row < static_cast<std::int64_t>(steps.size()) ? &steps[static_cast<std::size_t>(row)]
+                                                         : nullptr;
+  const auto found = std::find_if(held.begin(), held.end(),
+                                  [&](const HeldStep& step) { return step.number == number; });
+  return found == held.end() ? nullptr : &found->step;
+}
+
 std::size_t Trace::bytes() const {
   return steps.bytes() + calls.bytes() + arguments.bytes() + moves.bytes() + codes.bytes() +
          messages.bytes() + dropped.bytes() + text + missed_skips.bytes() + changes.bytes();
@@ -41,16 +51,20 @@ void Trace::keep_messages(std::size_t count) {
   messages.keep(count);
 }
 
-Trace Trace::take(const std::vector<std::int32_t>& open_calls, bool last, std::int64_t next_step) {
+Trace Trace::take(const Open& open) {
   Trace rest;
   rest.depth = depth;
-  rest.first_step = next_step;
+  rest.first_step = open.next_step;
   rest.first_move = first_move + static_cast<std::int64_t>(moves.size());
   rest.first_call = call_number(calls.size());
   rest.moves = moves.next_part();
   rest.watched = watched;
   for (Watched& variable : rest.watched) variable.before = variable.now;
-  for (const std::int32_t number : open_calls) {
+  for (const std::uint32_t bits : open.held) {
+    const std::int64_t number = step_of_move(bits);
+    if (const Step* const step = find_step(number)) rest.held.push_back({number, *step});
+  }
+  for (const std::int32_t number : open.calls) {
     const std::size_t row = call_row(number);
     CallRow call = calls[row];
     const std::uint32_t first = call.first_argument;
@@ -58,7 +72,7 @@ Trace Trace::take(const std::vector<std::int32_t>& open_calls, bool last, std::i
     for (std::uint32_t i = 0; i < call.arguments; ++i) rest.arguments.push(arguments[first + i]);
     rest.calls.push(call);
     rest.carried.push_back(number);
-    if (!last) unfinished.push_back(row);
+    if (!open.last) unfinished.push_back(row);
   }
   return std::exchange(*this, std::move(rest));
 }

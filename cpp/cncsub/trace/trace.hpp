@@ -59,6 +59,11 @@ struct Trace {
     std::string text;
   };
 
+  struct HeldStep {
+    std::int64_t number;
+    Step step;
+  };
+
   /// A variable that is watched: what it was when this part began, and what it is.
   struct Watched {
     std::int32_t number;
@@ -88,6 +93,7 @@ struct Trace {
   // Steps, calls and moves are numbered through the run; a part begins anywhere.
   std::int64_t first_step = 0, first_move = 0;
   std::int32_t first_call = 0;          // the number of the first call that was made in this part
+  std::vector<HeldStep> held;           // steps of parts before, whose moves come in this one
   std::vector<std::int32_t> carried;    // calls of parts before that were open when this one began:
                                         // the first rows of `calls`
   std::vector<std::size_t> unfinished;  // rows of `calls` that belong to a later part
@@ -98,13 +104,23 @@ struct Trace {
   std::size_t ended_calls() const { return calls.size() - unfinished.size(); }
   std::size_t ended_call(std::size_t index) const;
   std::int64_t step_of_move(std::uint32_t step) const;
+  /// The step of a number: of this part, or one before it whose moves were held back; null for any
+  /// other one.
+  const Step* find_step(std::int64_t number) const;
   std::size_t bytes() const;
 
   void say(std::string message);
   /// Forgets the messages from `count` on.
   void keep_messages(std::size_t count);
-  /// Gives away what was recorded and goes on empty, with the open calls, from step `next_step`.
-  Trace take(const std::vector<std::int32_t>& open_calls, bool last, std::int64_t next_step);
+  /// What goes on behind a part that is taken away.
+  struct Open {
+    std::vector<std::int32_t> calls;
+    std::vector<std::uint32_t> held;  // the steps of moves that are held back, as moves hold them
+    std::int64_t next_step = 0;
+    bool last = false;  // nothing comes behind it
+  };
+  /// Gives away what was recorded and goes on empty, with what is open.
+  Trace take(const Open& open);
 };
 
 inline std::int32_t Trace::call_number(std::size_t row) const {

@@ -1,0 +1,59 @@
+// What follows from a step: a column of the steps, and of what steps made.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "live.hpp"
+
+namespace cncsub::bindings {
+
+inline std::int32_t depth_of_call(const Trace& trace, std::int32_t call) {
+  return call < 0 ? 0 : trace.calls[trace.call_row(call)].depth;
+}
+
+/// The program of a step, which is mostly that of the step before.
+class ProgramOfStep {
+ public:
+  explicit ProgramOfStep(const Code& code) : code_(&code) {}
+
+  std::int32_t operator()(const Trace::Step& step) {
+    if (!surely_there(step.address)) last_ = code_->program_at(step.address);
+    return last_;
+  }
+
+ private:
+  /// Whether a block lies in that program, and not in one that is a part of it; false where that is
+  /// not seen at once.
+  bool surely_there(Address address) const {
+    const auto place = static_cast<std::size_t>(last_);
+    const Program& guess = code_->programs[place];
+    const bool before_next =
+        place + 1 == code_->programs.size() || address < code_->programs[place + 1].first;
+    return address >= guess.first && before_next && guess.inside == kNoProgram;
+  }
+
+  const Code* code_;
+  std::int32_t last_ = 0;
+};
+
+/// Calls `use` with what makes the column of a name out of a step; false where there is no such
+/// column. It is copied for each part of the rows: it may remember the step before.
+template <class Use>
+bool with_step_value(const Record& record, const std::string& name, const Use& use) {
+  const Code& code = record.code();
+  const auto used = [&](auto value) {
+    use(value);
+    return true;
+  };
+  if (name == "program") return used(ProgramOfStep(code));
+  if (name == "n") return used([&](const Trace::Step& s) { return code.blocks[s.address].n; });
+  if (name == "line") return used([&](const Trace::Step& s) { return code.blocks[s.address].line; });
+  if (name == "depth")
+    return used([&](const Trace::Step& s) { return depth_of_call(record.trace(), s.call); });
+  if (name == "frame") return used([](const Trace::Step& s) { return s.call; });
+  if (name == "repeat") return used([](const Trace::Step& s) { return s.repeat; });
+  return false;
+}
+
+}  // namespace cncsub::bindings

@@ -1,0 +1,157 @@
+// The table of steps, and a step as an object.
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <unordered_map>
+
+#include "bindings.hpp"
+#include "cncsub/trace/parts.hpp"
+#include "gil.hpp"
+#include "rows.hpp"
+#include "step_values.hpp"
+
+namespace py = pybind11;
+
+namespace cncsub::bindings {
+
+namespace {
+
+py::object step_column(const Record& record, const std::string& name) {
+  const Record::Reading reading(record);
+  const auto& steps = record.trace().steps;
+  if (name == "step") {
+    const Array<std::int64_t> array(steps.size());
+    std::iota(array.data, array.data + steps.size(), record.trace().first_step);
+    return array.object;
+  }
+  const Array<std::int32_t> array(steps.size());
+  std::int32_t* const out = array.data;
+  bool known = false;
+  work_away([&](InterruptCheck& interrupt) {
+    known = with_step_value(record, name, [&](const auto& value) {
+      in_parts(steps.size(), &interrupt, [&](std::size_t first, std::size_t last) {
+        auto own = value;
+        std::int32_t* next = out + first;
+        steps.for_each_run(first, last, [&](const Trace::Step* rows, std::size_t count) {
+          for (std::size_t i = 0; i < count; ++i) *next++ = static_cast<std::int32_t>(own(rows[i]));
+        });
+      });
+    });
+  });
+  if (!known) throw py::key_error(name);
+  return array.object;
+}
+
+std::string_view text_at(const Code& code, Address address) {
+  const Program& program = code.programs[static_cast<std::size_t>(code.program_at(address))];
+  return code.text_of(code.blocks[address], program);
+}
+
+/// The texts of the blocks of all steps: a number for each step, and the texts that they count.
+py::tuple step_text_column(const Record& record) {
+  const Record::Reading reading(record);
+  const Code& code = record.code();
+  const auto& steps = record.trace().steps;
+  const Array<std::int32_t> array(steps.size());
+  std::vector<std::string_view> texts;
+  work_away([&](InterruptCheck& interrupt) {
+    constexpr std::int32_t kNew = -1;
+    std::vector<std::int32_t> of_block(code.blocks.size(), kNew);
+    std::unordered_map<std::string_view, std::int32_t> places;
+    std::int32_t* next = array.data;
+    steps.for_each_run(0, steps.size(), [&](const Trace::Step* rows, std::size_t count) {
+      if (interrupt.requested(count * sizeof(Trace::Step))) return;
+      for (std::size_t i = 0; i < count; ++i) {
+        std::int32_t& place = of_block[rows[i].address];
+        if (place == kNew) {
+          const std::string_view text = text_at(code, rows[i].address);
+          place = places.try_emplace(text, static_cast<std::int32_t>(texts.size())).first->second;
+          if (static_cast<std::size_t>(place) == texts.size()) texts.push_back(text);
+        }
+        *next++ = place;
+      }
+    });
+  });
+  py::list written;
+  for (const std::string_view text : texts) written.append(py::str(std::string(text)));
+  return py::make_tuple(array.object, written);
+}
+
+/// The blocks of some steps as they are written, from row `first` on.
+py::list step_texts(const Record& record, std::size_t first, std::size_t last) {
+  const Record::Reading reading(record);
+  const auto& steps = record.trace().steps;
+  py::list texts;
+  for (std::size_t i = first; i < std::min(last, steps.size()); ++i)
+    texts.append(py::str(std::string(text_at(record.code(), steps[i].address))));
+  return texts;
+}
+
+py::object step_row(const Record& record, std::size_t index, const py::type& row) {
+  const Record::Reading reading(record);
+  if (index >= record.trace().steps.size()) throw py::index_error("no such step");
+  return step_object(record.trace(), record.shared_code(), index, row);
+}
+
+/// Sets a field of a frozen object as its class does.
+void set_field(const py::object& object, const py::object& name, const py::object& value) {
+  if (PyObject_GenericSetAttr(object.ptr(), name.ptr(), value.ptr()) != 0)
+    throw py::error_already_set();
+}
+
+/// A row of a frozen class: its fields, in their order.
+template <class... Values>
+py::object row_object(const py::type& row, const Values&... values) {
+  const py::tuple names = row.attr("__match_args__");
+  py::object object = row.attr("__new__")(row);
+  std::size_t place = 0;
+  (set_field(object, names[place++], values), ...);
+  return object;
+}
+
+}  // namespace
+
+py::object step_object(const Trace& trace, const std::shared_ptr<const Code>& code,
+                       std::size_t index, const py::type& row) {
+  const Trace::Step step = trace.steps[index];
+  const Block& block = code->blocks[step.address];
+  py::object made =
+      row_object(row, py::int_(trace.first_step + static_cast<std::int64_t>(index)),
+                 py::str(code->name_of(code->program_at(step.address))), sequence_number(block.n),
+                 py::int_(block.line), py::int_(depth_of_call(trace, step.call)),
+                 py::int_(step.call), py::int_(step.repeat));
+  set_field(made, py::str("_code"), py::cast(std::const_pointer_cast<Code>(code)));
+  set_field(made, py::str("_address"), py::int_(static_cast<std::uint32_t>(step.address)));
+  return made;
+}
+
+void add_block(py::dict& fields, const Record& record, std::uint32_t step_of_move) {
+  const Trace& trace = record.trace();
+  const Code& code = record.code();
+  const Trace::Step* const step = trace.find_step(trace.step_of_move(step_of_move));
+  if (step == nullptr) {
+    for (const char* name : {"program", "n", "line"}) fields[name] = py::none();
+    return;
+  }
+  const Block& block = code.blocks[step->address];
+  fields["program"] = code.name_of(code.program_at(step->address));
+  fields["n"] = sequence_number(block.n);
+  fields["line"] = block.line;
+}
+
+void add_steps(py::class_<Record>& trace) {
+  trace
+      .def_property_readonly("steps",
+                             [](const Record& record) {
+                               const Record::Reading reading(record);
+                               return record.trace().steps.size();
+                             })
+      .def("step_row", &step_row, py::arg("index"), py::arg("row"))
+      .def("step_column", &step_column, py::arg("name"))
+      .def("step_texts", &step_texts, py::arg("first"), py::arg("last"))
+      .def("step_text_column", &step_text_column);
+}
+
+}  // namespace cncsub::bindings
