@@ -39,10 +39,17 @@ zig() {
     if [ ! -x "$python" ] && [ -z "${ZIG:-}" ]; then
         python3 -m venv build/ports/zig >&2 && build/ports/zig/bin/python -m pip install --quiet ziglang >&2 || return 1
     fi
-    "$python" -c 'import ziglang' 2>/dev/null || return 1
-    [ "${python#/}" != "$python" ] || python=$PWD/$python
-    printf '#!/bin/sh\nexec "%s" -m ziglang c++ -target %s "$@"\n' "$python" "$1" >"build/ports/c++-$1"
-    printf '#!/bin/sh\nexec "%s" -m ziglang ar "$@"\n' "$python" >build/ports/ar
+    zig=$("$python" -c 'import pathlib, ziglang; print(pathlib.Path(ziglang.__file__).parent / "zig")' 2>/dev/null) || return 1
+    # Zig hands a precompiled header to its linker, which knows none: the compiler inside is asked by itself.
+    cat >"build/ports/c++-$1" <<END
+#!/bin/sh
+zig=$zig
+case " \$* " in
+*" -emit-pch "*) eval "\$("\$zig" c++ -target $1 '-###' "\$@" 2>&1 | grep -e '"-cc1"')" ;;
+*) exec "\$zig" c++ -target $1 "\$@" ;;
+esac
+END
+    printf '#!/bin/sh\nexec "%s" ar "$@"\n' "$zig" >build/ports/ar
     chmod +x "build/ports/c++-$1" build/ports/ar
     echo "$PWD/build/ports/c++-$1"
 }
@@ -64,7 +71,7 @@ with_zig() {
         skip "$1" "there is no Zig here; pip install ziglang, or ZIG=.../python that has it"
         return 77
     fi
-    build "$1" "$2" "$compiler" -DCMAKE_AR="$PWD/build/ports/ar" -DCMAKE_RANLIB=/bin/true \
+    build "$1" "$2" "$compiler" -DCNCSUB_PRECOMPILE=ON -DCMAKE_CXX_FLAGS=-g0 -DCMAKE_AR="$PWD/build/ports/ar" -DCMAKE_RANLIB=/bin/true \
         -DCMAKE_SYSTEM_PROCESSOR="${3%%-*}" -DCMAKE_INSTALL_NAME_TOOL=/bin/true -DCMAKE_OSX_SYSROOT=/ \
         -DCMAKE_HAVE_LIBC_PTHREAD=ON
 }
