@@ -34,6 +34,7 @@ class OverwrittenCheck {
   };
 
   Numbers read_and_written(const ProgramFlow& flow) const;
+  bool is_argument(std::int32_t program, std::int32_t number) const;
   const Numbers& scratch(std::int32_t program);
   void find_taken();
   bool hand_on(const CallEdge& edge);
@@ -67,7 +68,18 @@ Numbers OverwrittenCheck::read_and_written(const ProgramFlow& flow) const {
   return both;
 }
 
-/// The variables that a program uses as its own: it writes each before it reads it, and reads it.
+/// Whether some call gives the local as an argument: then it is the program's own from the start.
+bool OverwrittenCheck::is_argument(std::int32_t program, std::int32_t number) const {
+  for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(program)]) {
+    const CallRecord& record = c_.code.calls[edge.record];
+    for (std::uint32_t i = 0; edge.macro && i < record.arguments; ++i)
+      if (c_.code.arguments[record.first_argument + i].variable == number) return true;
+  }
+  return false;
+}
+
+/// The variables that a program uses as its own: it writes each before it reads it, or has it as an
+/// argument, and reads it.
 const Numbers& OverwrittenCheck::scratch(std::int32_t program) {
   auto& known = scratch_[static_cast<std::size_t>(program)];
   if (known) return *known;
@@ -78,7 +90,9 @@ const Numbers& OverwrittenCheck::scratch(std::int32_t program) {
     const Numbers both = some_of(all, first);
     const Bits handed = handed_over(flow, both);
     for (std::size_t i = 0; i < both.size(); ++i)
-      if ((handed >> i & 1) == 0) known->push_back(both[i]);
+      if ((handed >> i & 1) == 0 ||
+          (c_.code.place(both[i]).is_local() && is_argument(program, both[i])))
+        known->push_back(both[i]);
   }
   return *known;
 }
