@@ -139,7 +139,7 @@ void OverwrittenCheck::find_taken() {
   std::vector<std::int32_t> waiting;
   for (const ProgramFlow& flow : c_.flows) {
     const std::int32_t program = flow.program();
-    if (!c_.is_called(program) || c_.inside(flow)) continue;
+    if (!c_.is_called(program)) continue;
     taken_[static_cast<std::size_t>(program)] = scratch(program);
     if (!scratch(program).empty()) waiting.push_back(program);
   }
@@ -247,7 +247,7 @@ void OverwrittenCheck::tell_lost(const ProgramFlow& flow, Address at, std::int32
 void OverwrittenCheck::run() {
   find_taken();
   for (const ProgramFlow& flow : c_.flows) {
-    if (c_.inside(flow) || flow.calls().empty()) continue;
+    if (flow.calls().empty()) continue;
     calls_at_ = calls_by_block(flow);
     tell_overwritten(flow);
   }
