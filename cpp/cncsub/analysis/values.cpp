@@ -158,8 +158,7 @@ void check_values(Checker& c) {
       each_variant(c.code, c.code.blocks[at], [&](const Block& block) {
         check_drops(c, at, block);
         check_plain_code(c, at, block);
-        if (block.op == Op::Call || block.op == Op::MacroCall || block.op == Op::ModalCall)
-          check_call(c, at, c.code.calls[block.aux]);
+        if (is_call(block.op)) check_call(c, at, c.code.calls[block.aux]);
       });
   }
 }
