@@ -140,13 +140,17 @@ void FlowReader::call_label(const Block& block, const Labelled& own) {
 /// The head of a subprogram, which the program that it stands in passes over; false where nobody
 /// knows how far.
 bool FlowReader::passes_over(const Labelled& own) {
-  if (code_.program_at(at_) == to_.program_ || own.next == Labelled::kNone ||
-      own.next >= to_.last_)
-    return false;
-  const Block& end = code_.blocks[own.next];
-  if (end.op != Op::Labelled || code_.labelled[end.aux].kind != LabelledKind::EndSub) return false;
+  if (code_.program_at(at_) == to_.program_) return false;
+  const Labelled* at = &own;
+  Address end = at_;
+  while (at->kind != LabelledKind::EndSub) {  // past each return
+    if (at->next == Labelled::kNone || at->next >= to_.last_ || at->next <= end) return false;
+    end = at->next;
+    if (code_.blocks[end].op != Op::Labelled) return false;
+    at = &code_.labelled[code_.blocks[end].aux];
+  }
   to_.entries_.push_back(at_ + 1);
-  exit(own.next + 1, Way::Jump);
+  exit(end + 1, Way::Jump);
   return true;
 }
 
