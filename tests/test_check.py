@@ -59,6 +59,7 @@ NEAR: dict[str, tuple[str, str]] = {
     "CS604": (" B2.", ""), "CS605": ("M98 P2", "G65 P2"), "CS606": ("O2\nN10 #100=0\nN20 G4 P#100", "O2\nN10 #101=0\nN20 G4 P#101"),
     "CS701": ("X10\n", "X10.\n"), "CS702": ("O21000", "O2100"), "CS703": ("L0", "L1"),
     "CS704": ("M3 M8", "M3"), "CS705": ("#2+#3 AND 7", "#2+[#3 AND 7]"), "CS706": ("G99", "M99"),
+    "CS707": ("M97 P30", "M97"),
     "CS801": ("G0 G1", "G90 G1"), "CS802": ("; N20", "\nN20"), "CS803": ("x1.", "X1. (x)"),
 }  # fmt: skip
 
@@ -203,6 +204,31 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "loops inside each other": ("", "O1\nN5 #1=0\nN10 WHILE[#1 LT 3]DO1\nN20 WHILE[#1 LT 5]DO2\nN30 #1=#1+1\nN40 END2\nN50 END1\n" + END, ""),
     "an END without its loop": ("gsk-988ta", "O1\nN10 END1\n" + END, "CS207 N10"),
     "an IF without its ENDIF": ("siemens-one", "N10 IF R1==1\nN20 G0 X1\nN30 M30\n", "CS207 N10"),
+    "a label that two blocks have": ("siemens-one", "G0 X1\nGOTOF LAB\nLAB: X2\nLAB: X3\nM30\n", "CS204 :2"),
+    "two labels that nobody jumps to": ("siemens-one", "G0 X1\nLAB: X2\nLAB: X3\nM30\n", ""),
+    "what a subprogram with a label leaves on": (
+        "linuxcnc", "o<a> sub\nN5 g91 g0 x1\no<a> endsub\nN10 g90 g0 x0\nN20 o<a> call\nN30 g1 x10 f100\nN40 m2\n", "CS501 N20"),
+    "what it leaves as it was": (
+        "linuxcnc", "o<a> sub\nN5 g91 g0 x1\nN6 g90\no<a> endsub\nN10 g90 g0 x0\nN20 o<a> call\nN30 g1 x10 f100\nN40 m2\n", ""),
+    "labels that call in a circle": (
+        "linuxcnc", "o<a> sub\nN5 o<b> call\no<a> endsub\no<b> sub\nN6 o<a> call\no<b> endsub\nN20 o<a> call\nN40 m2\n", "CS402 N6"),
+    "labels that call too deep": (
+        "linuxcnc", "".join(f"o{i} sub\nN{i} o{i + 1} call\no{i} endsub\n" for i in range(100, 109))
+        + "o109 sub\ng0 x1\no109 endsub\nN10 o100 call\nN20 m2\n", "CS401 N108"),
+    "labels that call as deep as they may": (
+        "linuxcnc", "".join(f"o{i} sub\nN{i} o{i + 1} call\no{i} endsub\n" for i in range(100, 108))
+        + "o108 sub\ng0 x1\no108 endsub\nN10 o100 call\nN20 m2\n", ""),
+    "an argument that a subprogram with a label never reads": (
+        "linuxcnc", "o<a> sub\ng0 x#1\no<a> endsub\nN10 o<a> call [1] [2]\nN20 m2\n", "CS604 N10"),
+    "a common that a subprogram with a label takes": (
+        "linuxcnc", "o<a> sub\n#100=1\ng0 y#100\no<a> endsub\nN10 #100=2\nN20 g0 z#100\nN30 o<a> call\nN40 g0 x#100\nN50 m2\n", "CS606 N40"),
+    "a macro that is called by M98 too": (
+        "", "O1\nN10 G65 P2 A1.\nN20 M98 P2\nN30 M30\nO2\nN40 G0 X[#1+1.]\nN50 M99\n", "CS602 N40"),
+    "by M98 where the caller has set it": (
+        "", "O1\nN5 #1=2.\nN10 G65 P2 A1.\nN20 M98 P2\nN30 M30\nO2\nN40 G0 X[#1+1.]\nN50 M99\n", ""),
+    "a subprogram that reads what nothing sets": ("", "O1\nN20 M98 P2\nN30 M30\nO2\nN40 G0 X[#1+1.]\nN50 M99\n", "CS601 N40"),
+    "an argument that is the caller's own by M98": (
+        "", "O1\nN5 #1=3.\nN6 G0 Z#1\nN10 G65 P2 A1.\nN20 M98 P2\nN25 G0 X#1\nN30 M30\nO2\nN40 #1=#1+1.\nN45 G0 Y#1\nN50 M99\n", "CS605 N25"),
     "a label without its end": ("linuxcnc", "#1=1\no1 while [#1 lt 3]\n#1=[#1+1]\nm2\n", "CS207 :2"),
     "an end without its label": ("linuxcnc", "o1 endif\nm2\n", "CS207 :1"),
     "labels that cross": ("linuxcnc", "#1=1\no1 while [#1 lt 3]\no2 if [#1 gt 1]\n#1=[#1+1]\no1 endwhile\no2 endif\nm2\n", "CS207 :3"),
@@ -262,6 +288,16 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "X0 needs no point": ("", "O1\nN10 G0 X0 Y2.5\n" + END, ""),
     "a count in P that is meant": ("", "O1\nN10 M98 P21000\nN20 M30\nO1000\nN30 M99\n", ""),
     "L0 that alarms is a refusal": ("gsk-988ta", "O1\nN10 M98 P2 L0\nN20 M30\nO2\nN30 M99\n", "CS101 N10"),
+    "a start block on a control that has none": ("fanuc-0i-f", "O1\nN10 M98 P2 Q5\nN15 M98 P2 H5\nN20 M30\nO2\nN5 M99\n", "CS704 N10, CS704 N15"),
+    "a start block on one that has it": ("gsk-988ta", "O1\nN10 M98 P2 Q5\nN20 M30\nO2\nN5 M99\n", ""),
+    "H of a length offset in a block that calls": ("fanuc-0i-f", "O1\nN10 G43 H5 M98 P2\nN20 M30\nO2\nN5 M99\n", ""),
+    "L where the count stands in P": ("gsk-980mdi", "O1\nN10 M98 P2 L3\nN20 M30\nO2\nN5 M99\n", "CS704 N10"),
+    "L of M99": ("fanuc-16i", "O1\nN10 M98 P2\nN20 M30\nO2\nN5 M99 L2\n", "CS704 N5"),
+    "L of M99 that counts": ("fanuc-0i-f", "O1\nN10 M98 P2\nN20 M30\nO2\nN5 M99 L0\n", ""),
+    "M198 on a control without a device": ("hnc-21m", "%1\nN10 M198 P5\n" + END, "CS707 N10"),
+    "M97 that calls": ("haas-ngc", "O1\nN10 M97 P20\nN15 M30\nN20 M99\n", ""),
+    "M97 that jumps": ("mitsubishi-meldas", "O1\nN10 G4 P1\n" + END, ""),
+    "M198 of LinuxCNC is a code of the machine's own": ("linuxcnc", "M198 P5\nM2\n", ""),
     "one M code too many": ("fanuc-0i-f", "O1\nN10 M8 M9\n" + END, "CS704 N10"),
     "brackets around what belongs together": ("mitsubishi-m800", "O1\nN10 IF[[#500 EQ 1] AND [#501 EQ 2]]GOTO 90\nN20 #502=[#503 AND 7]+1\n" + END, ""),
     "a sign is no operation": ("", "O1\nN10 #502=#503 AND -7\n" + END, ""),
@@ -694,3 +730,69 @@ def test_paths_lead_from_the_program_that_is_run() -> None:
     frames = [(f.program, f.n, f.kind) for f in run.alarm.frames]
     assert [(f.program, f.n, f.kind) for f in finding.alarm.frames] == frames
     assert library.check("O2")[0].path[0].program == "O2"
+
+
+# ---- brackets around logic ----
+
+
+@pytest.mark.parametrize(
+    ("control", "written", "mended"),
+    [
+        ("fanuc-0i-f", "#1=#2+#3 AND 7", "#1=#2+[#3 AND 7]"),
+        ("fanuc-0i-f", "IF[#1 AND 3 EQ 3]GOTO 90", "IF[[#1 AND 3] EQ 3]GOTO 90"),
+        ("fanuc-0i-f", "G0 X[#2*2 OR #3]", "G0 X[[#2*2] OR #3]"),
+        ("fanuc-0i-f", "#1=[[[[#2+#3 AND 7]]]]", None),  # too many brackets then
+        ("fanuc-0i-f", "#1=ATAN[#1]/[2] AND 7", None),  # whose / it is, is not certain
+        ("hnc-21m", "#1=#2+#3 AND 7", "#1=[#2+#3] AND 7"),
+        ("mitsubishi-m700", "#1=#2+#3 AND 7", "#1=#2+[#3 AND 7]"),
+        ("linuxcnc", "#1=[#2 OR #3 AND 7]", "#1=[[#2 OR #3] AND 7]"),
+    ],
+)
+def test_brackets_are_offered_that_keep_what_is_done(
+    control: str, written: str, mended: str | None
+) -> None:
+    head = {"linuxcnc": "", "hnc-21m": "%1\n"}.get(control, "O1\n")
+    text = f"{head}N10 {written}\n{END}"
+    (finding,) = (
+        f for f in cncsub.loads(text, control=control).check() if f.rule == "CS705"
+    )
+    if mended is None:
+        assert finding.fix is None
+        return
+    assert finding.fix is not None
+    (edit,) = finding.fix
+    assert written.replace(edit.old, edit.new, 1) == mended
+    text = text.replace(written, mended)
+    assert not [f for f in cncsub.loads(text, control=control).check() if f.rule == "CS705"]
+
+
+@given(st.randoms(use_true_random=False))
+def test_brackets_that_are_offered_keep_the_value(random: Any) -> None:
+    def value(depth: int) -> str:
+        kind = random.randint(0, 6)
+        if kind == 0 and depth < 2:
+            return f"[{expression(depth + 1)}]"
+        if kind == 1 and depth < 2:
+            return f"ABS[{expression(depth + 1)}]"
+        return random.choice((f"#{random.randint(1, 9)}", f"-#{random.randint(1, 9)}", "3", "6"))
+
+    def expression(depth: int) -> str:
+        names = ("+", "-", "*", " AND ", " OR ", " XOR ", " MOD ")
+        parts = [value(depth)]
+        for _ in range(random.randint(0, 3)):
+            parts += [random.choice(names), value(depth)]
+        return "".join(parts)
+
+    control = random.choice(("fanuc-0i-f", "hnc-21m", "gsk-988ta", "mitsubishi-m700", "haas-ngc"))
+    written = expression(0)
+    head = "%1" if control == "hnc-21m" else "O1"
+    text = f"{head}\nN10 #100={written}\n{END}"
+    found = [f for f in cncsub.loads(text, control=control).check() if f.rule == "CS705"]
+    if not found or found[0].fix is None:
+        return
+    (edit,) = found[0].fix
+    mended = text.replace(edit.old, edit.new, 1)
+    given_values = {number: float(number * 5 % 13) for number in range(1, 10)}
+    runs = [cncsub.loads(t, control=control).run(variables=given_values) for t in (text, mended)]
+    assert runs[0].variables[100] == runs[1].variables[100], (text, mended)
+    assert [run.alarm is None for run in runs] in ([True, True], [False, False])

@@ -10,6 +10,7 @@ for Ctrl-C.
 from __future__ import annotations
 
 import sys
+from collections import Counter
 from importlib import import_module
 from typing import Annotated, Any
 
@@ -76,7 +77,34 @@ class OneLineGroup(typer.core.TyperGroup):
         alone.command(cmd_name, short_help=told)(
             getattr(import_module(f"cncsub.{module}"), function)
         )
-        return typer.main.get_command(alone)
+        return _each_option_once(typer.main.get_command(alone))
+
+
+def _each_option_once(command: Any) -> Any:
+    """Of an option that takes one value, a second one is told: none is dropped in silence."""
+    make = command.make_parser
+
+    def make_parser(context: Any) -> Any:
+        parser = make(context)
+        parse = parser.parse_args
+
+        def parse_args(args: list[str]) -> Any:
+            told, rest, order = parse(args)
+            given = Counter(
+                max(each.opts, key=len)
+                for each in order
+                if each.param_type_name == "option" and not each.multiple and not each.is_flag
+            )
+            for name, times in given.items():
+                if times > 1:
+                    raise WrongUseError(f"{name} is given {times} times and takes one value")
+            return told, rest, order
+
+        parser.parse_args = parse_args
+        return parser
+
+    command.make_parser = make_parser
+    return command
 
 
 def _one_line(error: Exception) -> str:

@@ -21,7 +21,7 @@ from cncsub.beside import with_files_beside
 from cncsub.controls import did_you_mean, names_beginning
 from cncsub.notes import Note, counting, same_blocks
 from cncsub.printing import Console, console_on, shown
-from cncsub.project import project_for
+from cncsub.project import Project, project_for
 
 MOST_WATCHED = 1000  # variables of one range; the engine takes no more of all
 
@@ -227,15 +227,20 @@ _READ = ("setup", "inputs", "variables")  # and one that is read beside the prog
 def library_of(options: Mapping[str, Any]) -> cncsub.Library:
     library = _read(options)
     written = [Path(path) for name in _WRITTEN if (path := options.get(name)) is not None]
-    read: list[str | Path] = [*library.files, *_files_beside_programs(options)]
+    project = project_for(options.get("paths")) if written else Project()
+    read: list[str | Path] = [*library.files, *_files_beside_programs(options, project)]
+    external = options.get("external") or project.external
     for place, path in enumerate(written):
-        _refuse_to_overwrite(path, read, written[:place], options.get("external"))
+        _refuse_to_overwrite(path, read, written[:place], external)
     return library
 
 
-def _files_beside_programs(options: Mapping[str, Any]) -> list[Path]:
-    """The files of setup, inputs and variables that the options name."""
-    return [Path(path) for name in _READ if (path := options.get(name)) is not None]
+def _files_beside_programs(options: Mapping[str, Any], project: Project) -> list[Path]:
+    """The files of setup, inputs and variables that the options or the project name, and the file
+    of the project itself.
+    """
+    named = [options.get(name) or getattr(project, name) for name in _READ]
+    return [Path(path) for path in (*named, project.file) if path is not None]
 
 
 def _refuse_to_overwrite(
@@ -301,7 +306,8 @@ def files_beside(options: Mapping[str, Any], library: cncsub.Library) -> list[st
 
 def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
     """What is easily overlooked of a memory, but for files that the options name themselves."""
-    known = {os.path.realpath(file) for file in _files_beside_programs(options)}
+    project = project_for(options.get("paths"))
+    known = {os.path.realpath(file) for file in _files_beside_programs(options, project)}
     beside = [
         Note("beside", "read too, because a call names its program", file)
         for file in files_beside(options, library)

@@ -44,7 +44,9 @@ class FlowReader {
   void back(const CallRecord& record);
   void call(const Block& block);
   void h_code(const HCode& h);
-  void labelled(const Labelled& own);
+  void labelled(const Block& block, const Labelled& own);
+  void call_label(const Block& block, const Labelled& own);
+  bool passes_over(const Labelled& own);
   void words_or_call(const Block& block);
   void words(const Block& block);
   bool raises_alarm(const Statement& statement) const;
@@ -124,22 +126,54 @@ void FlowReader::h_code(const HCode& h) {
   if (h.number != kJumpAlways) next();
 }
 
+/// A call of a subprogram that has a label, or of a file of that name. What stands in a subprogram
+/// is told by its own flow.
+void FlowReader::call_label(const Block& block, const Labelled& own) {
+  mark(ProgramFlow::kCallsComputed);
+  if (code_.program_at(at_) != to_.program_) return;
+  for (const CallReference& call : references_of(code_, block, to_.program_).calls)
+    if (call.found != kNoProgram && !call.computed_program)
+      to_.calls_.push_back({at_, to_.program_, call.found, own.call,
+                            code_.programs[static_cast<std::size_t>(call.found)].first, true});
+}
+
+/// The head of a subprogram, which the program that it stands in passes over; false where nobody
+/// knows how far.
+bool FlowReader::passes_over(const Labelled& own) {
+  if (code_.program_at(at_) == to_.program_) return false;
+  const Labelled* at = &own;
+  Address end = at_;
+  while (at->kind != LabelledKind::EndSub) {  // past each return
+    if (at->next == Labelled::kNone || at->next >= to_.last_ || at->next <= end) return false;
+    end = at->next;
+    if (code_.blocks[end].op != Op::Labelled) return false;
+    at = &code_.labelled[code_.blocks[end].aux];
+  }
+  to_.entries_.push_back(at_ + 1);
+  exit(end + 1, Way::Jump);
+  return true;
+}
+
 /// What a label leads to is found while it runs: both ways count.
-void FlowReader::labelled(const Labelled& own) {
+void FlowReader::labelled(const Block& block, const Labelled& own) {
   mark(ProgramFlow::kLabels);
   switch (own.kind) {
     case LabelledKind::Sub:
+      if (passes_over(own)) return;
+      to_.entries_.push_back(at_);
+      break;
     case LabelledKind::Head:  // a call may lead there from anywhere
       to_.entries_.push_back(at_);
       break;
     case LabelledKind::EndSub:
+      return mark(ProgramFlow::kReturns);
     case LabelledKind::Return:
     case LabelledKind::Back:
       mark(ProgramFlow::kReturns);
       break;
     case LabelledKind::Call:
     case LabelledKind::Call98:
-      mark(ProgramFlow::kCallsComputed);
+      call_label(block, own);
       break;
     default:
       break;
@@ -197,7 +231,7 @@ void FlowReader::words_or_call(const Block& block) {
     case Op::ModalCall:
       return call(block);
     case Op::Labelled:
-      return labelled(code_.labelled[block.aux]);
+      return labelled(block, code_.labelled[block.aux]);
     case Op::Fault:  // what stands behind it is no less meant to run, and it might have called
       mark(ProgramFlow::kCallsComputed);
       return next();

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cncsub/analysis/brackets.hpp"
 #include "cncsub/analysis/checker.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -115,7 +116,10 @@ class LogicCheck {
  private:
   bool is_statement(const Block& block) const;
   bool of_numbers(const Expression& of) const;
+  bool of_conditions(const Expression& of) const;
+  void mend(Finding& found, Address at, std::string_view written, const Binding& binding) const;
   void brackets(Address at, std::string_view text, std::uint32_t first);
+  void tell(Address at, const Expression& of, std::string_view written, Asked asked);
   const char* read_as(Asked asked) const;
 
   Checker& c_;
@@ -155,6 +159,27 @@ bool LogicCheck::of_numbers(const Expression& of) const {
   return false;
 }
 
+bool LogicCheck::of_conditions(const Expression& of) const {
+  for (const Instruction* ins = c_.code.instructions.data() + of.first; ins->op != Ins::End; ++ins)
+    if (ins->op == Ins::BothTrue || ins->op == Ins::OneTrue || ins->op == Ins::EitherTrue)
+      return true;
+  return false;
+}
+
+/// Offers the brackets that keep what is done.
+void LogicCheck::mend(Finding& found, Address at, std::string_view written,
+                      const Binding& binding) const {
+  const Control& control = *c_.code.control;
+  // The brackets around the expression count too.
+  const auto text = with_brackets(written, binding, asked_ != Asked::OtherOperations,
+                                  control.macros.max_brackets.value - 1);
+  if (!text) return;
+  const int most = control.reading.max_block_length.value;
+  const std::size_t length = c_.code.blocks[at].length + text->size() - written.size();
+  if (most > 0 && length > static_cast<std::size_t>(most)) return;
+  found.edits.push_back({at, found.place, *text});
+}
+
 /// What stands in brackets in a block of words, of a call or of a label.
 void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first) {
   std::size_t depth = 0, from = 0;
@@ -167,11 +192,26 @@ void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first
     if (depth > 0) continue;
     const std::string_view inside = text.substr(from + 1, i - from - 1);
     if (!has_logic(inside) || !Operations(asked_).mixed(inside)) continue;
-    c_.found(Check::LogicOrder, at,
-             {static_cast<std::uint32_t>(first + from), static_cast<std::uint32_t>(i - from + 1)},
-             read_as(asked_));
+    Finding& found = c_.found(
+        Check::LogicOrder, at,
+        {static_cast<std::uint32_t>(first + from), static_cast<std::uint32_t>(i - from + 1)},
+        read_as(asked_));
+    const std::string_view written = text.substr(from, i - from + 1);
+    if (order_ == LogicOrder::LikeArithmetic && asked_ != Asked::OtherLogic)
+      mend(found, at, written, kLogicAsArithmetic);
+    else if (order_ == LogicOrder::Last || asked_ == Asked::OtherLogic)
+      mend(found, at, written, kLogicLast);
     return;
   }
+}
+
+void LogicCheck::tell(Address at, const Expression& of, std::string_view written, Asked asked) {
+  Finding& found = c_.found(Check::LogicOrder, at, {of.at, of.width}, read_as(asked));
+  const bool conditions = of_conditions(of), numbers = of_numbers(of);
+  if (asked_ == Asked::OtherLogic || order_ == LogicOrder::Last)
+    return mend(found, at, written, kLogicLast);
+  if (order_ == LogicOrder::LikeArithmetic) return mend(found, at, written, kLogicAsArithmetic);
+  if (conditions != numbers) mend(found, at, written, numbers ? kLogicAsArithmetic : kLogicLast);
 }
 
 void LogicCheck::block(Address at, const Block& block, const std::string& text) {
@@ -187,7 +227,7 @@ void LogicCheck::block(Address at, const Block& block, const std::string& text) 
   const bool numbers = asked_ == Asked::OtherLogic || of_numbers(of);
   const Asked asked = numbers ? asked_ : asked_ == Asked::Both ? Asked::OtherLogic : Asked::Nothing;
   if (asked != Asked::Nothing && has_logic(written) && Operations(asked).mixed(written))
-    c_.found(Check::LogicOrder, at, {of.at, of.width}, read_as(asked));
+    tell(at, of, written, asked);
 }
 
 }  // namespace

@@ -228,7 +228,7 @@ Modes ModeCheck::leaves(const ProgramFlow& flow, const std::vector<Modes>& state
 void ModeCheck::settle() {
   std::vector<std::int32_t> waiting;
   for (const ProgramFlow& flow : c_.flows)
-    if (c_.is_called(flow.program()) && !c_.inside(flow)) waiting.push_back(flow.program());
+    if (c_.is_called(flow.program())) waiting.push_back(flow.program());
   std::vector<bool> first(c_.flows.size(), true);
   while (!waiting.empty()) {
     const std::int32_t program = waiting.back();
@@ -311,7 +311,7 @@ void ModeCheck::leaks(const ProgramFlow& flow) {
 void ModeCheck::run() {
   settle();
   for (const ProgramFlow& flow : c_.flows)
-    if (!flow.calls().empty() && !c_.inside(flow)) leaks(flow);
+    if (!flow.calls().empty()) leaks(flow);
 }
 
 }  // namespace

@@ -278,10 +278,10 @@ std::vector<Address> NestingCheck::path(std::size_t to, std::size_t measure) con
 void NestingCheck::call(std::size_t from, const CallTree::Call& call) {
   const CallEdge& edge = *call.edge;
   Depth deeper = deepest_[from];
-  ++deeper[edge.macro ? 1 : 0];
-  ++deeper[2];
   const CallRecord& record = c_.code.calls[edge.record];
-  for (const Limit& limit : limits(edge.macro)) {
+  ++deeper[record.macro ? 1 : 0];
+  ++deeper[2];
+  for (const Limit& limit : limits(record.macro)) {
     const auto measure = static_cast<std::size_t>(limit.measure);
     if (deeper[measure] != limit.most + 1 || !told_.insert(edge.from).second) continue;
     c_.refused(Check::TooDeep, edge.from,

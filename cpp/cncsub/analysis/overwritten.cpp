@@ -34,6 +34,7 @@ class OverwrittenCheck {
   };
 
   Numbers read_and_written(const ProgramFlow& flow) const;
+  bool is_argument(std::int32_t program, std::int32_t number) const;
   const Numbers& scratch(std::int32_t program);
   void find_taken();
   bool hand_on(const CallEdge& edge);
@@ -67,7 +68,18 @@ Numbers OverwrittenCheck::read_and_written(const ProgramFlow& flow) const {
   return both;
 }
 
-/// The variables that a program uses as its own: it writes each before it reads it, and reads it.
+/// Whether some call gives the local as an argument: then it is the program's own from the start.
+bool OverwrittenCheck::is_argument(std::int32_t program, std::int32_t number) const {
+  for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(program)]) {
+    const CallRecord& record = c_.code.calls[edge.record];
+    for (std::uint32_t i = 0; edge.macro && i < record.arguments; ++i)
+      if (c_.code.arguments[record.first_argument + i].variable == number) return true;
+  }
+  return false;
+}
+
+/// The variables that a program uses as its own: it writes each before it reads it, or has it as an
+/// argument, and reads it.
 const Numbers& OverwrittenCheck::scratch(std::int32_t program) {
   auto& known = scratch_[static_cast<std::size_t>(program)];
   if (known) return *known;
@@ -78,7 +90,9 @@ const Numbers& OverwrittenCheck::scratch(std::int32_t program) {
     const Numbers both = some_of(all, first);
     const Bits handed = handed_over(flow, both);
     for (std::size_t i = 0; i < both.size(); ++i)
-      if ((handed >> i & 1) == 0) known->push_back(both[i]);
+      if ((handed >> i & 1) == 0 ||
+          (c_.code.place(both[i]).is_local() && is_argument(program, both[i])))
+        known->push_back(both[i]);
   }
   return *known;
 }
@@ -125,7 +139,7 @@ void OverwrittenCheck::find_taken() {
   std::vector<std::int32_t> waiting;
   for (const ProgramFlow& flow : c_.flows) {
     const std::int32_t program = flow.program();
-    if (!c_.is_called(program) || c_.inside(flow)) continue;
+    if (!c_.is_called(program)) continue;
     taken_[static_cast<std::size_t>(program)] = scratch(program);
     if (!scratch(program).empty()) waiting.push_back(program);
   }
@@ -233,7 +247,7 @@ void OverwrittenCheck::tell_lost(const ProgramFlow& flow, Address at, std::int32
 void OverwrittenCheck::run() {
   find_taken();
   for (const ProgramFlow& flow : c_.flows) {
-    if (c_.inside(flow) || flow.calls().empty()) continue;
+    if (flow.calls().empty()) continue;
     calls_at_ = calls_by_block(flow);
     tell_overwritten(flow);
   }

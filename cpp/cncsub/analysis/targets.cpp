@@ -123,6 +123,10 @@ void TargetCheck::block(Address at, const Block& block) {
     const TextPlace place{go.variable_at, go.variable_width};
     if (go.number >= 0 || go.to != kNowhere)
       jump(at, go.number > 0 ? go.number : -1, go.to, place, Cause::JumpTargetNotFound);
+    if (go.end != kNowhere && go.to != kNowhere)
+      c_.found(Check::Ambiguous, at, place,
+               "it leads to line " + std::to_string(c_.code.blocks[go.to].line) + ", and line " +
+                   std::to_string(c_.code.blocks[go.end].line) + " has the same label");
   } else if (block.op == Op::Jump) {
     jump(at, c_.code.jumps[block.aux].p);
   } else if (block.op == Op::HCode) {

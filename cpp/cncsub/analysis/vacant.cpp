@@ -20,6 +20,7 @@ class VacantCheck {
   };
 
   Bits given(const CallEdge& edge) const;
+  Bits vacant_in(const CallEdge& edge) const;
   Vacant at_entry(const ProgramFlow& flow) const;
   std::vector<Vacant> vacant(const ProgramFlow& flow) const;
   void pass(const ProgramFlow& flow, Address at, Vacant& state) const;
@@ -53,6 +54,22 @@ Bits VacantCheck::given(const CallEdge& edge) const {
   return given;
 }
 
+/// The locals that have no value where a call comes from. Of a subprogram they are its caller's:
+/// those that nothing of a main program ever writes.
+Bits VacantCheck::vacant_in(const CallEdge& edge) const {
+  const CallKind kind = c_.code.calls[edge.record].kind;
+  if (edge.macro) {
+    const bool own =
+        kind == CallKind::Macro || kind == CallKind::GCode || kind == CallKind::MCode;
+    return own && c_.code.calls[edge.record].variable == 0 ? locals_ & ~given(edge) : 0;
+  }
+  const bool plain = kind == CallKind::Subprogram || kind == CallKind::Local;
+  const ProgramFlow& caller = c_.flow(edge.caller);
+  const LocalUse& of = uses_.of_program(edge.caller);
+  const bool known = plain && !of.any && !c_.is_called(edge.caller) && caller.ever_ends();
+  return known && c_.code.calls[edge.record].arguments == 0 ? locals_ & ~of.writes : 0;
+}
+
 VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   const auto& callers = c_.callers[static_cast<std::size_t>(flow.program())];
   Vacant entry{0, 0, true};
@@ -64,12 +81,9 @@ VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   if (computed_calls_ || flow.program() == c_.main) return entry;
   Bits always = locals_, sometimes = 0;
   for (const CallEdge& edge : callers) {
-    const CallKind kind = c_.code.calls[edge.record].kind;
-    const bool own = edge.macro && (kind == CallKind::Macro || kind == CallKind::GCode ||
-                                    kind == CallKind::MCode);
-    if (!own || c_.code.calls[edge.record].variable != 0) return entry;
-    always &= ~given(edge);
-    sometimes |= locals_ & ~given(edge);
+    const Bits vacant = vacant_in(edge);
+    always &= vacant;
+    sometimes |= vacant;
   }
   return {always, sometimes, true};
 }
@@ -134,7 +148,9 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow, Address at, Bits locals, 
 void VacantCheck::tell_vacant(const ProgramFlow& flow) {
   Bits told = uses_.of_program(flow.program()).tested;
   const std::vector<Vacant> before = vacant(flow);
-  const bool macro = c_.is_called(flow.program());
+  const auto& callers = c_.callers[static_cast<std::size_t>(flow.program())];
+  const bool macro = std::any_of(callers.begin(), callers.end(),
+                                 [](const CallEdge& edge) { return edge.macro; });
   for (Address at = flow.first(); at < flow.last(); ++at) {
     const VariableUse* own = uses_.of(at);
     const Vacant& state = before[at - flow.first()];

@@ -78,8 +78,52 @@ void check_call(Checker& c, Address at, const CallRecord& record) {
           ", while O" + std::to_string(whole) + " exists");
 }
 
+/// The M code of a block that calls, jumps or returns on other controls only; -1 where it has none.
+/// M97 and M198 without P may be anything.
+int plain_code(const Checker& c, const Block& block) {
+  const Control& control = *c.code.control;
+  if (block.op != Op::Words || block.m_count == 0 || block.g_count != 0) return -1;
+  const bool p = (block.mask & bit('P')) != 0;
+  for (const int m : c.code.codes_of(block).m()) {
+    const bool user = control.dialect != "iso" && m == 198;  // a code of the machine's own there
+    if (calls_elsewhere(control.calls.roles.value, m) && !user && (p || m == 98 || m == 99))
+      return m;
+  }
+  return -1;
+}
+
+/// What this control has instead.
+std::string instead_of(const Checker& c, int m) {
+  const CallRules& calls = c.code.control->calls;
+  const auto code = [&calls](Role role) {
+    const auto found = calls.roles.value.code_of(role);
+    return found ? found->text() : "";
+  };
+  const auto or_else = [](const std::string& first, const std::string& other) {
+    return first.empty() ? other : first;
+  };
+  const std::string call = or_else(code(Role::Call), code(Role::MacroCall));
+  if (m == 99) return or_else(code(Role::Return), "");
+  if (m == 198) return or_else(code(Role::ExternalCall), call);
+  if (m == 98) return call;
+  if (const std::string own = or_else(code(Role::LocalCall), code(Role::Jump)); !own.empty())
+    return own;
+  if (calls.start_word.value == StartWord::Q) return call + " with Q";
+  if (calls.start_word.value == StartWord::H) return call + " with H";
+  return c.code.lacks(StatementKind::Goto, 0) ? call : "GOTO, or " + call;
+}
+
+void check_plain_code(Checker& c, Address at, const Block& block) {
+  const int m = plain_code(c, block);
+  if (m < 0) return;
+  const std::string name = "M" + std::to_string(m), near = instead_of(c, m);
+  c.found(Check::PlainCode, at, {block.text, block.length},
+          name + " only goes to the machine" +
+              (near.empty() ? "" : "; what comes nearest here is " + near));
+}
+
 void check_drops(Checker& c, Address at, const Block& block) {
-  if ((block.flags & Block::kDrops) == 0) return;
+  if ((block.flags & Block::kDrops) == 0 || plain_code(c, block) >= 0) return;
   auto drop = std::lower_bound(c.code.drops.begin(), c.code.drops.end(), block.data,
                                [](const Drop& of, std::uint32_t data) { return of.data < data; });
   for (; drop != c.code.drops.end() && drop->data == block.data; ++drop)
@@ -113,6 +157,7 @@ void check_values(Checker& c) {
     for (Address at = flow.first(); at < flow.last(); ++at)
       each_variant(c.code, c.code.blocks[at], [&](const Block& block) {
         check_drops(c, at, block);
+        check_plain_code(c, at, block);
         if (is_call(block.op)) check_call(c, at, c.code.calls[block.aux]);
       });
   }

@@ -9,10 +9,8 @@
 namespace cncsub {
 
 VariableUses::VariableUses(const Checker& c) : c_(c), programs_(c.flows.size()) {
-  for (const ProgramFlow& flow : c.flows) {
-    if (c.inside(flow)) continue;
+  for (const ProgramFlow& flow : c.flows)
     for (Address at = flow.first(); at < flow.last(); ++at) take(flow, at);
-  }
   share();
 }
 

@@ -153,7 +153,11 @@ void Builder::words(Block& block, const WordList& words) {
   block.m_count = static_cast<std::uint8_t>(words.m_count);
   for (std::uint32_t left = words.mask; left != 0; left &= left - 1)
     code_.cells.push_back(cell_of(words.values[static_cast<std::size_t>(std::countr_zero(left))]));
-  if (code_.drops.size() > first_drop_) block.flags |= Block::kDrops;
+  if (code_.drops.size() > first_drop_) {
+    block.flags |= Block::kDrops;
+    // They are found by the block's data, which are its own then.
+    if (code_.cells.size() == block.data) code_.cells.push_back({});
+  }
   for (; first_drop_ < code_.drops.size(); ++first_drop_)
     code_.drops[first_drop_].data = block.data;
   block.op = Op::Words;

@@ -23,7 +23,7 @@ struct Statement {
   } target = Target::None;
   std::int32_t index = 0;   // Local, Common: the place; Variable: the number
   Address to = kNowhere;    // where a jump goes, when known
-  Address end = kNowhere;   // Do, While: the address of the END
+  Address end = kNowhere;   // Do, While: the address of the END; a jump: another block of its label
   std::int32_t number = 0;  // DO m, GOTO n, Hm of G65
   std::uint32_t at = 0, width = 1;
   std::uint32_t variable_at = 0, variable_width = 1;

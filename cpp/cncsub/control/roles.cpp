@@ -67,6 +67,10 @@ void Roles::set(CodeName code, Role role) {
   g_.insert(at, {code, role});
 }
 
+bool calls_elsewhere(const Roles& roles, int m) {
+  return (m == 97 || m == 98 || m == 99 || m == 198) && roles.of_m(m) == Role::None;
+}
+
 Roles family_roles() {
   return {{{'M', 0}, Role::Stop},
           {{'M', 10}, Role::OptionalStop},

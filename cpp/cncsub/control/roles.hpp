@@ -90,6 +90,9 @@ class Roles {
   std::vector<Entry> g_;  // by code; they are few
 };
 
+/// Whether an M code without a role is one that calls, returns or jumps on other controls.
+bool calls_elsewhere(const Roles& roles, int m);
+
 /// What a family has where a control's file says nothing.
 Roles family_roles();
 

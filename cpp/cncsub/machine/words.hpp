@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cncsub/machine/context.hpp"
+#include "cncsub/machine/output.hpp"
 
 namespace cncsub {
 
@@ -22,6 +23,7 @@ bool carry_out(Run& run, const Block& block);
 inline bool execute_words(Run& run, const Block& block) {
   run.block.outcome = {};
   if (has_words(block)) return carry_out(run, block);
+  if ((block.flags & Block::kDrops) != 0) tell_dropped(run, block, {});
   if (block.n >= 0) run.state.last_n = block.n;
   if (!is_words(block.op)) return true;
   record_step(run);

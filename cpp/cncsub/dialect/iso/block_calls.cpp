@@ -46,6 +46,7 @@ void BlockWriter::call() {
       return refuse({Cause::HCodeMissing, call.at, call.width, "G65 has neither P nor H"});
   }
   if (auto fault = arguments(call)) return refuse(std::move(*fault));
+  drop_unheard();
   words();
   if (macro_ && (block_.mask != 0 || block_.g_count != 0 || block_.m_count != 0) &&
       control_.macros.words_before_macro_call.value == WordsBeforeMacroCall::Alarm)
@@ -78,6 +79,43 @@ std::optional<Fault> BlockWriter::operand(CallRecord& call, const Token& token) 
                      (token.letter == 'H' && start == StartWord::H)))
     call.start = token.operand;
   return std::nullopt;
+}
+
+/// Whether a word that says something of a call, a return or a jump elsewhere says nothing here.
+bool BlockWriter::is_unheard(const Token& token) const {
+  const CallRules& rules = control_.calls;
+  if (token.comma) return false;
+  if (meaning_.back != nullptr)
+    return token.letter == 'L' && rules.return_with_l.value == ReturnWithL::Ignored;
+  if (meaning_.jump != nullptr) return token.letter == 'L';
+  if (!meaning_.calls_subprogram() || meaning_.registered != nullptr ||
+      control_.macros.call_passes_words.value)
+    return false;
+  if (token.letter == 'Q') return rules.start_word.value != StartWord::Q;
+  if (token.letter == 'H')  // beside a G code it is that one's
+    return rules.start_word.value != StartWord::H && meaning_.g.size() == 0;
+  const auto is_name = [](const Token& of) { return of.letter == '<'; };
+  return token.letter == 'L' && rules.program_word.value == ProgramWord::CountAndNumber &&
+         rules.count_and_l.value == CountAndL::NoL &&
+         std::none_of(tokens_.begin(), tokens_.end(), is_name);
+}
+
+void BlockWriter::drop_unheard() {
+  for (const Token& token : tokens_)
+    if (is_unheard(token)) to_.drop(token.operand.at, token.operand.width);
+}
+
+/// P of an M code that calls or jumps on other controls, and is nothing but an M code here.
+void BlockWriter::drop_plain_p() {
+  const Roles& roles = control_.calls.roles.value;
+  const auto elsewhere = [&](const Token* token) {
+    return token->operand.kind == Operand::Kind::Constant &&
+           calls_elsewhere(roles, to_whole<int>(token->operand.value));
+  };
+  if (meaning_.g.size() != 0 || std::none_of(meaning_.m.begin(), meaning_.m.end(), elsewhere))
+    return;
+  for (const Token& token : tokens_)
+    if (token.letter == 'P' && !token.comma) to_.drop(token.operand.at, token.operand.width);
 }
 
 std::optional<Fault> BlockWriter::given(Operand& place, const Token& token) const {
@@ -124,6 +162,7 @@ void BlockWriter::back() {
   if (back.p.present() && control_.calls.return_with_p.value == ReturnWithP::Refused)
     return refuse(
         {Cause::IllegalWordWithReturn, back.p.at, back.p.width, "M99 takes no P on this control"});
+  drop_unheard();
   words();
   to_.become(block_, Op::Return, std::move(back));
 }
@@ -159,6 +198,7 @@ void BlockWriter::jump() {
         {Cause::ProgramNumberMissing, jump.at, jump.width, "the jump does not say where to"});
   if (meaning_.jump_reads_input)
     if (auto fault = input_of_jump(jump)) return refuse(std::move(*fault));
+  drop_unheard();
   words();
   to_.become(block_, Op::Jump, jump);
 }

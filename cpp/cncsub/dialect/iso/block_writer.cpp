@@ -26,6 +26,7 @@ void BlockWriter::write() {
   if (meaning_.calls()) return call();
   if (meaning_.back != nullptr) return back();
   if (meaning_.jump != nullptr) return jump();
+  drop_plain_p();
   words();
   if (meaning_.cancel != nullptr) block_.op = Op::CancelModal;
   if (meaning_.end != nullptr) block_.op = Op::EndProgram;

@@ -30,6 +30,9 @@ class BlockWriter {
   void codes(WordList& words);
   bool executed(const Token& token) const;
   bool belongs_to_call(const Token& token) const;
+  bool is_unheard(const Token& token) const;
+  void drop_unheard();
+  void drop_plain_p();
   WordValue value_of(const Operand& operand, int place);
 
   void call();

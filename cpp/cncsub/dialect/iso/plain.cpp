@@ -102,6 +102,7 @@ inline bool PlainReader::take_m(Words& words, const Mantissa& number) const {
   const int m = static_cast<int>(number.value);
   const Role role = rules_.control.calls.roles.value.of_m(m);
   if (role != Role::None && role < Role::SpindleForward) return false;
+  if (calls_elsewhere(rules_.control.calls.roles.value, m)) return false;  // its P says nothing
   if (rules_.calling.find('M', m) != nullptr) return false;
   words.m = m;
   return true;

@@ -20,15 +20,28 @@ class Line {
  public:
   /// `at`: where the text stands in its file.
   void set(std::string_view text, std::uint32_t at) {
-    text_ = text.substr(0, before_comment(text));
+    set_uncut(text.substr(0, before_comment(text)), at);
+    stop_ = '\0';
+  }
+
+  /// The same without a look for the comment: it ends at the first ; that is met outside of what
+  /// was passed over between quotes.
+  void set_uncut(std::string_view text, std::uint32_t at) {
+    text_ = text;
     at_ = at;
     next_ = end_ = 0;
+    stop_ = ';';
   }
 
   /// What stands behind blanks, as a capital; 0 at the end.
   char peek() {
     while (next_ < text_.size() && is_blank(text_[next_])) ++next_;
-    return next_ < text_.size() ? upper(text_[next_]) : '\0';
+    return next_ < text_.size() && text_[next_] != stop_ ? upper(text_[next_]) : '\0';
+  }
+  /// What stands between quotes, with them; the quote alone where no other one follows.
+  void pass_quoted() {
+    const std::size_t close = text_.find('"', next_ + 1);
+    pass(close == std::string_view::npos ? 1 : close + 1 - next_);
   }
   bool at_end() { return peek() == '\0'; }
   /// What stands so many characters further on, blanks too.
@@ -57,6 +70,7 @@ class Line {
   std::string_view text_;
   std::uint32_t at_ = 0;
   std::size_t next_ = 0;
+  char stop_ = '\0';     // where it ends before its text does
   std::size_t end_ = 0;  // behind the last character that was taken
 };
 

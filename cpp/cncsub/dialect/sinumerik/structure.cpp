@@ -82,8 +82,9 @@ void Structure::close(const Met& met, Link::Kind opener) {
   if (runs(end, Op::EndDo) || runs(end, Op::IfGoto)) statement(end).to = open.address;
 }
 
-/// The nearest block of the label, or of the number, in the direction of the search. [NCI labels]
-Address Structure::target(const Met& met) {
+/// The nearest block of the label, or of the number, in the direction of the search; `other` is one
+/// more that has it, where there is one. [NCI labels]
+Address Structure::target(const Met& met, Address& other) {
   const Link& link = met.link;
   std::vector<Address> blocks;
   if (link.target.empty()) {
@@ -97,16 +98,22 @@ Address Structure::target(const Met& met) {
       !link.target.empty() && found != labels_.end() ? found->second : blocks;
   const auto behind = std::upper_bound(of.begin(), of.end(), met.address);
   const bool forward = link.direction != 'B';
-  if (forward && behind != of.end()) return *behind;
-  // Backwards a block may name itself.
-  return link.direction == 'F' || behind == of.begin() ? kNowhere : *std::prev(behind);
+  Address found_at = kNowhere;
+  if (forward && behind != of.end())
+    found_at = *behind;
+  else if (link.direction != 'F' && behind != of.begin())  // backwards a block may name itself
+    found_at = *std::prev(behind);
+  if (of.size() > 1) other = of.front() == found_at ? of.back() : of.front();
+  return found_at;
 }
 
 void Structure::resolve(const Met& met) {
-  const Address to = target(met);
+  Address other = kNowhere;
+  const Address to = target(met, other);
   Block& block = to_.block(met.address);
   if (to != kNowhere) {
     statement(met.address).to = to;
+    statement(met.address).end = other;
     return;
   }
   // A jump that finds nothing is told when it is made; GOTOC goes on instead.

@@ -37,7 +37,7 @@ class Structure {
   void close(const Met& met, Link::Kind opener);
   void match_else(Address address);
   void resolve(const Met& met);
-  Address target(const Met& met);
+  Address target(const Met& met, Address& other);
   bool runs(Address address, Op op) { return to_.block(address).op == op; }
   Statement& statement(Address address) { return to_.record<Statement>(to_.block(address).aux); }
   void refuse(Address address, Cause cause, const char* detail);

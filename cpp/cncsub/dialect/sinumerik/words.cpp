@@ -1,5 +1,7 @@
 // The words of a block as they are written: a statement is one with all that stands behind it, and
 // so is an address with its expression.
+#include <algorithm>
+
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/sinumerik/line.hpp"
 
@@ -24,6 +26,10 @@ bool is_in(const List& list, std::string_view word) {
 void pass_bracket(Line& line, char open, char close) {
   int depth = 0;
   for (char c = line.peek(); c != '\0'; c = line.peek()) {
+    if (c == '"') {
+      line.pass_quoted();
+      continue;
+    }
     line.pass(1);
     depth += c == open ? 1 : c == close ? -1 : 0;
     if (depth == 0) return;
@@ -88,7 +94,7 @@ void pass_word(Line& line, WrittenWord& word) {
   const std::string_view name = line.name();
   const std::string capital = capitals(name);
   if (is_in(kStatements, capital)) {
-    line.pass(line.rest().size());
+    line.pass(before_comment(line.rest()));
   } else if (name.size() > 1 && !is_digit(name[1])) {
     line.pass(name.size());
     if (line.ahead(0) == ':') return line.pass(1);
@@ -102,6 +108,7 @@ void pass_word(Line& line, WrittenWord& word) {
   } else {
     const std::string_view first = first_character(line.rest());
     word.address = first;
+    if (first == "\"") return line.pass_quoted();
     line.pass(first.size());
     if (first == "/" && is_digit(line.ahead(0))) line.pass(1);
   }
@@ -117,8 +124,8 @@ const Spelling sinumerik_spelling{
 std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& from) {
   using namespace sinumerik;
   Line line;
-  line.set(block.substr(0, before_comment(block)), 0);
-  line.pass(from);
+  // Each word looks no farther than it is wide.
+  line.set_uncut(block.substr(std::min(from, block.size())), static_cast<std::uint32_t>(from));
   if (line.at_end()) return std::nullopt;
   WrittenWord word;
   word.at = line.offset();
