@@ -220,4 +220,5 @@ class Origin:
     repeat: int
 
 
-setattr(Origin, "pass", property(lambda self: self.repeat))  # the keyword is no name of a field
+# The keyword is no name of a field.
+setattr(Origin, "pass", property(lambda self: self.repeat, doc="The pass of the call, from 1."))

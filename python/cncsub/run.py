@@ -559,6 +559,7 @@ class Run(_Outcome):
 
     @functools.cached_property
     def endless(self) -> Endless | None:
+        """Why the program had not ended, worked out once: see `Machine.endless`."""
         from cncsub.endless import endless_of
 
         return endless_of(self._core)
