@@ -109,8 +109,8 @@ def check_many(
     file that cannot be read. A file without findings has no row.
 
     `rules` and `setup` are those of `Library.check`, the other arguments those of `run_many`, and
-    so is what is returned and raised. Columns: `path`, `control`, `status` (`finding`, `unreadable` or
-    `crashed`), those of a `Finding`, with the number of its alarm, and `error`.
+    so is what is returned and raised. Columns: `path`, `control`, `status` (`finding`, `unreadable`
+    or `crashed`), those of a `Finding`, with the number of its alarm, and `error`.
 
     >>> import cncsub
     >>> cncsub.check_many([], control="fanuc-0i-f").column_names[:4]
@@ -119,7 +119,7 @@ def check_many(
     asked = {"rules": rules, "setup": setup}
     options = {name: value for name, value in asked.items() if value is not None}
     task = _task("check", control, each, external, encoding, options)
-    loads("", control=task.control).check(**options)  # wrong options are told now
+    loads("", control=task.control).check(rules=rules, setup=setup)  # wrong options are told now
     return _batch(task, paths, executor, jobs, out, progress)
 
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from xml.etree import ElementTree as ET
 
 if TYPE_CHECKING:
-    from cncsub.coverage import Counted, Coverage
+    from cncsub.counting import Counted
+    from cncsub.coverage import Coverage
 
 _STYLE = """
 :root { color-scheme: light dark; --yes: #d9f2d9; --no: #f8d4d4; --part: #fbeebc; }

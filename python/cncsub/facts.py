@@ -10,7 +10,7 @@ from typing import Any
 import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import did_you_mean, sources_of
-from cncsub.tables import records
+from cncsub.table import records
 
 
 def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:

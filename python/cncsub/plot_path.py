@@ -234,9 +234,7 @@ class _Picture:
             group = f"{place}"
             if cutting.any():
                 runs = line_runs(cutting, drawn.keys)
-                yield _Stretches(
-                    *runs, name, [colour], width=2 * thin, group=group, listed=True
-                )
+                yield _Stretches(*runs, name, [colour], width=2 * thin, group=group, listed=True)
             if quick.any():
                 yield _Stretches(
                     *line_runs(quick, drawn.keys),
@@ -260,7 +258,7 @@ class _Picture:
         points = drawn.xyz[some.places]
         points[some.places < 0] = np.nan
         words = "the tool" if hover is None else "%{text}"
-        trace = {
+        trace: dict[str, Any] = {
             "type": "scatter3d",
             "mode": "lines",
             "x": points[:, 0],

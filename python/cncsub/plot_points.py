@@ -190,8 +190,9 @@ def _looks(at: tuple[Numbers, Numbers, Numbers], cell: float) -> Numbers:
 
 def _looked_at(at: tuple[Numbers, Numbers, Numbers], cell: float) -> int:
     """How many points there is time to look at."""
-    within = tuple(column[: _MOST_LOOKS + 1] for column in at)  # each takes one look at least
-    return int(np.searchsorted(np.cumsum(_looks(within, cell)), _MOST_LOOKS, side="right")) + 1
+    x, y, z = (column[: _MOST_LOOKS + 1] for column in at)  # each takes one look at least
+    looks = np.cumsum(_looks((x, y, z), cell))
+    return int(np.searchsorted(looks, _MOST_LOOKS, side="right")) + 1
 
 
 def _new_lines(at: tuple[Numbers, Numbers, Numbers], key: Numbers, cell: float) -> Numbers:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from cncsub._core import Alarm
     from cncsub.checking import Finding
-    from cncsub.coverage import Counted, Coverage
+    from cncsub.counting import Counted
+    from cncsub.coverage import Coverage
     from cncsub.run import Run
 
 MOST_LINES = 5_000  # of all programs together; what is marked is shown in any case

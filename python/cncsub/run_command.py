@@ -52,7 +52,7 @@ from cncsub.options import (
 )
 from cncsub.printing import console_on, print_run, print_stop, print_tree
 from cncsub.static_command import draw_static_tree
-from cncsub.tables import records
+from cncsub.table import records
 
 
 def run(
