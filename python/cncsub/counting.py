@@ -159,6 +159,16 @@ class Raw:
         return covered, int(blocks.sum()) + len(counts)
 
 
+def percent_text(percent: float) -> str:
+    """With one decimal; 100.0 % is all of it.
+
+    >>> from cncsub.counting import percent_text
+    >>> percent_text(99.96), percent_text(100.0)
+    ('99.9 %', '100.0 %')
+    """
+    return f"{percent if percent >= 100 else min(percent, 99.9):.1f} %"
+
+
 def programs_of(raw: Raw) -> Iterator[Counted]:
     """Each program of the memory with what was counted of it."""
     import numpy as np

@@ -15,7 +15,7 @@ from typing import Any, Generic, TypeVar, overload
 
 from cncsub import _core
 from cncsub.collectors import told
-from cncsub.counting import LETTER_OF, Counted, Raw, programs_of, raw_of
+from cncsub.counting import LETTER_OF, Counted, Raw, percent_text, programs_of, raw_of
 
 Row = TypeVar("Row")
 
@@ -306,7 +306,7 @@ class Coverage:
             return f"{rows.covered} of {len(rows)} {what}"
 
         return (
-            f"<Coverage: {self.percent:.1f} %, {told(self.blocks, 'blocks')},"
+            f"<Coverage: {percent_text(self.percent)}, {told(self.blocks, 'blocks')},"
             f" {told(self.branches, 'branches')}, {told(self.calls, 'calls')}>"
         )
 

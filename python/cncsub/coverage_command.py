@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 import cncsub
+from cncsub.counting import percent_text
 from cncsub.coverage import Coverage
 from cncsub.coverage_formats import coverage_lines
 from cncsub.options import (
@@ -81,7 +82,8 @@ def coverage(
         _write(cobertura, total.to_cobertura)
     print_coverage(console_on(sys.stdout), total)
     if total.percent < fail_under:
-        typer.echo(f"cncsub: coverage is {total.percent:.2f} %, below {fail_under:g} %", err=True)
+        told = percent_text(total.percent)
+        typer.echo(f"cncsub: coverage is {told}, below {fail_under:g} %", err=True)
         raise typer.Exit(1)
 
 

@@ -97,9 +97,12 @@ Prefer = Annotated[
     ),
 ]
 MaxCycles = Annotated[
-    int, typer.Option(help="How often a main program that ends in M99 runs.", min=1)
+    int,
+    typer.Option(help="How often a main program that ends in M99 runs.", min=1, metavar="N"),
 ]
-MaxBlocks = Annotated[int, typer.Option(help="How many blocks are executed at most.", min=0)]
+MaxBlocks = Annotated[
+    int, typer.Option(help="How many blocks are executed at most.", min=0, metavar="N")
+]
 SetupFile = Annotated[
     Path | None, typer.Option("--setup", help="A TOML file with offsets, tools, limits.")
 ]

@@ -97,9 +97,9 @@ class Call:
     arguments: dict[int, float | None] = field(default_factory=dict, compare=False)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Move:
-    """One motion. Lengths in mm, time in s.
+    """One motion. Lengths in mm, time in s. Printed is what applies.
 
     `x`, `y`, `z` and the other axes in use: the programmed end in the work coordinates in force, a
     diameter on a diameter axis. `mx`, `my`, `mz` ...: the machine position of the tool, offsets
@@ -161,6 +161,12 @@ class Move:
     mcz: float | None = None
     cycle: bool = False
     compensated: bool = False
+
+    def __repr__(self) -> str:
+        told = ((name, getattr(self, name)) for name in self.__match_args__)
+        return (
+            f"Move({', '.join(f'{name}={value!r}' for name, value in told if value is not None)})"
+        )
 
 
 @dataclass(frozen=True, slots=True)

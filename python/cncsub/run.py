@@ -232,9 +232,10 @@ class _Outcome(State, Recorded):
         n: int | None = None,
         variable: int | None = None,
     ) -> Iterator[Listed]:
-        """Each executed block with its text and what it did: calls, moves, changes of the variables
-        that were watched. Only those of a `program`, at a `depth` of calls, with a sequence number
-        `n`, that changed a `variable`, where that is asked for.
+        """Each executed block with its text, its pass and what it did: codes sent to the machine,
+        moves, calls, changes of the variables that were watched. Only those of a `program`, at a
+        `depth` of calls, with a sequence number `n`, that changed a `variable`, where that is asked
+        for.
 
         Raises `KeyError` for a program that is not there, and `ValueError` for a variable that was
         not watched and for a run that kept no blocks.
@@ -245,7 +246,7 @@ class _Outcome(State, Recorded):
         >>> for block in run.listing(program="O2", n=30):
         ...     print(block)
              1  | O2:5  N30 #100=#100+1  ->  #100 = 5
-             4  | O2:5  N30 #100=#100+1  ->  #100 = 6
+             4  | O2:5  pass 2  N30 #100=#100+1  ->  #100 = 6
         """
         from cncsub.listing import listing_of
 

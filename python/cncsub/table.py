@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import math
 import operator
+import shutil
+import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
 
 Row = TypeVar("Row", bound=Step | Call | Move | Change | Origin | SentCode)
 
+_NARROW = 80  # letters of a line, where a terminal has no more
 _SHOWN = 5  # rows at the head and at the end of a printed table
 
 
@@ -221,11 +224,16 @@ class Table(Stays, Generic[Row]):
         if not rows:
             return self._size()
         widths = [max(map(len, cells)) for cells in zip(names, *rows, strict=True)]
+        shown = _fitting(widths, max(_NARROW, shutil.get_terminal_size((_NARROW, 24)).columns))
         lines = [
-            "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+            "  ".join(cell.rjust(width) for cell, width in zip(row[:shown], widths)).rstrip()
             for row in (names, *rows)
         ]
-        return "\n".join([*lines, self._size()])
+        size = self._size()
+        if shown < len(names):
+            more = f"{size}; and the columns {', '.join(names[shown:])}"
+            size = "\n".join(textwrap.wrap(more, _NARROW, subsequent_indent="  "))
+        return "\n".join([*lines, size])
 
     def _repr_html_(self) -> str:
         from html import escape
@@ -237,6 +245,16 @@ class Table(Stays, Generic[Row]):
         )
         table = f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
         return f"{table}<p>{escape(self._size())}</p>"
+
+
+def _fitting(widths: Sequence[int], room: int) -> int:
+    """How many columns of a table, the first ones, are no wider than that together."""
+    taken = 0
+    for shown, width in enumerate(widths):
+        taken += width + (2 if shown else 0)
+        if taken > room:
+            return max(1, shown)
+    return len(widths)
 
 
 def optional_module(module: str) -> Any:
