@@ -83,7 +83,7 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
     print_stop(console, run)
     if len(run.moves):
         console.print(f"{run.moves._size()}, length {run.moves.total_length:,.3f} mm,", end="")
-        console.print(f" time {_duration(run.moves.total_time)}")
+        console.print(f" time {duration(run.moves.total_time)}")
         for axis, (low, high) in run.moves.bounds.items():
             console.print(f"  {axis} {low:.10g} to {high:.10g}")
     print_watch(console, run)
@@ -193,7 +193,8 @@ def shown(text: str) -> str:
     return "".join(c if c.isprintable() else " " for c in text)
 
 
-def _duration(seconds: float) -> str:
+def duration(seconds: float) -> str:
+    """`1 h 16 min 20.6 s`."""
     minutes, rest = divmod(seconds, 60)
     hours, minutes = divmod(int(minutes), 60)
     parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]

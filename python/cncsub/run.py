@@ -264,7 +264,8 @@ class _Outcome(State, Recorded):
     ) -> Figure:
         """The path in three dimensions, as a figure of plotly (`cncsub[plot]`): rapid moves, feeds,
         canned cycles and what runs with a radius offset apart; over a point its block, the calls
-        that led there and its move; a slider that leads the tool along.
+        that led there and its move; a slider that shows the path up to an instant, with the tool
+        at its end.
 
         `color`: `"kind"`, `"program"`, `"call"`, `"tool"`, `"depth"` (of the calls), `"feed"`,
         `"time"` or `"z"`. `coordinates`: `"work"` is the programmed path, and beside it the tool
@@ -279,8 +280,8 @@ class _Outcome(State, Recorded):
         >>> import cncsub
         >>> text = "O1\\nN10 G0 X10. Y0\\nN20 G3 X10. Y0 I-10. F100\\nN30 M30\\n"
         >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
-        >>> [trace.name for trace in run.plot().data]
-        ['rapid', 'feed', 'tool']
+        >>> [trace.name for trace in run.plot(play=False).data]
+        ['rapid', 'feed']
         """
         from cncsub.plot_path import path_figure
 
