@@ -31,6 +31,7 @@ from cncsub.options import (
     VariablesFile,
     memory_of,
     run_options,
+    tell_dropped,
     told_idle,
     wrong_use,
 )
@@ -77,6 +78,7 @@ def coverage(
             run = library.run(name, **asked)
             total += run.coverage()
             _tell_stop(run, name)
+            tell_dropped(len(run.dropped))
         for path, text in ((html, total.to_html), (lcov, total.to_lcov)):
             _write(path, text)
         _write(cobertura, total.to_cobertura)

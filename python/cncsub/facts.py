@@ -98,6 +98,7 @@ def tree_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "title": title,
         "stop": run.stop.value,
         "alarm": None if run.alarm is None else alarm_facts(run.alarm),
+        "dropped": [asdict(word) for word in run.dropped],
         "calls": [_call_facts(run, call) for call in run.calls.tree()],
     }
 

@@ -304,7 +304,8 @@ def files_beside(options: Mapping[str, Any], library: cncsub.Library) -> list[st
 
 def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
     """What is easily overlooked of a memory, but for files that the options name themselves."""
-    known = {os.path.realpath(file) for file in _files_beside_programs(options)}
+    project = project_for(options.get("paths")).file  # which names them
+    known = {os.path.realpath(file) for file in (*_files_beside_programs(options), project) if file}
     beside = [
         Note("beside", "read too, because a call names its program", file)
         for file in files_beside(options, library)
@@ -370,6 +371,13 @@ def tell_all(notes: Sequence[Note]) -> None:
         typer.echo(f"note: {shown(str(note))}", err=True)
     if (left := len(notes) - MOST_NOTES) > 0:
         typer.echo(f"note: ... and {left:,} more", err=True)
+
+
+def tell_dropped(dropped: int) -> None:
+    """Tells on the error stream that words were dropped, for commands that show none of them."""
+    if dropped:
+        words = f"{dropped:,} word{'' if dropped == 1 else 's'}"
+        typer.echo(f"note: the control dropped {words}; cncsub run and check tell which", err=True)
 
 
 def tell_hints(hints: Iterable[str]) -> None:

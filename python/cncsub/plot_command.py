@@ -32,6 +32,7 @@ from cncsub.options import (
     run_options,
     status_of,
     tell_all,
+    tell_dropped,
     told_idle,
     wrong_use,
 )
@@ -122,6 +123,7 @@ def plot(
             raise ValueError(str(error)) from None
         output.write_text(page_of(figure), encoding="utf-8", newline="\n")
     print_stop(console_on(sys.stderr), run)
+    tell_dropped(len(run.dropped))
     typer.echo(f"wrote {shown(str(output))}")
     raise typer.Exit(status_of(run))
 

@@ -99,6 +99,8 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
         place = program if n is None else f"{program} N{n}"
         often = "" if times == 1 else f", {times} times"
         console.print(f"dropped: {shown(text)} at {shown(f'{place}, {file}:{line}')}{often}")
+    if len(words) > MOST_MISSED:
+        console.print(f"... {len(words) - MOST_MISSED:,} more words were dropped")
 
 
 def print_watch(console: Console, run: cncsub.Run) -> None:
