@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
     from cncsub import _core
@@ -29,6 +29,7 @@ class _Placed:
     _code: _core.Code | None  # set by the engine
     _address: int
     _text: str  # where the block stayed behind
+    _of_engine: ClassVar[tuple[str, ...]]  # what the engine sets of a row, in its order
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +75,9 @@ class Step(_Placed):
     def __setstate__(self, state: tuple[Any, ...]) -> None:
         for name, value in zip((*self.__match_args__, "_text"), state, strict=True):
             object.__setattr__(self, name, value)
+
+
+Step._of_engine = (*Step.__match_args__, "_code", "_address")
 
 
 @dataclass(frozen=True, slots=True)
