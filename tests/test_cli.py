@@ -315,7 +315,10 @@ def test_a_number_is_found_however_it_is_written() -> None:
         (["run", "/dev/zero", "-c", CONTROL], "not a regular file"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--nonsense"], "--nonsense"),
         (["controls", "fanuc"], "near are fanuc-"),
-        (["explain", "P9999", "-c", "mitsubishi-m700"], "no alarm, cause or rule is called 'P9999'"),
+        (
+            ["explain", "P9999", "-c", "mitsubishi-m700"],
+            "no alarm, cause or rule is called 'P9999'",
+        ),
         (["explain", "program-not-fond"], "near are program-not-found"),
         (["rum"], "rum"),
     ],

@@ -4,7 +4,9 @@ size of a table, and whoever else looks at it.
 
 from __future__ import annotations
 
+import copy
 import math
+import pickle
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -211,3 +213,93 @@ def test_a_step_is_the_last_row_of_the_table(trace: Any) -> None:
     )
     with pytest.raises(AttributeError):
         first.n = 3  # type: ignore[misc]
+
+
+# ---- blocks and programs of steps and moves ----
+
+
+def test_steps_have_their_text_and_their_block() -> None:
+    library = cncsub.loads(CALLS.replace("L#500", "L3"), control="fanuc-0i-f")
+    run = library.run()
+    assert "text" not in run.steps.columns
+    assert run.steps.more_columns == ["text"]
+    texts = run.steps.text.to_texts().tolist()
+    blocks = {(p.name, b.line): b for p in library.values() for b in p.blocks}
+    for step, text in zip(run.steps, texts, strict=True):
+        block = blocks[step.program, step.line]
+        assert (step.text, text) == (block.text, block.text)
+        assert step.block == block
+        assert step.block.words == block.words
+    assert sorted(run.steps.texts) == sorted(set(texts))
+    assert run.steps.n[run.steps.text == "G91 G1 X1. F100"].tolist() == [-1] * texts.count(
+        "G91 G1 X1. F100"
+    )
+
+
+def test_a_step_of_a_machine_and_of_mdi_has_its_text() -> None:
+    library = cncsub.loads("O1\nN10 G4 X1.\nM30\nO2\nM99\n", control="fanuc-0i-f")
+    machine = library.machine()
+    assert [step.text for step in machine] == ["N10 G4 X1.", "M30"]
+    assert machine.steps.text.to_texts().tolist() == ["N10 G4 X1.", "M30"]
+    typed = library.mdi("G0 X5. M98 P2")
+    assert [step.text for step in typed.steps] == ["G0 X5. M98 P2", "M99"]
+
+
+def test_the_text_of_a_step_travels_and_its_block_does_not() -> None:
+    step = cncsub.loads("O1\nN10 G4 X1.\nM30\n", control="fanuc-0i-f").run().steps[0]
+    sent = pickle.loads(pickle.dumps(step))
+    assert (sent, sent.text, sent.block) == (step, "N10 G4 X1.", None)
+    assert pickle.loads(pickle.dumps(sent)).text == "N10 G4 X1."
+    assert copy.deepcopy(step).text == "N10 G4 X1."
+    assert cncsub.Step(0, "O1", 10, 2, 0, -1, 1) == step
+    assert cncsub.Step(0, "O1", 10, 2, 0, -1, 1).text == ""
+
+
+def test_the_column_of_texts_grows_with_a_machine() -> None:
+    machine = cncsub.loads("O1\nN1 G4 X1.\nGOTO1\n", control="fanuc-0i-f").machine()
+    machine.step()
+    assert machine.steps.text.to_texts().tolist() == ["N1 G4 X1."]
+    for _ in range(2):
+        machine.step()
+    assert machine.steps.text.to_texts().tolist() == ["N1 G4 X1.", "GOTO1", "N1 G4 X1."]
+
+
+@pytest.mark.parametrize("what", PROGRAMS)
+def test_moves_have_the_block_of_their_step(what: str) -> None:
+    run = ran(*PROGRAMS[what], times=500)
+    rows = run.moves.step
+    for name in ("program", "n", "line"):
+        assert run.moves.column(name).tolist() == run.steps.column(name)[rows].tolist(), name
+    for index in range(0, len(run.moves), 97):
+        move, step = run.moves[index], run.steps[run.moves[index].step]
+        assert (move.program, move.n, move.line) == (step.program, step.n, step.line)
+
+
+@pytest.mark.parametrize("rows", [1, 2, 3, 7])
+def test_moves_that_were_held_back_have_their_block_in_a_part_behind(rows: int) -> None:
+    text = COMPENSATED.replace("WHILE[#1LT#500]DO1", "WHILE[#1LT3]DO1").replace(
+        "Y50.", "N40 Y50.\n#2=1\n#2=2\n#2=3"
+    )
+    library = cncsub.loads(text, control="fanuc-0i-f")
+    setup = cncsub.Setup(**SETUP)
+    whole = [(m.step, m.program, m.n, m.line) for m in library.run(setup=setup).moves]
+    parts = list(library.stream(rows=rows, setup=setup))
+    assert [(m.step, m.program, m.n, m.line) for part in parts for m in part.moves] == whole
+    assert any(move.n == 40 for part in parts for move in part.moves)
+    for part in parts:
+        assert part.moves.line.tolist() == [move.line for move in part.moves]
+        assert part.moves.program.to_texts().tolist() == ["O1"] * len(part.moves)
+
+
+def test_tables_join_by_program_and_sequence_number() -> None:
+    pl = pytest.importorskip("polars")
+    run = cncsub.loads(CALLS.replace("L#500", "L3"), control="fanuc-0i-f").run()
+    moves, steps = pl.DataFrame(run.moves), pl.DataFrame(run.steps)
+    joined = moves.join(steps, on=["step", "program", "line"])
+    assert len(joined) == len(run.moves)
+    assert moves["n"].null_count() == len(run.moves)
+    assert set(run.moves.to_pandas()["program"]) == {"O3"}
+    texts = run.steps.to_arrow(["step", "text"]).column("text").to_pylist()
+    assert texts == run.steps.text.to_texts().tolist()
+    codes = pl.DataFrame(run.codes)
+    assert {"step", "program", "n", "line"} <= set(codes.columns) & set(moves.columns)

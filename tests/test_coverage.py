@@ -210,9 +210,9 @@ def test_runs_of_what_was_typed_are_added() -> None:
 
 def test_what_was_read_again_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     looked = []
-    programs = cncsub.coverage._programs
+    programs = cncsub.coverage.programs_of
     monkeypatch.setattr(
-        cncsub.coverage, "_programs", lambda raw: looked.append(raw) or programs(raw)
+        cncsub.coverage, "programs_of", lambda raw: looked.append(raw) or programs(raw)
     )
     with collecting() as collected:
         for _ in range(20):

@@ -35,13 +35,27 @@ def test_each_block_with_what_it_did(run: cncsub.Run) -> None:
         "     1  | O2:6  N10 #100=#100+1  ->  #100 = 5",
         "     2  | O2:7  N20 G91 G1 X#100 F600  ->  feed X5 Y0 Z0",
         "     3  | O2:8  N30 M99",
-        "     4  | O2:6  N10 #100=#100+1  ->  #100 = 6",
-        "     5  | O2:7  N20 G91 G1 X#100 F600  ->  feed X11 Y0 Z0",
-        "     6  | O2:8  N30 M99",
+        "     4  | O2:6  pass 2  N10 #100=#100+1  ->  #100 = 6",
+        "     5  | O2:7  pass 2  N20 G91 G1 X#100 F600  ->  feed X11 Y0 Z0",
+        "     6  | O2:8  pass 2  N30 M99",
         "     7  O1:3  N20 G4 X1.5  ->  dwell 1.5 s",
         "     8  O1:4  N30 M30",
     ]
     assert [block.repeat for block in run.listing(program="O2", n=10)] == [1, 2]
+
+
+def test_codes_and_moves_come_before_the_call() -> None:
+    text = "O1\nN10 T2 M6\nN20 S900 M3\nN30 G1 X5. F100 M98 P2\nN40 M30\nO2\nM8\nM99\n"
+    listed = list(cncsub.loads(text, control=CONTROL).run().listing())
+    assert [str(block).partition("  ->  ")[2] for block in listed] == [
+        "T2 M6",
+        "S900 M3",
+        "feed X5 Y0 Z0; calls O2",
+        "M8",
+        "",
+        "",
+    ]
+    assert [(code.kind, code.value) for code in listed[0].codes] == [("T", 2), ("M", 6)]
 
 
 @pytest.mark.parametrize(
@@ -107,7 +121,7 @@ def test_the_command_lists(file: Path) -> None:
     assert status == 0
     assert out.splitlines() == [
         "     2  | O2:7  N20 G91 G1 X#100 F600  ->  feed X1 Y0 Z0",
-        "     5  | O2:7  N20 G91 G1 X#100 F600  ->  feed X3 Y0 Z0",
+        "     5  | O2:7  pass 2  N20 G91 G1 X#100 F600  ->  feed X3 Y0 Z0",
     ]
     assert "the program ended" in err
 

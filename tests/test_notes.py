@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+import re
 from pathlib import Path
 
 import pytest
@@ -144,3 +145,45 @@ def test_json_has_the_notes(job: Path) -> None:
     assert status == 2  # a folder is no file that is read
     _, out, _ = run(job / "main.nc", job, "--prefer", job / "a" / "o9001.nc", "--format", "json")
     assert [note["kind"] for note in json.loads(out)["notes"]] == ["conflict"]
+
+
+DROPPING = "O1\nN10 M8 M3 S500 M4\nG0 X1. X2.\nM30\n"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["run", "--listing"],
+        ["run", "--format", "csv"],
+        ["tree"],
+        ["coverage"],
+        ["plot", "-o", "path.html"],
+    ],
+)
+def test_every_command_that_runs_tells_of_dropped_words(
+    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("main.nc").write_text(DROPPING)
+    done = CliRunner().invoke(app, [*words, "main.nc", "-c", "fanuc-0i-f"])
+    assert "note: the control dropped 3 words; cncsub run and check tell which" in done.stderr
+
+
+def test_dropped_words_are_told_with_their_places(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("main.nc").write_text(DROPPING)
+
+    def told(*words: str) -> str:
+        return CliRunner().invoke(app, [*words, "main.nc", "-c", "fanuc-0i-f"]).stdout
+
+    assert "dropped: M8 at O1 N10, main.nc:2\n" in told("run")
+    for command in ("run", "tree"):
+        dropped = json.loads(told(command, "--format", "json"))["dropped"]
+        assert [word["text"] for word in dropped] == ["M8", "M3", "X1."]
+    told("report", "-o", "page.html")
+    assert "M8 at O1 N10, line 2; M3 at O1 N10, line 2" in Path("page.html").read_text()
+    many = "".join(f"N{i} M8 M9\n" for i in range(1, 40))
+    Path("main.nc").write_text(f"O1\n{many}M30\n")
+    assert re.search(r"\.\.\. \d+ more words were dropped", told("run"))

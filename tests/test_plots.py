@@ -338,9 +338,7 @@ def test_an_instant_shows_the_path_up_to_then(color: str, text: str) -> None:
 def test_the_slider_leads_the_tool_along_the_path() -> None:
     run = ran()
     figure = run.plot()
-    points = np.array(
-        [[f.data[-1].x[0], f.data[-1].y[0], f.data[-1].z[0]] for f in figure.frames]
-    )
+    points = np.array([[f.data[-1].x[0], f.data[-1].y[0], f.data[-1].z[0]] for f in figure.frames])
     assert distances(points, segments(figure)).max() < 1e-6
     assert points[0].tolist() == [0, 0, 0]
     assert points[-1].tolist() == [5, 5, 50]

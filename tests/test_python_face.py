@@ -18,7 +18,8 @@ import numpy as np
 import pytest
 
 import cncsub
-from cncsub.tables import Bounds, records
+from cncsub.table import records
+from cncsub.tables import Bounds
 
 CONTROL = "fanuc-0i-f"
 CALLS = """O1

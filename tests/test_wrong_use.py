@@ -363,11 +363,13 @@ def test_what_a_terminal_obeys_does_not_move_the_mark() -> None:
         ("plot main.nc -o x.html --points 3", "--points is a number of points from 100 on, not 3"),
         ("plot main.nc -o x.html --color red", "--color is one of kind"),
         ("plot main.nc -o x.html --of calls --over z", "--over is time or steps, not 'z'"),
-        ("plot main.nc -o x.html --of calls --color tool", "--color goes with --of path, not calls"),
+        (
+            "plot main.nc -o x.html --of calls --color tool",
+            "--color goes with --of path, not calls",
+        ),
         ("plot main.nc -o x.html --of calls --machine", "--machine goes with --of path, not calls"),
         ("plot main.nc -o x.html --of programs --points 500", "--points goes with --of path"),
         ("plot main.nc -o x.html --over steps", "--over goes with --of calls or watch, not path"),
-        ("plot main.nc -o x.html --watch 100", "--watch goes with --of watch, not path"),
         ("run main.nc --skip 12", "--skip: the block-skip switches are 1 to 9, not 12"),
         ("run main.nc --start 7", "--start: there is no block N7 in O1"),
         ("run main.nc --start -7", "--start, a sequence number, is at least 0, not -7"),
@@ -415,9 +417,7 @@ def test_explain_knows_what_is_near() -> None:
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, np.nan, np.float64("-inf")])
-def test_what_is_no_number_is_no_value_of_a_variable(
-    library: cncsub.Library, value: float
-) -> None:
+def test_what_is_no_number_is_no_value_of_a_variable(library: cncsub.Library, value: float) -> None:
     with pytest.raises(ValueError, match=r"variables: #100 takes a number (or None|up to)"):
         library.run(variables={100: value})
     with pytest.raises(ValueError, match="#100 takes a number"):

@@ -181,7 +181,8 @@ void add_code(py::module_& m) {
           [](const Code& c, Address address) {
             if (address >= c.blocks.size()) throw py::index_error("no such block");
             const std::int32_t program = c.program_at(address);
-            return std::pair(program, address - c.programs[static_cast<std::size_t>(program)].first);
+            return std::pair(program,
+                             address - c.programs[static_cast<std::size_t>(program)].first);
           },
           py::arg("address"))
       .def("names", &names, py::arg("external") = false)

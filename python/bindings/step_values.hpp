@@ -48,7 +48,8 @@ bool with_step_value(const Record& record, const std::string& name, const Use& u
   };
   if (name == "program") return used(ProgramOfStep(code));
   if (name == "n") return used([&](const Trace::Step& s) { return code.blocks[s.address].n; });
-  if (name == "line") return used([&](const Trace::Step& s) { return code.blocks[s.address].line; });
+  if (name == "line")
+    return used([&](const Trace::Step& s) { return code.blocks[s.address].line; });
   if (name == "depth")
     return used([&](const Trace::Step& s) { return depth_of_call(record.trace(), s.call); });
   if (name == "frame") return used([](const Trace::Step& s) { return s.call; });

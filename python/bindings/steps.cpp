@@ -95,19 +95,18 @@ py::object step_row(const Record& record, std::size_t index, const py::type& row
   return step_object(record.trace(), record.shared_code(), index, row);
 }
 
-/// Sets a field of a frozen object as its class does.
-void set_field(const py::object& object, const py::object& name, const py::object& value) {
-  if (PyObject_GenericSetAttr(object.ptr(), name.ptr(), value.ptr()) != 0)
-    throw py::error_already_set();
-}
-
-/// A row of a frozen class: its fields, in their order.
+/// A row of a frozen class: what the engine sets, in its order, is set as the class itself sets it.
 template <class... Values>
 py::object row_object(const py::type& row, const Values&... values) {
-  const py::tuple names = row.attr("__match_args__");
+  const py::tuple names = row.attr("_of_engine");
   py::object object = row.attr("__new__")(row);
   std::size_t place = 0;
-  (set_field(object, names[place++], values), ...);
+  const auto set = [&](const py::object& value) {
+    const py::object name = names[place++];
+    if (PyObject_GenericSetAttr(object.ptr(), name.ptr(), value.ptr()) != 0)
+      throw py::error_already_set();
+  };
+  (set(values), ...);
   return object;
 }
 
@@ -117,14 +116,12 @@ py::object step_object(const Trace& trace, const std::shared_ptr<const Code>& co
                        std::size_t index, const py::type& row) {
   const Trace::Step step = trace.steps[index];
   const Block& block = code->blocks[step.address];
-  py::object made =
-      row_object(row, py::int_(trace.first_step + static_cast<std::int64_t>(index)),
-                 py::str(code->name_of(code->program_at(step.address))), sequence_number(block.n),
-                 py::int_(block.line), py::int_(depth_of_call(trace, step.call)),
-                 py::int_(step.call), py::int_(step.repeat));
-  set_field(made, py::str("_code"), py::cast(std::const_pointer_cast<Code>(code)));
-  set_field(made, py::str("_address"), py::int_(static_cast<std::uint32_t>(step.address)));
-  return made;
+  return row_object(row, py::int_(trace.first_step + static_cast<std::int64_t>(index)),
+                    py::str(code->name_of(code->program_at(step.address))),
+                    sequence_number(block.n), py::int_(block.line),
+                    py::int_(depth_of_call(trace, step.call)), py::int_(step.call),
+                    py::int_(step.repeat), py::cast(std::const_pointer_cast<Code>(code)),
+                    py::int_(static_cast<std::uint32_t>(step.address)));
 }
 
 void add_block(py::dict& fields, const Record& record, std::uint32_t step_of_move) {

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 from cncsub._core import __version__
 from cncsub.archive_work import COLUMNS, Job, Row, Task
 from cncsub.files import clean
-from cncsub.tables import optional_module
+from cncsub.table import optional_module
 
 if TYPE_CHECKING:
     import pyarrow as pa

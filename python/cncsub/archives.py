@@ -11,7 +11,7 @@ import contextlib
 import os
 import sys
 import warnings
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from itertools import islice
 from pathlib import Path
@@ -24,6 +24,7 @@ from cncsub.archive_work import Job, Row, Task, Work, do_chunk, done_apart, end_
 from cncsub.controls import control_of
 from cncsub.files import Reading, StrPath, check_encoding, clean, first_time, walk
 from cncsub.library import Library, Options, loads
+from cncsub.setup import Setup
 from cncsub.signatures import spelled_out
 
 EACH = ("file", "beside", "folder")
@@ -101,21 +102,24 @@ def check_many(
     jobs: int | None = None,
     out: StrPath | None = None,
     progress: bool = False,
-    **options: Any,
+    rules: Iterable[str] | None = None,
+    setup: Setup | Mapping[str, Any] | None = None,
 ) -> Any:
     """Check every program file of some files and folders: a row for each finding, and one for each
     file that cannot be read. A file without findings has no row.
 
-    `options` are those of `Library.check`, the other arguments those of `run_many`, and so is what
-    is returned and raised. Columns: `path`, `control`, `status` (`finding`, `unreadable` or
-    `crashed`), those of a `Finding`, with the number of its alarm, and `error`.
+    `rules` and `setup` are those of `Library.check`, the other arguments those of `run_many`, and
+    so is what is returned and raised. Columns: `path`, `control`, `status` (`finding`, `unreadable`
+    or `crashed`), those of a `Finding`, with the number of its alarm, and `error`.
 
     >>> import cncsub
     >>> cncsub.check_many([], control="fanuc-0i-f").column_names[:4]
     ['path', 'control', 'status', 'rule']
     """
+    asked = {"rules": rules, "setup": setup}
+    options = {name: value for name, value in asked.items() if value is not None}
     task = _task("check", control, each, external, encoding, options)
-    loads("", control=task.control).check(**options)  # wrong options are told now
+    loads("", control=task.control).check(rules=rules, setup=setup)  # wrong options are told now
     return _batch(task, paths, executor, jobs, out, progress)
 
 

@@ -22,10 +22,8 @@ from cncsub.options import (
     Paths,
     Prefer,
     SetupFile,
-    defaulted,
     files_beside,
     library_of,
-    tell_all,
     write_json,
     write_text,
     wrong_use,
@@ -81,7 +79,6 @@ def check(
     with wrong_use():
         project = project_for(paths)
         library = library_of(options)
-        tell_all(list(defaulted(options)))
         beside = files_beside(options, library)
         asked = chosen_rules(rule) - chosen_rules(ignore or ()) - project.ignore
         machine = setup or project.setup

@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 import cncsub
+from cncsub.counting import percent_text
 from cncsub.coverage import Coverage
 from cncsub.coverage_formats import coverage_lines
 from cncsub.options import (
@@ -30,6 +31,7 @@ from cncsub.options import (
     VariablesFile,
     memory_of,
     run_options,
+    tell_dropped,
     told_idle,
     wrong_use,
 )
@@ -76,12 +78,14 @@ def coverage(
             run = library.run(name, **asked)
             total += run.coverage()
             _tell_stop(run, name)
+            tell_dropped(len(run.dropped))
         for path, text in ((html, total.to_html), (lcov, total.to_lcov)):
             _write(path, text)
         _write(cobertura, total.to_cobertura)
     print_coverage(console_on(sys.stdout), total)
     if total.percent < fail_under:
-        typer.echo(f"cncsub: coverage is {total.percent:.2f} %, below {fail_under:g} %", err=True)
+        told = percent_text(total.percent)
+        typer.echo(f"cncsub: coverage is {told}, below {fail_under:g} %", err=True)
         raise typer.Exit(1)
 
 

@@ -7,8 +7,11 @@ from html import escape
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree as ET
 
+from cncsub.counting import percent_text
+
 if TYPE_CHECKING:
-    from cncsub.coverage import Counted, Coverage
+    from cncsub.counting import Counted
+    from cncsub.coverage import Coverage
 
 _STYLE = """
 :root { color-scheme: light dark; --yes: #d9f2d9; --no: #f8d4d4; --part: #fbeebc; }
@@ -124,7 +127,7 @@ def html(coverage: Coverage) -> str:
     programs = "".join(_program(program) for program in coverage.programs)
     blocks, branches = coverage.blocks, coverage.branches
     done = (
-        f"{coverage.percent:.1f} %: {blocks.covered} of {len(blocks)} blocks,"
+        f"{percent_text(coverage.percent)}: {blocks.covered} of {len(blocks)} blocks,"
         f" {branches.covered} of {len(branches)} outcomes of branches,"
         f" {coverage.calls.covered} of {len(coverage.calls)} calls,"
         f" {coverage.arguments.covered} of {len(coverage.arguments)} arguments"

@@ -10,7 +10,7 @@ from typing import Any
 import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import did_you_mean, sources_of
-from cncsub.tables import records
+from cncsub.table import records
 
 
 def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
@@ -98,6 +98,7 @@ def tree_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
         "title": title,
         "stop": run.stop.value,
         "alarm": None if run.alarm is None else alarm_facts(run.alarm),
+        "dropped": [asdict(word) for word in run.dropped],
         "calls": [_call_facts(run, call) for call in run.calls.tree()],
     }
 

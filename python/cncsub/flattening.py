@@ -15,7 +15,7 @@ from cncsub.controls import control_of
 from cncsub.library import Library, Options, loads
 from cncsub.rows import Origin
 from cncsub.run import Run, Stop
-from cncsub.tables import Table
+from cncsub.table import Table
 
 if TYPE_CHECKING:
     import numpy as np

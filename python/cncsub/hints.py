@@ -189,7 +189,9 @@ def without_effect(
         for number in inputs.signals if read is not None else ():
             if number not in (read or ()):
                 yield _note("--inputs", f"the signal #{number} is told, which no block reads")
-        if (inputs.skips or inputs.workpiece) and not re.search(r"G\s*(?:0*31|36|37|38|04|4)(?!\d)", text, re.I):
+        if (inputs.skips or inputs.workpiece) and not re.search(
+            r"G\s*(?:0*31|36|37|38|04|4)(?!\d)", text, re.I
+        ):
             yield _note("--inputs", "what is touched is told, but no block probes")
         for code in inputs.answers:
             number = code[1:].lstrip("0") or "0"

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from cncsub import _core
 from cncsub.program import find_program
-from cncsub.rows import Change, Move
+from cncsub.rows import Change, Move, SentCode
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from cncsub.tables import Calls, Moves, Steps, Watch
+    from cncsub.tables import Calls, Codes, Moves, Steps, Watch
 
 _CHUNK = 4096  # steps that are looked at together
 
@@ -25,7 +25,7 @@ class Listed:
     `step` is its row in `run.steps`; `text` the block as it is written; `depth` how many calls are
     open, 0 in the main program; `repeat` the pass of its call, from 1. `calls`: the programs that
     it entered. `moves`: its motions, those that were recorded. `changes`: what it made of the
-    variables that are watched.
+    variables that are watched. `codes`: the M, T and S codes it sent to the machine.
     """
 
     step: int
@@ -38,20 +38,24 @@ class Listed:
     calls: tuple[str, ...]
     moves: tuple[Move, ...]
     changes: tuple[Change, ...]
+    codes: tuple[SentCode, ...] = ()
 
     def __str__(self) -> str:
         done = "; ".join(self._done())
         place = f"{'| ' * self.depth}{self.program}:{self.line}"
+        place += f"  pass {self.repeat}" if self.repeat > 1 else ""
         block = f"{self.step:>6}  {place}  {self.text.strip()}"
         return f"{block}  ->  {done}" if done else block
 
     def _done(self) -> Iterator[str]:
-        for program in self.calls:
-            yield f"calls {program}"
+        if self.codes:
+            yield " ".join(f"{code.kind}{code.value:.10g}" for code in self.codes)
         for move in self.moves[:_MOST_MOVES]:
             yield _move(move)
         if (left := len(self.moves) - _MOST_MOVES) > 0:
             yield f"and {left:,} more moves"
+        for program in self.calls:  # the other words of a block come before its call
+            yield f"calls {program}"
         for change in self.changes:
             value = "vacant" if change.value is None else f"{change.value:.10g}"
             yield f"#{change.variable} = {value}"
@@ -82,6 +86,8 @@ class Tables(Protocol):
     def moves(self) -> Moves: ...
     @property
     def watch(self) -> Watch: ...
+    @property
+    def codes(self) -> Codes: ...
 
 
 class _Joined:
@@ -130,6 +136,7 @@ def _wanted(run: Tables, program: str | int | None) -> int | None:
 def _rows(run: Tables, asked: Mapping[str, int | None], variable: int | None) -> Iterator[Listed]:
     moves, changes = run.moves, run.watch
     of_moves, of_changes = _Joined(moves, moves.step), _Joined(changes, changes.step)
+    of_codes = _Joined(run.codes, run.codes.step)
     calls = run.calls
     callers = calls.caller_step
     order = callers.argsort(kind="stable")
@@ -141,8 +148,8 @@ def _rows(run: Tables, asked: Mapping[str, int | None], variable: int | None) ->
         rows = _chosen(run.steps, first, last, asked)
         columns = [run.steps.column(name)[rows].tolist() for name in _COLUMNS]
         at = run.steps.step[rows]
-        joined = [table.of(at) for table in (entered, of_moves, of_changes)]
-        for row, (step, program, n, line, depth, repeat), calls_of, moves_of, changed in zip(
+        joined = [table.of(at) for table in (entered, of_moves, of_changes, of_codes)]
+        for row, (step, program, n, line, depth, repeat), calls_of, moves_of, changed, sent in zip(
             rows, zip(*columns, strict=True), *joined, strict=True
         ):
             if variable is not None and all(change.variable != variable for change in changed):
@@ -158,6 +165,7 @@ def _rows(run: Tables, asked: Mapping[str, int | None], variable: int | None) ->
                 calls_of,
                 moves_of,
                 changed,
+                sent,
             )
 
 

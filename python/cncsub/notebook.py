@@ -48,8 +48,10 @@ def _title(run: Run) -> str:
         facts.append(f"for {run.waiting_for}")
     facts.append(f"{count:,} block{'' if count == 1 else 's'}")
     if len(run.moves):
-        facts.append(f"{len(run.moves):,} moves, {run.moves.total_length:,.3f} mm")
-        facts.append(f"{run.moves.total_time:,.1f} s")
+        from cncsub.printing import duration
+
+        facts.append(f"{run.moves._size()}, {run.moves.total_length:,.3f} mm")
+        facts.append(duration(run.moves.total_time))
     return ", ".join(facts)
 
 

@@ -97,9 +97,12 @@ Prefer = Annotated[
     ),
 ]
 MaxCycles = Annotated[
-    int, typer.Option(help="How often a main program that ends in M99 runs.", min=1)
+    int,
+    typer.Option(help="How often a main program that ends in M99 runs.", min=1, metavar="N"),
 ]
-MaxBlocks = Annotated[int, typer.Option(help="How many blocks are executed at most.", min=0)]
+MaxBlocks = Annotated[
+    int, typer.Option(help="How many blocks are executed at most.", min=0, metavar="N")
+]
 SetupFile = Annotated[
     Path | None, typer.Option("--setup", help="A TOML file with offsets, tools, limits.")
 ]
@@ -373,6 +376,13 @@ def tell_all(notes: Sequence[Note]) -> None:
         typer.echo(f"note: {shown(str(note))}", err=True)
     if (left := len(notes) - MOST_NOTES) > 0:
         typer.echo(f"note: ... and {left:,} more", err=True)
+
+
+def tell_dropped(dropped: int) -> None:
+    """Tells on the error stream that words were dropped, for commands that show none of them."""
+    if dropped:
+        words = f"{dropped:,} word{'' if dropped == 1 else 's'}"
+        typer.echo(f"note: the control dropped {words}; cncsub run and check tell which", err=True)
 
 
 def tell_hints(hints: Iterable[str]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -125,7 +126,7 @@ class Moved:
 
 def mixed(share: float) -> str:
     """The colour of a share of the scale, from 0 to 1."""
-    for (low, one), (high, other) in zip(SCALE, SCALE[1:]):
+    for (low, one), (high, other) in itertools.pairwise(SCALE):
         if share <= high:
             part = (share - low) / (high - low)
             pairs = zip(_parts(one), _parts(other))

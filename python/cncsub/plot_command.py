@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 import cncsub
+from cncsub.notes import Note
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -30,6 +31,8 @@ from cncsub.options import (
     memory_of,
     run_options,
     status_of,
+    tell_all,
+    tell_dropped,
     told_idle,
     wrong_use,
 )
@@ -66,7 +69,6 @@ _ONLY = {
     "machine": ("path",),
     "points": ("path",),
     "over": ("calls", "watch"),
-    "watch": ("watch",),
 }
 
 
@@ -112,6 +114,8 @@ def plot(
         library = memory_of(options)
         asked = run_options(options, "moves")
         told_idle(library, asked)
+        if watch and of != "watch":
+            tell_all([Note("no-effect", "no effect: --of watch draws what is watched", "--watch")])
         run = library.run(main, **asked)
         try:
             figure = _figure(library, run, options)
@@ -119,6 +123,7 @@ def plot(
             raise ValueError(str(error)) from None
         output.write_text(page_of(figure), encoding="utf-8", newline="\n")
     print_stop(console_on(sys.stderr), run)
+    tell_dropped(len(run.dropped))
     typer.echo(f"wrote {shown(str(output))}")
     raise typer.Exit(status_of(run))
 

@@ -127,12 +127,12 @@ class _Picture:
         share = self.most * 2 // 3 if both else self.most
         rows = (self.first, self.last)
         drawn = drawn_path(self.core, self.coordinates, rows, self._key_of_moves(), share)
-        told = [self._told(drawn, both), *drawn.told]
+        told = [self._told(drawn, both), *_left_out(drawn)]
         tool = None
         if both:
             of_tool = np.where(compensated, 0, -1).astype(np.int32)
             tool = drawn_path(self.core, "tool", rows, of_tool, self.most // 3)
-            told += [f"The tool: {text}" for text in tool.told]
+            told += [f"The tool: {text}" for text in _left_out(tool)]
         instants = Instants(drawn.points) if play else None
         if instants is not None:
             drawn = instants.marked(drawn)
@@ -234,9 +234,7 @@ class _Picture:
             group = f"{place}"
             if cutting.any():
                 runs = line_runs(cutting, drawn.keys)
-                yield _Stretches(
-                    *runs, name, [colour], width=2 * thin, group=group, listed=True
-                )
+                yield _Stretches(*runs, name, [colour], width=2 * thin, group=group, listed=True)
             if quick.any():
                 yield _Stretches(
                     *line_runs(quick, drawn.keys),
@@ -260,7 +258,7 @@ class _Picture:
         points = drawn.xyz[some.places]
         points[some.places < 0] = np.nan
         words = "the tool" if hover is None else "%{text}"
-        trace = {
+        trace: dict[str, Any] = {
             "type": "scatter3d",
             "mode": "lines",
             "x": points[:, 0],
@@ -374,6 +372,16 @@ class _Picture:
             "camera": camera,
             "dragmode": "orbit",
         }
+
+
+def _left_out(drawn: Drawn) -> list[str]:
+    if (behind := drawn.behind) is None:
+        return drawn.told
+    cut = (
+        f"Cut: nothing behind move {behind:,} is drawn; moves=range({behind}, ...) shows the rest,"
+        " most= draws more points."
+    )
+    return [*drawn.told, cut]
 
 
 def _nowhere(mode: str) -> dict[str, Any]:

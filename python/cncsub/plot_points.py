@@ -46,6 +46,7 @@ class Drawn:
     points: Points
     told: list[str]
     breaks: int  # where other coordinates came into force
+    behind: int | None = None  # the move behind which nothing is drawn, where it is cut
 
     @property
     def keys(self) -> Numbers:
@@ -82,12 +83,7 @@ def drawn_path(
     end = int(points.move[-1]) if looked == last else None
     points = _uncovered(points, size, most, told).at(slice(most))
     behind = int(points.move[-1])
-    if behind != end:
-        told.append(
-            f"Cut: nothing behind move {behind:,} is drawn; moves=range({behind}, ...) shows"
-            " the rest, most= draws more points."
-        )
-    return Drawn(points, told, begins - 1)
+    return Drawn(points, told, begins - 1, None if behind == end else behind)
 
 
 class _Path:
@@ -190,8 +186,9 @@ def _looks(at: tuple[Numbers, Numbers, Numbers], cell: float) -> Numbers:
 
 def _looked_at(at: tuple[Numbers, Numbers, Numbers], cell: float) -> int:
     """How many points there is time to look at."""
-    within = tuple(column[: _MOST_LOOKS + 1] for column in at)  # each takes one look at least
-    return int(np.searchsorted(np.cumsum(_looks(within, cell)), _MOST_LOOKS, side="right")) + 1
+    x, y, z = (column[: _MOST_LOOKS + 1] for column in at)  # each takes one look at least
+    looks = np.cumsum(_looks((x, y, z), cell))
+    return int(np.searchsorted(looks, _MOST_LOOKS, side="right")) + 1
 
 
 def _new_lines(at: tuple[Numbers, Numbers, Numbers], key: Numbers, cell: float) -> Numbers:

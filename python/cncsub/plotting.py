@@ -9,7 +9,8 @@ from collections.abc import Iterable, Mapping
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-from cncsub.tables import Calls, optional_module
+from cncsub.table import optional_module
+from cncsub.tables import Calls
 
 if TYPE_CHECKING:
     import numpy as np

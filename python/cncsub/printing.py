@@ -83,7 +83,7 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
     print_stop(console, run)
     if len(run.moves):
         console.print(f"{run.moves._size()}, length {run.moves.total_length:,.3f} mm,", end="")
-        console.print(f" time {_duration(run.moves.total_time)}")
+        console.print(f" time {duration(run.moves.total_time)}")
         for axis, (low, high) in run.moves.bounds.items():
             console.print(f"  {axis} {low:.10g} to {high:.10g}")
     print_watch(console, run)
@@ -99,6 +99,8 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
         place = program if n is None else f"{program} N{n}"
         often = "" if times == 1 else f", {times} times"
         console.print(f"dropped: {shown(text)} at {shown(f'{place}, {file}:{line}')}{often}")
+    if len(words) > MOST_MISSED:
+        console.print(f"... {len(words) - MOST_MISSED:,} more words were dropped")
 
 
 def print_watch(console: Console, run: cncsub.Run) -> None:
@@ -193,7 +195,8 @@ def shown(text: str) -> str:
     return "".join(c if c.isprintable() else " " for c in text)
 
 
-def _duration(seconds: float) -> str:
+def duration(seconds: float) -> str:
+    """`1 h 16 min 20.6 s`."""
     minutes, rest = divmod(seconds, 60)
     hours, minutes = divmod(int(minutes), 60)
     parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]

@@ -158,6 +158,7 @@ class Program(Stays):
 
     @property
     def file(self) -> str:
+        """The file it stands in, as it was named."""
         return self._data.file
 
     @property
@@ -167,6 +168,7 @@ class Program(Stays):
 
     @property
     def text(self) -> str:
+        """As it is written, with its head and its comments."""
         return self._data.text
 
     def _start(self, size: int) -> str:
@@ -185,6 +187,7 @@ class Program(Stays):
 
     @property
     def blocks(self) -> Blocks:
+        """Its blocks, a sequence from 0; each is made when somebody looks at it."""
         return Blocks(self)
 
     def __repr__(self) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Protocol
 
 from cncsub._core import Machine
-from cncsub.rows import Step
+from cncsub.rows import Dropped, Step
 from cncsub.tables import Calls, Steps
 
 
@@ -21,7 +21,7 @@ class Ran(Protocol):
     def calls(self) -> Calls: ...
 
 
-def place_of(step: Step) -> str:
+def place_of(step: Step | Dropped) -> str:
     """`O2 N30, line 6`."""
     n = "" if step.n is None else f" N{step.n}"
     return f"{step.program}{n}, line {step.line}"

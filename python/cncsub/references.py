@@ -155,10 +155,12 @@ class CallGraph:
 
     @property
     def missing(self) -> tuple[Edge, ...]:
+        """The calls of programs that do not exist."""
         return tuple(edge for edge in self.edges if edge.exists is False)
 
     @property
     def computed(self) -> tuple[Edge, ...]:
+        """The calls whose program is computed."""
         return tuple(edge for edge in self.edges if isinstance(edge.called, Computed))
 
     def _repr_html_(self) -> str:

@@ -6,10 +6,13 @@ from collections.abc import Iterator
 from html import escape
 from typing import TYPE_CHECKING
 
+from cncsub.counting import percent_text
+
 if TYPE_CHECKING:
     from cncsub._core import Alarm
     from cncsub.checking import Finding
-    from cncsub.coverage import Counted, Coverage
+    from cncsub.counting import Counted
+    from cncsub.coverage import Coverage
     from cncsub.run import Run
 
 MOST_LINES = 5_000  # of all programs together; what is marked is shown in any case
@@ -87,7 +90,8 @@ def code_section(
         marks.setdefault((found.file, found.line), []).append((found.severity, words))
     blocks, branches = coverage.blocks, coverage.branches
     yield (
-        f"<p>{coverage.percent:.1f} % covered: {blocks.covered:,} of {len(blocks):,} blocks,"
+        f"<p>{percent_text(coverage.percent)} covered:"
+        f" {blocks.covered:,} of {len(blocks):,} blocks,"
         f" {branches.covered:,} of {len(branches):,} outcomes of branches."
         ' <span class="pale">The keys n and p lead to the next and the previous finding.</span></p>'
     )

@@ -10,15 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cncsub.polyline import rough_size, sampled, sampling
+from cncsub.plot_points import drawn_path
 
 if TYPE_CHECKING:
     from cncsub.run import Run
 
 MOST_LINKED = 1_000  # motions that are links of their own
-MOST_POINTS = 20_000  # of one drawing
-MOST_SAMPLED = 2_000_000  # points, before they are thinned
-FINEST, WIDEST = 0.5, 4.0  # grids for thinning, in thousandths of the drawing
+MOST_POINTS = 20_000  # of the drawings
 _SIDE = 1000.0  # of a drawing, in its own units
 _SLANT = np.array([[0.866, 0.0], [-0.866, 0.0], [0.0, 1.0]]) + np.array(
     [[0.0, 0.5], [0.0, 0.5], [0.0, 0.0]]
@@ -28,7 +26,8 @@ _SLANT = np.array([[0.866, 0.0], [-0.866, 0.0], [0.0, 1.0]]) + np.array(
 @dataclass(frozen=True)
 class Path:
     """The points of a path, and for each the motion it belongs to: `points` (mm, X Y Z, X as a
-    radius), `begins`: no line leads to the point.
+    radius), `begins`: no line leads to the point. `told`: what is left out; `breaks`: whether other
+    coordinates came into force in between.
     """
 
     points: np.ndarray[Any, np.dtype[np.float64]]
@@ -36,20 +35,22 @@ class Path:
     begins: np.ndarray[Any, np.dtype[np.bool_]]
     rapid: np.ndarray[Any, np.dtype[np.bool_]]  # by motion
     diameters: bool
-    off: float  # mm that arcs are drawn off; 0 where nobody sees it
+    told: tuple[str, ...]
+    breaks: bool
 
 
 def path_of(run: Run, coordinates: str = "work") -> Path:
     """The programmed path in work coordinates, or that of the tool in machine coordinates."""
-    moves = len(run.moves)
-    most = max(MOST_SAMPLED, 2 * moves)
-    size = rough_size(run._trace, coordinates, 0, moves)
-    fine, coarse = sampling(run._trace, coordinates, 0, moves, most, size)
-    line = sampled(run._trace, coordinates, fine, 0, moves, 1 << 40)
-    assert not isinstance(line, int)
+    core, moves = run._trace, len(run.moves)
     rapid = np.asarray(run.moves.kind == "rapid")
-    off = line.tolerance if coarse else 0.0
-    return Path(line.points, line.move, line.begins, rapid, line.diameters, off)
+    keys = np.arange(moves) if moves <= MOST_LINKED else np.where(rapid, 0, 1)
+    drawn = drawn_path(core, coordinates, (0, moves), keys.astype(np.int32), MOST_POINTS)
+    told = drawn.told
+    if drawn.behind is not None:
+        told = [*told, f"Cut: nothing behind motion {drawn.behind:,} of {moves:,} is drawn."]
+    begins = drawn.keys < 0
+    turned = bool(core.diameters & 1)
+    return Path(drawn.xyz, drawn.points.move, begins, rapid, turned, tuple(told), drawn.breaks > 0)
 
 
 # ---- drawings ----
@@ -76,18 +77,9 @@ def _figure(name: str, flat: Any, path: Path, place: Place) -> str:
     low, size = flat.min(axis=0), float(np.ptp(flat, axis=0).max()) or 1.0
     scaled = (flat - low) / size * _SIDE
     scaled[:, 1] = scaled[:, 1].max() - scaled[:, 1]
-    kept, grid = _thinned(scaled, path.begins)
     width, height = (max(float(side), 1.0) for side in scaled.max(axis=0))
     told = f"{name}, {size:.4g} mm across"
-    if len(kept) < len(flat):
-        told += (
-            f"; thinned: {min(len(kept), MOST_POINTS):,} of {len(flat):,} points,"
-            f" what moves less than {grid / _SIDE * size:.2g} mm is not drawn"
-        )
-    if len(kept) > MOST_POINTS:
-        kept = kept[:MOST_POINTS]
-        told += f", and nothing behind motion {path.moves[kept[-1]]:,} of {len(path.rapid):,}"
-    lines = "".join(_lines(scaled, kept, path, place))
+    lines = "".join(_lines(scaled, path, place))
     box = f"-20 -20 {width + 40:.1f} {height + 40:.1f}"
     return (
         f'<figure><svg viewBox="{box}" role="img" aria-label="path, {escape(told)}">{lines}</svg>'
@@ -95,32 +87,16 @@ def _figure(name: str, flat: Any, path: Path, place: Place) -> str:
     )
 
 
-def _thinned(points: Any, begins: Any) -> tuple[Any, float]:
-    """The rows to draw: those that leave their cell of a grid, which gets wider until few enough
-    are left, but no wider than what the eye sees. The first grid is finer than any screen.
-    """
-    grid = FINEST
-    if len(points) <= MOST_POINTS:
-        return np.arange(len(points)), 0.0
-    while True:
-        cells = np.floor(points / grid)
-        moved = np.any(np.diff(cells, axis=0) != 0, axis=1) | begins[1:]
-        kept = np.flatnonzero(np.concatenate(([True], moved)))
-        if len(kept) <= MOST_POINTS or grid >= WIDEST:
-            return kept, grid
-        grid *= 2
-
-
-def _lines(points: Any, kept: Any, path: Path, place: Place) -> Iterator[str]:
+def _lines(points: Any, path: Path, place: Place) -> Iterator[str]:
     """A line for each motion while there are few, else for each stretch of one kind."""
     linked = len(path.rapid) <= MOST_LINKED
-    moves = path.moves[kept]
+    moves = path.moves
     keys = moves.tolist() if linked else path.rapid[moves].tolist()
-    begins = path.begins[kept].tolist()
-    stretch = np.cumsum(path.begins[kept]).tolist()
-    for _, group in itertools.groupby(range(len(kept)), lambda row: (stretch[row], keys[row])):
+    begins = path.begins.tolist()
+    stretch = np.cumsum(path.begins).tolist()
+    for _, group in itertools.groupby(range(len(moves)), lambda row: (stretch[row], keys[row])):
         rows = list(group)
-        drawn = kept[rows if begins[rows[0]] else [rows[0] - 1, *rows]]
+        drawn = rows if begins[rows[0]] else [rows[0] - 1, *rows]
         if len(drawn) < 2:
             continue
         move = int(moves[rows[0]])

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cncsub.facts import explanations
+from cncsub.ran import place_of
 from cncsub.report_code import Anchors, code_section
 from cncsub.report_path import MOST_LINKED, Path, path_of, views
 from cncsub.report_tables import calls_rows, table
@@ -119,17 +120,23 @@ def _stop(library: Library, run: Run, anchors: Anchors) -> Iterator[str]:
 
 
 def _facts(run: Run) -> Iterator[tuple[str, str]]:
+    from cncsub.printing import duration
+
     yield "blocks", f"{run.blocks:,}"
     yield "calls", f"{len(run.calls):,}"
     if len(run.moves):
         yield "motions", f"{len(run.moves):,}, {run.moves.total_length:,.3f} mm"
-        yield "time", f"{run.moves.total_time:,.1f} s, without acceleration"
+        yield "time", f"{duration(run.moves.total_time)}, without acceleration"
         for axis, (low, high) in run.moves.bounds.items():
             yield axis, f"{low:.10g} to {high:.10g}"
     if missed := Counter(map(str, run.missed_skips)):
         told = [f"{place}{f', {n:,} times' if n > 1 else ''}" for place, n in missed.items()]
         more = f" and {len(told) - MOST_MISSED:,} more" if len(told) > MOST_MISSED else ""
         yield "skips", "; ".join(told[:MOST_MISSED]) + more
+    if words := Counter((f"{word.text} at {place_of(word)}") for word in run.dropped):
+        told = [f"{word}{f', {n:,} times' if n > 1 else ''}" for word, n in words.items()]
+        more = f" and {len(told) - MOST_MISSED:,} more" if len(told) > MOST_MISSED else ""
+        yield "dropped", "; ".join(told[:MOST_MISSED]) + more
 
 
 # ---- the calls ----
@@ -187,15 +194,13 @@ def _path(run: Run, anchors: Anchors) -> Iterator[str]:
     told = ["The programmed path in work coordinates; rapid motions are dashed"]
     if path.diameters:
         told.append("X is drawn as a radius")
-    if path.begins[1:].any():
+    if path.breaks:
         told.append("other coordinates came into force in between: parts may lie over each other")
     if len(run.moves) > MOST_LINKED:
         told.append(f"motions are links up to {MOST_LINKED:,} of them")
     else:
         told.append("a motion leads to its block")
-    if path.off:
-        told.append(f"arcs are drawn within {path.off:.2g} mm")
-    yield f'<p class="pale">{"; ".join(told)}.</p>'
+    yield f'<p class="pale">{"; ".join(told)}. {escape(" ".join(path.told))}</p>'
     if _moved(path, tool):
         yield "<details><summary>The tool in machine coordinates, with all its offsets</summary>"
         yield f'<div class="views">{"".join(views(tool, place))}</div></details>'

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
     from cncsub import _core
@@ -29,6 +29,7 @@ class _Placed:
     _code: _core.Code | None  # set by the engine
     _address: int
     _text: str  # where the block stayed behind
+    _of_engine: ClassVar[tuple[str, ...]]  # what the engine sets of a row, in its order
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +77,9 @@ class Step(_Placed):
             object.__setattr__(self, name, value)
 
 
+Step._of_engine = (*Step.__match_args__, "_code", "_address")
+
+
 @dataclass(frozen=True, slots=True)
 class Call:
     """One entered subprogram or macro; steps are rows of `run.steps`.
@@ -97,9 +101,9 @@ class Call:
     arguments: dict[int, float | None] = field(default_factory=dict, compare=False)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Move:
-    """One motion. Lengths in mm, time in s.
+    """One motion. Lengths in mm, time in s. Printed is what applies.
 
     `x`, `y`, `z` and the other axes in use: the programmed end in the work coordinates in force, a
     diameter on a diameter axis. `mx`, `my`, `mz` ...: the machine position of the tool, offsets
@@ -162,6 +166,12 @@ class Move:
     cycle: bool = False
     compensated: bool = False
 
+    def __repr__(self) -> str:
+        told = ((name, getattr(self, name)) for name in self.__match_args__)
+        return (
+            f"Move({', '.join(f'{name}={value!r}' for name, value in told if value is not None)})"
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class SentCode:
@@ -220,4 +230,5 @@ class Origin:
     repeat: int
 
 
-setattr(Origin, "pass", property(lambda self: self.repeat))  # the keyword is no name of a field
+# The keyword is no name of a field.
+setattr(Origin, "pass", property(lambda self: self.repeat, doc="The pass of the call, from 1."))

@@ -5,17 +5,17 @@ from __future__ import annotations
 import enum
 import functools
 import operator
-from collections.abc import Iterator, Mapping, MutableMapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from cncsub import _core, asserting
 from cncsub._core import Alarm, Frame
 from cncsub.controls import did_you_mean
-from cncsub.inputs import checked_variables
 from cncsub.program import Block, find_program
 from cncsub.rows import Dropped, MissedSkip, Step
 from cncsub.staying import Stays
 from cncsub.tables import Calls, Codes, Moves, Steps, Watch
+from cncsub.variables import MachineVariables, Signals, Variables
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
@@ -48,181 +48,6 @@ class AlarmError(Exception):
 
     def __reduce__(self) -> tuple[type[AlarmError], tuple[Alarm]]:
         return AlarmError, (self.alarm,)
-
-
-class Variables(Stays, Mapping[int, float | None]):
-    """Variables by number: a mapping of those that hold a value. `variables[100]` of any other
-    number that the control has is `None`, the vacant value.
-
-    Iteration and `len` tell each under one number (the HNC shows the locals of the open levels
-    under `#200` and so on besides). Reading a number the control does not have, or that cannot be
-    read, is a `KeyError`.
-
-    >>> import cncsub
-    >>> run = cncsub.loads("O1\\n#100=5\\nM30\\n", control="fanuc-0i-f").run()
-    >>> run.variables, run.variables[101], 101 in run.variables, run.variables.get(101, 0)
-    ({100: 5}, None, False, 0)
-    """
-
-    _instead = "send dict(variables)"
-
-    def __init__(self, core: _core.Machine, level: int) -> None:
-        self._core = core
-        self._level = level
-
-    def __getitem__(self, number: int) -> float | None:
-        if isinstance(number, bool) or not hasattr(number, "__index__"):
-            raise KeyError(f"a variable number is a whole number such as 100, not {number!r}")
-        try:
-            return self._core.get_variable(operator.index(number), self._level)
-        except (TypeError, LookupError) as error:
-            raise _no_variable(number, error) from None
-
-    def __iter__(self) -> Iterator[int]:
-        return (number for number, value in self._set().items() if value is not None)
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)
-
-    def __contains__(self, number: object) -> bool:
-        try:
-            return self[number] is not None  # type: ignore[index]
-        except KeyError:
-            return False
-
-    def get(self, number: int, default: Any = None) -> Any:
-        """The value, or `default` where the variable is vacant or there is none."""
-        try:
-            value = self[number]
-        except KeyError:
-            return default
-        return default if value is None else value
-
-    def _set(self) -> dict[int, float | None]:
-        return self._core.variables(self._level)
-
-    def _repr_html_(self) -> str:
-        from cncsub.notebook_values import variables_html
-
-        return variables_html(self)
-
-    def __repr__(self) -> str:
-        return "{" + ", ".join(f"{number}: {self[number]:g}" for number in self) + "}"
-
-
-def _no_variable(number: object, error: Exception) -> KeyError:
-    # The engine's own words; for a number beyond its 64 bits it has none.
-    known = isinstance(error, LookupError) and error.args
-    return KeyError(error.args[0] if known else f"there is no #{number}")
-
-
-class MachineVariables(Variables, MutableMapping[int, float | None]):
-    """The variables of a machine, to read and to set; `None` makes one vacant. `#1` and so on are
-    those of one level.
-
-    What takes a variable out of the mapping (`del`, `pop`, `popitem`, `clear`) makes it vacant. The
-    control's own variables, such as the work offsets, always have a value: `del` and `pop` of one
-    are a `KeyError`, `popitem` and `clear` leave them.
-    """
-
-    def __setitem__(self, number: int, value: float | None) -> None:
-        ((checked, number_or_none),) = checked_variables("variables", {number: value}).items()
-        try:
-            self._core.set_variable(checked, number_or_none, self._level)
-        except LookupError as error:
-            raise _no_variable(number, error) from None
-
-    def __delitem__(self, number: int) -> None:
-        if number not in self:
-            raise KeyError(f"#{number} holds no value")
-        if not self._core.can_be_vacant(operator.index(number)):
-            raise KeyError(f"#{number} is the control's own and always has a value")
-        self[number] = None
-
-    def setdefault(self, number: int, default: float | None = None) -> float | None:
-        """The value; where the variable is vacant it is set to `default` first."""
-        if number not in self:
-            self[number] = default
-        return self[number]
-
-    def pop(self, number: int, *default: Any) -> Any:
-        """The value of a variable that is made vacant. Where it is vacant already, `default`, or a
-        `KeyError`.
-        """
-        if default and number not in self:
-            return default[0]
-        value = self[number]
-        del self[number]
-        return value
-
-    def popitem(self) -> tuple[int, float | None]:
-        """Make one variable vacant and return its number and value."""
-        for number in self._clearable():
-            return number, self.pop(number)
-        raise KeyError("no variable holds a value that can be taken")
-
-    def clear(self) -> None:
-        """Make all commons and the locals of this level vacant."""
-        for number in self._clearable():
-            del self[number]
-
-    def _clearable(self) -> list[int]:
-        return [number for number in self if self._core.can_be_vacant(number)]
-
-    def level(self, level: int) -> MachineVariables:
-        """The same variables with the locals of another level, 0 for those of the main program."""
-        if isinstance(level, bool) or not hasattr(level, "__index__"):
-            raise TypeError(f"a level is a whole number, not {level!r}")
-        if not 0 <= level <= self._core.level:
-            raise ValueError(f"the open levels are 0 to {self._core.level}, not {level}")
-        return MachineVariables(self._core, level)
-
-
-class Signals(Stays, MutableMapping[int, float]):
-    """The interface inputs of a machine by variable number, to read and to set. One that nobody set
-    is 0; iteration tells those that were set.
-
-    A number that is no signal of the control is a `KeyError`.
-
-    >>> import cncsub
-    >>> text = "O1\\nN10 #100=#1004\\nN20 M30\\n"
-    >>> machine = cncsub.loads(text, control="fanuc-0i-f").machine()
-    >>> machine.signals[1004] = 1
-    >>> machine.step().n, machine.variables[100], machine.signals
-    (10, 1.0, {1004: 1})
-    """
-
-    _instead = "send dict(signals)"
-
-    def __init__(self, core: _core.Machine) -> None:
-        self._core = core
-
-    def __getitem__(self, number: int) -> float:
-        if isinstance(number, bool) or not hasattr(number, "__index__"):
-            raise KeyError(f"a signal is a whole number such as 1004, not {number!r}")
-        try:
-            return self._core.get_signal(operator.index(number))
-        except (TypeError, LookupError) as error:
-            raise _no_variable(number, error) from None
-
-    def __setitem__(self, number: int, value: float) -> None:
-        ((checked, number_or_none),) = checked_variables("signals", {number: value}).items()
-        try:
-            self._core.set_signal(checked, number_or_none or 0.0)
-        except LookupError as error:
-            raise _no_variable(number, error) from None
-
-    def __delitem__(self, number: int) -> None:
-        self[number] = 0
-
-    def __iter__(self) -> Iterator[int]:
-        return iter(self._core.signals)
-
-    def __len__(self) -> int:
-        return len(self._core.signals)
-
-    def __repr__(self) -> str:
-        return "{" + ", ".join(f"{number}: {self[number]:g}" for number in self) + "}"
 
 
 class Recorded(Stays):
@@ -407,9 +232,10 @@ class _Outcome(State, Recorded):
         n: int | None = None,
         variable: int | None = None,
     ) -> Iterator[Listed]:
-        """Each executed block with its text and what it did: calls, moves, changes of the variables
-        that were watched. Only those of a `program`, at a `depth` of calls, with a sequence number
-        `n`, that changed a `variable`, where that is asked for.
+        """Each executed block with its text, its pass and what it did: codes sent to the machine,
+        moves, calls, changes of the variables that were watched. Only those of a `program`, at a
+        `depth` of calls, with a sequence number `n`, that changed a `variable`, where that is asked
+        for.
 
         Raises `KeyError` for a program that is not there, and `ValueError` for a variable that was
         not watched and for a run that kept no blocks.
@@ -420,7 +246,7 @@ class _Outcome(State, Recorded):
         >>> for block in run.listing(program="O2", n=30):
         ...     print(block)
              1  | O2:5  N30 #100=#100+1  ->  #100 = 5
-             4  | O2:5  N30 #100=#100+1  ->  #100 = 6
+             4  | O2:5  pass 2  N30 #100=#100+1  ->  #100 = 6
         """
         from cncsub.listing import listing_of
 
@@ -438,7 +264,8 @@ class _Outcome(State, Recorded):
     ) -> Figure:
         """The path in three dimensions, as a figure of plotly (`cncsub[plot]`): rapid moves, feeds,
         canned cycles and what runs with a radius offset apart; over a point its block, the calls
-        that led there and its move; a slider that leads the tool along.
+        that led there and its move; a slider that shows the path up to an instant, with the tool
+        at its end.
 
         `color`: `"kind"`, `"program"`, `"call"`, `"tool"`, `"depth"` (of the calls), `"feed"`,
         `"time"` or `"z"`. `coordinates`: `"work"` is the programmed path, and beside it the tool
@@ -453,8 +280,8 @@ class _Outcome(State, Recorded):
         >>> import cncsub
         >>> text = "O1\\nN10 G0 X10. Y0\\nN20 G3 X10. Y0 I-10. F100\\nN30 M30\\n"
         >>> run = cncsub.loads(text, control="fanuc-0i-f").run()
-        >>> [trace.name for trace in run.plot().data]
-        ['rapid', 'feed', 'tool']
+        >>> [trace.name for trace in run.plot(play=False).data]
+        ['rapid', 'feed']
         """
         from cncsub.plot_path import path_figure
 
@@ -559,6 +386,7 @@ class Run(_Outcome):
 
     @functools.cached_property
     def endless(self) -> Endless | None:
+        """Why the program had not ended, worked out once: see `Machine.endless`."""
         from cncsub.endless import endless_of
 
         return endless_of(self._core)
@@ -599,7 +427,8 @@ class Machine(_Outcome):
         30)`. A whole number stops where no more than that many calls are open:
         `machine.run(until=len(machine.stack) - 1)` steps out, of the main program to its end (-1).
         Returns `None` where it stopped there. An unknown program or block is a `KeyError`, a block
-        of another library and a number below -1 a `ValueError`. A machine that Ctrl-C stopped goes on.
+        of another library and a number below -1 a `ValueError`. A machine that Ctrl-C stopped goes
+        on.
         """
         self._core.run(None if until is None else self._place(until))
         # The machine may go on; the run stays what it is.
@@ -616,7 +445,7 @@ class Machine(_Outcome):
             raise _wrong_until(until)
         depth = operator.index(until)
         if depth < -1:
-            raise ValueError(f"until: no fewer than 0 calls are open; -1 runs to the end, not {depth}")
+            raise ValueError(f"until: 0 calls are open at least, -1 runs to the end; not {depth}")
         return -1, min(depth, 1 << 30)
 
     def _block_place(self, name: str | int, n: int) -> tuple[int, int]:

@@ -43,6 +43,7 @@ from cncsub.options import (
     opened,
     run_options,
     status_of,
+    tell_dropped,
     tell_hints,
     told_idle,
     typed_in,
@@ -52,7 +53,7 @@ from cncsub.options import (
 )
 from cncsub.printing import console_on, print_run, print_stop, print_tree
 from cncsub.static_command import draw_static_tree
-from cncsub.tables import records
+from cncsub.table import records
 
 
 def run(
@@ -87,8 +88,9 @@ def run(
             if listing:
                 raise ValueError("csv and parquet write the moves; --listing takes text or json")
         stream = _stream(locals())
-        _write_moves(stream, format, output)
+        dropped = _write_moves(stream, format, output)
         print_stop(console_on(sys.stderr), stream)
+        tell_dropped(dropped)
         raise typer.Exit(status_of(stream))
     with wrong_use():
         asked = filters(where or ())
@@ -100,6 +102,7 @@ def run(
             blocks = made.listing(**asked)
         write_listing(blocks, output, as_json=format is RunFormat.JSON)
         print_stop(console_on(sys.stderr), made)
+        tell_dropped(len(made.dropped))
         tell_hints(hints)
         raise typer.Exit(status_of(made))
     if format is RunFormat.TEXT:
@@ -143,6 +146,7 @@ def tree(
         write_json(output, {**tree_facts(made, title), "notes": notes, "hints": hints})
     else:
         write_text(output, lambda console: print_tree(console, made, title, callers=True))
+        tell_dropped(len(made.dropped))
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
             print_stop(console_on(sys.stderr), made)
             tell_hints(hints)
@@ -190,14 +194,13 @@ def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
         return library.stream(options["main"], **asked)
 
 
-def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> None:
+def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> int:
+    """Writes the moves as they are made; how many words were dropped meanwhile."""
     if format is RunFormat.CSV:
         if output is None:
-            _write_csv(stream, sys.stdout)
-        else:
-            with opened(output, "w") as file:
-                _write_csv(stream, file)
-        return
+            return _write_csv(stream, sys.stdout)
+        with opened(output, "w") as file:
+            return _write_csv(stream, file)
     if output is None:
         raise WrongUseError("parquet needs a file: --output moves.parquet")
     try:
@@ -206,19 +209,24 @@ def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) 
         raise WrongUseError("parquet needs pyarrow: pip install 'cncsub[arrow]'") from None
     with contextlib.ExitStack() as files:
         file = files.enter_context(opened(output, "wb"))
-        writer = None
+        writer, dropped = None, 0
         for part in stream:
+            dropped += len(part.dropped)
             rows = part.moves.to_arrow()
             if writer is None:
                 writer = files.enter_context(parquet.ParquetWriter(file, rows.schema))
             writer.write_table(rows)
+    return dropped
 
 
-def _write_csv(stream: cncsub.Stream, file: IO[str]) -> None:
+def _write_csv(stream: cncsub.Stream, file: IO[str]) -> int:
     import csv
 
+    dropped = 0
     writer = csv.writer(file, lineterminator="\n")
     for number, part in enumerate(stream):
         if number == 0:
             writer.writerow(part.moves.columns)
         writer.writerows(record.values() for record in records(part.moves))
+        dropped += len(part.dropped)
+    return dropped

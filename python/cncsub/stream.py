@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from cncsub import _core
 from cncsub.files import StrPath
-from cncsub.run import Recorded, State, Stop, Variables
-from cncsub.tables import Table, optional_module
+from cncsub.run import Recorded, State, Stop
+from cncsub.table import Table, optional_module
+from cncsub.variables import Variables
 
 if TYPE_CHECKING:
     from pyarrow.parquet import ParquetWriter

@@ -33,6 +33,7 @@ class Plane:
     signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
+        """The body as the engine takes it; `where` begins the message of an error."""
         return {
             "shape": "plane",
             "signal": _signal(where, self.signal),
@@ -54,6 +55,7 @@ class Box:
     signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
+        """The body as the engine takes it; `where` begins the message of an error."""
         low, high = [-math.inf] * 3, [math.inf] * 3
         for axis, ends in _by_axis(f"{where}: sides", self.sides).items():
             place = AXES.index(axis)
@@ -83,6 +85,7 @@ class Cylinder:
     signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
+        """The body as the engine takes it; `where` begins the message of an error."""
         first, last = _ends(f"{where}: ends", self.ends)
         return {
             "shape": "cylinder",
@@ -106,6 +109,7 @@ class Sphere:
     signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
+        """The body as the engine takes it; `where` begins the message of an error."""
         return {
             "shape": "sphere",
             "signal": _signal(where, self.signal),

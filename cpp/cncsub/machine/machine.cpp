@@ -93,7 +93,7 @@ std::vector<Frame> Machine::frames() const { return open_calls(run_); }
 
 Trace Machine::take() {
   Trace::Open open{.calls = {},
-                   .held = run_.motion.held_steps(),
+                   .held = held_steps(run_.motion.state()),
                    .next_step = run_.state.executed,
                    .last = stop() != Stop::Running};
   for (const OpenFrame& frame : run_.state.frames)

@@ -63,9 +63,9 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
   return wrong;
 }
 
-std::vector<std::uint32_t> Motion::held_steps() const {
+std::vector<std::uint32_t> held_steps(const MotionState& state) {
   std::vector<std::uint32_t> steps;
-  for (const auto* pieces : {&state_.held.corner, &state_.held.radius, &state_.angled.line})
+  for (const auto* pieces : {&state.held.corner, &state.held.radius, &state.angled.line})
     for (const Piece& piece : *pieces) steps.push_back(piece.step);
   return steps;
 }

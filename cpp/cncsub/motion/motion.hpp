@@ -79,8 +79,6 @@ class Motion {
   std::int64_t held_pieces() const {
     return static_cast<std::int64_t>(state_.held.corner.size() + state_.held.radius.size());
   }
-  /// The steps of those moves.
-  std::vector<std::uint32_t> held_steps() const;
   std::size_t held_bytes() const {
     return (state_.held.corner.capacity() + state_.held.radius.capacity()) * sizeof(Piece);
   }
@@ -99,6 +97,9 @@ class Motion {
   ModalState before_;  // the running block
   OffsetLog log_;
 };
+
+/// The steps of moves that wait for those behind them.
+std::vector<std::uint32_t> held_steps(const MotionState& state);
 
 }  // namespace cncsub
 

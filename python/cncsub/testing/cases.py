@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from cncsub.signatures import spelled_out
 from cncsub.testing.moves import Move, Point, read_moves, read_point
 
 STOPS = ("end", "alarm", "cycles", "limit", "waiting")
@@ -79,6 +80,7 @@ class Case:
         return f"control {control}" + (f"; source: {source}" if source else "")
 
     def source_on(self, control: str) -> str:
+        """Who says that it is so on a control."""
         return self.source if isinstance(self.source, str) else self.source[control]
 
     def number_on(self, control: str) -> str | None:
@@ -93,6 +95,7 @@ class Case:
 
     @property
     def says_what_happened(self) -> bool:
+        """Whether it tells more than how the run stopped."""
         said: tuple[object, ...] = (self.runs, self.m, self.t, self.messages, self.dropped)
         said += (self.calls, self.tree, self.arguments, self.final_work)
         some = any(expectation is not None for expectation in said)
@@ -100,11 +103,13 @@ class Case:
 
     @property
     def resets(self) -> bool:
+        """Whether it tells what is there behind the reset key."""
         after = (self.vars_after_reset, self.work_after_reset, self.modal_after_reset)
         return any(expectation is not None for expectation in after)
 
     @property
     def wants_moves(self) -> bool:
+        """Whether it tells of moves."""
         motion = (self.moves, self.moves_x, self.centre, self.final_machine, self.time)
         return any(expectation is not None for expectation in motion)
 
@@ -293,6 +298,7 @@ def _read_block(name: str) -> str:
 _tables: list[list[Case]] = []  # those that are being read
 
 
+@spelled_out(read_case, "topic", "line")
 def case(claim: str, **said: Any) -> Case:
     """Write one case of a table; `load_table` collects those of a file.
 
