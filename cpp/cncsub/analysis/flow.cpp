@@ -179,8 +179,9 @@ void FlowReader::variant(const Block& block) {
     case Op::Choose:
       variant(code_.variants[code_.choices[block.aux].first]);
       return variant(code_.variants[code_.choices[block.aux].second]);
+    case Op::Set:
     case Op::Assign:  // #3000 raises an alarm: nothing comes behind it
-      if (!raises_alarm(statement())) next();
+      if (!raises_alarm(code_.assignment(block))) next();
       return;
     default:
       return words_or_call(block);

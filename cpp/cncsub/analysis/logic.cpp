@@ -137,6 +137,7 @@ const char* LogicCheck::read_as(Asked asked) const {
 
 bool LogicCheck::is_statement(const Block& block) const {
   switch (block.op) {
+    case Op::Set:
     case Op::Assign:
     case Op::IfGoto:
     case Op::IfThen:
@@ -150,8 +151,8 @@ bool LogicCheck::is_statement(const Block& block) const {
 
 /// Whether logic of numbers is done, which may be meant as logic of conditions.
 bool LogicCheck::of_numbers(const Expression& of) const {
-  for (const Instruction* ins = c_.code.instructions.data() + of.first; ins->op != Ins::End; ++ins)
-    if (ins->op == Ins::And || ins->op == Ins::Or || ins->op == Ins::Xor) return true;
+  for (const Instruction ins : of)
+    if (ins.op == Ins::And || ins.op == Ins::Or || ins.op == Ins::Xor) return true;
   return false;
 }
 
@@ -181,13 +182,16 @@ void LogicCheck::block(Address at, const Block& block, const std::string& text) 
     if (block.op == Op::Fault || (block.op <= Op::Arc && !extra)) return;
     return brackets(at, std::string_view(text).substr(block.text, block.length), block.text);
   }
-  const Expression& of = c_.code.expressions[c_.code.statements[block.aux].expression];
-  const std::string_view written = std::string_view(text).substr(of.at, of.width);
+  const bool set = block.op == Op::Set;
+  const Expression of =
+      c_.code.expression(set ? block.aux : c_.code.statements[block.aux].expression);
+  const std::uint32_t first = of.at();
+  const std::string_view written = std::string_view(text).substr(first, of.width());
   // Conditions that are compared first and joined then are what they look like, but for AND and OR.
   const bool numbers = asked_ == Asked::OtherLogic || of_numbers(of);
   const Asked asked = numbers ? asked_ : asked_ == Asked::Both ? Asked::OtherLogic : Asked::Nothing;
   if (asked != Asked::Nothing && has_logic(written) && Operations(asked).mixed(written))
-    c_.found(Check::LogicOrder, at, {of.at, of.width}, read_as(asked));
+    c_.found(Check::LogicOrder, at, {first, of.width()}, read_as(asked));
 }
 
 }  // namespace

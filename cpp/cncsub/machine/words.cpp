@@ -35,8 +35,8 @@ bool decode_code(Run& run, const Block& block, const Cell& cell, double factor, 
       return true;
     }
     value = std::round(value * factor);
-    at = run.code->expressions[expression].at;
-    width = run.code->expressions[expression].width;
+    at = run.code->expression(expression).at();
+    width = run.code->expression(expression).width();
   }
   if (value < 0 || value > kLargestCode)
     return alarm(run, {Cause::ValueOutOfRange, at, width, "the code is out of range"});
@@ -72,11 +72,11 @@ bool decode_computed(Run& run, std::uint32_t expression, std::size_t place, NcWo
   double value = 0;
   if (!evaluate(run, expression, value)) return false;
   if (std::fabs(value) >= run.largest_word) {  // a vacant value compares false
-    const Expression& e = run.code->expressions[expression];
+    const Expression e = run.code->expression(expression);
     if (std::fabs(value) > kLargest)
-      return alarm(run, {Cause::Overflow, e.at, e.width, "the result is too large"});
+      return alarm(run, {Cause::Overflow, e.at(), e.width(), "the result is too large"});
     return alarm(
-        run, {Cause::ValueOutOfRange, e.at, e.width,
+        run, {Cause::ValueOutOfRange, e.at(), e.width(),
               "the value has more than " + std::to_string(most_digits(run.control())) + " digits"});
   }
   if (is_vacant(value)) {

@@ -18,7 +18,7 @@ void BlockReader::read_any(Scanner& s, Block& block) {
                               "a block has at most " + std::to_string(most) + " characters"});
   if (control_.calls.conditional_return.value && s.peek() == '[')
     return conditional_return(s, block);
-  StatementReader statement(to_, s, block);
+  StatementReader statement(to_, rules_.expressions, s, block);
   if (statement.read()) return;
   tokens_.clear();
   if (words.words(tokens_)) write(block, tokens_, true);
@@ -28,7 +28,7 @@ void BlockReader::read_any(Scanner& s, Block& block) {
 void BlockReader::conditional_return(Scanner& s, Block& block) {
   Statement statement;
   statement.at = s.offset();
-  ExpressionReader reader(to_, s);
+  ExpressionReader reader(to_, rules_.expressions, s);
   const auto condition = reader.condition();
   if (!condition) return to_.refuse(block, reader.fault());
   statement.expression = *condition;

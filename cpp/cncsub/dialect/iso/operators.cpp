@@ -7,8 +7,6 @@
 
 namespace cncsub {
 
-namespace {
-
 struct OperatorName {
   std::string_view text;
   Ins op;
@@ -20,13 +18,15 @@ struct OperatorName {
   bool is_logic() const { return last == 0; }
 };
 
+namespace {
+
 constexpr int kTightest = 3;  // of the levels where logic binds last
 
-constexpr OperatorName kOperators[] = {{"+", Ins::Add, 1, 2, Ins::AddConstant},
-                                       {"-", Ins::Subtract, 1, 2, Ins::SubtractConstant},
-                                       {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
-                                       {"/", Ins::Divide, 2, 3, Ins::DivideConstant},
-                                       {"AND", Ins::And, 2, 0, Ins::BothTrue},
+constexpr OperatorName kArithmetic[] = {{"+", Ins::Add, 1, 2, Ins::AddConstant},
+                                        {"-", Ins::Subtract, 1, 2, Ins::SubtractConstant},
+                                        {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
+                                        {"/", Ins::Divide, 2, 3, Ins::DivideConstant}};
+constexpr OperatorName kOperators[] = {{"AND", Ins::And, 2, 0, Ins::BothTrue},
                                        {"XOR", Ins::Xor, 1, 0, Ins::OneTrue},
                                        {"OR", Ins::Or, 1, 0, Ins::EitherTrue},
                                        {"MOD", Ins::Modulo, 2, 3},
@@ -118,93 +118,94 @@ struct Waiting {  // for its right value
   int level = 0;
 };
 
-/// The operator that stands here, null where none does.
-const OperatorName* operator_here(const Code& code, Scanner& s) {
-  if (ends_here(s)) return nullptr;
-  if (const OperatorName* found = find_operator(kOperators, s))
-    return found->op == Ins::Modulo && !has_function(code, Function::Mod) ? nullptr : found;
-  const bool symbols = code.control->macros.conditions.value.has(Condition::Symbols);
-  return symbols ? find_operator(kSymbols, s) : nullptr;
+/// The level at which an operator binds, but for logic of numbers where that binds first.
+int level_of(const ExpressionRules& rules, const OperatorName& of) {
+  return rules.alike ? of.alike : of.last;
 }
 
-/// Whether an operator binds at this level behind a value. Where logic of numbers binds first, it
-/// counts whether the value is a number, and whether it is the right side of a comparison:
-/// `#1EQ3AND#2EQ4` joins two, `3EQ#1AND3` is one.
-bool binds(const Control& control, const Scanner& s, const OperatorName* of, int level,
-           const Value& value, std::span<const Waiting> waiting) {
-  if (of == nullptr) return false;
-  const LogicOrder order = control.macros.logic_order.value;
-  if (level == (order == LogicOrder::LikeArithmetic ? of->alike : of->last)) return true;
-  if (order != LogicOrder::LastOfConditions || !of->is_logic()) return false;
-  if (value.type != Value::Type::Number || level != of->alike + 1) return false;
+/// Whether logic behind a value binds as that of numbers, which counts where that binds first. It
+/// counts whether the value is the right side of a comparison: `#1EQ3AND#2EQ4` joins two,
+/// `3EQ#1AND3` is one.
+bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
+                   std::span<const Waiting> waiting) {
+  if (value.type != Value::Type::Number) return false;
   const bool compared = std::any_of(waiting.begin(), waiting.end(),
                                     [](const Waiting& left) { return left.of->compares(); });
   if (!compared) return true;
   Scanner behind = s;
-  behind.take_word(of->text);
+  behind.take_word(of.text);
   return !Lookahead(behind).finds_condition();
 }
 
-std::optional<Value> compare(ValueWriter& out, const Waiting& waiting, Value right,
-                             std::uint32_t end) {
+Value compare(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
   Value left = waiting.left;
   const Ins op = waiting.of->op;
   const bool tells_vacant =
-      out.control().macros.vacant_comparison.value == VacantComparison::Distinguished &&
-      (op == Ins::Equal || op == Ins::NotEqual);
+      out.rules().distinguishes_vacant && (op == Ins::Equal || op == Ins::NotEqual);
   if (!out.is_number(left) || !out.is_number(right))
     return out.refuse(Cause::ExpressionFormat, waiting.at, "a comparison compares two values");
   if (!tells_vacant && (!out.arithmetic(left, end) || !out.arithmetic(right, end)))
-    return std::nullopt;
+    return {};
   out.emit(op, waiting.at);
-  return Value{Value::Type::Condition, -1};
+  return Value::condition();
 }
 
 /// Joins two values; the left one waited for the right one.
-std::optional<Value> apply(ValueWriter& out, const Waiting& waiting, Value right,
-                           std::uint32_t end) {
+inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
   const OperatorName& of = *waiting.of;
   Value left = waiting.left;
   if (of.compares()) return compare(out, waiting, right, end);
   if (of.is_logic() && left.type == Value::Type::Condition &&
       right.type == Value::Type::Condition) {
-    if (!out.control().macros.conditions.value.has(Condition::Joined))
+    if (!out.rules().joined)
       return out.refuse(Cause::IfFormat, waiting.at, "conditions cannot be joined on this control");
     out.emit(of.other, waiting.at);
-    return Value{Value::Type::Condition, -1};
+    return Value::condition();
   }
-  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return std::nullopt;
+  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
   out.emit_operator(of.op, of.is_logic() ? Ins::End : of.other, waiting.at);
-  return Value{};
+  return Value::number();
 }
 
 }  // namespace
 
+/// The operator that stands here, null where none does.
+inline const OperatorName* ExpressionReader::next_operator() {
+  if (ends_here(s_)) return nullptr;
+  for (const OperatorName& of : kArithmetic)
+    if (of.text[0] == *s_.at) return &of;
+  if (const OperatorName* found = find_operator(kOperators, s_))
+    return found->op == Ins::Modulo && !rules_.modulo ? nullptr : found;
+  return rules_.symbols ? find_operator(kSymbols, s_) : nullptr;
+}
+
 /// Operands and operators: a value waits with its operator until what stands on the right does not
 /// bind closer.
-std::optional<Value> ExpressionReader::expression() {
+Value ExpressionReader::expression() {
   std::array<Waiting, kTightest + 1> waiting;  // NOLINT: the first `count`, looser ones first
   std::size_t count = 0;
-  const bool alike = code_.control->macros.logic_order.value == LogicOrder::LikeArithmetic;
-  const int tightest = kTightest - static_cast<int>(alike);
-  auto value = operand();
-  while (value) {
-    const OperatorName* next = nullptr;
-    for (int level = tightest;; --level) {
-      if (count > 0 && waiting[count - 1].level == level)
-        value = apply(out_, waiting[--count], *value, s_.offset());
-      if (!value) return std::nullopt;
-      if (level == tightest) next = operator_here(code_, s_);
-      if (binds(*code_.control, s_, next, level, *value, {waiting.data(), count})) {
-        waiting[count++] = {*value, next, s_.offset(), level};
-        break;
-      }
-      if (level == 0) return value;
-    }
-    s_.take_word(next->text);
+  Value value;
+  const auto join = [&](int level) {  // with what waits and binds as closely
+    while (value && count > 0 && waiting[count - 1].level >= level)
+      value = apply(out_, waiting[--count], value, s_.offset());
+  };
+  for (;;) {
     value = operand();
+    if (!value) return {};
+    const OperatorName* const next = next_operator();
+    int level = next == nullptr ? 0 : level_of(rules_, *next);
+    if (next != nullptr && rules_.numbers_first && next->is_logic()) {
+      join(next->alike + 1);
+      if (is_of_numbers(s_, *next, value, {waiting.data(), count})) level = next->alike + 1;
+    }
+    join(level);
+    if (!value || next == nullptr) return value;
+    waiting[count++] = {value, next, s_.offset(), level};
+    if (next->text.size() == 1)
+      ++s_.at;
+    else
+      s_.take_word(next->text);
   }
-  return std::nullopt;
 }
 
 }  // namespace cncsub
