@@ -22,28 +22,30 @@ enum class Ins : std::uint8_t {
 #undef INS
 };
 
-/// How many values more an instruction leaves on the stack.
-constexpr int stack_effect(Ins op) {
-  enum { Join = -1, Take = -1, Change = 0, Push = 1 };
-  constexpr std::int8_t kEffects[] = {
+/// What an instruction holds besides its place.
+enum class Holds : std::uint8_t { None, Variable, Value };
+
+namespace instructions {
+
+enum { Join = -1, Take = -1, Change = 0, Push = 1 };
+inline constexpr std::int8_t kEffects[] = {
 #define INS(name, effect, holds, function) effect,
 #include "cncsub/code/ins.def"
 #undef INS
-  };
-  return kEffects[static_cast<std::size_t>(op)];
-}
-
-/// What an instruction holds besides its place.
-enum class Holds : std::uint8_t { None, Variable, Value };
-constexpr Holds held_by(Ins op) {
-  using enum Holds;
-  constexpr Holds kHolds[] = {
-#define INS(name, effect, holds, function) holds,
+};
+inline constexpr Holds kHolds[] = {
+#define INS(name, effect, holds, function) Holds::holds,
 #include "cncsub/code/ins.def"
 #undef INS
-  };
-  return kHolds[static_cast<std::size_t>(op)];
+};
+
+}  // namespace instructions
+
+/// How many values more an instruction leaves on the stack.
+constexpr int stack_effect(Ins op) {
+  return instructions::kEffects[static_cast<std::size_t>(op)];
 }
+constexpr Holds held_by(Ins op) { return instructions::kHolds[static_cast<std::size_t>(op)]; }
 
 struct Instruction {
   Ins op = Ins::End;

@@ -55,6 +55,7 @@ class ExpressionReader {
   // ---- operators.cpp ----
   Value expression();
   const OperatorName* next_operator();
+  const OperatorName* other_operator();
 
   // ---- functions.cpp ----
   Value word();

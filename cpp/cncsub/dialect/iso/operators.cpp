@@ -1,6 +1,5 @@
 // The operators of expressions: how tightly each binds, and what it makes of two values.
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "cncsub/dialect/iso/expression.hpp"
@@ -16,6 +15,7 @@ struct OperatorName {
 
   bool compares() const { return op >= Ins::Equal && op <= Ins::LessEqual; }
   bool is_logic() const { return last == 0; }
+  bool is_arithmetic() const { return last >= 2; }
 };
 
 namespace {
@@ -46,12 +46,6 @@ const OperatorName* find_operator(const OperatorName (&names)[N], Scanner s) {
   for (const OperatorName& of : names)
     if (of.text[0] == c && s.take_word(of.text)) return &of;
   return nullptr;
-}
-
-/// Whether the expression ends here, or the bracket that holds it.
-bool ends_here(Scanner& s) {
-  s.blanks();
-  return s.at == s.end || *s.at == ']';
 }
 
 /// Goes through what stands behind a logic operator, as far as the next one.
@@ -111,11 +105,11 @@ class Lookahead {
   bool value_ = false;  // the value of an operand has ended: an operator follows
 };
 
-struct Waiting {  // for its right value
+struct Waiting {  // NOLINT(*-member-init): for its right value
   Value left;
-  const OperatorName* of = nullptr;
-  std::uint32_t at = 0;
-  int level = 0;
+  const OperatorName* of;
+  std::uint32_t at;
+  int level;
 };
 
 /// The level at which an operator binds, but for logic of numbers where that binds first.
@@ -154,8 +148,13 @@ Value compare(ValueWriter& out, const Waiting& waiting, Value right, std::uint32
 inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
   const OperatorName& of = *waiting.of;
   Value left = waiting.left;
+  if (of.is_arithmetic()) {
+    if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
+    out.emit_operator(of.op, of.other, waiting.at);
+    return Value::number();
+  }
   if (of.compares()) return compare(out, waiting, right, end);
-  if (of.is_logic() && left.type == Value::Type::Condition &&
+  if (left.type == Value::Type::Condition &&
       right.type == Value::Type::Condition) {
     if (!out.rules().joined)
       return out.refuse(Cause::IfFormat, waiting.at, "conditions cannot be joined on this control");
@@ -163,7 +162,7 @@ inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::u
     return Value::condition();
   }
   if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
-  out.emit_operator(of.op, of.is_logic() ? Ins::End : of.other, waiting.at);
+  out.emit(of.op, waiting.at);
   return Value::number();
 }
 
@@ -171,9 +170,25 @@ inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::u
 
 /// The operator that stands here, null where none does.
 inline const OperatorName* ExpressionReader::next_operator() {
-  if (ends_here(s_)) return nullptr;
-  for (const OperatorName& of : kArithmetic)
-    if (of.text[0] == *s_.at) return &of;
+  s_.blanks();
+  if (s_.at == s_.end) return nullptr;
+  switch (*s_.at) {
+    case ']':
+      return nullptr;
+    case '+':
+      return &kArithmetic[0];
+    case '-':
+      return &kArithmetic[1];
+    case '*':
+      return &kArithmetic[2];
+    case '/':
+      return &kArithmetic[3];
+    default:
+      return other_operator();
+  }
+}
+
+const OperatorName* ExpressionReader::other_operator() {
   if (const OperatorName* found = find_operator(kOperators, s_))
     return found->op == Ins::Modulo && !rules_.modulo ? nullptr : found;
   return rules_.symbols ? find_operator(kSymbols, s_) : nullptr;
@@ -182,25 +197,25 @@ inline const OperatorName* ExpressionReader::next_operator() {
 /// Operands and operators: a value waits with its operator until what stands on the right does not
 /// bind closer.
 Value ExpressionReader::expression() {
-  std::array<Waiting, kTightest + 1> waiting;  // NOLINT: the first `count`, looser ones first
-  std::size_t count = 0;
-  Value value;
-  const auto join = [&](int level) {  // with what waits and binds as closely
-    while (value && count > 0 && waiting[count - 1].level >= level)
-      value = apply(out_, waiting[--count], value, s_.offset());
+  Waiting waiting[kTightest + 1];  // NOLINT: up to `last`, looser ones first
+  Waiting* last = waiting;
+  const auto join = [&](Value value, int level) {  // with what waits and binds as closely
+    while (value && last != waiting && last[-1].level >= level)
+      value = apply(out_, *--last, value, s_.offset());
+    return value;
   };
   for (;;) {
-    value = operand();
+    Value value = operand();
     if (!value) return {};
     const OperatorName* const next = next_operator();
     int level = next == nullptr ? 0 : level_of(rules_, *next);
     if (next != nullptr && rules_.numbers_first && next->is_logic()) {
-      join(next->alike + 1);
-      if (is_of_numbers(s_, *next, value, {waiting.data(), count})) level = next->alike + 1;
+      value = join(value, next->alike + 1);
+      if (is_of_numbers(s_, *next, value, {waiting, last})) level = next->alike + 1;
     }
-    join(level);
+    value = join(value, level);
     if (!value || next == nullptr) return value;
-    waiting[count++] = {value, next, s_.offset(), level};
+    *last++ = {value, next, s_.offset(), level};
     if (next->text.size() == 1)
       ++s_.at;
     else

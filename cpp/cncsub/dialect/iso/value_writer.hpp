@@ -15,20 +15,21 @@ namespace cncsub {
 /// What a part of an expression gives: nothing where it was refused.
 struct Value {
   enum class Type : std::uint8_t { None, Number, Condition };
-  std::int32_t raw = -1;  // the instruction, where it is one variable and may still be vacant
-  Type type = Type::None;
+  std::int32_t raw;  // the instruction, where it is one variable and may still be vacant
+  Type type;         // None: of `Value{}`
 
   explicit operator bool() const { return type != Type::None; }
   static Value number() { return {-1, Type::Number}; }
   static Value condition() { return {-1, Type::Condition}; }
 };
 
-/// Nothing, of whatever is asked for.
+/// What is returned where something was refused: nothing, of whatever is asked for.
 struct Refused {
-  template <class Any>
-  operator Any() const {  // NOLINT(google-explicit-constructor): it is returned instead
-    return Any{};
-  }
+  // NOLINTBEGIN(google-explicit-constructor)
+  operator Value() const { return {}; }
+  operator std::optional<std::uint32_t>() const { return std::nullopt; }
+  operator std::optional<std::int64_t>() const { return std::nullopt; }
+  // NOLINTEND(google-explicit-constructor)
 };
 
 class ValueWriter {
