@@ -29,6 +29,7 @@ namespace {
 
 using instruction::Evaluation;
 using instruction::Fallible;
+using instruction::InstructionView;
 using instruction::Trap;
 
 inline bool take(double from, double& value) {
@@ -51,26 +52,26 @@ bool compute(const ExpressionCell* at, const Evaluation& e, double& result) {
   for (;;) {
     double made = 0;
     switch (at->op()) {
-#define INS_Push(name, function)                                                          \
-  case Ins::name:                                                                         \
-    if (!take(instruction::function(e, instruction_at(at, Ins::name)), made)) return false; \
-    *below++ = a;                                                                         \
-    a = made;                                                                             \
-    at += cells_of(Ins::name);                                                            \
+#define INS_Push(name, function)                                              \
+  case Ins::name:                                                             \
+    if (!take(instruction::function(e, InstructionView{at}), made)) return false; \
+    *below++ = a;                                                             \
+    a = made;                                                                 \
+    at += cells_of(Ins::name);                                                \
     break;
 #define INS_Change(name, function)                                                        \
   case Ins::name:                                                                         \
-    if (!take(instruction::function(e, instruction_at(at, Ins::name), a), a)) return false; \
+    if (!take(instruction::function(e, InstructionView{at}, a), a)) return false; \
     at += cells_of(Ins::name);                                                            \
     break;
 #define INS_Join(name, function)                                                                 \
   case Ins::name:                                                                                \
-    if (!take(instruction::function(e, instruction_at(at, Ins::name), *--below, a), a)) return false; \
+    if (!take(instruction::function(e, InstructionView{at}, *--below, a), a)) return false; \
     at += cells_of(Ins::name);                                                                   \
     break;
 #define INS_Take(name, function) \
   case Ins::name:                \
-    return take(instruction::finite_or_vacant(e, instruction_at(at, Ins::name), a), result);
+    return take(instruction::finite_or_vacant(e, InstructionView{at}, a), result);
 #define INS(name, effect, holds, function) INS_##effect(name, function)
 #include "cncsub/code/ins.def"
 #undef INS

@@ -170,30 +170,28 @@ inline bool condition(Run& run, std::uint32_t expression, const Places& places, 
   return true;
 }
 
-/// Whether a block is one of the statements that fill most loops.
-constexpr bool fills_loops(Op op) {
-  return op == Op::Set || op == Op::Assign || op == Op::IfGoto ||
-         (op >= Op::While && op <= Op::EndDo);
-}
-
-/// Such a block; whether its condition `holds`.
-CNCSUB_ALWAYS_INLINE inline bool run_one(Run& run, const Block& block, const Places& places,
-                                         bool& holds) {
-  if (block.op == Op::Set) return set(run, block, places);
-  const Statement& statement = run.code->statements[block.aux];
+/// One of the statements that fill most loops, whether its condition `holds`. Others are left.
+enum class Ran : std::uint8_t { Yes, Stopped, Other };
+CNCSUB_ALWAYS_INLINE inline Ran run_one(Run& run, const Block& block, const Places& places,
+                                        bool& holds) {
+  const auto ran = [](bool runs) { return runs ? Ran::Yes : Ran::Stopped; };
+  if (block.op == Op::Set) return ran(set(run, block, places));
+  const Statement& statement = run.code->statements.data()[block.aux];
   switch (block.op) {
     case Op::Assign:
-      return assign(run, statement);
+      return ran(assign(run, statement));
     case Op::IfGoto:
-      return condition(run, statement.expression, places, holds) &&
-             (!holds || jump_by_goto(run, statement));
+      return ran(condition(run, statement.expression, places, holds) &&
+                 (!holds || jump_by_goto(run, statement)));
     case Op::While:
-      return may_jump(run, statement) && condition(run, statement.expression, places, holds) &&
-             loop(run, statement, holds);
+      return ran(may_jump(run, statement) && condition(run, statement.expression, places, holds) &&
+                 loop(run, statement, holds));
     case Op::Do:
-      return may_jump(run, statement) && loop(run, statement, true);
+      return ran(may_jump(run, statement) && loop(run, statement, true));
+    case Op::EndDo:
+      return ran(end_loop(run, statement));
     default:
-      return end_loop(run, statement);
+      return Ran::Other;
   }
 }
 
@@ -206,9 +204,10 @@ bool run_statements(Run& run, bool one) {
   for (;;) {
     const Block& block = blocks[s.pc];
     run.block.next = s.pc + 1;
-    if (!fills_loops(block.op)) return dispatch(run, block);
     bool holds = true;
-    if (!run_one(run, block, places, holds)) return false;
+    const Ran ran = run_one(run, block, places, holds);
+    if (ran == Ran::Other) return dispatch(run, block);
+    if (ran == Ran::Stopped) return false;
     record_step(run, !holds);
     s.pc = run.block.next;
     if (one || s.executed >= run.watch.look_at || (blocks[s.pc].skip & run.options.skips) != 0)

@@ -2,7 +2,8 @@
 // numbers.
 #include "cncsub/dialect/iso/expression.hpp"
 
-#include <algorithm>
+#include "cncsub/dialect/iso/operators.hpp"
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
@@ -102,7 +103,7 @@ inline std::optional<std::uint32_t> ExpressionReader::plain_variable_number() {
   return number;
 }
 
-Value ExpressionReader::variable_value() {
+inline Value ExpressionReader::variable_value() {
   s_.blanks();
   const std::uint32_t at = s_.offset();
   s_.take('#');
@@ -193,7 +194,7 @@ Value ExpressionReader::bracket() {
   return inner;
 }
 
-Value ExpressionReader::operand() {
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operand_here() {
   const char c = s_.peek();
   if (c == '#') return variable_value();
   if (c == '[') return bracket();
@@ -202,6 +203,8 @@ Value ExpressionReader::operand() {
   if (is_letter(c)) return word();
   return no_operand();
 }
+
+Value ExpressionReader::operand() { return operand_here(); }
 
 Value ExpressionReader::sign() {
   const std::uint32_t at = s_.offset();
@@ -257,6 +260,75 @@ Refused ExpressionReader::no_operand() {
                          "a value is missing at the end");
     default:
       return out_.refuse(Cause::ExpressionFormat, at, "a value is missing here");
+  }
+}
+
+// ---- operators ----
+
+namespace {
+
+/// The level at which an operator binds, but for logic of numbers where that binds first.
+int level_of(const ExpressionRules& rules, const OperatorName& of) {
+  return rules.alike ? of.alike : of.last;
+}
+
+/// Joins two values; the left one waited for the right one.
+inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
+  if (!waiting.of->is_arithmetic()) return apply_other(out, waiting, right, end);
+  Value left = waiting.left;
+  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
+  out.emit_operator(waiting.of->op, waiting.of->other, waiting.at);
+  return Value::number();
+}
+
+}  // namespace
+
+/// The operator that stands here, null where none does.
+inline const OperatorName* ExpressionReader::next_operator() {
+  s_.blanks();
+  if (s_.at == s_.end) return nullptr;
+  switch (*s_.at) {
+    case ']':
+      return nullptr;
+    case '+':
+      return &kArithmetic[0];
+    case '-':
+      return &kArithmetic[1];
+    case '*':
+      return &kArithmetic[2];
+    case '/':
+      return &kArithmetic[3];
+    default:
+      return find_other_operator(rules_, s_);
+  }
+}
+
+/// Operands and operators: a value waits with its operator until what stands on the right does not
+/// bind closer.
+Value ExpressionReader::expression() {
+  Waiting waiting[kTightest + 1];  // NOLINT: up to `last`, looser ones first
+  Waiting* last = waiting;
+  const auto join = [&](Value value, int level) {  // with what waits and binds as closely
+    while (value && last != waiting && last[-1].level >= level)
+      value = apply(out_, *--last, value, s_.offset());
+    return value;
+  };
+  for (;;) {
+    Value value = operand_here();
+    if (!value) return {};
+    const OperatorName* const next = next_operator();
+    int level = next == nullptr ? 0 : level_of(rules_, *next);
+    if (next != nullptr && rules_.numbers_first && next->is_logic()) {
+      value = join(value, next->alike + 1);
+      if (is_of_numbers(s_, *next, value, {waiting, last})) level = next->alike + 1;
+    }
+    value = join(value, level);
+    if (!value || next == nullptr) return value;
+    *last++ = {value, next, s_.offset(), level};
+    if (next->text.size() == 1)
+      ++s_.at;
+    else
+      s_.take_word(next->text);
   }
 }
 

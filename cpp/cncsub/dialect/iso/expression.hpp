@@ -39,6 +39,7 @@ class ExpressionReader {
 
  private:
   Value operand();
+  Value operand_here();
   Value sign();
   Value constant();
   Value other_constant();
@@ -52,10 +53,8 @@ class ExpressionReader {
   std::optional<std::int64_t> variable_number(std::uint32_t at);
   std::optional<std::int64_t> written_number();
 
-  // ---- operators.cpp ----
   Value expression();
   const OperatorName* next_operator();
-  const OperatorName* other_operator();
 
   // ---- functions.cpp ----
   Value word();

@@ -1,31 +1,11 @@
-// The operators of expressions: how tightly each binds, and what it makes of two values.
-#include <algorithm>
-#include <span>
+#include "cncsub/dialect/iso/operators.hpp"
 
-#include "cncsub/dialect/iso/expression.hpp"
+#include <algorithm>
 
 namespace cncsub {
 
-struct OperatorName {
-  std::string_view text;
-  Ins op;
-  int alike, last;  // the level at which it binds where logic binds like arithmetic; where it binds
-                    // last. Level 0 binds weakest
-  Ins other = Ins::End;  // of logic: on two conditions; else with a constant on the right
-
-  bool compares() const { return op >= Ins::Equal && op <= Ins::LessEqual; }
-  bool is_logic() const { return last == 0; }
-  bool is_arithmetic() const { return last >= 2; }
-};
-
 namespace {
 
-constexpr int kTightest = 3;  // of the levels where logic binds last
-
-constexpr OperatorName kArithmetic[] = {{"+", Ins::Add, 1, 2, Ins::AddConstant},
-                                        {"-", Ins::Subtract, 1, 2, Ins::SubtractConstant},
-                                        {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
-                                        {"/", Ins::Divide, 2, 3, Ins::DivideConstant}};
 constexpr OperatorName kOperators[] = {{"AND", Ins::And, 2, 0, Ins::BothTrue},
                                        {"XOR", Ins::Xor, 1, 0, Ins::OneTrue},
                                        {"OR", Ins::Or, 1, 0, Ins::EitherTrue},
@@ -105,32 +85,6 @@ class Lookahead {
   bool value_ = false;  // the value of an operand has ended: an operator follows
 };
 
-struct Waiting {  // NOLINT(*-member-init): for its right value
-  Value left;
-  const OperatorName* of;
-  std::uint32_t at;
-  int level;
-};
-
-/// The level at which an operator binds, but for logic of numbers where that binds first.
-int level_of(const ExpressionRules& rules, const OperatorName& of) {
-  return rules.alike ? of.alike : of.last;
-}
-
-/// Whether logic behind a value binds as that of numbers, which counts where that binds first. It
-/// counts whether the value is the right side of a comparison: `#1EQ3AND#2EQ4` joins two,
-/// `3EQ#1AND3` is one.
-bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
-                   std::span<const Waiting> waiting) {
-  if (value.type != Value::Type::Number) return false;
-  const bool compared = std::any_of(waiting.begin(), waiting.end(),
-                                    [](const Waiting& left) { return left.of->compares(); });
-  if (!compared) return true;
-  Scanner behind = s;
-  behind.take_word(of.text);
-  return !Lookahead(behind).finds_condition();
-}
-
 Value compare(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
   Value left = waiting.left;
   const Ins op = waiting.of->op;
@@ -145,14 +99,28 @@ Value compare(ValueWriter& out, const Waiting& waiting, Value right, std::uint32
 }
 
 /// Joins two values; the left one waited for the right one.
-inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
+}  // namespace
+
+const OperatorName* find_other_operator(const ExpressionRules& rules, const Scanner& s) {
+  if (const OperatorName* found = find_operator(kOperators, s))
+    return found->op == Ins::Modulo && !rules.modulo ? nullptr : found;
+  return rules.symbols ? find_operator(kSymbols, s) : nullptr;
+}
+
+bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
+                   std::span<const Waiting> waiting) {
+  if (value.type != Value::Type::Number) return false;
+  const bool compared = std::any_of(waiting.begin(), waiting.end(),
+                                    [](const Waiting& left) { return left.of->compares(); });
+  if (!compared) return true;
+  Scanner behind = s;
+  behind.take_word(of.text);
+  return !Lookahead(behind).finds_condition();
+}
+
+Value apply_other(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
   const OperatorName& of = *waiting.of;
   Value left = waiting.left;
-  if (of.is_arithmetic()) {
-    if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
-    out.emit_operator(of.op, of.other, waiting.at);
-    return Value::number();
-  }
   if (of.compares()) return compare(out, waiting, right, end);
   if (left.type == Value::Type::Condition &&
       right.type == Value::Type::Condition) {
@@ -164,63 +132,6 @@ inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::u
   if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
   out.emit(of.op, waiting.at);
   return Value::number();
-}
-
-}  // namespace
-
-/// The operator that stands here, null where none does.
-inline const OperatorName* ExpressionReader::next_operator() {
-  s_.blanks();
-  if (s_.at == s_.end) return nullptr;
-  switch (*s_.at) {
-    case ']':
-      return nullptr;
-    case '+':
-      return &kArithmetic[0];
-    case '-':
-      return &kArithmetic[1];
-    case '*':
-      return &kArithmetic[2];
-    case '/':
-      return &kArithmetic[3];
-    default:
-      return other_operator();
-  }
-}
-
-const OperatorName* ExpressionReader::other_operator() {
-  if (const OperatorName* found = find_operator(kOperators, s_))
-    return found->op == Ins::Modulo && !rules_.modulo ? nullptr : found;
-  return rules_.symbols ? find_operator(kSymbols, s_) : nullptr;
-}
-
-/// Operands and operators: a value waits with its operator until what stands on the right does not
-/// bind closer.
-Value ExpressionReader::expression() {
-  Waiting waiting[kTightest + 1];  // NOLINT: up to `last`, looser ones first
-  Waiting* last = waiting;
-  const auto join = [&](Value value, int level) {  // with what waits and binds as closely
-    while (value && last != waiting && last[-1].level >= level)
-      value = apply(out_, *--last, value, s_.offset());
-    return value;
-  };
-  for (;;) {
-    Value value = operand();
-    if (!value) return {};
-    const OperatorName* const next = next_operator();
-    int level = next == nullptr ? 0 : level_of(rules_, *next);
-    if (next != nullptr && rules_.numbers_first && next->is_logic()) {
-      value = join(value, next->alike + 1);
-      if (is_of_numbers(s_, *next, value, {waiting, last})) level = next->alike + 1;
-    }
-    value = join(value, level);
-    if (!value || next == nullptr) return value;
-    *last++ = {value, next, s_.offset(), level};
-    if (next->text.size() == 1)
-      ++s_.at;
-    else
-      s_.take_word(next->text);
-  }
 }
 
 }  // namespace cncsub

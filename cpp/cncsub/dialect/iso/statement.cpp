@@ -101,6 +101,7 @@ bool StatementReader::keyword(std::string_view word) {
 
 /// Refuses a statement that the control does not have, or of which nobody says whether it has it.
 bool StatementReader::lacks(StatementKind kind, std::uint32_t at, std::string_view name) {
+  if (!code_.lacking.test(static_cast<std::size_t>(kind))) return false;
   auto wrong = code_.lacks(kind, at);
   if (wrong && !name.empty())
     wrong->detail.replace(wrong->detail.size() - name_of(kind).size(), std::string::npos, name);
