@@ -42,6 +42,7 @@ const WrittenWord* last_word(const std::vector<WrittenWord>& words, char address
 
 /// A number that the block holds is the one that is written.
 void check_values(const Code& code, const Block& block, const std::vector<WrittenWord>& words) {
+  if (block.mask == 0) return;
   const Cell* cell = code.cells.data() + block.data;
   std::uint32_t expressions = 0;
   if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;

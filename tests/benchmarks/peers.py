@@ -31,6 +31,8 @@ class Peer:
             return "takes one program; gcode is the same interpreter"
         if self.only_reads and not workload.plain:
             return "a parser, runs nothing"
+        if not workload.blocks and self.name not in workload.own_words:
+            return "words of a control"
         return None
 
     def measurement(self, workload: Workload, files: list[str]) -> dict[str, Any]:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
+import mixed
 import texts
 
 Text = Callable[[], str]
@@ -53,7 +54,7 @@ class Workload:
     files: Mapping[str, Text]
     count: int  # of the units a figure is given for
     unit: str
-    blocks: int  # that are executed
+    blocks: int  # that are executed; 0: whatever comes of it
     moves: int = 0  # that are made; a run keeps them where there are any
     control: str = "fanuc-0i-f"
     plain: bool = False  # nothing but moves, so that a mere parser has its part
@@ -70,7 +71,40 @@ class Workload:
 
 def workloads(size: Size) -> list[Workload]:
     """All of them, in the order of the table."""
-    return [*flat_workloads(size), *call_workloads(size), *loop_workloads(size), folder_of(size)]
+    return [
+        *flat_workloads(size),
+        *mixed_workloads(size),
+        *call_workloads(size),
+        *loop_workloads(size),
+        folder_of(size),
+    ]
+
+
+def mixed_workloads(size: Size) -> list[Workload]:
+    """What real programs mix. How many blocks and moves the cycles make of them is theirs."""
+    count = size.blocks
+    return [
+        Workload(
+            "mill",
+            f"a milling program, {count:,} blocks: tools, drilling, contours, helices, five axes",
+            {"mill.nc": partial(mixed.milling, count)},
+            count=count,
+            unit="block",
+            blocks=0,
+            moves=count,
+            own_words={"rs274": {"mill.ngc": partial(mixed.milling, count, linuxcnc=True)}},
+        ),
+        Workload(
+            "turn",
+            f"a turning program, {count:,} blocks: roughing, nose radius, threads",
+            {"turn.nc": partial(mixed.turning, count)},
+            count=count,
+            unit="block",
+            blocks=0,
+            moves=count,
+            control="gsk-988ta",
+        ),
+    ]
 
 
 def flat_workloads(size: Size) -> list[Workload]:

@@ -216,8 +216,9 @@ void FlowReader::variant(const Block& block) {
     case Op::Together:
       if (code_.together[block.aux].words == Labelled::kNone) return next();
       return variant(code_.variants[code_.together[block.aux].words]);
+    case Op::Set:
     case Op::Assign:  // #3000 raises an alarm: nothing comes behind it
-      if (!raises_alarm(statement())) next();
+      if (!raises_alarm(code_.assignment(block))) next();
       return;
     default:
       return words_or_call(block);

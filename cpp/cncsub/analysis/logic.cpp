@@ -119,7 +119,7 @@ class LogicCheck {
   bool of_conditions(const Expression& of) const;
   void mend(Finding& found, Address at, std::string_view written, const Binding& binding) const;
   void brackets(Address at, std::string_view text, std::uint32_t first);
-  void tell(Address at, const Expression& of, std::string_view written, Asked asked);
+  void tell(Address at, TextPlace place, const Expression& of, std::string_view written, Asked asked);
   const char* read_as(Asked asked) const;
 
   Checker& c_;
@@ -141,6 +141,7 @@ const char* LogicCheck::read_as(Asked asked) const {
 
 bool LogicCheck::is_statement(const Block& block) const {
   switch (block.op) {
+    case Op::Set:
     case Op::Assign:
     case Op::IfGoto:
     case Op::IfThen:
@@ -154,15 +155,14 @@ bool LogicCheck::is_statement(const Block& block) const {
 
 /// Whether logic of numbers is done, which may be meant as logic of conditions.
 bool LogicCheck::of_numbers(const Expression& of) const {
-  for (const Instruction* ins = c_.code.instructions.data() + of.first; ins->op != Ins::End; ++ins)
-    if (ins->op == Ins::And || ins->op == Ins::Or || ins->op == Ins::Xor) return true;
+  for (const Instruction ins : of)
+    if (ins.op == Ins::And || ins.op == Ins::Or || ins.op == Ins::Xor) return true;
   return false;
 }
 
 bool LogicCheck::of_conditions(const Expression& of) const {
-  for (const Instruction* ins = c_.code.instructions.data() + of.first; ins->op != Ins::End; ++ins)
-    if (ins->op == Ins::BothTrue || ins->op == Ins::OneTrue || ins->op == Ins::EitherTrue)
-      return true;
+  for (const Instruction ins : of)
+    if (ins.op == Ins::BothTrue || ins.op == Ins::OneTrue || ins.op == Ins::EitherTrue) return true;
   return false;
 }
 
@@ -205,8 +205,9 @@ void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first
   }
 }
 
-void LogicCheck::tell(Address at, const Expression& of, std::string_view written, Asked asked) {
-  Finding& found = c_.found(Check::LogicOrder, at, {of.at, of.width}, read_as(asked));
+void LogicCheck::tell(Address at, TextPlace place, const Expression& of, std::string_view written,
+                      Asked asked) {
+  Finding& found = c_.found(Check::LogicOrder, at, place, read_as(asked));
   const bool conditions = of_conditions(of), numbers = of_numbers(of);
   if (asked_ == Asked::OtherLogic || order_ == LogicOrder::Last)
     return mend(found, at, written, kLogicLast);
@@ -221,13 +222,16 @@ void LogicCheck::block(Address at, const Block& block, const std::string& text) 
     if (block.op == Op::Fault || (block.op <= Op::Arc && !extra)) return;
     return brackets(at, std::string_view(text).substr(block.text, block.length), block.text);
   }
-  const Expression& of = c_.code.expressions[c_.code.statements[block.aux].expression];
-  const std::string_view written = std::string_view(text).substr(of.at, of.width);
+  const bool set = block.op == Op::Set;
+  const Expression of =
+      c_.code.expression(set ? block.aux : c_.code.statements[block.aux].expression);
+  const std::uint32_t first = of.at();
+  const std::string_view written = std::string_view(text).substr(first, of.width());
   // Conditions that are compared first and joined then are what they look like, but for AND and OR.
   const bool numbers = asked_ == Asked::OtherLogic || of_numbers(of);
   const Asked asked = numbers ? asked_ : asked_ == Asked::Both ? Asked::OtherLogic : Asked::Nothing;
   if (asked != Asked::Nothing && has_logic(written) && Operations(asked).mixed(written))
-    tell(at, of, written, asked);
+    tell(at, {first, of.width()}, of, written, asked);
 }
 
 }  // namespace

@@ -26,11 +26,8 @@ bool VariableUses::tests_vacancy(const Block& block) const {
   bool tests = false;
   each_variant(c_.code, block, [&](const Block& of) {
     if (of.op != Op::IfGoto && of.op != Op::IfThen && of.op != Op::If && of.op != Op::While) return;
-    const Expression& condition = c_.code.expressions[c_.code.statements[of.aux].expression];
-    for (const Instruction* at = c_.code.instructions.data() + condition.first; at->op != Ins::End;
-         ++at) {
-      tests = tests || (at->op == Ins::Constant && is_vacant(at->value));
-    }
+    for (const Instruction at : c_.code.expression(c_.code.statements[of.aux].expression))
+      tests = tests || (at.op == Ins::Constant && is_vacant(at.value));
   });
   return tests;
 }
@@ -40,7 +37,8 @@ namespace {
 /// A word or a copy of a variable: without a value the word is not there, and the copy has none.
 bool is_alone(const Block& block, std::string_view written) {
   if (is_words(block.op)) return written.find_first_of("[+*/") == std::string_view::npos;
-  return block.op == Op::Assign && written.find_first_of("[+*/-") == std::string_view::npos;
+  const bool assigns = block.op == Op::Set || block.op == Op::Assign;
+  return assigns && written.find_first_of("[+*/-") == std::string_view::npos;
 }
 
 }  // namespace

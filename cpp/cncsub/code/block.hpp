@@ -20,6 +20,7 @@ enum class Op : std::uint8_t {
   Return,       // words, then M99 (aux: call; P and L are its operands)
   Jump,         // words, then M97 (aux: statement)
   EndProgram,   // words, then M02 or M30
+  Set,          // a local or a common takes a value (aux: expression, data: Assigned)
   Assign,       // aux: statement
   Goto,         // aux: statement
   IfGoto,       // aux: statement
@@ -92,6 +93,25 @@ struct Block {
 
   /// How many cells its codes take.
   int code_cells() const { return (flags & kListed) != 0 ? 1 : g_count + m_count; }
+};
+
+/// What an assignment to a local or a common writes, as a block keeps it in its `data`: where the
+/// variable lies, and where it stands in the block.
+struct Assigned {
+  bool common = false;
+  std::uint32_t index = 0;
+  std::uint32_t at = 0, width = 1;  // in the block
+
+  static constexpr std::uint32_t kMostIndex = (1U << 15) - 1, kMostPlace = 255;
+  bool fits() const { return index <= kMostIndex && at <= kMostPlace && width <= kMostPlace; }
+
+  std::uint32_t data() const {
+    return (common ? 1U : 0U) | index << 1 | at << 16 | width << 24;
+  }
+  static Assigned of(const Block& block) {
+    const std::uint32_t data = block.data;
+    return {(data & 1U) != 0, data >> 1 & kMostIndex, data >> 16 & kMostPlace, data >> 24};
+  }
 };
 
 struct Variant {

@@ -100,6 +100,7 @@ class Builder {
 
   Address next_address() const { return static_cast<Address>(code_.blocks.size()); }
   void append(const Block& block) {
+    expressions_.clear();
     if (block.n >= 0) code_.sequence.push_back({block.n, next_address()});
     code_.blocks.push_back(block);
   }
@@ -123,6 +124,8 @@ class Builder {
     block.op = op;
     block.aux = keep(std::move(record));
   }
+  /// The block assigns a value to a variable.
+  void assign(Block& block, const Statement& statement);
   /// The control refuses the block when it is reached.
   void refuse(Block& block, Fault fault) { become(block, Op::Fault, std::move(fault)); }
   /// Assignments beside a message and words.

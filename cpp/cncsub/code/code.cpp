@@ -114,7 +114,22 @@ std::vector<WrittenWord> Code::words_of(const Block& block, const Program& progr
   return written_words(read_word, text_of(block, program).substr(0, kLookedAt));
 }
 
+Statement Code::assignment(const Block& block) const {
+  if (block.op != Op::Set) return statements[block.aux];
+  const Assigned assigned = Assigned::of(block);
+  const Expression value = expression(block.aux);
+  Statement statement;
+  statement.expression = block.aux;
+  statement.target = assigned.common ? Statement::Target::Common : Statement::Target::Local;
+  statement.index = static_cast<std::int32_t>(assigned.index);
+  statement.at = statement.variable_at = block.text + assigned.at;
+  statement.variable_width = assigned.width;
+  statement.width = value.at() + value.width() - statement.at;
+  return statement;
+}
+
 CodeList Code::codes_of(const Block& block) const {
+  if (block.code_cells() == 0) return {};
   const Cell* cell = cells.data() + block.data + ((block.flags & Block::kHasExtra) != 0 ? 1 : 0);
   if ((block.flags & Block::kListed) != 0) return code_lists[cell->expression];
   CodeList list;

@@ -79,8 +79,7 @@ struct Code {
   LargeVector<Cell> cells;
   CodeLists code_lists;
   std::shared_ptr<const CodeMeanings> meanings;  // on the control's own kind of machine
-  LargeVector<Instruction> instructions;
-  LargeVector<Expression> expressions;
+  LargeVector<ExpressionCell> expressions;  // one behind the other; its number is where one begins
   std::vector<CallRecord> calls;
   std::vector<JumpRecord> jumps;
   std::vector<Argument> arguments;
@@ -100,6 +99,12 @@ struct Code {
   std::vector<Drop> drops;  // in the order of their blocks' data
   std::vector<SequenceEntry> sequence;
   std::array<ProgramIndex, 2> by_number, by_name;  // of the memory, of the external device
+
+  Expression expression(std::uint32_t number) const {
+    return Expression(expressions.data() + number);
+  }
+  /// What an assignment does: of a block with Op::Set or Op::Assign.
+  Statement assignment(const Block& block) const;
 
   VariablePlace place(std::int64_t number) const;
   /// Whether a program can name this variable: from 1 to `last`, and commons that are there.

@@ -1,10 +1,13 @@
 // Values that are computed when a block runs.
 #pragma once
 
-#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+
+#include "cncsub/text/number.hpp"
 
 namespace cncsub {
 
@@ -14,21 +17,35 @@ constexpr double kVacant = std::numeric_limits<double>::quiet_NaN();
 inline bool is_vacant(double value) { return std::isnan(value); }
 
 enum class Ins : std::uint8_t {
-#define INS(name, effect, function) name,
+#define INS(name, effect, holds, function) name,
 #include "cncsub/code/ins.def"
 #undef INS
 };
 
-/// How many values more an instruction leaves on the stack.
-constexpr int stack_effect(Ins op) {
-  enum { Join = -1, Take = -1, Change = 0, Push = 1 };
-  constexpr std::int8_t kEffects[] = {
-#define INS(name, effect, function) effect,
+/// What an instruction holds besides its place.
+enum class Holds : std::uint8_t { None, Variable, Value };
+
+namespace instructions {
+
+enum { Join = -1, Take = -1, Change = 0, Push = 1 };
+inline constexpr std::int8_t kEffects[] = {
+#define INS(name, effect, holds, function) effect,
 #include "cncsub/code/ins.def"
 #undef INS
-  };
-  return kEffects[static_cast<std::size_t>(op)];
+};
+inline constexpr Holds kHolds[] = {
+#define INS(name, effect, holds, function) Holds::holds,
+#include "cncsub/code/ins.def"
+#undef INS
+};
+
+}  // namespace instructions
+
+/// How many values more an instruction leaves on the stack.
+constexpr int stack_effect(Ins op) {
+  return instructions::kEffects[static_cast<std::size_t>(op)];
 }
+constexpr Holds held_by(Ins op) { return instructions::kHolds[static_cast<std::size_t>(op)]; }
 
 struct Instruction {
   Ins op = Ins::End;
@@ -37,21 +54,97 @@ struct Instruction {
   double value = 0;          // a constant; of a variable: its number
 };
 
-/// An expression. Most are one value, or one operation on two, and need no instructions: `form`
-/// says so.
-struct Expression {
-  std::uint32_t first = 0;  // into Code::instructions
-  std::uint32_t at = 0;
-  std::uint32_t width = 1;
-  enum class Form : std::uint8_t { Long, One, Two } form = Form::Long;
-  Ins op = Ins::End;  // of Two
-  struct Load {
-    enum class From : std::uint8_t { Constant, Local, Common } from = From::Constant;
-    bool raw = false;  // a vacant variable stays vacant
-    std::uint32_t index = 0;
-    double value = 0;
+/// An instruction as it is kept: in one cell, its place or the number of its variable in the upper
+/// half. Where it holds a value, that is a cell of its own behind it.
+struct ExpressionCell {
+  std::uint32_t low = 0, high = 0;
+
+  static constexpr std::uint32_t kLargestIndex = (1U << 24) - 1;
+
+  Ins op() const { return static_cast<Ins>(low & 0xFFU); }
+  std::uint32_t index() const { return low >> 8; }
+  double value() const { return std::bit_cast<double>(*this); }
+
+  static ExpressionCell of(Ins op, std::uint32_t upper, std::uint32_t high) {
+    return {static_cast<std::uint32_t>(op) | upper << 8, high};
+  }
+  static ExpressionCell of(double value) { return std::bit_cast<ExpressionCell>(value); }
+  static ExpressionCell of(const Instruction& of) {
+    if (held_by(of.op) != Holds::Variable) return ExpressionCell::of(of.op, of.address, of.at);
+    return ExpressionCell::of(of.op, of.at & kLargestIndex, to_whole<std::uint32_t>(of.value));
+  }
+};
+
+/// How many cells an instruction takes.
+constexpr int cells_of(Ins op) { return held_by(op) == Holds::Value ? 2 : 1; }
+/// What an instruction says that is kept from `at` on, which is known to be this one.
+inline Instruction instruction_at(const ExpressionCell* at, Ins op) {
+  const auto address = static_cast<std::uint8_t>(at->low >> 8);
+  switch (held_by(op)) {
+    case Holds::Variable:
+      return {op, 0, at->index(), static_cast<double>(at->high)};
+    case Holds::Value:
+      return {op, address, at->high, at[1].value()};
+    case Holds::None:
+      break;
+  }
+  return {op, address, at->high, 0};
+}
+inline Instruction instruction_at(const ExpressionCell* at) {
+  return instruction_at(at, at->op());
+}
+
+/// An expression: a cell that says how it is computed and how wide it is in the text, then its
+/// instructions up to End, which knows where it stands. Most are one value, or one operation on
+/// two: `form` says so.
+class Expression {
+ public:
+  enum class Form : std::uint8_t {
+    Long,
+    Constant,             // 5
+    Variable,             // #2: a local or a common
+    TwoVariables,         // #1+#2, #1LT#2
+    VariableAndConstant,  // #1+5, #1LT5
+    ConstantAndVariable,  // 5-#1
   };
-  std::array<Load, 2> loads{};
+
+  explicit Expression(const ExpressionCell* head) : head_(head) {}
+
+  Form form() const { return static_cast<Form>(head_->low & 0xFFU); }
+  /// Of two values: what joins them.
+  Ins op() const { return static_cast<Ins>(head_->low >> 8); }
+  std::uint32_t width() const { return head_->high; }
+  const ExpressionCell* cells() const { return head_ + 1; }
+  std::uint32_t at() const {
+    const ExpressionCell* cell = cells();
+    while (cell->op() != Ins::End) cell += cells_of(cell->op());
+    return cell->high;
+  }
+
+  /// Its instructions without the End, one after the other.
+  class Iterator {
+   public:
+    explicit Iterator(const ExpressionCell* at) : at_(at) {}
+    Instruction operator*() const { return instruction_at(at_); }
+    Iterator& operator++() {
+      at_ += cells_of(at_->op());
+      return *this;
+    }
+    struct End {};
+    bool operator==(End /*end*/) const { return at_->op() == Ins::End; }
+
+   private:
+    const ExpressionCell* at_;
+  };
+  Iterator begin() const { return Iterator(cells()); }
+  static Iterator::End end() { return {}; }
+
+  static ExpressionCell head(Form form, Ins op, std::uint32_t width) {
+    return {static_cast<std::uint32_t>(form) | static_cast<std::uint32_t>(op) << 8, width};
+  }
+
+ private:
+  const ExpressionCell* head_;
 };
 
 /// A value in a block: absent, written as a number, or an expression.

@@ -50,7 +50,6 @@ class Joining {
     blocks_ = append(code_.blocks, from.blocks);
     variants_ = append(code_.variants, from.variants);
     cells_ = append(code_.cells, from.cells);
-    instructions_ = append(code_.instructions, from.instructions);
     expressions_ = append(code_.expressions, from.expressions);
     calls_ = append(code_.calls, from.calls);
     jumps_ = append(code_.jumps, from.jumps);
@@ -68,6 +67,7 @@ class Joining {
   std::uint32_t record_base(Op op) const {
     const auto is_one_of = [op](auto... ops) { return ((op == ops) || ...); };
     if (is_one_of(Op::Call, Op::MacroCall, Op::ModalCall, Op::Return)) return calls_;
+    if (op == Op::Set) return expressions_;
     if (op >= Op::Assign && op <= Op::EndDo) return statements_;
     if (is_one_of(Op::OpenOutput, Op::CloseOutput, Op::NameVariables)) return statements_;
     if (op == Op::Jump) return jumps_;
@@ -80,7 +80,7 @@ class Joining {
 
   void move_block(Block& block) {
     block.line += of_.line;
-    block.data += cells_;
+    if (block.op != Op::Set) block.data += cells_;
     if (!is_words(block.op)) block.aux += record_base(block.op);
     if ((block.flags & (Block::kHasExtra | Block::kCodeExpression | Block::kListed)) != 0)
       move_cells(block);
@@ -112,8 +112,6 @@ class Joining {
 
   /// Expressions, and the words of calls and jumps.
   void move_values() {
-    for (std::size_t i = expressions_; i < code_.expressions.size(); ++i)
-      code_.expressions[i].first += instructions_;
     for (std::size_t i = calls_; i < code_.calls.size(); ++i) {
       CallRecord& call = code_.calls[i];
       for (Operand* operand : {&call.p, &call.l, &call.start, &call.device}) move(*operand);
@@ -165,7 +163,7 @@ class Joining {
   Code& code_;
   Joined& of_;
   // Where the tables of the part begin.
-  std::uint32_t blocks_ = 0, variants_ = 0, cells_ = 0, instructions_ = 0, expressions_ = 0,
+  std::uint32_t blocks_ = 0, variants_ = 0, cells_ = 0, expressions_ = 0,
                 calls_ = 0, jumps_ = 0, arguments_ = 0, statements_ = 0, h_codes_ = 0, prints_ = 0,
                 choices_ = 0, faults_ = 0, drops_ = 0, entries_ = 0;
 };

@@ -253,7 +253,9 @@ void ReferenceReader::read(const Block& block, bool conditional) {
       return back(code_.calls[block.aux], conditional);
     case Op::Jump:
       return jump(code_.jumps[block.aux]);
+    case Op::Set:
     case Op::Assign:
+      return statement(Op::Assign, code_.assignment(block), conditional);
     case Op::Goto:
     case Op::IfGoto:
     case Op::IfThen:

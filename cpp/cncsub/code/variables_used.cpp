@@ -1,5 +1,7 @@
 #include "cncsub/code/variables_used.hpp"
 
+#include <utility>
+
 namespace cncsub {
 
 namespace {
@@ -40,21 +42,24 @@ VariableReference VariablesUsed::variable(const Instruction& of, bool local,
 /// The variables that an expression reads.
 void VariablesUsed::reads(std::uint32_t expression) {
   const TextPlace place = place_of(expression);
-  for (const Instruction* at = code_.instructions.data() + code_.expressions[expression].first;
-       at->op != Ins::End; ++at) {
+  const Expression of = code_.expression(expression);
+  bool named = false;  // the number of the variable that comes next
+  for (auto at = of.begin(); at != of.end(); ++at) {
+    const Instruction here = *at;
+    if (std::exchange(named, false) && is_indirect(here.op)) continue;
     VariableReference found;
     found.place = place;
-    if (is_local(at->op) || is_common(at->op)) {
-      if (at->value == 0 && at->at == 0) continue;  // #0
-      found = variable(*at, is_local(at->op), place);
-    } else if (at->op == Ins::Variable || at->op == Ins::VariableRaw) {
-      found.number = to_whole<std::int64_t>(at->value);
-    } else if (at->op == Ins::NamedLocal || at->op == Ins::NamedCommon) {
-      found.name = code_.named_variables[to_whole<std::size_t>(at->value)].name;
-    } else if (at->op == Ins::Named) {
-      found.name = code_.names[to_whole<std::size_t>(at->value)];
-      if (is_indirect(at[1].op)) ++at;
-    } else if (is_indirect(at->op)) {
+    if (is_local(here.op) || is_common(here.op)) {
+      if (here.value == 0 && here.at == 0) continue;  // #0
+      found = variable(here, is_local(here.op), place);
+    } else if (here.op == Ins::Variable || here.op == Ins::VariableRaw) {
+      found.number = to_whole<std::int64_t>(here.value);
+    } else if (here.op == Ins::NamedLocal || here.op == Ins::NamedCommon) {
+      found.name = code_.named_variables[to_whole<std::size_t>(here.value)].name;
+    } else if (here.op == Ins::Named) {
+      found.name = code_.names[to_whole<std::size_t>(here.value)];
+      named = true;
+    } else if (is_indirect(here.op)) {
       found.computed = true;
     } else {
       continue;
@@ -68,6 +73,7 @@ void VariablesUsed::operand(const Operand& operand) {
 }
 
 void VariablesUsed::words(const Block& block) {
+  if (block.mask == 0 && block.code_cells() == 0) return;
   const Cell* cell = code_.cells.data() + block.data;
   std::uint32_t expressions = 0;
   if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;
@@ -94,10 +100,11 @@ void VariablesUsed::written(const Statement& statement) {
       to.number = statement.index;
       break;
     case Target::Indirect: {
-      const Instruction* number =
-          code_.instructions.data() + code_.expressions[statement.variable].first;
-      if (number->op == Ins::Named && number[1].op == Ins::End) {
-        to.name = code_.names[to_whole<std::size_t>(number->value)];
+      const Expression of = code_.expression(statement.variable);
+      auto number = of.begin();
+      const Instruction first = *number;
+      if (first.op == Ins::Named && ++number == of.end()) {
+        to.name = code_.names[to_whole<std::size_t>(first.value)];
         to.place.width = static_cast<std::uint32_t>(to.name.size()) + 1;
         break;
       }

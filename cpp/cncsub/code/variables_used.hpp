@@ -22,7 +22,8 @@ class VariablesUsed {
   void named_by(const Operand& operand);
 
   TextPlace place_of(std::uint32_t expression) const {
-    return {code_.expressions[expression].at, code_.expressions[expression].width};
+    const Expression of = code_.expression(expression);
+    return {of.at(), of.width()};
   }
 
  private:

@@ -153,14 +153,11 @@ void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
   }
 }
 
-/// Room for the statements of macros, by the variables that the files name.
-void reserve_macros(Code& code, const std::vector<SourceFile>& files) {
-  std::size_t variables = 0;
-  for (const SourceFile& file : files)
-    for (std::size_t at = 0; (at = file.text.find('#', at)) != std::string::npos; ++at) ++variables;
-  code.statements.reserve(variables);
-  code.expressions.reserve(variables);
-  code.instructions.reserve(4 * variables);
+/// Whether the files hold macro statements, or words that are computed.
+bool has_macros(const std::vector<SourceFile>& files) {
+  return std::any_of(files.begin(), files.end(), [](const SourceFile& file) {
+    return file.text.find('#') != std::string::npos;
+  });
 }
 
 }  // namespace
@@ -179,7 +176,10 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   // Room that is never written costs nothing, and a table that never moves is never copied.
   code->blocks.reserve(bytes / 8 + files.size());
   code->cells.reserve(bytes / 4);
-  reserve_macros(*code, files);
+  if (has_macros(files)) {
+    code->statements.reserve(bytes / 32);
+    code->expressions.reserve(bytes / 4);
+  }
   reading.read(files, sharing);
   code->register_programs([&reading] { return reading.interrupted(kProgram); });
   reading.resolve_calls(0);

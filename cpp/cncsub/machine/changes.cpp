@@ -139,8 +139,8 @@ void note_one(Run& run, std::int64_t step, Address at, const Reach& reach) {
 Reach reach_of(const Run& run, const Block& block) {
   if (!run.state.modals.empty()) return {};
   if (block.op == Op::Linear || block.op == Op::Arc) return {Reach::Kind::None};
-  if (block.op != Op::Assign) return {};
-  const Statement& statement = run.code->statements[block.aux];
+  if (block.op != Op::Set && block.op != Op::Assign) return {};
+  const Statement statement = run.code->assignment(block);
   const bool local = statement.target == Statement::Target::Local;
   if (!local && statement.target != Statement::Target::Common) return {};
   return {Reach::Kind::One, local, statement.index};

@@ -29,6 +29,7 @@ namespace {
 
 using instruction::Evaluation;
 using instruction::Fallible;
+using instruction::InstructionView;
 using instruction::Trap;
 
 inline bool take(double from, double& value) {
@@ -44,31 +45,34 @@ inline bool take(const Fallible& from, double& value) {
 
 /// False where the expression has no value; the trap says why. The last value lies in `a`, a
 /// register, those before it on the stack.
-bool compute(const Instruction* at, const Evaluation& e, double& result) {
+bool compute(const ExpressionCell* at, const Evaluation& e, double& result) {
   std::array<double, 210> stack;  // NOLINT: written before it is read; the reader allows 200 values
   double* below = stack.data();   // where the value goes that lies below the last one
   double a = 0;
-  for (;; ++at) {
+  for (;;) {
     double made = 0;
-    switch (at->op) {
-#define INS_Push(name, function)                                  \
-  case Ins::name:                                                 \
-    if (!take(instruction::function(e, *at), made)) return false; \
-    *below++ = a;                                                 \
-    a = made;                                                     \
+    switch (at->op()) {
+#define INS_Push(name, function)                                              \
+  case Ins::name:                                                             \
+    if (!take(instruction::function(e, InstructionView{at}), made)) return false; \
+    *below++ = a;                                                             \
+    a = made;                                                                 \
+    at += cells_of(Ins::name);                                                \
     break;
-#define INS_Change(name, function)                                \
-  case Ins::name:                                                 \
-    if (!take(instruction::function(e, *at, a), a)) return false; \
+#define INS_Change(name, function)                                                        \
+  case Ins::name:                                                                         \
+    if (!take(instruction::function(e, InstructionView{at}, a), a)) return false; \
+    at += cells_of(Ins::name);                                                            \
     break;
-#define INS_Join(name, function)                                            \
-  case Ins::name:                                                           \
-    if (!take(instruction::function(e, *at, *--below, a), a)) return false; \
+#define INS_Join(name, function)                                                                 \
+  case Ins::name:                                                                                \
+    if (!take(instruction::function(e, InstructionView{at}, *--below, a), a)) return false; \
+    at += cells_of(Ins::name);                                                                   \
     break;
 #define INS_Take(name, function) \
   case Ins::name:                \
-    return take(instruction::finite_or_vacant(e, *at, a), result);
-#define INS(name, effect, function) INS_##effect(name, function)
+    return take(instruction::finite_or_vacant(e, InstructionView{at}, a), result);
+#define INS(name, effect, holds, function) INS_##effect(name, function)
 #include "cncsub/code/ins.def"
 #undef INS
 #undef INS_Push
@@ -81,27 +85,28 @@ bool compute(const Instruction* at, const Evaluation& e, double& result) {
 
 }  // namespace
 
-bool evaluate_long(Run& run, const Expression& e, const Places& places, double& value, Address of) {
-  if (e.width > kLongText) look_soon(run);
+bool evaluate_long(Run& run, Expression e, const Places& places, double& value, Address of) {
+  if (e.width() > kLongText) look_soon(run);
   Trap trap;
   const Control& control = run.control();
   const Evaluation evaluation{run,
+                              places.of[0],
                               places.of[1],
-                              places.of[2],
                               control,
                               control.macros.angle_unit.value == AngleUnit::Degrees,
                               of != kNowhere ? of : run.state.pc,
                               trap};
-  if (compute(run.code->instructions.data() + e.first, evaluation, value)) [[likely]]
+  if (compute(e.cells(), evaluation, value)) [[likely]]
     return true;
-  const bool inside = trap.at >= e.at && trap.at <= e.at + e.width;
+  const std::uint32_t first = e.at();
+  const bool inside = trap.at >= first && trap.at <= first + e.width();
   std::string detail = trap.detail;
   if (trap.variable != Trap::kNoVariable) {
     const std::string name = "#" + std::to_string(trap.variable);
     detail = trap.cause == Cause::IllegalVariable ? no_variable(control, trap.variable)
                                                   : name + " cannot be read";
   }
-  Fault fault{trap.cause, inside ? trap.at : e.at, 0, std::move(detail)};
+  Fault fault{trap.cause, inside ? trap.at : first, 0, std::move(detail)};
   fault.block = of;
   fault.name = trap.function;
   if (!trap.name.empty()) {

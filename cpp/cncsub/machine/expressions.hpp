@@ -11,40 +11,61 @@
 
 namespace cncsub {
 
-/// Where constants, the locals of the present level and the commons lie, as a Load and the target
-/// of a statement tell. It holds until a level is opened.
+/// Where the locals of the present level and the commons lie. It holds until a level is opened.
 struct Places {
-  std::array<double*, 3> of;
-  double load(const Expression::Load& from) const {
-    const double value = from.from == Expression::Load::From::Constant
-                             ? from.value
-                             : of[static_cast<std::size_t>(from.from)][from.index];
-    return from.raw || !is_vacant(value) ? value : 0.0;
+  std::array<double*, 2> of;
+  double& local(std::uint32_t index) const { return of[0][index]; }
+  double& common(std::uint32_t index) const { return of[1][index]; }
+  /// What an instruction for a local or a common pushes.
+  double load(const ExpressionCell& cell) const {
+    const auto op = static_cast<std::uint32_t>(cell.op()) - static_cast<std::uint32_t>(Ins::Local);
+    const double value = of[op >> 1][cell.index()];
+    return (op & 1U) != 0 || !is_vacant(value) ? value : 0.0;
   }
 };
+static_assert(static_cast<int>(Ins::LocalRaw) == static_cast<int>(Ins::Local) + 1 &&
+              static_cast<int>(Ins::Common) == static_cast<int>(Ins::Local) + 2 &&
+              static_cast<int>(Ins::CommonRaw) == static_cast<int>(Ins::Local) + 3);
 
 inline Places places(Run& run) {
   State& state = run.state;
-  return {{nullptr, state.locals.data() + run.local_at(state.level, 0), state.commons.data()}};
+  return {{state.locals.data() + run.local_at(state.level, 0), state.commons.data()}};
 }
 
 /// `of`: the block that the expression stands in, where it is not the one that is being executed.
-bool evaluate_long(Run& run, const Expression& expression, const Places& places, double& value,
+bool evaluate_long(Run& run, Expression expression, const Places& places, double& value,
                    Address of = kNowhere);
 
 /// One value, or one operation on two, at once; what is longer or has no finite result goes the
 /// long way.
-CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, const Expression& e, const Places& places,
+CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& places,
                                           double& value, Address of = kNowhere) {
-  if (e.form == Expression::Form::Long) return evaluate_long(run, e, places, value, of);
-  const double a = places.load(e.loads[0]);
-  if (e.form == Expression::Form::One) {
-    value = a;
-    return true;
+  const ExpressionCell* const cells = e.cells();
+  double a = 0, b = 0;
+  switch (e.form()) {
+    case Expression::Form::Long:
+      return evaluate_long(run, e, places, value, of);
+    case Expression::Form::Constant:
+      value = cells[1].value();
+      return true;
+    case Expression::Form::Variable:
+      value = places.load(cells[0]);
+      return true;
+    case Expression::Form::TwoVariables:
+      a = places.load(cells[0]);
+      b = places.load(cells[1]);
+      break;
+    case Expression::Form::VariableAndConstant:
+      a = places.load(cells[0]);
+      b = cells[2].value();
+      break;
+    case Expression::Form::ConstantAndVariable:
+      a = cells[1].value();
+      b = places.load(cells[2]);
+      break;
   }
-  const double b = places.load(e.loads[1]);
   const auto same = [&] { return a == b || (is_vacant(a) && is_vacant(b)); };
-  switch (e.op) {
+  switch (e.op()) {
     case Ins::Add:
       value = a + b;
       return std::isfinite(value) || evaluate_long(run, e, places, value, of);
@@ -76,7 +97,7 @@ CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, const Expression& e, const P
 }
 
 inline bool evaluate(Run& run, std::uint32_t expression, double& value, Address of = kNowhere) {
-  return evaluate(run, run.code->expressions[expression], places(run), value, of);
+  return evaluate(run, run.code->expression(expression), places(run), value, of);
 }
 
 bool evaluate_operand(Run& run, const Operand& operand, double& value);

@@ -51,15 +51,17 @@ int operands_of(int code) {
 bool variable_of(Run& run, const Operand& operand, std::int64_t& number) {
   if (operand.kind != Operand::Kind::Expression) return false;
   const Code& code = *run.code;
-  const Instruction* at = code.instructions.data() + code.expressions[operand.expression].first;
-  switch (at->op) {
+  const Expression of = code.expression(operand.expression);
+  auto at = of.begin();
+  const Instruction first = *at;
+  switch (first.op) {
     case Ins::LocalRaw:
     case Ins::CommonRaw:
     case Ins::VariableRaw:
     case Ins::Local:
     case Ins::Common:
     case Ins::Variable:
-      number = to_whole<std::int64_t>(at->value);
+      number = to_whole<std::int64_t>(first.value);
       break;
     case Ins::Constant:
       number = 0;
@@ -67,7 +69,7 @@ bool variable_of(Run& run, const Operand& operand, std::int64_t& number) {
     default:
       return false;
   }
-  if (at[1].op == Ins::IndirectRaw) {  // #9100
+  if (++at != of.end() && (*at).op == Ins::IndirectRaw) {  // #9100
     double index = 0;
     if (read_variable(run, number, index).has_value()) return false;
     number =

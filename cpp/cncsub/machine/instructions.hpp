@@ -20,6 +20,16 @@
 
 namespace cncsub::instruction {
 
+/// What an instruction says where it is kept, of one that is known to hold it.
+struct InstructionView {
+  const ExpressionCell* cell;
+
+  std::uint32_t at() const { return cell->high; }
+  std::uint32_t index() const { return cell->index(); }
+  double value() const { return cell[1].value(); }
+  std::uint8_t address() const { return static_cast<std::uint8_t>(cell->low >> 8); }
+};
+
 /// Why an expression has no value.
 struct Trap {
   Cause cause{};
@@ -44,11 +54,11 @@ struct Evaluation {
 
 using Fallible = std::optional<double>;
 using E = const Evaluation&;
-using I = const Instruction&;
+using I = InstructionView;
 
 inline std::nullopt_t fails(E e, I at, Cause cause, const char* detail = "") {
   e.trap.cause = cause;
-  e.trap.at = at.at;
+  e.trap.at = at.at();
   e.trap.detail = detail;
   return std::nullopt;
 }
@@ -72,12 +82,12 @@ inline Fallible read_or_fail(E e, I at, double number) {
   return fails(e, at, wrong->cause);
 }
 
-inline double constant(E, I at) { return at.value; }
-inline double local(E e, I at) { return number(e.locals[at.at]); }
-inline double local_raw(E e, I at) { return e.locals[at.at]; }
-inline double common(E e, I at) { return number(e.commons[at.at]); }
-inline double common_raw(E e, I at) { return e.commons[at.at]; }
-inline Fallible variable_raw(E e, I at) { return read_or_fail(e, at, at.value); }
+inline double constant(E, I at) { return at.value(); }
+inline double local(E e, I at) { return number(e.locals[at.index()]); }
+inline double local_raw(E e, I at) { return e.locals[at.index()]; }
+inline double common(E e, I at) { return number(e.commons[at.index()]); }
+inline double common_raw(E e, I at) { return e.commons[at.index()]; }
+inline Fallible variable_raw(E e, I at) { return read_or_fail(e, at, at.value()); }
 inline Fallible variable(E e, I at) {
   const Fallible value = variable_raw(e, at);
   return value ? number(*value) : value;
@@ -94,7 +104,7 @@ inline Fallible indirect(E e, I at, double a) {
 }
 inline Fallible named(E e, I at) {
   const auto& names = e.run.state.names;
-  const auto found = names.find(e.run.code->names[to_whole<std::size_t>(at.value)]);
+  const auto found = names.find(e.run.code->names[to_whole<std::size_t>(at.value())]);
   if (found == names.end())
     return fails(e, at, Cause::VariableNameUnknown, "the name is not registered");
   return static_cast<double>(found->second);
@@ -102,8 +112,8 @@ inline Fallible named(E e, I at) {
 inline Fallible programmed(E e, I at) {
   const State& state = e.run.state;
   const auto place =
-      static_cast<std::size_t>(state.level * e.run.code->locals) + to_whole<std::size_t>(at.value);
-  if (at.value >= e.run.code->locals || state.programmed.empty())
+      static_cast<std::size_t>(state.level * e.run.code->locals) + to_whole<std::size_t>(at.value());
+  if (at.value() >= e.run.code->locals || state.programmed.empty())
     return fails(e, at, Cause::IllegalVariable, "AR takes a local variable");
   return state.programmed[place];
 }
@@ -115,10 +125,10 @@ inline Fallible divide(E e, I at, double a, double b) {
   if (b == 0) return fails(e, at, Cause::DivisionByZero, "the divisor is 0");
   return finite(e, at, a / b);
 }
-inline double add_constant(E, I at, double a) { return a + at.value; }
-inline double subtract_constant(E, I at, double a) { return a - at.value; }
-inline Fallible multiply_constant(E e, I at, double a) { return finite(e, at, a * at.value); }
-inline Fallible divide_constant(E e, I at, double a) { return finite(e, at, a / at.value); }
+inline double add_constant(E, I at, double a) { return a + at.value(); }
+inline double subtract_constant(E, I at, double a) { return a - at.value(); }
+inline Fallible multiply_constant(E e, I at, double a) { return finite(e, at, a * at.value()); }
+inline Fallible divide_constant(E e, I at, double a) { return finite(e, at, a / at.value()); }
 inline Fallible modulo(E e, I at, double a, double b) {
   if (b == 0) return fails(e, at, Cause::DivisionByZero, "the divisor is 0");
   return std::fmod(a, b);
@@ -207,12 +217,12 @@ inline double absolute(E, I, double a) { return std::fabs(a); }
 inline double sign(E, I, double a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
 inline double rounded(E, I, double a) { return std::round(a); }
 inline double rounded_word(E e, I at, double a) {
-  const double step = increment(e.run.motion.view(), static_cast<char>(at.address));
+  const double step = increment(e.run.motion.view(), static_cast<char>(at.address()));
   return step > 0 ? std::round(a / step) * step : std::round(a);
 }
 inline double cut_word(E e, I at, double a) {
   constexpr double kHair = 1e-6;  // 1.235 is 1234.9999... thousandths
-  const double step = increment(e.run.motion.view(), static_cast<char>(at.address));
+  const double step = increment(e.run.motion.view(), static_cast<char>(at.address()));
   return step > 0 ? std::copysign(std::floor(std::fabs(a) / step + kHair) * step, a) : a;
 }
 inline double cut(E, I, double a) { return std::trunc(a); }
@@ -269,7 +279,7 @@ inline Fallible random_between(E e, I at, double a, double b) {
 // ---- as LinuxCNC computes ----
 
 inline double compared(E, I at, double a, double b) {
-  const double apart = at.value * std::fmax(std::fabs(a), std::fabs(b));
+  const double apart = at.value() * std::fmax(std::fabs(a), std::fabs(b));
   return std::fabs(a - b) <= apart ? 0 : a < b ? -1 : 1;
 }
 
@@ -311,13 +321,13 @@ inline double plain_arc_tangent(E, I, double a, double b) {
 
 inline Fallible named_value(E e, I at, double value) {
   if (!is_vacant(value) || e.run.state.labels.defining) return number(value);
-  e.trap.name = e.run.code->named_variables[to_whole<std::size_t>(at.value)].name;
+  e.trap.name = e.run.code->named_variables[to_whole<std::size_t>(at.value())].name;
   return fails(e, at, Cause::VariableNameUnknown);
 }
-inline Fallible named_local(E e, I at) { return named_value(e, at, e.locals[at.at]); }
-inline Fallible named_common(E e, I at) { return named_value(e, at, e.commons[at.at]); }
+inline Fallible named_local(E e, I at) { return named_value(e, at, e.locals[at.at()]); }
+inline Fallible named_common(E e, I at) { return named_value(e, at, e.commons[at.at()]); }
 inline double is_set(E, I, double a) { return is_vacant(a) ? 0 : 1; }
-inline double is_within(E, I at, double a, double b) { return a >= b && a <= at.value ? 1 : 0; }
+inline double is_within(E, I at, double a, double b) { return a >= b && a <= at.value() ? 1 : 0; }
 inline Fallible whole_number(E e, I at, double a) {
   const Fallible whole = nearly_whole(a);
   return whole ? whole : fails(e, at, Cause::WholeNumberExpected, "the value is not whole");
@@ -326,7 +336,7 @@ inline Fallible variable_number(E e, I at, double a) {
   const Fallible whole = whole_number(e, at, a);
   if (!whole) return whole;
   const auto number = to_whole<std::int64_t>(*whole);
-  if (e.run.code->can_name(number, to_whole<std::int64_t>(at.value))) return whole;
+  if (e.run.code->can_name(number, to_whole<std::int64_t>(at.value()))) return whole;
   return fails(e, at, Cause::IllegalVariable, "there is no variable of this number");
 }
 inline double level(E e, I) { return static_cast<double>(e.run.state.frames.size() - 1); }

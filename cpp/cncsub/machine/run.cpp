@@ -21,7 +21,7 @@ namespace {
 constexpr std::int64_t kLookSkipped = 1 << 20;  // blocks passed over between two looks around
 constexpr std::size_t kPartRows = 1 << 20;      // of moves or changes: a part with more ends early
 constexpr std::size_t kManySkipped = 1'000'000;
-constexpr Op kFirstStatement = Op::Assign, kLastStatement = Op::EndDo;
+constexpr Op kFirstStatement = Op::Set, kLastStatement = Op::EndDo;
 
 void after_plain_move(Run& run, const Block& block) {
   run.state.last_n = block.n >= 0 ? block.n : run.state.last_n;
@@ -235,6 +235,7 @@ bool dispatch(Run& run, const Block& block) {
     case Op::Do:
     case Op::EndDo:
       return run_statements(run, true);
+    case Op::Set:
     case Op::Assign:
     case Op::Goto:
     case Op::IfThen:

@@ -20,15 +20,21 @@ namespace {
 
 // ---- assignments ----
 
-inline bool assign(Run& run, const Statement& statement, const Places& places, double value) {
-  const bool plain = (statement.target == Statement::Target::Local ||
-                      statement.target == Statement::Target::Common) &&
-                     run.state.programmed.empty();
-  if (!plain || std::fabs(value) > kLargest) return store(run, statement, value);
-  double& place = places.of[static_cast<std::size_t>(statement.target)][statement.index];
+inline bool set(Run& run, const Block& block, const Places& places) {
+  double value = 0;
+  if (!evaluate(run, run.code->expression(block.aux), places, value)) return false;
+  if (!run.state.programmed.empty() || std::fabs(value) > kLargest)
+    return store(run, run.code->assignment(block), value);
+  const Assigned assigned = Assigned::of(block);
+  double& place = places.of[assigned.common ? 1 : 0][assigned.index];
   run.state.changes += place == value ? 0 : 1;
   place = value;
   return true;
+}
+
+bool assign(Run& run, const Statement& statement) {
+  double value = 0;
+  return evaluate(run, statement.expression, value) && store(run, statement, value);
 }
 
 /// #3000 = n (TEXT). The block is a step: the alarm is what it does.
@@ -54,18 +60,21 @@ bool user_alarm(Run& run, double n, const Statement& statement) {
 /// does not write it now.
 bool waits_for(Run& run, std::uint32_t condition) {
   State& s = run.state;
-  const Instruction* at = run.code->instructions.data() + run.code->expressions[condition].first;
-  while (at->op != Ins::End && at->op != Ins::Common && at->op != Ins::CommonRaw &&
-         at->op != Ins::Variable && at->op != Ins::VariableRaw)
-    ++at;
-  if (at->op == Ins::End) return false;
+  const Expression of = run.code->expression(condition);
+  auto at = of.begin();
+  const auto reads = [](Ins op) {
+    return op == Ins::Common || op == Ins::CommonRaw || op == Ins::Variable ||
+           op == Ins::VariableRaw;
+  };
+  while (at != of.end() && !reads((*at).op)) ++at;
+  if (at == of.end()) return false;
   if (s.next_write < run.options.inputs.writes.size()) {
     for (const auto& [number, value] : run.options.inputs.writes[s.next_write++])
       set_from_outside(run, number, value);
     ++s.changes;
     return false;
   }
-  s.waiting_for = "#" + std::to_string(to_whole<std::int64_t>(at->value));
+  s.waiting_for = "#" + std::to_string(to_whole<std::int64_t>((*at).value));
   record_step(run);
   end_run(run, Stop::Waiting);
   return true;
@@ -156,9 +165,34 @@ bool name_variables(Run& run, const Statement& statement) {
 inline bool condition(Run& run, std::uint32_t expression, const Places& places, bool& holds) {
   double value = 0;
   run.state.last_condition = expression;
-  if (!evaluate(run, run.code->expressions[expression], places, value)) return false;
+  if (!evaluate(run, run.code->expression(expression), places, value)) return false;
   holds = value != 0;
   return true;
+}
+
+/// One of the statements that fill most loops, whether its condition `holds`. Others are left.
+enum class Ran : std::uint8_t { Yes, Stopped, Other };
+CNCSUB_ALWAYS_INLINE inline Ran run_one(Run& run, const Block& block, const Places& places,
+                                        bool& holds) {
+  const auto ran = [](bool runs) { return runs ? Ran::Yes : Ran::Stopped; };
+  if (block.op == Op::Set) return ran(set(run, block, places));
+  const Statement& statement = run.code->statements.data()[block.aux];
+  switch (block.op) {
+    case Op::Assign:
+      return ran(assign(run, statement));
+    case Op::IfGoto:
+      return ran(condition(run, statement.expression, places, holds) &&
+                 (!holds || jump_by_goto(run, statement)));
+    case Op::While:
+      return ran(may_jump(run, statement) && condition(run, statement.expression, places, holds) &&
+                 loop(run, statement, holds));
+    case Op::Do:
+      return ran(may_jump(run, statement) && loop(run, statement, true));
+    case Op::EndDo:
+      return ran(end_loop(run, statement));
+    default:
+      return Ran::Other;
+  }
 }
 
 }  // namespace
@@ -166,38 +200,14 @@ inline bool condition(Run& run, std::uint32_t expression, const Places& places, 
 bool run_statements(Run& run, bool one) {
   State& s = run.state;
   const Block* const blocks = run.code->blocks.data();
-  const Statement* const statements = run.code->statements.data();
-  const Expression* const expressions = run.code->expressions.data();
   const Places places = cncsub::places(run);  // no statement opens or closes a level
   for (;;) {
     const Block& block = blocks[s.pc];
-    const Statement& statement = statements[block.aux];
     run.block.next = s.pc + 1;
-    bool runs = true, holds = true;
-    double value = 0;
-    switch (block.op) {
-      case Op::Assign:
-        runs = evaluate(run, expressions[statement.expression], places, value) &&
-               assign(run, statement, places, value);
-        break;
-      case Op::IfGoto:
-        runs = condition(run, statement.expression, places, holds) &&
-               (!holds || jump_by_goto(run, statement));
-        break;
-      case Op::While:
-        runs = may_jump(run, statement) && condition(run, statement.expression, places, holds) &&
-               loop(run, statement, holds);
-        break;
-      case Op::Do:
-        runs = may_jump(run, statement) && loop(run, statement, true);
-        break;
-      case Op::EndDo:
-        runs = end_loop(run, statement);
-        break;
-      default:
-        return dispatch(run, block);
-    }
-    if (!runs) return false;
+    bool holds = true;
+    const Ran ran = run_one(run, block, places, holds);
+    if (ran == Ran::Other) return dispatch(run, block);
+    if (ran == Ran::Stopped) return false;
     record_step(run, !holds);
     s.pc = run.block.next;
     if (one || s.executed >= run.watch.look_at || (blocks[s.pc].skip & run.options.skips) != 0)
@@ -219,18 +229,19 @@ bool end_statement(Run& run, const Block& block, bool holds) {
 }  // namespace
 
 bool run_statement(Run& run, const Block& block) {
-  const bool other = block.op == Op::Print || block.op == Op::HCode;
+  const bool other = block.op == Op::Print || block.op == Op::HCode || block.op == Op::Set;
   const Statement* const statement = other ? nullptr : run.code->statements.data() + block.aux;
   bool runs = true, holds = true;
   switch (block.op) {
     case Op::Goto:
       runs = jump_by_goto(run, *statement);
       break;
-    case Op::Assign: {
-      double value = 0;
-      runs = evaluate(run, statement->expression, value) && store(run, *statement, value);
+    case Op::Set:
+      runs = set(run, block, places(run));
       break;
-    }
+    case Op::Assign:
+      runs = assign(run, *statement);
+      break;
     case Op::IfThen:
     case Op::If:
       runs = condition(run, statement->expression, places(run), holds);

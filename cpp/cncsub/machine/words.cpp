@@ -36,8 +36,8 @@ bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, dou
       return true;
     }
     value = std::round(value * factor);
-    at = run.code->expressions[expression].at;
-    width = run.code->expressions[expression].width;
+    at = run.code->expression(expression).at();
+    width = run.code->expression(expression).width();
   }
   if (value < 0 || value > kLargestCode)
     return alarm(run, {Cause::ValueOutOfRange, at, width, "the code is out of range", of});
@@ -75,12 +75,12 @@ bool decode_computed(Run& run, std::uint32_t expression, Address of, std::size_t
   double value = 0;
   if (!evaluate(run, expression, value, of)) return false;
   if (std::fabs(value) >= run.largest_word) {  // a vacant value compares false
-    const Expression& e = run.code->expressions[expression];
+    const Expression e = run.code->expression(expression);
     if (std::fabs(value) > kLargest)
-      return alarm(run, {Cause::Overflow, e.at, e.width, "the result is too large", of});
+      return alarm(run, {Cause::Overflow, e.at(), e.width(), "the result is too large", of});
     return alarm(
         run,
-        {Cause::ValueOutOfRange, e.at, e.width,
+        {Cause::ValueOutOfRange, e.at(), e.width(),
          "the value has more than " + std::to_string(most_digits(run.control())) + " digits", of});
   }
   if (is_vacant(value)) {

@@ -1,6 +1,7 @@
 // Characters of a block: what is skipped, what is a digit, where it ends.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -27,6 +28,15 @@ inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\0' || c == '\x7f' || c == '\v' || c == '\f';
 }
 
+/// Characters that say nothing between two others: a blank, or a comment begins.
+inline constexpr auto kGaps = [] {
+  std::array<bool, 256> gaps{};
+  for (const char c : {' ', '\t', '\0', '\x7f', '\v', '\f', '('})
+    gaps[static_cast<unsigned char>(c)] = true;
+  return gaps;
+}();
+inline bool begins_gap(char c) { return kGaps[static_cast<unsigned char>(c)]; }
+
 inline std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -42,6 +52,9 @@ struct Scanner {
 
   std::uint32_t offset() const { return static_cast<std::uint32_t>(at - file); }
   void blanks() {
+    if (at != end && begins_gap(*at)) pass_gap();
+  }
+  void pass_gap() {
     while (at != end) {
       if (is_blank(*at)) {
         ++at;

@@ -28,7 +28,7 @@ void BlockReader::read_any(Scanner& s, Block& block) {
                               "a block has at most " + std::to_string(most) + " characters"});
   if (control_.calls.conditional_return.value && s.peek() == '[')
     return conditional_return(s, block);
-  StatementReader statement(to_, s, block);
+  StatementReader statement(to_, rules_.expressions, s, block);
   if (statement.read()) {
     const auto& words = statement.before_words();
     if (const auto then = words ? words_behind(s, block) : std::nullopt)
@@ -54,7 +54,7 @@ std::optional<Block> BlockReader::words_behind(Scanner& s, Block& block) {
 void BlockReader::conditional_return(Scanner& s, Block& block) {
   Statement statement;
   statement.at = s.offset();
-  ExpressionReader reader(to_, s);
+  ExpressionReader reader(to_, rules_.expressions, s);
   const auto condition = reader.condition();
   if (!condition) return to_.refuse(block, reader.fault());
   statement.expression = *condition;

@@ -7,6 +7,7 @@
 
 #include "cncsub/code/code.hpp"
 #include "cncsub/dialect/iso/calling_codes.hpp"
+#include "cncsub/dialect/iso/expression_rules.hpp"
 
 namespace cncsub {
 
@@ -21,6 +22,7 @@ struct BlockRules {
 
   const Code& code;
   const Control& control;
+  ExpressionRules expressions;
   CallingCodes calling;
   CornerLetters corners_not_with_call;  // the chamfer and corner words that M98 refuses
 

@@ -11,14 +11,13 @@
 
 namespace cncsub {
 
-struct FunctionName;
-struct PlainExpression;
+struct OperatorName;
 
 /// Compiles what stands in brackets, behind an equals sign or behind an address.
 class ExpressionReader {
  public:
-  ExpressionReader(Builder& to, Scanner& scanner)
-      : code_(to.code()), names_(to.names()), out_(to), s_(scanner) {}
+  ExpressionReader(Builder& to, const ExpressionRules& rules, Scanner& scanner)
+      : rules_(rules), names_(to.names()), out_(to, rules), s_(scanner) {}
 
   /// An expression that gives a number; nothing where it is faulty (see `fault`). Reads as far as
   /// the expression goes.
@@ -39,30 +38,33 @@ class ExpressionReader {
   const Fault& fault() const { return out_.fault(); }
 
  private:
-  std::optional<Value> operand();
-  std::optional<Value> sign();
-  std::optional<Value> constant();
-  std::nullopt_t no_operand();
-  std::optional<Value> bracket();
+  Value operand();
+  Value operand_here();
+  Value sign();
+  Value constant();
+  Value other_constant();
+  Refused no_operand();
+  Value bracket();
   bool open();
   bool close();
 
-  std::optional<Value> variable_value();
+  Value variable_value();
+  std::optional<std::uint32_t> plain_variable_number();
   std::optional<std::int64_t> variable_number(std::uint32_t at);
   std::optional<std::int64_t> written_number();
-  std::optional<Value> take(const std::optional<PlainExpression>& plain);
 
-  std::optional<Value> expression();  // operators.cpp
+  Value expression();
+  const OperatorName* next_operator();
 
   // ---- functions.cpp ----
-  std::optional<Value> word();
-  std::optional<Value> function(const FunctionName& of, std::uint32_t at);
-  std::optional<Value> arc_tangent(std::uint32_t at);
-  std::optional<Value> programmed(std::uint32_t at);
-  std::optional<Value> negated(std::uint32_t at);
+  Value word();
+  Value function(const FunctionName& of, std::uint32_t at);
+  Value arc_tangent(std::uint32_t at);
+  Value programmed(std::uint32_t at);
+  Value negated(std::uint32_t at);
   bool argument();
 
-  const Code& code_;
+  const ExpressionRules& rules_;
   Names& names_;
   ValueWriter out_;
   Scanner& s_;

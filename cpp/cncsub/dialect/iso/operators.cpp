@@ -1,32 +1,12 @@
-// The operators of expressions: how tightly each binds, and what it makes of two values.
-#include <algorithm>
-#include <array>
-#include <span>
+#include "cncsub/dialect/iso/operators.hpp"
 
-#include "cncsub/dialect/iso/expression.hpp"
+#include <algorithm>
 
 namespace cncsub {
 
 namespace {
 
-struct OperatorName {
-  std::string_view text;
-  Ins op;
-  int alike, last;  // the level at which it binds where logic binds like arithmetic; where it binds
-                    // last. Level 0 binds weakest
-  Ins other = Ins::End;  // of logic: on two conditions; else with a constant on the right
-
-  bool compares() const { return op >= Ins::Equal && op <= Ins::LessEqual; }
-  bool is_logic() const { return last == 0; }
-};
-
-constexpr int kTightest = 3;  // of the levels where logic binds last
-
-constexpr OperatorName kOperators[] = {{"+", Ins::Add, 1, 2, Ins::AddConstant},
-                                       {"-", Ins::Subtract, 1, 2, Ins::SubtractConstant},
-                                       {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
-                                       {"/", Ins::Divide, 2, 3, Ins::DivideConstant},
-                                       {"AND", Ins::And, 2, 0, Ins::BothTrue},
+constexpr OperatorName kOperators[] = {{"AND", Ins::And, 2, 0, Ins::BothTrue},
                                        {"XOR", Ins::Xor, 1, 0, Ins::OneTrue},
                                        {"OR", Ins::Or, 1, 0, Ins::EitherTrue},
                                        {"MOD", Ins::Modulo, 2, 3},
@@ -46,12 +26,6 @@ const OperatorName* find_operator(const OperatorName (&names)[N], Scanner s) {
   for (const OperatorName& of : names)
     if (of.text[0] == c && s.take_word(of.text)) return &of;
   return nullptr;
-}
-
-/// Whether the expression ends here, or the bracket that holds it.
-bool ends_here(Scanner& s) {
-  s.blanks();
-  return s.at == s.end || *s.at == ']';
 }
 
 /// Goes through what stands behind a logic operator, as far as the next one.
@@ -111,100 +85,53 @@ class Lookahead {
   bool value_ = false;  // the value of an operand has ended: an operator follows
 };
 
-struct Waiting {  // for its right value
-  Value left;
-  const OperatorName* of = nullptr;
-  std::uint32_t at = 0;
-  int level = 0;
-};
-
-/// The operator that stands here, null where none does.
-const OperatorName* operator_here(const Code& code, Scanner& s) {
-  if (ends_here(s)) return nullptr;
-  if (const OperatorName* found = find_operator(kOperators, s))
-    return found->op == Ins::Modulo && !has_function(code, Function::Mod) ? nullptr : found;
-  const bool symbols = code.control->macros.conditions.value.has(Condition::Symbols);
-  return symbols ? find_operator(kSymbols, s) : nullptr;
+Value compare(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
+  Value left = waiting.left;
+  const Ins op = waiting.of->op;
+  const bool tells_vacant =
+      out.rules().distinguishes_vacant && (op == Ins::Equal || op == Ins::NotEqual);
+  if (!out.is_number(left) || !out.is_number(right))
+    return out.refuse(Cause::ExpressionFormat, waiting.at, "a comparison compares two values");
+  if (!tells_vacant && (!out.arithmetic(left, end) || !out.arithmetic(right, end)))
+    return {};
+  out.emit(op, waiting.at);
+  return Value::condition();
 }
 
-/// Whether an operator binds at this level behind a value. Where logic of numbers binds first, it
-/// counts whether the value is a number, and whether it is the right side of a comparison:
-/// `#1EQ3AND#2EQ4` joins two, `3EQ#1AND3` is one.
-bool binds(const Control& control, const Scanner& s, const OperatorName* of, int level,
-           const Value& value, std::span<const Waiting> waiting) {
-  if (of == nullptr) return false;
-  const LogicOrder order = control.macros.logic_order.value;
-  if (level == (order == LogicOrder::LikeArithmetic ? of->alike : of->last)) return true;
-  if (order != LogicOrder::LastOfConditions || !of->is_logic()) return false;
-  if (value.type != Value::Type::Number || level != of->alike + 1) return false;
+/// Joins two values; the left one waited for the right one.
+}  // namespace
+
+const OperatorName* find_other_operator(const ExpressionRules& rules, const Scanner& s) {
+  if (const OperatorName* found = find_operator(kOperators, s))
+    return found->op == Ins::Modulo && !rules.modulo ? nullptr : found;
+  return rules.symbols ? find_operator(kSymbols, s) : nullptr;
+}
+
+bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
+                   std::span<const Waiting> waiting) {
+  if (value.type != Value::Type::Number) return false;
   const bool compared = std::any_of(waiting.begin(), waiting.end(),
                                     [](const Waiting& left) { return left.of->compares(); });
   if (!compared) return true;
   Scanner behind = s;
-  behind.take_word(of->text);
+  behind.take_word(of.text);
   return !Lookahead(behind).finds_condition();
 }
 
-std::optional<Value> compare(ValueWriter& out, const Waiting& waiting, Value right,
-                             std::uint32_t end) {
-  Value left = waiting.left;
-  const Ins op = waiting.of->op;
-  const bool tells_vacant =
-      out.control().macros.vacant_comparison.value == VacantComparison::Distinguished &&
-      (op == Ins::Equal || op == Ins::NotEqual);
-  if (!out.is_number(left) || !out.is_number(right))
-    return out.refuse(Cause::ExpressionFormat, waiting.at, "a comparison compares two values");
-  if (!tells_vacant && (!out.arithmetic(left, end) || !out.arithmetic(right, end)))
-    return std::nullopt;
-  out.emit(op, waiting.at);
-  return Value{Value::Type::Condition, -1};
-}
-
-/// Joins two values; the left one waited for the right one.
-std::optional<Value> apply(ValueWriter& out, const Waiting& waiting, Value right,
-                           std::uint32_t end) {
+Value apply_other(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
   const OperatorName& of = *waiting.of;
   Value left = waiting.left;
   if (of.compares()) return compare(out, waiting, right, end);
-  if (of.is_logic() && left.type == Value::Type::Condition &&
+  if (left.type == Value::Type::Condition &&
       right.type == Value::Type::Condition) {
-    if (!out.control().macros.conditions.value.has(Condition::Joined))
+    if (!out.rules().joined)
       return out.refuse(Cause::IfFormat, waiting.at, "conditions cannot be joined on this control");
     out.emit(of.other, waiting.at);
-    return Value{Value::Type::Condition, -1};
+    return Value::condition();
   }
-  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return std::nullopt;
-  out.emit_operator(of.op, of.is_logic() ? Ins::End : of.other, waiting.at);
-  return Value{};
-}
-
-}  // namespace
-
-/// Operands and operators: a value waits with its operator until what stands on the right does not
-/// bind closer.
-std::optional<Value> ExpressionReader::expression() {
-  std::array<Waiting, kTightest + 1> waiting;  // NOLINT: the first `count`, looser ones first
-  std::size_t count = 0;
-  const bool alike = code_.control->macros.logic_order.value == LogicOrder::LikeArithmetic;
-  const int tightest = kTightest - static_cast<int>(alike);
-  auto value = operand();
-  while (value) {
-    const OperatorName* next = nullptr;
-    for (int level = tightest;; --level) {
-      if (count > 0 && waiting[count - 1].level == level)
-        value = apply(out_, waiting[--count], *value, s_.offset());
-      if (!value) return std::nullopt;
-      if (level == tightest) next = operator_here(code_, s_);
-      if (binds(*code_.control, s_, next, level, *value, {waiting.data(), count})) {
-        waiting[count++] = {*value, next, s_.offset(), level};
-        break;
-      }
-      if (level == 0) return value;
-    }
-    s_.take_word(next->text);
-    value = operand();
-  }
-  return std::nullopt;
+  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
+  out.emit(of.op, waiting.at);
+  return Value::number();
 }
 
 }  // namespace cncsub

@@ -29,7 +29,7 @@ void StatementReader::print(const Keyword& keyword, Statement& /*statement*/) {
 bool StatementReader::print_field(Print& print) {
   PrintField field;
   field.is_variable = true;
-  ExpressionReader reader(to_, s_);
+  ExpressionReader reader(to_, rules_, s_);
   const auto value = reader.word_value('\0');
   if (!value) {
     refuse(reader.fault());

@@ -4,8 +4,7 @@
 #include <bit>
 #include <string_view>
 
-#include "cncsub/dialect/iso/expression.hpp"
-#include "cncsub/dialect/iso/plain_expression.hpp"
+#include "cncsub/dialect/iso/statement.hpp"
 #include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
@@ -43,9 +42,7 @@ PlainReader::PlainReader(Builder& to, const BlockRules& rules)
   if (tight(rules.control.reading.max_block_length.value, kLongest) ||
       tight(rules.control.reading.max_words.value, kMostWords))
     return;
-  brackets_ =
-      !rules.code.lacks(StatementKind::Brackets, 0) && rules.control.macros.max_brackets.value > 0;
-  assigns_ = !rules.code.lacks(StatementKind::Variables, 0);
+  assigns_ = true;
   kinds_['('] = Kind::Comment;
   for (const char c : std::string_view("ABCDEFHIJKLPQRSTUVWXYZ"))
     if (!rules.calling.any(c)) kinds_[static_cast<unsigned char>(c)] = Kind::Value;
@@ -135,39 +132,13 @@ bool pass_comment(const char*& at, const char* end) {
 
 }  // namespace
 
-/// A plain expression that stands from `first` to `end`, of the word of a letter or of none.
-std::uint32_t PlainReader::write(const PlainExpression& plain, char letter, const Scanner& first,
-                                 const char* end) {
-  ExpressionWriter& out = to_.expressions();
-  const std::uint32_t begin = out.next();
-  for (std::size_t i = 0; i < plain.count; ++i) {
-    const Instruction& step = plain.steps[i];
-    out.emit({step.op, static_cast<std::uint8_t>(letter), step.at, step.value});
-  }
-  return out.end(begin, first.offset(), static_cast<std::uint32_t>(end - first.at));
-}
-
-/// The expression that is the value of a word, where it is plain.
-std::optional<std::uint32_t> PlainReader::plain_value(char letter, Scanner& here) {
-  const bool bracketed = *here.at == '[';
-  if (bracketed ? !brackets_ : !assigns_) return std::nullopt;
-  const auto plain = bracketed ? plain_expression(to_.code(), {here.at + 1, here.end, here.file})
-                               : plain_variable(to_.code(), here, here.offset());
-  if (!plain || (bracketed && plain->end == here.end)) return std::nullopt;
-  const char* const end = plain->end + (bracketed ? 1 : 0);
-  const std::uint32_t written = write(*plain, letter, here, end);
-  here.at = end;
-  return written;
-}
-
 /// A value that an expression at `at` gives.
 bool PlainReader::take_computed(Words& words, char letter, const char*& at, const Scanner& s) {
   const std::uint32_t mark = bit(letter);
   if ((words.mask & mark) != 0 || (letter == 'P' && rules_.control.calls.bracket_names.value))
     return false;
   Scanner here{at, s.end, s.file};
-  auto expression = plain_value(letter, here);
-  if (!expression) expression = ExpressionReader(to_, here).word_value(letter);
+  const auto expression = ExpressionReader(to_, rules_.expressions, here).word_value(letter);
   if (!expression) return false;
   words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
   words.mask |= mark;
@@ -221,17 +192,7 @@ void PlainReader::write_list(const Words& words, std::uint32_t whole, Block& blo
   to_.words(block, list);
 }
 
-/// The value of an assignment.
-std::optional<std::uint32_t> PlainReader::assigned(Scanner& here) {
-  const auto plain =
-      *here.at == '[' ? plain_bracket(to_.code(), here) : plain_expression(to_.code(), here);
-  if (!plain || plain->end != here.end) return ExpressionReader(to_, here).number();
-  const std::uint32_t written = write(*plain, '\0', here, plain->end);
-  here.at = plain->end;
-  return written;
-}
-
-/// An assignment whose block ends with its value.
+/// An assignment, perhaps behind its N.
 bool PlainReader::assignment(const Scanner& s, Block& block) {
   Scanner here = s;
   Words head;  // NOLINT(cppcoreguidelines-pro-type-member-init)
@@ -240,28 +201,9 @@ bool PlainReader::assignment(const Scanner& s, Block& block) {
     if (number.point || !fits(number) || !take_n(head, number)) return false;
     while (*here.at == ' ') ++here.at;
   }
-  if (*here.at != '#' || !assigns_) return false;
-  Statement statement;
-  statement.at = statement.variable_at = here.offset();
-  const auto variable = plain_variable(to_.code(), here, here.offset());
-  if (!variable || !variable->writable || *variable->end != '=') return false;
-  here.at = variable->end;
-  statement.variable_width = here.offset() - statement.at;
-  if (++here.at == s.end) return false;
-  const ExpressionWriter::Place before = to_.expressions().place();
-  const auto value = assigned(here);
-  if (!value || here.at != s.end) {
-    to_.expressions().take_back(before);
-    return false;
-  }
-  statement.target =
-      variable->steps[0].op == Ins::LocalRaw ? Statement::Target::Local : Statement::Target::Common;
-  statement.index = static_cast<std::int32_t>(variable->steps[0].at);
-  statement.expression = *value;
-  statement.width = here.offset() - statement.at;
+  if (here.at >= s.end || *here.at != '#') return false;
   block.n = head.n;
-  to_.become(block, Op::Assign, statement);
-  return true;
+  return StatementReader(to_, rules_.expressions, here, block).read();
 }
 
 /// Behind a slash at the head, whose switch passes over the block.
@@ -279,7 +221,7 @@ bool PlainReader::read_skipped(const Scanner& s, Block& block) {
 bool PlainReader::read(const Scanner& s, Block& block) {
   if (s.end - s.at >= kLongest) return false;
   if (*s.at == '/') return read_skipped(s, block);
-  if ((*s.at == '#' || *s.at == 'N') && assignment(s, block)) return true;
+  if (assigns_ && (*s.at == '#' || *s.at == 'N') && assignment(s, block)) return true;
   Words words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   const ExpressionWriter::Place before = to_.expressions().place();
   if (!take_words(s, words) || (words.mask == 0 && words.g_count == 0 && words.m < 0) ||

@@ -14,8 +14,6 @@
 
 namespace cncsub {
 
-struct PlainExpression;
-
 class PlainReader {
  public:
   PlainReader(Builder& to, const BlockRules& rules);
@@ -37,10 +35,6 @@ class PlainReader {
   bool assignment(const Scanner& s, Block& block);
   bool take_words(const Scanner& s, Words& words);
   bool take_computed(Words& words, char letter, const char*& at, const Scanner& s);
-  std::uint32_t write(const PlainExpression& plain, char letter, const Scanner& first,
-                      const char* end);
-  std::optional<std::uint32_t> plain_value(char letter, Scanner& here);
-  std::optional<std::uint32_t> assigned(Scanner& here);
   static bool is_plain_dwell(const Scanner& s, const Words& words);
   void write_list(const Words& words, std::uint32_t whole, Block& block);
 
@@ -51,7 +45,7 @@ class PlainReader {
   int max_digits_;
   int max_n_;
   bool cuts_fine_digits_;
-  bool assigns_ = false, brackets_ = false, dwells_ = false;
+  bool assigns_ = false, dwells_ = false;
   bool whole_dwell_ = false;  // whether a value has a point counts in G04
 };
 

@@ -12,14 +12,21 @@ constexpr int kDeepestThen = 10;
 namespace {
 
 /// Where the value of an assignment goes.
-void set_target(const Code& code, const ExpressionReader::Variable& variable,
+void set_target(const ExpressionRules& rules, const ExpressionReader::Variable& variable,
                 Statement& statement) {
   if (variable.number < 0) {
     statement.target = Statement::Target::Indirect;
     statement.variable = variable.expression;
     return;
   }
-  const VariablePlace place = code.place(variable.number);
+  const auto number = static_cast<std::uint32_t>(variable.number);
+  if (const auto* const near = rules.near(number); near != nullptr && near->writable) {
+    statement.target =
+        near->raw == Ins::LocalRaw ? Statement::Target::Local : Statement::Target::Common;
+    statement.index = static_cast<std::int32_t>(near->base + number - near->first);
+    return;
+  }
+  const VariablePlace place = rules.code.place(variable.number);
   const bool common = place.is_common() && place.range->access == Access::ReadWrite;
   statement.target = place.is_local() ? Statement::Target::Local
                      : common         ? Statement::Target::Common
@@ -32,7 +39,7 @@ void set_target(const Code& code, const ExpressionReader::Variable& variable,
 
 /// The comment behind the value is data of #3000 and #3006.
 void keep_comment(const Code& code, const Scanner& s, Statement& statement) {
-  const std::uint32_t from = code.expressions[statement.expression].at;
+  const std::uint32_t from = code.expression(statement.expression).at();
   const std::string_view rest(s.file + from, static_cast<std::size_t>(s.end - s.file) - from);
   const std::size_t open = rest.find('(');
   if (open == std::string_view::npos) return;
@@ -101,6 +108,7 @@ bool StatementReader::keyword(std::string_view word) {
 
 /// Refuses a statement that the control does not have, or of which nobody says whether it has it.
 bool StatementReader::lacks(StatementKind kind, std::uint32_t at, std::string_view name) {
+  if (!code_.lacking.test(static_cast<std::size_t>(kind))) return false;
   auto wrong = code_.lacks(kind, at);
   if (wrong && !name.empty())
     wrong->detail.replace(wrong->detail.size() - name_of(kind).size(), std::string::npos, name);
@@ -125,7 +133,10 @@ bool StatementReader::at_end(Cause otherwise) {
 }
 
 void StatementReader::finish(Op op, const Statement& statement) {
-  to_.become(block_, op, statement);
+  if (op == Op::Assign)
+    to_.assign(block_, statement);
+  else
+    to_.become(block_, op, statement);
 }
 
 bool StatementReader::read() {
@@ -164,10 +175,10 @@ void StatementReader::assignment(bool bracketed) {
   statement.at = s_.offset();
   statement.variable_at = s_.offset();
   s_.take('#');
-  ExpressionReader reader(to_, s_);
+  ExpressionReader reader(to_, rules_, s_);
   const auto variable = reader.variable(statement.at);
   if (!variable) return refuse(reader.fault());
-  set_target(code_, *variable, statement);
+  set_target(rules_, *variable, statement);
   if (bracketed && !s_.take(']'))
     return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the name's bracket is not closed");
   statement.variable_width = std::max<std::uint32_t>(1, s_.offset() - statement.variable_at);
@@ -177,7 +188,9 @@ void StatementReader::assignment(bool bracketed) {
   if (!value) return refuse(reader.fault());
   statement.expression = *value;
   statement.width = std::max<std::uint32_t>(1, s_.offset() - statement.at);
-  keep_comment(code_, s_, statement);
+  const bool common_or_local = statement.target == Statement::Target::Local ||
+                               statement.target == Statement::Target::Common;
+  if (!common_or_local) keep_comment(code_, s_, statement);
   block_.op = Op::Assign;
   if (at_end(Cause::NcAndMacroInBlock)) finish(Op::Assign, statement);
 }
@@ -202,7 +215,7 @@ void StatementReader::go_to(const Keyword& keyword, Statement& statement) {
 /// The condition behind IF and WHILE, whose faults are those of the statement's format.
 bool StatementReader::condition(Statement& statement, Cause format) {
   statement.at = s_.offset() - 2;
-  ExpressionReader reader(to_, s_);
+  ExpressionReader reader(to_, rules_, s_);
   if (const auto condition = reader.condition()) {
     statement.expression = *condition;
     return true;
@@ -237,7 +250,7 @@ void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statem
 void StatementReader::then_statement(Statement& statement) {
   Block then = block_;
   const std::uint32_t at = s_.offset();
-  StatementReader inner(to_, s_, then, thens_ + 1);
+  StatementReader inner(to_, rules_, s_, then, thens_ + 1);
   const bool read = thens_ <= kDeepestThen && inner.read();
   if (!read && thens_ == 0 && code_.control->macros.if_form.value == IfForm::Words &&
       is_letter(s_.peek())) {
@@ -253,7 +266,7 @@ void StatementReader::then_statement(Statement& statement) {
       fault.cause = Cause::IfFormat;
     return;
   }
-  const bool simple = then.op == Op::Assign || then.op == Op::Goto || then.op == Op::Print ||
+  const bool simple = then.op == Op::Set || then.op == Op::Assign || then.op == Op::Goto || then.op == Op::Print ||
                       then.op == Op::OpenOutput || then.op == Op::CloseOutput;
   if (!simple)
     return refuse(Cause::IfFormat, at, 1, "THEN takes an assignment, a jump or an output");
@@ -298,7 +311,7 @@ void StatementReader::jump(Op op, Statement& statement) {
   statement.number = -1;
   const char c = s_.peek();
   if (c == '#' || c == '[') {
-    ExpressionReader reader(to_, s_);
+    ExpressionReader reader(to_, rules_, s_);
     const auto value = reader.word_value('\0');
     if (!value) return refuse(reader.fault());
     statement.variable = *value;

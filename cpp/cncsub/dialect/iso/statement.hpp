@@ -13,8 +13,9 @@ namespace cncsub {
 class StatementReader {
  public:
   /// `thens`: behind how many THEN of the block the statement stands.
-  StatementReader(Builder& to, Scanner& scanner, Block& block, int thens = 0)
-      : to_(to), code_(to.code()), s_(scanner), block_(block), thens_(thens) {}
+  StatementReader(Builder& to, const ExpressionRules& rules, Scanner& scanner, Block& block,
+                  int thens = 0)
+      : to_(to), rules_(rules), code_(to.code()), s_(scanner), block_(block), thens_(thens) {}
   bool read();
   /// An IF whose condition was read and whose words, which stand here now, were not.
   const std::optional<Statement>& before_words() const { return before_words_; }
@@ -56,6 +57,7 @@ class StatementReader {
   void refuse(Cause cause, std::uint32_t at, std::uint32_t width = 1, std::string detail = {});
 
   Builder& to_;
+  const ExpressionRules& rules_;
   const Code& code_;
   Scanner& s_;
   Block& block_;

@@ -83,18 +83,20 @@ class TapeReader {
     return apart_ ? std::optional(line_) : std::nullopt;
   }
 
-  /// What `of` read apart can only be the rest of a program, behind every mark that a tape begins
-  /// with.
+  /// What `of` read apart is the rest of a program. Where the marks that a tape begins with may
+  /// still come, none of them ended it.
   bool join(Joined& of, std::uint32_t lines) {
-    if (!to_.in_program() || leader_possible_ || first_in_file_) return false;
+    if (!to_.in_program() || first_in_file_) return false;
+    const bool ended_apart = of.code.programs.size() > 1 || !of.from.in_program();
+    if (leader_possible_ && ended_apart && text_[of.code.programs[0].text_end] == '%') return false;
     of.goes_on = true;
     of.line = line_;
     if (!can_join(to_, of)) return false;
+    leader_possible_ = leader_possible_ && !ended_apart;
     const std::size_t program = code_.programs.size() - 1;
     cncsub::join(to_, of);
     line_ += lines;
-    const bool ended = program + 1 < code_.programs.size() || !to_.in_program();
-    if (!ended) return true;
+    if (!ended_apart) return true;
     if (code_.statements.size() > statements_) match_structure(to_, code_.programs[program]);
     statements_ = 0;  // of the program that is open: it may have some
     return true;

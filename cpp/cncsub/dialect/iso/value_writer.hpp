@@ -5,71 +5,127 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/iso/expression_rules.hpp"
 
 namespace cncsub {
 
-struct PlainExpression;
-
-/// Whether the control has a function, or an operator that some have not.
-bool has_function(const Code& code, Function function);
-
-/// What a part of an expression gives.
+/// What a part of an expression gives: nothing where it was refused.
 struct Value {
-  enum class Type { Number, Condition };
-  Type type = Type::Number;
-  std::int64_t raw = -1;  // the instruction, where it is one variable and may still be vacant
+  enum class Type : std::uint8_t { None, Number, Condition };
+  std::int32_t raw;  // the instruction, where it is one variable and may still be vacant
+  Type type;         // None: of `Value{}`
+
+  explicit operator bool() const { return type != Type::None; }
+  static Value number() { return {-1, Type::Number}; }
+  static Value condition() { return {-1, Type::Condition}; }
+};
+
+/// What is returned where something was refused: nothing, of whatever is asked for.
+struct Refused {
+  // NOLINTBEGIN(google-explicit-constructor)
+  operator Value() const { return {}; }
+  operator std::optional<std::uint32_t>() const { return std::nullopt; }
+  operator std::optional<std::int64_t>() const { return std::nullopt; }
+  // NOLINTEND(google-explicit-constructor)
 };
 
 class ValueWriter {
  public:
-  explicit ValueWriter(Builder& to) : to_(to), control_(to.control()) {}
+  ValueWriter(Builder& to, const ExpressionRules& rules) : out_(to.expressions()), rules_(rules) {}
 
-  const Control& control() const { return control_; }
-  const Fault& fault() const { return fault_; }
+  const ExpressionRules& rules() const { return rules_; }
+  const Fault& fault() const { return *fault_; }
   /// The first fault counts.
-  std::nullopt_t refuse(Cause cause, std::uint32_t at, std::string detail = {});
+  Refused refuse(Cause cause, std::uint32_t at, std::string detail = {});
 
   /// The address of the word whose value is written, 0 in a statement: ROUND rounds otherwise.
-  void begin_word(char address) { address_ = address; }
+  void begin_word(char address) { address_ = static_cast<std::uint8_t>(address); }
   bool in_word() const { return address_ != 0; }
-  void emit(Ins op, std::uint32_t at, double value = 0) {
-    to_.expressions().emit({op, static_cast<std::uint8_t>(address_), at, value});
+  /// An instruction that holds nothing, or a value.
+  void emit(Ins op, std::uint32_t at) {
+    out_.emit(op, address_, at);
+    depth_ += stack_effect(op);
+  }
+  void emit(Ins op, std::uint32_t at, double value) {
+    out_.emit(op, address_, at, value);
     depth_ += stack_effect(op);
   }
   /// The sign at `at` of the operand that began with instruction `first`.
   void negate(std::uint32_t first, std::uint32_t at);
   /// An operator of arithmetic or logic; `with_constant` is the same with a constant on its right,
   /// Ins::End where there is none.
-  void emit_operator(Ins op, Ins with_constant, std::uint32_t at);
+  void emit_operator(Ins op, Ins with_constant, std::uint32_t at) {
+    const std::uint32_t last = out_.last_place();
+    const bool constant = with_constant != Ins::End && out_.last() == Ins::Constant;
+    if (!constant || (op == Ins::Divide && out_.value(last) == 0)) return emit(op, at);
+    out_.set_op(last, with_constant);
+    out_.set_at(last, at);
+    depth_ += stack_effect(with_constant) - stack_effect(Ins::Constant);
+  }
   /// Pushes the value of a variable, which may be vacant.
   Value load(std::int64_t number, std::uint32_t at);
+  Value load(const ExpressionRules::Near& of, std::uint32_t number) {
+    return load(of.raw, of.base + number - of.first, number);
+  }
   /// The value of the last instruction, which may be vacant.
-  Value last() const { return {Value::Type::Number, std::int64_t{first()} - 1}; }
-  /// What was read at once; nothing where it has no room.
-  std::optional<Value> take(const PlainExpression& plain);
+  Value last() const {
+    return {static_cast<std::int32_t>(out_.last_place()), Value::Type::Number};
+  }
 
   /// Whether one more value has room on the stack; else it is refused.
-  bool has_room(std::uint32_t at);
+  bool has_room(std::uint32_t at) {
+    if (depth_ < kDeepest) return true;
+    refuse(Cause::BracketsTooDeep, at);
+    return false;
+  }
   /// A comparison leaves 1 or 0, which is a number where the control says so.
-  bool is_number(Value& value) const;
+  bool is_number(Value& value) const {
+    if (value.type == Value::Type::Condition && rules_.values) value.type = Value::Type::Number;
+    return value.type == Value::Type::Number;
+  }
   /// From here on the value is a number: a vacant variable counts as 0. What is none is refused.
-  bool arithmetic(Value& value, std::uint32_t at);
+  bool arithmetic(Value& value, std::uint32_t at) {
+    if (!is_number(value)) return no_number(at);
+    if (value.raw >= 0) count_vacant(static_cast<std::uint32_t>(std::exchange(value.raw, -1)));
+    return true;
+  }
 
   /// The place of the next instruction.
-  std::uint32_t first() const { return to_.expressions().next(); }
+  std::uint32_t first() const { return out_.next(); }
   /// Ends the expression that began with instruction `first`: its number.
-  std::uint32_t finish(std::uint32_t first, std::uint32_t at, std::uint32_t width);
+  std::uint32_t finish(std::uint32_t first, std::uint32_t at, std::uint32_t width) {
+    depth_ += stack_effect(Ins::End);
+    return out_.end(first, at, width);
+  }
 
  private:
   static constexpr int kDeepest = 200;  // values on the stack, whatever the control allows
 
-  Builder& to_;
-  const Control& control_;
-  Fault fault_;
-  bool failed_ = false;
-  char address_ = 0;
+  bool no_number(std::uint32_t at);
+  /// The load of a variable at a place gives 0 where it is vacant.
+  void count_vacant(std::uint32_t place) {
+    const Ins op = out_.op(place);
+    if (held_by(op) == Holds::Variable)
+      out_.set_op(place, op == Ins::LocalRaw    ? Ins::Local
+                         : op == Ins::CommonRaw ? Ins::Common
+                                                : op);
+    else
+      count_other_vacant(place);
+  }
+  void count_other_vacant(std::uint32_t place);
+  Value load(Ins op, std::uint32_t index, std::uint32_t number) {
+    out_.emit_variable(op, index, number);
+    ++depth_;
+    return last();
+  }
+
+  ExpressionWriter& out_;
+  const ExpressionRules& rules_;
+  std::optional<Fault> fault_;
+  std::uint8_t address_ = 0;
   int depth_ = 0;  // values on the stack
 };
 

@@ -242,7 +242,7 @@ bool WordScanner::computed(Token& token) {
   if (token.letter == 'O')
     return refuse(
         fault_of(token, Cause::AddressNotUsable, "a program number cannot come from a variable"));
-  ExpressionReader reader(to_, s_);
+  ExpressionReader reader(to_, rules_.expressions, s_);
   const auto value = reader.word_value(token.letter);
   if (!value) return refuse(reader.fault());
   operand.kind = Operand::Kind::Expression;

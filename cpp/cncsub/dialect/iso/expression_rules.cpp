@@ -1,0 +1,103 @@
+#include "cncsub/dialect/iso/expression_rules.hpp"
+
+#include <algorithm>
+
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+namespace {
+
+// Whatever the control allows: brackets inside each other. What is inside is read by functions
+// inside each other.
+constexpr int kDeepestBrackets = 64;
+
+constexpr FunctionName kFunctions[] = {{Function::Sin, Ins::Sin},
+                                       {Function::Cos, Ins::Cos},
+                                       {Function::Tan, Ins::Tan},
+                                       {Function::Asin, Ins::Asin},
+                                       {Function::Acos, Ins::Acos},
+                                       {Function::Atan, Ins::Atan},
+                                       {Function::Atan2, Ins::End, Ins::Atan2},
+                                       {Function::Sqrt, Ins::Sqrt},
+                                       {Function::Sqr, Ins::Sqrt},
+                                       {Function::Abs, Ins::Abs},
+                                       {Function::Round, Ins::Round},
+                                       {Function::Rnd, Ins::Round},
+                                       {Function::Fix, Ins::Fix},
+                                       {Function::Int, Ins::Fix},
+                                       {Function::Fup, Ins::Fup},
+                                       {Function::Ln, Ins::Ln},
+                                       {Function::Exp, Ins::Exp},
+                                       {Function::Pow, Ins::End, Ins::Pow},
+                                       {Function::Bin, Ins::Bin},
+                                       {Function::Bcd, Ins::Bcd},
+                                       {Function::Adp, Ins::Adp},
+                                       {Function::Prm, Ins::Parameter, Ins::ParameterBit},
+                                       {Function::Sign, Ins::Sign},
+                                       {Function::Rand, Ins::Random},
+                                       {Function::Srand, Ins::End, Ins::RandomBetween},
+                                       {Function::Ar, Ins::Programmed}};
+static_assert(std::size(kFunctions) <= 32);
+
+constexpr std::uint32_t packed(char a, char b, char c) {
+  const auto byte = [](char of) { return std::uint32_t{static_cast<unsigned char>(of)}; };
+  return byte(a) | byte(b) << 8 | byte(c) << 16;
+}
+
+}  // namespace
+
+ExpressionRules::ExpressionRules(const Code& of)
+    : code(of),
+      control(*of.control),
+      alike(control.macros.logic_order.value == LogicOrder::LikeArithmetic),
+      numbers_first(control.macros.logic_order.value == LogicOrder::LastOfConditions),
+      joined(control.macros.conditions.value.has(Condition::Joined)),
+      values(control.macros.conditions.value.has(Condition::Values)),
+      bare(control.macros.conditions.value.has(Condition::Bare)),
+      symbols(control.macros.conditions.value.has(Condition::Symbols)),
+      names(control.macros.variable_forms.value.has(VariableForm::Names)),
+      indirect(control.macros.variable_forms.value.has(VariableForm::Indirect)),
+      points(control.macros.variable_forms.value.has(VariableForm::Point)),
+      distinguishes_vacant(control.macros.vacant_comparison.value ==
+                           VacantComparison::Distinguished),
+      modulo(has(Function::Mod)),
+      most_brackets(std::min(control.macros.max_brackets.value, kDeepestBrackets)),
+      most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)) {
+  std::size_t count = 0;
+  for (const PlacedRange& placed : code.variables) {
+    const VariableRange& range = placed.range;
+    const VariablePlace place = code.place(range.first);
+    if (count == near_.size() || (!place.is_local() && !place.is_common())) continue;
+    near_[count++] = {static_cast<std::uint32_t>(range.first),
+                      static_cast<std::uint32_t>(range.last - range.first + 1),
+                      place.is_local() ? Ins::LocalRaw : Ins::CommonRaw,
+                      static_cast<std::uint32_t>(place.index),
+                      place.is_local() || range.access == Access::ReadWrite};
+  }
+  count = 0;
+  for (const FunctionName& of_name : kFunctions) {
+    const std::string_view name = name_of(of_name.function);
+    if (name.size() != 3 || !has(of_name.function)) continue;
+    short_names_[count] = packed(name[0], name[1], name[2]);
+    short_functions_[count++] = &of_name;
+  }
+}
+
+const FunctionName* ExpressionRules::function(std::string_view name) const {
+  for (const FunctionName& f : kFunctions)
+    if (name_of(f.function) == name && has(f.function)) return &f;
+  if (!control.macros.short_functions.value || name.size() < 2) return nullptr;
+  for (const FunctionName& f : kFunctions)
+    if (name_of(f.function).starts_with(name) && has(f.function)) return &f;
+  return nullptr;
+}
+
+const FunctionName* ExpressionRules::short_function(const char* at) const {
+  const std::uint32_t name = packed(upper(at[0]), upper(at[1]), upper(at[2]));
+  for (std::size_t i = 0; short_functions_[i] != nullptr; ++i)
+    if (short_names_[i] == name) return short_functions_[i];
+  return nullptr;
+}
+
+}  // namespace cncsub

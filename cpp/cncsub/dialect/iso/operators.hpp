@@ -1,0 +1,50 @@
+// Operators of expressions: how tightly each binds, and what it makes of two values.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "cncsub/dialect/iso/value_writer.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+struct OperatorName {
+  std::string_view text;
+  Ins op;
+  int alike, last;  // the level at which it binds where logic binds like arithmetic; where it binds
+                    // last. Level 0 binds weakest
+  Ins other = Ins::End;  // of logic: on two conditions; else with a constant on the right
+
+  bool compares() const { return op >= Ins::Equal && op <= Ins::LessEqual; }
+  bool is_logic() const { return last == 0; }
+  bool is_arithmetic() const { return last >= 2; }
+};
+
+inline constexpr OperatorName kArithmetic[] = {{"+", Ins::Add, 1, 2, Ins::AddConstant},
+                                        {"-", Ins::Subtract, 1, 2, Ins::SubtractConstant},
+                                        {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
+                                        {"/", Ins::Divide, 2, 3, Ins::DivideConstant}};
+
+constexpr int kTightest = 3;  // of the levels where logic binds last
+
+
+struct Waiting {  // NOLINT(*-member-init): for its right value
+  Value left;
+  const OperatorName* of;
+  std::uint32_t at;
+  int level;
+};
+
+/// An operator that is no sign of arithmetic; null where none stands here.
+const OperatorName* find_other_operator(const ExpressionRules& rules, const Scanner& s);
+/// Whether logic behind a value binds as that of numbers, which counts where that binds first. It
+/// counts whether the value is the right side of a comparison: `#1EQ3AND#2EQ4` joins two,
+/// `3EQ#1AND3` is one.
+bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
+                   std::span<const Waiting> waiting);
+/// Compares or joins two values by logic; the left one waited for the right one.
+Value apply_other(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end);
+
+}  // namespace cncsub
