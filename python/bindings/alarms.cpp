@@ -29,7 +29,7 @@ py::tuple state_of(const Alarm& a) {
   return py::make_tuple(std::string(info(a.cause).slug), a.number, a.text, a.program, a.n, a.line,
                         a.column, a.width, a.word, a.file, a.detail, a.source_line, frames);
 }
-Alarm alarm_of(const py::tuple& state) {
+Alarm alarm_from(const py::tuple& state) {
   if (state.size() != 13) throw py::value_error("this is no Alarm");
   Alarm alarm;
   const auto slug = state[0].cast<std::string>();
@@ -64,7 +64,7 @@ py::tuple reduced(const py::object& again, const Value& value) {
 
 void add_alarms(py::module_& m) {
   m.def("frame", &frame_of, py::arg("state"));
-  m.def("alarm", &alarm_of, py::arg("state"));
+  m.def("alarm", &alarm_from, py::arg("state"));
   py::class_<Frame>(m, "Frame", py::is_final())
       .def_readonly("program", &Frame::program)
       .def_property_readonly("n", [](const Frame& f) { return sequence_number(f.n); })

@@ -135,7 +135,7 @@ py::object stop_of(Live& live) {
                                : py::object(py::str(std::string(to_string(stop))));
 }
 
-py::object alarm_of(Live& live) {
+py::object last_alarm(Live& live) {
   const Look machine(live);
   return machine->alarm() ? py::cast(*machine->alarm()) : py::object(py::none());
 }
@@ -256,7 +256,7 @@ void add_run(Class& machine) {
       .def_property_readonly("waiting_for",
                              [](Live& live) { return Look(live)->state().waiting_for; })
       .def("endless", &endless)
-      .def_property_readonly("alarm", &alarm_of)
+      .def_property_readonly("alarm", &last_alarm)
       .def_property_readonly("stack", &stack_of)
       .def_property_readonly("position_in_program", &position_in_program)
       .def_property_readonly("blocks", [](Live& live) { return Look(live)->blocks(); })

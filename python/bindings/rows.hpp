@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "cncsub/trace/trace.hpp"
+#include "gil.hpp"
 #include "live.hpp"
 
 namespace cncsub::bindings {
@@ -24,6 +25,20 @@ struct Array {
   pybind11::object object;
   T* data;
 };
+
+/// What `value` says of each row of a column, as an array; made without the GIL.
+template <class T, class Rows, class Value>
+pybind11::object array_of(const Rows& rows, Value&& value) {
+  const Array<T> array(rows.size());
+  T* next = array.data;
+  work_away([&](InterruptCheck& interrupt) {
+    rows.for_each_run(0, rows.size(), [&](const auto* run, std::size_t count) {
+      if (interrupt.requested(count * sizeof(*run))) return;
+      for (std::size_t i = 0; i < count; ++i) *next++ = static_cast<T>(value(run[i]));
+    });
+  });
+  return array.object;
+}
 
 /// A step as an object of `row`, the class `Step`: whoever asks for one block after another pays
 /// for no more than that.

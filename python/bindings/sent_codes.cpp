@@ -17,36 +17,23 @@ using Sent = Trace::Sent;
 
 constexpr std::string_view kKinds = "MTS";
 
-template <class T, class Value>
-py::object array_of(const Record& record, Value&& value) {
-  const auto& codes = record.trace().codes;
-  const Array<T> array(codes.size());
-  T* next = array.data;
-  work_away([&](InterruptCheck& interrupt) {
-    codes.for_each_run(0, codes.size(), [&](const Sent* rows, std::size_t count) {
-      if (interrupt.requested(count * sizeof(Sent))) return;
-      for (std::size_t i = 0; i < count; ++i) *next++ = static_cast<T>(value(rows[i]));
-    });
-  });
-  return array.object;
-}
-
 py::object code_column(const Record& record, const std::string& name) {
   const Record::Reading reading(record);
   const Code& code = record.code();
+  const auto& codes = record.trace().codes;
   if (name == "kind")
-    return array_of<std::int32_t>(record, [](const Sent& sent) { return kKinds.find(sent.kind); });
-  if (name == "value") return array_of<double>(record, [](const Sent& sent) { return sent.value; });
+    return array_of<std::int32_t>(codes, [](const Sent& sent) { return kKinds.find(sent.kind); });
+  if (name == "value") return array_of<double>(codes, [](const Sent& sent) { return sent.value; });
   if (name == "step")
-    return array_of<std::int64_t>(record, [](const Sent& sent) { return sent.step; });
+    return array_of<std::int64_t>(codes, [](const Sent& sent) { return sent.step; });
   if (name == "program")
-    return array_of<std::int32_t>(record,
+    return array_of<std::int32_t>(codes,
                                   [&](const Sent& sent) { return code.program_at(sent.address); });
   if (name == "n")
-    return array_of<std::int32_t>(record,
+    return array_of<std::int32_t>(codes,
                                   [&](const Sent& sent) { return code.blocks[sent.address].n; });
   if (name == "line")
-    return array_of<std::int32_t>(record,
+    return array_of<std::int32_t>(codes,
                                   [&](const Sent& sent) { return code.blocks[sent.address].line; });
   throw py::key_error(name);
 }

@@ -17,36 +17,23 @@ const Block* block_of(const Code& code, const Trace::Change& change) {
   return change.step < 0 ? nullptr : &code.blocks[change.address];
 }
 
-template <class T, class Value>
-py::object array_of(const Record& record, Value&& value) {
-  const auto& changes = record.trace().changes;
-  const Array<T> array(changes.size());
-  T* next = array.data;
-  work_away([&](InterruptCheck& interrupt) {
-    changes.for_each_run(0, changes.size(), [&](const Trace::Change* rows, std::size_t count) {
-      if (interrupt.requested(count * sizeof(Trace::Change))) return;
-      for (std::size_t i = 0; i < count; ++i) *next++ = static_cast<T>(value(rows[i]));
-    });
-  });
-  return array.object;
-}
-
 py::object change_column(const Record& record, const std::string& name) {
   const Record::Reading reading(record);
   const Code& code = record.code();
   using Change = Trace::Change;
+  const auto& changes = record.trace().changes;
   if (name == "step")
-    return array_of<std::int64_t>(record, [](const Change& change) { return change.step; });
+    return array_of<std::int64_t>(changes, [](const Change& change) { return change.step; });
   if (name == "variable")
-    return array_of<std::int32_t>(record, [](const Change& change) { return change.variable; });
+    return array_of<std::int32_t>(changes, [](const Change& change) { return change.variable; });
   if (name == "value")
-    return array_of<double>(record, [](const Change& change) { return change.value; });
+    return array_of<double>(changes, [](const Change& change) { return change.value; });
   if (name == "program")
-    return array_of<std::int32_t>(record, [&](const Change& change) {
+    return array_of<std::int32_t>(changes, [&](const Change& change) {
       return change.step < 0 ? -1 : code.program_at(change.address);
     });
   const auto of_block = [&](auto fact) {
-    return array_of<std::int32_t>(record, [&code, fact](const Change& change) {
+    return array_of<std::int32_t>(changes, [&code, fact](const Change& change) {
       const Block* block = block_of(code, change);
       return block == nullptr ? -1 : fact(*block);
     });

@@ -1,21 +1,22 @@
-// Sines and angles as LinuxCNC computes them: in numbers of 64 bits of mantissa and more. The
-// compilers of Microsoft and of Apple's processors have none, and what MinGW has leaves the turns
-// of an angle to the processor, which knows pi to few digits.
+// Sines and angles as LinuxCNC computes them on a PC: in numbers of 64 bits of mantissa. Microsoft's
+// compiler and Apple's processors have none, Linux on ARM has numbers of 113 bits, which come out
+// otherwise, and what MinGW has leaves the turns of an angle to the processor, which knows pi to few
+// digits.
 #pragma once
 
-#include <cfloat>
 #include <cmath>
+#include <limits>
 
 namespace cncsub::system {
 
 #ifdef _WIN32
 constexpr bool kHasExtended = false;
 #else
-constexpr bool kHasExtended = LDBL_MANT_DIG >= 64;
+constexpr bool kHasExtended = std::numeric_limits<long double>::digits == 64;
 #endif
 
-// What stands in where a long double is no more than a double: pairs of doubles, rounded where an
-// extended number would be. They are tested wherever they are not needed.
+// What stands in where a long double is none of these: pairs of doubles, rounded where an extended
+// number would be. They are tested wherever they are not needed.
 double sine_by_pairs(double degrees);
 double cosine_by_pairs(double degrees);
 double tangent_by_pairs(double degrees);
