@@ -85,7 +85,7 @@ bool compute(const ExpressionCell* at, const Evaluation& e, double& result) {
 
 }  // namespace
 
-bool evaluate_long(Run& run, Expression e, const Places& places, double& value) {
+bool evaluate_long(Run& run, Expression e, const Places& places, double& value, Address of) {
   if (e.width() > kLongText) look_soon(run);
   Trap trap;
   const Control& control = run.control();
@@ -94,6 +94,7 @@ bool evaluate_long(Run& run, Expression e, const Places& places, double& value) 
                               places.of[1],
                               control,
                               control.macros.angle_unit.value == AngleUnit::Degrees,
+                              of != kNowhere ? of : run.state.pc,
                               trap};
   if (compute(e.cells(), evaluation, value)) [[likely]]
     return true;
@@ -106,6 +107,7 @@ bool evaluate_long(Run& run, Expression e, const Places& places, double& value) 
                                                   : name + " cannot be read";
   }
   Fault fault{trap.cause, inside ? trap.at : first, 0, std::move(detail)};
+  fault.block = of;
   fault.name = trap.function;
   if (!trap.name.empty()) {
     fault.name = trap.name;

@@ -32,17 +32,19 @@ inline Places places(Run& run) {
   return {{state.locals.data() + run.local_at(state.level, 0), state.commons.data()}};
 }
 
-bool evaluate_long(Run& run, Expression expression, const Places& places, double& value);
+/// `of`: the block that the expression stands in, where it is not the one that is being executed.
+bool evaluate_long(Run& run, Expression expression, const Places& places, double& value,
+                   Address of = kNowhere);
 
 /// One value, or one operation on two, at once; what is longer or has no finite result goes the
 /// long way.
 CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& places,
-                                          double& value) {
+                                          double& value, Address of = kNowhere) {
   const ExpressionCell* const cells = e.cells();
   double a = 0, b = 0;
   switch (e.form()) {
     case Expression::Form::Long:
-      return evaluate_long(run, e, places, value);
+      return evaluate_long(run, e, places, value, of);
     case Expression::Form::Constant:
       value = cells[1].value();
       return true;
@@ -66,13 +68,13 @@ CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& 
   switch (e.op()) {
     case Ins::Add:
       value = a + b;
-      return std::isfinite(value) || evaluate_long(run, e, places, value);
+      return std::isfinite(value) || evaluate_long(run, e, places, value, of);
     case Ins::Subtract:
       value = a - b;
-      return std::isfinite(value) || evaluate_long(run, e, places, value);
+      return std::isfinite(value) || evaluate_long(run, e, places, value, of);
     case Ins::Multiply:
       value = a * b;
-      return std::isfinite(value) || evaluate_long(run, e, places, value);
+      return std::isfinite(value) || evaluate_long(run, e, places, value, of);
     case Ins::Equal:
       value = same() ? 1 : 0;
       return true;
@@ -94,8 +96,8 @@ CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& 
   }
 }
 
-inline bool evaluate(Run& run, std::uint32_t expression, double& value) {
-  return evaluate(run, run.code->expression(expression), places(run), value);
+inline bool evaluate(Run& run, std::uint32_t expression, double& value, Address of = kNowhere) {
+  return evaluate(run, run.code->expression(expression), places(run), value, of);
 }
 
 bool evaluate_operand(Run& run, const Operand& operand, double& value);
