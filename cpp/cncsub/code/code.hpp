@@ -80,9 +80,9 @@ struct Code {
   CodeLists code_lists;
   std::shared_ptr<const CodeMeanings> meanings;  // on the control's own kind of machine
   LargeVector<ExpressionCell> expressions;  // one behind the other; its number is where one begins
-  std::vector<CallRecord> calls;
+  LargeVector<CallRecord> calls;
   std::vector<JumpRecord> jumps;
-  std::vector<Argument> arguments;
+  LargeVector<Argument> arguments;
   LargeVector<Statement> statements;
   std::vector<HCode> h_codes;
   std::vector<Labelled> labelled;

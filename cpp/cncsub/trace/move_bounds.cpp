@@ -95,7 +95,7 @@ void Moves::Walk::widen_by_extras(std::size_t first, std::size_t last, Bounds& b
     const auto axis = static_cast<std::size_t>(extra.axis);
     // Before it has a column the axis stands, in the work coordinates of each row.
     for (std::size_t i = first; i < std::min(last, extra.first); ++i) {
-      const std::uint32_t state = moves_.chunks_[i / Chunk::kRows].state[i % Chunk::kRows];
+      const std::uint32_t state = moves_.chunks_[i / Chunk::kRows].state(i % Chunk::kRows);
       const Axes& offset = moves_.offsets_[moves_.states_[state].offset];
       const double still = moves_.start_[axis] - offset[axis];
       widen(box, axis, &still, 1);

@@ -99,11 +99,11 @@ void Moves::Part::each_row(Use&& use) const {
 template <class Out, class Value>
 void Moves::Part::by_state(Out* out, Value&& value) const {
   if (first_ == last_) return;
-  std::uint32_t known = of_.chunks_[first_ / Chunk::kRows].state[first_ % Chunk::kRows];
+  std::uint32_t known = of_.chunks_[first_ / Chunk::kRows].state(first_ % Chunk::kRows);
   Out held = static_cast<Out>(value(of_.states_[known]));
   each_row([&](const Chunk& chunk, std::size_t place, std::size_t i) {
-    if (chunk.state[place] != known) {
-      known = chunk.state[place];
+    if (chunk.state(place) != known) {
+      known = chunk.state(place);
       held = static_cast<Out>(value(of_.states_[known]));
     }
     out[i] = held;
@@ -135,8 +135,8 @@ void Moves::Part::machine_column(int axis, double* out) const {
   std::uint32_t known = std::numeric_limits<std::uint32_t>::max();
   double offset = 0;
   each_row([&](const Chunk& chunk, std::size_t at, std::size_t i) {
-    if (chunk.state[at] != known) {
-      known = chunk.state[at];
+    if (chunk.state(at) != known) {
+      known = chunk.state(at);
       offset = of_.offsets_[of_.states_[known].offset][place];
     }
     out[i] += offset;
@@ -157,7 +157,7 @@ void Moves::Part::centre_column(std::size_t axis, double* out) const {
 void Moves::Part::spindle_column(double* out) const {
   if ((of_.diameters_ & 1) == 0) return by_state(out, [](const MoveState& s) { return s.spindle; });
   each_row([&](const Chunk& chunk, std::size_t place, std::size_t i) {
-    out[i] = spindle_at(of_.states_[chunk.state[place]], chunk.x[place]);
+    out[i] = spindle_at(of_.states_[chunk.state(place)], chunk.x[place]);
   });
 }
 
@@ -200,7 +200,7 @@ bool Moves::Part::whole_column(std::string_view name, Whole* out) const {
     return true;
   };
   if (name == "step") return row([](const Chunk& c, std::size_t p) { return c.step[p]; });
-  if (name == "kind") return row([](const Chunk& c, std::size_t p) { return c.kind[p]; });
+  if (name == "kind") return row([](const Chunk& c, std::size_t p) { return c.kind(p); });
   if (name == "plane") return state([](const MoveState& s) { return s.plane; });
   if (name == "tool") return state([](const MoveState& s) { return s.tool; });
   if (name == "h") return state([](const MoveState& s) { return s.h; });

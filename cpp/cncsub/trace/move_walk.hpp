@@ -73,10 +73,10 @@ class Moves::Walk {
   MoveRow next(std::size_t index) {
     const std::size_t place = index % Chunk::kRows;
     if (place == 0 || chunk_ == nullptr) chunk_ = &moves_.chunks_[index / Chunk::kRows];
-    if (state_ == nullptr || chunk_->state[place] != state_index_) take_state(chunk_->state[place]);
+    if (state_ == nullptr || chunk_->state(place) != state_index_) take_state(chunk_->state(place));
     MoveRow row;
     row.step = chunk_->step[place];
-    row.kind = chunk_->kind[place];
+    row.kind = chunk_->kind(place);
     row.state = state_;
     row.point = still_;
     row.point[0] = chunk_->x[place];

@@ -41,7 +41,9 @@ std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::arra
     state.tip = static_cast<std::uint32_t>(tips_.size());
   }
   state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
-  if (states_.empty() || !(states_.back() == state)) states_.push(state);
+  // More states than a row can number fill more memory than there is: they go on as the last one.
+  const bool full = states_.size() >> (32 - Chunk::kKindBits) != 0;
+  if (states_.empty() || (!full && !(states_.back() == state))) states_.push(state);
   return static_cast<std::uint32_t>(states_.size() - 1);
 }
 

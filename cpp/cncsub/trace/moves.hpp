@@ -89,8 +89,7 @@ class Moves {
     const std::size_t place = rows_ % Chunk::kRows;
     Chunk& chunk = *room_.chunk;
     chunk.step[place] = step;
-    chunk.kind[place] = kind;
-    chunk.state[place] = state;
+    chunk.how[place] = state << Chunk::kKindBits | static_cast<std::uint32_t>(kind);
     chunk.x[place] = point[0];
     chunk.y[place] = point[1];
     chunk.z[place] = point[2];
@@ -115,8 +114,13 @@ class Moves {
     static constexpr std::size_t kRows = 1 << 12;
 #endif
     double x[kRows], y[kRows], z[kRows];
-    std::uint32_t step[kRows], state[kRows];
-    MoveKind kind[kRows];
+    std::uint32_t step[kRows], how[kRows];
+
+    static constexpr std::uint32_t kKindBits = 3;  // of `how`, whose others number the state
+    std::uint32_t state(std::size_t place) const { return how[place] >> kKindBits; }
+    MoveKind kind(std::size_t place) const {
+      return static_cast<MoveKind>(how[place] & ((1U << kKindBits) - 1));
+    }
   };
   struct Extra {
     int axis = 0;
