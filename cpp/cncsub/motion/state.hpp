@@ -38,6 +38,9 @@ struct Piece {
   Axes offset{};         // work to base
   Axes length{};         // base to machine
   MoveState state;
+  // Of a compensated move that waits by its own normal: its way in the plane as it is programmed, and
+  // from its end to where the tool ends.
+  std::array<double, 2> way{}, beside{};
 
   bool operator==(const Piece&) const = default;
 };
@@ -70,6 +73,9 @@ struct Held {
       vector{};  // from the programmed point to the tool, in the plane, radius values
   std::array<double, 2> entered{};  // the direction of the compensated move before
   int idle = 0;                     // blocks without a move in the plane, in a row
+  std::array<double, 2> begun{};    // by own normals: where the first of `radius` starts
+  bool begun_known = false;
+  bool ended = false;  // by own normals: G40 came, and no move yet that leads to the path
 
   bool operator==(const Held&) const = default;
 };

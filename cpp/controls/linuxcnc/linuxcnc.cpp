@@ -49,7 +49,6 @@ void motion(Control& c) {
   c.motion.length_type = {LengthType::Shift, kGCode, Manual};
   has(c.motion.data_forms, {DataForm::Active, DataForm::Here, DataForm::Tools}, kGCode, Manual);
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
-  c.motion.acute_corner = {AcuteCorner::AlwaysArc, kRun, SourceDocument};
   c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
   has(c.common.refuses, {CycleRotary}, kRun, SourceDocument);
   c.motion.machine_move = {MachineMove::Modal, kRun, SourceDocument};
@@ -99,9 +98,11 @@ constexpr std::pair<Cause, const char*> kTexts[] = {
     {CompensationEndArc,
      "The move just after exiting cutter compensation mode must be straight, not an arc"},
     {CompensationInterference,
-     "Straight feed in concave corner cannot be reached by the tool without gouging"},
+     "{name} in concave corner cannot be reached by the tool without gouging"},
     {CompensationNoIntersection,
-     "Arc to straight motion makes a corner the compensated tool can't fit in without gouging"},
+     "{name} makes a corner the compensated tool can't fit in without gouging"},
+    {CompensationEntry, "{name} is not greater than the tool radius"},
+    {CompensationTwice, "Cannot turn cutter radius comp on when on"},
     {CompensationArcTooSmall,
      "Tool radius not less than arc radius with cutter radius compensation"},
     {CycleRotary, "Cannot put {name} in canned cycle"},

@@ -1,6 +1,7 @@
 // Tool words: T of mills and lathes, length offsets, the radius in force.
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
@@ -146,6 +147,18 @@ Result move_by_length(MotionContext& m, BlockWords& block, const Axes& before) {
   return std::nullopt;
 }
 
+namespace {
+
+/// Where moves end beside their own ends G40 lets the last one go, and a side is begun once.
+Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
+  if (block.meaning(Group::Radius) != Meaning::RadiusOff)
+    return compensating(m.state) ? Result(fault(Cause::CompensationTwice, block)) : std::nullopt;
+  m.state.held.ended = m.state.held.engaged;
+  return flush_radius(m.sink);
+}
+
+}  // namespace
+
 Result set_radius(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;
   const bool measures = block.meaning(Group::OneShot) == Meaning::MeasureTool;  // D is its zone
@@ -160,6 +173,8 @@ Result set_radius(MotionContext& m, BlockWords& block) {
     m.state.d = to_whole<int>(number);
   }
   if (!block.has(Group::Radius)) return std::nullopt;
+  if (is_by_own_normal(m.facts))
+    if (auto wrong = change_by_own_normal(m, block)) return wrong;
   m.state.modal[at(Group::Radius)] = block.code(Group::Radius);
   if (given) return std::nullopt;
   if (compensating(m.state) && !block.words.has('D') &&

@@ -43,6 +43,12 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece);
 Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from);
 Result through_radius(MoveSink& sink, const Piece& written, const Axes& from);
 Result flush_radius(MoveSink& sink);
+/// The same where moves end beside their own ends, and what ends their waiting.
+Result by_own_normal(MoveSink& sink, const Piece& piece, const Axes& from);
+Result end_own_normal(MoveSink& sink);
+inline bool is_by_own_normal(const MotionFacts& facts) {
+  return facts.control->motion.start_up.value == StartUp::OwnNormal;
+}
 /// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
 /// the normal.
 Result count_idle(MotionContext& m, const BlockWords& block);
