@@ -60,6 +60,10 @@ std::optional<double> of_motion(const MotionView& motion, const VariablePlace& p
       return skip_position(motion, index);
     case VariableKind::ActiveLength:
       return active_length(motion, index);
+    case VariableKind::SkipTouched:
+      return motion.state.skip_touched ? 1 : 0;
+    case VariableKind::ToolLength:
+      return tool_length(motion, index);
     case VariableKind::ServoError:
       return 0;
     case VariableKind::Shift:

@@ -130,6 +130,12 @@ Result make_motion(MotionContext& m, BlockWords& block) {
       [[fallthrough]];
     case Meaning::VariableThread:
       return thread(m, block, meaning);
+    case Meaning::Skip:
+      return skip(m, block);
+    case Meaning::Spline:
+      return spline(m, block);
+    case Meaning::DriveLineThread:
+      return drive_line_thread(m, block);
     default:
       return straight(m, block, meaning);
   }
@@ -198,6 +204,9 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
       once == Meaning::Local)
     m.state.moved_before = true;
+  // The words of the block itself are still those of the mode before it. [rs274 2.9]
+  if (block.has(Group::Diameter))
+    m.state.diameter = block.meaning(Group::Diameter) == Meaning::DiameterOn;
   if (!all_in_range(m.state, frame)) return out_of_range(block.words.at);
   return count_idle(m, block);
 }

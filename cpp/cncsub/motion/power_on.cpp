@@ -97,7 +97,7 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
         where(PowerOn::G20, Meaning::Inch, Meaning::Metric), Meaning::RadiusOff, Meaning::LengthOff,
         Meaning::CycleOff, Meaning::ReturnInitial, Meaning::ScalingOff, Meaning::MacroOff,
         Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
-        Meaning::MirrorOff, where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
+        Meaning::MirrorOff, Meaning::CentreFromStart, Meaning::DiameterOff, where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
     set(meaning);
   state.plane = lathe ? Plane::ZX : Plane::XY;
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;

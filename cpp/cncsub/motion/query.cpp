@@ -72,7 +72,8 @@ double modal_word(MotionView m, char address) {
 double block_end(MotionView m, int axis) { return shown(m, axis, m.state.work); }
 
 double machine_position(MotionView m, int axis) {
-  return shown(m, axis, m.state.plain ? machine_point(m.state) : m.state.tool_at);
+  return shown(m, axis,
+               in_machine(m.state, m.state.plain ? machine_point(m.state) : m.state.tool_at));
 }
 
 /// The tool length where it shifts the work coordinates: they are those of the point of the tool.
@@ -89,11 +90,16 @@ double work_position(MotionView m, int axis) {
 double skip_position(MotionView m, int axis) { return shown(m, axis, m.state.skip); }
 
 double active_length(MotionView m, int axis) {
-  return shown(m, axis, m.state.length + m.state.tool_shift);
+  return shown(m, axis, in_machine(m.state, m.state.length + m.state.tool_shift));
+}
+
+double tool_length(MotionView m, int axis) {
+  return shown(m, axis, length_of_tool(m.state, m.state.tool));
 }
 
 double work_offset(MotionView m, int system, int axis) {
   if (system < 0 || system > 6) return 0;
+  if (axis == kTurn) return turn_of_system(m.state, system);
   return shown(m, axis, m.state.tables.work[static_cast<std::size_t>(system)]);
 }
 
@@ -108,6 +114,7 @@ double reference_point(MotionView m, int number, int axis) {
 
 double extra_offset(MotionView m, int p, int axis) {
   if (p < 1 || p > static_cast<int>(m.state.tables.extra.size())) return 0;
+  if (axis == kTurn) return turn_of_system(m.state, 6 + p);
   return shown(m, axis, m.state.tables.extra[static_cast<std::size_t>(p - 1)]);
 }
 

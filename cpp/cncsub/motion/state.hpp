@@ -173,6 +173,12 @@ struct ModalValues {
   Axes middle{};         // intermediate point of G28, base
   std::uint32_t middle_known = 0;
   Axes tool_at{};  // machine position behind the last recorded move; kept where not `plain`
+  // Radians about Z, counter-clockwise, by which work coordinates stand to the machine's. What is
+  // called base and machine here is turned back by it, so that it differs from work by an offset.
+  double frame_angle = 0;
+  bool diameter = false;       // X words count twice
+  std::array<double, 2> spline_way{};  // from the end of a spline along its direction there
+  bool skip_touched = false;   // the signal of the last skip came
   bool tool_pending = false;  // a tool offset waits for the next move
   int length_axis = 2;
   std::uint32_t named = 0;  // axes that moves named
@@ -219,6 +225,8 @@ struct OffsetTables {
   std::vector<double> length, length_wear, radius, radius_wear;  // by number
   std::map<int, ToolOffsets> tools;
   std::map<int, Axes> reference;  // points, by number: machine coordinates
+  std::map<int, double> turned;   // work systems about Z, degrees, by number: 7 is the first extra one
+  std::map<int, Axes> tool_axes;  // lengths of mills along other axes than Z, by number
 
   /// Those of H or D, which a variable reads or writes.
   const std::vector<double>* of(VariableKind kind) const;

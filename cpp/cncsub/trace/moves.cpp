@@ -41,6 +41,7 @@ std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::arra
     state.tip = static_cast<std::uint32_t>(tips_.size());
   }
   state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
+  turned_ = turned_ || state.turned != 0;
   if (states_.empty() || !(states_.back() == state)) states_.push(state);
   return static_cast<std::uint32_t>(states_.size() - 1);
 }

@@ -34,12 +34,19 @@ int offset_of_tool(const MotionState& state, const std::vector<double>& offsets)
 
 /// G43.1 and G43.2: the length is given by axis words, or added to the one in force.
 void give_length(MotionContext& m, BlockWords& block, bool add) {
-  for (int i = 0; i < kAxes; ++i)
-    if (const char name = kAxisNames[static_cast<std::size_t>(i)]; block.words.has(name)) {
-      double& length = m.state.length[static_cast<std::size_t>(i)];
-      length = number(m, block, name) + (add ? length : 0);
+  Axes length = in_machine(m.state, m.state.length);
+  for (std::size_t i = 0; i < length.size(); ++i)
+    if (const char name = kAxisNames[i]; block.words.has(name)) {
+      length[i] = number(m, block, name) + (add ? length[i] : 0);
       block.consumed = true;
     }
+  m.state.length = in_frame(m.state, length);
+}
+
+/// A length that shifts the work coordinates is one on all axes.
+void shift_by_length(MotionContext& m, bool add) {
+  const Axes length = in_frame(m.state, length_of_tool(m.state, m.state.h));
+  m.state.length = add ? m.state.length + length : length;
 }
 
 /// The number of the offset: that of H, or of the tool where the control takes it without H.
@@ -61,6 +68,9 @@ Result take_length(MotionContext& m, BlockWords& block) {
   if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
   const bool h = block.words.has('H');
   if (!h && !block.has(Group::Length)) return std::nullopt;
+  if (m.facts.control->motion.length_type.value == LengthType::Shift && compensating(m.state) &&
+      block.has(Group::Length))
+    return fault(Cause::CompensationShift, block);
   if (auto wrong = take_h(m, block)) return wrong;
   if (block.has(Group::Length)) m.state.modal[at(Group::Length)] = block.code(Group::Length);
   const Meaning meaning = m.state.modal[at(Group::Length)].meaning;
@@ -80,12 +90,12 @@ Result take_length(MotionContext& m, BlockWords& block) {
     give_length(m, block, form == 2);
     return std::nullopt;
   }
-  const double value =
-      m.state.h == 0 ? 0 : m.state.tables.length[number] + m.state.tables.length_wear[number];
-  if (form == 2) {
-    m.state.length[static_cast<std::size_t>(axis)] += value;
+  if (m.facts.control->motion.length_type.value == LengthType::Shift) {
+    shift_by_length(m, form == 2);
     return std::nullopt;
   }
+  const double value =
+      m.state.h == 0 ? 0 : m.state.tables.length[number] + m.state.tables.length_wear[number];
   m.state.length[static_cast<std::size_t>(axis)] = meaning == Meaning::LengthMinus ? -value : value;
   return std::nullopt;
 }
