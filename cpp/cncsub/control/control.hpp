@@ -196,6 +196,7 @@ struct VariableRange {
   // Of commons that are other names of commons: what the first one is. Of a kind whose numbers
   // begin before these: how many are missing.
   std::int32_t from = 0;
+  bool metric = false;  // lengths are millimetres, whatever the unit of the program
 };
 
 /// Variables that a shop buys. Common ones: `commons` are all that a control with the option has;

@@ -116,6 +116,7 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"spline", Group::Motion, Meaning::Spline},
     {"spline-by-one-point", Group::Motion, Meaning::Spline, 1},
     {"drive-line-thread", Group::Motion, Meaning::DriveLineThread},
+    {"bore-stop-after-dwell", Group::Cycle, Meaning::BoreManual},
     {"centre-absolute", Group::Centre, Meaning::CentreAbsolute},
     {"centre-from-start", Group::Centre, Meaning::CentreFromStart},
     {"diameter", Group::Diameter, Meaning::DiameterOn},

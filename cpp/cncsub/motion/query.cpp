@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {

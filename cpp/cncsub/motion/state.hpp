@@ -191,6 +191,7 @@ struct ModalValues {
   double speed = 0, surface_speed = 0, max_speed = 0;  // S of G97, of G96, limit
   bool surface = false;
   bool turns = false;        // the spindle
+  bool backward = false;     // counter-clockwise
   bool rigid_waits = false;  // M29 came, and its tapping cycle not yet
   bool rigid = false;        // the cycle in force came behind M29
   bool data_set = false;     // a G10 came
@@ -202,6 +203,7 @@ struct ModalValues {
   bool polar_known = false;
   bool moved_before = false;  // or set coordinates: the head of the program is over
   CycleData cycle;
+  int cycle_before = -1;  // ten times the code of the cycle that was in force when it began
   TurnData turn;
   MultipleData multiple;
   Turned turned;

@@ -113,6 +113,7 @@ void take_spindle(MotionState& state, Role role) {
     case Role::SpindleForward:
     case Role::SpindleBackward:
       state.turns = true;
+      state.backward = role == Role::SpindleBackward;
       break;
     case Role::SpindleStop:
       state.turns = false;

@@ -46,7 +46,7 @@ void motion(Control& c) {
   c.motion.g_meanings = {
       "33=thread-by-k 33.1=rigid-tap 38.2=probe 38.3=probe 38.4=probe 38.5=probe "
       "90.1=centre-absolute 91.1=centre-from-start 7=diameter 8=diameter-off 5=spline "
-      "5.1=spline-by-one-point 76=drive-line-thread 28=reference-all "
+      "5.1=spline-by-one-point 76=drive-line-thread 86=bore-stop-after-dwell 28=reference-all "
       "28.1=store-reference 30=second-reference-all 30.1=store-reference-2 "
       "41.1=radius-left-given 42.1=radius-right-given 43.1=length-given 43.2=length-added "
       "52=shift 59.1=extra-system-1 59.2=extra-system-2 59.3=extra-system-3 92.1=clear-shift "
@@ -55,16 +55,14 @@ void motion(Control& c) {
   c.motion.max_extra_systems = {3, kGCode, Manual};
   c.motion.length_type = {LengthType::Shift, kGCode, Manual};
   has(c.motion.data_forms,
-      {DataForm::Active, DataForm::Here, DataForm::Tools, DataForm::Turned, DataForm::Fixture},
-      kGCode, Manual);
+      {DataForm::Active, DataForm::Here, DataForm::Tools}, kGCode, Manual);
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
   c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
   has(c.common.refuses,
-      {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, SameProbePoint}, kRun,
+      {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle}, kRun,
       SourceDocument);
   c.motion.machine_move = {MachineMove::Modal, kRun, SourceDocument};
   c.motion.arc_rounding = {10, kRun, SourceDocument};
-  c.motion.arc_turns = {"P", kGCode, Manual};
   c.motion.helix = {Helix::AllAxes, kGCode, Manual};
   c.motion.modal_groups = {"centre=23 diameter=24", kRun, SourceDocument};
   c.motion.arc_tolerance_share = {1, kRun, SourceDocument};
@@ -93,6 +91,10 @@ void variables(Control& c) {
   add(5410, 5419, Kind::Kept, Access::ReadOnly);
   add(5420, 5428, Kind::WorkPosition, Access::ReadOnly);
   add(5429, 5601, Kind::Kept, Access::ReadWrite);
+  for (VariableRange& range : c.variables)
+    range.metric = range.kind == Kind::WorkOffset || range.kind == Kind::ToolLength ||
+                   range.kind == Kind::Shift || range.kind == Kind::ReferencePoint ||
+                   range.kind == Kind::ExtraWorkOffset;
   // No program can name these: they are what the named variables of the interpreter tell.
   add(14001, 14024, Kind::ActiveCode, Access::ReadOnly);
   add(14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, Access::ReadOnly, 'F');
@@ -127,9 +129,11 @@ constexpr std::pair<Cause, const char*> kTexts[] = {
     {BlockTooLong, "Command too long"},
     {CompensationPlane, "Cannot change planes with cutter radius compensation on"},
     {CompensationCycle, "Cannot use canned cycles with cutter compensation on"},
-    {MotionAxisMissing, "All axes missing with motion code"},
+    {MotionWordMissing, "All axes missing with motion code"},
     {ModesNotSaved, "Cannot restore context from invalid stack frame - missing M70/M73?"},
     {NoArcTravel, "Current point same as end point of arc"},
+    {CycleLevels, "R less than z in cycle in xy plane"},
+    {SpindleStands, "Spindle not turning in {name}"},
     {SameProbePoint, "Start point too close to probe point"},
     {CompensationSkip, "Cannot probe with cutter radius compensation on"},
     {G10L, "Line with G10 does not have L0, L1, L10, L11, L2, or L20"},

@@ -94,9 +94,11 @@ std::optional<WrongWord> against_code(const LineWords& line) {
     return WrongWord{axis, Cause::AddressNotUsable, "Cannot use axis values with g80"};
   }
   if (const bool none = !has_axes(line); none && (line.has_g({520}) || line.has_g({920})))
-    return WrongWord{'g', Cause::MotionAxisMissing, "All axes missing with g52 or g92"};
+    return WrongWord{'g', Cause::MotionWordMissing, "All axes missing with g52 or g92"};
+  if (line.has_g({40}) && !line.has('p'))
+    return WrongWord{'g', Cause::MotionWordMissing, "Dwell time missing with g4"};
   if (needs_axes(line) && !has_axes(line))
-    return WrongWord{'g', Cause::MotionAxisMissing, "All axes missing with motion code"};
+    return WrongWord{'g', Cause::MotionWordMissing, "All axes missing with motion code"};
   const auto motion = std::find_if(line.g.begin(), line.g.end(), is_motion);
   if (motion != line.g.end() && line.has_g({100, 280, 300, 520, 920}))
     return WrongWord{'g', Cause::OneShotWithMotion,

@@ -42,7 +42,7 @@ Result read(MotionContext& m, BlockWords& block, const Axes& end, DriveLine& t) 
   const double back = end[2] > t.start[2] ? -1 : 1;
   t.angle = w.has('Q') ? back * w['Q'] * kPi / 180 : 0;
   t.springs = w.has('H') ? std::clamp(whole(w['H']), 0, static_cast<int>(kMostMoves)) : 0;
-  t.degression = w.has('R') ? std::max(1.0, number(m, block, 'R')) : 1;
+  t.degression = w.has('R') ? std::max(1.0, w['R']) : 1;
   t.taper = w.has('E') ? back * std::max(0.0, number(m, block, 'E')) : 0;
   const int tapers = w.has('L') ? whole(w['L']) : 0;
   t.at_begin = t.taper != 0 && (tapers & 1) != 0;

@@ -84,7 +84,7 @@ Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, dou
                             : m.state.work_system == whole(p);
   if (in_force && active && compensating(m.state))
     return fault(Cause::CompensationShift, block);
-  if (block.words.has('R') && m.facts.control->motion.data_forms.value.has(DataForm::Turned))
+  if (block.words.has('R') && in_force)
     m.log.change(m.state.tables.turned[whole(p) + (extra ? 6 : 0)]) = block.words['R'];
   const bool named = std::any_of(kAxisNames.begin(), kAxisNames.end(),
                                  [&](char axis) { return block.words.has(axis); });

@@ -93,8 +93,6 @@ Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p
   if (p < 1 || p != std::floor(p) || p >= static_cast<double>(tables.length.size()))
     return fault(Cause::G10Offset, block);
   const bool fixture = l == 11;
-  if (fixture && !m.facts.control->motion.data_forms.value.has(DataForm::Fixture))
-    return fault(Cause::G10L, block);
   const int tool = whole(p);
   const auto place = static_cast<std::size_t>(tool);
   if (block.words.has('R')) m.log.change(tables.radius[place]) = number(m, block, 'R');

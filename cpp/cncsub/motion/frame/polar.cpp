@@ -108,14 +108,12 @@ void polar_target(MotionContext& m, const BlockWords& block, bool incremental, A
 
 Result check_polar_words(MotionView m, const BlockWords& block) {
   const NcWords& w = block.words;
-  const Plane plane =
-      block.has(Group::Plane) ? plane_of(block.meaning(Group::Plane)) : m.state.plane;
   const Meaning once = block.meaning(Group::OneShot);
   const bool moves = once == Meaning::None || once == Meaning::Dwell;
   const bool counts = m.state.incremental || !w.has_place(kRadius) || !w.has_place(kAngle);
   const bool at_zero = m.state.work[0] == 0 && m.state.work[1] == 0;
   const bool lacks_angle = counts && at_zero && (m.state.incremental || !w.has_place(kAngle));
-  if (w.has('X') || w.has('Y') || plane != Plane::XY || !moves || lacks_angle)
+  if (w.has('X') || w.has('Y') || m.state.plane != Plane::XY || !moves || lacks_angle)
     return fault(Cause::PolarWord, block);
   return std::nullopt;
 }

@@ -98,8 +98,11 @@ SignalMask signals_of_dwell(const Control& c, double q) {
 
 namespace {
 
-/// G38.3 and G38.5, by which a probe may meet nothing.
-bool lets_probe_fail(MotionView m) { return m.state.modal[at(Group::Motion)].which % 2 == 1; }
+/// G38.2 and G38.4, by which a probe is to meet something.
+bool must_probe(MotionView m) {
+  const GCode& motion = m.state.modal[at(Group::Motion)];
+  return motion.meaning == Meaning::Skip && motion.which % 2 == 0;
+}
 
 }  // namespace
 
@@ -111,7 +114,7 @@ Result skip(MotionContext& m, BlockWords& block) {
   std::uint32_t named = 0;
   Axes end = linear_target(m, block, named);
   if (named == 0) return std::nullopt;
-  if (m.facts.refuses(Cause::SameProbePoint) && end == m.state.work && !lets_probe_fail(m))
+  if (must_probe(m) && end == m.state.work)
     return fault(Cause::SameProbePoint, block);
   double feed = m.state.feed;
   if (auto wrong = skip_feed(m, block, feed)) return wrong;

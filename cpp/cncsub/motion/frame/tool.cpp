@@ -67,7 +67,8 @@ Result take_length(MotionContext& m, BlockWords& block) {
   if (m.facts.lathe()) return std::nullopt;
   if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
   const bool h = block.words.has('H');
-  if (!h && !block.has(Group::Length)) return std::nullopt;
+  const bool only_with_code = m.facts.control->motion.length_type.value == LengthType::Shift;
+  if ((!h || only_with_code) && !block.has(Group::Length)) return std::nullopt;
   if (m.facts.control->motion.length_type.value == LengthType::Shift && compensating(m.state) &&
       block.has(Group::Length))
     return fault(Cause::CompensationShift, block);

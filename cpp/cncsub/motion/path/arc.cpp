@@ -172,13 +172,12 @@ bool lacks_centre(MotionView m, const BlockWords& block) {
 
 /// How often an arc goes around beside the way to its end.
 Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
-  for (const char letter : m.facts.control->motion.arc_turns.value) {
-    if (!block.words.has(letter) || piece.turn == 0) continue;
-    const double turns = std::round(block.words[letter]);
-    if (std::fabs(turns - block.words[letter]) > 1e-3 || turns < 1 || turns > kMostMoves)
-      return fault_at(letter, Cause::ValueOutOfRange, block);
-    piece.turn += std::copysign(2 * kPi * (turns - 1), piece.turn);
-  }
+  if (m.facts.control->motion.helix.value != Helix::AllAxes || !block.words.has('P'))
+    return std::nullopt;
+  const double turns = std::round(block.words['P']);
+  if (std::fabs(turns - block.words['P']) > 1e-3 || turns < 1 || turns > kMostMoves)
+    return fault_at('P', Cause::ValueOutOfRange, block);
+  if (piece.turn != 0) piece.turn += std::copysign(2 * kPi * (turns - 1), piece.turn);
   return std::nullopt;
 }
 
