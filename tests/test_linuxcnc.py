@@ -34,7 +34,7 @@ def test_the_programs_go_over_the_ground() -> None:
     text = program(SEED, range(300), together=False)
     codes = (
         "G2 G3 G7 G8 G10 G18 G19 G20 G28 G28.1 G30 G30.1 G33 G33.1 G38.2 G38.5 G41 G42 G41.1 G42.1 G43 G43.1"
-        " G43.2 G49 G52 G53 G54 G59.3 G73 G74 G76 G81 G82 G83 G84 G85 G86 G88 G89 G90.1 G91.1 G92 G92.3 G98 G99"
+        " G43.2 G49 G52 G53 G54 G59.3 G73 G74 G76 G81 G82 G83 G84 G85 G86 G89 G90.1 G91.1 G92 G92.3 G98 G99"
         " M70 M72 M73 L20 L10 L11 R45 @ ^ repeat call"
     )
     words = text.replace("@", " @ ").replace("^", " ^ ").split()

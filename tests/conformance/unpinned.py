@@ -229,7 +229,7 @@ _TABLE = _joined(
         LINUXCNC,
         "common reading calls macros",
         "max_nesting main_return missing_end self_call caller_call reset_clears:locals"
-        " refuses:rotary-axis-in-cycle refuses:spindle-stands roles",
+        " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code roles",
         ANOTHER_LANGUAGE,
     ),
     _group(

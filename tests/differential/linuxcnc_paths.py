@@ -12,7 +12,7 @@ of them the run stopped; where both stopped in other words, that is counted.
 Left out is what rs274 does not do as a machine would: what stands behind a probing move before the
 next full position (it stops a hundredth of an inch short of its end), the path of splines (it tells
 how many points they have, and reads one beyond them), U, V and W, which it does not know, G43.2 by
-axis words, where it looks for tool -1, and tools that no table has, which a setup need not list.
+axis words, where it looks for tool -1, G88, where the operator draws back, and tools that no table has, which a setup need not list.
 """
 
 from __future__ import annotations
@@ -242,13 +242,13 @@ class Writer:
 
     def drill(self) -> None:
         r = self.random
-        code = r.choice((73, 81, 82, 83, 84, 74, 85, 86, 88, 89, 81))
+        code = r.choice((73, 81, 82, 83, 84, 74, 85, 86, 89, 81))
         unit = INCH if self.inch else 1
         words = [f"G{code}", f"R{2 / unit:.3f}", f"Z{-r.randint(1, 9) / unit:.3f}", self.axes("XY")]
         words += [f"Q{r.choice((0.7, 3)) / unit:.3f}"] if code in (73, 83) else []
-        words += ["P0.5"] if code in (82, 86, 88, 89) else []
+        words += ["P0.5"] if code in (82, 86, 89) else []
         incremental = self.chance(0.2)
-        if code in (84, 74, 86, 88):
+        if code in (84, 74, 86):
             self.put("M4" if code == 74 else "M3", "F50")
         self.put("G17 G90 G0", f"Z{r.choice((1, 2, 5, 20)) / unit:.3f}")
         if incremental:

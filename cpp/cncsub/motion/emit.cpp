@@ -31,7 +31,8 @@ double arc_in_plane(MotionView m, const Piece& piece, const Axes& machine) {
   };
   const auto from = polar(m.state.tool_at), to = polar(machine);
   double turn = piece.turn + std::remainder(to[1] - from[1] - piece.turn, 2 * kPi);
-  if (std::fabs(turn) > 2 * kPi + 1e-6) turn -= std::copysign(2 * kPi, turn);  // cut by half
+  const double most = 2 * kPi * std::max(1.0, std::ceil(std::fabs(piece.turn) / (2 * kPi) - 1e-9));
+  if (std::fabs(turn) > most + 1e-6) turn -= std::copysign(2 * kPi, turn);  // cut by half
   return spiral_length(from[0], to[0], turn);
 }
 

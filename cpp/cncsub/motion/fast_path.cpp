@@ -52,7 +52,7 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
                  !polar(state) && facts.limits.empty() && !checks_area(state) && !lacks_speed(m) &&
                  !state.tool_pending && !tool_waits(state) && !state.rigid_waits &&
                  facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
-                 !state.diameter && !centre_is_absolute(state);
+                 !state.diameter && !state.no_motion && !centre_is_absolute(state);
   state.plain = state.direct && feed != Meaning::InverseTime && !turned(state) && !state.surface;
 }
 

@@ -99,6 +99,7 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
         Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
         Meaning::MirrorOff, Meaning::CentreFromStart, Meaning::DiameterOff, where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
     set(meaning);
+  state.no_motion = facts.refuses(Cause::NoMotionCode);
   state.plane = lathe ? Plane::ZX : Plane::XY;
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (!reset) {

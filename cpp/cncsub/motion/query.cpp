@@ -41,6 +41,10 @@ static double shown(MotionView m, int axis, const Axes& values) {
 }
 
 double modal_code(MotionView m, int group) {
+  if (group == m.facts.group_numbers[at(Group::Motion)] && m.facts.refuses(Cause::NoMotionCode)) {
+    const GCode& cycle = m.state.modal[at(Group::Cycle)];
+    if (in_cycle(m.state) || m.state.no_motion) return cycle.code / 10.0;
+  }
   for (std::size_t g = 0; g < kGroups; ++g)
     if (m.facts.group_numbers[g] == group && group > 0 && m.state.modal[g].code >= 0)
       return m.state.modal[g].code / 10.0;

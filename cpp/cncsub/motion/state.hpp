@@ -203,6 +203,7 @@ struct ModalValues {
   bool polar_known = false;
   bool moved_before = false;  // or set coordinates: the head of the program is over
   CycleData cycle;
+  bool no_motion = false;  // behind G80, where no motion code is in force then
   int cycle_before = -1;  // ten times the code of the cycle that was in force when it began
   TurnData turn;
   MultipleData multiple;

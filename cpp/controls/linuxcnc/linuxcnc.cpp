@@ -59,9 +59,9 @@ void motion(Control& c) {
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
   c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
   has(c.common.refuses,
-      {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle}, kRun,
+      {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode}, kRun,
       SourceDocument);
-  c.motion.machine_move = {MachineMove::Modal, kRun, SourceDocument};
+  c.motion.machine_move = {MachineMove::ModalAbsolute, kRun, SourceDocument};
   c.motion.arc_rounding = {10, kRun, SourceDocument};
   c.motion.helix = {Helix::AllAxes, kGCode, Manual};
   c.motion.modal_groups = {"centre=23 diameter=24", kRun, SourceDocument};
@@ -132,6 +132,8 @@ constexpr std::pair<Cause, const char*> kTexts[] = {
     {MotionWordMissing, "All axes missing with motion code"},
     {ModesNotSaved, "Cannot restore context from invalid stack frame - missing M70/M73?"},
     {NoArcTravel, "Current point same as end point of arc"},
+    {NoMotionCode, "Cannot use axis values without a g code that uses them"},
+    {MachineMoveIncremental, "Cannot use g53 incremental"},
     {CycleLevels, "R less than z in cycle in xy plane"},
     {SpindleStands, "Spindle not turning in {name}"},
     {SameProbePoint, "Start point too close to probe point"},

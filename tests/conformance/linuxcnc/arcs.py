@@ -13,7 +13,7 @@ case("G90.1 gives the centre of an arc itself, G91.1 from its start", pins="g_me
          N40 M2
      """, moves="CW X2 Y0 C X1 Y0\nCW X4 Y0 C X3 Y0\nCW X6 Y0 C X5 Y0")
 case("both words of such a centre are written", **RUN,
-     program="N10 G90.1 G2 X2 Y0 I1 F100\nN20 M2", runs="", alarm="no-radius", word="G2")
+     program="N10 G90.1 G2 X2 Y0 I1 F100\nN20 M2", runs="", alarm="no-radius", word="I1")
 case("#<_ijk_absolute_mode> tells it", **RUN,
      program="N10 (print,#<_ijk_absolute_mode>)\nN20 G90.1\nN30 (print,#<_ijk_absolute_mode>)\nN40 M2",
      messages=["0.000000", "1.000000"])
@@ -24,7 +24,7 @@ case("not once is too few", pins="helix", **RUN,
 case("an arc takes a rotary axis along", pins="helix", **RUN,
      program="N10 G2 X2 I1 A90 F100\nN20 M2", final_work="X2 A90")
 case("an arc whose centre is its start has no radius", **RUN,
-     program="N10 G2 X0 I0.001 F100\nN20 M2", runs="", alarm="no-radius", word="G2")
+     program="N10 G2 X0 I0.001 F100\nN20 M2", runs="", alarm="no-radius", word="I0.001")
 case("R to where the tool stands is no arc", **RUN,
      program="N10 G2 X0 R5 F100\nN20 M2", runs="", alarm="no-arc-travel", word="R5")
 case("@ and ^ are the radius and the angle of a point", **RUN,
@@ -39,6 +39,6 @@ case("nor does another plane than G17", **RUN,
 case("a radius alone has no direction at the zero point", **RUN,
      program="N10 G0 @10\nN20 M2", runs="", alarm="polar-word", word="G0")
 case("G5 is a curve to its end by the directions at both ends", **BOOK,
-     program="N10 F60\nN20 G5 I0 J3 P0 Q3 X4 Y0\nN30 M2", final_work="X4 Y0", time=6.7)
+     program="N10 F60\nN20 G5 I0 J3 P0 Q3 X4 Y0\nN30 M2", final_work="X4 Y0", time=6.7436)
 case("behind it one without I and J goes on in its direction", **BOOK,
-     program="N10 F60\nN20 G5 I0 J3 P0 Q3 X4 Y0\nN30 P0 Q-3 X8 Y0\nN40 M2", final_work="X8 Y0", time=13.4)
+     program="N10 F60\nN20 G5 I0 J3 P0 Q3 X4 Y0\nN30 P0 Q-3 X8 Y0\nN40 M2", final_work="X8 Y0", time=13.4872)

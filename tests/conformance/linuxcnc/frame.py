@@ -31,7 +31,7 @@ case("R of G10 L2 turns a work system about its zero point", pins="data_forms:in
 case("it turns the tool's place in the work system in force at once", **RUN,
      program="N10 G0 X5\nN20 G10 L2 P1 R90\nN30 (print,#5420 #5421)\nN40 M2", messages=["0.000000 -5.000000"])
 case("a system of its own turn is one code away", **RUN,
-     program="N10 G10 L2 P2 R90\nN20 G55 G0 X5\nN30 G54 (print,#5420 #5421)\nN40 M2", messages=["0.000000 5.000000"])
+     program="N10 G10 L2 P2 R90\nN20 G55 G0 X5\nN30 G54\nN40 (print,#5420 #5421)\nN50 M2", messages=["0.000000 5.000000"])
 case("G91 counts along the turned axes", **RUN,
      program="N10 G10 L2 P1 R90\nN20 G91 G0 X5\nN30 Y2\nN40 M2", final_machine="X-2 Y5")
 case("an arc turns with its system", **RUN,

@@ -21,7 +21,7 @@ case("a subprogram saves for itself", **RUN,
          N40 M70
          N50 o1 call
          N60 M2
-     """, runs="N10 N40 N50", alarm="modes-not-saved", word="M72")
+     """, alarm="modes-not-saved", at="O1 N20", word="M72")
 case("M73 takes the modes back in at the return", pins="roles:M73=keep-modes", **RUN,
      program="""
          N10 o1 sub
@@ -74,11 +74,12 @@ case("G76 cuts beside its drive line, each pass deeper", pins="g_meanings", **RU
          R X-3
          T X-3 Z-10
          R X0 Z-10
+         R Z-10
      """)
-case("it wants the spindle to turn", pins="refuses:spindle-stands", **RUN,
-     program="N10 G76 Z-10 P1 I-2 J0.5 K1\nN20 M2", runs="", alarm="spindle-stands", word="G76")
-case("so does G33", pins="refuses:spindle-stands", **RUN,
-     program="N10 G33 Z-2 K0.5\nN20 M2", runs="", alarm="spindle-stands", word="G33")
+case("it wants the spindle to turn", pins="refuses:spindle-stopped", **RUN,
+     program="N10 G76 Z-10 P1 I-2 J0.5 K1\nN20 M2", runs="", alarm="spindle-stopped", word="G76")
+case("so does G33", pins="refuses:spindle-stopped", **RUN,
+     program="N10 G33 Z-2 K0.5\nN20 M2", runs="", alarm="spindle-stopped", word="G33")
 case("a tap to the right wants it to turn to the right", **RUN,
      program="N10 M4 S100 G0 Z5\nN20 G84 Z-1 R2 F100\nN30 M2", runs="N10", alarm="spindle-direction", word="G84")
 case("G86 dwells for the seconds of its P", pins="g_meanings", **RUN,
@@ -87,3 +88,26 @@ case("a spline needs its control point", **{**BOOK, "source": "LC g-code"},
      program="N10 F100\nN20 G5.1 X4 I2\nN30 M2", runs="N10", alarm="spline-word", word="G5.1")
 case("a spline is not compensated", **{**BOOK, "source": "LC g-code"}, setup={"radius_offsets": {1: 1}},
      program="N10 G41 D1 G1 X5 F100\nN20 G5.1 X9 I2 J2\nN30 M2", runs="N10", alarm="spline-in-offset", word="G5.1")
+case("behind G80 an axis wants a motion code", pins="refuses:no-motion-code", **RUN,
+     program="N10 G0 X1\nN20 G80\nN30 X2\nN40 M2", runs="N10 N20", alarm="no-motion-code", word="X2")
+case("and so does the first axis of a program", pins="refuses:no-motion-code", **RUN,
+     program="N10 X2\nN20 M2", runs="", alarm="no-motion-code", word="X2")
+case("#<_motion_mode> tells a canned cycle and its end", **RUN,
+     program="""
+         N10 G0 Z5
+         N20 (print,#<_motion_mode>)
+         N30 G81 Z1 R2 F100
+         N40 (print,#<_motion_mode>)
+         N50 G80
+         N60 (print,#<_motion_mode>)
+         N70 M2
+     """, messages=["0.000000", "810.000000", "800.000000"])
+case("G53 does not stand under G91", pins="machine_move", **RUN,
+     program="N10 G91 G0 X1\nN20 G53 X3\nN30 M2", runs="N10", alarm="machine-move-in-increments", word="G53")
+case("the first block of a cycle has R, a depth, and what its code wants", **RUN,
+     program="N10 G0 Z5\nN20 G82 Z-1 R1 F100\nN30 M2", runs="N10", alarm="motion-word-missing", word="G82")
+case("R lies above the bottom of the hole", **RUN,
+     program="N10 G0 Z5\nN20 G81 Z3 R1 F100\nN30 M2", runs="N10", alarm="r-below-bottom", word="R1")
+case("G85 feeds out to R, G89 to the level of G98", pins="tap_return", **RUN,
+     program="N10 G0 Z5 F6000\nN20 G85 Z-1 R2\nN30 G89 X1 Z-1 R2 P0.5\nN40 G80 M2",
+     moves="R Z5\nR Z2\nF Z-1\nF Z2\nR Z5\nR X1\nR Z2\nF Z-1\nW 0.5\nF Z5")

@@ -10,7 +10,7 @@ case("the start of G41 ends beside its own line", pins="start_up", **RUN, setup=
 case("around an outside corner of any angle the tool goes in an arc", pins="start_up", **RUN, setup=D1,
      program="N10 G42 D1 G1 X5 F100\nN20 Y5\nN30 G40 X0\nN40 M2", centre="X5 Y-1 | X6 Y0 | X6 Y5 | X0 Y5")
 case("the first compensated move is longer than the radius", **RUN, setup=D1,
-     program="N10 G41 D1 G1 X1 F100\nN20 M2", runs="", alarm="offset-start-too-short", word="X1")
+     program="N10 G41 D1 G1 X1 F100\nN20 M2", runs="", alarm="offset-start-too-short", word="G41")
 case("it may be an arc, whose radius changes", **RUN, setup=D1,
      program="N10 G42 D1 G3 X4 Y0 I2 F100\nN20 G1 Y5\nN30 M2", centre="X5 Y0 | X5 Y5")
 case("a side is begun once", **RUN, setup=D1,

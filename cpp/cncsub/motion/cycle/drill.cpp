@@ -207,6 +207,9 @@ Result drill_up(MotionContext& m, BlockWords& block, int axis, double r, double 
       [[fallthrough]];
     case Meaning::Bore:
     case Meaning::BoreDwell:
+      if (cycle.cycle == Meaning::BoreDwell &&
+          m.facts.control->motion.tap_return.value == TapReturn::Shuffled)
+        return move_axis(m, block, MoveKind::Feed, axis, level);
       if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, r)) return wrong;
       return to_r ? std::nullopt : move_axis(m, block, MoveKind::Rapid, axis, level);
     case Meaning::FineBore: {
@@ -317,6 +320,7 @@ Result drill_lathe(MotionContext& m, BlockWords& block) {
 Result enter_cycle(MotionContext& m, BlockWords& block) {
   const Meaning meaning = block.meaning(Group::Cycle);
   m.state.modal[at(Group::Cycle)] = block.code(Group::Cycle);
+  m.state.no_motion = meaning == Meaning::CycleOff && m.facts.refuses(Cause::NoMotionCode);
   if (meaning == Meaning::CycleOff) {
     end_cycles(m.facts, m.state);
     return std::nullopt;

@@ -36,9 +36,11 @@ Result turned_machine_move(MotionContext& m, BlockWords& block, MoveKind kind) {
 
 Result machine_move(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;
-  const bool modal = c.motion.machine_move.value == MachineMove::Modal;
+  const bool modal = c.motion.machine_move.value != MachineMove::Rapid;
   if (!m.facts.homed && m.facts.refuses(Cause::NotHomed)) return fault(Cause::NotHomed, block);
   if (m.state.incremental && !modal) return std::nullopt;
+  if (m.state.incremental && c.motion.machine_move.value == MachineMove::ModalAbsolute)
+    return fault(Cause::MachineMoveIncremental, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
   const MoveKind kind = modal && meaning != Meaning::Rapid ? MoveKind::Feed : MoveKind::Rapid;
   if (modal && m.state.frame_angle != 0) return turned_machine_move(m, block, kind);
