@@ -161,7 +161,9 @@ class Writer:
         plane, side = r.choice((17, 17, 18)), r.choice((41, 42))
         a, b, across, i, j, _ = PLANES[plane]
         unit = INCH if self.inch else 1
-        begin = r.choice((f"G{side} D{r.choice((1, 2, 3))}", f"G{side}.1 D{r.uniform(0.1, 9) / unit:.3f}"))
+        begin = r.choice(
+            (f"G{side} D{r.choice((1, 2, 3))}", f"G{side}.1 D{r.uniform(0.1, 9) / unit:.3f}")
+        )
         if self.chance(0.2):
             begin = f"G{side}"
         self.put(f"G90 G{plane} G40 G0 {a}{-40 / unit:.3f} {b}{-40 / unit:.3f}")
@@ -268,16 +270,25 @@ class Writer:
         elif kind < 0.5:
             self.put("G33.1", f"Z{-5 / unit:.3f}", f"K{1 / unit:.3f}")
         else:
-            words = [f"Z{r.choice((-9, 12)) / unit:.3f} P{1 / unit:.3f} I{r.choice((-2, 2)) / unit:.3f}"]
+            words = [
+                f"Z{r.choice((-9, 12)) / unit:.3f} P{1 / unit:.3f} I{r.choice((-2, 2)) / unit:.3f}"
+            ]
             words.append(f"J{0.4 / unit:.3f} K{1.2 / unit:.3f}")
-            words += [w for w in ("R2", "Q29", f"E{0.5 / unit:.3f} L{r.randint(0, 3)}", "H1") if self.chance(0.4)]
+            words += [
+                w
+                for w in ("R2", "Q29", f"E{0.5 / unit:.3f} L{r.randint(0, 3)}", "H1")
+                if self.chance(0.4)
+            ]
             self.put("G76", *words)
         self.put("G0", self.axes("XYZ", 2))
 
     def polar(self) -> None:
         self.put(f"G17 G90 G0 X{self.length() + 50} Y1")
         for _ in range(self.random.randint(1, 3)):
-            words = [f"@{abs(self.length()) + 1}" if self.chance(0.6) else "", f"^{self.length(90)}"]
+            words = [
+                f"@{abs(self.length()) + 1}" if self.chance(0.6) else "",
+                f"^{self.length(90)}",
+            ]
             self.put(self.random.choice(("G1", "G0", "G91 G1")), *words)
         self.put("G90", f"G{self.plane}")
 
@@ -515,7 +526,9 @@ def main() -> int:
     parser.add_argument("--command", default="rs274")
     asked = parser.parse_args()
     if asked.show is not None:
-        print(program(asked.seed, range(asked.show, asked.show + asked.together), asked.together > 1))
+        print(
+            program(asked.seed, range(asked.show, asked.show + asked.together), asked.together > 1)
+        )
         return 0
     begun = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:

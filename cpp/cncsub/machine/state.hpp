@@ -114,7 +114,7 @@ struct State {
     SavedModes modes;
   };
   std::vector<Saved> saved;  // modes, the innermost program's last
-  Address moved_at = 0;  // the block behind whose move a modal call comes, or that called last
+  Address moved_at = 0;      // the block behind whose move a modal call comes, or that called last
 
   // Variables.
   int level = 0;                          // the present level of locals

@@ -123,7 +123,8 @@ CNCSUB_ALWAYS_INLINE inline bool plan_arc(const MotionFacts& facts, const Motion
   const double i = arc.centre[a], j = arc.centre[b];
   const double ca = s.work[a] + i, cb = s.work[b] + j;
   const double first = std::hypot(i, j), last = std::hypot(arc.end[a] - ca, arc.end[b] - cb);
-  if (has_no_radius(rules, first, last) || is_off_circle(rules, first, last, s.unit != 1)) return false;
+  if (has_no_radius(rules, first, last) || is_off_circle(rules, first, last, s.unit != 1))
+    return false;
   const bool full = std::hypot(arc.end[a] - s.work[a], arc.end[b] - s.work[b]) < 1e-9;
   const double turn =
       full ? 2 * kPi

@@ -35,9 +35,9 @@ ReturnToModes units_to(const MotionFacts& /*facts*/, const MotionState& state,
 ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state,
                        const SavedModes& saved) {
   ReturnToModes block;
-  for (const Group group : {Group::Plane, Group::Radius, Group::Distance, Group::Feed, Group::Work,
-                            Group::Return, Group::Surface, Group::Centre, Group::Diameter,
-                            Group::Path}) {
+  for (const Group group :
+       {Group::Plane, Group::Radius, Group::Distance, Group::Feed, Group::Work, Group::Return,
+        Group::Surface, Group::Centre, Group::Diameter, Group::Path}) {
     const GCode code = saved.codes[at(group)];
     if (code.code >= 0 && code.code != state.modal[at(group)].code) block.codes.add_g(code.code);
   }

@@ -38,8 +38,8 @@ struct Piece {
   Axes offset{};         // work to base
   Axes length{};         // base to machine
   MoveState state;
-  // Of a compensated move that waits by its own normal: its way in the plane as it is programmed, and
-  // from its end to where the tool ends.
+  // Of a compensated move that waits by its own normal: its way in the plane as it is programmed,
+  // and from its end to where the tool ends.
   std::array<double, 2> way{}, beside{};
 
   bool operator==(const Piece&) const = default;
@@ -176,10 +176,10 @@ struct ModalValues {
   // Radians about Z, counter-clockwise, by which work coordinates stand to the machine's. What is
   // called base and machine here is turned back by it, so that it differs from work by an offset.
   double frame_angle = 0;
-  bool diameter = false;       // X words count twice
+  bool diameter = false;               // X words count twice
   std::array<double, 2> spline_way{};  // from the end of a spline along its direction there
-  bool skip_touched = false;   // the signal of the last skip came
-  bool tool_pending = false;  // a tool offset waits for the next move
+  bool skip_touched = false;           // the signal of the last skip came
+  bool tool_pending = false;           // a tool offset waits for the next move
   int length_axis = 2;
   std::uint32_t named = 0;  // axes that moves named
   Axes skip{};              // skip position: work coordinates, tool included
@@ -204,7 +204,7 @@ struct ModalValues {
   bool moved_before = false;  // or set coordinates: the head of the program is over
   CycleData cycle;
   bool no_motion = false;  // behind G80, where no motion code is in force then
-  int cycle_before = -1;  // ten times the code of the cycle that was in force when it began
+  int cycle_before = -1;   // ten times the code of the cycle that was in force when it began
   TurnData turn;
   MultipleData multiple;
   Turned turned;
@@ -228,7 +228,8 @@ struct OffsetTables {
   std::vector<double> length, length_wear, radius, radius_wear;  // by number
   std::map<int, ToolOffsets> tools;
   std::map<int, Axes> reference;  // points, by number: machine coordinates
-  std::map<int, double> turned;   // work systems about Z, degrees, by number: 7 is the first extra one
+  std::map<int, double>
+      turned;  // work systems about Z, degrees, by number: 7 is the first extra one
   std::map<int, Axes> tool_axes;  // lengths of mills along other axes than Z, by number
 
   /// Those of H or D, which a variable reads or writes.

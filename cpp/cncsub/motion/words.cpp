@@ -65,10 +65,10 @@ Result check_block(MotionView m, const BlockWords& block) {
 }
 
 Result set_modes(MotionContext& m, BlockWords& block) {
-  for (const Group group : {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units,
-                            Group::Return, Group::Macro, Group::Surface, Group::Path, Group::Turret,
-                            Group::Fluctuation, Group::PolarMilling, Group::Centre,
-                            Group::Diameter})
+  for (const Group group :
+       {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units, Group::Return,
+        Group::Macro, Group::Surface, Group::Path, Group::Turret, Group::Fluctuation,
+        Group::PolarMilling, Group::Centre, Group::Diameter})
     if (block.has(group)) m.state.modal[at(group)] = block.code(group);
   if (block.has(Group::Plane)) m.state.plane = plane_of(block.meaning(Group::Plane));
   const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;

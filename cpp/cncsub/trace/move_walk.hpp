@@ -85,8 +85,8 @@ class Moves::Walk {
     for (const Extra& extra : moves_.extras_)
       if (index >= extra.first) row.point[extra.axis] = extra.values[index - extra.first];
     for (int i = 0; i < kAxes; ++i) row.machine[i] = row.point[i] + offset_[i];
-    programmed_ = turned_by(state_->turned, MoveBegin::Point{row.machine[0], row.machine[1],
-                                                             row.machine[2]});
+    programmed_ =
+        turned_by(state_->turned, MoveBegin::Point{row.machine[0], row.machine[1], row.machine[2]});
     const Vector* const vector = vectors_.at(index);
     vector_ = vector != nullptr;
     if (vector_)

@@ -38,7 +38,8 @@ struct MoveState {
   bool surface = false;
   bool cycle = false;     // a canned cycle makes it
   std::uint32_t tip = 0;  // into the table of tips, 0 = none
-  double turned = 0;  // radians, counter-clockwise about Z: how work coordinates stand to the machine's
+  double turned =
+      0;  // radians, counter-clockwise about Z: how work coordinates stand to the machine's
   double degree = 1;  // mm that a degree counts in a path: F is degrees a minute where it is inches
 
   bool operator==(const MoveState&) const = default;

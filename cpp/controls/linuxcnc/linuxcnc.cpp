@@ -54,8 +54,7 @@ void motion(Control& c) {
       kGCode, Manual};
   c.motion.max_extra_systems = {3, kGCode, Manual};
   c.motion.length_type = {LengthType::Shift, kGCode, Manual};
-  has(c.motion.data_forms,
-      {DataForm::Active, DataForm::Here, DataForm::Tools}, kGCode, Manual);
+  has(c.motion.data_forms, {DataForm::Active, DataForm::Here, DataForm::Tools}, kGCode, Manual);
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
   c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
   has(c.common.refuses,

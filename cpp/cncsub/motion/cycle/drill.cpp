@@ -26,9 +26,9 @@ void take_cycle_words(MotionContext& m, const BlockWords& block) {
   if (w.has(depth))
     cycle.z = number(m, block, depth), cycle.z_incremental = incremental, cycle.has_z = true;
   if (w.has('Q')) cycle.q = cycle_length(m, block, 'Q'), cycle.has_q = true;
-  const bool seconds = c.motion.dwell_unit.value == DwellUnit::PSeconds ||
-                       (c.motion.dwell_point.value == DwellPoint::Seconds &&
-                        (w.whole & bit('P')) == 0);
+  const bool seconds =
+      c.motion.dwell_unit.value == DwellUnit::PSeconds ||
+      (c.motion.dwell_point.value == DwellPoint::Seconds && (w.whole & bit('P')) == 0);
   if (w.has('P')) cycle.p = w['P'] * (seconds ? 1 : 0.001);
   if (w.has('I') || w.has('J')) {
     cycle.shift_x = w.has('I') ? number(m, block, 'I') : 0;
@@ -44,7 +44,8 @@ void take_cycle_words(MotionContext& m, const BlockWords& block) {
 /// Words that the first block of a cycle has to have.
 Result check_first_words(MotionView m, const BlockWords& block) {
   const CycleData& cycle = m.state.cycle;
-  const bool first = block.has(Group::Cycle) && block.code(Group::Cycle).code != m.state.cycle_before;
+  const bool first =
+      block.has(Group::Cycle) && block.code(Group::Cycle).code != m.state.cycle_before;
   if (m.facts.control->motion.cycle_approach.value != CycleApproach::RFirst || !first)
     return std::nullopt;
   const bool dwells = cycle.cycle == Meaning::DrillDwell || cycle.cycle == Meaning::BoreManual ||

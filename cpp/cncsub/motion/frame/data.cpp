@@ -82,8 +82,7 @@ Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, dou
   if (auto wrong = system_of(m, block, extra, p)) return wrong;
   const bool active = extra ? m.state.work_system == 0 && m.state.extra_system == whole(p)
                             : m.state.work_system == whole(p);
-  if (in_force && active && compensating(m.state))
-    return fault(Cause::CompensationShift, block);
+  if (in_force && active && compensating(m.state)) return fault(Cause::CompensationShift, block);
   if (block.words.has('R') && in_force)
     m.log.change(m.state.tables.turned[whole(p) + (extra ? 6 : 0)]) = block.words['R'];
   const bool named = std::any_of(kAxisNames.begin(), kAxisNames.end(),

@@ -16,8 +16,8 @@ double turn_of_system(const MotionState& state, int system);
 constexpr int kTurn = 9;
 /// The length of a mill's tool on all axes, machine coordinates.
 Axes length_of_tool(const MotionState& state, int tool);
-/// G10 L2, L20, L1, L10 and L11 of controls whose work systems turn, and whose tools have lengths on
-/// all axes.
+/// G10 L2, L20, L1, L10 and L11 of controls whose work systems turn, and whose tools have lengths
+/// on all axes.
 Result set_system_here(MotionContext& m, const BlockWords& block, double p);
 Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p);
 /// Takes a changed zero point over: the machine stays, the work coordinates change.

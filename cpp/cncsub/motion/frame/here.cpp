@@ -45,7 +45,7 @@ void store(MotionContext& m, Axes& place, const Axes& values) {
 /// one. An axis without a word keeps its part.
 Axes length_by_words(MotionView m, const BlockWords& block, bool fixture, const Axes& before) {
   const MotionState& s = m.state;
-  const int system = fixture              ? 6 + static_cast<int>(s.tables.extra.size())
+  const int system = fixture             ? 6 + static_cast<int>(s.tables.extra.size())
                      : s.work_system > 0 ? s.work_system
                                          : 6 + s.extra_system;
   Axes there = in_system(s, system, in_machine(s, machine_point(s)));
@@ -98,8 +98,7 @@ Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p
   if (block.words.has('R')) m.log.change(tables.radius[place]) = number(m, block, 'R');
   if (!names_any(block, kAxisNames)) return std::nullopt;
   const Axes before = length_of_tool(m.state, tool);
-  const Axes length =
-      l == 1 ? named(m, block, before) : length_by_words(m, block, fixture, before);
+  const Axes length = l == 1 ? named(m, block, before) : length_by_words(m, block, fixture, before);
   if (block.words.has('Z')) m.log.change(tables.length[place]) = length[2];
   Axes others = length;
   others[2] = 0;

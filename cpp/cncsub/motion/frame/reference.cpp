@@ -79,8 +79,8 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
     return wrong;
   }
   m.state.middle_known |= named;
-  const Axes point = in_frame(
-      m.state, found == m.state.tables.reference.end() ? Axes{} : found->second);
+  const Axes point =
+      in_frame(m.state, found == m.state.tables.reference.end() ? Axes{} : found->second);
   Axes end = m.state.work;
   for (int i = 0; i < kAxes; ++i) {
     if ((named >> i & 1) == 0) continue;

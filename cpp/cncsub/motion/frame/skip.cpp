@@ -114,8 +114,7 @@ Result skip(MotionContext& m, BlockWords& block) {
   std::uint32_t named = 0;
   Axes end = linear_target(m, block, named);
   if (named == 0) return std::nullopt;
-  if (must_probe(m) && end == m.state.work)
-    return fault(Cause::SameProbePoint, block);
+  if (must_probe(m) && end == m.state.work) return fault(Cause::SameProbePoint, block);
   double feed = m.state.feed;
   if (auto wrong = skip_feed(m, block, feed)) return wrong;
   const bool touched =

@@ -1,5 +1,5 @@
-// Radius compensation whose moves end beside their own ends. A move waits only for the corner at its
-// end: an inside corner moves that end back, around an outside one the tool goes in an arc.
+// Radius compensation whose moves end beside their own ends. A move waits only for the corner at
+// its end: an inside corner moves that end back, around an outside one the tool goes in an arc.
 #include <algorithm>
 
 #include "cncsub/motion/emit.hpp"
@@ -11,7 +11,8 @@ namespace cncsub {
 namespace {
 
 constexpr double kCorner = 0.05;  // radians: what turns by less is no corner [rs274 2.9]
-constexpr double kSlack = 0.0254;  // radians an arc may get longer by, in mm; a thousandth in inches
+constexpr double kSlack =
+    0.0254;  // radians an arc may get longer by, in mm; a thousandth in inches
 constexpr double kMismatch = 0.01;  // program units by which the radii of an arc may differ
 
 Point unit_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -201,7 +202,8 @@ Result OwnNormal::end_before_line(const Piece& piece, Point v, double away) {
     return move_back(tool() + back, piece.at);
   }
   const Point centre = view.point(before.centre);
-  const double own = size(view.point(before.end) + Point{before.beside[0], before.beside[1]} - centre);
+  const double own =
+      size(view.point(before.end) + Point{before.beside[0], before.beside[1]} - centre);
   const double towards = direction(v) + quarter(before.turn > 0);
   const bool inside = goes_inside(before);
   const double contour = inside ? own + radius : own - radius;
@@ -255,7 +257,8 @@ Result OwnNormal::end_arc_before_arc(const Piece& piece) {
   const Piece& before = held().radius.front();
   const Point first = view.point(before.centre), second = view.point(piece.centre);
   const double radius = std::fabs(offset_of(piece));
-  const double old = size(view.point(before.end) + Point{before.beside[0], before.beside[1]} - first);
+  const double old =
+      size(view.point(before.end) + Point{before.beside[0], before.beside[1]} - first);
   const double own = size(second - view.point(piece.end));
   const double moved = goes_inside(piece) ? own - radius : own + radius;
   const double apart = size(second - first);

@@ -21,7 +21,8 @@ struct Cubic {
   }
   /// So many lines of equal parts leave it by no more than this.
   double lines(double tolerance) const {
-    const double bend = 6 * std::max(size(from - 2 * first + second), size(first - 2 * second + to));
+    const double bend =
+        6 * std::max(size(from - 2 * first + second), size(first - 2 * second + to));
     return std::max(1.0, std::ceil(std::sqrt(bend / (8 * tolerance))));
   }
 };
@@ -49,14 +50,13 @@ Result spline(MotionContext& m, BlockWords& block) {
   if (named == 0) return std::nullopt;
   if (auto wrong = check_spline(m, block, by_one_point)) return wrong;
   if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
-  const auto pair = [&](char a, char b) {
-    return Point{number(m, block, a), number(m, block, b)};
-  };
+  const auto pair = [&](char a, char b) { return Point{number(m, block, a), number(m, block, b)}; };
   const Point from{m.state.work[0], m.state.work[1]}, to{end[0], end[1]};
-  const Point way = block.words.has('I') ? pair('I', 'J')
-                                         : Point{m.state.spline_way[0], m.state.spline_way[1]};
+  const Point way =
+      block.words.has('I') ? pair('I', 'J') : Point{m.state.spline_way[0], m.state.spline_way[1]};
   Cubic curve{from, from + way, to, to};
-  if (by_one_point) {  // of the second order: its one control point is two thirds of the way to both
+  if (by_one_point) {  // of the second order: its one control point is two thirds of the way to
+                       // both
     curve.first = from + (2.0 / 3) * way;
     curve.second = to + (2.0 / 3) * (from + way - to);
   } else {
