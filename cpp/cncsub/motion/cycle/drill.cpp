@@ -316,6 +316,14 @@ Result drill_lathe(MotionContext& m, BlockWords& block) {
   return drill_lathe_up(m, block, axis, r);
 }
 
+/// What a cycle keeps goes with it, but for its dwell where the control has one for all cycles: a
+/// tap without P dwells as the cycle before it. [rs274 2.9]
+void forget_cycle(const MotionFacts& facts, MotionState& state) {
+  const double dwell = state.cycle.p;
+  state.cycle = {};
+  if (facts.control->motion.cycle_approach.value == CycleApproach::RFirst) state.cycle.p = dwell;
+}
+
 }  // namespace
 
 Result enter_cycle(MotionContext& m, BlockWords& block) {
@@ -329,7 +337,7 @@ Result enter_cycle(MotionContext& m, BlockWords& block) {
   const GCode& code = block.code(Group::Cycle);
   m.state.cycle_before = in_cycle(m.state) ? m.state.cycle.code.code : -1;
   if (!in_cycle(m.state)) {
-    m.state.cycle = {};
+    forget_cycle(m.facts, m.state);
     m.state.cycle.initial = m.state.work[static_cast<std::size_t>(drill_axis(m, code))];
   }
   m.state.cycle.cycle = meaning;
@@ -339,7 +347,7 @@ Result enter_cycle(MotionContext& m, BlockWords& block) {
 
 void end_cycles(const MotionFacts& facts, MotionState& state) {
   if (in_cycle(state)) state.modal[at(Group::Cycle)] = facts.codes.of(Meaning::CycleOff);
-  state.cycle = {};
+  forget_cycle(facts, state);
 }
 
 Result canned_cycle(MotionContext& m, BlockWords& block) {
