@@ -14,7 +14,8 @@ out is what rs274 does not do as a machine would: where a probing move leaves th
 hundredth of an inch short of its end), the path of splines (it tells how many points they have, and
 reads one beyond them), U, V and W, which it does not know, what a tool length is behind a change of
 units or of the tool, for which it asks a machine, G43.2 by axis words, where it looks for tool -1,
-G88, where the operator draws back, and tools that no table has, which a setup need not list.
+G88, where the operator draws back, a work system that is turned under a shift of G92, of which it
+loses sight where the tool is, a peck that ends at the bottom but for rounding, and tools that no table has, which a setup need not list.
 """
 
 from __future__ import annotations
@@ -201,6 +202,7 @@ class Writer:
     def frame(self) -> None:
         r = self.random
         turn = f"R{r.choice((0, 30, 45, 90, -20))}" if self.chance(0.4) else ""
+        self.put("G92.1" if turn else "")
         self.put(
             r.choice((
                 f"G{r.choice(('54', '55', '56', '59', '59.1', '59.3'))}",
@@ -254,7 +256,7 @@ class Writer:
         code = r.choice((73, 81, 82, 83, 84, 74, 85, 86, 89, 81))
         unit = INCH if self.inch else 1
         words = [f"G{code}", f"R{2 / unit:.3f}", f"Z{-r.randint(1, 9) / unit:.3f}", self.axes("XY")]
-        words += [f"Q{r.choice((0.7, 3)) / unit:.3f}"] if code in (73, 83) else []
+        words += [f"Q{r.choice((0.7, 3.3)) / unit:.3f}"] if code in (73, 83) else []
         words += ["P0.5"] if code in (82, 86, 89) else []
         incremental = self.chance(0.2)
         if code in (84, 74, 86):

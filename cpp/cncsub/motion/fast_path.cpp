@@ -368,6 +368,7 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
   MotionState& s = state_;
   if (!s.direct || !are_modes(s, *words.codes) || !has_plain_words(*facts_, words, s.plain))
     return false;
+  if (words.codes->has(Group::Cycle) && facts_->refuses(Cause::NoMotionCode)) return false;
   if (turned(s) && check_conflicts(view(), {.words = words, .step = step})) return false;
   const Modes modes(s, *words.codes);
   PlainBlock block;
