@@ -162,7 +162,6 @@ _TABLE = _joined(
     _all("max_pockets max_profile_blocks", (HAAS,), A_MILL),
     _all("peck_words peck_retract", (TDI,), "R is the retract of a peck, K no word of it"),
     _all("bore_return", (TDI,), "the control has no boring cycle"),
-    _all("arc_tolerance_inch", (TDI, TE), "the control knows no inches"),
     _all("helix", (TE,), "a lathe without a third axis makes no helix"),
     _all(
         "other_system data_forms:L52 data_forms:in-force data_forms:here data_forms:tools",
@@ -230,15 +229,15 @@ _TABLE = _joined(
         LINUXCNC,
         "common reading calls macros",
         "max_nesting main_return missing_end self_call caller_call reset_clears:locals"
-        " refuses:rotary-axis-in-cycle",
+        " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code roles",
         ANOTHER_LANGUAGE,
     ),
     _group(
         LINUXCNC,
         "motion",
-        "arc_tolerance arc_tolerance_inch arc_tolerance_share no_radius negative_radius"
+        "arc_rounding arc_tolerance_share no_radius negative_radius"
         " helix unit_change machine_move cycle_repeats zero_cycle_repeats peck_retract cycle_approach"
-        " tap_return start_up acute_corner missing_radius_offset length_type max_extra_systems g_meanings"
+        " tap_return start_up missing_radius_offset length_type max_extra_systems g_meanings"
         " data_forms:in-force data_forms:here data_forms:tools"
         " peck_clearance power_on_feed dwell_words dwell_point",
         FAMILY_MOTION,

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 TOLERANCE = 0.0002  # mm; rs274 prints four decimals
+INCH_TOLERANCE = 0.0015  # mm; the same where those are of inches
 
 _CALL = re.compile(r"\s*\d+ N(\S*)\s+([A-Z_0-9]+)\((.*)\)$")
 _NUMBER = re.compile(r"/?\s*N\s*(\d+)", re.IGNORECASE)
@@ -48,6 +49,7 @@ class Output:
     messages: list[str] = field(default_factory=list)
     blocks: list[int] = field(default_factory=list)
     errors: list[str] = field(default_factory=list)  # the message, and the block behind it
+    tolerance: float = TOLERANCE  # of what is printed, in mm
 
     @property
     def travel(self) -> list[Move]:
@@ -75,13 +77,14 @@ def read_output(stdout: str, stderr: str = "") -> Output:
             made.blocks.append(int(n))
         if name == "USE_LENGTH_UNITS":
             unit = 25.4 if "INCHES" in inner else 1.0
+            made.tolerance = max(made.tolerance, INCH_TOLERANCE if unit > 1 else 0)
         elif name == "SELECT_PLANE":
             axes = _PLANES[inner[-2:]]
         elif name == "MESSAGE":
             made.messages.append(inner[1:-1])
         elif name == "DWELL":
             made.moves.append(Move("dwell", seconds=float(inner)))
-        elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
+        elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE"):
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "feed"
             made.moves.append(Move(kind, _straight(_numbers(inner), unit)))
         elif name == "RIGID_TAP":  # there, and back the way it came
@@ -115,14 +118,14 @@ def _arc(values: Sequence[float], axes: str, unit: float) -> Move:
     return Move("ccw" if turns > 0 else "cw", end, dict(zip(axes, (one * unit, other * unit))))
 
 
-def with_length(moves: Sequence[Move]) -> list[Move]:
+def with_length(moves: Sequence[Move], blur: float = TOLERANCE / 2) -> list[Move]:
     """Without the straight moves that end where they start, and dwells of no time: rs274 makes a
-    move for a bare G0.
+    move for a bare G0. `blur`: how far off, in mm, two ends may be printed that are one.
     """
     kept: list[Move] = []
     at = dict.fromkeys("XYZABC", 0.0)
     for move in moves:
-        stays = all(abs(at[axis] - value) <= TOLERANCE / 2 for axis, value in move.end.items())
+        stays = all(abs(at[axis] - value) <= blur for axis, value in move.end.items())
         if move.kind in ("cw", "ccw") or move.seconds or not stays:
             kept.append(move)
             at |= move.end

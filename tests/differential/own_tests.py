@@ -25,7 +25,6 @@ from canonical import Move, Output, Rs274, with_length
 
 SECONDS = 20
 MAX_BLOCKS = 200_000
-SMALL = 0.0003  # mm; both sides are rounded
 INCH = 25.4  # rs274 by itself is a machine in inches: so is its tool table
 
 
@@ -74,9 +73,9 @@ def moves_of(run: cncsub.Run, tool: bool) -> list[Move]:
     )
 
 
-def alike(one: Move, other: Move) -> bool:
+def alike(one: Move, other: Move, tolerance: float) -> bool:
     def near(a: float, b: float) -> bool:
-        return abs(a - b) <= SMALL
+        return abs(a - b) <= tolerance
 
     return (
         one.kind == other.kind
@@ -96,7 +95,11 @@ def differences(theirs: Output, run: cncsub.Run) -> Iterator[str]:
         yield "the messages are others"
     moves = with_length(theirs.moves)
     ways = [moves_of(run, tool) for tool in (False, True)]
-    if not any(len(w) == len(moves) and all(map(alike, moves, w)) for w in ways):
+    small = theirs.tolerance
+    if not any(
+        len(way) == len(moves) and all(alike(a, b, small) for a, b in zip(moves, way, strict=True))
+        for way in ways
+    ):
         yield f"the moves are others: {len(moves)} and {len(ways[0])}"
 
 

@@ -59,7 +59,8 @@ union Cell {
 
 // Addresses in a block's mask: bit 0 is A, bit 25 Z; then the two-character addresses.
 constexpr int kCommaC = 26, kCommaR = 27, kCommaA = 28, kCommaD = 29;
-constexpr int kAddresses = 30;
+constexpr int kRadius = 30, kAngle = 31;  // @ and ^, a point by polar coordinates
+constexpr int kAddresses = 32;
 constexpr int kPointedH = 30;  // no address, a mark: H has a point that only an increment takes
 constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
 // The words of a plain move: where it ends, and the centre of an arc.
@@ -139,6 +140,7 @@ struct NcWords {
   Address at = 0;      // the block, for faults
 
   bool has(char address) const { return (mask & bit(address)) != 0; }
+  bool has_place(int place) const { return (mask >> place & 1) != 0; }
   bool has(Role role) const { return codes->has(role); }
   double operator[](char address) const { return value[static_cast<std::size_t>(address - 'A')]; }
 };

@@ -165,7 +165,9 @@ enum class VariableKind : std::uint8_t {
   MachinePosition,  // #5021...
   WorkPosition,     // #5041...
   SkipPosition,     // #5061...
+  SkipTouched,      // whether the signal of the last skip came
   ActiveLength,     // #5081...: length offset in force
+  ToolLength,       // that of the tool in the spindle, whether it is in force or not
   ServoError,       // #5101...
   WorkOffset,       // #5201...: 20 numbers a system, the first of them external
   AxisWorkOffset,   // #2500...: 100 numbers an axis, the first of them external
@@ -194,6 +196,7 @@ struct VariableRange {
   // Of commons that are other names of commons: what the first one is. Of a kind whose numbers
   // begin before these: how many are missing.
   std::int32_t from = 0;
+  bool metric = false;  // lengths are millimetres, whatever the unit of the program
 };
 
 /// Variables that a shop buys. Common ones: `commons` are all that a control with the option has;

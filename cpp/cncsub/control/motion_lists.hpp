@@ -37,6 +37,8 @@ enum class Group : std::uint8_t {
   Turret,
   Fluctuation,
   PolarMilling,
+  Centre,
+  Diameter,
   Count
 };
 constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
@@ -55,7 +57,8 @@ constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
   M(BoreDwell) M(ReturnInitial) M(ReturnR) M(ScalingOn) M(ScalingOff) M(MacroOn) \
   M(MacroOff) M(SurfaceSpeed) M(SpindleSpeed) M(Work1) M(Work2) M(Work3) M(Work4) M(Work5) \
   M(Work6) M(WorkExtra) M(PathExact) M(PathCorner) M(PathTap) M(PathCut) M(RotationOn) \
-  M(RotationOff) M(PolarOn) M(PolarOff) M(MirrorOn) M(MirrorOff)
+  M(RotationOff) M(PolarOn) M(PolarOff) M(MirrorOn) M(MirrorOff) \
+  M(CentreAbsolute) M(CentreFromStart) M(DiameterOn) M(DiameterOff) M(Spline) M(DriveLineThread)
 // clang-format on
 
 enum class Meaning : std::uint8_t {
@@ -109,6 +112,15 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"rotation-off", Group::Rotation, Meaning::RotationOff},
     {"dwell", Group::OneShot, Meaning::Dwell},
     {"skip", Group::OneShot, Meaning::Skip},
+    {"probe", Group::Motion, Meaning::Skip},
+    {"spline", Group::Motion, Meaning::Spline},
+    {"spline-by-one-point", Group::Motion, Meaning::Spline, 1},
+    {"drive-line-thread", Group::Motion, Meaning::DriveLineThread},
+    {"bore-stop-after-dwell", Group::Cycle, Meaning::BoreManual},
+    {"centre-absolute", Group::Centre, Meaning::CentreAbsolute},
+    {"centre-from-start", Group::Centre, Meaning::CentreFromStart},
+    {"diameter", Group::Diameter, Meaning::DiameterOn},
+    {"diameter-off", Group::Diameter, Meaning::DiameterOff},
     {"measuring", Group::OneShot, Meaning::MeasureTool},
     {"per-minute", Group::Feed, Meaning::PerMinute},
     {"per-revolution", Group::Feed, Meaning::PerRevolution},
@@ -190,6 +202,8 @@ inline constexpr GroupName kGroupNames[] = {
     {"turret", Group::Turret, 0, 4},
     {"fluctuation", Group::Fluctuation, 0, 8},
     {"polar-milling", Group::PolarMilling, 0, 21},
+    {"centre", Group::Centre, 0, 0},
+    {"diameter", Group::Diameter, 0, 0},
 };
 
 /// `plane=2`

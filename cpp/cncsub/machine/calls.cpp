@@ -11,6 +11,7 @@
 #include "cncsub/machine/limits.hpp"
 #include "cncsub/machine/modal.hpp"
 #include "cncsub/machine/returns.hpp"
+#include "cncsub/machine/saved.hpp"
 #include "cncsub/machine/variables.hpp"
 #include "cncsub/machine/words.hpp"
 #include "cncsub/system/compiler.hpp"
@@ -346,6 +347,7 @@ bool leave(Run& run, Address to, bool goes_on) {
     run.block.waiting_is_due = goes_on;
     if (!goes_on) s.waiting.pop_back();
   }
+  if (!s.saved.empty() && !come_back_to_modes(run)) return false;
   return proceed(run, to);
 }
 

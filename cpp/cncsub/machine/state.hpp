@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/motion/saved_modes.hpp"
 #include "cncsub/motion/signals.hpp"
 
 namespace cncsub {
@@ -109,7 +110,14 @@ struct State {
   std::vector<Address> loops;         // the WHILE and DO blocks that are open, of all frames
   std::vector<ModalCall> modals;      // in the order they were declared
   std::vector<WaitingBlock> waiting;  // one for each frame that `interrupts`
-  Address moved_at = 0;  // the block behind whose move a modal call comes, or that called last
+  struct Saved {
+    std::size_t depth = 0;    // how many frames were open
+    bool valid = false;       // nobody said to forget them
+    bool for_return = false;  // they come back when the program returns
+    SavedModes modes;
+  };
+  std::vector<Saved> saved;  // modes, the innermost program's last
+  Address moved_at = 0;      // the block behind whose move a modal call comes, or that called last
 
   // Variables.
   int level = 0;                          // the present level of locals

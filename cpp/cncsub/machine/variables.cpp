@@ -60,6 +60,10 @@ std::optional<double> of_motion(const MotionView& motion, const VariablePlace& p
       return skip_position(motion, index);
     case VariableKind::ActiveLength:
       return active_length(motion, index);
+    case VariableKind::SkipTouched:
+      return motion.state.skip_touched ? 1 : 0;
+    case VariableKind::ToolLength:
+      return tool_length(motion, index);
     case VariableKind::ServoError:
       return 0;
     case VariableKind::Shift:
@@ -83,6 +87,13 @@ std::optional<double> of_motion(const MotionView& motion, const VariablePlace& p
     default:
       return std::nullopt;
   }
+}
+
+/// What a length of the program counts in a variable that holds millimetres.
+double unit_of(const Run& run, const VariablePlace& place) {
+  const int axis = place.kind == VariableKind::Shift ? place.index - 1 : place.index % kSystems;
+  const bool length = axis >= 0 && axis < kAxes && !is_rotary(axis);
+  return place.range->metric && length && g20(run.motion.state()) ? kInch : 1;
 }
 
 /// What the control answers itself, and what was written to its variables.
@@ -114,7 +125,8 @@ double system_read(const Run& run, const VariablePlace& place, std::int64_t numb
     case VariableKind::ParameterValue:
       return chosen_parameter(run);
     default:
-      if (const auto value = of_motion(run.motion.view(), place)) return *value;
+      if (const auto value = of_motion(run.motion.view(), place))
+        return *value * unit_of(run, place);
       return in(s.system, 0);
   }
 }
@@ -126,6 +138,7 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
     return Fault{.cause = Cause::IllegalVariableValue,
                  .detail = "a vacant value for #" + std::to_string(number)};
   if (is_vacant(value)) value = 0;
+  value /= unit_of(run, place);
   switch (place.kind) {
     case VariableKind::Milliseconds:
       run.state.taken.clock_ms = value - run.motion.time() * 1000.0;

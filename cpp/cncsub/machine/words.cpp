@@ -12,6 +12,7 @@
 #include "cncsub/machine/output.hpp"
 #include "cncsub/machine/outside.hpp"
 #include "cncsub/machine/returns.hpp"
+#include "cncsub/machine/saved.hpp"
 #include "cncsub/machine/statements.hpp"
 #include "cncsub/machine/together.hpp"
 #include "cncsub/machine/variables.hpp"
@@ -19,6 +20,10 @@
 namespace cncsub {
 
 namespace {
+
+constexpr std::uint32_t role_bit(Role role) { return 1u << static_cast<unsigned>(role); }
+constexpr std::uint32_t kSavingRoles = role_bit(Role::SaveModes) | role_bit(Role::ForgetModes) |
+                                       role_bit(Role::RestoreModes) | role_bit(Role::KeepModes);
 
 // Moves that are kept for a block to be undone: it takes as long to keep them as to make one.
 constexpr std::int64_t kHeldPieces = 8;
@@ -237,6 +242,7 @@ bool carry_out(Run& run, const Block& block) {
   if (!decode(run, block, run.state.pc, words)) return false;
   if (run.heard != nullptr) hear(run, block, words);
   if (run.block.together != nullptr && !set_together(run)) return false;
+  if ((words.codes->roles & kSavingRoles) != 0 && !change_saved_modes(run, words)) return false;
   if (!move(run, block, words) || !send_codes(run, words, block)) return false;
   const Motion::Outcome& outcome = run.block.outcome;
   if ((block.flags & Block::kDrops) != 0 || (outcome.dropped | outcome.dropped_codes) != 0)

@@ -89,7 +89,15 @@ void take_motion_code(MotionContext& m, const BlockWords& block) {
   // The taper of a turning cycle ends with it. [TA 6 note 2]
   if (block.meaning(Group::Motion) != m.state.modal[at(Group::Motion)].meaning) m.state.turn = {};
   m.state.modal[at(Group::Motion)] = block.code(Group::Motion);
+  m.state.no_motion = false;
   end_cycles(m.facts, m.state);
+}
+
+/// Whether a block would move, while no motion code is in force.
+bool lacks_motion(MotionView m, const BlockWords& block) {
+  constexpr std::uint32_t kOwn =
+      kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
+  return m.state.no_motion && (block.words.mask & kOwn) != 0 && !block.consumed;
 }
 
 Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
@@ -110,6 +118,7 @@ Result make_motion(MotionContext& m, BlockWords& block) {
   if (block.has(Group::Cycle)) {
     if (auto wrong = enter_cycle(m, block)) return wrong;
   }
+  if (lacks_motion(m, block)) return fault(Cause::NoMotionCode, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
   block.cycle = block.cycle || in_cycle(m.state) || makes_cycle(meaning);
   if (in_cycle(m.state)) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
@@ -130,6 +139,12 @@ Result make_motion(MotionContext& m, BlockWords& block) {
       [[fallthrough]];
     case Meaning::VariableThread:
       return thread(m, block, meaning);
+    case Meaning::Skip:
+      return skip(m, block);
+    case Meaning::Spline:
+      return spline(m, block);
+    case Meaning::DriveLineThread:
+      return drive_line_thread(m, block);
     default:
       return straight(m, block, meaning);
   }
@@ -198,6 +213,9 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
       once == Meaning::Local)
     m.state.moved_before = true;
+  // The words of the block itself are still those of the mode before it. [rs274 2.9]
+  if (block.has(Group::Diameter))
+    m.state.diameter = block.meaning(Group::Diameter) == Meaning::DiameterOn;
   if (!all_in_range(m.state, frame)) return out_of_range(block.words.at);
   return count_idle(m, block);
 }

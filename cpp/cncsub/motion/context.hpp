@@ -69,6 +69,10 @@ Fault fault_of(int code, Cause cause, const BlockWords& block);
 inline bool polar(const MotionState& state) {
   return state.modal[at(Group::Polar)].meaning == Meaning::PolarOn;
 }
+/// I, J and K are coordinates of the centre.
+inline bool centre_is_absolute(const MotionState& state) {
+  return state.modal[at(Group::Centre)].meaning == Meaning::CentreAbsolute;
+}
 /// Rotation, scaling or mirror is on.
 inline bool turned(const MotionState& state) {
   return state.turned.rotation || state.turned.scaling || state.turned.mirror;

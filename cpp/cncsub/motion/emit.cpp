@@ -31,7 +31,8 @@ double arc_in_plane(MotionView m, const Piece& piece, const Axes& machine) {
   };
   const auto from = polar(m.state.tool_at), to = polar(machine);
   double turn = piece.turn + std::remainder(to[1] - from[1] - piece.turn, 2 * kPi);
-  if (std::fabs(turn) > 2 * kPi + 1e-6) turn -= std::copysign(2 * kPi, turn);  // cut by half
+  const double most = 2 * kPi * std::max(1.0, std::ceil(std::fabs(piece.turn) / (2 * kPi) - 1e-9));
+  if (std::fabs(turn) > most + 1e-6) turn -= std::copysign(2 * kPi, turn);  // cut by half
   return spiral_length(from[0], to[0], turn);
 }
 
@@ -45,7 +46,8 @@ struct Way {
 void mark_axes(MoveSink& sink, const Axes& machine, std::uint32_t named) {
   Moves& moves = *sink.table;
   const Axes& from = sink.state.tool_at;
-  if (moves.size() == 0) moves.begin(from, sink.facts.rapid, sink.facts.diameters);
+  if (moves.size() == 0)
+    moves.begin(in_machine(sink.state, from), sink.facts.rapid, sink.facts.diameters);
   for (int i = 3; i < kAxes; ++i)
     if (machine[i] != from[i]) named |= axis_bit(i);
   if (named >> 3 != 0)
@@ -81,6 +83,7 @@ MoveState move_state(const MotionState& state) {
   row.h = state.h;
   row.d = state.d;
   row.plane = state.plane;
+  row.turned = state.frame_angle;
   const Meaning mode = state.modal[at(Group::Feed)].meaning;
   row.feed_mode = mode == Meaning::PerRevolution ? FeedMode::PerRevolution
                   : mode == Meaning::InverseTime ? FeedMode::InverseTime
@@ -165,6 +168,14 @@ bool moves(const Axes& from, const Axes& to) {
   return false;
 }
 
+/// How long a move takes that is told in coordinates as turned as those of the work system.
+double seconds_in_machine(const MotionState& state, const MoveWay& way, const MotionFacts& facts) {
+  if (state.frame_angle == 0) return seconds_of(way, facts.rapid, facts.diameters);
+  const Axes from = in_machine(state, way.from), to = in_machine(state, way.to);
+  return seconds_of({way.kind, way.state, from, to, way.path, way.zero, way.dwell}, facts.rapid,
+                    facts.diameters);
+}
+
 /// What `move` does with a piece, without one.
 Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& end,
                      std::uint32_t named) {
@@ -175,9 +186,8 @@ Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const A
   row.cycle = block.cycle;
   const std::uint32_t diameters = m.facts.diameters;
   const double length = length_of(s.tool_at, machine, diameters);
-  const double seconds =
-      seconds_of({kind, row, s.tool_at, machine, length, s.offset[0] + s.length[0], 0},
-                 m.facts.rapid, diameters);
+  const double seconds = seconds_in_machine(
+      s, {kind, row, s.tool_at, machine, length, s.offset[0] + s.length[0], 0}, m.facts);
   if (!in_range(std::array{length, seconds, s.time + seconds})) return out_of_range(block.words.at);
   m.outcome.axis_word = block.submitted = true;
   m.outcome.moved = m.outcome.moved || moves(s.work, end);
@@ -218,10 +228,11 @@ Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 
   Axes machine = piece.end + piece.length;
   for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
   if (!in_range(machine) || !in_range(piece.centre)) return out_of_range(piece.at);
+  if (sink.state.frame_angle != 0 && (!sink.facts.limits.empty() || checks_area(sink.state)))
+    return Fault{Cause::CodeNotComputed, piece.at, 1, "limits of travel in a turned work system"};
   if (auto wrong = check_travel(sink, piece, machine)) return wrong;
   if (auto wrong = check_area(sink, piece, machine)) return wrong;
   const Axes& from = sink.state.tool_at;
-  const Axes& rapid = sink.facts.rapid;
   const std::uint32_t diameters = sink.facts.diameters;
   Way way;
   way.arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
@@ -229,9 +240,9 @@ Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 
   const double length =
       way.arc ? arc_length(way.in_plane, piece.plane, from, machine, diameters) : way.in_plane;
   const double zero = piece.offset[0] + piece.length[0];
-  way.seconds =
-      seconds_of({piece.kind, piece.state, from, machine, way.in_plane, zero, piece.seconds}, rapid,
-                 diameters);
+  way.seconds = seconds_in_machine(
+      sink.state, {piece.kind, piece.state, from, machine, way.in_plane, zero, piece.seconds},
+      sink.facts);
   if (!in_range(std::array{length, way.seconds, sink.state.time + way.seconds}))
     return out_of_range(piece.at);
   if (sink.captured != nullptr) sink.captured->push_back(piece);

@@ -6,6 +6,13 @@
 namespace cncsub {
 
 Axes machine_point(const MotionState& state);
+/// From coordinates that are turned as work coordinates are to the machine's own, and back.
+inline Axes in_machine(const MotionState& state, const Axes& point) {
+  return turned_by(state.frame_angle, point);
+}
+inline Axes in_frame(const MotionState& state, const Axes& machine) {
+  return turned_by(-state.frame_angle, machine);
+}
 MoveState move_state(const MotionState& state);
 
 /// A motion of this block to a point in work coordinates, without radius compensation.

@@ -51,7 +51,8 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
                  state.held.corner.empty() && state.held.radius.empty() && !state.held.engaged &&
                  !polar(state) && facts.limits.empty() && !checks_area(state) && !lacks_speed(m) &&
                  !state.tool_pending && !tool_waits(state) && !state.rigid_waits &&
-                 facts.control->motion.max_feed.value == 0;
+                 facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
+                 !state.diameter && !state.no_motion && !centre_is_absolute(state);
   state.plain = state.direct && feed != Meaning::InverseTime && !turned(state) && !state.surface;
 }
 
@@ -122,7 +123,8 @@ CNCSUB_ALWAYS_INLINE inline bool plan_arc(const MotionFacts& facts, const Motion
   const double i = arc.centre[a], j = arc.centre[b];
   const double ca = s.work[a] + i, cb = s.work[b] + j;
   const double first = std::hypot(i, j), last = std::hypot(arc.end[a] - ca, arc.end[b] - cb);
-  if (first == 0 || is_off_circle(rules, first, last, s.unit != 1)) return false;
+  if (has_no_radius(rules, first, last) || is_off_circle(rules, first, last, s.unit != 1))
+    return false;
   const bool full = std::hypot(arc.end[a] - s.work[a], arc.end[b] - s.work[b]) < 1e-9;
   const double turn =
       full ? 2 * kPi
@@ -366,6 +368,7 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
   MotionState& s = state_;
   if (!s.direct || !are_modes(s, *words.codes) || !has_plain_words(*facts_, words, s.plain))
     return false;
+  if (words.codes->has(Group::Cycle) && facts_->refuses(Cause::NoMotionCode)) return false;
   if (turned(s) && check_conflicts(view(), {.words = words, .step = step})) return false;
   const Modes modes(s, *words.codes);
   PlainBlock block;

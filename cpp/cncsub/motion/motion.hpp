@@ -56,6 +56,8 @@ class Motion {
   /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the
   /// run. When it returns a fault nothing has changed.
   std::optional<Fault> finish(Moves* moves);
+  /// The spindle turns, or stands.
+  void set_turning(bool turns) { state_.turns = turns; }
   /// What M02, M30 and the reset key do.
   void reset();
 

@@ -89,16 +89,28 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
     return c.common.power_on.value.has(code) ? meaning : other;
   };
   const Meaning turning = where(PowerOn::G95, Meaning::PerRevolution, Meaning::PerMinute);
-  for (const Meaning meaning :
-       {where(PowerOn::G01, Meaning::Line, Meaning::Rapid),
-        lathe ? Meaning::PlaneZX : Meaning::PlaneXY,
-        where(PowerOn::G91, Meaning::Incremental, Meaning::Absolute),
-        lathe ? turning : Meaning::PerMinute, Meaning::SpindleSpeed,
-        where(PowerOn::G20, Meaning::Inch, Meaning::Metric), Meaning::RadiusOff, Meaning::LengthOff,
-        Meaning::CycleOff, Meaning::ReturnInitial, Meaning::ScalingOff, Meaning::MacroOff,
-        Meaning::Work1, Meaning::PathCut, Meaning::RotationOff, Meaning::PolarOff,
-        Meaning::MirrorOff, where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
+  for (const Meaning meaning : {where(PowerOn::G01, Meaning::Line, Meaning::Rapid),
+                                lathe ? Meaning::PlaneZX : Meaning::PlaneXY,
+                                where(PowerOn::G91, Meaning::Incremental, Meaning::Absolute),
+                                lathe ? turning : Meaning::PerMinute,
+                                Meaning::SpindleSpeed,
+                                where(PowerOn::G20, Meaning::Inch, Meaning::Metric),
+                                Meaning::RadiusOff,
+                                Meaning::LengthOff,
+                                Meaning::CycleOff,
+                                Meaning::ReturnInitial,
+                                Meaning::ScalingOff,
+                                Meaning::MacroOff,
+                                Meaning::Work1,
+                                Meaning::PathCut,
+                                Meaning::RotationOff,
+                                Meaning::PolarOff,
+                                Meaning::MirrorOff,
+                                Meaning::CentreFromStart,
+                                Meaning::DiameterOff,
+                                where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
     set(meaning);
+  state.no_motion = facts.refuses(Cause::NoMotionCode);
   state.plane = lathe ? Plane::ZX : Plane::XY;
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (!reset) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
@@ -40,6 +41,10 @@ static double shown(MotionView m, int axis, const Axes& values) {
 }
 
 double modal_code(MotionView m, int group) {
+  if (group == m.facts.group_numbers[at(Group::Motion)] && m.facts.refuses(Cause::NoMotionCode)) {
+    const GCode& cycle = m.state.modal[at(Group::Cycle)];
+    if (in_cycle(m.state) || m.state.no_motion) return cycle.code / 10.0;
+  }
   for (std::size_t g = 0; g < kGroups; ++g)
     if (m.facts.group_numbers[g] == group && group > 0 && m.state.modal[g].code >= 0)
       return m.state.modal[g].code / 10.0;
@@ -72,7 +77,8 @@ double modal_word(MotionView m, char address) {
 double block_end(MotionView m, int axis) { return shown(m, axis, m.state.work); }
 
 double machine_position(MotionView m, int axis) {
-  return shown(m, axis, m.state.plain ? machine_point(m.state) : m.state.tool_at);
+  return shown(m, axis,
+               in_machine(m.state, m.state.plain ? machine_point(m.state) : m.state.tool_at));
 }
 
 /// The tool length where it shifts the work coordinates: they are those of the point of the tool.
@@ -89,11 +95,16 @@ double work_position(MotionView m, int axis) {
 double skip_position(MotionView m, int axis) { return shown(m, axis, m.state.skip); }
 
 double active_length(MotionView m, int axis) {
-  return shown(m, axis, m.state.length + m.state.tool_shift);
+  return shown(m, axis, in_machine(m.state, m.state.length + m.state.tool_shift));
+}
+
+double tool_length(MotionView m, int axis) {
+  return shown(m, axis, length_of_tool(m.state, m.state.tool));
 }
 
 double work_offset(MotionView m, int system, int axis) {
   if (system < 0 || system > 6) return 0;
+  if (axis == kTurn) return turn_of_system(m.state, system);
   return shown(m, axis, m.state.tables.work[static_cast<std::size_t>(system)]);
 }
 
@@ -108,6 +119,7 @@ double reference_point(MotionView m, int number, int axis) {
 
 double extra_offset(MotionView m, int p, int axis) {
   if (p < 1 || p > static_cast<int>(m.state.tables.extra.size())) return 0;
+  if (axis == kTurn) return turn_of_system(m.state, 6 + p);
   return shown(m, axis, m.state.tables.extra[static_cast<std::size_t>(p - 1)]);
 }
 

@@ -26,6 +26,8 @@ double block_end(MotionView m, int axis);
 double machine_position(MotionView m, int axis);
 double work_position(MotionView m, int axis);
 double skip_position(MotionView m, int axis);
+/// The length of the tool in the spindle.
+double tool_length(MotionView m, int axis);
 double active_length(MotionView m, int axis);
 double work_offset(MotionView m, int system, int axis);
 /// What the shift of G92 becomes when it is taken back in; of axis -1 whether it counts, 1 or 0.

@@ -38,6 +38,9 @@ struct Piece {
   Axes offset{};         // work to base
   Axes length{};         // base to machine
   MoveState state;
+  // Of a compensated move that waits by its own normal: its way in the plane as it is programmed,
+  // and from its end to where the tool ends.
+  std::array<double, 2> way{}, beside{};
 
   bool operator==(const Piece&) const = default;
 };
@@ -70,6 +73,9 @@ struct Held {
       vector{};  // from the programmed point to the tool, in the plane, radius values
   std::array<double, 2> entered{};  // the direction of the compensated move before
   int idle = 0;                     // blocks without a move in the plane, in a row
+  std::array<double, 2> begun{};    // by own normals: where the first of `radius` starts
+  bool begun_known = false;
+  bool ended = false;  // by own normals: G40 came, and no move yet that leads to the path
 
   bool operator==(const Held&) const = default;
 };
@@ -167,7 +173,13 @@ struct ModalValues {
   Axes middle{};         // intermediate point of G28, base
   std::uint32_t middle_known = 0;
   Axes tool_at{};  // machine position behind the last recorded move; kept where not `plain`
-  bool tool_pending = false;  // a tool offset waits for the next move
+  // Radians about Z, counter-clockwise, by which work coordinates stand to the machine's. What is
+  // called base and machine here is turned back by it, so that it differs from work by an offset.
+  double frame_angle = 0;
+  bool diameter = false;               // X words count twice
+  std::array<double, 2> spline_way{};  // from the end of a spline along its direction there
+  bool skip_touched = false;           // the signal of the last skip came
+  bool tool_pending = false;           // a tool offset waits for the next move
   int length_axis = 2;
   std::uint32_t named = 0;  // axes that moves named
   Axes skip{};              // skip position: work coordinates, tool included
@@ -179,6 +191,7 @@ struct ModalValues {
   double speed = 0, surface_speed = 0, max_speed = 0;  // S of G97, of G96, limit
   bool surface = false;
   bool turns = false;        // the spindle
+  bool backward = false;     // counter-clockwise
   bool rigid_waits = false;  // M29 came, and its tapping cycle not yet
   bool rigid = false;        // the cycle in force came behind M29
   bool data_set = false;     // a G10 came
@@ -190,6 +203,8 @@ struct ModalValues {
   bool polar_known = false;
   bool moved_before = false;  // or set coordinates: the head of the program is over
   CycleData cycle;
+  bool no_motion = false;  // behind G80, where no motion code is in force then
+  int cycle_before = -1;   // ten times the code of the cycle that was in force when it began
   TurnData turn;
   MultipleData multiple;
   Turned turned;
@@ -213,6 +228,9 @@ struct OffsetTables {
   std::vector<double> length, length_wear, radius, radius_wear;  // by number
   std::map<int, ToolOffsets> tools;
   std::map<int, Axes> reference;  // points, by number: machine coordinates
+  std::map<int, double>
+      turned;  // work systems about Z, degrees, by number: 7 is the first extra one
+  std::map<int, Axes> tool_axes;  // lengths of mills along other axes than Z, by number
 
   /// Those of H or D, which a variable reads or writes.
   const std::vector<double>* of(VariableKind kind) const;

@@ -54,6 +54,8 @@ Result check_block(MotionView m, const BlockWords& block) {
     if (m.state.moved_before || shares || (block.words.mask & ~bit('N')) != 0)
       return fault(Cause::UnitChangeLate, block);
   }
+  if ((block.words.mask & kPolarWords) != 0)
+    if (auto wrong = check_polar_words(m, block)) return wrong;
   if (!m.state.held.corner.empty() && block.has(Group::Plane))
     return fault(Cause::CornerPlane, block);
   if (compensating(m.state) && block.has(Group::Plane) &&
@@ -63,9 +65,10 @@ Result check_block(MotionView m, const BlockWords& block) {
 }
 
 Result set_modes(MotionContext& m, BlockWords& block) {
-  for (const Group group : {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units,
-                            Group::Return, Group::Macro, Group::Surface, Group::Path, Group::Turret,
-                            Group::Fluctuation, Group::PolarMilling})
+  for (const Group group :
+       {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units, Group::Return,
+        Group::Macro, Group::Surface, Group::Path, Group::Turret, Group::Fluctuation,
+        Group::PolarMilling, Group::Centre, Group::Diameter})
     if (block.has(group)) m.state.modal[at(group)] = block.code(group);
   if (block.has(Group::Plane)) m.state.plane = plane_of(block.meaning(Group::Plane));
   const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
@@ -110,6 +113,7 @@ void take_spindle(MotionState& state, Role role) {
     case Role::SpindleForward:
     case Role::SpindleBackward:
       state.turns = true;
+      state.backward = role == Role::SpindleBackward;
       break;
     case Role::SpindleStop:
       state.turns = false;
@@ -177,6 +181,7 @@ double rounded(MotionView m, char address, double value) {
 
 double number(MotionView m, const NcWords& words, char address) {
   const double value = in_units(m, words, address);
+  if (address == 'X' && m.state.diameter) return value / 2 * m.state.unit;
   // Pulses count on every axis, inches on the straight ones alone. [source 003, G20 G21 G22]
   return turns(address) && !pulses(m.state) ? value : value * m.state.unit;
 }

@@ -120,12 +120,13 @@ void Moves::Walk::widen_by_arcs(std::size_t first, std::size_t last, Bounds& box
   for (std::size_t i = first == 0 ? 0 : first - 1; i < last; ++i) {
     const MoveRow row = next<false>(i);
     if (i >= first && (row.kind == MoveKind::Cw || row.kind == MoveKind::Ccw)) {
-      Axes from = base;
+      Axes from = turned_by(-row.state->turned, base);
       for (std::size_t axis = 0; axis < from.size(); ++axis) from[axis] -= offset(row)[axis];
       widen_by_arc(row, from, moves_.diameters_, box);
     }
     for (std::size_t axis = 0; axis < base.size(); ++axis)
       base[axis] = row.point[axis] + offset(row)[axis];
+    base = turned_by(row.state->turned, base);
   }
 }
 

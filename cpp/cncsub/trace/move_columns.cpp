@@ -20,11 +20,16 @@ struct Derived {
   double MoveRow::* value = nullptr;
   MoveBegin::Point MoveBegin::* point = nullptr;  // or a coordinate of this one
   std::size_t axis = 0;
+  bool machine = false;  // or one of the tool, which work coordinates may be turned to
+  bool centre = false;   // it is that of an arc
   double* out = nullptr;
 
-  bool known() const { return value != nullptr || point != nullptr; }
+  bool known() const { return value != nullptr || point != nullptr || machine; }
   double of(const MoveRow& row, const MoveBegin& begin) const {
-    return value != nullptr ? row.*value : (begin.*point)[axis];
+    if (value != nullptr) return row.*value;
+    if (machine) return row.machine[axis];
+    if (centre) return turned_by(begin.turned, begin.centre)[axis];
+    return (begin.*point)[axis];
   }
 };
 
@@ -38,7 +43,8 @@ Derived derived(std::string_view name) {
   name.remove_suffix(1);
   if (name == "s") return {nullptr, &MoveBegin::point, of};
   if (name == "ms") return {nullptr, &MoveBegin::machine, of};
-  if (name == "mc") return {nullptr, &MoveBegin::centre, of};
+  if (name == "mc") return {nullptr, &MoveBegin::centre, of, false, true};
+  if (name == "m") return {nullptr, nullptr, of, true};
   return {};
 }
 
@@ -178,7 +184,7 @@ bool Moves::Part::plain_column(std::string_view name, double* out) const {
     spindle_column(out);
   else if (axis >= 0 && name.size() == 1)
     point_column(axis, out);
-  else if (axis >= 0 && name[0] == 'm')
+  else if (axis >= 0 && name[0] == 'm' && (axis > 1 || !of_.turned_))
     machine_column(axis, out);
   else if (axis >= 0 && axis < 3 && name[0] == 'c')
     centre_column(static_cast<std::size_t>(axis), out);

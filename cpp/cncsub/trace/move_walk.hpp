@@ -85,11 +85,13 @@ class Moves::Walk {
     for (const Extra& extra : moves_.extras_)
       if (index >= extra.first) row.point[extra.axis] = extra.values[index - extra.first];
     for (int i = 0; i < kAxes; ++i) row.machine[i] = row.point[i] + offset_[i];
-    programmed_ = {row.machine[0], row.machine[1], row.machine[2]};
+    programmed_ =
+        turned_by(state_->turned, MoveBegin::Point{row.machine[0], row.machine[1], row.machine[2]});
     const Vector* const vector = vectors_.at(index);
     vector_ = vector != nullptr;
     if (vector_)
       for (int i = 0; i < 3; ++i) row.machine[i] += vector->vector[i];
+    if (state_->turned != 0) row.machine = turned_by(state_->turned, row.machine);
     const Seconds* const seconds = seconds_.at(index);
     follow<timed>(row, arcs_.at(index), seconds == nullptr ? 0 : seconds->time);
     from_ = row.machine;
@@ -98,10 +100,12 @@ class Moves::Walk {
 
   template <bool timed = true>
   MoveRow next(std::size_t index, MoveBegin& begin) {
-    const MoveBegin::Point programmed = programmed_;
+    const MoveBegin::Point before = programmed_;
     begin.machine = {from_[0], from_[1], from_[2]};
     const bool vector_before = vector_;
     const MoveRow row = next<timed>(index);
+    const MoveBegin::Point programmed = turned_by(-state_->turned, before);
+    begin.turned = state_->turned;
     begin.in_plane = in_plane_;
     begin.cycle = state_->cycle;
     begin.compensated = vector_before || vector_;
@@ -140,7 +144,8 @@ class Moves::Walk {
     if (arc != nullptr) {
       row.centre = arc->centre;
       path = arc->in_plane;
-      row.length = arc_length(path, state_->plane, from_, row.machine, moves_.diameters_);
+      row.length = arc_length(path, state_->plane, turned_by(-state_->turned, from_),
+                              turned_by(-state_->turned, row.machine), moves_.diameters_);
     }
     in_plane_ = path;
     if constexpr (!timed) return;

@@ -41,6 +41,7 @@ std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::arra
     state.tip = static_cast<std::uint32_t>(tips_.size());
   }
   state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
+  turned_ = turned_ || state.turned != 0;
   // More states than a row can number fill more memory than there is: they go on as the last one.
   const bool full = states_.size() >> (32 - Chunk::kKindBits) != 0;
   if (states_.empty() || (!full && !(states_.back() == state))) states_.push(state);

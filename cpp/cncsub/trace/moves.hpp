@@ -37,8 +37,9 @@ struct MoveBegin {
 
   Point point{};             // programmed, in the work coordinates of the move
   Point machine{};           // of the tool, machine coordinates
-  Point offset{};            // from work to machine coordinates
-  Point centre{};            // of the tool's arc, machine coordinates; NaN where none
+  double turned = 0;         // radians: machine coordinates are turned by it, at last
+  Point offset{};            // from work to machine coordinates, before they are turned
+  Point centre{};            // of the tool's arc, likewise; NaN where none
   double in_plane = 0;       // of an arc: the tool's way in its plane, mm
   bool cycle = false;        // a canned cycle makes the move
   bool compensated = false;  // a radius offset holds at its end, or here
@@ -183,6 +184,7 @@ class Moves {
   Axes start_{};  // machine position before the first row
   Axes rapid_{};
   std::uint32_t diameters_ = 0;
+  bool turned_ = false;  // some rows are in turned work coordinates
 };
 
 }  // namespace cncsub

@@ -27,8 +27,13 @@ struct Curve {
   Point centre{};
   double angle = 0, turn = 0;  // where it starts, and how far it goes; plus = counter-clockwise
   double radius = 0, growth = 0;
+  double turned = 0;  // radians: the curve is turned about Z, at last
 
-  Point at(std::size_t step) const {
+  Point at(std::size_t step) const { return turned_by(turned, before_turning(step)); }
+  Point first() const { return turned_by(turned, from); }
+
+ private:
+  Point before_turning(std::size_t step) const {
     if (step >= steps) return to;
     const double part = static_cast<double>(step) / static_cast<double>(steps);
     Point point{};
@@ -82,16 +87,21 @@ class Follower {
 
   Curve next(const MoveRow& row, const MoveBegin& begin) {
     Curve curve;
+    const auto of_frame = [&](const auto& point) {
+      return turned_by(-begin.turned, Point{point[0], point[1], point[2]});
+    };
+    const Point start = of_frame(begin.machine), end = of_frame(row.machine);
+    if (frame_ == PathFrame::Machine) curve.turned = begin.turned;
     for (std::size_t i = 0; i < 3; ++i) {
       const double back = frame_ == PathFrame::Tool ? begin.offset[i] : 0;
       const bool work = frame_ == PathFrame::Work;
-      curve.from[i] = (work ? begin.point[i] : begin.machine[i] - back) * share_[i];
-      curve.to[i] = (work ? row.point[i] : row.machine[i] - back) * share_[i];
+      curve.from[i] = (work ? begin.point[i] : start[i] - back) * share_[i];
+      curve.to[i] = (work ? row.point[i] : end[i] - back) * share_[i];
       curve.centre[i] = (work ? row.centre[i] : begin.centre[i] - back) * share_[i];
     }
-    curve.begins = !known_ || leaps(curve.from);
+    curve.begins = !known_ || leaps(curve.first());
     if (row.kind == MoveKind::Cw || row.kind == MoveKind::Ccw) bend(curve, row, begin);
-    last_ = curve.to;
+    last_ = curve.at(curve.steps);
     known_ = true;
     return curve;
   }
@@ -129,9 +139,12 @@ class Follower {
 
   double tool_turn(const MoveRow& row, const MoveBegin& begin, const PlaneAxes& plane) const {
     Point from{}, to{}, centre{};
+    const Point start = turned_by(-begin.turned, begin.machine);
+    const Point end =
+        turned_by(-begin.turned, Point{row.machine[0], row.machine[1], row.machine[2]});
     for (std::size_t i = 0; i < 3; ++i) {
-      from[i] = begin.machine[i] * share_[i];
-      to[i] = row.machine[i] * share_[i];
+      from[i] = start[i] * share_[i];
+      to[i] = end[i] * share_[i];
       centre[i] = begin.centre[i] * share_[i];
     }
     return size_of_turn(begin.in_plane, polar(from, centre, plane).radius,
@@ -195,7 +208,7 @@ void Sampler::write(const PolylinePlaces& places, InterruptCheck* interrupt) con
       places.begins[place++] = begins ? 1 : 0;
     };
     const auto one = [&](std::size_t i, const Curve& curve, const MoveRow&) {
-      if (curve.begins) put(curve.from, i, true);
+      if (curve.begins) put(curve.first(), i, true);
       for (std::size_t step = 1; step <= curve.steps; ++step) put(curve.at(step), i, false);
     };
     each_curve(first_ + first, first_ + last, one);
@@ -267,7 +280,7 @@ Outline Sampler::outline(const std::int32_t* keys, double thinner,
     Outline piece;
     double now = 0;
     const auto one = [&](std::size_t i, const Curve& curve, const MoveRow& row) {
-      if (curve.begins) put(piece, curve.from, i, now, -1);
+      if (curve.begins) put(piece, curve.first(), i, now, -1);
       const auto steps = static_cast<double>(curve.steps);
       for (std::size_t step = 1; step <= curve.steps; ++step) {
         const double part = static_cast<double>(step) / steps;

@@ -38,10 +38,22 @@ struct MoveState {
   bool surface = false;
   bool cycle = false;     // a canned cycle makes it
   std::uint32_t tip = 0;  // into the table of tips, 0 = none
+  double turned =
+      0;  // radians, counter-clockwise about Z: how work coordinates stand to the machine's
   double degree = 1;  // mm that a degree counts in a path: F is degrees a minute where it is inches
 
   bool operator==(const MoveState&) const = default;
 };
+
+/// A point turned about Z, counter-clockwise.
+template <class Point>
+Point turned_by(double radians, Point point) {
+  if (radians == 0) return point;
+  const double c = std::cos(radians), s = std::sin(radians), x = point[0];
+  point[0] = x * c - point[1] * s;
+  point[1] = x * s + point[1] * c;
+  return point;
+}
 
 /// The two axes of a plane, and the one across it. G18 is (Z, X).
 struct PlaneAxes {

@@ -12,6 +12,7 @@ using enum Cause;
 constexpr const char* kRun = "rs274 2.9";
 constexpr const char* kOverview = "LC overview";
 constexpr const char* kGCode = "LC g-code";
+constexpr const char* kMCode = "LC m-code";
 
 /// The rest of the language is the dialect's own: no rule asks for it.
 void language(Control& c) {
@@ -24,6 +25,10 @@ void language(Control& c) {
       kOverview, Manual};
   c.reading.missing_end = {MissingEnd::Alarm, kRun, SourceDocument};
   c.calls.max_nesting = {9, kRun, SourceDocument};
+  give_role(c.calls.roles, "M70", Role::SaveModes, kMCode, Manual);
+  give_role(c.calls.roles, "M71", Role::ForgetModes, kMCode, Manual);
+  give_role(c.calls.roles, "M72", Role::RestoreModes, kMCode, Manual);
+  give_role(c.calls.roles, "M73", Role::KeepModes, kMCode, Manual);
   c.calls.main_return = {MainReturn::Ends, kRun, SourceDocument};
   lacks(c.common.reset_clears, {Cleared::Locals, Cleared::Commons}, kOverview, Manual);
 }
@@ -39,7 +44,9 @@ void motion(Control& c) {
   c.motion.peck_retract = {254, kRun, SourceDocument};
   c.motion.peck_clearance = {254, kRun, SourceDocument};
   c.motion.g_meanings = {
-      "33=thread-by-k 33.1=rigid-tap 38.2=skip 38.3=skip 91.1=neutral 28=reference-all "
+      "33=thread-by-k 33.1=rigid-tap 38.2=probe 38.3=probe 38.4=probe 38.5=probe "
+      "90.1=centre-absolute 91.1=centre-from-start 7=diameter 8=diameter-off 5=spline "
+      "5.1=spline-by-one-point 76=drive-line-thread 86=bore-stop-after-dwell 28=reference-all "
       "28.1=store-reference 30=second-reference-all 30.1=store-reference-2 "
       "41.1=radius-left-given 42.1=radius-right-given 43.1=length-given 43.2=length-added "
       "52=shift 59.1=extra-system-1 59.2=extra-system-2 59.3=extra-system-3 92.1=clear-shift "
@@ -49,12 +56,14 @@ void motion(Control& c) {
   c.motion.length_type = {LengthType::Shift, kGCode, Manual};
   has(c.motion.data_forms, {DataForm::Active, DataForm::Here, DataForm::Tools}, kGCode, Manual);
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
-  c.motion.acute_corner = {AcuteCorner::AlwaysArc, kRun, SourceDocument};
   c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
-  has(c.common.refuses, {CycleRotary}, kRun, SourceDocument);
-  c.motion.machine_move = {MachineMove::Modal, kRun, SourceDocument};
-  c.motion.arc_tolerance = {28, kRun, SourceDocument};
-  c.motion.arc_tolerance_inch = {72, kRun, SourceDocument};
+  has(c.common.refuses,
+      {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode}, kRun,
+      SourceDocument);
+  c.motion.machine_move = {MachineMove::ModalAbsolute, kRun, SourceDocument};
+  c.motion.arc_rounding = {10, kRun, SourceDocument};
+  c.motion.helix = {Helix::AllAxes, kGCode, Manual};
+  c.motion.modal_groups = {"centre=23 diameter=24", kRun, SourceDocument};
   c.motion.arc_tolerance_share = {1, kRun, SourceDocument};
 }
 
@@ -66,7 +75,10 @@ void variables(Control& c) {
     c.variables.push_back({first, last, kind, access, address, kRun, SourceDocument, from});
   };
   c.variables.push_back({1, 30, Kind::Local, Access::ReadWrite, 0, "LC o-code", Manual});
-  add(31, 5160, Kind::Kept, Access::ReadWrite);
+  add(31, 5060, Kind::Kept, Access::ReadWrite);
+  add(5061, 5069, Kind::SkipPosition, Access::ReadWrite);
+  add(5070, 5070, Kind::SkipTouched, Access::ReadWrite);
+  add(5071, 5160, Kind::Kept, Access::ReadWrite);
   add(5161, 5189, Kind::ReferencePoint, Access::ReadWrite);
   add(5190, 5209, Kind::Kept, Access::ReadWrite);
   add(5210, 5219, Kind::Shift, Access::ReadWrite);
@@ -74,12 +86,16 @@ void variables(Control& c) {
   add(5221, 5340, Kind::WorkOffset, Access::ReadWrite, 0, 20);
   add(5341, 5399, Kind::ExtraWorkOffset, Access::ReadWrite);
   add(5400, 5400, Kind::ActiveWord, Access::ReadOnly, 'T');
-  add(5401, 5409, Kind::ActiveLength, Access::ReadOnly);
+  add(5401, 5409, Kind::ToolLength, Access::ReadOnly);
   add(5410, 5419, Kind::Kept, Access::ReadOnly);
   add(5420, 5428, Kind::WorkPosition, Access::ReadOnly);
   add(5429, 5601, Kind::Kept, Access::ReadWrite);
+  for (VariableRange& range : c.variables)
+    range.metric = range.kind == Kind::WorkOffset || range.kind == Kind::ToolLength ||
+                   range.kind == Kind::Shift || range.kind == Kind::ReferencePoint ||
+                   range.kind == Kind::ExtraWorkOffset;
   // No program can name these: they are what the named variables of the interpreter tell.
-  add(14001, 14021, Kind::ActiveCode, Access::ReadOnly);
+  add(14001, 14024, Kind::ActiveCode, Access::ReadOnly);
   add(14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, Access::ReadOnly, 'F');
   add(14100 + 'S' - 'A', 14100 + 'S' - 'A', Kind::ActiveWord, Access::ReadOnly, 'S');
   add(14100 + 'T' - 'A', 14100 + 'T' - 'A', Kind::ActiveWord, Access::ReadOnly, 'T');
@@ -99,9 +115,11 @@ constexpr std::pair<Cause, const char*> kTexts[] = {
     {CompensationEndArc,
      "The move just after exiting cutter compensation mode must be straight, not an arc"},
     {CompensationInterference,
-     "Straight feed in concave corner cannot be reached by the tool without gouging"},
+     "{name} in concave corner cannot be reached by the tool without gouging"},
     {CompensationNoIntersection,
-     "Arc to straight motion makes a corner the compensated tool can't fit in without gouging"},
+     "{name} makes a corner the compensated tool can't fit in without gouging"},
+    {CompensationEntry, "{name} is not greater than the tool radius"},
+    {CompensationTwice, "Cannot turn cutter radius comp on when on"},
     {CompensationArcTooSmall,
      "Tool radius not less than arc radius with cutter radius compensation"},
     {CycleRotary, "Cannot put {name} in canned cycle"},
@@ -110,6 +128,14 @@ constexpr std::pair<Cause, const char*> kTexts[] = {
     {BlockTooLong, "Command too long"},
     {CompensationPlane, "Cannot change planes with cutter radius compensation on"},
     {CompensationCycle, "Cannot use canned cycles with cutter compensation on"},
+    {MotionWordMissing, "All axes missing with motion code"},
+    {ModesNotSaved, "Cannot restore context from invalid stack frame - missing M70/M73?"},
+    {NoArcTravel, "Current point same as end point of arc"},
+    {NoMotionCode, "Cannot use axis values without a g code that uses them"},
+    {MachineMoveIncremental, "Cannot use g53 incremental"},
+    {CycleLevels, "R less than z in cycle in xy plane"},
+    {SpindleStands, "Spindle not turning in {name}"},
+    {SameProbePoint, "Start point too close to probe point"},
     {CompensationSkip, "Cannot probe with cutter radius compensation on"},
     {G10L, "Line with G10 does not have L0, L1, L10, L11, L2, or L20"},
     {G10P, "P value out of range (0-9) with G10 L2"},

@@ -26,13 +26,47 @@ case("there is no system behind G59.3", pins="max_extra_systems", **RUN,
      program="N10 G10 L2 P10 X5\nN20 M2", runs="", alarm="g10-system-number", word="P10")
 case("G10 L20 sets a system so that the tool stands at the point", pins="data_forms:here", **RUN,
      program="N10 G0 X10\nN20 G10 L20 P2 X3\nN30 G55 G0 X4\nN40 M2", final_machine="X11")
-case("a turned work system is not computed", **RUN,
-     program="N10 G10 L2 P1 R45\nN20 M2", runs="", alarm="code-not-computed", word="R45")
+case("R of G10 L2 turns a work system about its zero point", pins="data_forms:in-force", **RUN,
+     program="N10 G10 L2 P1 X10 R90\nN20 G0 X5 Y1\nN30 M2", moves="R X5 Y1", final_machine="X9 Y5")
+case("it turns the tool's place in the work system in force at once", **RUN,
+     program="N10 G0 X5\nN20 G10 L2 P1 R90\nN30 (print,#5420 #5421)\nN40 M2", messages=["0.000000 -5.000000"])
+case("a system of its own turn is one code away", **RUN,
+     program="N10 G10 L2 P2 R90\nN20 G55 G0 X5\nN30 G54\nN40 (print,#5420 #5421)\nN50 M2", messages=["0.000000 5.000000"])
+case("G91 counts along the turned axes", **RUN,
+     program="N10 G10 L2 P1 R90\nN20 G91 G0 X5\nN30 Y2\nN40 M2", final_machine="X-2 Y5")
+case("an arc turns with its system", **RUN,
+     program="N10 G10 L2 P1 R90\nN20 G3 X10 Y10 J10 F100\nN30 M2", moves="CCW X10 Y10 C X0 Y10", final_machine="X-10 Y10")
+case("G92 shifts along the turned axes", **RUN,
+     program="N10 G10 L2 P1 R90\nN20 G92 X-5\nN30 G0 X0\nN40 M2", final_machine="X0 Y5")
+case("G53 goes to the machine coordinate from a turned system", **RUN,
+     program="N10 G10 L2 P1 R90\nN20 G0 X5 Y1\nN30 G53 G0 X0\nN40 M2", moves="R X5 Y1\nR X5 Y0", final_machine="X0 Y5")
+case("G28 goes to its machine point from a turned system", **RUN,
+     program="N10 G0 X3 Y4\nN20 G28.1\nN30 G10 L2 P1 R90\nN40 G0 X0 Y0\nN50 G28\nN60 M2", final_machine="X3 Y4")
+case("G10 L20 sets a turned system by where the tool stands in it", pins="data_forms:here", **RUN,
+     program="N10 G10 L2 P1 R90\nN20 G0 X5\nN30 G10 L20 P1 X0\nN40 (print,#5420 #5421)\nN50 M2", messages=["0.000000 0.000000"])
+case("a compensated path turns with its system", **RUN,
+     program="N10 G10 L2 P1 R90\nN20 G41.1 D2 G1 X5 F100\nN30 X9\nN40 M2", centre="X-1 Y5 | X-1 Y9")
+case("#5230 is the turn of G54", **RUN, program="N10 G10 L2 P1 R30\nN20 (print,#5230)\nN30 M2", messages=["30.000000"])
+case("the system in force does not change while a radius is compensated", **RUN, setup={"radius_offsets": {1: 1}},
+     program="N10 G41 D1 G1 X5 F100\nN20 G10 L2 P1 X5\nN30 M2", runs="N10", alarm="shift-in-offset", word="G10")
+case("nor does a tool length", **RUN, setup={"radius_offsets": {1: 1}, "length_offsets": {1: 1}},
+     program="N10 G41 D1 G1 X5 F100\nN20 G43 H1\nN30 M2", runs="N10", alarm="shift-in-offset", word="G43")
 case("#5220 is the number of the work system", **RUN,
      program="N10 G55\nN20 (print,#5220)\nN30 G59.2\nN40 (print,#5220)\nN50 M2", messages=["2.000000", "8.000000"])
 case("G43 moves nothing: the work coordinate changes", pins="length_type", **RUN, setup={"length_offsets": {1: 5}},
-     program="N10 G0 Z10\nN20 G43 H1\nN30 (print,#5422 #5403)\nN40 G0 Z10\nN50 M2",
-     messages=["5.000000 5.000000"], moves="R Z10\nR Z10", final_machine="Z15")
+     program="N10 G0 Z10\nN20 G43 H1\nN30 (print,#5422)\nN40 G0 Z10\nN50 M2",
+     messages=["5.000000"], moves="R Z10\nR Z10", final_machine="Z15")
+case("#5403 is the length of the tool in the spindle, in force or not", **RUN, setup={"length_offsets": {1: 5}},
+     program="N10 (print,#5403)\nN20 T1 M6\nN30 (print,#5403)\nN40 M2", messages=["0.000000", "5.000000"])
+case("#5403, #5221, #5161 and #5211 are those of a machine in millimetres under G20 too", **RUN, setup={"length_offsets": {1: 5}},
+     program="""
+         N10 T1 M6
+         N20 G20 #5221=25.4
+         N30 #5161=50.8
+         N40 G92 X1
+         N50 (print,#5403 #5221 #5161 #5211)
+         N60 M2
+     """, messages=["5.000000 25.400000 50.800000 -50.800000"])
 case("G53 goes to the machine coordinate with the length in it", pins="length_type", **RUN, setup={"length_offsets": {1: 5}},
      program="N10 G43 H1\nN20 G53 G0 Z20\nN30 M2", moves="R Z15", final_machine="Z20")
 case("G43 without H takes the length of the tool", pins="missing_radius_offset", **RUN, setup={"length_offsets": {2: 5}},

@@ -61,16 +61,16 @@ case("ABORT stops the program with its text", **RUN,
      program="N10 G0 X1\nN20 (ABORT, stop #1)\nN30 M2", runs="N10", alarm="user-alarm", at="MAIN N20")
 case("G4 waits for seconds", pins="dwell_words dwell_point", **RUN, program="N10 G4 P1.5\nN20 M2", time=1.5)
 case(
-    "an arc that ends off its circle by more than a hair is refused", pins="arc_tolerance", **RUN,
+    "an arc that ends off its circle by more than a hair is refused", pins="arc_rounding", **RUN,
     program="N10 G2 X2.0284 Y0 I1 F100\nN20 M2", runs="", alarm="radius-tolerance", word="X2.0284",
 )
 case("what a large arc misses by less than a thousandth of its radius counts for nothing", pins="arc_tolerance_share", **RUN,
      program="N10 G2 X80.029 Y0 I40 F100\nN20 M2", moves_x=[80.029])
 case("but for a hundred times the hair", **RUN,
      program="N10 G2 X20002.9 Y0 I10000 F100\nN20 M2", runs="", alarm="radius-tolerance", word="X20002.9")
-case("in inches the hair is 28 ten-thousandths of one", pins="arc_tolerance_inch", **RUN,
+case("in inches the hair is 28 ten-thousandths of one", pins="arc_rounding", **RUN,
      program="N10 G20\nN20 G2 X2.0028 Y0 I1 F100\nN30 M2", moves_x=[2.0028 * 25.4])
-case("an arc in inches that ends farther off is refused", pins="arc_tolerance_inch", **RUN,
+case("an arc in inches that ends farther off is refused", pins="arc_rounding", **RUN,
      program="N10 G20\nN20 G2 X2.00285 Y0 I1 F100\nN30 M2", runs="N10", alarm="radius-tolerance", word="X2.00285")
 case("a character of several bytes is shown whole", **RUN,
      program="N10 G0 X1 é\nN20 M2", runs="", alarm="illegal-character", at="MAIN N10")

@@ -43,10 +43,14 @@ case("a tap outside of G17 takes its axes for each other", pins="tap_return", **
      program="N10 G18 S100 M3 G0 Y2\nN20 G84 X1 Z3 Y-1 R1 F100\nN30 G80 M2",
      moves="R Y2\nR X1 Z3\nR Y1\nF X-1 Y3 Z1\nF X2 Y3 Z1", final_work="X1 Y2 Z3")
 case("G10 L1 writes the table of tools", pins="data_forms:tools", **RUN,
-     program="N10 G10 L1 P1 Z5 R1\nN20 G43 H1\nN30 (print,#5403)\nN40 M2", messages=["5.000000"])
+     program="N10 G10 L1 P1 Z5 R1\nN20 T1 M6\nN30 (print,#5403)\nN40 M2", messages=["5.000000"])
+case("a tool has lengths along other axes too", pins="data_forms:tools", **RUN,
+     program="N10 G10 L1 P1 X1 Y2 Z3\nN20 G43 H1\nN30 G0 X0 Y0 Z0\nN40 M2", final_machine="X1 Y2 Z3")
+case("in a turned system they stay those of the machine", **RUN,
+     program="N10 G10 L1 P1 X1\nN20 G10 L2 P1 R90\nN30 G43 H1 G0 X0 Y0\nN40 M2", final_machine="X1 Y0")
+case("L11 puts the tool at the point of G59.3", pins="data_forms:tools", **RUN,
+     program="N10 G10 L2 P9 Z-10\nN20 G0 Z20\nN30 G10 L11 P1 Z15\nN40 T1 M6\nN50 (print,#5403)\nN60 M2", messages=["15.000000"])
 case("L10 puts the tool at the point", pins="data_forms:tools", **RUN,
      program="N10 G0 Z20\nN20 G10 L10 P1 Z15\nN30 G43 H1\nN40 (print,#5422)\nN50 M2", messages=["15.000000"])
 case("G38.2 and G38.3 go to their end where nothing is touched", **RUN,
      program="N10 G38.2 X5 F100\nN20 G38.3 X7\nN30 M2", moves="F X5\nF X7")
-case("G91.1 counts centres from the start, as they are counted anyway", **RUN,
-     program="N10 G91.1 G2 X2 I1 F100\nN20 M2", moves="CW X2 Y0 C X1 Y0")

@@ -7,9 +7,24 @@ D1 = {"radius_offsets": {1: 1}}
 
 case("the start of G41 ends beside its own line", pins="start_up", **RUN, setup=D1,
      program="N10 G41 D1 G1 X5 F100\nN20 Y5\nN30 G40 X0\nN40 M2", centre="X4 Y1 | X4 Y5 | X0 Y5")
-case("around an outside corner of any angle the tool goes in an arc", pins="acute_corner", **RUN, setup=D1,
+case("around an outside corner of any angle the tool goes in an arc", pins="start_up", **RUN, setup=D1,
      program="N10 G42 D1 G1 X5 F100\nN20 Y5\nN30 G40 X0\nN40 M2", centre="X5 Y-1 | X6 Y0 | X6 Y5 | X0 Y5")
-case("a corner of less than a twentieth of a radian is none", pins="acute_corner", **RUN, setup=D1,
+case("the first compensated move is longer than the radius", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X1 F100\nN20 M2", runs="", alarm="offset-start-too-short", word="G41")
+case("it may be an arc, whose radius changes", **RUN, setup=D1,
+     program="N10 G42 D1 G3 X4 Y0 I2 F100\nN20 G1 Y5\nN30 M2", centre="X5 Y0 | X5 Y5")
+case("a side is begun once", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 G41 X9\nN30 M2", runs="N10", alarm="offset-begun-twice", word="G41")
+case("G40 lets the last move go, and no arc may follow", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 X9\nN30 G40\nN40 G2 I1\nN50 M2", runs="N10 N20 N30", alarm="arc-at-offset-end", word="G2",
+     centre="X5 Y1 | X9 Y1")
+case("an inside corner moves the end of the move before it back", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X9 F100\nN20 Y9\nN30 M2", centre="X8 Y1 | X8 Y9")
+case("but not behind its start", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X9 F100\nN20 X9.5\nN30 Y9\nN40 M2", runs="N10 N20", alarm="offset-interference", word="Y9")
+case("an arc is beside its own centre, whatever its start says", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 G3 X7.01 Y2 I0 J2\nN30 M2", centre="X5 Y1 | X6.01 Y2")
+case("a corner of less than a twentieth of a radian is none", pins="start_up", **RUN, setup=D1,
      program="N10 G42 D1 G1 X100 F100\nN20 X200 Y3\nN30 G40 X300\nN40 M2", centre="X100 Y-1 | X200.03 Y2 | X300 Y3")
 case("G41 without D takes the radius of the tool", pins="missing_radius_offset", **RUN, setup={"radius_offsets": {2: 1}},
      program="N10 T2 M6\nN20 G41 G1 X5 F100\nN30 X9\nN40 M2", centre="X5 Y1 | X9 Y1")

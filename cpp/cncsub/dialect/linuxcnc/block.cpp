@@ -106,7 +106,8 @@ bool BlockReader::words(Block& block) {
     if (!item(block, words)) return true;
   if (!words.any && words.statements.empty() && !words.print && block.n < 0) return false;
   if (auto wrong = wrong_word(words.line)) {
-    const auto letter = static_cast<std::size_t>(wrong->letter - 'a');
+    const bool named = wrong->letter >= 'a' && wrong->letter <= 'z';
+    const auto letter = static_cast<std::size_t>((named ? wrong->letter : 'g') - 'a');
     to_.refuse(block, Fault{.cause = wrong->cause,
                             .at = words.line.at[letter],
                             .width = words.line.width[letter],
@@ -129,13 +130,27 @@ bool BlockReader::item(Block& block, Words& words) {
     return true;
   }
   if (c >= 'a' && c <= 'z' && c != 'n' && c != 'o') return word(block, words, c);
-  if (c == '@' || c == '^' || c == '$') {  // polar words, the number of a spindle
+  if (c == '@' || c == '^') return polar_word(block, words, c);
+  if (c == '$') {  // the number of a spindle
     Value value;
     if (!expression_.value(value)) return refuse(block);
     return refuse(block, Cause::CodeNotComputed, std::string(1, c) + " is not computed here", at);
   }
   line_.take(character.substr(1));
   return refuse(block, Cause::IllegalCharacter, "Bad character '" + shown(c) + "' used", at);
+}
+
+/// @ and ^: the radius and the angle of a point.
+bool BlockReader::polar_word(Block& block, Words& words, char sign) {
+  const std::uint32_t at = line_.offset(line_.place() - 1);
+  Value value;
+  words.any = true;
+  if (!words.line.letters.insert(sign).second)
+    return refuse(block, Cause::AddressGivenTwice,
+                  std::string("Multiple ") + sign + " words on one line", at);
+  if (!expression_.value(value)) return refuse(block);
+  words.list.set(sign == '@' ? kRadius : kAngle, word_of(value), false);
+  return true;
 }
 
 bool BlockReader::word(Block& block, Words& words, char letter) {

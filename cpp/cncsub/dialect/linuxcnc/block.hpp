@@ -47,6 +47,7 @@ class BlockReader {
   bool words(Block& block);
   bool item(Block& block, Words& words);
   bool word(Block& block, Words& words, char letter);
+  bool polar_word(Block& block, Words& words, char sign);
   bool g_code(Block& block, Words& words, const Value& value);
   bool m_code(Block& block, Words& words, const Value& value);
   bool assignment(Block& block, Words& words);

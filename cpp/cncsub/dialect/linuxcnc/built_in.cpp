@@ -19,7 +19,7 @@ constexpr Step number(double value) { return {Ins::Constant, value}; }
 constexpr Step equal() { return {Ins::Equal, 0}; }
 constexpr Step times() { return {Ins::Multiply, 0}; }
 
-constexpr std::array<BuiltIn, 39> kBuiltIns = {{
+constexpr std::array<BuiltIn, 41> kBuiltIns = {{
     {"_a", {work(3)}},
     {"_abs_a", {machine(3)}},
     {"_abs_b", {machine(4)}},
@@ -34,9 +34,12 @@ constexpr std::array<BuiltIn, 39> kBuiltIns = {{
     {"_ccomp", {modal(7), number(10), times()}},
     {"_coord_system", {modal(14), number(10), times()}},
     {"_feed", {word('F')}},
+    {"_ijk_absolute_mode", {modal(23), number(90.1), equal()}},
     {"_imperial", {modal(6), number(20), equal()}},
     {"_incremental", {modal(3), number(91), equal()}},
     {"_inverse_time", {modal(5), number(93), equal()}},
+    {"_lathe_diameter_mode", {modal(24), number(7), equal()}},
+    {"_lathe_radius_mode", {modal(24), number(8), equal()}},
     {"_line", {Step{Ins::LineNumber, 0}}},
     {"_metric", {modal(6), number(21), equal()}},
     {"_motion_mode", {modal(1), number(10), times()}},
@@ -69,9 +72,6 @@ constexpr std::string_view kOfMachine[] = {"_abs_u",
                                            "_feed_hold",
                                            "_feed_override",
                                            "_flood",
-                                           "_ijk_absolute_mode",
-                                           "_lathe_diameter_mode",
-                                           "_lathe_radius_mode",
                                            "_metric_machine",
                                            "_mist",
                                            "_selected_pocket",

@@ -65,7 +65,7 @@ const Use kUses[] = {
      "R word with no g code that uses it"},
 };
 
-constexpr std::string_view kAxes = "xyzabcuvw";
+constexpr std::string_view kAxes = "xyzabcuvw@^";
 
 /// Codes of the motion group, G80 left out.
 bool is_motion(int code10) {
@@ -78,6 +78,14 @@ bool has_axes(const LineWords& line) {
   return std::any_of(kAxes.begin(), kAxes.end(), [&](char axis) { return line.has(axis); });
 }
 
+/// Whether a motion code stands in the line that does not do without an axis.
+bool needs_axes(const LineWords& line) {
+  return std::any_of(line.g.begin(), line.g.end(), [](int code10) {
+    const bool without = code10 <= 30 || code10 == 52 || (code10 >= 700 && code10 <= 722);
+    return is_motion(code10) && !without;
+  });
+}
+
 /// Words that are missing, or that stand beside a code which wants none.
 std::optional<WrongWord> against_code(const LineWords& line) {
   if (line.has_g({800}) && has_axes(line) && !line.has_g({100, 280, 300, 520, 920})) {
@@ -85,6 +93,12 @@ std::optional<WrongWord> against_code(const LineWords& line) {
         *std::find_if(kAxes.begin(), kAxes.end(), [&](char c) { return line.has(c); });
     return WrongWord{axis, Cause::AddressNotUsable, "Cannot use axis values with g80"};
   }
+  if (const bool none = !has_axes(line); none && (line.has_g({520}) || line.has_g({920})))
+    return WrongWord{'g', Cause::MotionWordMissing, "All axes missing with g52 or g92"};
+  if (line.has_g({40}) && !line.has('p'))
+    return WrongWord{'g', Cause::MotionWordMissing, "Dwell time missing with g4"};
+  if (needs_axes(line) && !has_axes(line))
+    return WrongWord{'g', Cause::MotionWordMissing, "All axes missing with motion code"};
   const auto motion = std::find_if(line.g.begin(), line.g.end(), is_motion);
   if (motion != line.g.end() && line.has_g({100, 280, 300, 520, 920}))
     return WrongWord{'g', Cause::OneShotWithMotion,

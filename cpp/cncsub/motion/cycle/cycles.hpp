@@ -44,6 +44,8 @@ Result take_run_out(MotionContext& m, const BlockWords& block, bool of_cycle);
 Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, double tenths,
                         double level);
 /// G76.
+/// G76 of a mill: thread passes beside a drive line, from the tool to Z.
+Result drive_line_thread(MotionContext& m, BlockWords& block);
 /// K is the lead of a thread, or of a tap, which goes back the way it came. [LC g-code, G33, G33.1]
 Result thread_by_k(MotionContext& m, BlockWords& block);
 Result multiple_thread(MotionContext& m, BlockWords& block);

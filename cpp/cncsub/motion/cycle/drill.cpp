@@ -26,7 +26,10 @@ void take_cycle_words(MotionContext& m, const BlockWords& block) {
   if (w.has(depth))
     cycle.z = number(m, block, depth), cycle.z_incremental = incremental, cycle.has_z = true;
   if (w.has('Q')) cycle.q = cycle_length(m, block, 'Q'), cycle.has_q = true;
-  if (w.has('P')) cycle.p = w['P'] * (c.motion.dwell_unit.value == DwellUnit::PSeconds ? 1 : 0.001);
+  const bool seconds =
+      c.motion.dwell_unit.value == DwellUnit::PSeconds ||
+      (c.motion.dwell_point.value == DwellPoint::Seconds && (w.whole & bit('P')) == 0);
+  if (w.has('P')) cycle.p = w['P'] * (seconds ? 1 : 0.001);
   if (w.has('I') || w.has('J')) {
     cycle.shift_x = w.has('I') ? number(m, block, 'I') : 0;
     cycle.shift_y = w.has('J') ? number(m, block, 'J') : 0;
@@ -38,9 +41,27 @@ void take_cycle_words(MotionContext& m, const BlockWords& block) {
     cycle.k = number(m, block, 'K'), cycle.has_k = true;
 }
 
+/// Words that the first block of a cycle has to have.
+Result check_first_words(MotionView m, const BlockWords& block) {
+  const CycleData& cycle = m.state.cycle;
+  const bool first =
+      block.has(Group::Cycle) && block.code(Group::Cycle).code != m.state.cycle_before;
+  if (m.facts.control->motion.cycle_approach.value != CycleApproach::RFirst || !first)
+    return std::nullopt;
+  const bool dwells = cycle.cycle == Meaning::DrillDwell || cycle.cycle == Meaning::BoreManual ||
+                      cycle.cycle == Meaning::BoreDwell;
+  const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
+  const char depth = kAxisNames[static_cast<std::size_t>(drill_axis(m, cycle.code))];
+  const NcWords& w = block.words;
+  const bool missing =
+      !w.has('R') || !w.has(depth) || (dwells && !w.has('P')) || (pecks && !w.has('Q'));
+  return missing ? Result(fault(Cause::MotionWordMissing, block)) : std::nullopt;
+}
+
 /// How often the cycle is done; or what is wrong with its words.
 Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
   take_cycle_words(m, block);
+  if (auto wrong = check_first_words(m, block)) return wrong;
   const NcWords& w = block.words;
   const CycleData& cycle = m.state.cycle;
   const Control& c = *m.facts.control;
@@ -68,6 +89,20 @@ Result check_rotary(MotionView m, const BlockWords& block) {
     return wrong;
   }
   return std::nullopt;
+}
+
+/// Cycles that stop the spindle or reverse it want it to turn, taps in their own direction.
+Result check_spindle(MotionView m, const BlockWords& block) {
+  if (!m.facts.refuses(Cause::SpindleStands)) return std::nullopt;
+  const Meaning cycle = m.state.cycle.cycle;
+  const bool tap = cycle == Meaning::Tap || cycle == Meaning::LeftTap;
+  if (!tap && cycle != Meaning::BoreStop && cycle != Meaning::BackBore &&
+      cycle != Meaning::BoreManual)
+    return std::nullopt;
+  if (!m.state.turns) return fault(Cause::SpindleStands, block);
+  return tap && m.state.backward != (cycle == Meaning::LeftTap)
+             ? Result(fault(Cause::SpindleDirection, block))
+             : std::nullopt;
 }
 
 Result check_tap(MotionView m, const BlockWords& block) {
@@ -173,6 +208,9 @@ Result drill_up(MotionContext& m, BlockWords& block, int axis, double r, double 
       [[fallthrough]];
     case Meaning::Bore:
     case Meaning::BoreDwell:
+      if (cycle.cycle == Meaning::BoreDwell &&
+          m.facts.control->motion.tap_return.value == TapReturn::Shuffled)
+        return move_axis(m, block, MoveKind::Feed, axis, level);
       if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, r)) return wrong;
       return to_r ? std::nullopt : move_axis(m, block, MoveKind::Rapid, axis, level);
     case Meaning::FineBore: {
@@ -218,6 +256,8 @@ Result drill(MotionContext& m, BlockWords& block) {
                    : cycle.r_incremental ? cycle.initial + cycle.r
                                          : cycle.r;
   const double z = !cycle.has_z ? r : cycle.z_incremental ? r + cycle.z : cycle.z;
+  if (m.facts.control->motion.cycle_approach.value == CycleApproach::RFirst && r < z)
+    return fault_at('R', Cause::CycleLevels, block);
   std::uint32_t named = 0;
   Axes place = target(m, block, named);
   if (auto wrong = leave_to_r(m, block, axis, r, z)) return wrong;
@@ -276,18 +316,28 @@ Result drill_lathe(MotionContext& m, BlockWords& block) {
   return drill_lathe_up(m, block, axis, r);
 }
 
+/// What a cycle keeps goes with it, but for its dwell where the control has one for all cycles: a
+/// tap without P dwells as the cycle before it. [rs274 2.9]
+void forget_cycle(const MotionFacts& facts, MotionState& state) {
+  const double dwell = state.cycle.p;
+  state.cycle = {};
+  if (facts.control->motion.cycle_approach.value == CycleApproach::RFirst) state.cycle.p = dwell;
+}
+
 }  // namespace
 
 Result enter_cycle(MotionContext& m, BlockWords& block) {
   const Meaning meaning = block.meaning(Group::Cycle);
   m.state.modal[at(Group::Cycle)] = block.code(Group::Cycle);
+  m.state.no_motion = meaning == Meaning::CycleOff && m.facts.refuses(Cause::NoMotionCode);
   if (meaning == Meaning::CycleOff) {
     end_cycles(m.facts, m.state);
     return std::nullopt;
   }
   const GCode& code = block.code(Group::Cycle);
+  m.state.cycle_before = in_cycle(m.state) ? m.state.cycle.code.code : -1;
   if (!in_cycle(m.state)) {
-    m.state.cycle = {};
+    forget_cycle(m.facts, m.state);
     m.state.cycle.initial = m.state.work[static_cast<std::size_t>(drill_axis(m, code))];
   }
   m.state.cycle.cycle = meaning;
@@ -297,7 +347,7 @@ Result enter_cycle(MotionContext& m, BlockWords& block) {
 
 void end_cycles(const MotionFacts& facts, MotionState& state) {
   if (in_cycle(state)) state.modal[at(Group::Cycle)] = facts.codes.of(Meaning::CycleOff);
-  state.cycle = {};
+  forget_cycle(facts, state);
 }
 
 Result canned_cycle(MotionContext& m, BlockWords& block) {
@@ -310,6 +360,7 @@ Result canned_cycle(MotionContext& m, BlockWords& block) {
     if (auto wrong = cycle_words(m, block, repeats)) return wrong;
   if (!position || repeats == 0) return std::nullopt;
   if (auto wrong = check_tap(m, block)) return wrong;
+  if (auto wrong = check_spindle(m, block)) return wrong;
   if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
   for (int i = 0; i < repeats; ++i)
     if (auto wrong = drill(m, block)) return wrong;

@@ -245,6 +245,8 @@ Result thread_by_k(MotionContext& m, BlockWords& block) {
   const Axes end = end_point(m, block, named);
   if (named == 0) return std::nullopt;
   if (!block.words.has('K')) return fault(Cause::ThreadLead, block);
+  if (m.facts.refuses(Cause::SpindleStands) && !m.state.turns)
+    return fault(Cause::SpindleStands, block);
   Piece piece = make_piece(m, block, MoveKind::Thread, end, named);
   piece.state.feed = std::fabs(number(m, block, 'K'));
   piece.state.feed_mode = FeedMode::PerRevolution;

@@ -1,4 +1,5 @@
 // Work coordinates: zero points and shifts.
+#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/query.hpp"
 #include "cncsub/motion/words.hpp"
@@ -8,10 +9,36 @@ Axes zero_offset(const MotionState& state) {
   const Axes& system = state.work_system > 0
                            ? state.tables.work[static_cast<std::size_t>(state.work_system)]
                            : state.tables.extra[static_cast<std::size_t>(state.extra_system - 1)];
-  return state.tables.work[0] + system + state.shift + state.local + state.tool_shift;
+  return in_frame(state, state.tables.work[0] + system) + state.shift + state.local +
+         state.tool_shift;
 }
 
+double turn_of_system(const MotionState& state, int system) {
+  const auto found = state.tables.turned.find(system);
+  return found == state.tables.turned.end() ? 0 : found->second;
+}
+
+namespace {
+
+/// The work system in force is turned otherwise: what is told in its coordinates is told anew.
+void turn_frame(MotionState& state) {
+  const double angle =
+      turn_of_system(state, state.work_system > 0 ? state.work_system : 6 + state.extra_system) *
+      kPi / 180;
+  if (angle == state.frame_angle) return;
+  const double by = state.frame_angle - angle;
+  const Axes base = turned_by(by, state.work + state.offset);
+  state.length = turned_by(by, state.length);
+  state.tool_at = turned_by(by, state.tool_at);
+  state.frame_angle = angle;
+  state.offset = zero_offset(state);
+  state.work = base - state.offset;
+}
+
+}  // namespace
+
 void refresh_offset(MotionState& state) {
+  if (!state.tables.turned.empty()) turn_frame(state);
   const Axes now = zero_offset(state);
   if (now == state.offset) return;
   state.work = state.work + (state.offset - now);

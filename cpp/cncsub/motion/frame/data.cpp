@@ -79,9 +79,12 @@ Result system_of(MotionView m, const BlockWords& block, bool& extra, double& p) 
 Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, double p) {
   OffsetTables& tables = m.state.tables;
   const bool in_force = m.facts.control->motion.data_forms.value.has(DataForm::Active);
-  if (in_force && block.words.has('R') && block.words['R'] != 0)
-    return fault_at('R', Cause::CodeNotComputed, block, "R of G10 turns the work system");
   if (auto wrong = system_of(m, block, extra, p)) return wrong;
+  const bool active = extra ? m.state.work_system == 0 && m.state.extra_system == whole(p)
+                            : m.state.work_system == whole(p);
+  if (in_force && active && compensating(m.state)) return fault(Cause::CompensationShift, block);
+  if (block.words.has('R') && in_force)
+    m.log.change(m.state.tables.turned[whole(p) + (extra ? 6 : 0)]) = block.words['R'];
   const bool named = std::any_of(kAxisNames.begin(), kAxisNames.end(),
                                  [&](char axis) { return block.words.has(axis); });
   if (!named && m.facts.refuses(Cause::G10Axis)) return fault(Cause::G10Axis, block);
@@ -93,51 +96,6 @@ Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, dou
       put(m.log.change(values[i]), number(m, block, name), m.state.incremental && !in_force);
   if (lathe_a) add_increments(m, block, values);
   refresh_offset(m.state);
-  return std::nullopt;
-}
-
-}  // namespace
-
-namespace {
-
-/// G10 L20 by which the tool stands at the given point of a work system.
-Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
-  const MotionState& s = m.state;
-  if (p == 0) p = s.work_system > 0 ? s.work_system : 6 + s.extra_system;
-  OffsetTables& tables = m.state.tables;
-  if (p < 1 || p != std::floor(p) || p > 6 + static_cast<double>(tables.extra.size()))
-    return fault(Cause::G10P, block);
-  const auto system = to_whole<std::size_t>(p);
-  Axes& values = system > 6 ? tables.extra[system - 7] : tables.work[system];
-  const Axes& active = s.work_system > 0
-                           ? tables.work[static_cast<std::size_t>(s.work_system)]
-                           : tables.extra[static_cast<std::size_t>(s.extra_system - 1)];
-  const Axes there = s.work + (active - values);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (const char name = kAxisNames[i]; block.words.has(name))
-      m.log.change(values[i]) += there[i] - number(m, block, name);
-  refresh_offset(m.state);
-  return std::nullopt;
-}
-
-}  // namespace
-
-namespace {
-
-/// G10 L1 and L10 of a tool: its length and radius; with L10 the length that puts the tool at Z.
-Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p) {
-  OffsetTables& tables = m.state.tables;
-  if (p < 1 || p != std::floor(p) || p >= static_cast<double>(tables.length.size()))
-    return fault(Cause::G10Offset, block);
-  for (const char name : std::string_view("XYABCUVW"))
-    if (block.words.has(name) && block.words[name] != 0)
-      return fault_at(name, Cause::CodeNotComputed, block, "a tool has a length along Z alone");
-  const auto tool = to_whole<std::size_t>(p);
-  if (block.words.has('Z')) {
-    const double z = number(m, block, 'Z');
-    m.log.change(tables.length[tool]) = l == 1 ? z : m.state.work[2] + m.state.length[2] - z;
-  }
-  if (block.words.has('R')) m.log.change(tables.radius[tool]) = number(m, block, 'R');
   return std::nullopt;
 }
 
@@ -157,7 +115,7 @@ Result set_data(MotionContext& m, BlockWords& block) {
   if (!w.has('P') && l != 2) return fault(Cause::G10Word, block);
   const double p = w.has('P') ? w['P'] : m.state.work_system;
   if (m.facts.control->motion.data_forms.value.has(DataForm::Tools) && l != 2 && l != 20)
-    return l == 11 ? fault(Cause::CodeNotComputed, block) : set_tool_entry(m, block, l, p);
+    return set_tool_entry(m, block, l, p);
   if (l == 20 && m.facts.control->motion.data_forms.value.has(DataForm::Here))
     return set_system_here(m, block, p);
   return offsets ? set_offset_data(m, block, l, p) : set_zero_point(m, block, l == 20, p);

@@ -10,6 +10,16 @@ namespace cncsub {
 
 /// The way from work to base coordinates: EXT + G54... + G92 + G52, and the tool shift of a lathe.
 Axes zero_offset(const MotionState& state);
+/// How far a work system is turned about Z, degrees; 7 is the first extra one.
+double turn_of_system(const MotionState& state, int system);
+/// Behind the offsets of the axes of a system stands its turn.
+constexpr int kTurn = 9;
+/// The length of a mill's tool on all axes, machine coordinates.
+Axes length_of_tool(const MotionState& state, int tool);
+/// G10 L2, L20, L1, L10 and L11 of controls whose work systems turn, and whose tools have lengths
+/// on all axes.
+Result set_system_here(MotionContext& m, const BlockWords& block, double p);
+Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p);
 /// Takes a changed zero point over: the machine stays, the work coordinates change.
 void refresh_offset(MotionState& state);
 Result select_work(MotionContext& m, BlockWords& block);
@@ -45,6 +55,11 @@ Axes end_point(MotionContext& m, BlockWords& block, std::uint32_t& named);
 /// The first axis of the plane is the radius, the second the angle.
 void polar_target(MotionContext& m, const BlockWords& block, bool incremental, Axes& end,
                   std::uint32_t& named);
+/// @ and ^, the radius and the angle of a point in G17: what does not go with them, and the point.
+constexpr std::uint32_t kPolarWords = 1u << kRadius | 1u << kAngle;
+Result check_polar_words(MotionView m, const BlockWords& block);
+void polar_words(MotionView m, const BlockWords& block, bool incremental, Axes& end,
+                 std::uint32_t& named);
 Result set_turned(MotionContext& m, BlockWords& block);
 /// From the written point to the one the tool goes to: mirror, scaling, rotation.
 void turn_point(const MotionState& state, Axes& point, std::uint32_t& named);

@@ -106,6 +106,29 @@ void polar_target(MotionContext& m, const BlockWords& block, bool incremental, A
   named |= axis_bit(plane.a) | axis_bit(plane.b);
 }
 
+Result check_polar_words(MotionView m, const BlockWords& block) {
+  const NcWords& w = block.words;
+  const Meaning once = block.meaning(Group::OneShot);
+  const bool moves = once == Meaning::None || once == Meaning::Dwell;
+  const bool counts = m.state.incremental || !w.has_place(kRadius) || !w.has_place(kAngle);
+  const bool at_zero = m.state.work[0] == 0 && m.state.work[1] == 0;
+  const bool lacks_angle = counts && at_zero && (m.state.incremental || !w.has_place(kAngle));
+  if (w.has('X') || w.has('Y') || m.state.plane != Plane::XY || !moves || lacks_angle)
+    return fault(Cause::PolarWord, block);
+  return std::nullopt;
+}
+
+void polar_words(MotionView m, const BlockWords& block, bool incremental, Axes& end,
+                 std::uint32_t& named) {
+  const NcWords& w = block.words;
+  double radius = std::hypot(end[0], end[1]), angle = std::atan2(end[1], end[0]);
+  if (w.has_place(kRadius)) radius = w.value[kRadius] * m.state.unit + (incremental ? radius : 0);
+  if (w.has_place(kAngle)) angle = w.value[kAngle] * kPi / 180 + (incremental ? angle : 0);
+  end[0] = radius * std::cos(angle);
+  end[1] = radius * std::sin(angle);
+  named |= 3u;
+}
+
 Result set_turned(MotionContext& m, BlockWords& block) {
   if (block.has(Group::Mirror)) set_mirror(m, block);
   if (block.has(Group::Scaling))

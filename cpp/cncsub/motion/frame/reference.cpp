@@ -16,15 +16,34 @@ double length_left(MotionContext& m, int axis) {
   return length = 0;
 }
 
+/// G53 in a turned work system: an axis without a word stays where it is in the machine.
+Result turned_machine_move(MotionContext& m, BlockWords& block, MoveKind kind) {
+  Axes machine = in_machine(m.state, machine_point(m.state));
+  std::uint32_t named = 0;
+  for (int i = 0; i < kAxes; ++i)
+    if (const char name = kAxisNames[static_cast<std::size_t>(i)]; block.words.has(name)) {
+      named |= i < 2 ? 3u : axis_bit(i);
+      machine[static_cast<std::size_t>(i)] = number(m, block, name);
+    }
+  if (named == 0) return std::nullopt;
+  if (kind == MoveKind::Feed)
+    if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
+  const Axes end = in_frame(m.state, machine) - m.state.offset - m.state.length;
+  return move(m, block, make_piece(m, block, kind, end, named));
+}
+
 }  // namespace
 
 Result machine_move(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;
-  const bool modal = c.motion.machine_move.value == MachineMove::Modal;
+  const bool modal = c.motion.machine_move.value != MachineMove::Rapid;
   if (!m.facts.homed && m.facts.refuses(Cause::NotHomed)) return fault(Cause::NotHomed, block);
   if (m.state.incremental && !modal) return std::nullopt;
+  if (m.state.incremental && c.motion.machine_move.value == MachineMove::ModalAbsolute)
+    return fault(Cause::MachineMoveIncremental, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
   const MoveKind kind = modal && meaning != Meaning::Rapid ? MoveKind::Feed : MoveKind::Rapid;
+  if (modal && m.state.frame_angle != 0) return turned_machine_move(m, block, kind);
   Axes end = m.state.work;
   std::uint32_t named = 0;
   for (int i = 0; i < kAxes; ++i) {
@@ -60,20 +79,20 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
     return wrong;
   }
   m.state.middle_known |= named;
+  const Axes point =
+      in_frame(m.state, found == m.state.tables.reference.end() ? Axes{} : found->second);
   Axes end = m.state.work;
   for (int i = 0; i < kAxes; ++i) {
     if ((named >> i & 1) == 0) continue;
     m.state.middle[i] = middle[i] + m.state.offset[i];
-    end[i] =
-        (found == m.state.tables.reference.end() ? 0 : found->second[static_cast<std::size_t>(i)]) -
-        m.state.offset[i] - length_left(m, i);
+    end[i] = point[static_cast<std::size_t>(i)] - m.state.offset[i] - length_left(m, i);
   }
   return move(m, block, uncompensated(m, block, MoveKind::Rapid, end, named));
 }
 
 Result store_reference(MotionContext& m, BlockWords& block) {
   if (compensating(m.state)) return fault(Cause::CompensationShift, block);
-  const Axes machine = machine_point(m.state);
+  const Axes machine = in_machine(m.state, machine_point(m.state));
   Axes& point = m.state.tables.reference[block.code(Group::OneShot).which];
   for (std::size_t i = 0; i < machine.size(); ++i) m.log.change(point[i]) = machine[i];
   return std::nullopt;

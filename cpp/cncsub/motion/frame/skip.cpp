@@ -45,7 +45,7 @@ std::optional<double> touch(MotionView m, const Workpiece& workpiece, SignalMask
     tool[static_cast<std::size_t>(m.state.length_axis)] = *workpiece.length;
   }
   const auto ball = [&](const Axes& work) {
-    const Axes machine = work + m.state.offset + m.state.length - tool;
+    const Axes machine = in_machine(m.state, work + m.state.offset + m.state.length - tool);
     Point3 centre{};
     for (std::size_t i = 0; i < centre.size(); ++i)
       centre[i] = machine[i] * m.facts.share(static_cast<int>(i));
@@ -96,6 +96,16 @@ SignalMask signals_of_dwell(const Control& c, double q) {
 
 }  // namespace
 
+namespace {
+
+/// G38.2 and G38.4, by which a probe is to meet something.
+bool must_probe(MotionView m) {
+  const GCode& motion = m.state.modal[at(Group::Motion)];
+  return motion.meaning == Meaning::Skip && motion.which % 2 == 0;
+}
+
+}  // namespace
+
 Result skip(MotionContext& m, BlockWords& block) {
   if (compensating(m.state)) return fault(Cause::CompensationSkip, block);
   if (m.state.modal[at(Group::Feed)].meaning == Meaning::PerRevolution &&
@@ -104,6 +114,7 @@ Result skip(MotionContext& m, BlockWords& block) {
   std::uint32_t named = 0;
   Axes end = linear_target(m, block, named);
   if (named == 0) return std::nullopt;
+  if (must_probe(m) && end == m.state.work) return fault(Cause::SameProbePoint, block);
   double feed = m.state.feed;
   if (auto wrong = skip_feed(m, block, feed)) return wrong;
   const bool touched =
@@ -113,7 +124,10 @@ Result skip(MotionContext& m, BlockWords& block) {
   piece.skip = touched ? SkipMove::Touched : SkipMove::Missed;
   if (auto wrong = move(m, block, piece)) return wrong;
   m.outcome.skip = piece.skip;
-  m.state.skip = m.state.work + m.state.length;  // with the tool, like #5041 [NCT 99M p.183]
+  m.state.skip_touched = touched;
+  m.state.skip = m.state.work;
+  if (m.facts.control->motion.length_type.value != LengthType::Shift)
+    m.state.skip = m.state.skip + m.state.length;  // with the tool, like #5041 [NCT 99M p.183]
   return std::nullopt;
 }
 

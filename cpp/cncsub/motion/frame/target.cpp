@@ -60,6 +60,7 @@ Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uin
     end[i] = number(m, block, name) + (form.incremental ? end[i] : 0);
   }
   if (lathe_a) add_increments(m, block, end, named);
+  if ((block.words.mask & kPolarWords) != 0) polar_words(m, block, form.incremental, end, named);
   if (form.polar) polar_target(m, block, form.incremental, end, named);
   if (turned(m.state)) turn_point(m.state, end, named);
   return end;

@@ -1,6 +1,7 @@
 // Tool words: T of mills and lathes, length offsets, the radius in force.
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
@@ -33,12 +34,19 @@ int offset_of_tool(const MotionState& state, const std::vector<double>& offsets)
 
 /// G43.1 and G43.2: the length is given by axis words, or added to the one in force.
 void give_length(MotionContext& m, BlockWords& block, bool add) {
-  for (int i = 0; i < kAxes; ++i)
-    if (const char name = kAxisNames[static_cast<std::size_t>(i)]; block.words.has(name)) {
-      double& length = m.state.length[static_cast<std::size_t>(i)];
-      length = number(m, block, name) + (add ? length : 0);
+  Axes length = in_machine(m.state, m.state.length);
+  for (std::size_t i = 0; i < length.size(); ++i)
+    if (const char name = kAxisNames[i]; block.words.has(name)) {
+      length[i] = number(m, block, name) + (add ? length[i] : 0);
       block.consumed = true;
     }
+  m.state.length = in_frame(m.state, length);
+}
+
+/// A length that shifts the work coordinates is one on all axes.
+void shift_by_length(MotionContext& m, bool add) {
+  const Axes length = in_frame(m.state, length_of_tool(m.state, m.state.h));
+  m.state.length = add ? m.state.length + length : length;
 }
 
 /// The number of the offset: that of H, or of the tool where the control takes it without H.
@@ -59,7 +67,11 @@ Result take_length(MotionContext& m, BlockWords& block) {
   if (m.facts.lathe()) return std::nullopt;
   if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
   const bool h = block.words.has('H');
-  if (!h && !block.has(Group::Length)) return std::nullopt;
+  const bool only_with_code = m.facts.control->motion.length_type.value == LengthType::Shift;
+  if ((!h || only_with_code) && !block.has(Group::Length)) return std::nullopt;
+  if (m.facts.control->motion.length_type.value == LengthType::Shift && compensating(m.state) &&
+      block.has(Group::Length))
+    return fault(Cause::CompensationShift, block);
   if (auto wrong = take_h(m, block)) return wrong;
   if (block.has(Group::Length)) m.state.modal[at(Group::Length)] = block.code(Group::Length);
   const Meaning meaning = m.state.modal[at(Group::Length)].meaning;
@@ -79,12 +91,12 @@ Result take_length(MotionContext& m, BlockWords& block) {
     give_length(m, block, form == 2);
     return std::nullopt;
   }
-  const double value =
-      m.state.h == 0 ? 0 : m.state.tables.length[number] + m.state.tables.length_wear[number];
-  if (form == 2) {
-    m.state.length[static_cast<std::size_t>(axis)] += value;
+  if (m.facts.control->motion.length_type.value == LengthType::Shift) {
+    shift_by_length(m, form == 2);
     return std::nullopt;
   }
+  const double value =
+      m.state.h == 0 ? 0 : m.state.tables.length[number] + m.state.tables.length_wear[number];
   m.state.length[static_cast<std::size_t>(axis)] = meaning == Meaning::LengthMinus ? -value : value;
   return std::nullopt;
 }
@@ -146,6 +158,18 @@ Result move_by_length(MotionContext& m, BlockWords& block, const Axes& before) {
   return std::nullopt;
 }
 
+namespace {
+
+/// Where moves end beside their own ends G40 lets the last one go, and a side is begun once.
+Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
+  if (block.meaning(Group::Radius) != Meaning::RadiusOff)
+    return compensating(m.state) ? Result(fault(Cause::CompensationTwice, block)) : std::nullopt;
+  m.state.held.ended = m.state.held.engaged;
+  return flush_radius(m.sink);
+}
+
+}  // namespace
+
 Result set_radius(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;
   const bool measures = block.meaning(Group::OneShot) == Meaning::MeasureTool;  // D is its zone
@@ -160,6 +184,8 @@ Result set_radius(MotionContext& m, BlockWords& block) {
     m.state.d = to_whole<int>(number);
   }
   if (!block.has(Group::Radius)) return std::nullopt;
+  if (is_by_own_normal(m.facts))
+    if (auto wrong = change_by_own_normal(m, block)) return wrong;
   m.state.modal[at(Group::Radius)] = block.code(Group::Radius);
   if (given) return std::nullopt;
   if (compensating(m.state) && !block.words.has('D') &&

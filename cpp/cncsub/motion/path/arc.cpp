@@ -57,7 +57,8 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   if (const double miss = chord / 2 - size; miss > 0) {
     const bool half = c.motion.small_radius.value == SmallRadius::HalfCircle;
     if (miss >
-        std::max(m.facts.increment / 2 + 1e-9, half ? c.motion.arc_tolerance.value * 1e-3 : 0))
+        std::max({m.facts.increment / 2 + 1e-9, half ? c.motion.arc_tolerance.value * 1e-3 : 0,
+                  c.motion.arc_rounding.value > 0 ? kRadiusSlack : 0}))
       return fault(Cause::RadiusTooSmall, block);
     size = chord / 2;
   }
@@ -107,7 +108,8 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   const PlaneAxes plane = plane_axes(m.state.plane);
   const auto word = [&](int axis) {
     const char name = kCentreNames[static_cast<std::size_t>(axis)];
-    return block.words.has(name) ? number(m, block, name) : 0.0;
+    const double zero = centre_is_absolute(m.state) ? m.state.work[axis] : 0;
+    return block.words.has(name) ? number(m, block, name) - zero : 0.0;
   };
   double i = word(plane.a), j = word(plane.b);
   turn_vector(m.state, i, j, plane);
@@ -121,7 +123,8 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   const double ca = a0 + i, cb = b0 + j;
   const double first = std::hypot(i, j), last = std::hypot(a1 - ca, b1 - cb);
   if (piece.radius != 0 && first == 0) return fault(Cause::CompensationArcStart, block);
-  if (first == 0 && m.facts.refuses(Cause::NoRadius)) return fault(Cause::NoRadius, block);
+  if (has_no_radius(c.motion, first, last) && m.facts.refuses(Cause::NoRadius))
+    return fault(Cause::NoRadius, block);
   if (is_off_circle(c.motion, first, last, m.state.unit != 1))
     return off_circle(m, block, piece, {a0, b0}, {ca, cb}, {a1, b1});
   if (first == 0) {
@@ -147,15 +150,34 @@ Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bo
   const auto outside = [&](int axis, Cause cause) {
     return fault_at(kAxisNames[static_cast<std::size_t>(axis)], cause, block);
   };
-  const bool helix = c.motion.helix.value == Helix::Everywhere ||
+  const bool all = c.motion.helix.value == Helix::AllAxes;
+  const bool helix = all || c.motion.helix.value == Helix::Everywhere ||
                      (c.motion.helix.value == Helix::MillsOnly && !m.facts.lathe());
   if ((named & axis_bit(across)) != 0 && !helix) return outside(across, Cause::ArcAxis);
-  if (const std::uint32_t beyond = named & ~7u; beyond != 0)  // neither X nor Y nor Z
+  if (const std::uint32_t beyond = all ? 0 : named & ~7u; beyond != 0)  // neither X nor Y nor Z
     return outside(std::countr_zero(beyond),
                    m.facts.refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);
   const char word = kCentreNames[static_cast<std::size_t>(across)];
   if (!radius && block.words.has(word) && block.words[word] != 0)
     return fault_at(word, Cause::ArcAxis, block);
+  return std::nullopt;
+}
+
+/// Whether one of the two words of a centre is missing.
+bool lacks_centre(MotionView m, const BlockWords& block) {
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  return !block.words.has(kCentreNames[static_cast<std::size_t>(plane.a)]) ||
+         !block.words.has(kCentreNames[static_cast<std::size_t>(plane.b)]);
+}
+
+/// How often an arc goes around beside the way to its end.
+Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
+  if (m.facts.control->motion.helix.value != Helix::AllAxes || !block.words.has('P'))
+    return std::nullopt;
+  const double turns = std::round(block.words['P']);
+  if (std::fabs(turns - block.words['P']) > 1e-3 || turns < 1 || turns > kMostMoves)
+    return fault_at('P', Cause::ValueOutOfRange, block);
+  if (piece.turn != 0) piece.turn += std::copysign(2 * kPi * (turns - 1), piece.turn);
   return std::nullopt;
 }
 
@@ -167,6 +189,8 @@ Result find_centre(MotionContext& m, const BlockWords& block, bool radius, bool 
     return arc_by_radius(m, block, piece);
   }
   if (centre) {
+    if (centre_is_absolute(m.state) && lacks_centre(m, block))
+      return fault(Cause::NoRadius, block, "the centre has two words");
     if (polar(m.state) && m.facts.refuses(Cause::PolarCentre))
       return fault(Cause::PolarCentre, block);
     return arc_by_centre(m, block, piece);
@@ -195,6 +219,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   Piece piece = make_piece(m, block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
   if (auto wrong = corner_words(m, block, piece)) return wrong;
   if (auto wrong = find_centre(m, block, radius, centre, piece)) return wrong;
+  if (auto wrong = more_turns(m, block, piece)) return wrong;
   // R with the end at the start is no arc: nothing is left but what goes along. [16TC p.67]
   const bool goes_across = (named & axis_bit(plane.across)) != 0;
   if (piece.corner != 0 && goes_across && m.facts.refuses(Cause::CornerHelix))

@@ -12,14 +12,24 @@ namespace cncsub {
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning);
 /// Whether an arc that begins and ends at these distances from its centre, mm, is refused.
 inline bool is_off_circle(const MotionRules& rules, double first, double last, bool inches) {
-  const bool own = inches && rules.arc_tolerance_inch.value > 0;
-  const double tolerance =
-      (own ? rules.arc_tolerance_inch.value : rules.arc_tolerance.value) * 1e-3 + 1e-9;
+  constexpr double kDiagonals = 2.8284271247461903;  // of a start or end, and of a centre
+  const double rounding = rules.arc_rounding.value * (inches ? kInch / 10 : 1) * kDiagonals;
+  const double allowed = rules.arc_rounding.value > 0 ? rounding : rules.arc_tolerance.value;
+  const double tolerance = allowed * 1e-3 + 1e-9;
   const double miss = std::fabs(first - last);
-  if (rules.arc_tolerance.value == 0 || miss <= tolerance) return false;
+  if (allowed == 0 || miss <= tolerance) return false;
   return miss > tolerance * 100 ||
          miss >= rules.arc_tolerance_share.value * 1e-3 * std::max(first, last);
 }
+/// What an arc with R may lack, mm, where its words may be rounded. [rs274 2.9]
+constexpr double kRadiusSlack = 5e-5 * kInch;
+/// Whether an arc has no radius at one of its ends.
+inline bool has_no_radius(const MotionRules& rules, double first, double last) {
+  return first == 0 ||
+         (rules.arc_rounding.value > 0 && (first < kRadiusSlack || last < kRadiusSlack));
+}
+/// G05 and G05.1: a curve to a point, by the directions at its ends or by where they meet.
+Result spline(MotionContext& m, BlockWords& block);
 /// Whether a negative R goes the long way around.
 inline bool takes_negative_radius(const MotionFacts& facts) {
   const NegativeRadius taken = facts.control->motion.negative_radius.value;
@@ -43,6 +53,12 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece);
 Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from);
 Result through_radius(MoveSink& sink, const Piece& written, const Axes& from);
 Result flush_radius(MoveSink& sink);
+/// The same where moves end beside their own ends, and what ends their waiting.
+Result by_own_normal(MoveSink& sink, const Piece& piece, const Axes& from);
+Result end_own_normal(MoveSink& sink);
+inline bool is_by_own_normal(const MotionFacts& facts) {
+  return facts.control->motion.start_up.value == StartUp::OwnNormal;
+}
 /// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
 /// the normal.
 Result count_idle(MotionContext& m, const BlockWords& block);

@@ -18,23 +18,6 @@ double angle(Point from, Point to) { return std::atan2(cross(from, to), dot(from
 /// How far a step along one direction leads away from a line in another, 0 to 1.
 double sharpness(Point u, Point v) { return dot(u, v) < 0 ? 1 : std::fabs(cross(u, v)); }
 
-/// The sine of a corner at which a control that goes around all corners in arcs goes straight on.
-/// [rs274 2.9: 0.05 radians]
-const double kHardlyACorner = std::sin(0.05);
-
-/// Whether the tool goes outside of an arc.
-bool outside_arc(const Curve& curve, double offset) {
-  return !curve.straight() && (curve.turn > 0) != (offset > 0);
-}
-
-/// The arc with the radius that it has at its end.
-Curve by_its_end(Curve curve) {
-  if (curve.straight() || size(curve.from - curve.centre) == 0) return curve;
-  const double share = size(curve.to - curve.centre) / size(curve.from - curve.centre);
-  curve.from = curve.centre + share * (curve.from - curve.centre);
-  return curve;
-}
-
 /// So many moves wait at most because they are too short.
 constexpr std::size_t kReadAhead = 8;
 
@@ -71,7 +54,7 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
   };
   const double cosine = dot(u, v);
   const AcuteCorner corner = sink.facts.control->motion.acute_corner.value;
-  if (cosine >= -1e-9 && corner != AcuteCorner::AlwaysArc) {
+  if (cosine >= -1e-9) {
     go_on(reach * std::fabs(cross(u, v)) / (1 + cosine));
     if (!b.straight()) join.way.push_back(nb);
     return;
@@ -91,18 +74,13 @@ Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, dou
   const Point u = a.end_direction(), v = b.start_direction();
   const Point na = offset * left(u), nb = offset * left(v);
   if (behind != nullptr && join_before_step(a, b, *behind, offset, join)) return std::nullopt;
-  const bool arcs = sink.facts.control->motion.acute_corner.value == AcuteCorner::AlwaysArc;
-  const bool hardly = arcs && std::fabs(cross(u, v)) < kHardlyACorner;
-  const bool cusp = hardly && dot(u, v) < 0;
-  if (hardly && !cusp) {
-    join.leave = na;
-  } else if (same_normal(na, nb)) {  // tangent: an arc keeps its own normal
+  if (same_normal(na, nb)) {  // tangent: an arc keeps its own normal
     join.leave = a.straight() ? nb : na;
-  } else if (cusp ? !outside_arc(b.straight() ? a : b, offset) : !inside(u, v, offset)) {
+  } else if (!inside(u, v, offset)) {
     go_around(a, b, u, v, offset, join);
   } else if (join_over_step(a, b, offset, join)) {
     return std::nullopt;
-  } else if (const auto meet = meeting(a, arcs ? by_its_end(b) : b, offset, least)) {
+  } else if (const auto meet = meeting(a, b, offset, least)) {
     join.leave = *meet - a.to;
   } else {
     return no_meeting(a, b, offset, at);
@@ -233,7 +211,7 @@ Result RadiusPath::follow(Piece& piece, const Curve& curve, const Curve* behind,
   const bool start_around = held.starting && start_up == StartUp::TypeB &&
                             !inside(u, v, offset_of(piece)) && cross(u, v) != 0;
   Join way;
-  if (held.starting && !start_around && start_up != StartUp::OwnNormal) {
+  if (held.starting && !start_around) {
     way.leave = offset * left(v);
   } else if (!held.starting && offset * offset_of(piece) < 0) {  // to the other side
     way.leave = offset * left(u);
@@ -249,6 +227,7 @@ Result RadiusPath::follow(Piece& piece, const Curve& curve, const Curve* behind,
 
 Result flush_radius(MoveSink& sink) {
   if (sink.state.held.radius.empty()) return std::nullopt;
+  if (is_by_own_normal(sink.facts)) return end_own_normal(sink);
   return RadiusPath(sink, sink.state.held.radius.front().plane).flush();
 }
 
@@ -256,6 +235,7 @@ Result through_radius(MoveSink& sink, const Piece& written, const Axes& from) {
   Held& held = sink.state.held;
   const bool active = written.side != 0;
   if (!active && !held.engaged && held.radius.empty()) return record_move(sink, written, {});
+  if (is_by_own_normal(sink.facts)) return by_own_normal(sink, written, from);
   Piece piece = written;
   RadiusPath path(sink, piece.plane);
   Axes start = path.start_of(from);
@@ -300,7 +280,7 @@ Result count_idle(MotionContext& m, const BlockWords& block) {
   Held& held = m.state.held;
   const bool moved =
       std::exchange(held.moved, false) || !held.corner.empty() || m.state.angled.waiting();
-  if (held.radius.empty() || moved) {
+  if (held.radius.empty() || moved || is_by_own_normal(m.facts)) {
     held.idle = 0;
     return std::nullopt;
   }

@@ -204,3 +204,17 @@ case(
     program="O1\nN10 G0 Z-10000.\nN20 M30",
     moves="R Z-10000", time=60,
 )
+case(
+    "the first axis of a program moves without a motion code",
+    pins="refuses:no-motion-code",
+    control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", "gsk-928te", "mitsubishi-meldas", "mitsubishi-m700",
+             "mitsubishi-m800", "fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "haas-ngc", "syntec-22ma"],
+    source="general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G4 X1.
+        N20 X5.
+        N30 M30
+    """,
+    final_work="X5",
+)

@@ -51,28 +51,26 @@ case(
     moves="CCW X20.1 Z-10 C X0 Z-10",
 )
 case(
-    "the tolerance is the same in inches",
-    pins="arc_tolerance_inch",
+    "the tolerance counts as it is, whatever its words are rounded to",
+    pins="arc_rounding",
     control=[MDI, *MITSUBISHI, *FANUC, HNC, HAAS, SYNTEC], **POLICY, setup=MILL, replace={"arc_tolerance": 10},
     program="""
         O1
-        N10 G20
-        N20 G3 X-1. Y1.0002 I-1. J0 F10
-        N30 M30
+        N10 G3 X-1. Y1.009 I-1. J0 F100
+        N20 M30
     """,
-    moves="CCW X-25.4 Y25.40508 C X-25.4 Y0",
+    moves="CCW X-1 Y1.009 C X-1 Y0",
 )
 case(
-    "the tolerance is the same in inches on a lathe",
-    pins="arc_tolerance_inch",
-    control=GSK_988, **POLICY, setup=LATHE, replace={"arc_tolerance": 10},
+    "the tolerance counts as it is on a lathe, whatever its words are rounded to",
+    pins="arc_rounding",
+    control=GSK_LATHES, **POLICY, setup=LATHE, replace={"arc_tolerance": 10},
     program="""
         O1
-        N10 G20
-        N20 G3 X2.0004 Z-1. I0 K-1. F10
-        N30 M30
+        N10 G3 X2.018 Z-1. I0 K-1. F100
+        N20 M30
     """,
-    moves="CCW X50.81016 Z-25.4 C X0 Z-25.4",
+    moves="CCW X2.018 Z-1 C X0 Z-1",
 )
 case(
     "what a large arc misses counts as what a small one does",

@@ -1,0 +1,57 @@
+#include "cncsub/motion/saved_modes.hpp"
+
+#include <cmath>
+
+#include "cncsub/motion/context.hpp"
+
+namespace cncsub {
+namespace {
+
+bool is_longer(const MotionState& state) { return state.length != Axes{}; }
+double feed_of(const MotionState& state) {
+  const bool times = state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
+  return times ? state.feed : state.feed / state.unit;
+}
+double speed_of(const MotionState& state) {
+  return state.surface ? state.surface_speed : state.speed;
+}
+
+}  // namespace
+
+SavedModes modes_of(const MotionState& state) {
+  return {state.modal,   feed_of(state),   speed_of(state),
+          state.shifted, is_longer(state), state.turns};
+}
+
+ReturnToModes units_to(const MotionFacts& /*facts*/, const MotionState& state,
+                       const SavedModes& saved) {
+  ReturnToModes block;
+  const GCode units = saved.codes[at(Group::Units)];
+  if (units.code >= 0 && units.code != state.modal[at(Group::Units)].code)
+    block.codes.add_g(units.code);
+  return block;
+}
+
+ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state,
+                       const SavedModes& saved) {
+  ReturnToModes block;
+  for (const Group group :
+       {Group::Plane, Group::Radius, Group::Distance, Group::Feed, Group::Work, Group::Return,
+        Group::Surface, Group::Centre, Group::Diameter, Group::Path}) {
+    const GCode code = saved.codes[at(group)];
+    if (code.code >= 0 && code.code != state.modal[at(group)].code) block.codes.add_g(code.code);
+  }
+  const auto add = [&](Meaning meaning) {
+    if (const GCode code = facts.codes.of(meaning); code.code >= 0) block.codes.add_g(code.code);
+  };
+  if (saved.longer != is_longer(state))
+    add(saved.longer ? Meaning::LengthPlus : Meaning::LengthOff);
+  if (saved.shifted != state.shifted)
+    add(saved.shifted ? Meaning::RestoreShift : Meaning::SuspendShift);
+  // Written with one decimal, and with none.
+  block.has_feed = saved.feed != feed_of(state);
+  block.has_speed = saved.speed != speed_of(state);
+  return block;
+}
+
+}  // namespace cncsub

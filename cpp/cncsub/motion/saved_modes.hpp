@@ -1,0 +1,33 @@
+// The modes as they are, to be taken back in later.
+#pragma once
+
+#include <array>
+
+#include "cncsub/code/block_codes.hpp"
+
+namespace cncsub {
+
+struct MotionState;
+struct MotionFacts;
+
+/// What M70 and M73 keep. [LC m-code, M70]
+struct SavedModes {
+  std::array<GCode, kGroups> codes{};
+  double feed = 0;  // in the unit of the program
+  double speed = 0;
+  bool shifted = false, longer = false;  // the shift of G92, and a tool length, are in force
+  bool turns = false;
+};
+
+SavedModes modes_of(const MotionState& state);
+/// The block by which a control returns to saved modes: its codes, and F and S where they differ.
+struct ReturnToModes {
+  CodeList codes;
+  bool has_feed = false, has_speed = false;
+};
+/// First the unit of lengths, in which F is told, then the others. A control writes both blocks
+/// itself and executes them: what it refuses in one it refuses here too. [rs274 2.9]
+ReturnToModes units_to(const MotionFacts& facts, const MotionState& state, const SavedModes& saved);
+ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state, const SavedModes& saved);
+
+}  // namespace cncsub

@@ -1,0 +1,47 @@
+"""Generated programs of LinuxCNC's motion do on cncsub what they do on its interpreter, where that is
+installed.
+
+`python tests/differential/linuxcnc_paths.py --programs 100000 --together 50` does the same with more.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from linuxcnc_paths import compare, on_cncsub, program
+
+SEED = 1
+
+
+@pytest.mark.skipif(
+    shutil.which("rs274") is None, reason="rs274 is not installed: Debian package linuxcnc-uspace"
+)
+@pytest.mark.parametrize(("programs", "together"), [(120, 1), (400, 50)])
+def test_programs_move_as_they_do_on_linuxcnc(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], programs: int, together: int
+) -> None:
+    report = compare(SEED, range(programs), "rs274", tmp_path, together)
+    assert report.different == [], capsys.readouterr().out
+    assert report.programs > 0.95 * programs
+    assert report.moves > 10 * programs
+    assert report.stopped >= (together == 1) * programs // 20
+
+
+def test_the_programs_go_over_the_ground() -> None:
+    text = program(SEED, range(300), together=False)
+    codes = (
+        "G2 G3 G7 G8 G10 G18 G19 G20 G28 G28.1 G30 G30.1 G33 G33.1 G38.2 G38.5 G41 G42 G41.1 G42.1 G43 G43.1"
+        " G43.2 G49 G52 G53 G54 G59.3 G73 G74 G76 G81 G82 G83 G84 G85 G86 G89 G90.1 G91.1 G92 G92.3 G98 G99"
+        " M70 M72 M73 L20 L10 L11 R45 @ ^ repeat call"
+    )
+    words = text.replace("@", " @ ").replace("^", " ^ ").split()
+    assert [code for code in codes.split() if code not in words] == []
+
+
+def test_a_program_of_many_ends() -> None:
+    outcome = on_cncsub(program(SEED, range(20), together=True))
+    assert outcome.error == ""
+    assert len(outcome.moves) > 100
