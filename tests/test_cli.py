@@ -564,7 +564,9 @@ def test_nothing_that_was_read_is_written_over(shop: Path, line: str) -> None:
     assert files() == before
 
 
-@pytest.mark.parametrize("name", ["setup.toml", "cncsub.toml", "inputs.toml", "kept.json", "usb/O0003.nc"])
+@pytest.mark.parametrize(
+    "name", ["setup.toml", "cncsub.toml", "inputs.toml", "kept.json", "usb/O0003.nc"]
+)
 def test_what_the_project_names_is_not_written_over(
     shop: Path, name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -54,8 +54,8 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
                     [](const T& one, const T& other) { return same(one, other); });
 }
 
-/// The open calls with the passes that are left. Of the main program's passes only max_cycles knows,
-/// and of the numbers of calls and of passes only the record.
+/// The open calls with the passes that are left. Of the main program's passes only max_cycles
+/// knows, and of the numbers of calls and of passes only the record.
 bool same_frames(const std::vector<OpenFrame>& a, const std::vector<OpenFrame>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
