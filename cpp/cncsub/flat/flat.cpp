@@ -64,10 +64,24 @@ std::string idle_words(const MotionState& state, const Block& block) {
   return block.mask != 0 && compensating(state) && code >= 0 ? code_name(code) : "";
 }
 
+/// What starts the program over or, where that ends it, ends it; empty where another control has
+/// nothing that does.
+std::string return_of(const Machine& machine, const OtherWriter* other) {
+  const CallRules& calls = (other != nullptr ? other->machine() : machine).code().control->calls;
+  const bool ends = machine.stop() == Stop::End;
+  if (other != nullptr && ends) return other->end();
+  const auto code = calls.roles.value.code_of(Role::Return);
+  if (other != nullptr && (!code || calls.main_return.value == MainReturn::Ends)) return "";
+  return code ? code->text() : "M99";
+}
+
 }  // namespace
 
 FlatRun::FlatRun(const Machine& at_its_head, bool comments, const Machine* other)
-    : machine_(at_its_head), blocks_(machine_), comments_(comments) {
+    : machine_(at_its_head),
+      blocks_(machine_),
+      for_(other != nullptr ? &other->code() : &machine_.code()),
+      comments_(comments) {
   if (other != nullptr) other_.emplace(machine_, *other);
   machine_.tell(&heard_);
   program_ = machine_.state().frames.front().program;
@@ -184,28 +198,17 @@ void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
   const bool returns = cycles || (machine_.stop() == Stop::End && heard_.returned);
   const bool said = heard_.words != nullptr && heard_.words->op == Op::EndProgram;
   if (returns && !starts_over_) {
-    write_return(text, origins);
+    const std::string code = return_of(machine_, other_ ? &*other_ : nullptr);
+    if (code.empty())
+      refuse("the program starts over at its end, and " + for_->control->name +
+             " does not do that");
+    else
+      end_line(text += code, origins);
   } else if (!said && !starts_over_ && machine_.stop() == Stop::End && !late_.empty()) {
     refuse("the blocks that a cycle follows would stand where the program has no end");
   }
   for (const Late& profile : late_) write_profile(text, origins, profile);
   if (taped_) text += "%\n";
-}
-
-/// What starts the program over or, where that ends it, ends it.
-void FlatRun::write_return(std::string& text, FlatOrigins& origins) {
-  const Control& control = *written_for().control;
-  const bool ends = machine_.stop() == Stop::End;
-  const auto code = control.calls.roles.value.code_of(Role::Return);
-  if (other_ && !ends && (!code || control.calls.main_return.value == MainReturn::Ends)) {
-    refuse("the program starts over at its end, and " + control.name + " does not do that");
-    return;
-  }
-  if (other_ && ends)
-    text += other_->end();
-  else
-    text += code ? code->text() : "M99";
-  end_line(text, origins);
 }
 
 // ---- lines ----
@@ -214,8 +217,7 @@ void FlatRun::write_return(std::string& text, FlatOrigins& origins) {
 void FlatRun::end_line(std::string& text, FlatOrigins& origins) {
   const Block& block = machine_.code().blocks[coming_.at];
   const std::int32_t program = program_at(coming_.at);
-  if (comments_)
-    text += comment_of(machine_.code(), block, program, written_for().spelling->comment);
+  if (comments_) text += comment_of(machine_.code(), block, program, for_->spelling->comment);
   text += '\n';
   origins.add(program, block.n, block.line, coming_.call, coming_.repeat);
 }
@@ -282,7 +284,7 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
   for (const Heard::Assigned& of : heard_.assigned) {
     if (!has_effect(code, of.number)) continue;
     const std::string name = "#" + std::to_string(of.number);
-    const Code& there = written_for();
+    const Code& there = *for_;
     if (!there.spelling->numbered || there.place(of.number).kind != code.place(of.number).kind ||
         there.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
       return refuse(name + " is written, and the control has no statement that assigns a number");
@@ -319,7 +321,7 @@ bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string&
 }
 
 bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
-  const Spelling::Around& message = written_for().spelling->message;
+  const Spelling::Around& message = for_->spelling->message;
   if (heard_.device != Op::Words) {
     text += heard_.device == Op::OpenOutput ? "POPEN" : "PCLOS";
     end_line(text, origins);

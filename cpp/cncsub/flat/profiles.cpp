@@ -6,7 +6,6 @@
 
 namespace cncsub {
 
-
 /// A cycle and the blocks that it follows. They stand right behind it where it passes over them;
 /// one that goes on with the next block, as G70 does, names those of a cycle before, or blocks
 /// behind the end of the program.
