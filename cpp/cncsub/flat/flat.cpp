@@ -238,7 +238,7 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
 
 bool FlatRun::write_words(std::string& text, FlatOrigins& origins, const Block& block,
                           const std::array<std::int64_t, 2>* profile) {
-  if (other_) return write_for_other(text, origins, block);
+  if (other_) return write_for_other(text, origins, block, *other_);
   const std::size_t before = text.size();
   const NcWords* values = heard_.computed ? &heard_.values : nullptr;
   const std::int32_t program = program_at(coming_.at);
@@ -253,10 +253,11 @@ bool FlatRun::write_words(std::string& text, FlatOrigins& origins, const Block& 
          refuse("the block would be longer than the control takes");
 }
 
-bool FlatRun::write_for_other(std::string& text, FlatOrigins& origins, const Block& block) {
+bool FlatRun::write_for_other(std::string& text, FlatOrigins& origins, const Block& block,
+                              OtherWriter& other) {
   const NcWords words = heard_.computed ? heard_.values : constant_words(machine_, block);
   std::string lines;
-  if (!other_->write(lines, block, words)) return refuse(other_->refused());
+  if (!other.write(lines, block, words)) return refuse(other.refused());
   for (std::size_t end; (end = lines.find('\n')) != std::string::npos; lines.erase(0, end + 1)) {
     text.append(lines, 0, end);
     end_line(text, origins);

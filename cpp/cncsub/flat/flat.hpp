@@ -83,7 +83,8 @@ class FlatRun {
   bool write_block(std::string& text, FlatOrigins& origins);
   bool write_words(std::string& text, FlatOrigins& origins, const Block& block,
                    const std::array<std::int64_t, 2>* profile = nullptr);
-  bool write_for_other(std::string& text, FlatOrigins& origins, const Block& block);
+  bool write_for_other(std::string& text, FlatOrigins& origins, const Block& block,
+                       OtherWriter& other);
   bool write_assigned(std::string& text, FlatOrigins& origins);
   void write_raised(std::string& text, FlatOrigins& origins);
   bool write_print(std::string& text, FlatOrigins& origins);
