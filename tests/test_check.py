@@ -753,9 +753,7 @@ def test_brackets_are_offered_that_keep_what_is_done(
 ) -> None:
     head = {"linuxcnc": "", "hnc-21m": "%1\n"}.get(control, "O1\n")
     text = f"{head}N10 {written}\n{END}"
-    (finding,) = (
-        f for f in cncsub.loads(text, control=control).check() if f.rule == "CS705"
-    )
+    (finding,) = (f for f in cncsub.loads(text, control=control).check() if f.rule == "CS705")
     if mended is None:
         assert finding.fix is None
         return

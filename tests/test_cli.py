@@ -567,6 +567,50 @@ def test_nothing_that_was_read_is_written_over(shop: Path, line: str) -> None:
     assert files() == before
 
 
+@pytest.mark.parametrize(
+    "name", ["setup.toml", "cncsub.toml", "inputs.toml", "kept.json", "usb/O0003.nc"]
+)
+def test_what_the_project_names_is_not_written_over(
+    shop: Path, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(shop)
+    (shop / "inputs.toml").write_text("clock_ms = 5\n")
+    (shop / "kept.json").write_text("{}")
+    (shop / "cncsub.toml").write_text(
+        'control = "fanuc-0i-f"\nsetup = "setup.toml"\ninputs = "inputs.toml"\n'
+        'variables = "kept.json"\nexternal = "usb"\nfolders = ["job"]\n'
+    )
+    before = (shop / name).read_bytes()
+    for command in ("report", "flatten"):
+        done = CliRunner().invoke(app, [command, "-o", name])
+        assert done.exit_code == 2, done.output
+        assert "name another file" in done.stderr
+        assert (shop / name).read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("line", "option"),
+    [
+        ("run job -c fanuc-0i-f -c haas-ngc", "--control"),
+        ("run job -c fanuc-0i-f --main O1 --main=O2", "--main"),
+        ("check job -c fanuc-0i-f --format json --format text", "--format"),
+        ("flatten job -c fanuc-0i-f -o a.nc -o b.nc", "--output"),
+    ],
+)
+def test_an_option_that_takes_one_value_is_not_given_twice(
+    shop: Path, line: str, option: str
+) -> None:
+    done = CliRunner().invoke(app, line.split())
+    assert done.exit_code == 2, done.output
+    assert f"{option} is given 2 times and takes one value" in done.stderr
+
+
+def test_an_option_that_takes_several_is(shop: Path) -> None:
+    line = "run job -c fanuc-0i-f --set 100=1 --set 101=2 --main O0001"
+    done = CliRunner().invoke(app, line.split())
+    assert done.exit_code == 0, done.output
+
+
 def test_a_file_that_was_not_read_may_be_written_anew(shop: Path) -> None:
     for _ in range(2):
         done = CliRunner().invoke(app, ["report", "job", "-o", "job/r.html", "-c", "fanuc-0i-f"])

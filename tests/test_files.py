@@ -180,6 +180,14 @@ def test_a_folder_that_is_given_through_a_link_is_read(tmp_path: Path) -> None:
     assert found(tmp_path / "link") == ["O1.nc"]
 
 
+def test_a_folder_that_is_given_twice_is_read_once(tmp_path: Path) -> None:
+    write(tmp_path, "job/O1.nc", "job/parts/O2.nc")
+    job = tmp_path / "job"
+    for paths in ((job, job), (job, job / "parts"), (job / "parts", job), (job, job / "O1.nc")):
+        library = cncsub.load(*paths, control="fanuc-0i-f")
+        assert sorted(Path(file).name for file in library.files) == ["O1.nc", "O2.nc"]
+
+
 def test_pipes_sockets_and_devices_are_never_opened(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import random
+import time
 
 import pytest
 
@@ -50,6 +51,32 @@ NESTED = {
 def test_what_is_nested_or_repeated_without_end_is_read_to_its_end(name):
     for control in NAMES:
         ends(NESTED[name], control)
+
+
+LONG = {
+    "brackets": "(" * MANY,
+    "codes": "G1 " * (MANY // 3),
+    "quotes": '"' * MANY,
+    "marks": "$" * MANY,
+    "letters": "A B " * (MANY // 4),
+    "sums": "R1=" + "1+" * (MANY // 2),
+    "square brackets": "R[" * (MANY // 2),
+    "statements": "IF " * (MANY // 3),
+    "equals signs": "X=" * (MANY // 2),
+}
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_a_line_that_is_wrong_costs_what_it_is_long(name):
+    """In proportion it takes some thousandths of a second; each of its words once looked at all of
+    it, and took a minute.
+    """
+    for control in NAMES:
+        begun = time.process_time()
+        library = cncsub.loads(LONG[name] + "\nM30\n", control=control)
+        library.run(max_seconds=20)
+        library.check()
+        assert time.process_time() - begun < 3, control
 
 
 def test_blanks_in_a_program_name_are_cut_in_one_go():

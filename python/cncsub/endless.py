@@ -40,12 +40,11 @@ class Endless:
 
     `proven`: the whole state of the control came back exactly (variables of all levels, open calls
     with their passes, open loops, modes, position, what inputs are left), so that the program never
-    ends. `period` counts the blocks from then to then, 0 where the state did not come back. Where it
-    did, but the loop reads what the world outside may change, `outside` names that (`#3012`, `#1000`,
-    `the skip signal`), and nothing is proven. `blocks` are
-    those of the loop, each once, in the order in which they run, from the outermost program's first
-    one on; the block that starts the
-    program over where it `repeats`; the block that waits.
+    ends. `period` counts the blocks from then to then, 0 where the state did not come back. Where
+    it did, but the loop reads what the world outside may change, `outside` names that (`#3012`,
+    `#1000`, `the skip signal`), and nothing is proven. `blocks` are those of the loop, each once,
+    in the order in which they run, from the outermost program's first one on; the block that starts
+    the program over where it `repeats`; the block that waits.
 
     `looked` is the number of blocks that were run on to find out. Where nothing is proven,
     `changing` names what differs when the program comes to a block again (`#100`, `X`), and `then`

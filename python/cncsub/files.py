@@ -74,6 +74,7 @@ class Reading:
     # Folders already seen, by their real path, and names of files already seen in each.
     _folders: set[str] = field(default_factory=set)
     _names: dict[str, set[str]] = field(default_factory=dict)
+    _left_out: set[str] = field(default_factory=set)  # of them, those that are not to be read
 
     @property
     def names(self) -> list[str]:
@@ -110,6 +111,7 @@ def read_paths(
         # A folder that is given both ways is read both ways.
         if without is not None and _real(path) != _real(without):
             reading._folders.add(_real(without))
+            reading._left_out.add(_real(without))
         _read_path(path, encoding, reading)
     return reading
 
@@ -142,6 +144,9 @@ def _read_path(path: Path, encoding: str | None, reading: Reading) -> None:
     if not stat.S_ISDIR(mode):
         _read_named_file(path, encoding, reading)
         return
+    real = _real(path)
+    if real in reading._folders and real not in reading._left_out:
+        return  # it was read: it is given twice, or stands in one that was given
     if not _read_folder(path, encoding, reading):
         reasons = "; ".join(f"{name}: {why}" for name, why in reading.skipped[:3])
         raise ValueError(

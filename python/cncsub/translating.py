@@ -18,6 +18,7 @@ from cncsub.rewriting import Rewriting, TranslateError
 from cncsub.run import Run, Stop
 from cncsub.signatures import spelled_out
 
+
 class _TranslatedPair(OtherControlPair):
     """What was rewritten may be another block and another program: what it does has to stay."""
 

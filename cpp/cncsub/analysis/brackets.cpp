@@ -132,7 +132,11 @@ std::optional<Part> Bracketing::joined(int least) {
     const std::string more(text_.substr(behind, at_ - behind));
     const std::optional<Part> right = joined(by.level + 1);
     if (!right) return std::nullopt;
-    left.text = held(left, by) + space + std::string(written) + more + held(*right, by);
+    left.text = held(left, by);
+    left.text += space;
+    left.text += written;
+    left.text += more;
+    left.text += held(*right, by);
     left.of = std::move(by);
   }
 }

@@ -119,6 +119,7 @@ class LogicCheck {
   bool of_conditions(const Expression& of) const;
   void mend(Finding& found, Address at, std::string_view written, const Binding& binding) const;
   void brackets(Address at, std::string_view text, std::uint32_t first);
+  void tell_word(Address at, TextPlace place, std::string_view written);
   void tell(Address at, TextPlace place, const Expression& of, std::string_view written, Asked asked);
   const char* read_as(Asked asked) const;
 
@@ -192,17 +193,18 @@ void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first
     if (depth > 0) continue;
     const std::string_view inside = text.substr(from + 1, i - from - 1);
     if (!has_logic(inside) || !Operations(asked_).mixed(inside)) continue;
-    Finding& found = c_.found(
-        Check::LogicOrder, at,
-        {static_cast<std::uint32_t>(first + from), static_cast<std::uint32_t>(i - from + 1)},
-        read_as(asked_));
-    const std::string_view written = text.substr(from, i - from + 1);
-    if (order_ == LogicOrder::LikeArithmetic && asked_ != Asked::OtherLogic)
-      mend(found, at, written, kLogicAsArithmetic);
-    else if (order_ == LogicOrder::Last || asked_ == Asked::OtherLogic)
-      mend(found, at, written, kLogicLast);
-    return;
+    const auto width = static_cast<std::uint32_t>(i - from + 1);
+    return tell_word(at, {static_cast<std::uint32_t>(first + from), width},
+                     text.substr(from, width));
   }
+}
+
+void LogicCheck::tell_word(Address at, TextPlace place, std::string_view written) {
+  Finding& found = c_.found(Check::LogicOrder, at, place, read_as(asked_));
+  if (asked_ == Asked::OtherLogic || order_ == LogicOrder::Last)
+    mend(found, at, written, kLogicLast);
+  else if (order_ == LogicOrder::LikeArithmetic)
+    mend(found, at, written, kLogicAsArithmetic);
 }
 
 void LogicCheck::tell(Address at, TextPlace place, const Expression& of, std::string_view written,

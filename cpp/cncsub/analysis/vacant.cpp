@@ -59,8 +59,7 @@ Bits VacantCheck::given(const CallEdge& edge) const {
 Bits VacantCheck::vacant_in(const CallEdge& edge) const {
   const CallKind kind = c_.code.calls[edge.record].kind;
   if (edge.macro) {
-    const bool own =
-        kind == CallKind::Macro || kind == CallKind::GCode || kind == CallKind::MCode;
+    const bool own = kind == CallKind::Macro || kind == CallKind::GCode || kind == CallKind::MCode;
     return own && c_.code.calls[edge.record].variable == 0 ? locals_ & ~given(edge) : 0;
   }
   const bool plain = kind == CallKind::Subprogram || kind == CallKind::Local;
@@ -149,8 +148,8 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow) {
   Bits told = uses_.of_program(flow.program()).tested;
   const std::vector<Vacant> before = vacant(flow);
   const auto& callers = c_.callers[static_cast<std::size_t>(flow.program())];
-  const bool macro = std::any_of(callers.begin(), callers.end(),
-                                 [](const CallEdge& edge) { return edge.macro; });
+  const bool macro =
+      std::any_of(callers.begin(), callers.end(), [](const CallEdge& edge) { return edge.macro; });
   for (Address at = flow.first(); at < flow.last(); ++at) {
     const VariableUse* own = uses_.of(at);
     const Vacant& state = before[at - flow.first()];

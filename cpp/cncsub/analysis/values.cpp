@@ -102,12 +102,12 @@ std::string instead_of(const Checker& c, int m) {
   const auto or_else = [](const std::string& first, const std::string& other) {
     return first.empty() ? other : first;
   };
-  const std::string call = or_else(code(Role::Call), code(Role::MacroCall));
+  std::string call = or_else(code(Role::Call), code(Role::MacroCall));
   if (m == 99) return or_else(code(Role::Return), "");
   if (m == 198) return or_else(code(Role::ExternalCall), call);
   if (m == 98) return call;
-  if (const std::string own = or_else(code(Role::LocalCall), code(Role::Jump)); !own.empty())
-    return own;
+  std::string own = or_else(code(Role::LocalCall), code(Role::Jump));
+  if (!own.empty()) return own;
   if (calls.start_word.value == StartWord::Q) return call + " with Q";
   if (calls.start_word.value == StartWord::H) return call + " with H";
   return c.code.lacks(StatementKind::Goto, 0) ? call : "GOTO, or " + call;

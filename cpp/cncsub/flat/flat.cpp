@@ -64,10 +64,24 @@ std::string idle_words(const MotionState& state, const Block& block) {
   return block.mask != 0 && compensating(state) && code >= 0 ? code_name(code) : "";
 }
 
+/// What starts the program over or, where that ends it, ends it; empty where another control has
+/// nothing that does.
+std::string return_of(const Machine& machine, const OtherWriter* other) {
+  const CallRules& calls = (other != nullptr ? other->machine() : machine).code().control->calls;
+  const bool ends = machine.stop() == Stop::End;
+  if (other != nullptr && ends) return other->end();
+  const auto code = calls.roles.value.code_of(Role::Return);
+  if (other != nullptr && (!code || calls.main_return.value == MainReturn::Ends)) return "";
+  return code ? code->text() : "M99";
+}
+
 }  // namespace
 
 FlatRun::FlatRun(const Machine& at_its_head, bool comments, const Machine* other)
-    : machine_(at_its_head), blocks_(machine_), comments_(comments) {
+    : machine_(at_its_head),
+      blocks_(machine_),
+      for_(other != nullptr ? &other->code() : &machine_.code()),
+      comments_(comments) {
   if (other != nullptr) other_.emplace(machine_, *other);
   machine_.tell(&heard_);
   program_ = machine_.state().frames.front().program;
@@ -184,28 +198,17 @@ void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
   const bool returns = cycles || (machine_.stop() == Stop::End && heard_.returned);
   const bool said = heard_.words != nullptr && heard_.words->op == Op::EndProgram;
   if (returns && !starts_over_) {
-    write_return(text, origins);
+    const std::string code = return_of(machine_, other_ ? &*other_ : nullptr);
+    if (code.empty())
+      refuse("the program starts over at its end, and " + for_->control->name +
+             " does not do that");
+    else
+      end_line(text += code, origins);
   } else if (!said && !starts_over_ && machine_.stop() == Stop::End && !late_.empty()) {
     refuse("the blocks that a cycle follows would stand where the program has no end");
   }
   for (const Late& profile : late_) write_profile(text, origins, profile);
   if (taped_) text += "%\n";
-}
-
-/// What starts the program over or, where that ends it, ends it.
-void FlatRun::write_return(std::string& text, FlatOrigins& origins) {
-  const Control& control = *written_for().control;
-  const bool ends = machine_.stop() == Stop::End;
-  const auto code = control.calls.roles.value.code_of(Role::Return);
-  if (other_ && !ends && (!code || control.calls.main_return.value == MainReturn::Ends)) {
-    refuse("the program starts over at its end, and " + control.name + " does not do that");
-    return;
-  }
-  if (other_ && ends)
-    text += other_->end();
-  else
-    text += code ? code->text() : "M99";
-  end_line(text, origins);
 }
 
 // ---- lines ----
@@ -214,8 +217,7 @@ void FlatRun::write_return(std::string& text, FlatOrigins& origins) {
 void FlatRun::end_line(std::string& text, FlatOrigins& origins) {
   const Block& block = machine_.code().blocks[coming_.at];
   const std::int32_t program = program_at(coming_.at);
-  if (comments_)
-    text += comment_of(machine_.code(), block, program, written_for().spelling->comment);
+  if (comments_) text += comment_of(machine_.code(), block, program, for_->spelling->comment);
   text += '\n';
   origins.add(program, block.n, block.line, coming_.call, coming_.repeat);
 }
@@ -236,7 +238,7 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
 
 bool FlatRun::write_words(std::string& text, FlatOrigins& origins, const Block& block,
                           const std::array<std::int64_t, 2>* profile) {
-  if (other_) return write_for_other(text, origins, block);
+  if (other_) return write_for_other(text, origins, block, *other_);
   const std::size_t before = text.size();
   const NcWords* values = heard_.computed ? &heard_.values : nullptr;
   const std::int32_t program = program_at(coming_.at);
@@ -251,10 +253,11 @@ bool FlatRun::write_words(std::string& text, FlatOrigins& origins, const Block& 
          refuse("the block would be longer than the control takes");
 }
 
-bool FlatRun::write_for_other(std::string& text, FlatOrigins& origins, const Block& block) {
+bool FlatRun::write_for_other(std::string& text, FlatOrigins& origins, const Block& block,
+                              OtherWriter& other) {
   const NcWords words = heard_.computed ? heard_.values : constant_words(machine_, block);
   std::string lines;
-  if (!other_->write(lines, block, words)) return refuse(other_->refused());
+  if (!other.write(lines, block, words)) return refuse(other.refused());
   for (std::size_t end; (end = lines.find('\n')) != std::string::npos; lines.erase(0, end + 1)) {
     text.append(lines, 0, end);
     end_line(text, origins);
@@ -282,7 +285,7 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
   for (const Heard::Assigned& of : heard_.assigned) {
     if (!has_effect(code, of.number)) continue;
     const std::string name = "#" + std::to_string(of.number);
-    const Code& there = written_for();
+    const Code& there = *for_;
     if (!there.spelling->numbered || there.place(of.number).kind != code.place(of.number).kind ||
         there.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
       return refuse(name + " is written, and the control has no statement that assigns a number");
@@ -319,7 +322,7 @@ bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string&
 }
 
 bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
-  const Spelling::Around& message = written_for().spelling->message;
+  const Spelling::Around& message = for_->spelling->message;
   if (heard_.device != Op::Words) {
     text += heard_.device == Op::OpenOutput ? "POPEN" : "PCLOS";
     end_line(text, origins);
@@ -337,69 +340,6 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
   }
   end_line(text, origins);
   return true;
-}
-
-// ---- profiles ----
-
-/// A cycle and the blocks that it follows. They stand right behind it where it passes over them;
-/// one that goes on with the next block, as G70 does, names those of a cycle before, or blocks
-/// behind the end of the program.
-bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block,
-                                 const Profile& profile) {
-  profile_.clear();
-  if (other_) return refuse("the cycle takes the blocks of a profile, which stay on this control");
-  for (const NcWords& words : profile.blocks) {
-    const Block& own = machine_.code().blocks[words.at];
-    if (!blocks_.write(profile_.emplace_back(), own, program_at(words.at), &words))
-      return refuse("the value of " + blocks_.failed() + " cannot be written as a number");
-  }
-  std::array<std::int64_t, 2> numbers{};
-  const bool behind = codes_of(block).meaning(Group::OneShot) != Meaning::Finish;
-  bool is_new = true;
-  if (!number_profile(behind, numbers, is_new)) return false;
-  if (!write_words(text, origins, block, &numbers)) return false;
-  end_line(text, origins);
-  if (!is_new) return true;
-  Late late{numbers, profile_, {}, coming_.call, coming_.repeat};
-  for (const NcWords& words : profile.blocks) late.blocks.push_back(words.at);
-  if (behind)
-    write_profile(text, origins, late);
-  else
-    late_.push_back(std::move(late));
-  return true;
-}
-
-void FlatRun::write_profile(std::string& text, FlatOrigins& origins, const Late& profile) {
-  const Coming cycle = coming_;
-  coming_.call = profile.call;
-  coming_.repeat = profile.repeat;
-  for (std::size_t i = 0; i < profile.lines.size(); ++i) {
-    const bool first = i == 0, last = i + 1 == profile.lines.size();
-    if (first || last) text += "N" + std::to_string(profile.numbers[first ? 0 : 1]) + " ";
-    if (!first && !last && profile.lines[i].empty()) continue;
-    text += profile.lines[i];
-    coming_.at = profile.blocks[i];
-    end_line(text, origins);
-  }
-  coming_ = cycle;
-}
-
-bool FlatRun::number_profile(bool behind, std::array<std::int64_t, 2>& numbers, bool& is_new) {
-  const Control& control = *machine_.code().control;
-  const auto known = profiles_.find(profile_);
-  is_new = behind || known == profiles_.end();
-  if (!is_new) {
-    numbers = known->second;
-    return true;
-  }
-  const bool one = profile_.size() == 1;
-  if (one && control.common.refuses.value.has(Cause::PqSame))
-    return refuse("the profile is one block, whose number would be P and Q");
-  numbers = {last_n_ + 1, last_n_ + (one ? 1 : 2)};
-  last_n_ = numbers[1];
-  profiles_[profile_] = numbers;
-  return last_n_ <= control.reading.max_sequence_number.value ||
-         refuse("the program has more profiles than there are sequence numbers");
 }
 
 }  // namespace cncsub

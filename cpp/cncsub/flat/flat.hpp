@@ -83,7 +83,8 @@ class FlatRun {
   bool write_block(std::string& text, FlatOrigins& origins);
   bool write_words(std::string& text, FlatOrigins& origins, const Block& block,
                    const std::array<std::int64_t, 2>* profile = nullptr);
-  bool write_for_other(std::string& text, FlatOrigins& origins, const Block& block);
+  bool write_for_other(std::string& text, FlatOrigins& origins, const Block& block,
+                       OtherWriter& other);
   bool write_assigned(std::string& text, FlatOrigins& origins);
   void write_raised(std::string& text, FlatOrigins& origins);
   bool write_print(std::string& text, FlatOrigins& origins);
@@ -93,9 +94,6 @@ class FlatRun {
   bool number_profile(bool behind, std::array<std::int64_t, 2>& numbers, bool& is_new);
   void write_profile(std::string& text, FlatOrigins& origins, const Late& profile);
   void write_head(std::string& text, FlatOrigins& origins);
-  void write_return(std::string& text, FlatOrigins& origins);
-  /// What the program is written for.
-  const Code& written_for() const { return other_ ? other_->machine().code() : machine_.code(); }
   const BlockCodes& codes_of(const Block& block) const;
   void write_end(std::string& text, FlatOrigins& origins);
   void end_line(std::string& text, FlatOrigins& origins);
@@ -105,6 +103,7 @@ class FlatRun {
   Machine machine_;
   BlockWriter blocks_;
   std::optional<OtherWriter> other_;
+  const Code* for_;  // what the control that the text is for has and how it writes
   Heard heard_;
   bool comments_;
   Coming coming_;

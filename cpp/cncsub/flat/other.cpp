@@ -150,7 +150,8 @@ bool OtherWriter::put_codes(std::string& to, std::span<const int> codes) {
 }
 
 bool OtherWriter::put_m(std::string& to, const NcWords& words, bool ends) {
-  const Roles &here = control_of(from_).calls.roles.value, &there = control_of(to_).calls.roles.value;
+  const Roles &here = control_of(from_).calls.roles.value,
+              &there = control_of(to_).calls.roles.value;
   bool ended = false;
   for (const int m : words.codes->m()) {
     const Role role = here.of_m(m);
@@ -203,8 +204,7 @@ double OtherWriter::value_of(const NcWords& words, int place) const {
   const char letter = static_cast<char>('A' + place);
   const MotionView view = from_.motion().view();
   const bool whole = (words.whole >> place & 1) != 0;
-  const bool increments =
-      control_of(from_).reading.whole_numbers.value == WholeNumbers::Increments;
+  const bool increments = control_of(from_).reading.whole_numbers.value == WholeNumbers::Increments;
   if (letter == 'F' && whole && increments) return value * feed_increment(view.state);
   if (!whole || !is_in(kLengths, letter)) return value;
   return in_units(view, words, letter);

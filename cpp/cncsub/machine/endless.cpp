@@ -54,8 +54,8 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
                     [](const T& one, const T& other) { return same(one, other); });
 }
 
-/// The open calls with the passes that are left. Of the main program's passes only max_cycles knows,
-/// and of the numbers of calls and of passes only the record.
+/// The open calls with the passes that are left. Of the main program's passes only max_cycles
+/// knows, and of the numbers of calls and of passes only the record.
 bool same_frames(const std::vector<OpenFrame>& a, const std::vector<OpenFrame>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -273,6 +273,18 @@ std::string_view to_string(Endless::Kind kind) {
   return "";
 }
 
+/// What of a state that came back is the loop, and whether it is proven.
+static void take_loop(Probe& probe, Endless& found) {
+  // A loop that is entered after the last start does not start the program over.
+  probe.restarted_at = kNowhere;
+  probe.run().state.taken.asked = 0;
+  found.blocks = blocks_of_loop(probe, found.period);
+  found.outside = asked_outside(probe.run());
+  found.proven = found.outside.empty();
+  if (probe.restarted_at == kNowhere)
+    found.kind = found.proven ? Endless::Kind::Loop : Endless::Kind::Long;
+}
+
 Endless why_endless(const Run& run, std::int64_t blocks, const std::function<bool()>& gives_up) {
   Endless found;
   const Stop stop = run.state.stop;
@@ -288,14 +300,7 @@ Endless why_endless(const Run& run, std::int64_t blocks, const std::function<boo
   found.looked = probe.run().state.executed - run.state.executed;
   if (probe.restarted_at != kNowhere || run.state.cycles > 0) found.kind = Endless::Kind::Repeats;
   if (found.period > 0) {
-    // A loop that is entered after the last start does not start the program over.
-    probe.restarted_at = kNowhere;
-    probe.run().state.taken.asked = 0;
-    found.blocks = blocks_of_loop(probe, found.period);
-    found.outside = asked_outside(probe.run());
-    found.proven = found.outside.empty();
-    if (probe.restarted_at == kNowhere)
-      found.kind = found.proven ? Endless::Kind::Loop : Endless::Kind::Long;
+    take_loop(probe, found);
   } else {
     if (probe.run().state.stop != Stop::Limit) found.then = probe.run().state.stop;
     if (found.then == Stop::Running) {

@@ -31,8 +31,8 @@ bool set_number(WrittenWord& word, const Number& number);
 bool take_number(Scanner& s, WrittenWord& word);
 
 /// How a dialect writes what is no plain word: a comment, a value that counts as a computed one, a
-/// message, the head of a program (nothing where none has one). `numbered`: variables are assigned by their number, `#5221=5`; a `message` of nothing
-/// is printed by statements of the FANUC family.
+/// message, the head of a program (nothing where none has one). `numbered`: variables are assigned
+/// by their number, `#5221=5`; a `message` of nothing is printed by statements of the FANUC family.
 struct Spelling {
   struct Around {
     std::string_view before, behind;

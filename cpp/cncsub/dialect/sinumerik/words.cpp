@@ -118,8 +118,8 @@ void pass_word(Line& line, WrittenWord& word) {
 
 }  // namespace sinumerik
 
-const Spelling sinumerik_spelling{
-    {";", ""}, {"=(", ")"}, {"MSG(\"", "\")"}, {"%_N_", "_MPF"}, false, "CR"};
+const Spelling sinumerik_spelling{{";", ""},        {"=(", ")"}, {"MSG(\"", "\")"},
+                                  {"%_N_", "_MPF"}, false,       "CR"};
 
 std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& from) {
   using namespace sinumerik;
