@@ -101,8 +101,10 @@ class Moved:
             kept, rest = found, []
         else:  # the names with the longest way have colours, the rest shares one
             way = np.bincount(codes, weights=self.column("length"), minlength=len(known))
-            longest = found[np.argsort(-way[found], kind="stable")[:MOST_NAMES]]
-            kept, rest = np.sort(longest), [f"{len(found) - MOST_NAMES:,} others"]
+            least = np.partition(way[found], -MOST_NAMES)[-MOST_NAMES]
+            longer, as_long = found[way[found] > least], found[way[found] == least]
+            kept = np.sort(np.append(longer, as_long[: MOST_NAMES - len(longer)]))
+            rest = [f"{len(found) - MOST_NAMES:,} others"]
         place = np.full(len(known), len(kept), dtype=np.int32)
         place[kept] = np.arange(len(kept))
         names = [self._name(by, int(known[code])) for code in kept]

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 MOST = 60_000  # points of a picture
 _DENSE = 4_000  # points from which lines are thin
-_SCENE = 2.4  # the diagonal of what is drawn, in the units of a camera
+_WIDE, _HIGH = 2.2, 1.7  # how large it may be as it is seen, in the units of a camera
 _CODES = BANDS + MOST_NAMES  # of colours: more than there are
 
 
@@ -133,7 +133,7 @@ class _Picture:
             of_tool = np.where(compensated, 0, -1).astype(np.int32)
             tool = drawn_path(self.core, "tool", rows, of_tool, self.most // 3)
             told += [f"The tool: {text}" for text in _left_out(tool)]
-        instants = Instants(drawn.points) if play else None
+        instants = Instants(drawn.points, self._lines(drawn)) if play else None
         if instants is not None:
             drawn = instants.marked(drawn)
             tool = None if tool is None else instants.marked(tool)
@@ -143,6 +143,12 @@ class _Picture:
         return figure(
             data, layout, title=title, told=told, frames=frames, below=72 if play else 0, height=500
         )
+
+    def _lines(self, drawn: Drawn) -> int:
+        """About how many traces the path is drawn in."""
+        keys = drawn.keys[drawn.keys >= 0]
+        of = np.zeros_like(keys) if self.colouring.scaled else keys % _CODES
+        return len(np.unique(2 * of + (keys // _CODES == RAPID)))
 
     def _data(
         self, drawn: Drawn, tool: Drawn | None, instants: Instants | None
@@ -339,13 +345,16 @@ class _Picture:
         flat = float(np.ptp(drawn.points.y)) < 1e-9 < float(np.ptp(drawn.points.x))
         turning = flat and bool(self.core.diameters & 1)
         flat_z = not turning and float(np.ptp(drawn.points.z)) < 1e-9
-        camera: dict[str, Any] = {"projection": {"type": "orthographic"}}
+        eye, up = (-0.9, -1.5, 1.0), (0, 0, 1)
         if turning:  # as on the drawing: Z to the right, X up
-            camera |= {"eye": {"x": 0, "y": 2, "z": 0}, "up": {"x": 1, "y": 0, "z": 0}}
+            eye, up = (0, 2, 0), (1, 0, 0)
         elif flat_z:  # from above
-            camera |= {"eye": {"x": 0, "y": 0, "z": 2}, "up": {"x": 0, "y": 1, "z": 0}}
-        else:
-            camera |= {"eye": {"x": -0.9, "y": -1.5, "z": 1.0}}
+            eye, up = (0, 0, 2), (0, 1, 0)
+        camera = {
+            "projection": {"type": "orthographic"},
+            "eye": dict(zip("xyz", eye)),
+            "up": dict(zip("xyz", up)),
+        }
         name = "machine " if self.coordinates == "machine" else ""
         axes = {
             f"{letter}axis": {
@@ -363,8 +372,10 @@ class _Picture:
             axes["yaxis" if turning else "zaxis"]["visible"] = False
         # As long as it is, whatever its shape: one millimetre is as long on every axis.
         sides = np.maximum(np.ptp(drawn.xyz, axis=0), 1e-3)
-        sides = np.maximum(sides, sides.max() / 50) / float(np.linalg.norm(sides))
-        ratio = {letter: float(side) * _SCENE for letter, side in zip("xyz", sides)}
+        sides = np.maximum(sides, sides.max() / 50)
+        wide, high = _seen(sides, np.array(eye), np.array(up))
+        scale = min(_WIDE / wide, _HIGH / high)
+        ratio = {letter: float(side * scale) for letter, side in zip("xyz", sides)}
         return {
             **axes,
             "aspectmode": "manual",
@@ -372,6 +383,13 @@ class _Picture:
             "camera": camera,
             "dragmode": "orbit",
         }
+
+
+def _seen(sides: Numbers, eye: Numbers, up: Numbers) -> tuple[float, float]:
+    """How wide and how high a box is as it is seen from there."""
+    right = np.cross(up, eye) / float(np.linalg.norm(np.cross(up, eye)))
+    above = np.cross(eye, right) / float(np.linalg.norm(eye))
+    return float(sides @ abs(right)), float(sides @ abs(above))
 
 
 def _left_out(drawn: Drawn) -> list[str]:
