@@ -1,12 +1,16 @@
 """What blocks refer to, and who calls whom, without running anything."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
 
 import cncsub
-from cncsub import CallTo, Computed
+from cncsub import CallTo, Computed, testing
+
+sys.path.insert(0, str(Path(__file__).with_name("conformance")))
+from conformance import rows
 
 MILL = "fanuc-0i-f"
 PROGRAMS = "O2\nN30 M99\nO3\nM99\nO10\nN5 M99\n"
@@ -32,6 +36,8 @@ CALLS = [
     ("M98 P2 H30", "mitsubishi-m700", "M98", "O2", True, 30, 1, "M98", 1),
     ("M98 P2 H#1", "mitsubishi-m700", "M98", "O2", True, Computed("#1"), 1, "M98", 1),
     ("M97 P10 L2", "haas-ngc", "M97", "O1", True, 10, 2, "M97", 1),
+    ("IF [#1 EQ 30] M98 P2 L2", "haas-ngc", "M98", "O2", True, None, 2, "M98", 15),
+    ("IF [#1 EQ 30] THEN G65 P3 A1.", "haas-ngc", "G65", "O3", True, None, 1, "G65", 20),
 ]
 
 
@@ -247,3 +253,25 @@ def test_what_a_graph_tells_is_what_a_run_does() -> None:
     caller = {None: "O1", **{c.call: c.program for c in calls}}
     ran = {(caller[c.parent], c.program) for c in calls}
     assert ran == {(edge.caller, edge.called) for edge in library.call_graph().edges}
+
+
+def test_every_call_of_a_row_is_in_the_graph() -> None:
+    """A modal call is one of whoever moves, and stands in the graph where it is switched on."""
+    seen = 0
+    for row in rows():
+        if row.case.mdi is not None or row.control == "linuxcnc":
+            continue  # there the blocks of a sub are its own, wherever they stand
+        library = testing.outcome.load(row.case, cncsub.controls[row.control])
+        run = testing.outcome.execute(row.case, library)
+        if not len(run.calls):
+            continue
+        graph = library.call_graph()
+        known = {(edge.caller, edge.called) for edge in graph.edges}
+        computed = {edge.caller for edge in graph.edges if isinstance(edge.called, Computed)}
+        programs = {None: run.steps[0].program, **{c.call: c.program for c in run.calls}}
+        for call in run.calls:
+            caller = programs[call.parent]
+            seen += 1
+            told = (caller, call.program) in known or caller in computed
+            assert told or call.kind.startswith("G66"), (str(row), caller, call.program)
+    assert seen > 4000

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import report
+import texts
 
 import cncsub
 
@@ -47,7 +48,9 @@ class Kind:
     def setup(self) -> cncsub.Setup:
         """What lies at the machine: a tool, its offsets, a reference point."""
         if self.lathe:
-            return cncsub.Setup(machine="lathe-a", tools={1: {"R": 1.0}})
+            return cncsub.Setup(
+                machine="lathe-a", tools={n: {"R": 0.4 if n == 2 else 1.0} for n in (1, 2, 3)}
+            )
         return cncsub.Setup(
             machine="mill",
             radius_offsets={1: 1.0},
@@ -60,6 +63,10 @@ class Kind:
         return (
             "G21 G90 G17 G40 G94 F500\nG0 X0 Y0 Z5\n" if not self.lathe else "G0 X100. Z5. F0.2\n"
         )
+
+
+# The tools of rs274 with the same offsets, in its inches: of a length, of a diameter.
+TOOLS = "".join(f"T{n} P{n} Z0.3937 D0.0787\n" for n in range(1, 10))
 
 
 def at(i: int, step: int = 0) -> str:
@@ -102,7 +109,7 @@ KINDS = {
     "coolant": Kind("M8, M9", lambda i: "M8\nM9"),
     "spindle": Kind("S M3", lambda i: f"S{i % 5000 + 100} M3\nM5"),
     "feed": Kind("F alone", lambda i: f"F{i % 900 + 100}"),
-    "tool": Kind("T M6", lambda i: f"T{i % 9 + 1}\nM6", peer=False),
+    "tool": Kind("T M6", lambda i: f"T{i % 9 + 1}\nM6"),
     "dwell": Kind("G4", lambda i: "G4 P1"),
     "comment": Kind("comment", lambda i: f"(CUT {i})\nG1 {at(i)} (SIDE {i % 9})"),
     "slash": Kind("block skip", lambda i: f"/G1 {at(i)}"),
@@ -110,8 +117,8 @@ KINDS = {
     "machine": Kind("G53 G0", lambda i: f"G53 G0 {at(i)}"),
     "systems": Kind("G54, G55", lambda i: "G54 G0 X1.\nG55 G0 X2."),
     "extra": Kind("G54.1 P", lambda i: f"G54.1 P{i % 40 + 1}\nG0 X1.", peer=False),
-    "length": Kind("G43 H, G49", lambda i: "G43 H1 G0 Z5.\nG49 G0 Z6.", peer=False),
-    "long": Kind("G1 under G43", lambda i: f"G1 {at(i)}", before="G43 H1 Z5.\n", peer=False),
+    "length": Kind("G43 H, G49", lambda i: "G43 H1 G0 Z5.\nG49 G0 Z6."),
+    "long": Kind("G1 under G43", lambda i: f"G1 {at(i)}", before="G43 H1 Z5.\n"),
     "local": Kind("G52", lambda i: f"G52 X{i % 10}. Y1.", peer=False),
     "g92": Kind("G92", lambda i: f"G92 X{i % 10}. Y1."),
     "g10": Kind("G10 L2", lambda i: f"G10 L2 P1 X{i % 10}. Y1."),
@@ -137,7 +144,6 @@ KINDS = {
             "G3 X30. Y40. I-10. J0\nG1 X10.\nG40 G1 X0 Y0"
         ),
         before="G1 X0 Y0\n",
-        peer=False,
     ),
     # Cycles.
     "drill": Kind("G81, a hole", lambda i: at(i), before="G98 G81 X0 Y0 Z-5. R2. F100\n"),
@@ -207,6 +213,9 @@ KINDS = {
         behind="O2\nM99\n",
         peer=False,
     ),
+    # Whole jobs, as CAM posts write them.
+    "mill": Kind("a milling job", texts.mill_operation),
+    "lathe": Kind("a turning job", texts.lathe_operation, lathe=True, peer=False),
     # Lathes.
     "turn": Kind("lathe, G1", lambda i: f"G1 X{i % 80}.5 Z-{i % 90}.25", lathe=True, peer=False),
     "turn-by": Kind(
@@ -282,13 +291,16 @@ def measured(kind: Kind, blocks: int, rounds: int) -> tuple[float, float]:
 def peer(kind: Kind, blocks: int, program: str) -> float | None:
     """Seconds a block of rs274, its start subtracted; nothing where it refuses the text."""
     with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "kind.ngc"
+        file, tools = Path(folder) / "kind.ngc", Path(folder) / "tools.tbl"
+        tools.write_text(TOOLS)
 
         def once(size: int) -> float | None:
             text, _ = kind.text(size)
             file.write_text(text)
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            done = subprocess.run([program, "-g", str(file)], capture_output=True, cwd=folder)
+            done = subprocess.run(
+                [program, "-g", "-t", str(tools), str(file)], capture_output=True, cwd=folder
+            )
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
             if done.returncode != 0:
                 return None

@@ -84,6 +84,102 @@ def arcs(blocks: int) -> str:
     return "O1\nG90 G17 G1 F500\nX0.000 Y0.000\n" + "".join(lines) + "M30\n"
 
 
+def number(operation: int, block: int, blocks: int) -> int:
+    """The N of a block of an operation: in tens, on from operation to operation up to 99,990."""
+    return (operation % (9999 // blocks) * blocks + block + 1) * 10
+
+
+def numbered(blocks: list[str], operation: int) -> str:
+    """The blocks behind a comment, with their numbers."""
+    lines = (f"N{number(operation, i, len(blocks))} {block}" for i, block in enumerate(blocks))
+    return "\n".join([f"(OPERATION {operation})", *lines])
+
+
+def mill_operation(i: int) -> str:
+    """One tool of a job as CAM posts write it: a tool change, lengths, a pocket with compensation,
+    helices, holes, a surface of lines in three and in five axes.
+    """
+    x, y, z = i * 7 % 90, i * 11 % 70, i % 9 + 1
+    pocket = [
+        f"G0 X{x + 20}. Y{y + 10}.",
+        f"G2 X{x + 20}. Y{y + 10}. Z-{z}. I4. J0 F300",
+        f"G1 G41 D1 X{x + 10}. Y{y}. F600",
+        f"X{x + 30}.",
+        f"G3 X{x + 40}. Y{y + 10}. I0 J10.",
+        f"G1 Y{y + 30}.",
+        f"G3 X{x + 30}. Y{y + 40}. I-10. J0",
+        f"G1 X{x + 10}.",
+        f"G3 X{x}. Y{y + 30}. I0 J-10.",
+        f"G1 Y{y + 10}.",
+        f"G3 X{x + 10}. Y{y}. I10. J0",
+        f"G1 G40 X{x + 12}. Y{y + 5}.",
+        "G0 Z5.",
+    ]
+    holes = [f"X{x + n * 8}.5 Y{y + n % 3}.25" for n in range(8)]
+    surface = [f"X{x + n / 10:.3f} Y{y + n * n % 50 / 7:.3f} Z{-n % 13 / 9:.3f}" for n in range(40)]
+    swarf = [
+        f"X{x + n / 8:.3f} Y{y + n / 9:.3f} Z{3 + n % 5 / 7:.3f} A{n * 1.25:.3f} B{n % 30 * 2.5:.3f}"
+        for n in range(20)
+    ]
+    blocks = [
+        f"T{i % 2 + 1} M6",
+        f"G0 G90 G54 X{x}. Y{y}. A0 B0",
+        f"S{3000 + i % 500} M3",
+        "G43 H1 Z50. M8",
+        "Z5.",
+        *pocket,
+        f"G98 G81 X{x}. Y{y}. Z-5. R2. F100",
+        *holes,
+        "G80",
+        f"G1 X{x}. Y{y}. Z3. F{800 + i % 200}",
+        *surface,
+        *swarf,
+        "G0 Z50. M9",
+        "M5",
+        "G91 G28 Z0",
+        "G90",
+    ]
+    return numbered(blocks, i)
+
+
+def lathe_operation(i: int) -> str:
+    """One part of a bar: facing, roughing and finishing along a profile, a contour with the nose
+    radius on, a thread.
+    """
+    d = 20 + i % 7
+    profile = [f"G0 X{d}.", *(f"G1 X{d + n}. Z-{n * 2}." for n in range(1, 9)), f"X{d + 20}."]
+    before = [
+        "T0101",
+        "G50 S3000",
+        "G96 S180 M3",
+        f"G0 X{d + 24}. Z2. M8",
+        "G1 Z0 F0.2",
+        "X-1.6",
+        f"G0 X{d + 24}. Z2.",
+        "G71 U2. R0.5",
+        "G71 P{first} Q{last} U0.4 W0.1 F0.25",
+    ]
+    behind = [
+        "G70 P{first} Q{last}",
+        "G0 X100. Z50. T0202",
+        f"G0 X{d}. Z2.",
+        f"G42 G1 X{d}. Z0 F0.15",
+        *(f"X{d + n / 20:.3f} Z-{n / 4:.3f}" for n in range(1, 40)),
+        f"G40 G0 X{d + 30}. Z5.",
+        "T0303 G97 S500 M3",
+        f"G0 X{d + 4}. Z5.",
+        f"G92 X{d}. Z-20. F1.5",
+        *(f"X{d - n / 10:.1f}" for n in range(1, 10)),
+        "G0 X100. Z50. M9",
+        "M5",
+    ]
+    blocks = [*before, *profile, *behind]
+    first, last = (
+        number(i, place, len(blocks)) for place in (len(before), len(before) + len(profile) - 1)
+    )
+    return numbered([block.format(first=first, last=last) for block in blocks], i)
+
+
 def call_loop(calls: int, repeats: int) -> str:
     """M98 L with a body of eight G1 blocks."""
     body = "".join(f"N{n} G1 X{n}. Y{n % 3}.5\n" for n in range(1, 9))

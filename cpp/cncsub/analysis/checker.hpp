@@ -6,6 +6,7 @@
 
 #include "cncsub/analysis/check.hpp"
 #include "cncsub/analysis/flow.hpp"
+#include "cncsub/code/references.hpp"
 #include "cncsub/control/g_codes.hpp"
 
 namespace cncsub {
@@ -80,6 +81,13 @@ void each_variant(const Code& code, const Block& block, const Look& look) {
   }
   if (block.op == Op::Together && code.together[block.aux].words != Labelled::kNone)
     each_variant(code, code.variants[code.together[block.aux].words], look);
+}
+
+/// Whether a block, or one that it may be, calls with the locals of its program.
+inline bool calls_subprogram(const Code& code, const Block& block) {
+  bool calls = false;
+  each_variant(code, block, [&](const Block& of) { calls |= of.op == Op::Call; });
+  return calls;
 }
 
 /// Whether a program ends in G99 alone, as one that was meant to end in M99.

@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "cncsub/code/references.hpp"
+
 namespace cncsub {
 
 std::string_view to_string(Branch branch) {
@@ -212,9 +214,7 @@ class Skips {
     Address from = step.address;
     while (from > program.first && code_.blocks[from - 1].skip != 0) --from;
     if (from == program.first) return step.address;
-    const Op before = code_.blocks[from - 1].op;
-    const bool calls = before == Op::Call || before == Op::MacroCall || before == Op::ModalCall;
-    return calls ? from : step.address;
+    return may_call(code_.blocks[from - 1].op) ? from : step.address;
   }
   /// Whether all blocks from there up to the step have a skip mark.
   bool all_marked(Address from, Address step) const {

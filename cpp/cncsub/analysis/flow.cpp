@@ -179,6 +179,9 @@ void FlowReader::variant(const Block& block) {
     case Op::Choose:
       variant(code_.variants[code_.choices[block.aux].first]);
       return variant(code_.variants[code_.choices[block.aux].second]);
+    case Op::Together:
+      if (code_.together[block.aux].words == Labelled::kNone) return next();
+      return variant(code_.variants[code_.together[block.aux].words]);
     case Op::Assign:  // #3000 raises an alarm: nothing comes behind it
       if (!raises_alarm(statement())) next();
       return;

@@ -115,8 +115,7 @@ void check_block(Checker& c, Address at, std::int32_t program) {
   each_variant(c.code, block, [&](const Block& of) {
     each_g(c.code, of, [&](int g) { check_code(c, at, g); });
     if (of.op == Op::Fault) check_fault(c, at, c.program(program), c.code.faults[of.aux]);
-    if (of.op == Op::Call || of.op == Op::MacroCall || of.op == Op::ModalCall)
-      check_call(c, at, program, c.code.calls[of.aux]);
+    if (is_call(of.op)) check_call(c, at, program, c.code.calls[of.aux]);
   });
   if (block.op == Op::Labelled) check_labelled(c, at, program, block);
   if (has_expressions(c.code, block) && block.op != Op::Fault) check_uses(c, at, program, block);

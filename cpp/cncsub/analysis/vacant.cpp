@@ -86,7 +86,7 @@ void VacantCheck::pass(const ProgramFlow& flow, Address at, Vacant& state) const
   }
   const Op op = c_.code.blocks[at].op;
   if (op == Op::Labelled || op == Op::Choose ||
-      (op == Op::Call && calls_at_[at - flow.first()].empty()))
+      (calls_at_[at - flow.first()].empty() && calls_subprogram(c_.code, c_.code.blocks[at])))
     set = ~Bits{0};
   state.always &= ~set;
   // A variable that is set only where a condition holds, and read where it holds again, has one.

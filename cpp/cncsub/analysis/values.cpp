@@ -113,8 +113,7 @@ void check_values(Checker& c) {
     for (Address at = flow.first(); at < flow.last(); ++at)
       each_variant(c.code, c.code.blocks[at], [&](const Block& block) {
         check_drops(c, at, block);
-        if (block.op == Op::Call || block.op == Op::MacroCall || block.op == Op::ModalCall)
-          check_call(c, at, c.code.calls[block.aux]);
+        if (is_call(block.op)) check_call(c, at, c.code.calls[block.aux]);
       });
   }
 }

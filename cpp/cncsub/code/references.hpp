@@ -51,10 +51,13 @@ struct References {
   std::vector<VariableReference> reads, writes;
 };
 
-/// Whether a block of this kind can call.
+constexpr bool is_call(Op op) {
+  return op == Op::Call || op == Op::MacroCall || op == Op::ModalCall;
+}
+/// Whether a block of this kind can call, itself or as one of its variants.
 constexpr bool may_call(Op op) {
-  return op == Op::Call || op == Op::MacroCall || op == Op::ModalCall || op == Op::Labelled ||
-         op == Op::Choose;
+  return is_call(op) || op == Op::Labelled || op == Op::Choose || op == Op::IfThen ||
+         op == Op::Together;
 }
 /// Those of a block of a program. Of blocks that depend on switches or callers, those of each.
 References references_of(const Code& code, const Block& block, std::int32_t program);

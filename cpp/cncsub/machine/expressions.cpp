@@ -81,7 +81,7 @@ bool compute(const Instruction* at, const Evaluation& e, double& result) {
 
 }  // namespace
 
-bool evaluate_long(Run& run, const Expression& e, const Places& places, double& value) {
+bool evaluate_long(Run& run, const Expression& e, const Places& places, double& value, Address of) {
   if (e.width > kLongText) look_soon(run);
   Trap trap;
   const Control& control = run.control();
@@ -90,6 +90,7 @@ bool evaluate_long(Run& run, const Expression& e, const Places& places, double& 
                               places.of[2],
                               control,
                               control.macros.angle_unit.value == AngleUnit::Degrees,
+                              of != kNowhere ? of : run.state.pc,
                               trap};
   if (compute(run.code->instructions.data() + e.first, evaluation, value)) [[likely]]
     return true;
@@ -101,6 +102,7 @@ bool evaluate_long(Run& run, const Expression& e, const Places& places, double& 
                                                   : name + " cannot be read";
   }
   Fault fault{trap.cause, inside ? trap.at : e.at, 0, std::move(detail)};
+  fault.block = of;
   fault.name = trap.function;
   if (!trap.name.empty()) {
     fault.name = trap.name;

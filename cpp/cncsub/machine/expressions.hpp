@@ -28,13 +28,15 @@ inline Places places(Run& run) {
   return {{nullptr, state.locals.data() + run.local_at(state.level, 0), state.commons.data()}};
 }
 
-bool evaluate_long(Run& run, const Expression& expression, const Places& places, double& value);
+/// `of`: the block that the expression stands in, where it is not the one that is being executed.
+bool evaluate_long(Run& run, const Expression& expression, const Places& places, double& value,
+                   Address of = kNowhere);
 
 /// One value, or one operation on two, at once; what is longer or has no finite result goes the
 /// long way.
 CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, const Expression& e, const Places& places,
-                                          double& value) {
-  if (e.form == Expression::Form::Long) return evaluate_long(run, e, places, value);
+                                          double& value, Address of = kNowhere) {
+  if (e.form == Expression::Form::Long) return evaluate_long(run, e, places, value, of);
   const double a = places.load(e.loads[0]);
   if (e.form == Expression::Form::One) {
     value = a;
@@ -45,13 +47,13 @@ CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, const Expression& e, const P
   switch (e.op) {
     case Ins::Add:
       value = a + b;
-      return std::isfinite(value) || evaluate_long(run, e, places, value);
+      return std::isfinite(value) || evaluate_long(run, e, places, value, of);
     case Ins::Subtract:
       value = a - b;
-      return std::isfinite(value) || evaluate_long(run, e, places, value);
+      return std::isfinite(value) || evaluate_long(run, e, places, value, of);
     case Ins::Multiply:
       value = a * b;
-      return std::isfinite(value) || evaluate_long(run, e, places, value);
+      return std::isfinite(value) || evaluate_long(run, e, places, value, of);
     case Ins::Equal:
       value = same() ? 1 : 0;
       return true;
@@ -73,8 +75,8 @@ CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, const Expression& e, const P
   }
 }
 
-inline bool evaluate(Run& run, std::uint32_t expression, double& value) {
-  return evaluate(run, run.code->expressions[expression], places(run), value);
+inline bool evaluate(Run& run, std::uint32_t expression, double& value, Address of = kNowhere) {
+  return evaluate(run, run.code->expressions[expression], places(run), value, of);
 }
 
 bool evaluate_operand(Run& run, const Operand& operand, double& value);

@@ -37,7 +37,8 @@ struct Evaluation {
   const double* locals;
   const double* commons;
   const Control& control;
-  bool degrees;  // angles are degrees, not radians
+  bool degrees;   // angles are degrees, not radians
+  Address block;  // it stands in
   Trap& trap;
 };
 
@@ -329,6 +330,6 @@ inline Fallible variable_number(E e, I at, double a) {
   return fails(e, at, Cause::IllegalVariable, "there is no variable of this number");
 }
 inline double level(E e, I) { return static_cast<double>(e.run.state.frames.size() - 1); }
-inline double line_number(E e, I) { return e.run.code->blocks[e.run.state.pc].line; }
+inline double line_number(E e, I) { return e.run.code->blocks[e.block].line; }
 
 }  // namespace cncsub::instruction

@@ -99,7 +99,7 @@ bool every_block(Run& run, const Block& block) {
     return dispatch(run, block);
   }
   NcWords words;
-  if (!decode(run, block, words)) return false;
+  if (!decode(run, block, run.state.pc, words)) return false;
   arguments_of(run, words);
   ModalCall& modal = run.state.modals.back();
   const CallRecord& record = run.code->calls[modal.record];

@@ -1,7 +1,5 @@
 #include "cncsub/machine/outside.hpp"
 
-#include <utility>
-
 #include "cncsub/machine/limits.hpp"
 #include "cncsub/machine/words.hpp"
 #include "cncsub/motion/state.hpp"
@@ -27,10 +25,7 @@ std::optional<Fault> profile_block(Run& run, Address a, Profile& found) {
       return Fault{Cause::ProfileMacro, a, 1, "a macro statement inside the blocks of the profile"};
   }
   NcWords words;
-  const Address cycle = std::exchange(run.state.pc, a);
-  const bool read = decode(run, block, words);
-  run.state.pc = cycle;
-  if (!read) return Fault{Cause::ProfileMacro, a, 1, {}};  // it has alarmed itself
+  if (!decode(run, block, a, words)) return Fault{Cause::ProfileMacro, a, 1, {}};  // it has alarmed
   if (words.codes == &run.codes) words.codes = &found.computed.emplace_back(run.codes);
   found.blocks.push_back(words);
   return std::nullopt;

@@ -24,12 +24,13 @@ namespace {
 constexpr std::int64_t kHeldPieces = 8;
 
 /// A G or M code in its cell: a number, or an expression, of which a vacant value (-1) is no code.
-bool decode_code(Run& run, const Block& block, const Cell& cell, double factor, int& code) {
+bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, double factor,
+                 int& code) {
   double value = cell.value;
   std::uint32_t at = block.text, width = block.length;
   if (value < 0) {
     const auto expression = to_whole<std::uint32_t>(-1.0 - value);
-    if (!evaluate(run, expression, value)) return false;
+    if (!evaluate(run, expression, value, of)) return false;
     if (is_vacant(value)) {
       code = -1;
       return true;
@@ -39,27 +40,28 @@ bool decode_code(Run& run, const Block& block, const Cell& cell, double factor, 
     width = run.code->expressions[expression].width;
   }
   if (value < 0 || value > kLargestCode)
-    return alarm(run, {Cause::ValueOutOfRange, at, width, "the code is out of range"});
+    return alarm(run, {Cause::ValueOutOfRange, at, width, "the code is out of range", of});
   code = to_whole<int>(value);
   return true;
 }
 
 /// Codes of which one is an expression, or of which a library has too many lists.
-bool decode_codes(Run& run, const Block& block, const Cell* cell, NcWords& words) {
+bool decode_codes(Run& run, const Block& block, Address of, const Cell* cell, NcWords& words) {
   CodeList list;
   for (int i = 0; i < block.g_count; ++i) {
     int g = 0;
-    if (!decode_code(run, block, *cell++, 10, g)) return false;
+    if (!decode_code(run, block, of, *cell++, 10, g)) return false;
     if (g > 10000 || (g >= 0 && !run.code->g_codes.test(static_cast<std::size_t>(g))))
       return alarm(run, {.cause = Cause::GCodeNotAvailable,
                          .detail = "the control has no such G code",
+                         .block = of,
                          .address = 'G',
                          .code = g});
     if (g >= 0) list.add_g(g);
   }
   for (int i = 0; i < block.m_count; ++i) {
     int m = 0;
-    if (!decode_code(run, block, *cell++, 1, m)) return false;
+    if (!decode_code(run, block, of, *cell++, 1, m)) return false;
     if (m >= 0) list.add_m(m);
   }
   run.codes = {list, *run.meanings};
@@ -68,16 +70,18 @@ bool decode_codes(Run& run, const Block& block, const Cell* cell, NcWords& words
 }
 
 /// A word whose value is an expression.
-bool decode_computed(Run& run, std::uint32_t expression, std::size_t place, NcWords& words) {
+bool decode_computed(Run& run, std::uint32_t expression, Address of, std::size_t place,
+                     NcWords& words) {
   double value = 0;
-  if (!evaluate(run, expression, value)) return false;
+  if (!evaluate(run, expression, value, of)) return false;
   if (std::fabs(value) >= run.largest_word) {  // a vacant value compares false
     const Expression& e = run.code->expressions[expression];
     if (std::fabs(value) > kLargest)
-      return alarm(run, {Cause::Overflow, e.at, e.width, "the result is too large"});
+      return alarm(run, {Cause::Overflow, e.at, e.width, "the result is too large", of});
     return alarm(
-        run, {Cause::ValueOutOfRange, e.at, e.width,
-              "the value has more than " + std::to_string(most_digits(run.control())) + " digits"});
+        run,
+        {Cause::ValueOutOfRange, e.at, e.width,
+         "the value has more than " + std::to_string(most_digits(run.control())) + " digits", of});
   }
   if (is_vacant(value)) {
     if (run.control().macros.vacant_address.value == VacantAddress::Ignored)
@@ -200,7 +204,7 @@ bool move(Run& run, const Block& block, NcWords& words) {
 
 }  // namespace
 
-bool decode(Run& run, const Block& block, NcWords& words) {
+bool decode(Run& run, const Block& block, Address at, NcWords& words) {
   const Cell* cell = run.code->cells.data() + block.data;
   std::uint32_t expressions = 0;
   if ((block.flags & Block::kHasExtra) != 0) {
@@ -208,10 +212,10 @@ bool decode(Run& run, const Block& block, NcWords& words) {
     words.whole = cell->extra.whole;
     ++cell;
   }
-  words.at = run.state.pc;
+  words.at = at;
   if ((block.flags & Block::kListed) != 0)
     words.codes = &run.meanings->blocks[cell->expression];
-  else if (block.code_cells() > 0 && !decode_codes(run, block, cell, words))
+  else if (block.code_cells() > 0 && !decode_codes(run, block, at, cell, words))
     return false;
   cell += block.code_cells();
   words.mask = block.mask;
@@ -219,7 +223,7 @@ bool decode(Run& run, const Block& block, NcWords& words) {
     const auto place = static_cast<std::size_t>(std::countr_zero(left));
     if ((expressions & (1u << place)) == 0)
       words.value[place] = cell->value;
-    else if (!decode_computed(run, static_cast<std::uint32_t>(cell->expression), place, words))
+    else if (!decode_computed(run, static_cast<std::uint32_t>(cell->expression), at, place, words))
       return false;
   }
   return true;
@@ -227,7 +231,7 @@ bool decode(Run& run, const Block& block, NcWords& words) {
 
 bool carry_out(Run& run, const Block& block) {
   NcWords words;
-  if (!decode(run, block, words)) return false;
+  if (!decode(run, block, run.state.pc, words)) return false;
   if (run.heard != nullptr) hear(run, block, words);
   if (run.block.together != nullptr && !set_together(run)) return false;
   if (!move(run, block, words) || !send_codes(run, words, block)) return false;

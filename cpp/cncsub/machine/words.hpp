@@ -13,8 +13,8 @@ inline bool has_words(const Block& block) {
 }
 
 /// The words of a block with their values. A vacant variable's word is left out, or counts as 0, as
-/// the control does.
-bool decode(Run& run, const Block& block, NcWords& words);
+/// the control does. `at` is the address of the block, which may be a variant of the one there.
+bool decode(Run& run, const Block& block, Address at, NcWords& words);
 
 /// Decodes the words of a block, and does what they say. A block of nothing else is done then.
 bool carry_out(Run& run, const Block& block);

@@ -81,7 +81,7 @@ void call_988(Control& c) {
   no_role(c.calls.roles, {"M97"}, kTApar + "6003#4: M97 ends a macro interrupt", Manual);
   c.calls.calls_in_modal = {CallsInModal::Refused, kTA + "27, G66, note 1", Manual};
   c.calls.codes_not_with_return = {"28 30 53 36 37", kTalm + "030", Manual};
-  c.calls.codes_not_with_call = {"", kPolicy, Inferred};
+  c.calls.codes_not_with_call = {"70 71 72 73", kTalm + "132", Manual};
 }
 
 void statements_988(Control& c) {

@@ -51,7 +51,8 @@ void calls_and_returns(Control& c) {
 void macros(Control& c) {
   c.macros.commons = {"10000-10999", "ZAP, Haas system variables", Secondary};
   c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT BPRNT? POPEN PCLOS", kHaas, Inferred};
-  c.macros.if_form = {IfForm::GotoThen, "HDIY, IF [#10000 LT 10] GOTO10", Manual};
+  // It is 516 where a statement stands there without THEN.
+  c.macros.if_form = {IfForm::Words, "VBH, 9000.nc: IF[#10001 EQ 0] M98 P9004", Secondary};
   has(c.macros.conditions, {Condition::Values}, "HDIY: 0 is false, what is not 0 is true", Manual);
   has(c.macros.conditions, {Condition::Joined}, "HDIY: Boolean operators in conditions", Manual);
   c.macros.short_functions = {false, kPolicy, Inferred};

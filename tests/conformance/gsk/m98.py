@@ -715,3 +715,32 @@ case(
     program=one_call("M98 P30009 L2"),
     runs="", alarm="repeat-given-twice", number="293", at="O1 N10",
 )
+case(
+    "GSK 988: G70 may not stand in the block of M98",
+    pins="codes_not_with_call", control=FAMILY_988, source="Talm 132", evidence=SECONDARY,
+    program=one_call("G70 P20 Q30 M98 P2"),
+    runs="", alarm="illegal-word-with-call", number="132", at="O1 N10",
+)
+case(
+    "GSK 988: G71 may not stand in the block of M98",
+    pins="codes_not_with_call", control=FAMILY_988, source="Talm 132", evidence=SECONDARY,
+    program=one_call("G71 U1. R1. M98 P2"),
+    runs="", alarm="illegal-word-with-call", number="132", at="O1 N10",
+)
+case(
+    "GSK 988: G72 may not stand in the block of M98",
+    pins="codes_not_with_call", control=FAMILY_988, source="Talm 132", evidence=SECONDARY,
+    program=one_call("M98 P2 G72 W1. R1."),
+    runs="", alarm="illegal-word-with-call", number="132", at="O1 N10",
+)
+case(
+    "GSK 988: G73 may not stand in the block of M98",
+    pins="codes_not_with_call", control=FAMILY_988, source="Talm 132", evidence=SECONDARY,
+    program=one_call("M98 P2 G73 U1. R2"),
+    runs="", alarm="illegal-word-with-call", number="132", at="O1 N10",
+)
+case(
+    "GSK 988: G74 may stand in the block of M98",
+    control=FAMILY_988, source="Talm 132", evidence=INFERRED,
+    program=one_call("M98 P2 G74 R1."), runs="N10 N30 N20",
+)

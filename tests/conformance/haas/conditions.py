@@ -24,8 +24,62 @@ case(
     program="O1\nN10 IF [[1 EQ 1] AND [2 EQ 3]] GOTO 30\nN20 IF [[1 EQ 1] OR [2 EQ 3]] GOTO 40\nN30 M0\nN40 M30",
     runs="N10 N20 N40",
 )
+VERSABUILT = {"control": HAAS, "source": "VBH, 9000.nc", "evidence": "secondary"}
+
 case(
-    "IF with neither GOTO nor THEN is 516", **KNOWN, program="O1\nN10 IF [1] #1=2\nN20 M30",
+    "behind the condition of IF a call may stand without THEN", pins="if_form", **VERSABUILT,
+    program="""
+        O9000
+        N10 #10001=0
+        N20 IF[#10001 EQ 0] M98 P9004
+        N30 #10001=1
+        N40 IF[#10001 EQ 0] M98 P9004
+        N50 M30
+        O9004
+        N60 M99
+    """,
+    runs="N10 N20 N60 N30 N40 N50",
+)
+case(
+    "behind the condition of IF a macro call takes its arguments", **VERSABUILT,
+    program="""
+        O1
+        N10 #1=5
+        N20 IF [#1 GT 4] G65 P2 A#1 B7.
+        N30 IF [#1 GT 5] THEN G65 P2 A9.
+        N40 M30
+        O2
+        N50 #10100=#1+#2
+        N60 M99
+    """,
+    runs="N10 N20 N50 N60 N30 N40", vars={10100: 12},
+)
+case(
+    "words behind the condition of IF are executed where it holds, and nothing of them where it does not",
+    **VERSABUILT | {"evidence": "inferred"},
+    program="""
+        O1
+        N10 IF [1] G0 X5. M8
+        N20 IF [0] THEN G0 X6. M9
+        N30 IF [1] M97 P60
+        N40 IF [1] M30
+        N50 G0 X7.
+        N60 G0 Y1.
+        N70 M99
+    """,
+    runs="N10 N20 N30 N60 N70 N40", moves="R X5\nR Y1", m=[8],
+)
+case(
+    "a fault in the words behind the condition of IF stands in its block, whether it holds or not",
+    **VERSABUILT | {"evidence": "inferred"},
+    program="O1\nN10 IF [0] M98 P2 M98 P3\nN20 M30", runs="", alarm="call-given-twice", at="O1 N10",
+)
+case(
+    "behind the condition of IF stands no second IF", **VERSABUILT | {"evidence": "inferred"},
+    program="O1\nN10 IF [1] THEN IF [1] M98 P2\nN20 M30", runs="", alarm="if-format", number="516", at="O1 N10",
+)
+case(
+    "IF with a statement and neither GOTO nor THEN is 516", **KNOWN, program="O1\nN10 IF [1] #1=2\nN20 M30",
     runs="", alarm="if-format", number="516", at="O1 N10",
 )
 case(

@@ -9,6 +9,16 @@
 
 namespace cncsub {
 
+namespace {
+
+/// A block that does what `then` does where its condition holds.
+void conditional(Builder& to, Statement statement, const Block& then, Block& block) {
+  statement.then = to.keep(then);
+  to.become(block, Op::IfThen, statement);
+}
+
+}  // namespace
+
 void BlockReader::read_any(Scanner& s, Block& block) {
   WordScanner words(to_, rules_, s, block);
   if (!words.head()) return;
@@ -19,12 +29,28 @@ void BlockReader::read_any(Scanner& s, Block& block) {
   if (control_.calls.conditional_return.value && s.peek() == '[')
     return conditional_return(s, block);
   StatementReader statement(to_, s, block);
-  if (statement.read()) return;
+  if (statement.read()) {
+    const auto& words = statement.before_words();
+    if (const auto then = words ? words_behind(s, block) : std::nullopt)
+      conditional(to_, *words, *then, block);
+    return;
+  }
   tokens_.clear();
   if (words.words(tokens_)) write(block, tokens_, true);
 }
 
-/// `[#1 LT 10] M99 P10`: M99 is kept as a block of its own, as what stands behind THEN is.
+/// The words behind a condition, as a block of their own; nothing where the block is refused.
+std::optional<Block> BlockReader::words_behind(Scanner& s, Block& block) {
+  Block behind = block;
+  tokens_.clear();
+  if (WordScanner(to_, rules_, s, behind).words(tokens_)) write(behind, tokens_, true);
+  if (behind.op != Op::Fault) return behind;
+  block.op = Op::Fault;
+  block.aux = behind.aux;
+  return std::nullopt;
+}
+
+/// `[#1 LT 10] M99 P10`
 void BlockReader::conditional_return(Scanner& s, Block& block) {
   Statement statement;
   statement.at = s.offset();
@@ -33,19 +59,12 @@ void BlockReader::conditional_return(Scanner& s, Block& block) {
   if (!condition) return to_.refuse(block, reader.fault());
   statement.expression = *condition;
   statement.width = s.offset() - statement.at;
-  Block back = block;
-  tokens_.clear();
-  if (WordScanner(to_, rules_, s, back).words(tokens_)) write(back, tokens_, true);
-  if (back.op == Op::Fault) {
-    block.op = Op::Fault;
-    block.aux = back.aux;
-    return;
-  }
-  if (back.op != Op::Return)
+  const auto back = words_behind(s, block);
+  if (!back) return;
+  if (back->op != Op::Return)
     return to_.refuse(block, {Cause::StatementFormat, statement.at, statement.width,
                               "a condition at the head of a block stands before M99"});
-  statement.then = to_.keep(back);
-  to_.become(block, Op::IfThen, statement);
+  conditional(to_, statement, *back, block);
 }
 
 /// `calls`: codes may call.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/block_rules.hpp"
@@ -25,6 +26,7 @@ class BlockReader {
  private:
   void read_any(Scanner& s, Block& block);
   void conditional_return(Scanner& s, Block& block);
+  std::optional<Block> words_behind(Scanner& s, Block& block);
   void write(Block& block, const Tokens& tokens, bool calls);
   void write_slash(Block& block, const Tokens& tokens, std::size_t slash, bool calls);
 

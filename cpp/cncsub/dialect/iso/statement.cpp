@@ -41,6 +41,13 @@ void keep_comment(const Code& code, const Scanner& s, Statement& statement) {
   statement.text_length = static_cast<std::uint32_t>(close - open - 1);
 }
 
+/// `#2=` rather than a stray variable.
+bool starts_assignment(Scanner s) {
+  if (!s.take('#')) return false;
+  while (is_digit(s.peek())) ++s.at;
+  return s.peek() == '=';
+}
+
 }  // namespace
 
 // END begins ENDIF and ENDW too.
@@ -101,14 +108,6 @@ bool StatementReader::lacks(StatementKind kind, std::uint32_t at, std::string_vi
   return wrong.has_value();
 }
 
-/// `#2=` rather than a stray variable.
-bool StatementReader::starts_assignment() const {
-  Scanner ahead = s_;
-  if (!ahead.take('#')) return false;
-  while (is_digit(ahead.peek())) ++ahead.at;
-  return ahead.peek() == '=';
-}
-
 /// Nothing may stand behind a statement.
 bool StatementReader::at_end(Cause otherwise) {
   s_.blanks();
@@ -117,7 +116,7 @@ bool StatementReader::at_end(Cause otherwise) {
   if (c == '\0') return true;
   if (c == ']')
     refuse(Cause::BracketNotOpened, s_.offset(), 1, "this bracket was never opened");
-  else if (is_letter(c) || starts_assignment())
+  else if (is_letter(c) || starts_assignment(s_))
     refuse(otherwise, s_.offset(), 1, "behind the statement stands another word");
   else
     refuse(block_.op == Op::Assign ? Cause::ExpressionFormat : Cause::StatementFormat, s_.offset(),
@@ -216,18 +215,22 @@ bool StatementReader::condition(Statement& statement, Cause format) {
 
 void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statement) {
   if (!condition(statement, Cause::IfFormat)) return;
-  if (code_.control->macros.if_form.value == IfForm::Blocks) {
+  const IfForm form = code_.control->macros.if_form.value;
+  if (form == IfForm::Blocks) {
     if (at_end(Cause::NcAndMacroInBlock)) finish(Op::If, statement);
     return;
   }
   if (keyword("GOTO")) return jump(Op::IfGoto, statement);
-  if (code_.control->macros.if_form.value == IfForm::GotoOnly)
-    return refuse(Cause::IfFormat, s_.offset(), 1, "behind the condition stands GOTO");
-  if (!keyword("THEN"))
-    return refuse(Cause::IfFormat, s_.offset(), 1, "behind the condition stands GOTO or THEN");
-  if (s_.peek() == '\0' && code_.control->macros.if_form.value == IfForm::ThenBlocks)
-    return finish(Op::If, statement);
+  const std::uint32_t at = s_.offset();
+  if (form == IfForm::GotoOnly)
+    return refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO");
+  const bool then = keyword("THEN");
+  if (!then && form != IfForm::Words)
+    return refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO or THEN");
+  if (s_.peek() == '\0' && form == IfForm::ThenBlocks) return finish(Op::If, statement);
   then_statement(statement);
+  if (!then && !before_words_ && block_.op != Op::Fault)
+    refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO, THEN or an NC word");
 }
 
 /// THEN takes one macro statement, kept as a block of its own.
@@ -235,8 +238,13 @@ void StatementReader::then_statement(Statement& statement) {
   Block then = block_;
   const std::uint32_t at = s_.offset();
   StatementReader inner(to_, s_, then, thens_ + 1);
-  if (thens_ > kDeepestThen || !inner.read())
-    return refuse(Cause::IfFormat, at, 1, "THEN takes one macro statement");
+  const bool read = thens_ <= kDeepestThen && inner.read();
+  if (!read && thens_ == 0 && code_.control->macros.if_form.value == IfForm::Words &&
+      is_letter(s_.peek())) {
+    before_words_ = statement;
+    return;
+  }
+  if (!read) return refuse(Cause::IfFormat, at, 1, "THEN takes one macro statement");
   if (then.op == Op::Fault) {
     block_.op = Op::Fault;
     block_.aux = then.aux;

@@ -16,6 +16,8 @@ class StatementReader {
   StatementReader(Builder& to, Scanner& scanner, Block& block, int thens = 0)
       : to_(to), code_(to.code()), s_(scanner), block_(block), thens_(thens) {}
   bool read();
+  /// An IF whose condition was read and whose words, which stand here now, were not.
+  const std::optional<Statement>& before_words() const { return before_words_; }
 
  private:
   /// A word that a statement begins with.
@@ -49,7 +51,6 @@ class StatementReader {
   void jump(Op op, Statement& statement);
   bool print_field(Print& print);
   void finish(Op op, const Statement& statement);
-  bool starts_assignment() const;
   bool at_end(Cause otherwise);
   void refuse(Fault fault);
   void refuse(Cause cause, std::uint32_t at, std::uint32_t width = 1, std::string detail = {});
@@ -59,6 +60,7 @@ class StatementReader {
   Scanner& s_;
   Block& block_;
   int thens_;
+  std::optional<Statement> before_words_;
 };
 
 }  // namespace cncsub
