@@ -116,9 +116,9 @@ def _names(tree: ast.AST) -> list[tuple[int, str, str]]:
     return found
 
 
-def _not_everywhere(text: str) -> list[str]:
+def _not_everywhere(file: str) -> list[str]:
     """What a file names that some systems lack: line, and what it is."""
-    tree = ast.parse(text)
+    tree = ast.parse(file)
     wrong = []
     for line, module, name in _names(tree):
         known = NOT_EVERYWHERE.get(module, "").split()
@@ -127,12 +127,12 @@ def _not_everywhere(text: str) -> list[str]:
         ):
             wrong.append(f"{line}: {module}.{name}".rstrip("."))
     for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            if node.func.attr in OF_PATHS:
-                wrong.append(f"{node.lineno}: .{node.func.attr}()")
-        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
-            if re.match(r"/(dev|tmp|etc|proc|usr|var)/|fork(server)?$", node.value):
-                wrong.append(f"{node.lineno}: {node.value}")
+        called = node.func if isinstance(node, ast.Call) else None
+        if isinstance(called, ast.Attribute) and called.attr in OF_PATHS:
+            wrong.append(f"{called.lineno}: .{called.attr}()")
+        text = getattr(node, "value", None) if isinstance(node, ast.Constant) else None
+        if isinstance(text, str) and re.match(r"/(dev|tmp|etc|proc|usr|var)/|fork(server)?$", text):
+            wrong.append(f"{node.lineno}: {text}")
     return wrong
 
 
@@ -172,7 +172,9 @@ def test_a_name_that_is_not_everywhere_is_noticed(text: str) -> None:
     assert _not_everywhere(text)
 
 
-@pytest.mark.parametrize("text", ["os.replace(a, b)", "signal.SIGINT", "path.open('rb')", "re.group()"])
+@pytest.mark.parametrize(
+    "text", ["os.replace(a, b)", "signal.SIGINT", "path.open('rb')", "re.group()"]
+)
 def test_a_name_that_is_everywhere_is_not(text: str) -> None:
     assert not _not_everywhere(text)
 

@@ -26,12 +26,12 @@ const std::vector<CauseInfo>& all_causes() {
   const std::vector<Option>& options<type>() { \
     static constexpr Option kOptions[] = {
 #define OPTION(type, name, slug, example) {slug, example},
-#define END_CHOICE(type)                                                     \
-  }                                                                          \
-  ;                                                                          \
-  static const auto& list =                                                  \
+#define END_CHOICE(type)                                                        \
+  }                                                                             \
+  ;                                                                             \
+  static const auto& list =                                                     \
       *new const std::vector<Option>(std::begin(kOptions), std::end(kOptions)); \
-  return list;                                                               \
+  return list;                                                                  \
   }
 #include "cncsub/control/choices.def"
 #undef CHOICE

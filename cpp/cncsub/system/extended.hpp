@@ -1,7 +1,7 @@
-// Sines and angles as LinuxCNC computes them on a PC: in numbers of 64 bits of mantissa. Microsoft's
-// compiler and Apple's processors have none, Linux on ARM has numbers of 113 bits, which come out
-// otherwise, and what MinGW has leaves the turns of an angle to the processor, which knows pi to few
-// digits.
+// Sines and angles as LinuxCNC computes them on a PC: in numbers of 64 bits of mantissa.
+// Microsoft's compiler and Apple's processors have none, Linux on ARM has numbers of 113 bits,
+// which come out otherwise, and what MinGW has leaves the turns of an angle to the processor, which
+// knows pi to few digits.
 #pragma once
 
 #include <cmath>
