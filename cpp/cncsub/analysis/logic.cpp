@@ -120,7 +120,8 @@ class LogicCheck {
   void mend(Finding& found, Address at, std::string_view written, const Binding& binding) const;
   void brackets(Address at, std::string_view text, std::uint32_t first);
   void tell_word(Address at, TextPlace place, std::string_view written);
-  void tell(Address at, TextPlace place, const Expression& of, std::string_view written, Asked asked);
+  void tell(Address at, TextPlace place, const Expression& of, std::string_view written,
+            Asked asked);
   const char* read_as(Asked asked) const;
 
   Checker& c_;
