@@ -93,7 +93,8 @@ Result check_rotary(MotionView m, const BlockWords& block) {
 
 /// Cycles that stop the spindle or reverse it want it to turn, taps in their own direction.
 Result check_spindle(MotionView m, const BlockWords& block) {
-  if (!m.facts.refuses(Cause::SpindleStands)) return std::nullopt;
+  const bool asks = m.facts.control->motion.cycle_approach.value == CycleApproach::RFirst;
+  if (!asks || !m.facts.refuses(Cause::SpindleStands)) return std::nullopt;
   const Meaning cycle = m.state.cycle.cycle;
   const bool tap = cycle == Meaning::Tap || cycle == Meaning::LeftTap;
   if (!tap && cycle != Meaning::BoreStop && cycle != Meaning::BackBore &&

@@ -62,16 +62,30 @@ Result take_h(MotionContext& m, const BlockWords& block) {
   return std::nullopt;
 }
 
+/// The same where a length shifts the work coordinates: H does nothing without its code.
+Result take_shifting_length(MotionContext& m, BlockWords& block) {
+  if (!block.has(Group::Length)) return std::nullopt;
+  if (compensating(m.state)) return fault(Cause::CompensationShift, block);
+  if (auto wrong = take_h(m, block)) return wrong;
+  const GCode& code = block.code(Group::Length);
+  m.state.modal[at(Group::Length)] = code;
+  if (code.meaning == Meaning::LengthOff)
+    m.state.length = {};
+  else if (code.which == 1 || (code.which == 2 && !block.words.has('H')))
+    give_length(m, block, code.which == 2);
+  else
+    shift_by_length(m, code.which == 2);
+  return std::nullopt;
+}
+
 /// The length of G43, G44, G49 and H.
 Result take_length(MotionContext& m, BlockWords& block) {
   if (m.facts.lathe()) return std::nullopt;
   if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H
   const bool h = block.words.has('H');
-  const bool only_with_code = m.facts.control->motion.length_type.value == LengthType::Shift;
-  if ((!h || only_with_code) && !block.has(Group::Length)) return std::nullopt;
-  if (m.facts.control->motion.length_type.value == LengthType::Shift && compensating(m.state) &&
-      block.has(Group::Length))
-    return fault(Cause::CompensationShift, block);
+  if (!h && !block.has(Group::Length)) return std::nullopt;
+  if (m.facts.control->motion.length_type.value == LengthType::Shift)
+    return take_shifting_length(m, block);
   if (auto wrong = take_h(m, block)) return wrong;
   if (block.has(Group::Length)) m.state.modal[at(Group::Length)] = block.code(Group::Length);
   const Meaning meaning = m.state.modal[at(Group::Length)].meaning;
@@ -91,12 +105,12 @@ Result take_length(MotionContext& m, BlockWords& block) {
     give_length(m, block, form == 2);
     return std::nullopt;
   }
-  if (m.facts.control->motion.length_type.value == LengthType::Shift) {
-    shift_by_length(m, form == 2);
-    return std::nullopt;
-  }
   const double value =
       m.state.h == 0 ? 0 : m.state.tables.length[number] + m.state.tables.length_wear[number];
+  if (form == 2) {
+    m.state.length[static_cast<std::size_t>(axis)] += value;
+    return std::nullopt;
+  }
   m.state.length[static_cast<std::size_t>(axis)] = meaning == Meaning::LengthMinus ? -value : value;
   return std::nullopt;
 }

@@ -186,14 +186,16 @@ Result find_centre(MotionContext& m, const BlockWords& block, bool radius, bool 
                    Piece& piece) {
   if (radius) {
     m.outcome.drop(kCentreWords);  // R counts
-    return arc_by_radius(m, block, piece);
+    if (auto wrong = arc_by_radius(m, block, piece)) return wrong;
+    return more_turns(m, block, piece);
   }
   if (centre) {
     if (centre_is_absolute(m.state) && lacks_centre(m, block))
       return fault(Cause::NoRadius, block, "the centre has two words");
     if (polar(m.state) && m.facts.refuses(Cause::PolarCentre))
       return fault(Cause::PolarCentre, block);
-    return arc_by_centre(m, block, piece);
+    if (auto wrong = arc_by_centre(m, block, piece)) return wrong;
+    return more_turns(m, block, piece);
   }
   if (m.facts.control->motion.no_radius.value == NoRadius::Alarm)
     return fault(Cause::NoRadius, block);
@@ -219,7 +221,6 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   Piece piece = make_piece(m, block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
   if (auto wrong = corner_words(m, block, piece)) return wrong;
   if (auto wrong = find_centre(m, block, radius, centre, piece)) return wrong;
-  if (auto wrong = more_turns(m, block, piece)) return wrong;
   // R with the end at the start is no arc: nothing is left but what goes along. [16TC p.67]
   const bool goes_across = (named & axis_bit(plane.across)) != 0;
   if (piece.corner != 0 && goes_across && m.facts.refuses(Cause::CornerHelix))

@@ -65,25 +65,25 @@ struct OwnNormal {
     view.set(vector, beside);
     return record_move(sink, piece, vector);
   }
-  Result let_go();
-  Result move_back(Point to, std::uint32_t at);
-  Result go_around(const Piece& next, Point to);
-  Result stands_at(Result wrong, Point at);
-  void wait(const Piece& piece, Point to, Point way);
+  Result let_go() const;
+  Result move_back(Point to, std::uint32_t at) const;
+  Result go_around(const Piece& next, Point to) const;
+  Result stands_at(Result wrong, Point at) const;
+  void wait(const Piece& piece, Point to, Point way) const;
 
-  Result begin(Piece piece, Point start);
-  Result line(Piece piece);
-  Result arc(Piece piece);
-  Result end_before_line(const Piece& piece, Point v, double away);
-  Result end_before_arc(const Piece& piece, Point u, double away);
-  Result end_line_before_arc(const Piece& piece, Point u, double away);
-  Result end_arc_before_arc(const Piece& piece);
+  Result begin(Piece piece, Point start) const;
+  Result line(Piece piece) const;
+  Result arc(Piece piece) const;
+  Result end_before_line(const Piece& piece, Point v, double away) const;
+  Result end_before_arc(const Piece& piece, Point u, double away) const;
+  Result end_line_before_arc(const Piece& piece, Point u, double away) const;
+  Result end_arc_before_arc(const Piece& piece) const;
   double away_from_tool(const Piece& next, Point v) const;
   Point last_direction(const Piece& next) const;
 };
 
 /// What waits goes to the table as it is.
-Result OwnNormal::let_go() {
+Result OwnNormal::let_go() const {
   held().begun_known = false;
   for (const Piece& piece : held().radius)
     if (auto wrong = record(piece, {piece.beside[0], piece.beside[1]})) return wrong;
@@ -92,14 +92,14 @@ Result OwnNormal::let_go() {
 }
 
 /// The tool stands there when the next move begins.
-Result OwnNormal::stands_at(Result wrong, Point at) {
+Result OwnNormal::stands_at(Result wrong, Point at) const {
   held().begun = {at.a, at.b};
   held().begun_known = true;
   return wrong;
 }
 
 /// What waits ends there instead; backwards it does not go.
-Result OwnNormal::move_back(Point to, std::uint32_t at) {
+Result OwnNormal::move_back(Point to, std::uint32_t at) const {
   Held& h = held();
   if (h.radius.empty()) return std::nullopt;
   const Point begun{h.begun[0], h.begun[1]};
@@ -124,7 +124,7 @@ Result OwnNormal::move_back(Point to, std::uint32_t at) {
 }
 
 /// In an arc about the corner; a rapid goes straight there.
-Result OwnNormal::go_around(const Piece& next, Point to) {
+Result OwnNormal::go_around(const Piece& next, Point to) const {
   Piece bit = next;
   const Axes& from = held().radius_to;
   view.set(bit.end, corner());
@@ -139,7 +139,7 @@ Result OwnNormal::go_around(const Piece& next, Point to) {
   return stands_at(record(bit, to - corner()), to);
 }
 
-void OwnNormal::wait(const Piece& piece, Point to, Point way) {
+void OwnNormal::wait(const Piece& piece, Point to, Point way) const {
   Held& h = held();
   const Point beside = to - view.point(piece.end);
   h.radius_to = piece.end;
@@ -151,7 +151,7 @@ void OwnNormal::wait(const Piece& piece, Point to, Point way) {
 }
 
 /// The first move: from where the tool is, to beside the end.
-Result OwnNormal::begin(Piece piece, Point start) {
+Result OwnNormal::begin(Piece piece, Point start) const {
   const double offset = offset_of(piece), radius = std::fabs(offset);
   const Point end = view.point(piece.end);
   Fault too_short{Cause::CompensationEntry, piece.at, 1, {}};
@@ -194,7 +194,7 @@ double OwnNormal::away_from_tool(const Piece& next, Point v) const {
 }
 
 /// Where a line along `v` begins, behind an inside corner.
-Result OwnNormal::end_before_line(const Piece& piece, Point v, double away) {
+Result OwnNormal::end_before_line(const Piece& piece, Point v, double away) const {
   const Piece& before = held().radius.front();
   const double radius = std::fabs(offset_of(piece));
   if (!is_arc(before)) {
@@ -214,7 +214,7 @@ Result OwnNormal::end_before_line(const Piece& piece, Point v, double away) {
   return move_back(centre + own * unit_of(towards + kPi + half), piece.at);
 }
 
-Result OwnNormal::line(Piece piece) {
+Result OwnNormal::line(Piece piece) const {
   const Point start = corner(), end = view.point(piece.end);
   if (size(end - start) < 1e-9) {  // nothing in the plane
     wait(piece, tool(), {});
@@ -240,7 +240,7 @@ Result OwnNormal::line(Piece piece) {
   return std::nullopt;
 }
 
-Result OwnNormal::end_line_before_arc(const Piece& piece, Point u, double away) {
+Result OwnNormal::end_line_before_arc(const Piece& piece, Point u, double away) const {
   const Point centre = view.point(piece.centre);
   const double radius = std::fabs(offset_of(piece));
   const double own = size(centre - view.point(piece.end)), across = -own * std::cos(away);
@@ -253,7 +253,7 @@ Result OwnNormal::end_line_before_arc(const Piece& piece, Point u, double away) 
   return move_back(centre + moved * unit_of(direction(u) + angle), piece.at);
 }
 
-Result OwnNormal::end_arc_before_arc(const Piece& piece) {
+Result OwnNormal::end_arc_before_arc(const Piece& piece) const {
   const Piece& before = held().radius.front();
   const Point first = view.point(before.centre), second = view.point(piece.centre);
   const double radius = std::fabs(offset_of(piece));
@@ -270,13 +270,13 @@ Result OwnNormal::end_arc_before_arc(const Piece& piece) {
   return move_back(first + old * unit_of(angle), piece.at);
 }
 
-Result OwnNormal::end_before_arc(const Piece& piece, Point u, double away) {
+Result OwnNormal::end_before_arc(const Piece& piece, Point u, double away) const {
   if (held().radius.empty()) return std::nullopt;
   return is_arc(held().radius.front()) ? end_arc_before_arc(piece)
                                        : end_line_before_arc(piece, u, away);
 }
 
-Result OwnNormal::arc(Piece piece) {
+Result OwnNormal::arc(Piece piece) const {
   const Point start = corner(), end = view.point(piece.end), centre = view.point(piece.centre);
   const double radius = std::fabs(offset_of(piece));
   const bool inside = goes_inside(piece);
