@@ -105,9 +105,7 @@ struct Assigned {
   static constexpr std::uint32_t kMostIndex = (1U << 15) - 1, kMostPlace = 255;
   bool fits() const { return index <= kMostIndex && at <= kMostPlace && width <= kMostPlace; }
 
-  std::uint32_t data() const {
-    return (common ? 1U : 0U) | index << 1 | at << 16 | width << 24;
-  }
+  std::uint32_t data() const { return (common ? 1U : 0U) | index << 1 | at << 16 | width << 24; }
   static Assigned of(const Block& block) {
     const std::uint32_t data = block.data;
     return {(data & 1U) != 0, data >> 1 & kMostIndex, data >> 16 & kMostPlace, data >> 24};

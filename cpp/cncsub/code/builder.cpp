@@ -75,8 +75,8 @@ void Builder::drop_program(std::int32_t leader) {
 void Builder::assign(Block& block, const Statement& statement) {
   const bool common = statement.target == Statement::Target::Common;
   if (common || statement.target == Statement::Target::Local) {
-    const std::uint32_t end = expressions_.at(statement.expression) +
-                              code_.expression(statement.expression).width();
+    const std::uint32_t end =
+        expressions_.at(statement.expression) + code_.expression(statement.expression).width();
     const Assigned assigned{common, static_cast<std::uint32_t>(statement.index),
                             statement.variable_at - block.text, statement.variable_width};
     const bool as_told = statement.text_length == 0 && statement.at == statement.variable_at &&

@@ -42,9 +42,7 @@ inline constexpr Holds kHolds[] = {
 }  // namespace instructions
 
 /// How many values more an instruction leaves on the stack.
-constexpr int stack_effect(Ins op) {
-  return instructions::kEffects[static_cast<std::size_t>(op)];
-}
+constexpr int stack_effect(Ins op) { return instructions::kEffects[static_cast<std::size_t>(op)]; }
 constexpr Holds held_by(Ins op) { return instructions::kHolds[static_cast<std::size_t>(op)]; }
 
 struct Instruction {
@@ -90,9 +88,7 @@ inline Instruction instruction_at(const ExpressionCell* at, Ins op) {
   }
   return {op, address, at->high, 0};
 }
-inline Instruction instruction_at(const ExpressionCell* at) {
-  return instruction_at(at, at->op());
-}
+inline Instruction instruction_at(const ExpressionCell* at) { return instruction_at(at, at->op()); }
 
 /// An expression: a cell that says how it is computed and how wide it is in the text, then its
 /// instructions up to End, which knows where it stands. Most are one value, or one operation on

@@ -40,7 +40,9 @@ class ExpressionWriter {
   std::uint32_t last_place() const { return place_of(last_); }
   /// The value of one that holds it.
   double value(std::uint32_t place) const { return open_[place + 1].value(); }
-  void set_value(std::uint32_t place, double value) { open_[place + 1] = ExpressionCell::of(value); }
+  void set_value(std::uint32_t place, double value) {
+    open_[place + 1] = ExpressionCell::of(value);
+  }
   /// Another operation that holds the same.
   void set_op(std::uint32_t place, Ins op) {
     open_[place].low = (open_[place].low & ~0xFFU) | static_cast<std::uint32_t>(op);

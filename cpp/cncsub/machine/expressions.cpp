@@ -52,22 +52,22 @@ bool compute(const ExpressionCell* at, const Evaluation& e, double& result) {
   for (;;) {
     double made = 0;
     switch (at->op()) {
-#define INS_Push(name, function)                                              \
-  case Ins::name:                                                             \
+#define INS_Push(name, function)                                                  \
+  case Ins::name:                                                                 \
     if (!take(instruction::function(e, InstructionView{at}), made)) return false; \
-    *below++ = a;                                                             \
-    a = made;                                                                 \
-    at += cells_of(Ins::name);                                                \
+    *below++ = a;                                                                 \
+    a = made;                                                                     \
+    at += cells_of(Ins::name);                                                    \
     break;
-#define INS_Change(name, function)                                                        \
-  case Ins::name:                                                                         \
+#define INS_Change(name, function)                                                \
+  case Ins::name:                                                                 \
     if (!take(instruction::function(e, InstructionView{at}, a), a)) return false; \
-    at += cells_of(Ins::name);                                                            \
+    at += cells_of(Ins::name);                                                    \
     break;
-#define INS_Join(name, function)                                                                 \
-  case Ins::name:                                                                                \
+#define INS_Join(name, function)                                                            \
+  case Ins::name:                                                                           \
     if (!take(instruction::function(e, InstructionView{at}, *--below, a), a)) return false; \
-    at += cells_of(Ins::name);                                                                   \
+    at += cells_of(Ins::name);                                                              \
     break;
 #define INS_Take(name, function) \
   case Ins::name:                \

@@ -111,8 +111,8 @@ inline Fallible named(E e, I at) {
 }
 inline Fallible programmed(E e, I at) {
   const State& state = e.run.state;
-  const auto place =
-      static_cast<std::size_t>(state.level * e.run.code->locals) + to_whole<std::size_t>(at.value());
+  const auto place = static_cast<std::size_t>(state.level * e.run.code->locals) +
+                     to_whole<std::size_t>(at.value());
   if (at.value() >= e.run.code->locals || state.programmed.empty())
     return fails(e, at, Cause::IllegalVariable, "AR takes a local variable");
   return state.programmed[place];

@@ -2,7 +2,8 @@
 
 namespace cncsub {
 
-BlockRules::BlockRules(const Code& of) : code(of), control(*of.control), expressions(of), calling(of) {
+BlockRules::BlockRules(const Code& of)
+    : code(of), control(*of.control), expressions(of), calling(of) {
   const auto mark = [this](const auto& letters, std::uint8_t what) {
     for (const char letter : letters) letters_[static_cast<unsigned char>(letter)] |= what;
   };

@@ -20,15 +20,15 @@ struct ExpressionRules {
 
   const Code& code;
   const Control& control;
-  bool alike;     // logic binds like arithmetic
+  bool alike;          // logic binds like arithmetic
   bool numbers_first;  // logic binds like arithmetic where it joins numbers, and last otherwise
-  bool joined;    // [...] AND [...]
-  bool values;    // a comparison leaves a number
-  bool bare;      // conditions stand without brackets
-  bool symbols;   // >= beside GE
-  bool names;     // #NAME
-  bool indirect;  // #9100
-  bool points;    // #100.
+  bool joined;         // [...] AND [...]
+  bool values;         // a comparison leaves a number
+  bool bare;           // conditions stand without brackets
+  bool symbols;        // >= beside GE
+  bool names;          // #NAME
+  bool indirect;       // #9100
+  bool points;         // #100.
   bool distinguishes_vacant;
   bool modulo;
   int most_brackets;

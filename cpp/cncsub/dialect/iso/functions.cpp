@@ -35,8 +35,7 @@ Value ExpressionReader::word() {
     out_.emit(Ins::Constant, at, of.value);
     return Value::number();
   }
-  if (word == "NOT" && rules_.bare)
-    return negated(at);
+  if (word == "NOT" && rules_.bare) return negated(at);
   const FunctionName* found = rules_.function(word);
   if (found == nullptr)
     return out_.refuse(Cause::ExpressionFormat, at, word + " is no function of this control");

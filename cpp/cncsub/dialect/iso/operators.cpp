@@ -92,8 +92,7 @@ Value compare(ValueWriter& out, const Waiting& waiting, Value right, std::uint32
       out.rules().distinguishes_vacant && (op == Ins::Equal || op == Ins::NotEqual);
   if (!out.is_number(left) || !out.is_number(right))
     return out.refuse(Cause::ExpressionFormat, waiting.at, "a comparison compares two values");
-  if (!tells_vacant && (!out.arithmetic(left, end) || !out.arithmetic(right, end)))
-    return {};
+  if (!tells_vacant && (!out.arithmetic(left, end) || !out.arithmetic(right, end))) return {};
   out.emit(op, waiting.at);
   return Value::condition();
 }
@@ -122,8 +121,7 @@ Value apply_other(ValueWriter& out, const Waiting& waiting, Value right, std::ui
   const OperatorName& of = *waiting.of;
   Value left = waiting.left;
   if (of.compares()) return compare(out, waiting, right, end);
-  if (left.type == Value::Type::Condition &&
-      right.type == Value::Type::Condition) {
+  if (left.type == Value::Type::Condition && right.type == Value::Type::Condition) {
     if (!out.rules().joined)
       return out.refuse(Cause::IfFormat, waiting.at, "conditions cannot be joined on this control");
     out.emit(of.other, waiting.at);

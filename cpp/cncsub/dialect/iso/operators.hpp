@@ -23,12 +23,11 @@ struct OperatorName {
 };
 
 inline constexpr OperatorName kArithmetic[] = {{"+", Ins::Add, 1, 2, Ins::AddConstant},
-                                        {"-", Ins::Subtract, 1, 2, Ins::SubtractConstant},
-                                        {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
-                                        {"/", Ins::Divide, 2, 3, Ins::DivideConstant}};
+                                               {"-", Ins::Subtract, 1, 2, Ins::SubtractConstant},
+                                               {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
+                                               {"/", Ins::Divide, 2, 3, Ins::DivideConstant}};
 
 constexpr int kTightest = 3;  // of the levels where logic binds last
-
 
 struct Waiting {  // NOLINT(*-member-init): for its right value
   Value left;

@@ -188,8 +188,8 @@ void StatementReader::assignment(bool bracketed) {
   if (!value) return refuse(reader.fault());
   statement.expression = *value;
   statement.width = std::max<std::uint32_t>(1, s_.offset() - statement.at);
-  const bool common_or_local = statement.target == Statement::Target::Local ||
-                               statement.target == Statement::Target::Common;
+  const bool common_or_local =
+      statement.target == Statement::Target::Local || statement.target == Statement::Target::Common;
   if (!common_or_local) keep_comment(code_, s_, statement);
   block_.op = Op::Assign;
   if (at_end(Cause::NcAndMacroInBlock)) finish(Op::Assign, statement);
@@ -266,8 +266,9 @@ void StatementReader::then_statement(Statement& statement) {
       fault.cause = Cause::IfFormat;
     return;
   }
-  const bool simple = then.op == Op::Set || then.op == Op::Assign || then.op == Op::Goto || then.op == Op::Print ||
-                      then.op == Op::OpenOutput || then.op == Op::CloseOutput;
+  const bool simple = then.op == Op::Set || then.op == Op::Assign || then.op == Op::Goto ||
+                      then.op == Op::Print || then.op == Op::OpenOutput ||
+                      then.op == Op::CloseOutput;
   if (!simple)
     return refuse(Cause::IfFormat, at, 1, "THEN takes an assignment, a jump or an output");
   statement.then = to_.keep(then);

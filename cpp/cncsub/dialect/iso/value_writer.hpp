@@ -71,9 +71,7 @@ class ValueWriter {
     return load(of.raw, of.base + number - of.first, number);
   }
   /// The value of the last instruction, which may be vacant.
-  Value last() const {
-    return {static_cast<std::int32_t>(out_.last_place()), Value::Type::Number};
-  }
+  Value last() const { return {static_cast<std::int32_t>(out_.last_place()), Value::Type::Number}; }
 
   /// Whether one more value has room on the stack; else it is refused.
   bool has_room(std::uint32_t at) {
