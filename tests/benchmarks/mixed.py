@@ -50,7 +50,9 @@ class Mill:
                 y, side = lane * 3.0, 1 if lane % 2 == 0 else -1
                 for i in range(8):
                     x = side * (i * 12.5 - 43.75) + self.chance.uniform(-1, 1)
-                    yield f"X{x:.3f}" if i % 3 else f"X{x:.3f} Y{y + self.chance.uniform(0, 0.2):.3f}"
+                    yield (
+                        f"X{x:.3f}" if i % 3 else f"X{x:.3f} Y{y + self.chance.uniform(0, 0.2):.3f}"
+                    )
                 yield f"X{side * 50.0:.3f} Y{y:.3f}"
                 turn = "G3" if side > 0 else "G2"
                 yield f"{turn} X{side * 50.0:.3f} Y{y + 3:.3f} I0. J1.5"

@@ -218,7 +218,7 @@ void FlowReader::variant(const Block& block) {
       return variant(code_.variants[code_.together[block.aux].words]);
     case Op::Set:
     case Op::Assign:  // #3000 raises an alarm: nothing comes behind it
-      if (!raises_alarm(code_.assignment(block))) next();
+      if (!raises_alarm(assignment_of(code_, block))) next();
       return;
     default:
       return words_or_call(block);

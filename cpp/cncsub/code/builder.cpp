@@ -72,11 +72,11 @@ void Builder::drop_program(std::int32_t leader) {
 
 // ---- blocks ----
 
-void Builder::assign(Block& block, const Statement& statement) {
+void assign(Builder& to, Block& block, const Statement& statement) {
   const bool common = statement.target == Statement::Target::Common;
   if (common || statement.target == Statement::Target::Local) {
-    const std::uint32_t end =
-        expressions_.at(statement.expression) + code_.expression(statement.expression).width();
+    const std::uint32_t end = to.expressions().at(statement.expression) +
+                              to.code().expression(statement.expression).width();
     const Assigned assigned{common, static_cast<std::uint32_t>(statement.index),
                             statement.variable_at - block.text, statement.variable_width};
     const bool as_told = statement.text_length == 0 && statement.at == statement.variable_at &&
@@ -88,7 +88,7 @@ void Builder::assign(Block& block, const Statement& statement) {
       return;
     }
   }
-  become(block, Op::Assign, statement);
+  to.become(block, Op::Assign, statement);
 }
 
 void Builder::together(Block& block, const std::vector<Statement>& statements, const Print* print,

@@ -124,8 +124,6 @@ class Builder {
     block.op = op;
     block.aux = keep(std::move(record));
   }
-  /// The block assigns a value to a variable.
-  void assign(Block& block, const Statement& statement);
   /// The control refuses the block when it is reached.
   void refuse(Block& block, Fault fault) { become(block, Op::Fault, std::move(fault)); }
   /// Assignments beside a message and words.
@@ -179,6 +177,9 @@ class Builder {
   bool in_program_ = false;
   std::size_t first_drop_;  // of the block whose words come next
 };
+
+/// The block assigns a value to a variable.
+void assign(Builder& to, Block& block, const Statement& statement);
 
 /// A block of nothing but G00 or G01 (or no G), X, Y, Z and F is a linear move; with G02 or G03 (or
 /// no G) and words of a centre an arc.

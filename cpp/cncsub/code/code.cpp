@@ -6,11 +6,11 @@
 
 namespace cncsub {
 
-void Code::list_statements() {
-  lacking.set();
-  for (const auto& [kind, unsure] : control->macros.statements.value) {
-    unheard_of.set(static_cast<std::size_t>(kind), unsure);
-    lacking.set(static_cast<std::size_t>(kind), unsure);
+void list_statements(Code& code) {
+  code.lacking.set();
+  for (const auto& [kind, unsure] : code.control->macros.statements.value) {
+    code.unheard_of.set(static_cast<std::size_t>(kind), unsure);
+    code.lacking.set(static_cast<std::size_t>(kind), unsure);
   }
 }
 
@@ -114,10 +114,10 @@ std::vector<WrittenWord> Code::words_of(const Block& block, const Program& progr
   return written_words(read_word, text_of(block, program).substr(0, kLookedAt));
 }
 
-Statement Code::assignment(const Block& block) const {
-  if (block.op != Op::Set) return statements[block.aux];
+Statement assignment_of(const Code& code, const Block& block) {
+  if (block.op != Op::Set) return code.statements[block.aux];
   const Assigned assigned = Assigned::of(block);
-  const Expression value = expression(block.aux);
+  const Expression value = code.expression(block.aux);
   Statement statement;
   statement.expression = block.aux;
   statement.target = assigned.common ? Statement::Target::Common : Statement::Target::Local;

@@ -103,9 +103,6 @@ struct Code {
   Expression expression(std::uint32_t number) const {
     return Expression(expressions.data() + number);
   }
-  /// What an assignment does: of a block with Op::Set or Op::Assign.
-  Statement assignment(const Block& block) const;
-
   VariablePlace place(std::int64_t number) const;
   /// Whether a program can name this variable: from 1 to `last`, and commons that are there.
   bool can_name(std::int64_t number, std::int64_t last) const;
@@ -116,7 +113,6 @@ struct Code {
     return lacking_fault(kind, at);
   }
   Fault lacking_fault(StatementKind kind, std::uint32_t at) const;
-  void list_statements();
 
   /// The innermost program that holds a block.
   std::int32_t program_at(Address address) const;
@@ -156,6 +152,11 @@ struct Code {
   Address jump_target(const Program& program, std::int64_t n, Address from) const;
   Address return_target(const Program& program, std::int64_t n, Address call) const;
 };
+
+/// What an assignment does: of a block with Op::Set or Op::Assign.
+Statement assignment_of(const Code& code, const Block& block);
+/// Which kinds of statements its control has not.
+void list_statements(Code& code);
 
 /// The number in O0023, %23, :23 or 23; -1 where the name is none.
 std::int64_t number_in(std::string_view name);

@@ -255,7 +255,7 @@ void ReferenceReader::read(const Block& block, bool conditional) {
       return jump(code_.jumps[block.aux]);
     case Op::Set:
     case Op::Assign:
-      return statement(Op::Assign, code_.assignment(block), conditional);
+      return statement(Op::Assign, assignment_of(code_, block), conditional);
     case Op::Goto:
     case Op::IfGoto:
     case Op::IfThen:

@@ -50,7 +50,7 @@ void list_codes(Code& code) {
       [&](int code10) { code.g_codes.set(static_cast<std::size_t>(code10)); });
   if (code.g_codes.none() || rules.unlisted_codes.value == UnlistedCode::NotKnown)
     code.g_codes.set();
-  code.list_statements();
+  cncsub::list_statements(code);
 }
 
 void resolve_codes(Code& code) {

@@ -140,7 +140,7 @@ Reach reach_of(const Run& run, const Block& block) {
   if (!run.state.modals.empty()) return {};
   if (block.op == Op::Linear || block.op == Op::Arc) return {Reach::Kind::None};
   if (block.op != Op::Set && block.op != Op::Assign) return {};
-  const Statement statement = run.code->assignment(block);
+  const Statement statement = assignment_of(*run.code, block);
   const bool local = statement.target == Statement::Target::Local;
   if (!local && statement.target != Statement::Target::Common) return {};
   return {Reach::Kind::One, local, statement.index};

@@ -24,7 +24,7 @@ inline bool set(Run& run, const Block& block, const Places& places) {
   double value = 0;
   if (!evaluate(run, run.code->expression(block.aux), places, value)) return false;
   if (!run.state.programmed.empty() || std::fabs(value) > kLargest)
-    return store(run, run.code->assignment(block), value);
+    return store(run, assignment_of(*run.code, block), value);
   const Assigned assigned = Assigned::of(block);
   double& place = places.of[assigned.common ? 1 : 0][assigned.index];
   run.state.changes += place == value ? 0 : 1;

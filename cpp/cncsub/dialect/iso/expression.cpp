@@ -21,6 +21,18 @@ bool number_ends(const Scanner& s, const char* at) {
   return at == s.end || (at < s.end && !begins_gap(*at) && *at != '.');
 }
 
+/// The number behind the #, where it is digits and nothing else.
+inline std::optional<std::uint32_t> plain_number(const ExpressionRules& rules, Scanner& s) {
+  const char* at = s.at;
+  std::uint32_t number = 0;
+  for (; is_digit(*at); ++at) number = number * 10 + static_cast<std::uint32_t>(*at - '0');
+  const std::ptrdiff_t digits = at - s.at;
+  if (digits == 0 || digits > kMostVariableDigits || rules.indirect || !number_ends(s, at))
+    return std::nullopt;
+  s.at = at;
+  return number;
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> ExpressionReader::number() {
@@ -81,7 +93,7 @@ std::optional<std::uint32_t> ExpressionReader::condition() {
 // ---- variables ----
 
 std::optional<ExpressionReader::Variable> ExpressionReader::variable(std::uint32_t hash) {
-  if (const auto number = plain_variable_number()) return Variable{*number, 0};
+  if (const auto number = plain_number(rules_, s_)) return Variable{*number, 0};
   const auto first = out_.first();
   const bool inside = s_.peek() == '[';
   const std::uint32_t at = inside ? s_.offset() : hash;
@@ -91,24 +103,12 @@ std::optional<ExpressionReader::Variable> ExpressionReader::variable(std::uint32
   return Variable{kComputed, out_.finish(first, at, inside ? s_.offset() - at : 1)};
 }
 
-/// The number behind the #, where it is digits and nothing else.
-inline std::optional<std::uint32_t> ExpressionReader::plain_variable_number() {
-  const char* at = s_.at;
-  std::uint32_t number = 0;
-  for (; is_digit(*at); ++at) number = number * 10 + static_cast<std::uint32_t>(*at - '0');
-  const std::ptrdiff_t digits = at - s_.at;
-  if (digits == 0 || digits > kMostVariableDigits || rules_.indirect || !number_ends(s_, at))
-    return std::nullopt;
-  s_.at = at;
-  return number;
-}
-
 inline Value ExpressionReader::variable_value() {
   s_.blanks();
   const std::uint32_t at = s_.offset();
   s_.take('#');
   if (!out_.has_room(s_.offset())) return {};
-  if (const auto number = plain_variable_number()) {
+  if (const auto number = plain_number(rules_, s_)) {
     const ExpressionRules::Near* const near = rules_.near(*number);
     return near != nullptr ? out_.load(*near, *number) : out_.load(*number, at);
   }
@@ -281,13 +281,11 @@ inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::u
   return Value::number();
 }
 
-}  // namespace
-
 /// The operator that stands here, null where none does.
-inline const OperatorName* ExpressionReader::next_operator() {
-  s_.blanks();
-  if (s_.at == s_.end) return nullptr;
-  switch (*s_.at) {
+inline const OperatorName* next_operator(const ExpressionRules& rules, Scanner& s) {
+  s.blanks();
+  if (s.at == s.end) return nullptr;
+  switch (*s.at) {
     case ']':
       return nullptr;
     case '+':
@@ -299,9 +297,11 @@ inline const OperatorName* ExpressionReader::next_operator() {
     case '/':
       return &kArithmetic[3];
     default:
-      return find_other_operator(rules_, s_);
+      return find_other_operator(rules, s);
   }
 }
+
+}  // namespace
 
 /// Operands and operators: a value waits with its operator until what stands on the right does not
 /// bind closer.
@@ -316,7 +316,7 @@ Value ExpressionReader::expression() {
   for (;;) {
     Value value = operand_here();
     if (!value) return {};
-    const OperatorName* const next = next_operator();
+    const OperatorName* const next = next_operator(rules_, s_);
     int level = next == nullptr ? 0 : level_of(rules_, *next);
     if (next != nullptr && rules_.numbers_first && next->is_logic()) {
       value = join(value, next->alike + 1);

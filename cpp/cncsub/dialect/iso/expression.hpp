@@ -11,8 +11,6 @@
 
 namespace cncsub {
 
-struct OperatorName;
-
 /// Compiles what stands in brackets, behind an equals sign or behind an address.
 class ExpressionReader {
  public:
@@ -49,12 +47,10 @@ class ExpressionReader {
   bool close();
 
   Value variable_value();
-  std::optional<std::uint32_t> plain_variable_number();
   std::optional<std::int64_t> variable_number(std::uint32_t at);
   std::optional<std::int64_t> written_number();
 
   Value expression();
-  const OperatorName* next_operator();
 
   // ---- functions.cpp ----
   Value word();

@@ -134,7 +134,7 @@ bool StatementReader::at_end(Cause otherwise) {
 
 void StatementReader::finish(Op op, const Statement& statement) {
   if (op == Op::Assign)
-    to_.assign(block_, statement);
+    assign(to_, block_, statement);
   else
     to_.become(block_, op, statement);
 }

@@ -25,11 +25,11 @@ struct Value {
 
 /// What is returned where something was refused: nothing, of whatever is asked for.
 struct Refused {
-  // NOLINTBEGIN(google-explicit-constructor)
+  // NOLINTBEGIN(*-explicit-constructor)
   operator Value() const { return {}; }
   operator std::optional<std::uint32_t>() const { return std::nullopt; }
   operator std::optional<std::int64_t>() const { return std::nullopt; }
-  // NOLINTEND(google-explicit-constructor)
+  // NOLINTEND(*-explicit-constructor)
 };
 
 class ValueWriter {
@@ -37,7 +37,8 @@ class ValueWriter {
   ValueWriter(Builder& to, const ExpressionRules& rules) : out_(to.expressions()), rules_(rules) {}
 
   const ExpressionRules& rules() const { return rules_; }
-  const Fault& fault() const { return *fault_; }
+  /// What was refused, where something was.
+  const Fault& fault() const { return *fault_; }  // NOLINT(bugprone-unchecked-optional-access)
   /// The first fault counts.
   Refused refuse(Cause cause, std::uint32_t at, std::string detail = {});
 

@@ -326,7 +326,7 @@ void BlockReader::message(std::string_view text, std::uint32_t at, Print& print)
 void BlockReader::write(Block& block, Words& words) {
   const bool beside = !words.statements.empty() || words.print;
   if (!words.any && words.statements.size() == 1 && !words.print)
-    return to_.assign(block, words.statements.front());
+    return assign(to_, block, words.statements.front());
   if (!words.any && words.statements.empty() && words.print)
     return to_.become(block, Op::Print, *words.print);
   if (!beside) {

@@ -253,7 +253,7 @@ bool BlockReader::write_return(Block& block, const Words& words, std::uint32_t a
 /// Assignments and a message, perhaps with words beside them.
 void BlockReader::write_beside(Block& block, const Words& words) {
   if (!words.any && words.statements.size() == 1 && !words.print) {
-    to_.assign(block, words.statements.front());
+    assign(to_, block, words.statements.front());
   } else if (!words.any && words.statements.empty() && words.print) {
     to_.become(block, Op::Print, *words.print);
   } else {
