@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 _WATCHED = 1000  # variables that can be watched at once
 _LISTS = {"m_codes": "M code", "t_codes": "T code", "messages": "message"}
 _CALLS = ("kind", "program", "start_n", "repeats", "level")
-_NOT_COMPARED = ("move", "step", "length", "time")  # of moves: what follows from the others
+# Of moves: what follows from the others, and which block makes them.
+_NOT_COMPARED = ("move", "step", "length", "time", "program", "n", "line")
 
 
 class Parting(NamedTuple):
