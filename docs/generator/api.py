@@ -47,6 +47,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
             "tables.Calls",
             "tables.Moves",
             "tables.Watch",
+            "tables.Codes",
             "Step",
             "Call",
             "Move",

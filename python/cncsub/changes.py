@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from cncsub.run import Run
 
 _CALLS = ("kind", "program", "start_n", "repeats")
-_NOT_SHOWN = ("move", "step", "length", "time")
+_NOT_SHOWN = ("move", "step", "length", "time", "program", "n", "line")
 _MOST_ALIGNED = 20_000  # blocks between the first and the last change that are looked at closely
 _MOST_TOLD = 3  # values of a list
 
