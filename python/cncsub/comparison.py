@@ -23,16 +23,12 @@ if TYPE_CHECKING:
 _WATCHED = 1000  # variables that can be watched at once
 _LISTS = {"m_codes": "M code", "t_codes": "T code", "messages": "message"}
 _CALLS = ("kind", "program", "start_n", "repeats", "level")
-<<<<<<< HEAD
 _ENDS = (2, 30)  # the stop is compared; which end codes are sent to the machine is not
 _NEAR = 1e-9  # s
 _CUTS = ("feed", "cw", "ccw", "thread")
 _ONLY_OF = {"feed": _CUTS, "feed_mode": _CUTS, "plane": ("cw", "ccw")}  # kinds of moves
-_NOT_COMPARED = ("move", "step", "length", "time")  # of moves: what follows from the others
-=======
 # Of moves: what follows from the others, and which block makes them.
 _NOT_COMPARED = ("move", "step", "length", "time", "program", "n", "line")
->>>>>>> look
 
 
 class Parting(NamedTuple):
