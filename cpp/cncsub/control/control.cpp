@@ -1,7 +1,6 @@
 #include "cncsub/control/control.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <type_traits>
 
 #include "cncsub/control/rule_lists.hpp"
@@ -11,27 +10,23 @@ namespace cncsub {
 
 // What every run reads lives as long as the process: when it ends, threads may still be at work.
 const std::vector<CauseInfo>& all_causes() {
-  static constexpr CauseInfo kCauses[] = {
+  static const auto& causes = *new const std::vector<CauseInfo>{
 #define CAUSE(name, slug, meaning, cure) {#name, slug, meaning, cure},
 #include "cncsub/control/causes.def"
 #undef CAUSE
   };
-  static const auto& causes =
-      *new const std::vector<CauseInfo>(std::begin(kCauses), std::end(kCauses));
   return causes;
 }
 
 #define CHOICE(type)                           \
   template <>                                  \
   const std::vector<Option>& options<type>() { \
-    static constexpr Option kOptions[] = {
+    static const auto& list = *new const std::vector<Option> {
 #define OPTION(type, name, slug, example) {slug, example},
-#define END_CHOICE(type)                                                        \
-  }                                                                             \
-  ;                                                                             \
-  static const auto& list =                                                     \
-      *new const std::vector<Option>(std::begin(kOptions), std::end(kOptions)); \
-  return list;                                                                  \
+#define END_CHOICE(type) \
+  }                      \
+  ;                      \
+  return list;           \
   }
 #include "cncsub/control/choices.def"
 #undef CHOICE
@@ -253,29 +248,16 @@ Wrong no_such_rule(const Control& control, RuleGroup group, std::string_view rul
          std::string(rule) + ": " + absent->source;
 }
 
-/// What somebody answers to a rule. A function for each type of answer, called and not copied for
-/// each rule: there are two hundred.
-struct Answer {
-  Control& control;
-  std::string_view name;
-  const RuleValue& value;
-  const std::string& source;
-  Evidence evidence;
-};
-
+/// Somebody gave the answer; of a set only what came or went is theirs.
 template <class T>
-Wrong give(const Answer& answer, RuleGroup group, Rule<T>& rule) {
-  if (auto none = no_such_rule(answer.control, group, answer.name)) return none;
-  [[maybe_unused]] const T before = rule.value;
-  auto wrong = assign(answer.control, answer.name, rule, answer.value);
-  if (wrong) return wrong;
-  if constexpr (kHasEntries<T>) {  // only what came or went is theirs
-    tell_changes(rule, before, answer.source, answer.evidence);
+void set_source(Rule<T>& rule, [[maybe_unused]] const T& before, const std::string& source,
+                Evidence evidence) {
+  if constexpr (kHasEntries<T>) {
+    tell_changes(rule, before, source, evidence);
   } else {
-    rule.source = answer.source;
-    rule.evidence = answer.evidence;
+    rule.source = source;
+    rule.evidence = evidence;
   }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -323,13 +305,18 @@ std::vector<RuleView> rules(const Control& control) {
 std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
                                     const RuleValue& value, const std::string& source,
                                     Evidence evidence) {
-  const Answer answer{control, rule_name, value, source, evidence};
 #define GROUP(Type, name, meaning) \
   {                                \
     constexpr auto kGroup = RuleGroup::Type;
 #define END_GROUP(Type, name) }
-#define RULE(group, type, name, default_value, meaning) \
-  if (rule_name == #name) return give(answer, kGroup, control.group.name);
+#define RULE(group, type, name, default_value, meaning)                   \
+  if (rule_name == #name) {                                               \
+    if (auto none = no_such_rule(control, kGroup, #name)) return none;    \
+    const type before = control.group.name.value;                         \
+    auto wrong = assign(control, #name, control.group.name, value);       \
+    if (!wrong) set_source(control.group.name, before, source, evidence); \
+    return wrong;                                                         \
+  }
 #include "cncsub/control/rules.def"
   return "no rule is named " + rule_name;
 }
