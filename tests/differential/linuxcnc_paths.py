@@ -136,6 +136,7 @@ class Writer:
         middle = (self.length(), self.length())
         start = [m + size * p for m, p in zip(middle, one)]
         end = [m + size * p for m, p in zip(middle, other)]
+        self.put("G8")  # by diameters it is none
         self.put(f"G{plane} G90 G0 {a}{start[0]:.4f} {b}{start[1]:.4f}")
         code = r.choice(("G2", "G3"))
         if not full and self.chance(0.3):

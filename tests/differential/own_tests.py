@@ -85,13 +85,23 @@ def alike(one: Move, other: Move, tolerance: float) -> bool:
     )
 
 
+def same_message(theirs: str, ours: str) -> bool:
+    """Whether they say the same; a number of theirs may be inches of the machine, and ours mm."""
+    number = re.compile(r"-?\d+\.\d+")
+    if number.sub("", theirs).rstrip() != number.sub("", ours).rstrip():
+        return False
+    values = zip(map(float, number.findall(theirs)), map(float, number.findall(ours)))
+    return all(abs(a - b) <= 1e-6 or abs(a * INCH - b) <= 1e-4 * max(1, abs(b)) for a, b in values)
+
+
 def differences(theirs: Output, run: cncsub.Run) -> Iterator[str]:
     wanted = theirs.errors[0].rstrip() if theirs.errors else ""
     stopped = "" if run.stop is cncsub.Stop.END else str(run.stop)
     got = (run.alarm.text or run.alarm.cause).rstrip() if run.alarm else stopped
     if wanted != got:
         yield f"rs274 stops by {wanted!r}, cncsub by {got!r}"
-    if [m.rstrip() for m in theirs.messages] != [m.rstrip() for m in run.messages]:
+    pairs = zip(theirs.messages, run.messages)
+    if len(theirs.messages) != len(run.messages) or not all(same_message(*p) for p in pairs):
         yield "the messages are others"
     moves = with_length(theirs.moves)
     ways = [moves_of(run, tool) for tool in (False, True)]

@@ -213,7 +213,7 @@ case(
     program="""
         O1
         N10 G4 X1.
-        N20 X5.
+        N20 X5. F100
         N30 M30
     """,
     final_work="X5",
