@@ -44,7 +44,7 @@ void VariablesUsed::reads(std::uint32_t expression) {
   const TextPlace place = place_of(expression);
   const Expression of = code_.expression(expression);
   bool named = false;  // the number of the variable that comes next
-  for (auto at = of.begin(); at != of.end(); ++at) {
+  for (auto at = of.begin(); at != Expression::end(); ++at) {
     const Instruction here = *at;
     if (std::exchange(named, false) && is_indirect(here.op)) continue;
     VariableReference found;
@@ -103,7 +103,7 @@ void VariablesUsed::written(const Statement& statement) {
       const Expression of = code_.expression(statement.variable);
       auto number = of.begin();
       const Instruction first = *number;
-      if (first.op == Ins::Named && ++number == of.end()) {
+      if (first.op == Ins::Named && ++number == Expression::end()) {
         to.name = code_.names[to_whole<std::size_t>(first.value)];
         to.place.width = static_cast<std::uint32_t>(to.name.size()) + 1;
         break;

@@ -36,34 +36,9 @@ inline Places places(Run& run) {
 bool evaluate_long(Run& run, Expression expression, const Places& places, double& value,
                    Address of = kNowhere);
 
-/// One value, or one operation on two, at once; what is longer or has no finite result goes the
-/// long way.
-CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& places,
-                                          double& value, Address of = kNowhere) {
-  const ExpressionCell* const cells = e.cells();
-  double a = 0, b = 0;
-  switch (e.form()) {
-    case Expression::Form::Long:
-      return evaluate_long(run, e, places, value, of);
-    case Expression::Form::Constant:
-      value = cells[1].value();
-      return true;
-    case Expression::Form::Variable:
-      value = places.load(cells[0]);
-      return true;
-    case Expression::Form::TwoVariables:
-      a = places.load(cells[0]);
-      b = places.load(cells[1]);
-      break;
-    case Expression::Form::VariableAndConstant:
-      a = places.load(cells[0]);
-      b = cells[2].value();
-      break;
-    case Expression::Form::ConstantAndVariable:
-      a = cells[1].value();
-      b = places.load(cells[2]);
-      break;
-  }
+/// One operation on two values; what has no finite result goes the long way.
+CNCSUB_ALWAYS_INLINE inline bool join(Run& run, Expression e, const Places& places, double a,
+                                      double b, double& value, Address of) {
   const auto same = [&] { return a == b || (is_vacant(a) && is_vacant(b)); };
   switch (e.op()) {
     case Ins::Add:
@@ -94,6 +69,37 @@ CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& 
       value = a <= b ? 1 : 0;
       return true;
   }
+}
+
+/// One value, or one operation on two, at once; what is longer or has no finite result goes the
+/// long way.
+CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& places,
+                                          double& value, Address of = kNowhere) {
+  const ExpressionCell* const cells = e.cells();
+  double a = 0, b = 0;
+  switch (e.form()) {
+    case Expression::Form::Long:
+      return evaluate_long(run, e, places, value, of);
+    case Expression::Form::Constant:
+      value = cells[1].value();
+      return true;
+    case Expression::Form::Variable:
+      value = places.load(cells[0]);
+      return true;
+    case Expression::Form::TwoVariables:
+      a = places.load(cells[0]);
+      b = places.load(cells[1]);
+      break;
+    case Expression::Form::VariableAndConstant:
+      a = places.load(cells[0]);
+      b = cells[2].value();
+      break;
+    case Expression::Form::ConstantAndVariable:
+      a = cells[1].value();
+      b = places.load(cells[2]);
+      break;
+  }
+  return join(run, e, places, a, b, value, of);
 }
 
 inline bool evaluate(Run& run, std::uint32_t expression, double& value, Address of = kNowhere) {

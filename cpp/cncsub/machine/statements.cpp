@@ -66,8 +66,8 @@ bool waits_for(Run& run, std::uint32_t condition) {
     return op == Ins::Common || op == Ins::CommonRaw || op == Ins::Variable ||
            op == Ins::VariableRaw;
   };
-  while (at != of.end() && !reads((*at).op)) ++at;
-  if (at == of.end()) return false;
+  while (at != Expression::end() && !reads((*at).op)) ++at;
+  if (at == Expression::end()) return false;
   if (s.next_write < run.options.inputs.writes.size()) {
     for (const auto& [number, value] : run.options.inputs.writes[s.next_write++])
       set_from_outside(run, number, value);
@@ -176,7 +176,7 @@ CNCSUB_ALWAYS_INLINE inline Ran run_one(Run& run, const Block& block, const Plac
                                         bool& holds) {
   const auto ran = [](bool runs) { return runs ? Ran::Yes : Ran::Stopped; };
   if (block.op == Op::Set) return ran(set(run, block, places));
-  const Statement& statement = run.code->statements.data()[block.aux];
+  const Statement& statement = run.code->statements[block.aux];
   switch (block.op) {
     case Op::Assign:
       return ran(assign(run, statement));
