@@ -257,7 +257,7 @@ class Writer:
         code = r.choice((73, 81, 82, 83, 84, 74, 85, 86, 89, 81))
         unit = INCH if self.inch else 1
         words = [f"G{code}", f"R{2 / unit:.3f}", f"Z{-r.randint(1, 9) / unit:.3f}", self.axes("XY")]
-        words += [f"Q{r.choice((0.7, 3.3)) / unit:.3f}"] if code in (73, 83) else []
+        words += [f"Q{r.choice((0.77, 3.3)) / unit:.3f}"] if code in (73, 83) else []
         words += ["P0.5"] if code in (82, 86, 89) else []
         incremental = self.chance(0.2)
         if code in (84, 74, 86):
