@@ -229,7 +229,8 @@ _TABLE = _joined(
         LINUXCNC,
         "common reading calls macros",
         "max_nesting main_return missing_end self_call caller_call reset_clears:locals"
-        " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code roles",
+        " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code"
+        " roles:M70=save-modes roles:M71=forget-modes roles:M72=restore-modes roles:M73=keep-modes",
         ANOTHER_LANGUAGE,
     ),
     _group(

@@ -77,7 +77,7 @@ MISTAKES = (
     "G38.2 F100", "G81", "G1 X1 R5", "M72", "G2 X5 Y5 I1 J0", "G10 L2 P12 X1",
     "G53 X1 G91", "G92", "G76 Z-5 P1", "G33 Z-1", "G5.1 X5 I1", "G10 L5 P1",
     "G0 @5 X1", "G18 G0 @5", "G2 X1 Y0 R0.1", "G2 R5", "G83 X1 Z-1 R1", "G41 D1 G41 D1",
-    "G81 X1 Z-1", "G73 X1 Z-1 R1 Q-1", "G10 P1 X0", "G2 X1 P2.5 I0.5", "G2 X1 P0 I0.5", "M98 P7",
+    "G81 X1 Z-1", "G10 P1 X0", "G2 X1 P2.5 I0.5", "G2 X1 P0 I0.5", "M98 P7",
     "G90 G91", "G4", "G28 G0 X1", "G64 P-1", "G85 X1 Z5 R1", "G82 X1 Z-1 R1", "G33.1 Z-1",
 )  # fmt: skip
 
@@ -257,7 +257,7 @@ class Writer:
         code = r.choice((73, 81, 82, 83, 84, 74, 85, 86, 89, 81))
         unit = INCH if self.inch else 1
         words = [f"G{code}", f"R{2 / unit:.3f}", f"Z{-r.randint(1, 9) / unit:.3f}", self.axes("XY")]
-        words += [f"Q{r.choice((0.7, 3.3)) / unit:.3f}"] if code in (73, 83) else []
+        words += [f"Q{r.choice((0.77, 3.3)) / unit:.3f}"] if code in (73, 83) else []
         words += ["P0.5"] if code in (82, 86, 89) else []
         incremental = self.chance(0.2)
         if code in (84, 74, 86):

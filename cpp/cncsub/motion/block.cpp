@@ -95,9 +95,9 @@ void take_motion_code(MotionContext& m, const BlockWords& block) {
 
 /// Whether a block would move, while no motion code is in force.
 bool lacks_motion(MotionView m, const BlockWords& block) {
-  constexpr std::uint32_t kOwn =
+  constexpr std::uint32_t kAxisWords =
       kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
-  return m.state.no_motion && (block.words.mask & kOwn) != 0 && !block.consumed;
+  return m.state.no_motion && (block.words.mask & kAxisWords) != 0 && !block.consumed;
 }
 
 Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {

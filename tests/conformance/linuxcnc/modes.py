@@ -111,3 +111,5 @@ case("R lies above the bottom of the hole", **RUN,
 case("G85 feeds out to R, G89 to the level of G98", pins="tap_return", **RUN,
      program="N10 G0 Z5 F6000\nN20 G85 Z-1 R2\nN30 G89 X1 Z-1 R2 P0.5\nN40 G80 M2",
      moves="R Z5\nR Z2\nF Z-1\nF Z2\nR Z5\nR X1\nR Z2\nF Z-1\nW 0.5\nF Z5")
+case("G38.4 and G38.5 go to their end where the probe never leaves", pins="g_meanings", **RUN,
+     program="N10 G38.4 X5 F100\nN20 G38.5 X7\nN30 M2", moves="F X5\nF X7")
