@@ -266,7 +266,9 @@ def test_linuxcnc_agrees_with_its_rows(
         "linuxcnc/variables: what tells of a machine is not computed here",
         # The machine of the packaged rs274 counts in inches, and has no table of tools.
         "linuxcnc/frame: #5161 is the reference point, and may be written",
+        "linuxcnc/frame: a bare G30 goes to the second reference point",
         "linuxcnc/motion: G10 L1 writes the table of tools",
+        "linuxcnc/motion: L11 puts the tool at the point of G59.3",
     }
     assert set(parted) <= known, told
     assert " agree" in told

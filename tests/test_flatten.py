@@ -106,6 +106,15 @@ REFUSED = {
 }
 
 
+def test_modes_that_a_call_keeps_are_no_part_of_a_flat_program() -> None:
+    text = "o1 sub\nM73\nG91 G20\no1 endsub\nG0 X5\no1 call\nG0 X1\nM2\n"
+    with pytest.raises(cncsub.FlattenError, match="M70 to M73"):
+        cncsub.loads(text, control="linuxcnc").flatten()
+    kept = cncsub.loads("M70\nG91 G0 X5\nM72\nG0 X1\nM2\n", control="linuxcnc").flatten()
+    kept.verify()
+    assert kept.text == "M70\nG91 G0 X5\nM72\nG0 X1\nM2\n"
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_what_is_written(name: str) -> None:
     text, expected = CASES[name]

@@ -226,7 +226,9 @@ def _whole(moves: Iterable[Mapping[str, Any]]) -> Iterator[Move]:
             yield Move(**move)
             continue
         place = {**place, **move["end"]}
-        yield Move(move["kind"], place, move.get("centre", {}))
+        # rs274 prints a thread as a feed, between two lines about the spindle.
+        kind = "feed" if move["kind"] == "thread" else move["kind"]
+        yield Move(kind, place, move.get("centre", {}))
 
 
 def _blocks(runs: Sequence[str] | None, made: Output) -> Iterator[str]:

@@ -222,6 +222,16 @@ void FlatRun::end_line(std::string& text, FlatOrigins& origins) {
   origins.add(program, block.n, block.line, coming_.call, coming_.repeat);
 }
 
+namespace {
+
+/// Whether modes are kept or taken back in by an M code.
+bool keeps_modes(const BlockCodes& codes) {
+  return codes.has(Role::SaveModes) || codes.has(Role::ForgetModes) ||
+         codes.has(Role::RestoreModes) || codes.has(Role::KeepModes);
+}
+
+}  // namespace
+
 bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   if (!write_assigned(text, origins) || !write_print(text, origins)) return false;
   write_raised(text, origins);
@@ -229,6 +239,10 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   if (block == nullptr) return true;
   if (heard_.profile) return write_with_profile(text, origins, *block, *heard_.profile);
   const std::size_t before = text.size();
+  if ((coming_.call >= 0 || other_) && keeps_modes(codes_of(*block)))
+    return refuse(
+        "what M70 to M73 keep and take back in is each call's own, and a flat program has no "
+        "calls");
   if (!write_words(text, origins, *block)) return false;
   if (text.size() == before) return true;
   end_line(text, origins);

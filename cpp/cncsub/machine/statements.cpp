@@ -176,6 +176,7 @@ CNCSUB_ALWAYS_INLINE inline Ran run_one(Run& run, const Block& block, const Plac
                                         bool& holds) {
   const auto ran = [](bool runs) { return runs ? Ran::Yes : Ran::Stopped; };
   if (block.op == Op::Set) return ran(set(run, block, places));
+  if (block.op < Op::Assign || block.op > Op::EndDo) return Ran::Other;  // it has no statement
   const Statement& statement = run.code->statements[block.aux];
   switch (block.op) {
     case Op::Assign:

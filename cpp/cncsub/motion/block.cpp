@@ -204,6 +204,8 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   if (auto wrong = check_block(m, block)) return wrong;
   if (const int code = words.codes->uncomputed; code >= 0)
     return fault_of(code, Cause::CodeNotComputed, block);
+  if (block.has(Group::Diameter))  // it is that of the words of its own block too [rs274 2.9]
+    m.state.diameter = block.meaning(Group::Diameter) == Meaning::DiameterOn;
   if (auto wrong = set_modes(m, block)) return wrong;
   if (auto wrong = set_offsets_and_act(m, block, frame)) return wrong;
   if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
@@ -213,9 +215,6 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
       once == Meaning::Local)
     m.state.moved_before = true;
-  // The words of the block itself are still those of the mode before it. [rs274 2.9]
-  if (block.has(Group::Diameter))
-    m.state.diameter = block.meaning(Group::Diameter) == Meaning::DiameterOn;
   if (!all_in_range(m.state, frame)) return out_of_range(block.words.at);
   return count_idle(m, block);
 }

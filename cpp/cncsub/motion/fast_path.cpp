@@ -56,17 +56,17 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   state.plain = state.direct && feed != Meaning::InverseTime && !turned(state) && !state.surface;
 }
 
-void Motion::take_code(int code) {
-  state_.motion_code = static_cast<std::uint8_t>(code);
-  state_.modal[at(Group::Motion)] = facts_->path_codes[static_cast<std::size_t>(code)];
+void take_code(const MotionFacts& facts, MotionState& state, int code) {
+  state.motion_code = static_cast<std::uint8_t>(code);
+  state.modal[at(Group::Motion)] = facts.path_codes[static_cast<std::size_t>(code)];
 }
 
-void Motion::take_feed(double value) {
-  value = plain_feed(state_, value);
-  if (value == state_.feed) return;
-  state_.feed = value;
-  state_.row_moves = nullptr;
-  set_seconds_per_mm(state_);
+void take_feed(MotionState& state, double value) {
+  value = plain_feed(state, value);
+  if (value == state.feed) return;
+  state.feed = value;
+  state.row_moves = nullptr;
+  set_seconds_per_mm(state);
 }
 
 void begin_row_state(const MotionFacts& facts, MotionState& state, Moves& moves) {
@@ -162,8 +162,8 @@ bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t st
   PlainArc arc{.clockwise = code == 2};
   if (!(feed > 0) || !plan_arc(*facts_, s, mask, values, s.plane, s.incremental, arc)) return false;
 
-  if (code != s.motion_code) take_code(code);
-  if (has_feed) take_feed(feed);
+  if (code != s.motion_code) take_code(*facts_, s, code);
+  if (has_feed) take_feed(s, feed);
   go_along(arc, mask, step, moves);
   return true;
 }
@@ -386,8 +386,8 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
   }
   if (block.way == Way::Straight)
     return linear(block.letters, block.values.data(), block.path, step, moves, outcome.moved);
-  if (moves_on || modes.path >= 0) take_code(block.path);
-  if (words.has('F')) take_feed(words['F']);
+  if (moves_on || modes.path >= 0) take_code(*facts_, state_, block.path);
+  if (words.has('F')) take_feed(state_, words['F']);
   if (block.way == Way::Arc) go_along(block.arc, block.letters, step, moves);
   if (block.way == Way::OtherAxes) {
     outcome.moved = block.line.moved;

@@ -14,6 +14,11 @@ inline double plain_feed(const MotionState& state, double value) {
   return times ? value : value * state.unit;
 }
 
+/// A code of plain moves, 0 to 3, is that of the moves to come.
+void take_code(const MotionFacts& facts, MotionState& state, int code);
+/// F of a block holds from here on.
+void take_feed(MotionState& state, double value);
+
 /// The rows of `moves` have another state of modes from here on.
 void begin_row_state(const MotionFacts& facts, MotionState& state, Moves& moves);
 

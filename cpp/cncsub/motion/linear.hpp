@@ -36,8 +36,8 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
   if (!s.plain || code > 1) return false;
   const bool has_feed = (mask & bit('F')) != 0;
   if (has_feed ? !(values->value > 0) : (code != 0 && !(s.feed > 0))) return false;
-  if (code != s.motion_code) take_code(code);
-  if (has_feed) take_feed((values++)->value);
+  if (code != s.motion_code) take_code(*facts_, s, code);
+  if (has_feed) take_feed(s, (values++)->value);
 
   if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);
 

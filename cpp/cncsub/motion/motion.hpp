@@ -89,8 +89,6 @@ class Motion {
   template <class Work>
   std::optional<Fault> whole_or_nothing(Moves* moves, const Work& work);
   void write(Axes& values, int axis, double value);
-  void take_code(int code);
-  void take_feed(double value);
   void go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves);
   void go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves);
 

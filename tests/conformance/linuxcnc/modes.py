@@ -45,9 +45,9 @@ case("but not behind M71", **BOOK,
          N80 X1
          N90 M2
      """, moves="R X1\nR X2")
-case("G7 takes X for a diameter, from the next line on", pins="g_meanings", **RUN,
+case("G7 takes X for a diameter, in its own line too", pins="g_meanings", **RUN,
      program="N10 G7 G0 X10\nN20 X10\nN30 (print,#5420 #<_lathe_diameter_mode>)\nN40 G8\nN50 X4\nN60 M2",
-     moves="R X10\nR X5\nR X4", messages=["5.000000 1.000000"])
+     moves="R X5\nR X5\nR X4", messages=["5.000000 1.000000"])
 case("G38.2 is a mode: the next line probes too", pins="g_meanings", **RUN,
      program="N10 G38.3 X5 F100\nN20 X7\nN30 M2", moves="F X5\nF X7")
 case("a probing move that is to meet something leads somewhere", **RUN,

@@ -69,7 +69,7 @@ constexpr std::string_view kAxes = "xyzabcuvw@^";
 
 /// Codes of the motion group, G80 left out.
 bool is_motion(int code10) {
-  const bool low = code10 <= 30 || (code10 >= 50 && code10 <= 62);
+  const bool low = code10 <= 30 || (code10 >= 50 && code10 <= 53);
   const bool cycle = code10 >= 700 && code10 <= 890 && code10 != 800;
   return low || cycle || code10 == 330 || code10 == 331 || (code10 >= 382 && code10 <= 385);
 }
