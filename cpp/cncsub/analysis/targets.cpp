@@ -77,6 +77,7 @@ class TargetCheck {
   void jump(Address at, std::int64_t n, Address to, TextPlace place, Cause otherwise);
   void jump(Address at, const Operand& p);
   void ambiguous(Address at, const Program& program, std::int64_t n, TextPlace place);
+  void go_to(Address at, const Statement& go);
   void one_return(const ProgramFlow::ReturnTo& to);
 
   Checker& c_;
@@ -116,17 +117,20 @@ void TargetCheck::jump(Address at, const Operand& p) {
   jump(at, n, c_.code.first_of(program_, n), {p.at, p.width}, Cause::JumpTargetNotFound);
 }
 
+void TargetCheck::go_to(Address at, const Statement& go) {
+  const TextPlace place{go.variable_at, go.variable_width};
+  if (go.number >= 0 || go.to != kNowhere)
+    jump(at, go.number > 0 ? go.number : -1, go.to, place, Cause::JumpTargetNotFound);
+  if (go.end != kNowhere && go.to != kNowhere)
+    c_.found(Check::Ambiguous, at, place,
+             "it leads to line " + std::to_string(c_.code.blocks[go.to].line) + ", and line " +
+                 std::to_string(c_.code.blocks[go.end].line) + " has the same label");
+}
+
 void TargetCheck::block(Address at, const Block& block) {
   constexpr int kJumpAlways = 80, kLastJump = 86;
   if (block.op == Op::Goto || block.op == Op::IfGoto) {
-    const Statement& go = c_.code.statements[block.aux];
-    const TextPlace place{go.variable_at, go.variable_width};
-    if (go.number >= 0 || go.to != kNowhere)
-      jump(at, go.number > 0 ? go.number : -1, go.to, place, Cause::JumpTargetNotFound);
-    if (go.end != kNowhere && go.to != kNowhere)
-      c_.found(Check::Ambiguous, at, place,
-               "it leads to line " + std::to_string(c_.code.blocks[go.to].line) + ", and line " +
-                   std::to_string(c_.code.blocks[go.end].line) + " has the same label");
+    go_to(at, c_.code.statements[block.aux]);
   } else if (block.op == Op::Jump) {
     jump(at, c_.code.jumps[block.aux].p);
   } else if (block.op == Op::HCode) {

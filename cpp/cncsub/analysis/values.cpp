@@ -84,7 +84,8 @@ int plain_code(const Checker& c, const Block& block) {
   const Control& control = *c.code.control;
   if (block.op != Op::Words || block.m_count == 0 || block.g_count != 0) return -1;
   const bool p = (block.mask & bit('P')) != 0;
-  for (const int m : c.code.codes_of(block).m()) {
+  const CodeList codes = c.code.codes_of(block);
+  for (const int m : codes.m()) {
     const bool user = control.dialect != "iso" && m == 198;  // a code of the machine's own there
     if (calls_elsewhere(control.calls.roles.value, m) && !user && (p || m == 98 || m == 99))
       return m;

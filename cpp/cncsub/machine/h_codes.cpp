@@ -69,7 +69,8 @@ bool variable_of(Run& run, const Operand& operand, std::int64_t& number) {
     default:
       return false;
   }
-  if (++at != Expression::end() && (*at).op == Ins::IndirectRaw) {  // #9100
+  ++at;
+  if (at != Expression::end() && (*at).op == Ins::IndirectRaw) {  // #9100
     double index = 0;
     if (read_variable(run, number, index).has_value()) return false;
     number =

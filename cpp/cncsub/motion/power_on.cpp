@@ -77,6 +77,23 @@ MotionState state_of(const MotionFacts& facts, const Setup& setup) {
   return state;
 }
 
+namespace {
+
+/// What a program sets, as it is before: a motion code, the data of the multiple cycles.
+void forget_program(const MotionFacts& facts, MotionState& state) {
+  state.no_motion = facts.refuses(Cause::NoMotionCode);
+  const auto& turning = facts.control->turning;
+  MultipleData& data = state.multiple;
+  data.finish_passes = turning.thread_passes.value;
+  data.chamfer = turning.thread_chamfer.value;
+  data.angle = turning.thread_angle.value;
+  data.least_cut = turning.thread_least_cut.value * 1e-3;
+  data.allowance = turning.thread_allowance.value * 1e-3;
+  data.retract = turning.groove_retract.value * 1e-3;
+}
+
+}  // namespace
+
 void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
   const Control& c = *facts.control;
   const bool lathe = facts.lathe();
@@ -110,20 +127,13 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
                                 Meaning::DiameterOff,
                                 where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
     set(meaning);
-  state.no_motion = facts.refuses(Cause::NoMotionCode);
   state.plane = lathe ? Plane::ZX : Plane::XY;
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (!reset) {
     state.feed = c.motion.power_on_feed.value;
     state.unit = state.modal[at(Group::Units)].meaning == Meaning::Inch ? kInch : 1;
   }
-  MultipleData& data = state.multiple;
-  data.finish_passes = c.turning.thread_passes.value;
-  data.chamfer = c.turning.thread_chamfer.value;
-  data.angle = c.turning.thread_angle.value;
-  data.least_cut = c.turning.thread_least_cut.value * 1e-3;
-  data.allowance = c.turning.thread_allowance.value * 1e-3;
-  data.retract = c.turning.groove_retract.value * 1e-3;
+  forget_program(facts, state);
 }
 
 }  // namespace cncsub

@@ -102,8 +102,7 @@ Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p
   if (block.words.has('Z')) m.log.change(tables.length[place]) = length[2];
   Axes others = length;
   others[2] = 0;
-  if (others != Axes{} || tables.tool_axes.count(tool) != 0)
-    store(m, tables.tool_axes[tool], others);
+  if (others != Axes{} || tables.tool_axes.contains(tool)) store(m, tables.tool_axes[tool], others);
   return std::nullopt;
 }
 

@@ -32,6 +32,19 @@ Result turned_machine_move(MotionContext& m, BlockWords& block, MoveKind kind) {
   return move(m, block, make_piece(m, block, kind, end, named));
 }
 
+/// Where G53 leads without a turned frame, along the axes that it names.
+Axes machine_target(MotionContext& m, const BlockWords& block, std::uint32_t& named) {
+  Axes end = m.state.work;
+  for (int i = 0; i < kAxes; ++i) {
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (!block.words.has(name) || (m.facts.machine == MachineType::LatheA && i > 5)) continue;
+    named |= axis_bit(i);
+    end[i] = number(m, block, name) +
+             (m.state.incremental ? end[i] : -m.state.offset[i] - length_left(m, i));
+  }
+  return end;
+}
+
 }  // namespace
 
 Result machine_move(MotionContext& m, BlockWords& block) {
@@ -44,15 +57,8 @@ Result machine_move(MotionContext& m, BlockWords& block) {
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
   const MoveKind kind = modal && meaning != Meaning::Rapid ? MoveKind::Feed : MoveKind::Rapid;
   if (modal && m.state.frame_angle != 0) return turned_machine_move(m, block, kind);
-  Axes end = m.state.work;
   std::uint32_t named = 0;
-  for (int i = 0; i < kAxes; ++i) {
-    const char name = kAxisNames[static_cast<std::size_t>(i)];
-    if (!block.words.has(name) || (m.facts.machine == MachineType::LatheA && i > 5)) continue;
-    named |= axis_bit(i);
-    end[i] = number(m, block, name) +
-             (m.state.incremental ? end[i] : -m.state.offset[i] - length_left(m, i));
-  }
+  const Axes end = machine_target(m, block, named);
   if (named == 0) return std::nullopt;
   if (kind == MoveKind::Feed)
     if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;

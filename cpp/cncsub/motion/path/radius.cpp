@@ -250,9 +250,8 @@ Result through_radius(MoveSink& sink, const Piece& written, const Axes& from) {
   }
   const Curve curve = curve_of(path.view, start, piece);
   held.moved = true;
-  const bool same_side =
-      !held.radius.empty() && offset_of(held.radius.front()) * offset_of(piece) > 0;
-  if (auto wrong = path.take_step(same_side ? &curve : nullptr)) return wrong;
+  const bool along = !held.radius.empty() && offset_of(held.radius.front()) * offset_of(piece) > 0;
+  if (auto wrong = path.take_step(along ? &curve : nullptr)) return wrong;
   if (!active) return path.cancel(piece, curve);
   if (path.is_low_step(piece, curve)) {
     held.step = held.radius.size();
