@@ -187,17 +187,12 @@ def test_every_function_has_words_and_names_its_options() -> None:
         assert not any(p.kind is p.VAR_KEYWORD for p in parameters), function
 
 
-def test_the_import_takes_less_than_80_ms() -> None:
-    code = (
-        "import time; begun = time.process_time(); import cncsub;print(time.process_time() - begun)"
-    )
-    took = 1.0
-    for _ in range(12):  # others may be at work on this machine: the least counts
-        told = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True)
-        took = min(took, float(told.stdout))
-        if took < 0.08:
-            return
-    assert took < 0.08
+def test_the_import_brings_no_heavy_module() -> None:
+    """Its time is measured by `tests/benchmarks`: a clock of a busy machine is no test."""
+    code = "import sys, cncsub; print(*{name.partition('.')[0] for name in sys.modules})"
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True)
+    heavy = {"numpy", "pandas", "pyarrow", "plotly", "typer", "rich", "pytest", "dask", "pydantic"}
+    assert heavy.isdisjoint(told.stdout.split())
 
 
 @pytest.mark.parametrize(
