@@ -7,12 +7,16 @@ Lengths are told in mm, whatever the program counts in.
 
 from __future__ import annotations
 
+import argparse
 import os
 import re
 import subprocess
-from collections.abc import Mapping, Sequence
+import tempfile
+import time
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 TOLERANCE = 0.0002  # mm; rs274 prints four decimals
 INCH_TOLERANCE = 0.0015  # mm; the same where those are of inches
@@ -161,3 +165,27 @@ class Rs274:
         except subprocess.TimeoutExpired:
             return None
         return read_output(done.stdout, done.stderr)
+
+
+def command(what: str, text: Callable[[int, range], str], compare: Callable[..., Any]) -> int:
+    """The command of a comparison with rs274: which programs, how many in one text, or one shown.
+
+    `text(seed, numbers)` writes a text, `compare(seed, numbers, rs274, folder, together)` reports.
+    """
+    parser = argparse.ArgumentParser(description=what.split("\n\n", 1)[0])
+    parser.add_argument("--programs", type=int, default=1000)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--together", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--show", type=int)
+    parser.add_argument("--command", default="rs274")
+    asked = parser.parse_args()
+    if asked.show is not None:
+        print(text(asked.seed, range(asked.show, asked.show + asked.together)))
+        return 0
+    begun = time.monotonic()
+    with tempfile.TemporaryDirectory() as folder:
+        places = range(asked.first, asked.first + asked.programs)
+        report = compare(asked.seed, places, asked.command, Path(folder), asked.together)
+    print(f"{report}\n{time.monotonic() - begun:.0f} s")
+    return 1 if report.different else 0

@@ -20,11 +20,8 @@ loses sight where the tool is, a peck that ends at the bottom but for rounding, 
 
 from __future__ import annotations
 
-import argparse
 import math
 import sys
-import tempfile
-import time
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -529,25 +526,10 @@ def judge(report: Report, seed: int, many: range, rs274: Rs274, together: bool) 
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n\n", 1)[0])
-    parser.add_argument("--programs", type=int, default=1000)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--together", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--show", type=int)
-    parser.add_argument("--command", default="rs274")
-    asked = parser.parse_args()
-    if asked.show is not None:
-        print(
-            program(asked.seed, range(asked.show, asked.show + asked.together), asked.together > 1)
-        )
-        return 0
-    begun = time.monotonic()
-    with tempfile.TemporaryDirectory() as folder:
-        places = range(asked.first, asked.first + asked.programs)
-        report = compare(asked.seed, places, asked.command, Path(folder), asked.together)
-    print(f"{report}\n{time.monotonic() - begun:.0f} s")
-    return 1 if report.different else 0
+    def text(seed: int, numbers: range) -> str:
+        return program(seed, numbers, len(numbers) > 1)
+
+    return canonical.command(__doc__ or "", text, compare)
 
 
 if __name__ == "__main__":

@@ -15,10 +15,7 @@ compute; and an M99 with words in the main program.
 
 from __future__ import annotations
 
-import argparse
 import sys
-import tempfile
-import time
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -563,28 +560,11 @@ def compare(seed: int, places: range, command: str, folder: Path, together: int 
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n\n", 1)[0])
-    parser.add_argument("--programs", type=int, default=1000)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--together", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--show", type=int)
-    parser.add_argument("--command", default="rs274")
-    arguments = parser.parse_args()
-    if arguments.show is not None:
-        first, together = arguments.show, arguments.together
-        many = range(first, first + together)
-        own = generate(arguments.seed, first)
-        print(own if together == 1 else generate_many(arguments.seed, many))
-        return 0
-    begun = time.monotonic()
-    with tempfile.TemporaryDirectory() as folder:
-        places = range(arguments.first, arguments.first + arguments.programs)
-        report = compare(
-            arguments.seed, places, arguments.command, Path(folder), arguments.together
-        )
-    print(f"{report}\n{time.monotonic() - begun:.0f} s")
-    return 1 if report.different else 0
+    def text(seed: int, numbers: range) -> str:
+        alone = len(numbers) == 1
+        return generate(seed, numbers.start) if alone else generate_many(seed, numbers)
+
+    return canonical.command(__doc__ or "", text, compare)
 
 
 if __name__ == "__main__":
