@@ -43,7 +43,7 @@ py::object polyline(const Record& record, const std::string& frame, double toler
 }
 
 template <class To, class From>
-py::object array_of(const std::vector<From>& from) {
+py::object as_array(const std::vector<From>& from) {
   const Array<To> array(from.size());
   std::copy(from.begin(), from.end(), array.data);
   return array.object;
@@ -71,11 +71,11 @@ py::tuple outline(const Record& record, const std::string& frame, double toleran
   const Sampler sampler(moves, frame_of(frame), tolerance, first, last);
   Outline found;
   work_away([&](InterruptCheck& interrupt) { found = sampler.outline(keys, thinner, &interrupt); });
-  py::object row = array_of<std::int64_t>(found.row);
+  py::object row = as_array<std::int64_t>(found.row);
   if (record.trace().first_move != 0) row += py::int_(record.trace().first_move);
-  return py::make_tuple(array_of<double>(found.x), array_of<double>(found.y),
-                        array_of<double>(found.z), row, array_of<std::int32_t>(found.key),
-                        array_of<double>(found.time), found.points, found.begins);
+  return py::make_tuple(as_array<double>(found.x), as_array<double>(found.y),
+                        as_array<double>(found.z), row, as_array<std::int32_t>(found.key),
+                        as_array<double>(found.time), found.points, found.begins);
 }
 
 py::object thinned(const py::buffer& x, const py::buffer& y, const py::buffer& z,
