@@ -158,6 +158,7 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
 
 /// G04 that no signal ends, at once.
 bool dwells(Run& run, const NcWords& words, Motion::Outcome& outcome) {
+  if (words.codes->meaning(Group::OneShot) != Meaning::Dwell) return false;
   const auto& signals = run.options.inputs.skips;
   return std::all_of(signals.begin(), signals.end(), [](const auto& of) { return of.empty(); }) &&
          run.motion.dwell(words, run.step(), run.moves(), outcome);

@@ -182,6 +182,40 @@ bool all_in_range(const MotionState& s, bool with_frame) {
          (!with_frame || (in_range(s.offset) && in_range(s.length) && in_range(s.skip)));
 }
 
+/// Whether a block says nothing but a move: the words of its end, of its centre and F, and no code
+/// but one of a plain motion.
+bool only_moves(MotionView m, const NcWords& words) {
+  const BlockCodes& codes = *words.codes;
+  const std::uint32_t known =
+      kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes | m.facts.increments |
+      m.facts.chamfers.mask | m.facts.rounds.mask;
+  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
+  return (codes.groups & ~bit(Group::Motion)) == 0 && codes.plain && codes.m_count == 0 &&
+         (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0 &&
+         motion >= Meaning::Rapid && motion <= Meaning::Ccw && !in_cycle(m.state) &&
+         !m.state.no_motion && !m.state.angled.waiting();
+}
+
+/// What such a block does before it moves.
+Result begin_move(MotionContext& m, BlockWords& block) {
+  if (auto wrong = check_conflicts(m, block)) return wrong;
+  if (block.words.has('F'))
+    if (auto wrong = feed_of(m, block, m.state.feed)) return wrong;
+  set_lead(m, block);
+  return std::nullopt;
+}
+
+/// What any other does first: it is looked over, and its modes hold.
+Result begin_block(MotionContext& m, BlockWords& block) {
+  if (auto wrong = read_codes(m, block)) return wrong;
+  if (auto wrong = check_block(m, block)) return wrong;
+  if (const int code = block.words.codes->uncomputed; code >= 0)
+    return fault_of(code, Cause::CodeNotComputed, block);
+  if (block.has(Group::Diameter))  // it is that of the words of its own block too [rs274 2.9]
+    m.state.diameter = block.meaning(Group::Diameter) == Meaning::DiameterOn;
+  return set_modes(m, block);
+}
+
 /// Takes H, D and G45 to G48, and does what the block does. `frame`: whether it may set a length,
 /// which moves its axis at once.
 Result set_offsets_and_act(MotionContext& m, BlockWords& block, bool frame) {
@@ -200,15 +234,14 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
   const bool frame = sets_frame(words);
   const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
-  if (auto wrong = read_codes(m, block)) return wrong;
-  if (auto wrong = check_block(m, block)) return wrong;
-  if (const int code = words.codes->uncomputed; code >= 0)
-    return fault_of(code, Cause::CodeNotComputed, block);
-  if (block.has(Group::Diameter))  // it is that of the words of its own block too [rs274 2.9]
-    m.state.diameter = block.meaning(Group::Diameter) == Meaning::DiameterOn;
-  if (auto wrong = set_modes(m, block)) return wrong;
-  if (auto wrong = set_offsets_and_act(m, block, frame)) return wrong;
-  if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
+  if (only_moves(m, words)) {
+    if (auto wrong = begin_move(m, block)) return wrong;
+    if (auto wrong = make_motion(m, block)) return wrong;
+  } else {
+    if (auto wrong = begin_block(m, block)) return wrong;
+    if (auto wrong = set_offsets_and_act(m, block, frame)) return wrong;
+    if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
+  }
   if (corner_waits && !block.submitted) return fault(Cause::CornerNoMove, block);
   // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
   const Meaning once = block.meaning(Group::OneShot);
