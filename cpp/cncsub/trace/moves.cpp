@@ -28,13 +28,22 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
   diameters_ = diameters;
 }
 
+namespace {
+
+/// What is nearly always the same is so bit by bit, which is seen at once.
+template <class T>
+bool same_bits(const T& one, const T& other) {
+  using Bits = std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)>;
+  const auto a = std::bit_cast<Bits>(one), b = std::bit_cast<Bits>(other);
+  std::uint64_t different = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) different |= a[i] ^ b[i];
+  return different == 0;
+}
+
+}  // namespace
+
 std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::array<double, 3>& tip) {
-  // Nearly always the same, bit by bit: that is seen at once.
-  using Bits = std::array<std::uint64_t, std::tuple_size_v<Axes>>;
-  const auto same_bits = [&offset](const Axes& other) {
-    return std::bit_cast<Bits>(other) == std::bit_cast<Bits>(offset);
-  };
-  if (offsets_.empty() || (!same_bits(offsets_.back()) && offsets_.back() != offset))
+  if (offsets_.empty() || (!same_bits(offsets_.back(), offset) && offsets_.back() != offset))
     offsets_.push(offset);
   if (tip != std::array<double, 3>{}) {
     if (tips_.empty() || tips_.back() != tip) tips_.push(tip);
@@ -44,7 +53,9 @@ std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::arra
   turned_ = turned_ || state.turned != 0;
   // More states than a row can number fill more memory than there is: they go on as the last one.
   const bool full = states_.size() >> (32 - Chunk::kKindBits) != 0;
-  if (states_.empty() || (!full && !(states_.back() == state))) states_.push(state);
+  if (states_.empty() ||
+      (!full && !same_bits(states_.back(), state) && !(states_.back() == state)))
+    states_.push(state);
   return static_cast<std::uint32_t>(states_.size() - 1);
 }
 
