@@ -182,30 +182,7 @@ bool all_in_range(const MotionState& s, bool with_frame) {
          (!with_frame || (in_range(s.offset) && in_range(s.length) && in_range(s.skip)));
 }
 
-/// Whether a block says nothing but a move: the words of its end, of its centre and F, and no code
-/// but one of a plain motion.
-bool only_moves(MotionView m, const NcWords& words) {
-  const BlockCodes& codes = *words.codes;
-  const std::uint32_t known =
-      kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes | m.facts.increments |
-      m.facts.chamfers.mask | m.facts.rounds.mask;
-  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
-  return (codes.groups & ~bit(Group::Motion)) == 0 && codes.plain && codes.m_count == 0 &&
-         (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0 &&
-         motion >= Meaning::Rapid && motion <= Meaning::Ccw && !in_cycle(m.state) &&
-         !m.state.no_motion && !m.state.angled.waiting();
-}
-
-/// What such a block does before it moves.
-Result begin_move(MotionContext& m, BlockWords& block) {
-  if (auto wrong = check_conflicts(m, block)) return wrong;
-  if (block.words.has('F'))
-    if (auto wrong = feed_of(m, block, m.state.feed)) return wrong;
-  set_lead(m, block);
-  return std::nullopt;
-}
-
-/// What any other does first: it is looked over, and its modes hold.
+/// What a block does first: it is looked over, and its modes hold.
 Result begin_block(MotionContext& m, BlockWords& block) {
   if (auto wrong = read_codes(m, block)) return wrong;
   if (auto wrong = check_block(m, block)) return wrong;
@@ -228,21 +205,9 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block, bool frame) {
   return frame ? move_by_length(m, block, before) : std::nullopt;
 }
 
-}  // namespace
-
-Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
-  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
-  const bool frame = sets_frame(words);
-  const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
-  if (only_moves(m, words)) {
-    if (auto wrong = begin_move(m, block)) return wrong;
-    if (auto wrong = make_motion(m, block)) return wrong;
-  } else {
-    if (auto wrong = begin_block(m, block)) return wrong;
-    if (auto wrong = set_offsets_and_act(m, block, frame)) return wrong;
-    if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
-  }
-  if (corner_waits && !block.submitted) return fault(Cause::CornerNoMove, block);
+/// What is left when a block has done what it does.
+Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, bool frame) {
+  if (corner_waited && !block.submitted) return fault(Cause::CornerNoMove, block);
   // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
   const Meaning once = block.meaning(Group::OneShot);
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
@@ -250,6 +215,41 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
     m.state.moved_before = true;
   if (!all_in_range(m.state, frame)) return out_of_range(block.words.at);
   return count_idle(m, block);
+}
+
+}  // namespace
+
+bool only_moves(MotionView m, const NcWords& words) {
+  const BlockCodes& codes = *words.codes;
+  const std::uint32_t known = kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes |
+                              m.facts.increments | m.facts.chamfers.mask | m.facts.rounds.mask;
+  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
+  return (codes.groups & ~bit(Group::Motion)) == 0 && codes.plain && codes.m_count == 0 &&
+         (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0 &&
+         motion >= Meaning::Rapid && motion <= Meaning::Ccw && !in_cycle(m.state) &&
+         !m.state.no_motion && !m.state.angled.waiting();
+}
+
+Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
+  BlockWords block{.words = words, .step = step, .cycle = of_cycle};
+  const bool corner_waits = !m.state.held.corner.empty();
+  if (auto wrong = check_conflicts(m, block)) return wrong;
+  if (words.has('F'))
+    if (auto wrong = feed_of(m, block, m.state.feed)) return wrong;
+  set_lead(m, block);
+  if (auto wrong = make_motion(m, block)) return wrong;
+  return end_block(m, block, corner_waits, false);
+}
+
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
+  if (only_moves(m, words)) return run_move(m, words, step, of_cycle);
+  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
+  const bool frame = sets_frame(words);
+  const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
+  if (auto wrong = begin_block(m, block)) return wrong;
+  if (auto wrong = set_offsets_and_act(m, block, frame)) return wrong;
+  if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
+  return end_block(m, block, corner_waits, frame);
 }
 
 bool goes_with_motion(const MotionState& state, const BlockWords& block) {

@@ -65,6 +65,10 @@ Result check_block(MotionView m, const BlockWords& block) {
   return check_conflicts(m, block);
 }
 
+double unit_of(const MotionFacts& facts, Meaning units) {
+  return units == Meaning::Inch ? kInch : units == Meaning::Pulses ? facts.increment : 1;
+}
+
 Result set_modes(MotionContext& m, BlockWords& block) {
   constexpr std::uint32_t kRemembered =
       bit(Group::Plane) | bit(Group::Distance) | bit(Group::Stroke) | bit(Group::Feed) |
@@ -83,8 +87,7 @@ Result set_modes(MotionContext& m, BlockWords& block) {
     if (const double last = spindle_at(move_state(m.state), std::fabs(m.state.work[0])); last > 0)
       m.state.speed = last;
   m.state.surface = surface;
-  const Meaning units = m.state.modal[at(Group::Units)].meaning;
-  m.state.unit = units == Meaning::Inch ? kInch : units == Meaning::Pulses ? m.facts.increment : 1;
+  m.state.unit = unit_of(m.facts, m.state.modal[at(Group::Units)].meaning);
   m.state.incremental = m.state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (block.meaning(Group::Stroke) == Meaning::StrokeOn) {
     if (auto wrong = set_area(m, block)) return wrong;

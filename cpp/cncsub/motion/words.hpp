@@ -7,6 +7,10 @@ namespace cncsub {
 
 /// Carries a block out.
 Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
+/// Whether a block says nothing but a move: the words of its end, of its centre, of a corner and F,
+/// and no code but one of a plain motion; and carries such a block out.
+bool only_moves(MotionView m, const NcWords& words);
+Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
 
 /// What is wrong with a G code by itself, and which of them do not count.
 Result read_codes(MotionContext& m, const BlockWords& block);
@@ -15,6 +19,8 @@ Result check_block(MotionView m, const BlockWords& block);
 Result check_conflicts(MotionView m, const BlockWords& block);
 Result set_modes(MotionContext& m, BlockWords& block);
 
+/// How many millimetres the unit of a code of units is.
+double unit_of(const MotionFacts& facts, Meaning units);
 /// The value of an axis or length word in mm or degrees.
 double number(MotionView m, const NcWords& words, char address);
 inline double number(MotionView m, const BlockWords& block, char address) {

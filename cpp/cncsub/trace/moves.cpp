@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -28,34 +27,18 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
   diameters_ = diameters;
 }
 
-namespace {
-
-/// What is nearly always the same is so bit by bit, which is seen at once.
-template <class T>
-bool same_bits(const T& one, const T& other) {
-  using Bits = std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)>;
-  const auto a = std::bit_cast<Bits>(one), b = std::bit_cast<Bits>(other);
-  std::uint64_t different = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) different |= a[i] ^ b[i];
-  return different == 0;
-}
-
-}  // namespace
-
-std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::array<double, 3>& tip) {
-  if (offsets_.empty() || (!same_bits(offsets_.back(), offset) && offsets_.back() != offset))
-    offsets_.push(offset);
-  if (tip != std::array<double, 3>{}) {
-    if (tips_.empty() || tips_.back() != tip) tips_.push(tip);
+std::uint32_t Moves::add_state(const Told& told) {
+  MoveState state = told.state;
+  if (offsets_.empty() || offsets_.back() != told.offset) offsets_.push(told.offset);
+  if (told.tip != std::array<double, 3>{}) {
+    if (tips_.empty() || tips_.back() != told.tip) tips_.push(told.tip);
     state.tip = static_cast<std::uint32_t>(tips_.size());
   }
   state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
   turned_ = turned_ || state.turned != 0;
   // More states than a row can number fill more memory than there is: they go on as the last one.
   const bool full = states_.size() >> (32 - Chunk::kKindBits) != 0;
-  if (states_.empty() ||
-      (!full && !same_bits(states_.back(), state) && !(states_.back() == state)))
-    states_.push(state);
+  if (states_.empty() || (!full && !(states_.back() == state))) states_.push(state);
   return static_cast<std::uint32_t>(states_.size() - 1);
 }
 
