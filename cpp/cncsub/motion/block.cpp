@@ -193,16 +193,18 @@ Result begin_block(MotionContext& m, BlockWords& block) {
   return set_modes(m, block);
 }
 
-/// Takes H, D and G45 to G48, and does what the block does. `frame`: whether it may set a length,
-/// which moves its axis at once.
-Result set_offsets_and_act(MotionContext& m, BlockWords& block, bool frame) {
-  const Axes before = frame ? m.state.length : Axes{};
-  if (frame)
+/// Takes H, D and G45 to G48, and does what the block does. A length moves its axis at once.
+Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
+  const bool length = block.has(Group::Length) || block.words.has('H');
+  const Axes before = length ? m.state.length : Axes{};
+  if (length)
     if (auto wrong = set_length(m, block)) return wrong;
-  if (auto wrong = set_radius(m, block)) return wrong;
-  if (auto wrong = set_longer(m, block)) return wrong;
+  if (block.has(Group::Radius) || block.words.has('D'))
+    if (auto wrong = set_radius(m, block)) return wrong;
+  if (block.has(Group::OneShot))
+    if (auto wrong = set_longer(m, block)) return wrong;
   if (auto wrong = act(m, block)) return wrong;
-  return frame ? move_by_length(m, block, before) : std::nullopt;
+  return length ? move_by_length(m, block, before) : std::nullopt;
 }
 
 /// What is left when a block has done what it does.
@@ -247,7 +249,7 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   const bool frame = sets_frame(words);
   const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
   if (auto wrong = begin_block(m, block)) return wrong;
-  if (auto wrong = set_offsets_and_act(m, block, frame)) return wrong;
+  if (auto wrong = set_offsets_and_act(m, block)) return wrong;
   if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
   return end_block(m, block, corner_waits, frame);
 }

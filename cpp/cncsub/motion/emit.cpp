@@ -48,8 +48,9 @@ void mark_axes(MoveSink& sink, const Axes& machine, std::uint32_t named) {
   const Axes& from = sink.state.tool_at;
   if (moves.size() == 0)
     moves.begin(in_machine(sink.state, from), sink.facts.rapid, sink.facts.diameters);
-  for (int i = 3; i < kAxes; ++i)
-    if (machine[i] != from[i]) named |= axis_bit(i);
+  if (!others_stand(from, machine))
+    for (int i = 3; i < kAxes; ++i)
+      if (machine[i] != from[i]) named |= axis_bit(i);
   if (named >> 3 != 0)
     moves.use(named);
   else

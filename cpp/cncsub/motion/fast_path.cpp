@@ -20,7 +20,9 @@ constexpr std::uint32_t kArcWords = kCentreWords | bit('R');
 
 /// Whether the tool stands elsewhere than its offsets say: the next move takes it there.
 bool tool_waits(const MotionState& state) {
-  const Axes way = machine_point(state) - state.tool_at;
+  const Axes at = machine_point(state);
+  if (at == state.tool_at) return false;
+  const Axes way = at - state.tool_at;
   return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
 }
 
@@ -371,8 +373,7 @@ bool plan_machine_move(MotionView m, const Modes& modes, const NcWords& words, P
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
   using Way = PlainBlock::Way;
   MotionState& s = state_;
-  if (!s.direct || !are_modes(s, words) || !has_plain_words(*facts_, words, s.plain))
-    return false;
+  if (!s.direct || !are_modes(s, words) || !has_plain_words(*facts_, words, s.plain)) return false;
   if (words.codes->has(Group::Cycle) && facts_->refuses(Cause::NoMotionCode)) return false;
   if (turned(s) && check_conflicts(view(), {.words = words, .step = step})) return false;
   const Modes modes(s, *words.codes);

@@ -160,10 +160,10 @@ struct MoveValues {
   double feed = 0;                   // mm/min, mm/rev
   double seconds_per_mm = 0;
   double time = 0;
-  Axes work{};     // the programmed point, work coordinates
-  Axes tool_at{};  // machine position behind the last recorded move; kept where not `plain`
-  double lead = 0;           // of threads, where it is kept apart from the feed
-  std::uint32_t named = 0;   // axes that moves named
+  Axes work{};      // the programmed point, work coordinates
+  Axes tool_at{};   // machine position behind the last recorded move; kept where not `plain`
+  double lead = 0;  // of threads, where it is kept apart from the feed
+  std::uint32_t named = 0;    // axes that moves named
   bool tool_pending = false;  // a tool offset waits for the next move
   bool moved_before = false;  // or set coordinates: the head of the program is over
   double polar_angle = 0;
@@ -192,7 +192,7 @@ struct ModalValues : MoveValues {
   std::array<double, 2> spline_way{};  // from the end of a spline along its direction there
   bool skip_touched = false;           // the signal of the last skip came
   int length_axis = 2;
-  Axes skip{};              // skip position: work coordinates, tool included
+  Axes skip{};  // skip position: work coordinates, tool included
   std::array<GCode, kGroups> modal{};
   Meaning motion_before_cycle = Meaning::Rapid;
   Plane plane = Plane::XY;

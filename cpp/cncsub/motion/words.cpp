@@ -101,7 +101,9 @@ Result set_modes(MotionContext& m, BlockWords& block) {
     m.state.modal[at(Group::Polar)] = block.code(Group::Polar);
     m.state.polar_known = false;
   }
-  return set_turned(m, block);
+  constexpr std::uint32_t kTurning =
+      bit(Group::Rotation) | bit(Group::Scaling) | bit(Group::Mirror);
+  return (block.words.codes->groups & kTurning) != 0 ? set_turned(m, block) : std::nullopt;
 }
 
 Result feed_of(MotionView m, const BlockWords& block, double& feed) {
