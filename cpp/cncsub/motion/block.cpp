@@ -223,21 +223,24 @@ Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, 
 
 bool only_moves(MotionView m, const NcWords& words) {
   const BlockCodes& codes = *words.codes;
-  const std::uint32_t known = kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes |
-                              m.facts.increments | m.facts.chamfers.mask | m.facts.rounds.mask;
+  if ((codes.groups & ~bit(Group::Motion)) != 0 || !codes.plain || codes.m_count > 0 ||
+      m.state.no_motion || m.state.angled.waiting())
+    return false;
   const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
-  return (codes.groups & ~bit(Group::Motion)) == 0 && codes.plain && codes.m_count == 0 &&
-         (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0 &&
-         motion >= Meaning::Rapid && motion <= Meaning::Ccw && !in_cycle(m.state) &&
-         !m.state.no_motion && !m.state.angled.waiting();
+  const bool cycle = in_cycle(m.state) || makes_cycle(motion);
+  if (cycle ? codes.g_count > 0 : motion < Meaning::Rapid || motion > Meaning::Ccw) return false;
+  constexpr std::uint32_t kCycleWords = bit('L') | bit('P') | bit('Q');
+  const std::uint32_t known = kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes |
+                              m.facts.increments | m.facts.chamfers.mask | m.facts.rounds.mask |
+                              (cycle ? kCycleWords : 0);
+  return (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0;
 }
 
 Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
-  BlockWords block{.words = words, .step = step, .cycle = of_cycle};
+  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
   const bool corner_waits = !m.state.held.corner.empty();
   if (auto wrong = check_conflicts(m, block)) return wrong;
-  if (words.has('F'))
-    if (auto wrong = feed_of(m, block, m.state.feed)) return wrong;
+  if (auto wrong = set_feed(m, block)) return wrong;
   set_lead(m, block);
   if (auto wrong = make_motion(m, block)) return wrong;
   return end_block(m, block, corner_waits, false);

@@ -168,6 +168,8 @@ struct MoveValues {
   bool moved_before = false;  // or set coordinates: the head of the program is over
   double polar_angle = 0;
   bool polar_known = false;
+  CycleData cycle;
+  TurnData turn;
 
   bool operator==(const MoveValues&) const = default;
 };
@@ -208,10 +210,8 @@ struct ModalValues : MoveValues {
   int b = 0, h = 0, d = 0, t = 0;
   int tool = 0, tool_offset = 0;
   double given_radius = 0;  // that of a radius compensation without an offset number
-  CycleData cycle;
-  bool no_motion = false;  // behind G80, where no motion code is in force then
-  int cycle_before = -1;   // ten times the code of the cycle that was in force when it began
-  TurnData turn;
+  bool no_motion = false;   // behind G80, where no motion code is in force then
+  int cycle_before = -1;    // ten times the code of the cycle that was in force when it began
   MultipleData multiple;
   Turned turned;
   StrokeArea area;

@@ -9,8 +9,6 @@
 #include "cncsub/motion/frame/frame.hpp"
 
 namespace cncsub {
-namespace {
-
 Result set_feed(MotionContext& m, const BlockWords& block) {
   if (!block.words.has('F')) return std::nullopt;
   const Control& c = *m.facts.control;
@@ -20,6 +18,8 @@ Result set_feed(MotionContext& m, const BlockWords& block) {
     return std::nullopt;
   return feed_of(m, block, m.state.feed);
 }
+
+namespace {
 
 void set_spindle(MotionContext& m, const BlockWords& block) {
   if (block.words.has('S')) {

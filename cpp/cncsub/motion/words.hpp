@@ -8,7 +8,8 @@ namespace cncsub {
 /// Carries a block out.
 Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
 /// Whether a block says nothing but a move: the words of its end, of its centre, of a corner and F,
-/// and no code but one of a plain motion; and carries such a block out.
+/// and no code but one of a plain motion; or, without a code, those of the next pass or hole of a
+/// cycle. And carries such a block out.
 bool only_moves(MotionView m, const NcWords& words);
 Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
 
@@ -32,6 +33,8 @@ double in_units(MotionView m, const NcWords& words, char address);
 Result dwell(MotionContext& m, BlockWords& block);
 /// The seconds that the words of a G04 say, 0 where none of them does.
 double dwell_seconds(MotionView m, const NcWords& words);
+/// Takes F over, where it is a feed.
+Result set_feed(MotionContext& m, const BlockWords& block);
 /// F of a block as a feed.
 Result feed_of(MotionView m, const BlockWords& block, double& feed);
 /// What an M code does to the spindle and the tool in it.
