@@ -57,6 +57,10 @@ a control, or `variable_options`, whose options are added.
 5.0
 )";
 
+struct ParameterRow : Parameter {
+  bool used = false;
+};
+
 struct AlarmRow {
   std::string cause;
   AlarmEntry entry;
@@ -251,7 +255,7 @@ void add_controls(py::module_& m) {
       .def("__repr__", [](const RuleView& r) {
         return "<Rule " + r.name + " = " + py::repr(value_of(r)).cast<std::string>() + ">";
       });
-  py::class_<Parameter>(m, "Parameter", py::is_final())
+  py::class_<ParameterRow>(m, "Parameter", py::is_final())
       .def_readonly("name", &Parameter::name)
       .def_readonly("value", &Parameter::value)
       .def_readonly("meaning", &Parameter::meaning)
@@ -270,6 +274,9 @@ void add_controls(py::module_& m) {
                                  names[i] = p.sets[i].rule;
                                return names;
                              })
+      .def_readonly("used", &ParameterRow::used,
+                    "Whether anything is computed from it; what is not is only what a program "
+                    "reads of it, as by PRM[].")
       .def("__repr__", [](const Parameter& p) {
         return "<Parameter " + p.name + " = " + written(p.value) + ": " + p.meaning + ">";
       });
@@ -337,7 +344,7 @@ void add_controls(py::module_& m) {
                              [](const Control& c) {
                                py::dict rows;
                                for (const Parameter& p : c.parameters)
-                                 rows[py::str(p.name)] = py::cast(p);
+                                 rows[py::str(p.name)] = py::cast(ParameterRow{p, c.uses(p)});
                                return rows;
                              })
       .def_property_readonly("alarms",

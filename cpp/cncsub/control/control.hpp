@@ -281,6 +281,8 @@ struct Control {
   const AbsentGroup* lacks(RuleGroup group) const;
   /// The value of a parameter, 0 where the control has none of this name.
   double parameter(std::string_view parameter_name) const;
+  /// Whether anything is computed from a parameter but what a program reads of it.
+  bool uses(const Parameter& parameter) const;
   /// Sets a parameter of the control and lets it have its effect on the rules. Returns what is
   /// wrong with the name or the value, or nothing.
   std::optional<std::string> set_parameter(const std::string& parameter_name, double value);
