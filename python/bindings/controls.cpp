@@ -261,14 +261,14 @@ void add_controls(py::module_& m) {
       .def_readonly("meaning", &Parameter::meaning)
       .def_readonly("source", &Parameter::source)
       .def_property_readonly("evidence",
-                             [](const Parameter& p) { return std::string(to_string(p.evidence)); })
+                             [](const ParameterRow& p) { return std::string(to_string(p.evidence)); })
       .def_property_readonly("rule",
-                             [](const Parameter& p) {
+                             [](const ParameterRow& p) {
                                return p.sets.empty() ? py::object(py::none())
                                                      : py::str(p.sets.front().rule);
                              })
       .def_property_readonly("rules",
-                             [](const Parameter& p) {
+                             [](const ParameterRow& p) {
                                py::tuple names(p.sets.size());
                                for (std::size_t i = 0; i < p.sets.size(); ++i)
                                  names[i] = p.sets[i].rule;
@@ -277,7 +277,7 @@ void add_controls(py::module_& m) {
       .def_readonly("used", &ParameterRow::used,
                     "Whether anything is computed from it; what is not is only what a program "
                     "reads of it, as by PRM[].")
-      .def("__repr__", [](const Parameter& p) {
+      .def("__repr__", [](const ParameterRow& p) {
         return "<Parameter " + p.name + " = " + written(p.value) + ": " + p.meaning + ">";
       });
   py::class_<AlarmRow>(m, "AlarmEntry", py::is_final())

@@ -229,6 +229,9 @@ struct CodeCall {
   std::string source;
   Evidence evidence = Evidence::Inferred;
   bool own_codes = true;  // codes that the control has itself may be registered
+  bool tenths = false;    // the numbers are tenths of a G code
+  // NOLINTNEXTLINE(readability-redundant-member-init)
+  std::string every_block = {};  // not 0: a negative number calls for every block, as G66.1 does
 };
 
 // The rules of a control, in their groups: control.calls.max_nesting.

@@ -67,7 +67,7 @@ namespace {
 
 /// Whether a list of calling codes is kept in a parameter, or asks for it.
 bool is_of(const CodeCall& list, const Parameter& parameter) {
-  if (!list.enable.empty() && list.enable == parameter.name) return true;
+  if (parameter.name == list.enable || parameter.name == list.every_block) return true;
   const auto name = ParameterName::read(parameter.name);
   if (!name || name->bit >= 0) return false;
   const std::int64_t number = name->number;

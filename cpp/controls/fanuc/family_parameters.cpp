@@ -119,7 +119,7 @@ const Parameter kParameters[] = {
     {"6038", 0, "the first of a range of G codes that call macros", kKnown, Inferred},
     {"6039", 0, "the program that the first G code of the range calls", kKnown, Inferred},
     {"6040", 0, "how many G codes the range has", kKnown, Inferred},
-    {"6041", 0, "the first of a range of G codes with one decimal that call macros", kKnown,
+    {"6041", 0, "the first of a range of G codes with one decimal that call macros, in tenths: 901 is G90.1", kKnown,
      Inferred},
     {"6042", 0, "the program that the first G code of that range calls", kKnown, Inferred},
     {"6043", 0, "how many G codes with one decimal the range has", kKnown, Inferred},
