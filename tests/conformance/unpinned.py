@@ -248,7 +248,8 @@ _TABLE = _joined(
     # SINUMERIK
     _all(
         "power_on:G91 power_on:G95 power_on:G18 power_on:G19 power_on:G20 power_on:G22",
-        (ONE,), FAMILY_MOTION,
+        (ONE,),
+        FAMILY_MOTION,
     ),
     _group(
         ONE,

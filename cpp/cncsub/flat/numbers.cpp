@@ -182,8 +182,7 @@ bool WordWriter::code(std::string& to, char letter, int tenfold) const {
   const bool plain = role == Role::None || role == Role::Stop || role == Role::OptionalStop ||
                      role >= Role::SpindleForward;
   const double value = tenfold / 10.0;
-  if (!plain || calls(letter, value))
-    return bracketed(to, std::string(1, letter), value);
+  if (!plain || calls(letter, value)) return bracketed(to, std::string(1, letter), value);
   to += letter;
   to += NumberText(value).text();
   return true;
