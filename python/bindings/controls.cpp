@@ -260,8 +260,8 @@ void add_controls(py::module_& m) {
       .def_readonly("value", &Parameter::value)
       .def_readonly("meaning", &Parameter::meaning)
       .def_readonly("source", &Parameter::source)
-      .def_property_readonly("evidence",
-                             [](const ParameterRow& p) { return std::string(to_string(p.evidence)); })
+      .def_property_readonly(
+          "evidence", [](const ParameterRow& p) { return std::string(to_string(p.evidence)); })
       .def_property_readonly("rule",
                              [](const ParameterRow& p) {
                                return p.sets.empty() ? py::object(py::none())

@@ -65,9 +65,9 @@ class WordWriter {
   const Code& code_;  // an empty one where the control is another one than the machine's
   const Control& control_;
   bool lathe_, increments_;
-  bool mills_axes_;                            // A and C are axes and nothing else
+  bool mills_axes_;                                     // A and C are axes and nothing else
   std::vector<std::pair<char, std::int64_t>> calling_;  // tenths, sorted; -1: all of the letter
-  bool plain_ = false;                         // axis words are lengths
+  bool plain_ = false;                                  // axis words are lengths
   bool arc_ = false, cycle_ = false;
 };
 

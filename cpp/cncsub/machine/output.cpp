@@ -101,7 +101,8 @@ std::string plainly(double value, int decimals) {
 std::string shown(const Run& run, const Print& print, const PrintField& field, double value) {
   if (field.whole_digits == PrintField::kPlain) return plainly(value, field.decimals);
   if (is_vacant(value)) value = 0;
-  if (!print.binary) return written(value, field, !run.control().macros.prints_leading_blanks.value);
+  if (!print.binary)
+    return written(value, field, !run.control().macros.prints_leading_blanks.value);
   return std::to_string(to_whole<std::int64_t>(
       std::clamp(std::round(value * std::pow(10.0, field.decimals)), -2147483648.0, 2147483647.0)));
 }

@@ -105,8 +105,8 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
   const auto where = [&](PowerOn code, Meaning meaning, Meaning other) {
     return c.common.power_on.value.has(code) ? meaning : other;
   };
-  const Meaning plane =
-      where(PowerOn::G19, Meaning::PlaneYZ, where(PowerOn::G18, Meaning::PlaneZX, Meaning::PlaneXY));
+  const Meaning plane = where(PowerOn::G19, Meaning::PlaneYZ,
+                              where(PowerOn::G18, Meaning::PlaneZX, Meaning::PlaneXY));
   const Meaning turning = where(PowerOn::G95, Meaning::PerRevolution, Meaning::PerMinute);
   for (const Meaning meaning : {where(PowerOn::G01, Meaning::Line, Meaning::Rapid),
                                 lathe ? Meaning::PlaneZX : plane,
