@@ -365,9 +365,17 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
                 if program.file == counts.file
                 else f"choose one with --prefer {counts.file}, or leave a file out"
             )
+            if program.file == counts.file and (language := _other_reading(library, program.file)):
+                cure = language
             raise ValueError(f"{counts.name} stands twice, with other blocks: {places}; {cure}")
     tell_all(notes_on(options, library))
     return library
+
+
+def _other_reading(library: cncsub.Library, file: str) -> str | None:
+    from cncsub.hints import other_reading
+
+    return other_reading(library, file)
 
 
 def tell_all(notes: Sequence[Note]) -> None:

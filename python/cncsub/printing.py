@@ -107,8 +107,9 @@ def print_watch(console: Console, run: cncsub.Run) -> None:
     """What was watched: its value at the beginning, and each change with its block."""
     now = dict(run.watch.beginning)
     changes = len(run.watch)
-    for number, value in now.items():
-        console.print(f"watch: #{number} begins {_variable(value)}")
+    for first, last, value in _beginnings(now):
+        verb, span = ("begins", "") if first == last else ("begin", f" to #{last}")
+        console.print(f"watch: #{first}{span} {verb} {_variable(value)}")
     for row in range(min(changes, MOST_CHANGES)):
         change = run.watch[row]
         place = change.program if change.n is None else f"{change.program} N{change.n}"
@@ -119,6 +120,21 @@ def print_watch(console: Console, run: cncsub.Run) -> None:
     if changes > MOST_CHANGES:
         left = changes - MOST_CHANGES
         console.print(f"... {left:,} more changes; --format json and run.watch have them all")
+
+
+def _beginnings(values: Mapping[int, float | None]) -> Iterator[tuple[int, int, float | None]]:
+    """The values, each with the first and the last of the numbers side by side that have it."""
+    first = last = -2
+    value: float | None = None
+    for number, now in values.items():
+        if number == last + 1 and now is None and value is None:
+            last = number
+            continue
+        if first >= 0:
+            yield first, last, value
+        first, last, value = number, number, now
+    if first >= 0:
+        yield first, last, value
 
 
 def _variable(value: float | None) -> str:
@@ -306,8 +322,11 @@ def print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
             console.print()
         console.print(Text(fact["cause"], style="bold"))
         console.print(f"  raised by: {fact['meaning']}")
-        for kin in fact["beside"]:
-            console.print(f"  beside it: {kin['number']} {kin['cause']}, {kin['meaning']}")
+        kin: dict[tuple[str, str], list[str]] = {}
+        for one in fact["beside"]:
+            kin.setdefault((one["cause"], one["meaning"]), []).append(one["number"])
+        for (cause, meaning), numbers in kin.items():
+            console.print(f"  beside it: {', '.join(numbers)} {cause}, {meaning}")
         console.print(f"  cure: {fact['cure']}")
         for alarm in fact["alarms"]:
             directed = ", ".join(f"{number} {way}" for way, number in alarm["directed"].items())
