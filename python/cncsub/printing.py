@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 MOST_CALLS = 100_000  # drawn in a tree
 MOST_LINES = 200  # printed of it
 MOST_MISSED = 20  # blocks of G31
+MOST_LOOKED_AT = 500  # moves, for what their feed counts on
 MOST_CHANGES = 200  # of watched variables
 
 
@@ -83,7 +84,7 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
     print_stop(console, run)
     if len(run.moves):
         console.print(f"{run.moves._size()}, length {run.moves.total_length:,.3f} mm,", end="")
-        console.print(f" time {duration(run.moves.total_time)}")
+        console.print(f" time {time_words(run)}")
         for axis, (low, high) in run.moves.bounds.items():
             console.print(f"  {axis} {low:.10g} to {high:.10g}")
     print_watch(console, run)
@@ -209,6 +210,20 @@ def stop_text(run: cncsub.Run | cncsub.Stream) -> str:
 def shown(text: str) -> str:
     """A text of a program, or the name of a file, without what a terminal would obey."""
     return "".join(c if c.isprintable() else " " for c in text)
+
+
+def time_words(run: cncsub.Run) -> str:
+    """How long the moves take; a feed that counts on a spindle which stands still is told."""
+    words = duration(run.moves.total_time)
+    first = itertools.islice(range(len(run.moves)), MOST_LOOKED_AT)
+    if any(_waits_for_spindle(run.moves[row]) for row in first):
+        words += " (where no S was told, at one revolution a minute)"
+    return words
+
+
+def _waits_for_spindle(move: Any) -> bool:
+    turning = move.feed_mode == "per-revolution" and move.spindle == 0
+    return turning and move.kind not in ("rapid", "dwell")
 
 
 def duration(seconds: float) -> str:

@@ -121,13 +121,13 @@ def _stop(library: Library, run: Run, anchors: Anchors) -> Iterator[str]:
 
 
 def _facts(run: Run) -> Iterator[tuple[str, str]]:
-    from cncsub.printing import duration
+    from cncsub.printing import time_words
 
     yield "blocks", f"{run.blocks:,}"
     yield "calls", f"{len(run.calls):,}"
     if len(run.moves):
         yield "moves", f"{len(run.moves):,}, {run.moves.total_length:,.3f} mm"
-        yield "time", f"{duration(run.moves.total_time)}, without acceleration"
+        yield "time", f"{time_words(run)}, without acceleration"
         for axis, (low, high) in run.moves.bounds.items():
             yield axis, f"{low:.10g} to {high:.10g}"
     if missed := Counter(map(str, run.missed_skips)):
