@@ -115,7 +115,13 @@ class _FlatPair(Pair):
 
 
 class Flat:
-    """A flat program: `text`, and `origins` with a row for each block of it.
+    """A flat program: `text`, and `origins` with a row for each block of it (an `Origin`).
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P2\\nN20 M30\\nO2\\nN30 G0 X5.\\nN40 M99\\n"
+    >>> flat = cncsub.loads(text, control="fanuc-0i-f").flatten()
+    >>> flat.text.splitlines(), flat.origins[0].program, flat.origins[0].n
+    (['O1', 'G0 X5.', 'M30'], 'O2', 30)
 
     A text of more than 16 MB is not kept: whoever asks for `text`, `origins`, `pieces()` or
     `write()` has the program run again.

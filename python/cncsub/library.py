@@ -472,6 +472,14 @@ def load(
     without programs or an unknown encoding; each names what is near. A program a control would
     refuse raises nothing: it alarms when it runs. Ctrl-C raises `KeyboardInterrupt`, as anywhere
     else, and leaves nothing behind.
+
+    >>> import cncsub, pathlib, tempfile
+    >>> job = pathlib.Path(tempfile.mkdtemp())
+    >>> for name, text in {"O1.nc": "O1\\nM98 P2\\nM30\\n", "O2.nc": "O2\\nM99\\n"}.items():
+    ...     _ = (job / name).write_text(text)
+    >>> library = cncsub.load(job, control="fanuc-0i-f")
+    >>> list(library), library.main.name, library.run().stop
+    (['O1', 'O2'], 'O1', <Stop.END: 'end'>)
     """
     known = control_of(control)
     if not paths:
