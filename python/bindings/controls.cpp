@@ -69,6 +69,10 @@ a control, or `variable_options`, whose options are added.
 5.0
 )";
 
+struct ParameterRow : Parameter {
+  bool used = false;
+};
+
 struct AlarmRow {
   std::string cause;
   AlarmEntry entry;
@@ -263,26 +267,29 @@ void add_controls(py::module_& m) {
       .def("__repr__", [](const RuleView& r) {
         return "<Rule " + r.name + " = " + py::repr(value_of(r)).cast<std::string>() + ">";
       });
-  py::class_<Parameter>(m, "Parameter", py::is_final())
+  py::class_<ParameterRow>(m, "Parameter", py::is_final())
       .def_readonly("name", &Parameter::name)
       .def_readonly("value", &Parameter::value)
       .def_readonly("meaning", &Parameter::meaning)
       .def_readonly("source", &Parameter::source)
-      .def_property_readonly("evidence",
-                             [](const Parameter& p) { return std::string(to_string(p.evidence)); })
+      .def_property_readonly(
+          "evidence", [](const ParameterRow& p) { return std::string(to_string(p.evidence)); })
       .def_property_readonly("rule",
-                             [](const Parameter& p) {
+                             [](const ParameterRow& p) {
                                return p.sets.empty() ? py::object(py::none())
                                                      : py::str(p.sets.front().rule);
                              })
       .def_property_readonly("rules",
-                             [](const Parameter& p) {
+                             [](const ParameterRow& p) {
                                py::tuple names(p.sets.size());
                                for (std::size_t i = 0; i < p.sets.size(); ++i)
                                  names[i] = p.sets[i].rule;
                                return names;
                              })
-      .def("__repr__", [](const Parameter& p) {
+      .def_readonly("used", &ParameterRow::used,
+                    "Whether anything is computed from it; what is not is only what a program "
+                    "reads of it, as by PRM[].")
+      .def("__repr__", [](const ParameterRow& p) {
         return "<Parameter " + p.name + " = " + written(p.value) + ": " + p.meaning + ">";
       });
   py::class_<AlarmRow>(m, "AlarmEntry", py::is_final())
@@ -352,7 +359,7 @@ void add_controls(py::module_& m) {
                              [](const Control& c) {
                                py::dict rows;
                                for (const Parameter& p : c.parameters)
-                                 rows[py::str(p.name)] = py::cast(p);
+                                 rows[py::str(p.name)] = py::cast(ParameterRow{p, c.uses(p)});
                                return rows;
                              })
       .def_property_readonly("alarms",

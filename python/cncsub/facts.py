@@ -151,6 +151,7 @@ def control_facts(control: cncsub.Control) -> dict[str, Any]:
                 "value": parameter.value,
                 "meaning": parameter.meaning,
                 "rules": list(parameter.rules),
+                "used": parameter.used,
                 "source": parameter.source,
                 "evidence": parameter.evidence,
             }

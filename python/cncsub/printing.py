@@ -240,6 +240,12 @@ def print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
         console.print(Text.assemble((name.ljust(width), "cyan"), f"  {text}"))
 
 
+def _effect(parameter: cncsub.Parameter) -> str:
+    if parameter.rules:
+        return f"; sets {', '.join(parameter.rules)}"
+    return "" if parameter.used else "; nothing is computed from it"
+
+
 def print_control(console: Console, control: cncsub.Control) -> None:
     console.print(Text(f"{control.title} ({control.name})", style="bold"))
     rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
@@ -250,7 +256,7 @@ def print_control(console: Console, control: cncsub.Control) -> None:
     parameters = (
         (
             f"{p.name} = {p.value:g}",
-            "; sets ".join(filter(None, [p.meaning, ", ".join(p.rules)])),
+            p.meaning + _effect(p),
             p,
         )
         for p in control.parameters.values()
