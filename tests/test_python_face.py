@@ -296,7 +296,7 @@ def test_wrong_texts_and_names_are_told(library: cncsub.Library) -> None:
 
 def test_run_mdi_and_machine_take_the_same_options() -> None:
     taken = set(inspect.signature(cncsub.Library.run).parameters) - {"self", "main"}
-    from cncsub.library import ModeOptions, Options
+    from cncsub.run_options import ModeOptions, Options
 
     assert set(ModeOptions.__annotations__) == taken
     assert set(Options.__annotations__) == taken - {"mode"}

@@ -132,7 +132,7 @@ def told(change: cncsub.Change) -> str:
     return f"{where} #{change.variable}={'-' if change.value is None else f'{change.value:g}'}"
 
 
-@pytest.mark.parametrize("trace", cncsub.library.TRACES)
+@pytest.mark.parametrize("trace", cncsub.run_options.TRACES)
 @pytest.mark.parametrize("name", TABLE)
 def test_a_row_for_each_change(name: str, trace: str) -> None:
     of = TABLE[name]

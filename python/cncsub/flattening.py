@@ -12,9 +12,11 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.comparison import OtherControlPair, Pair, Parting
 from cncsub.controls import control_of
-from cncsub.library import Library, Options, loads
+from cncsub.library import Library
+from cncsub.loading import loads
 from cncsub.rows import Origin
 from cncsub.run import Run, Stop
+from cncsub.run_options import Options
 from cncsub.table import Table
 
 if TYPE_CHECKING:
