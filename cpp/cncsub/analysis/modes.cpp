@@ -36,13 +36,21 @@ enum Mode : std::uint8_t {
 constexpr int kModes = Macro + 1;
 // Modes of which nobody knows what is usual: parameters say it.
 constexpr bool has_no_usual(int mode) { return mode == Units || mode == Feed || mode == Surface; }
+// Modes that are never off: a caller that chose another one than the usual loses it by the usual.
+constexpr bool is_choice(int mode) {
+  return has_no_usual(mode) || mode == Distance || mode == Plane;
+}
 
+constexpr Modes of(int mode, Modes value) { return value << (kBits * mode); }
 constexpr Modes all(Modes value) {
   Modes modes = 0;
   for (int mode = 0; mode < kModes; ++mode) modes |= value << (kBits * mode);
   return modes;
 }
-constexpr Modes of(int mode, Modes value) { return value << (kBits * mode); }
+// What M70 and M73 keep. [LinuxCNC, M70]
+constexpr Modes kKept = of(Distance, kFound) | of(Plane, kFound) | of(Units, kFound) |
+                        of(Radius, kFound) | of(Length, kFound) | of(Work, kFound) |
+                        of(Feed, kFound) | of(Surface, kFound);
 constexpr Modes value(Modes modes, int mode) { return modes >> (kBits * mode) & kOne; }
 
 constexpr std::uint32_t kAxes =
@@ -140,6 +148,8 @@ class ModeCheck {
   Modes set_by(Meaning meaning, Group group) const;
   Modes set_by(int g, const Block& block) const;
   Modes after(Modes before, Address at) const;
+  void take_back(Modes& modes, const Block& block, bool sometimes) const;
+  bool keeps(const ProgramFlow& flow) const;
   std::vector<Modes> states(const ProgramFlow& flow) const;
   Modes leaves(const ProgramFlow& flow, const std::vector<Modes>& states) const;
   void settle();
@@ -167,6 +177,32 @@ Modes ModeCheck::set_by(int g, const Block& block) const {
   return set_by(code.meaning, code.group);
 }
 
+/// A computed code puts back what was found, as it is written to do: `G#3` behind `#3=#4003`; so
+/// does M72.
+void ModeCheck::take_back(Modes& modes, const Block& block, bool sometimes) const {
+  if (block.g_count != 0 && (block.flags & Block::kCodeExpression) != 0)
+    put(modes, all(kFound), sometimes);
+  if (block.m_count == 0) return;
+  const CodeList codes = c_.code.codes_of(block);
+  for (const int m : codes.m())
+    if (c_.code.control->calls.roles.value.of_m(m) == Role::RestoreModes)
+      put(modes, kKept, sometimes);
+}
+
+/// Whether a program keeps its modes by M73: its return takes them back in.
+bool ModeCheck::keeps(const ProgramFlow& flow) const {
+  const Roles& roles = c_.code.control->calls.roles.value;
+  if (!roles.code_of(Role::KeepModes)) return false;
+  for (Address at = flow.first(); at < flow.last(); ++at) {
+    const Block& block = c_.code.blocks[at];
+    if (block.op != Op::Words || block.m_count == 0) continue;
+    const CodeList codes = c_.code.codes_of(block);
+    for (const int m : codes.m())
+      if (roles.of_m(m) == Role::KeepModes) return true;
+  }
+  return false;
+}
+
 /// What is in force behind a block and what it calls.
 Modes ModeCheck::after(Modes before, Address at) const {
   const Block& block = c_.code.blocks[at];
@@ -178,6 +214,7 @@ Modes ModeCheck::after(Modes before, Address at) const {
       put(modes, set_by(Meaning::Line, Group::Motion), sometimes);
     if (plain) return;
     each_g(c_.code, each, [&](int g) { put(modes, set_by(g, each), sometimes); });
+    take_back(modes, each, sometimes);
     if (each.op == Op::ModalCall) put(modes, of(Macro, kOther), sometimes);
     if (each.op == Op::CancelModal) put(modes, of(Macro, kUsual), sometimes);
   });
@@ -221,6 +258,7 @@ Modes ModeCheck::leaves(const ProgramFlow& flow, const std::vector<Modes>& state
     left = (returned ? left : 0) | after(before, at);
     returned = true;
   }
+  if (keeps(flow)) put(left, kKept, false);
   return left;
 }
 
@@ -293,7 +331,7 @@ void ModeCheck::leaks(const ProgramFlow& flow) {
     if (before[edge.from - flow.first()] == 0) continue;
     const Modes own = after(before[edge.from - flow.first()], edge.from);
     for (int mode = 0; mode < kModes; ++mode) {
-      const Modes counts = has_no_usual(mode) ? kUsual | kOther | kSecond : kOther | kSecond;
+      const Modes counts = kOther | kSecond | (is_choice(mode) ? kUsual : 0);
       const Modes leak = value(left, mode) & counts & ~value(own, mode);
       if (leak == 0 || (value(own, mode) & kFound) != 0 || told.contains({edge.called, mode}))
         continue;

@@ -76,6 +76,7 @@ class TargetCheck {
  private:
   void jump(Address at, std::int64_t n, Address to, TextPlace place, Cause otherwise);
   void jump(Address at, const Operand& p);
+  Finding& into_loop(Address at, TextPlace place, Address end);
   void ambiguous(Address at, const Program& program, std::int64_t n, TextPlace place);
   void go_to(Address at, const Statement& go);
   void one_return(const ProgramFlow::ReturnTo& to);
@@ -103,12 +104,17 @@ void TargetCheck::jump(Address at, std::int64_t n, Address to, TextPlace place, 
   }
   if (n >= 0) ambiguous(at, program_, n, place);
   const Address end = loops_.entered(at, to);
-  if (end == kNowhere) return;
+  if (end != kNowhere) into_loop(at, place, end);
+}
+
+/// A jump or a return into a loop that ends in this block.
+Finding& TargetCheck::into_loop(Address at, TextPlace place, Address end) {
   Finding& into = c_.found(Check::IntoLoop, at, place,
                            "the loop ends in line " + std::to_string(c_.code.blocks[end].line));
   const Statement& statement = c_.code.statements[c_.code.blocks[end].aux];
   into.alarm = Fault{Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"};
   into.alarm_block = end;
+  return into;
 }
 
 void TargetCheck::jump(Address at, const Operand& p) {
@@ -172,12 +178,17 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
     if (told >= kToldCallers) break;
     if (!seen.insert(edge.caller).second) continue;
     const Program& caller = c_.program(edge.caller);
-    if (c_.code.return_target(caller, to.n, edge.from) == kNowhere) {
+    const Address found = c_.code.return_target(caller, to.n, edge.from);
+    if (found == kNowhere) {
       missing(caller).path = {edge.from};
       ++told;
-    } else {
-      ambiguous(to.from, caller, to.n, to.place);
+      continue;
     }
+    ambiguous(to.from, caller, to.n, to.place);
+    const Address end = Loops(c_.code, c_.flow(edge.caller)).entered(edge.from, found);
+    if (end == kNowhere) continue;
+    into_loop(to.from, to.place, end).path = {edge.from};
+    ++told;
   }
 }
 

@@ -1,6 +1,8 @@
 // Locals that are read without a value, arguments that nobody gives or nobody reads.
 #include <algorithm>
+#include <set>
 #include <string>
+#include <unordered_map>
 
 #include "cncsub/analysis/variable_use.hpp"
 
@@ -24,6 +26,8 @@ class VacantCheck {
   Vacant at_entry(const ProgramFlow& flow) const;
   std::vector<Vacant> vacant(const ProgramFlow& flow) const;
   void pass(const ProgramFlow& flow, Address at, Vacant& state) const;
+  void take_conditions(const ProgramFlow& flow);
+  bool is_lonely(Address at) const;
   void tell_vacant(const ProgramFlow& flow);
   void tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check);
   void tell_unread();
@@ -32,6 +36,7 @@ class VacantCheck {
   Checker& c_;
   const VariableUses& uses_;
   std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is looked at
+  std::unordered_map<std::int32_t, int> conditions_;  // how many of its conditions ask a variable
   bool computed_calls_ = false;
   Bits locals_;
 };
@@ -103,7 +108,31 @@ void VacantCheck::pass(const ProgramFlow& flow, Address at, Vacant& state) const
     set = ~Bits{0};
   state.always &= ~set;
   // A variable that is set only where a condition holds, and read where it holds again, has one.
+  if (is_lonely(at)) set &= uses_.of_program(flow.program()).again;
   state.sometimes &= ~set;
+}
+
+/// Whether a block sets something under a condition that no other block asks again.
+bool VacantCheck::is_lonely(Address at) const {
+  const VariableUse* own = uses_.of(at);
+  if (c_.code.blocks[at].op != Op::IfThen || own == nullptr || own->any) return false;
+  return std::all_of(own->reads.begin(), own->reads.end(), [&](std::int32_t number) {
+    const auto found = conditions_.find(number);
+    return found == conditions_.end() || found->second < 2;
+  });
+}
+
+void VacantCheck::take_conditions(const ProgramFlow& flow) {
+  conditions_.clear();
+  for (Address at = flow.first(); at < flow.last(); ++at) {
+    const Op op = c_.code.blocks[at].op;
+    const bool asks =
+        op == Op::IfThen || op == Op::IfGoto || op == Op::If || op == Op::While || op == Op::Goto;
+    const VariableUse* own = asks ? uses_.of(at) : nullptr;
+    if (own == nullptr) continue;
+    const std::set<std::int32_t> asked(own->reads.begin(), own->reads.end());
+    for (const std::int32_t number : asked) ++conditions_[number];
+  }
 }
 
 /// Which locals have no value before each block: on every way to it, on some way.
@@ -193,6 +222,7 @@ void VacantCheck::run() {
   for (const ProgramFlow& flow : c_.flows) {
     if (c_.inside(flow) || uses_.of_program(flow.program()).reads == 0) continue;
     calls_at_ = calls_by_block(flow);
+    take_conditions(flow);
     tell_vacant(flow);
   }
   tell_unread();

@@ -69,6 +69,7 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
   }
   LocalUse& own = programs_[static_cast<std::size_t>(flow.program())];
   own.reads |= use.read_locals;
+  own.again |= own.writes & use.written_locals;
   own.writes |= use.written_locals;
   own.any = own.any || use.any;
   if (use.tests) own.tested |= use.read_locals;
@@ -89,6 +90,7 @@ void VariableUses::share() {
       LocalUse& caller = programs_[static_cast<std::size_t>(edge.caller)];
       const LocalUse before = caller;
       caller.reads |= of.reads;
+      caller.again |= of.again | (caller.writes & of.writes);
       caller.writes |= of.writes;
       caller.tested |= of.tested;
       caller.any = caller.any || of.any;

@@ -26,6 +26,7 @@ struct VariableUse {
 /// What one program does with locals, with the subprograms that share them.
 struct LocalUse {
   Bits reads = 0, writes = 0, tested = 0;
+  Bits again = 0;    // of `writes`, those of more than one block
   bool any = false;  // any variable may be read or written
   bool operator==(const LocalUse&) const = default;
 };
