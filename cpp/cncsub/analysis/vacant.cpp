@@ -76,7 +76,7 @@ Bits VacantCheck::vacant_in(const CallEdge& edge) const {
 
 VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   const auto& callers = c_.callers[static_cast<std::size_t>(flow.program())];
-  Vacant entry{0, 0, true};
+  Vacant entry{uses_.named(), uses_.named(), true};
   if (callers.empty()) {
     // Nobody knows who calls a subprogram that is not called here.
     if (flow.ever_ends() || !flow.ever_returns()) entry = {locals_, locals_, true};
@@ -85,7 +85,7 @@ VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   if (computed_calls_ || flow.program() == c_.main) return entry;
   Bits always = locals_, sometimes = 0;
   for (const CallEdge& edge : callers) {
-    const Bits vacant = vacant_in(edge);
+    const Bits vacant = vacant_in(edge) | uses_.named();
     always &= vacant;
     sometimes |= vacant;
   }
@@ -100,12 +100,12 @@ void VacantCheck::pass(const ProgramFlow& flow, Address at, Vacant& state) const
   for (const CallEdge* edge : calls_at_[at - flow.first()]) {
     if (edge->macro) continue;
     const LocalUse& called = uses_.of_program(edge->called);
-    set |= called.any ? ~Bits{0} : called.writes;
+    set |= (called.any ? ~Bits{0} : called.writes) & ~uses_.named();
   }
   const Op op = c_.code.blocks[at].op;
   if (op == Op::Labelled || op == Op::Choose ||
       (calls_at_[at - flow.first()].empty() && calls_subprogram(c_.code, c_.code.blocks[at])))
-    set = ~Bits{0};
+    set |= ~uses_.named();
   state.always &= ~set;
   // A variable that is set only where a condition holds, and read where it holds again, has one.
   if (is_lonely(at)) set &= uses_.of_program(flow.program()).again;
@@ -148,7 +148,10 @@ std::vector<VacantCheck::Vacant> VacantCheck::vacant(const ProgramFlow& flow) co
     if (!old.reached || own.always != old.always || own.sometimes != old.sometimes)
       waiting.push_back(at);
   };
-  for (const Address entry : flow.entries()) reach(entry, {0, 0, true});
+  for (const Address entry : flow.entries()) {
+    const bool other = entry < flow.last() && c_.code.program_at(entry) != flow.program();
+    reach(entry, {other ? uses_.named() : 0, 0, true});
+  }
   reach(flow.first(), at_entry(flow));
   while (!waiting.empty()) {
     const Address at = waiting.back();
@@ -163,7 +166,7 @@ std::vector<VacantCheck::Vacant> VacantCheck::vacant(const ProgramFlow& flow) co
 void VacantCheck::tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check) {
   for (std::int32_t local = 1; local < kMostBits; ++local) {
     if ((locals >> local & 1) == 0) continue;
-    const std::string name = "#" + std::to_string(local);
+    const std::string name = uses_.name_of(local);
     Finding& found = c_.found(check, at, uses_.place_of(at, local),
                               check == Check::ArgumentMissing ? "no call gives " + name
                               : check == Check::Vacant        ? name + " has no value here"
@@ -184,9 +187,12 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow) {
     const Vacant& state = before[at - flow.first()];
     if (own == nullptr || !state.reached || own->read_locals == 0) continue;
     const Bits always = own->read_locals & state.always & ~told;
-    tell_vacant(flow, at, always, macro ? Check::ArgumentMissing : Check::Vacant);
+    const Bits arguments = macro ? always & ~uses_.named() : 0;
+    tell_vacant(flow, at, arguments, Check::ArgumentMissing);
+    tell_vacant(flow, at, always & ~arguments, Check::Vacant);
     told |= always;
-    const Bits sometimes = own->read_locals & ~own->word_locals & state.sometimes & ~told;
+    const Bits sometimes =
+        own->read_locals & ~own->word_locals & state.sometimes & ~told & ~uses_.named();
     tell_vacant(flow, at, sometimes, Check::MaybeVacant);
     told |= sometimes;
   }
