@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 import warnings
@@ -283,6 +285,41 @@ def test_a_process_of_our_own_that_is_killed_is_replaced(tmp_path: Path) -> None
 
     table = cncsub.run_many(paths(), CONTROL, jobs=2)
     assert table["status"].to_pylist() == ["ran"] * 800
+
+
+STARTS = """
+import sys
+from cncsub.archive_work import new_pool
+
+if __name__ == "__main__":
+    pool = new_pool(2)
+    [pool.submit(pow, 2, n).result() for n in range(8)]
+    print(*pool._processes, flush=True)
+    sys.stdin.read()
+"""
+
+
+def test_the_workers_of_a_process_that_is_killed_end_with_it(tmp_path: Path) -> None:
+    script = write(tmp_path, "starts.py", STARTS)
+    ends = subprocess.PIPE
+    with subprocess.Popen([sys.executable, script], stdin=ends, stdout=ends, text=True) as starting:
+        assert starting.stdout is not None
+        workers = [int(pid) for pid in starting.stdout.readline().split()]
+        starting.kill()
+    assert workers
+    until = time.monotonic() + 20
+    while any(is_running(pid) for pid in workers) and time.monotonic() < until:
+        time.sleep(0.05)
+    assert [pid for pid in workers if is_running(pid)] == []
+
+
+def is_running(pid: int) -> bool:
+    """Whether a process is there and has not ended."""
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
 
 
 def test_an_executor_that_is_broken_is_replaced(tmp_path: Path) -> None:

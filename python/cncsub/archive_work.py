@@ -199,6 +199,24 @@ def _ready() -> bool:
     return True
 
 
+def _end_with_parent() -> None:
+    """A worker ends with the process that started it, even where that is killed: nothing else would
+    tell it that no work comes any more.
+    """
+    import multiprocessing
+    import threading
+
+    parent = multiprocessing.parent_process()
+    if parent is None:
+        return
+
+    def wait() -> None:
+        parent.join()
+        os._exit(1)
+
+    threading.Thread(target=wait, daemon=True).start()
+
+
 def new_pool(workers: int) -> Executor:
     """Processes of our own. Spawned, because a fork of a process with threads may hang.
 
@@ -207,7 +225,8 @@ def new_pool(workers: int) -> Executor:
     import multiprocessing
     from concurrent.futures import ProcessPoolExecutor
 
-    pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
+    spawned = multiprocessing.get_context("spawn")
+    pool = ProcessPoolExecutor(workers, mp_context=spawned, initializer=_end_with_parent)
     try:
         pool.submit(_ready).result()
     except (BrokenExecutor, KeyboardInterrupt) as error:
