@@ -400,3 +400,34 @@ def test_the_command_tells_what_did_not_run(tmp_path: Path) -> None:
     assert '"cause": "program-not-found"' in lines.stdout
     wrong = CliRunner().invoke(app, ["batch", str(bad), "-c", "fanuc"])
     assert wrong.exit_code == 2
+
+
+def test_the_command_takes_from_the_project_what_no_command_needs_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project = 'control = "fanuc-0i-f"\nfolders = ["job"]\n[parameters]\n"6050" = 100\n'
+    write(tmp_path, "cncsub.toml", project)
+    write(tmp_path / "job", "O1.nc", "O1\nN10 G100\nN20 M30\nO9010\nN30 M99\n")
+    monkeypatch.chdir(tmp_path)
+    done = CliRunner().invoke(app, ["batch", "--jobs", "1"])
+    assert (done.exit_code, done.stdout) == (0, "       1 ran\n")
+    (tmp_path / "cncsub.toml").unlink()
+    done = CliRunner().invoke(app, ["batch", "-c", CONTROL])
+    assert (done.exit_code, "Name files or folders" in done.stderr) == (2, True)
+
+
+def test_the_command_checks_each_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    bad = write(tmp_path / "job", "O1.nc", "O1\nN10 M98 P9\nN20 G7.1 C1.\nN30 M30\n")
+    told = CliRunner().invoke(app, ["batch", "job", "-c", CONTROL, "--check", "--jobs", "1"])
+    assert told.exit_code == 1
+    assert "O1.nc:2: error CS201 program-missing: O9 is not in the memory" in told.stdout
+    write(tmp_path, "cncsub.toml", '[check]\nignore = ["CS2"]\n')
+    told = CliRunner().invoke(app, ["batch", "job", "-c", CONTROL, "--check", "--jobs", "1"])
+    assert (told.exit_code, told.stdout) == (0, "       1 note\n")
+    write(tmp_path, "cncsub.toml", '[check.severity]\nCS105 = "error"\n')
+    told = CliRunner().invoke(app, ["batch", "job", "-c", CONTROL, "--check", "--jobs", "1"])
+    assert (told.exit_code, "error CS105" in told.stdout) == (1, True)
+    bad.write_text(good(1))
+    told = CliRunner().invoke(app, ["batch", "job", "-c", CONTROL, "--check", "--jobs", "1"])
+    assert (told.exit_code, told.stdout) == (0, "nothing found\n")
