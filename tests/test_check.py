@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 import cncsub
 from cncsub.checking import RULES, CheckRule
 from cncsub.cli import app
-from cncsub.findings import finding_facts, github_annotations, junit, sarif
+from cncsub.findings import Mended, finding_facts, github_annotations, junit, sarif
 
 sys.path.insert(0, str(Path(__file__).with_name("conformance")))
 from cncsub.testing import outcome
@@ -592,6 +592,15 @@ def test_junit_and_annotations() -> None:
     )
 
 
+def test_notes_alone_are_no_failure_of_junit() -> None:
+    note = cncsub.loads("O1\nN10 G7.1 C1.\nN20 M30\n", control=MILL, name="a.nc").check()
+    suite = ElementTree.fromstring(junit(note, ["a.nc"]))
+    assert (suite.get("failures"), suite.find("testcase/failure")) == ("0", None)
+    told = suite.findtext("testcase/system-out")
+    assert told is not None
+    assert told.startswith("note CS105 not-computed")
+
+
 def command(*words: str, folder: Path | None = None) -> tuple[int, str]:
     done = CliRunner().invoke(app, list(words))
     return done.exit_code, done.output
@@ -613,6 +622,33 @@ def test_the_command_tells_and_its_status_says_whether(part: Path) -> None:
     assert command("check", "part.nc", "-c", MILL, "--ignore", "CS303", "--ignore", "CS7")[0] == 0
     status, output = command("check", "part.nc", "-c", MILL, "--rule", "CS999")
     assert (status, output.startswith("cncsub: check has no rule 'CS999'")) == (2, True)
+
+
+def test_files_are_checked_apart_with_what_they_call(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for place, name, text in (
+        ("a", "main.nc", "O1\nN10 M98 P2\nN20 M30\n"),
+        ("a", "O2.nc", "O2\nN30 M98 P9\nN40 M99\n"),
+        ("b", "main.nc", "O1\nN10 G4 P1\nN20 M30\n"),
+    ):
+        Path(place).mkdir(exist_ok=True)
+        Path(place, name).write_text(text)
+    files = [str(Path(place, "main.nc")) for place in "ab"]
+    status, told = command("check", *files, "-c", MILL)
+    assert (status, "program-missing" in told, "duplicate-program" in told) == (1, True, True)
+    status, told = command("check", "--apart", *files, *files, "-c", MILL)
+    assert (status, told) == (0, "checked: 3 programs on FANUC Series 0i-F: nothing found\n")
+    status, told = command("check", "--apart", str(Path("a", "O2.nc")), "-c", MILL)
+    assert (status, "O9 is not in the memory" in told) == (1, True)
+
+
+def test_a_finding_whose_edit_fits_no_more_is_left() -> None:
+    text = "O1\nN10 g0 x1. (x1.)\nN20 M30\n"
+    (small,) = cncsub.loads(text, control=MILL, name=__file__).check(rules=["CS803"])
+    mended = Mended([small])
+    assert (mended.left, mended.mends(small), mended.diff()) == (1, False, "")
 
 
 def test_certain_edits_are_shown_and_written(part: Path) -> None:
