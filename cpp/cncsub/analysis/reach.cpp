@@ -34,19 +34,8 @@ bool cuts_profile(const Checker& c, const Block& block) {
   return cuts;
 }
 
-/// What may not stand in the profile of a cycle, wherever that is reached.
-void refuse_in_profile(Checker& c, Address first, Address last) {
-  for (Address at = first; at <= last; ++at) {
-    const Block& block = c.code.blocks[at];
-    if (block.op == Op::Call || block.op == Op::MacroCall || block.op == Op::ModalCall)
-      c.refused(Check::Refused, at,
-                {Cause::ProfileCall, block.text, 1, "a call inside the blocks of the profile"});
-  }
-}
-
 /// The profile that a cycle cuts: from the block of P, the nearest behind the cycle, to that of Q.
-void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<bool>& seen,
-                  std::vector<bool>& reached) {
+void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<bool>& inside) {
   const Program& program = c.program(flow.program());
   const Block& block = c.code.blocks[at];
   const std::int64_t p = written(c.code, block, 'P'), q = written(c.code, block, 'Q');
@@ -60,20 +49,30 @@ void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<b
                 .address = from == kNowhere ? 'P' : 'Q'};
     c.refused(Check::TargetMissing, at, std::move(fault));
   }
-  if (from == kNowhere || to == kNowhere || to < from || seen[to - flow.first()]) return;
-  seen[to - flow.first()] = true;
-  refuse_in_profile(c, from, to);
-  std::fill(reached.begin() + (from - flow.first()), reached.begin() + (to - flow.first()) + 1,
-            true);
+  if (from == kNowhere || to == kNowhere || to < from) return;
+  const std::size_t first = from - flow.first(), last = to - flow.first();
+  if (inside[first] && inside[last]) return;
+  std::fill(inside.begin() + static_cast<std::ptrdiff_t>(first),
+            inside.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
 }
 
-/// The profile that a cycle cuts is executed by the cycle, wherever it stands; it must be there.
+/// The profile that a cycle cuts is executed by the cycle, wherever it stands; it must be there, and
+/// nothing in it calls.
 void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reached) {
-  std::vector<bool> seen;
+  std::vector<bool> inside;
   for (Address at = flow.first(); at < flow.last(); ++at) {
     if (!cuts_profile(c, c.code.blocks[at])) continue;
-    seen.resize(flow.size(), false);
-    mark_profile(c, flow, at, seen, reached);
+    inside.resize(flow.size(), false);
+    mark_profile(c, flow, at, inside);
+  }
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    if (!inside[i]) continue;
+    reached[i] = true;
+    const Address at = flow.first() + static_cast<Address>(i);
+    const Block& block = c.code.blocks[at];
+    if (is_call(block.op))
+      c.refused(Check::Refused, at,
+                {Cause::ProfileCall, block.text, 1, "a call inside the blocks of the profile"});
   }
 }
 

@@ -1,5 +1,6 @@
 // Where calls, jumps and returns lead.
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -65,10 +66,29 @@ class Loops {
   std::vector<Loop> loops_;
 };
 
+/// Those of all programs, each looked for once.
+class AllLoops {
+ public:
+  explicit AllLoops(const Checker& c) : c_(c), all_(c.flows.size()) {}
+  const Loops& of(std::int32_t program) {
+    auto& known = all_[static_cast<std::size_t>(program)];
+    if (!known) known.emplace(c_.code, c_.flow(program));
+    return *known;
+  }
+
+ private:
+  const Checker& c_;
+  std::vector<std::optional<Loops>> all_;
+};
+
 class TargetCheck {
  public:
-  TargetCheck(Checker& c, const ProgramFlow& flow)
-      : c_(c), flow_(flow), program_(c.program(flow.program())), loops_(c.code, flow) {}
+  TargetCheck(Checker& c, const ProgramFlow& flow, AllLoops& all)
+      : c_(c),
+        flow_(flow),
+        program_(c.program(flow.program())),
+        loops_(all.of(flow.program())),
+        all_(all) {}
 
   void block(Address at, const Block& block);
   void returns();
@@ -84,7 +104,8 @@ class TargetCheck {
   Checker& c_;
   const ProgramFlow& flow_;
   const Program& program_;
-  Loops loops_;
+  const Loops& loops_;
+  AllLoops& all_;
   std::set<std::pair<std::int32_t, std::int64_t>> told_;
 };
 
@@ -185,7 +206,7 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
       continue;
     }
     ambiguous(to.from, caller, to.n, to.place);
-    const Address end = Loops(c_.code, c_.flow(edge.caller)).entered(edge.from, found);
+    const Address end = all_.of(edge.caller).entered(edge.from, found);
     if (end == kNowhere) continue;
     into_loop(to.from, to.place, end).path = {edge.from};
     ++told;
@@ -206,9 +227,10 @@ void TargetCheck::returns() {
 }  // namespace
 
 void check_targets(Checker& c) {
+  AllLoops loops(c);
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
-    TargetCheck targets(c, flow);
+    TargetCheck targets(c, flow, loops);
     for (Address at = flow.first(); at < flow.last(); ++at)
       each_variant(c.code, c.code.blocks[at],
                    [&](const Block& block) { targets.block(at, block); });
