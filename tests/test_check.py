@@ -87,6 +87,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a variable only to be read": ("", "O1\nN10 #5021=1\n" + END, "CS104 N10"),
     "a common that is not fitted": ("fanuc-16i", "O1\nN10 #200=1\n" + END, "CS104 N10"),
     "moves that are not computed": ("", "O1\nN10 G7.1 C1.\n" + END, "CS105 N10"),
+    "statements that are not computed": ("siemens-one", "N10 FOR R2=1 TO 3\nN20 G0 X=R2\nN30 ENDFOR\nN40 M30\n", "CS105 N10, CS105 N30"),
     # Where calls and jumps lead
     "a program that is missing": ("", "O1\nN10 M98 P9\nN20 G65 P8\n" + END, "CS201 N10, CS201 N20"),
     "a computed program may be there": ("", "O1\nN10 M98 P#500\n" + END, ""),

@@ -70,9 +70,10 @@ void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reach
     reached[i] = true;
     const Address at = flow.first() + static_cast<Address>(i);
     const Block& block = c.code.blocks[at];
-    if (is_call(block.op))
-      c.refused(Check::Refused, at,
-                {Cause::ProfileCall, block.text, 1, "a call inside the blocks of the profile"});
+    if (!is_call(block.op)) continue;
+    const CallRecord& call = c.code.calls[block.aux];
+    c.refused(Check::Refused, at,
+              {Cause::ProfileCall, call.at, call.width, "a call inside the blocks of the profile"});
   }
 }
 

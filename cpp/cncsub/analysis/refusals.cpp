@@ -106,6 +106,7 @@ void check_fault(Checker& c, Address at, const Program& program, const Fault& fa
   Check check = Check::Refused;
   if (fault.cause == Cause::JumpTargetNotFound) check = Check::TargetMissing;
   if (is_of_loops(fault.cause)) check = Check::LoopUnclosed;
+  if (fault.cause == Cause::CodeNotComputed) check = Check::NotComputed;
   if (lacks_then(c.code, program, fault)) check = Check::IfWithoutThen;
   c.refused(check, at, fault);
 }
