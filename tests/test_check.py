@@ -88,6 +88,10 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a common that is not fitted": ("fanuc-16i", "O1\nN10 #200=1\n" + END, "CS104 N10"),
     "moves that are not computed": ("", "O1\nN10 G7.1 C1.\n" + END, "CS105 N10"),
     "statements that are not computed": ("siemens-one", "N10 FOR R2=1 TO 3\nN20 G0 X=R2\nN30 ENDFOR\nN40 M30\n", "CS105 N10, CS105 N30"),
+    "an arc without a centre": ("haas-ngc", "O1\nN10 G2 X1. F9.\nN20 G3 G17 X1. Y2. F9.\n" + END, "CS101 N10, CS101 N20"),
+    "an arc without a centre that is a line": ("", "O1\nN10 G2 X1. F9.\n" + END, ""),
+    "arcs with a centre, and G2 alone": ("haas-ngc", "O1\nN10 G2 F9.\nN20 X1. R5.\nN30 G2 X2. J1.\n" + END, ""),
+    "an arc by a radius in words": ("siemens-one", "N10 G2 X10 CR=5 F100\nN20 M30\n", ""),
     # Where calls and jumps lead
     "a program that is missing": ("", "O1\nN10 M98 P9\nN20 G65 P8\n" + END, "CS201 N10, CS201 N20"),
     "a computed program may be there": ("", "O1\nN10 M98 P#500\n" + END, ""),
@@ -238,6 +242,9 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a label means something in its subprogram": (
         "linuxcnc", "o100 sub\no1 if [#1]\ng0 x1\no1 endif\no100 endsub\no1 if [0]\no1 endif\no100 call [1]\nm2\n", ""),
     "a subprogram behind the end of the main program": ("linuxcnc", "g0 x0\no100 call\nm2\no100 sub\ng0 x1\no100 endsub\n", ""),
+    "a subprogram that another label ends": (
+        "linuxcnc", "o1 sub\ng0 x1\no2 endsub\no1 call\nm2\n", "CS207 :1, CS207 :3"),
+    "a subprogram without its end": ("linuxcnc", "o1 sub\ng0 x1\no2 sub\no2 endsub\no1 call\no2 call\nm2\n", "CS207 :1"),
     "two subprograms of a label": ("linuxcnc", "o100 sub\no100 endsub\no100 sub\ng0 x1\no100 endsub\nm2\n", "CS205 :3"),
     "a jump to a label that is nowhere": ("siemens-one", "N10 GOTOF LAB\nN20 M30\n", "CS202 N10"),
     # Modes that are put back, and modes of the caller's own
@@ -259,7 +266,12 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "", "O1\nN10 G18 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G17 X1.\nN50 M99\n", "CS501 N20"),
     "what the caller had on may be switched off": (
         "", "O1\nN10 G81 X0 Z-1. R1. F9\nN20 M98 P2\nN30 X5.\nN40 G80\n" + END + "O2\nN50 G80 X1.\nN60 M99\n", ""),
+    "a mode that leaks around a loop": (
+        "", "O1\nN5 #1=0\nN10 WHILE[#1 LT 2]DO1\nN15 G0 X5.\nN20 M98 P2\nN25 #1=#1+1\nN30 END1\n" + END + "O2\nN50 G91 X1.\nN60 M99\n", "CS501 N20"),
+    "a mode that each pass of a loop chooses": (
+        "", "O1\nN5 #1=0\nN10 WHILE[#1 LT 2]DO1\nN15 G90 G0 X5.\nN20 M98 P2\nN25 #1=#1+1\nN30 END1\n" + END + "O2\nN50 G91 X1.\nN60 M99\n", ""),
     # Returns into loops, calls in profiles
+    "M99 P of a main program to a number that two blocks have": ("", "O1\nN10 G0 X1.\nN10 G0 X2.\nN20 M99 P10\n", "CS204 N20"),
     "M99 P into a loop of the caller": (
         "", "O1\nN10 M98 P2\nN15 #1=0\nN20 WHILE[#1 LT 3]DO1\nN30 G4 P1\nN35 #1=#1+1\nN40 END1\n" + END + "O2\nN60 M99 P30\n", "CS602 N35, CS206 N60"),
     "M99 P inside the loop that calls": (

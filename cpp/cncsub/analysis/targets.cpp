@@ -189,8 +189,11 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
   const auto& callers = c_.callers[static_cast<std::size_t>(flow_.program())];
   if (callers.empty()) {
     const bool over = c_.code.control->calls.main_return.value == MainReturn::Restarts;
-    if (over && c_.code.first_of(program_, to.n) == kNowhere && flow_.program() == c_.main)
+    if (!over || flow_.program() != c_.main) return;
+    if (c_.code.first_of(program_, to.n) == kNowhere)
       missing(program_);
+    else
+      ambiguous(to.from, program_, to.n, to.place);
     return;
   }
   std::set<std::int32_t> seen;
