@@ -47,9 +47,7 @@ Rules = Annotated[
 Ignore = Annotated[list[str] | None, typer.Option("--ignore", help="Leave this rule out.")]
 Apart = Annotated[
     bool,
-    typer.Option(
-        "--apart", help="Check each file by itself, with those beside it that it calls."
-    ),
+    typer.Option("--apart", help="Check each file by itself, with those beside it that it calls."),
 ]
 Fix = Annotated[bool, typer.Option("--fix", help="Mend what is certain, in the files.")]
 Diff = Annotated[bool, typer.Option("--diff", help="Print what --fix would change.")]
@@ -152,9 +150,7 @@ def _write(
 _COLOURS = {"error": "bold red", "warning": "yellow", "note": "cyan"}
 
 
-def _print(
-    console: Console, found: Sequence[Finding], libraries: Sequence[cncsub.Library]
-) -> None:
+def _print(console: Console, found: Sequence[Finding], libraries: Sequence[cncsub.Library]) -> None:
     for finding in found:
         severity, rest = str(finding).split(" ", 1)
         lines = "\n".join(shown(line) for line in rest.split("\n"))

@@ -41,7 +41,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         "--cncsub-cov-fail-under", type=float, metavar="PERCENT", help="Fail below so many percent."
     )
     for name, what in _REPORTS.items():
-        group.addoption(f"--cncsub-cov-{name}", metavar="FILE", help=f"Write the coverage as {what}.")
+        group.addoption(
+            f"--cncsub-cov-{name}", metavar="FILE", help=f"Write the coverage as {what}."
+        )
     parser.addini("cncsub_control", "The controls of the fixture cnc.", type="args", default=[])
 
 

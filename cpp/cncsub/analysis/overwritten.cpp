@@ -90,8 +90,7 @@ const Numbers& OverwrittenCheck::scratch(std::int32_t program) {
     const Numbers both = some_of(all, first);
     const Bits handed = handed_over(flow, both);
     for (std::size_t i = 0; i < both.size(); ++i)
-      if ((handed >> i & 1) == 0 ||
-          (uses_.is_local(both[i]) && is_argument(program, both[i])))
+      if ((handed >> i & 1) == 0 || (uses_.is_local(both[i]) && is_argument(program, both[i])))
         known->push_back(both[i]);
   }
   return *known;

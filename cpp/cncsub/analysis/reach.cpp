@@ -41,8 +41,8 @@ void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<b
   const std::int64_t p = written(c.code, block, 'P'), q = written(c.code, block, 'Q');
   Address from = c.code.next_of(program, p, at);
   if (from == kNowhere) from = c.code.first_of(program, p);
-  const Address to = from == kNowhere ? c.code.first_of(program, q)
-                                      : c.code.first_from(program, q, from);
+  const Address to =
+      from == kNowhere ? c.code.first_of(program, q) : c.code.first_from(program, q, from);
   if ((p >= 0 && from == kNowhere) || (q >= 0 && to == kNowhere)) {
     Fault fault{.cause = Cause::PqNotFound,
                 .detail = c.code.no_block(from == kNowhere ? p : q, program),
@@ -56,8 +56,8 @@ void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<b
             inside.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
 }
 
-/// The profile that a cycle cuts is executed by the cycle, wherever it stands; it must be there, and
-/// nothing in it calls.
+/// The profile that a cycle cuts is executed by the cycle, wherever it stands; it must be there,
+/// and nothing in it calls.
 void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reached) {
   std::vector<bool> inside;
   for (Address at = flow.first(); at < flow.last(); ++at) {

@@ -127,7 +127,8 @@ void check_arc(Checker& c, Address at, const Block& block) {
                                 code.group != Group::Cycle));
   });
   if (arc >= 0 && alone)
-    c.refused(Check::Refused, at, {.cause = Cause::NoRadius, .detail = {}, .address = 'G', .code = arc});
+    c.refused(Check::Refused, at,
+              {.cause = Cause::NoRadius, .detail = {}, .address = 'G', .code = arc});
 }
 
 void check_block(Checker& c, Address at, std::int32_t program) {

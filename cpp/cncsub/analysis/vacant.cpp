@@ -36,7 +36,7 @@ class VacantCheck {
   Checker& c_;
   const VariableUses& uses_;
   std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is looked at
-  std::unordered_map<std::int32_t, int> conditions_;  // how many of its conditions ask a variable
+  std::unordered_map<std::int32_t, int> conditions_;    // how many of its conditions ask a variable
   bool computed_calls_ = false;
   Bits locals_;
 };
