@@ -123,6 +123,15 @@ def test_each_says_what_one_run_loads(tmp_path: Path, here: Executor) -> None:
     assert statuses("folder") == ["ran"]
 
 
+def test_a_bad_file_of_a_folder_is_told_in_its_row(tmp_path: Path, here: Executor) -> None:
+    write(tmp_path, "O1.nc", "O1\nN10 M30\n")
+    write(tmp_path, "O2.nc", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR")
+    (ran,) = cncsub.run_many(tmp_path, CONTROL, executor=here, each="folder").to_pylist()
+    assert (ran["status"], ran["error"]) == ("ran", f"{tmp_path / 'O2.nc'}: not a text")
+    (bad,) = cncsub.check_many(tmp_path, CONTROL, executor=here, each="folder").to_pylist()
+    assert (bad["status"], bad["error"]) == ("unreadable", f"{tmp_path / 'O2.nc'}: not a text")
+
+
 def test_wrong_options_are_told_before_anything_is_run(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="max_blocks is at least 0"):
         cncsub.run_many(tmp_path, CONTROL, max_blocks=-1)
