@@ -98,6 +98,8 @@ def test_the_preferred_file_counts_and_the_main_program_stays(job: Path, folder:
 def test_a_preferred_file_is_one_that_is_read(job: Path) -> None:
     with pytest.raises(ValueError, match=r"elsewhere\.nc, which is not among the files"):
         cncsub.load(job, control=CONTROL, prefer=[job / "elsewhere.nc"])
+    with pytest.raises(ValueError, match=r"; there is \S*a\Wo9001\.nc, \S*macros\Wo9001\.nc$"):
+        cncsub.load(job, control=CONTROL, prefer="o9001.nc")
 
 
 # ---- the command ----

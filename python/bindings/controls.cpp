@@ -14,6 +14,18 @@ namespace cncsub::bindings {
 
 namespace {
 
+constexpr const char* kWithParameters = R"(with_parameters(parameters)
+
+The control with parameters of its own changed: a mapping of number, or number and bit, to value.
+
+Raises `ValueError` for a parameter that it does not have, and names what is near.
+
+>>> import cncsub
+>>> control = cncsub.controls["fanuc-0i-f"].with_parameters({"6050": 70, "6001#5": 1})
+>>> control.parameters["6050"].value
+70.0
+)";
+
 constexpr const char* kReplace = R"(replace(**rules)
 
 The control with rules changed, by the names `control.rules` shows.
@@ -318,6 +330,9 @@ void add_controls(py::module_& m) {
         return "<VariableOption " + v.option.name + ": " + numbers_of(v.option) +
                (v.fitted ? ", fitted>" : ">");
       });
+  // Python writes no signature above these docstrings, which begin with their own.
+  py::options plain;
+  plain.disable_function_signatures();
   py::class_<Control, std::shared_ptr<Control>>(m, "Control", py::is_final())
       .def_readonly("name", &Control::name)
       .def_readonly("title", &Control::title)
@@ -374,8 +389,7 @@ void add_controls(py::module_& m) {
               throw py::type_error("with_parameters takes one mapping, such as {'6050': 70}");
             return with_parameters(c, by_name ? py::object(named["parameters"]) : args[0]);
           },
-          "with_parameters(parameters)\n\nThe control with parameters of its own changed, such as "
-          "{'6050': 70, '6001#5': 1}.\nRaises `ValueError` for a parameter that it does not have.")
+          kWithParameters)
       .def(
           "replace",
           [](const Control& c, const py::args& args, const py::kwargs& changes) {
