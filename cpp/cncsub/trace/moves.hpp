@@ -97,7 +97,7 @@ class Moves {
                        const std::array<double, 3>& tip = {}) {
     // Nearly always as before, bit by bit.
     if (same_bits(last_.state, state) && same_bits(last_.offset, offset) &&
-        same_bits(last_.tip, tip) && states_.size() > 0)
+        same_bits(last_.tip, tip) && !states_.empty())
       return last_.number;
     return last_.number = add_state(last_ = {state, offset, tip, 0});
   }
