@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 import warnings
@@ -119,6 +121,15 @@ def test_each_says_what_one_run_loads(tmp_path: Path, here: Executor) -> None:
     assert statuses("file") == ["alarm", "cycles"]
     assert statuses("beside") == ["ran", "cycles"]
     assert statuses("folder") == ["ran"]
+
+
+def test_a_bad_file_of_a_folder_is_told_in_its_row(tmp_path: Path, here: Executor) -> None:
+    write(tmp_path, "O1.nc", "O1\nN10 M30\n")
+    write(tmp_path, "O2.nc", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR")
+    (ran,) = cncsub.run_many(tmp_path, CONTROL, executor=here, each="folder").to_pylist()
+    assert (ran["status"], ran["error"]) == ("ran", f"{tmp_path / 'O2.nc'}: not a text")
+    (bad,) = cncsub.check_many(tmp_path, CONTROL, executor=here, each="folder").to_pylist()
+    assert (bad["status"], bad["error"]) == ("unreadable", f"{tmp_path / 'O2.nc'}: not a text")
 
 
 def test_wrong_options_are_told_before_anything_is_run(tmp_path: Path) -> None:
@@ -285,6 +296,41 @@ def test_a_process_of_our_own_that_is_killed_is_replaced(tmp_path: Path) -> None
     assert table["status"].to_pylist() == ["ran"] * 800
 
 
+STARTS = """
+import sys
+from cncsub.archive_work import new_pool
+
+if __name__ == "__main__":
+    pool = new_pool(2)
+    [pool.submit(pow, 2, n).result() for n in range(8)]
+    print(*pool._processes, flush=True)
+    sys.stdin.read()
+"""
+
+
+def test_the_workers_of_a_process_that_is_killed_end_with_it(tmp_path: Path) -> None:
+    script = write(tmp_path, "starts.py", STARTS)
+    ends = subprocess.PIPE
+    with subprocess.Popen([sys.executable, script], stdin=ends, stdout=ends, text=True) as starting:
+        assert starting.stdout is not None
+        workers = [int(pid) for pid in starting.stdout.readline().split()]
+        starting.kill()
+    assert workers
+    until = time.monotonic() + 20
+    while any(is_running(pid) for pid in workers) and time.monotonic() < until:
+        time.sleep(0.05)
+    assert [pid for pid in workers if is_running(pid)] == []
+
+
+def is_running(pid: int) -> bool:
+    """Whether a process is there and has not ended."""
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
+
+
 def test_an_executor_that_is_broken_is_replaced(tmp_path: Path) -> None:
     archive(tmp_path, 20)
     pool = ProcessPoolExecutor(1, mp_context=get_context("spawn"))
@@ -363,3 +409,34 @@ def test_the_command_tells_what_did_not_run(tmp_path: Path) -> None:
     assert '"cause": "program-not-found"' in lines.stdout
     wrong = CliRunner().invoke(app, ["batch", str(bad), "-c", "fanuc"])
     assert wrong.exit_code == 2
+
+
+def test_the_command_takes_from_the_project_what_no_command_needs_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project = 'control = "fanuc-0i-f"\nfolders = ["job"]\n[parameters]\n"6050" = 100\n'
+    write(tmp_path, "cncsub.toml", project)
+    write(tmp_path / "job", "O1.nc", "O1\nN10 G100\nN20 M30\nO9010\nN30 M99\n")
+    monkeypatch.chdir(tmp_path)
+    done = CliRunner().invoke(app, ["batch", "--jobs", "1"])
+    assert (done.exit_code, done.stdout) == (0, "       1 ran\n")
+    (tmp_path / "cncsub.toml").unlink()
+    done = CliRunner().invoke(app, ["batch", "-c", CONTROL])
+    assert (done.exit_code, "Name files or folders" in done.stderr) == (2, True)
+
+
+def test_the_command_checks_each_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    bad = write(tmp_path / "job", "O1.nc", "O1\nN10 M98 P9\nN20 G7.1 C1.\nN30 M30\n")
+    told = CliRunner().invoke(app, ["batch", "job", "-c", CONTROL, "--check", "--jobs", "1"])
+    assert told.exit_code == 1
+    assert "O1.nc:2: error CS201 program-missing: O9 is not in the memory" in told.stdout
+    write(tmp_path, "cncsub.toml", '[check]\nignore = ["CS2"]\n')
+    told = CliRunner().invoke(app, ["batch", "job", "-c", CONTROL, "--check", "--jobs", "1"])
+    assert (told.exit_code, told.stdout) == (0, "       1 note\n")
+    write(tmp_path, "cncsub.toml", '[check.severity]\nCS105 = "error"\n')
+    told = CliRunner().invoke(app, ["batch", "job", "-c", CONTROL, "--check", "--jobs", "1"])
+    assert (told.exit_code, "error CS105" in told.stdout) == (1, True)
+    bad.write_text(good(1))
+    told = CliRunner().invoke(app, ["batch", "job", "-c", CONTROL, "--check", "--jobs", "1"])
+    assert (told.exit_code, told.stdout) == (0, "nothing found\n")

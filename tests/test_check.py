@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 import cncsub
 from cncsub.checking import RULES, CheckRule
 from cncsub.cli import app
-from cncsub.findings import finding_facts, github_annotations, junit, sarif
+from cncsub.findings import Mended, finding_facts, github_annotations, junit, sarif
 
 sys.path.insert(0, str(Path(__file__).with_name("conformance")))
 from cncsub.testing import outcome
@@ -87,6 +87,11 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a variable only to be read": ("", "O1\nN10 #5021=1\n" + END, "CS104 N10"),
     "a common that is not fitted": ("fanuc-16i", "O1\nN10 #200=1\n" + END, "CS104 N10"),
     "moves that are not computed": ("", "O1\nN10 G7.1 C1.\n" + END, "CS105 N10"),
+    "statements that are not computed": ("siemens-one", "N10 FOR R2=1 TO 3\nN20 G0 X=R2\nN30 ENDFOR\nN40 M30\n", "CS105 N10, CS105 N30"),
+    "an arc without a centre": ("haas-ngc", "O1\nN10 G2 X1. F9.\nN20 G3 G17 X1. Y2. F9.\n" + END, "CS101 N10, CS101 N20"),
+    "an arc without a centre that is a line": ("", "O1\nN10 G2 X1. F9.\n" + END, ""),
+    "arcs with a centre, and G2 alone": ("haas-ngc", "O1\nN10 G2 F9.\nN20 X1. R5.\nN30 G2 X2. J1.\n" + END, ""),
+    "an arc by a radius in words": ("siemens-one", "N10 G2 X10 CR=5 F100\nN20 M30\n", ""),
     # Where calls and jumps lead
     "a program that is missing": ("", "O1\nN10 M98 P9\nN20 G65 P8\n" + END, "CS201 N10, CS201 N20"),
     "a computed program may be there": ("", "O1\nN10 M98 P#500\n" + END, ""),
@@ -237,8 +242,77 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a label means something in its subprogram": (
         "linuxcnc", "o100 sub\no1 if [#1]\ng0 x1\no1 endif\no100 endsub\no1 if [0]\no1 endif\no100 call [1]\nm2\n", ""),
     "a subprogram behind the end of the main program": ("linuxcnc", "g0 x0\no100 call\nm2\no100 sub\ng0 x1\no100 endsub\n", ""),
+    "a subprogram that another label ends": (
+        "linuxcnc", "o1 sub\ng0 x1\no2 endsub\no1 call\nm2\n", "CS207 :1, CS207 :3"),
+    "a subprogram without its end": ("linuxcnc", "o1 sub\ng0 x1\no2 sub\no2 endsub\no1 call\no2 call\nm2\n", "CS207 :1"),
     "two subprograms of a label": ("linuxcnc", "o100 sub\no100 endsub\no100 sub\ng0 x1\no100 endsub\nm2\n", "CS205 :3"),
     "a jump to a label that is nowhere": ("siemens-one", "N10 GOTOF LAB\nN20 M30\n", "CS202 N10"),
+    # Modes that are put back, and modes of the caller's own
+    "a mode that a computed code puts back": (
+        "", "O1\nN10 G90 G0 X0\nN20 G65 P2\nN30 X5.\n" + END + "O2\nN40 #33=#4003\nN50 G91 X1.\nN60 G#33\nN70 M99\n", ""),
+    "a mode that the caller puts back by a computed code": (
+        "", "O1\nN10 G90 G0 X0\nN15 #33=#4003\nN20 M98 P2\nN25 G#33\nN30 X5.\n" + END + "O2\nN50 G91 X1.\nN70 M99\n", ""),
+    "modes that M73 keeps": (
+        "linuxcnc", "o<a> sub\nM73\ng91 g0 x1\no<a> endsub\nN10 g90 g0 x0\nN20 o<a> call\nN30 g1 x10 f100\nN40 m2\n", ""),
+    "modes that M72 takes back": (
+        "linuxcnc", "o<a> sub\nM70\ng91 g0 x1\nM72\no<a> endsub\nN10 g90 g0 x0\nN20 o<a> call\nN30 g1 x10 f100\nN40 m2\n", ""),
+    "a cycle is none of the modes that M73 keeps": (
+        "linuxcnc", "o<a> sub\nM73\ng81 x1 z-1 r1 f100\no<a> endsub\nN10 g90 g0 x0\nN20 o<a> call\nN30 x10\nN40 m2\n", "CS501 N20"),
+    "G90 that is left on where the caller has chosen G91": (
+        "", "O1\nN10 G91 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G90 X1.\nN50 M99\n", "CS501 N20"),
+    "G90 that is left on where the caller says G91 again": (
+        "", "O1\nN10 G91 G0 X0\nN20 M98 P2\nN30 G91 X5.\n" + END + "O2\nN40 G90 X1.\nN50 M99\n", ""),
+    "G17 that is left on where the caller has chosen G18": (
+        "", "O1\nN10 G18 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G17 X1.\nN50 M99\n", "CS501 N20"),
+    "what the caller had on may be switched off": (
+        "", "O1\nN10 G81 X0 Z-1. R1. F9\nN20 M98 P2\nN30 X5.\nN40 G80\n" + END + "O2\nN50 G80 X1.\nN60 M99\n", ""),
+    "a mode that leaks around a loop": (
+        "", "O1\nN5 #1=0\nN10 WHILE[#1 LT 2]DO1\nN15 G0 X5.\nN20 M98 P2\nN25 #1=#1+1\nN30 END1\n" + END + "O2\nN50 G91 X1.\nN60 M99\n", "CS501 N20"),
+    "a mode that each pass of a loop chooses": (
+        "", "O1\nN5 #1=0\nN10 WHILE[#1 LT 2]DO1\nN15 G90 G0 X5.\nN20 M98 P2\nN25 #1=#1+1\nN30 END1\n" + END + "O2\nN50 G91 X1.\nN60 M99\n", ""),
+    # Returns into loops, calls in profiles
+    "M99 P of a main program to a number that two blocks have": ("", "O1\nN10 G0 X1.\nN10 G0 X2.\nN20 M99 P10\n", "CS204 N20"),
+    "M99 P into a loop of the caller": (
+        "", "O1\nN10 M98 P2\nN15 #1=0\nN20 WHILE[#1 LT 3]DO1\nN30 G4 P1\nN35 #1=#1+1\nN40 END1\n" + END + "O2\nN60 M99 P30\n", "CS602 N35, CS206 N60"),
+    "M99 P inside the loop that calls": (
+        "", "O1\nN15 #1=0\nN20 WHILE[#1 LT 3]DO1\nN25 M98 P2\nN30 #1=#1+1\nN40 END1\n" + END + "O2\nN60 M99 P30\n", ""),
+    "a call in the profile of a cycle": (
+        "gsk-988ta", "O1\nN5 G0 X50. Z2.\nN10 G71 U1. R1.\nN15 G71 P30 Q50 U0 W0 F0.1\nN30 G0 X10.\nN40 M98 P2\nN50 G1 X20.\n"
+        + END + "O2\nN70 G1 Z-5.\nN80 M99\n", "CS101 N40"),
+    "a call behind the profile of a cycle": (
+        "gsk-988ta", "O1\nN5 G0 X50. Z2.\nN10 G71 U1. R1.\nN15 G71 P30 Q50 U0 W0 F0.1\nN30 G0 X10.\nN50 G1 X20.\nN60 M98 P2\n"
+        + END + "O2\nN70 G1 Z-5.\nN80 M99\n", ""),
+    "profiles that have their numbers again": (
+        "gsk-988ta", "O1\nN5 G0 X50. Z2.\nG71 U1. R1.\nG71 P30 Q50 U0 W0 F0.1\nN30 G0 X10.\nN50 G1 X20.\n"
+        "G71 U1. R1.\nG71 P30 Q50 U0 W0 F0.1\nN30 G0 X9.\nN50 G1 X20.\n" + END, ""),
+    # Values under conditions, names
+    "a local that one condition sets": ("", "O1\nN10 IF[#500 EQ 1]THEN #1=5.\nN20 G0 X[#1+1.]\n" + END, "CS602 N20"),
+    "a local that two conditions set": (
+        "", "O1\nN10 IF[#500 EQ 1]THEN #1=5.\nN15 IF[#500 NE 1]THEN #1=6.\nN20 G0 X[#1+1.]\n" + END, ""),
+    "a local that is read where its condition is asked again": (
+        "", "O1\nN10 IF[#500 EQ 1]THEN #1=5.\nN15 IF[#500 NE 1]GOTO 90\nN20 G0 X[#1+1.]\n" + END, ""),
+    "a name without a value": ("linuxcnc", "g0 x[#<a>+1]\nm2\n", "CS601 :1"),
+    "a name has its value in its own subprogram": (
+        "linuxcnc", "o<s> sub\n#<a>=1\no<s> endsub\no<s> call\ng0 x[#<a>+1]\nm2\n", "CS601 :5"),
+    "a name of the caller in a subprogram": (
+        "linuxcnc", "o<s> sub\ng0 x[#<a>+1]\no<s> endsub\n#<a>=1\ng0 y#<a>\no<s> call\nm2\n", "CS601 :2"),
+    "a name that EXISTS asks for": ("linuxcnc", "o1 if [EXISTS[#<a>]]\no1 else\n#<a>=5\no1 endif\ng0 x[#<a>]\nm2\n", ""),
+    "a name with a value on each way": (
+        "linuxcnc", "o1 if [#5220 eq 1]\n#<a>=4\no1 else\n#<a>=5\no1 endif\ng0 x[#<a>]\nm2\n", ""),
+    "a name of all programs that a subprogram takes": (
+        "linuxcnc", "o<a> sub\n#<_n>=1\ng0 y#<_n>\no<a> endsub\nN10 #<_n>=2\nN20 g0 z#<_n>\nN30 o<a> call\nN40 g0 x#<_n>\nN50 m2\n", "CS606 N40"),
+    "a name of its own that a subprogram has too": (
+        "linuxcnc", "o<a> sub\n#<n>=1\ng0 y#<n>\no<a> endsub\nN10 #<n>=2\nN20 g0 z#<n>\nN30 o<a> call\nN40 g0 x#<n>\nN50 m2\n", ""),
+    "a result in a name of all programs": (
+        "linuxcnc", "o<a> sub\n#<_n>=1\no<a> endsub\nN10 #<_n>=2\nN20 g0 z#<_n>\nN30 o<a> call\nN40 g0 x#<_n>\nN50 m2\n", ""),
+    # Points
+    "a centre without a point": ("", "O1\nN10 G0 X0.5\nN20 G2 X1.5 I10 F100\n" + END, "CS701 N20"),
+    "a radius without a point": ("", "O1\nN10 G0 X0.5\nN20 G2 X1.5 R10 F100\n" + END, "CS701 N20"),
+    "the R of a cycle without a point": ("", "O1\nN10 G0 X0.5\nN20 G81 Z-5. R2 F100\nN30 G80\n" + END, "CS701 N20"),
+    "the count of a cycle needs no point": ("", "O1\nN10 G91 G0 X0.5\nN20 G81 X1. Z-5. R2. F100 K5\nN30 G80\n" + END, ""),
+    "an argument without a point": ("", "O1\nN10 G0 X0.5\nN20 G65 P2 A5\n" + END + "O2\nN40 G0 X#1\nN50 M99\n", "CS701 N20"),
+    "an argument that is no length": ("", "O1\nN10 G0 X0.5\nN20 G65 P2 H5\n" + END + "O2\nN40 G0 X#11\nN50 M99\n", ""),
+    "an argument where a number is millimetres": ("mitsubishi-m800", "O1\nN10 G0 X0.5\nN20 G65 P2 A5\n" + END + "O2\nN40 G0 X#1\nN50 M99\n", ""),
     # IF without THEN
     "an IF with a code behind it": ("mitsubishi-m700", "O1\nN10 IF[#500 EQ 1] M8\n" + END, "CS103 N10"),
     "an IF with nothing behind it": ("", "O1\nN10 IF[#500 EQ 1]\n" + END, "CS101 N10"),
@@ -362,6 +436,12 @@ def test_the_path_of_what_is_too_deep() -> None:
     ).run()
     assert run.alarm is not None
     assert (run.alarm.number, run.alarm.program) == (finding.alarm.number, finding.program)
+
+
+def test_an_argument_that_no_call_by_a_code_gives() -> None:
+    control = cncsub.controls[MILL].with_parameters({"6050": 100})
+    text = "O1\nN10 G100 A5.\n" + END + "O9010\nN30 G0 X[#1+#2]\nN40 M99\n"
+    assert [(f.rule, f.n) for f in cncsub.loads(text, control=control).check()] == [("CS603", 30)]
 
 
 def test_rules_are_chosen_and_switched_off() -> None:
@@ -525,6 +605,15 @@ def test_junit_and_annotations() -> None:
     )
 
 
+def test_notes_alone_are_no_failure_of_junit() -> None:
+    note = cncsub.loads("O1\nN10 G7.1 C1.\nN20 M30\n", control=MILL, name="a.nc").check()
+    suite = ElementTree.fromstring(junit(note, ["a.nc"]))
+    assert (suite.get("failures"), suite.find("testcase/failure")) == ("0", None)
+    told = suite.findtext("testcase/system-out")
+    assert told is not None
+    assert told.startswith("note CS105 not-computed")
+
+
 def command(*words: str, folder: Path | None = None) -> tuple[int, str]:
     done = CliRunner().invoke(app, list(words))
     return done.exit_code, done.output
@@ -546,6 +635,33 @@ def test_the_command_tells_and_its_status_says_whether(part: Path) -> None:
     assert command("check", "part.nc", "-c", MILL, "--ignore", "CS303", "--ignore", "CS7")[0] == 0
     status, output = command("check", "part.nc", "-c", MILL, "--rule", "CS999")
     assert (status, output.startswith("cncsub: check has no rule 'CS999'")) == (2, True)
+
+
+def test_files_are_checked_apart_with_what_they_call(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for place, name, text in (
+        ("a", "main.nc", "O1\nN10 M98 P2\nN20 M30\n"),
+        ("a", "O2.nc", "O2\nN30 M98 P9\nN40 M99\n"),
+        ("b", "main.nc", "O1\nN10 G4 P1\nN20 M30\n"),
+    ):
+        Path(place).mkdir(exist_ok=True)
+        Path(place, name).write_text(text)
+    files = [str(Path(place, "main.nc")) for place in "ab"]
+    status, told = command("check", *files, "-c", MILL)
+    assert (status, "program-missing" in told, "duplicate-program" in told) == (1, True, True)
+    status, told = command("check", "--apart", *files, *files, "-c", MILL)
+    assert (status, told) == (0, "checked: 3 programs on FANUC Series 0i-F: nothing found\n")
+    status, told = command("check", "--apart", str(Path("a", "O2.nc")), "-c", MILL)
+    assert (status, "O9 is not in the memory" in told) == (1, True)
+
+
+def test_a_finding_whose_edit_fits_no_more_is_left() -> None:
+    text = "O1\nN10 g0 x1. (x1.)\nN20 M30\n"
+    (small,) = cncsub.loads(text, control=MILL, name=__file__).check(rules=["CS803"])
+    mended = Mended([small])
+    assert (mended.left, mended.mends(small), mended.diff()) == (1, False, "")
 
 
 def test_certain_edits_are_shown_and_written(part: Path) -> None:

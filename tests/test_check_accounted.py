@@ -59,6 +59,9 @@ def is_vacant_there(seen: Seen) -> bool:
     """The variable has no value when the block is about to run, the first time; nobody gave it one
     before the run.
     """
+    named = re.match(r"#<(\w+)>", seen.finding.message)
+    if named is not None:
+        return no_assignment_ran(seen, named[1])
     number = int(re.findall(r"#(\d+)", seen.finding.message)[0])
     if number in (seen.options.get("variables") or {}):
         return True
@@ -70,6 +73,20 @@ def is_vacant_there(seen: Seen) -> bool:
             return not seen.reached
         if (step.program, step.line) == (seen.finding.program, seen.finding.line):
             return before is None
+
+
+def no_assignment_ran(seen: Seen, name: str) -> bool:
+    """No block before it in its program gives the variable a value."""
+    of_program = seen.library[seen.finding.program].blocks
+    text = {block.line: block.text for block in of_program}
+    for step in seen.run.steps:
+        if step.program != seen.finding.program:
+            continue
+        if step.line == seen.finding.line:
+            return True
+        if re.search(rf"#<{name}>\s*=", text[step.line]):
+            return False
+    return not seen.reached
 
 
 def dropped(seen: Seen) -> bool:

@@ -61,6 +61,22 @@ def test_what_makes_the_difference_is_named(program: str, rules: dict[str, Any],
     assert compared.what == what
 
 
+def test_a_variable_that_one_control_calls_by_two_numbers_is_one() -> None:
+    library = cncsub.loads("O1\nN10 #100=1\nN20 #500=3\nN30 M30\n", control="haas-ngc")
+    assert dict(library.run().variables) == {100: 1.0, 500: 3.0}
+    assert library.run().variables[10100] == 1.0
+    for controls in (["haas-ngc", MILL], [MILL, "haas-ngc"]):
+        assert cncsub.compare(library, controls=controls).same
+
+
+def test_the_block_that_a_call_begins_at_is_told() -> None:
+    text = "O1\nN10 M98 P2 Q5\nN20 M30\nO2\nN4 G0 X1.\nN5 G0 X2.\nN6 M99\n"
+    compared = cncsub.compare(cncsub.loads(text, control=MILL), controls=[MILL, "gsk-988ta"])
+    assert compared.rules == ("start_word",)
+    assert "O2, 1 pass" in compared.what
+    assert "O2 from N5, 1 pass" in compared.what
+
+
 def test_two_rules_that_make_it_together() -> None:
     program = "O1\nM98 P2 L0\nM98 P3\nM30\nO2\nM99\nO3\nM99\n"
     compared = changed(program, zero_repeats="skip", max_nesting=0)

@@ -246,6 +246,59 @@ def test_coverage_is_told_and_may_fail(project: pytest.Pytester) -> None:
     done.stdout.fnmatch_lines(["*below 99 %*"])
 
 
+def test_coverage_is_written_in_each_form(project: pytest.Pytester) -> None:
+    asked = [f"--cncsub-cov-{name}=out/{name}" for name in ("html", "lcov", "cobertura")]
+    project.runpytest_inprocess("-q", *asked).assert_outcomes(passed=2)
+    macro = str(project.path / "macros" / "O2.nc")
+    texts = [(project.path / "out" / name).read_text() for name in ("html", "lcov", "cobertura")]
+    starts = ("<!DOCTYPE html>", "TN:", "<?xml")
+    assert [text.startswith(start) for text, start in zip(texts, starts)] == [True] * 3
+    assert f"SF:{macro}\n" in texts[1]
+
+
+def test_a_table_and_a_test_in_python_cover_the_same_files(project: pytest.Pytester) -> None:
+    project.makepyfile(
+        """
+        def test_square(cnc):
+            cnc.load("macros").mdi("G65 P2 A2.").assert_ends()
+        """
+    )
+    done = project.runpytest_inprocess("-q", "--cncsub-cov", "--control", "fanuc-0i-f")
+    lines = [line for line in done.outlines if line.startswith("O2  ")]
+    assert lines == [f"O2  blocks 3/3  branches 2/2  {project.path / 'macros' / 'O2.nc'}"]
+
+
+def test_a_failure_stands_in_the_test(project: pytest.Pytester) -> None:
+    project.makepyfile(
+        """
+        def test_square(cnc):
+            cnc.load("macros").run("O1").assert_alarm("P232")
+        """
+    )
+    done = project.runpytest_inprocess("-q", "--control", "fanuc-0i-f", "-k", "test_square")
+    done.assert_outcomes(failed=1, deselected=2)
+    done.stdout.no_fnmatch_line("*asserting.py*")
+    done.stdout.fnmatch_lines(["*test_a_failure_stands_in_the_test.py:2: AssertionError"])
+
+
+def test_arguments_by_hypothesis_meet_the_fixture(project: pytest.Pytester) -> None:
+    project.makepyfile(
+        """
+        from hypothesis import HealthCheck, given, settings
+        from cncsub.testing.strategies import arguments, call_words
+
+        @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=20)
+        @given(arguments("A", A=(-50, 50)))
+        def test_square(cnc, values):
+            run = cnc.load("macros").mdi(f"G65 P2 {call_words(values)}")
+            run.assert_ends()
+            assert run.variables[100] >= 0
+        """
+    )
+    done = project.runpytest_inprocess("-q", "--control", "fanuc-0i-f", "-k", "test_square")
+    done.assert_outcomes(passed=1, deselected=2)
+
+
 # ---- arguments of macros ----
 
 

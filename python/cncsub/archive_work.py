@@ -99,12 +99,14 @@ def _rows(task: Task, job: Job) -> list[Row]:
     except Exception as error:  # one file never ends the batch
         return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
     try:
+        left_out = _left_out(task, library)
         if task.kind == "check":
-            return finding_rows(task, job, library.check(**task.options))
+            found = finding_rows(task, job, library.check(**task.options))
+            return found + ([bad_row(task, job, "unreadable", left_out)] if left_out else [])
         run = library.run(**task.options)
         if run.stop == Stop.INTERRUPTED:
             raise KeyboardInterrupt
-        return [_run_row(task, job, run, time.perf_counter() - begun)]
+        return [_run_row(task, job, run, time.perf_counter() - begun, left_out)]
     except Exception as error:
         return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
 
@@ -132,8 +134,15 @@ def _library(task: Task, job: Job) -> Library:
     return Library(code, names, reading.skipped)
 
 
-def _run_row(task: Task, job: Job, run: Run, seconds: float) -> Row:
+def _left_out(task: Task, library: Library) -> str:
+    """The files of a folder that could not be read, and why; beside others each is its own row."""
+    return "; ".join(f"{file}: {why}" for file, why in library.skipped if task.each == "folder")
+
+
+def _run_row(task: Task, job: Job, run: Run, seconds: float, left_out: str) -> Row:
     alarm = run.alarm
+    told = [str(alarm.detail)] if alarm is not None else []
+    told += [left_out] if left_out else []
     ended = run.stop in (Stop.END, Stop.CYCLES)
     # Where a run that waits or met a limit stood: its last block.
     place = alarm or (None if ended or not len(run.steps) else run.steps[-1])
@@ -155,7 +164,7 @@ def _run_row(task: Task, job: Job, run: Run, seconds: float) -> Row:
         run.moves.total_length,
         run.moves.total_time,
         seconds,
-        alarm and str(alarm.detail),
+        "; ".join(told) if told else None,
     )
 
 
@@ -199,6 +208,24 @@ def _ready() -> bool:
     return True
 
 
+def _end_with_parent() -> None:
+    """A worker ends with the process that started it, even where that is killed: nothing else would
+    tell it that no work comes any more.
+    """
+    import multiprocessing
+    import threading
+
+    parent = multiprocessing.parent_process()
+    if parent is None:
+        return
+
+    def wait() -> None:
+        parent.join()
+        os._exit(1)
+
+    threading.Thread(target=wait, daemon=True).start()
+
+
 def new_pool(workers: int) -> Executor:
     """Processes of our own. Spawned, because a fork of a process with threads may hang.
 
@@ -207,7 +234,8 @@ def new_pool(workers: int) -> Executor:
     import multiprocessing
     from concurrent.futures import ProcessPoolExecutor
 
-    pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
+    spawned = multiprocessing.get_context("spawn")
+    pool = ProcessPoolExecutor(workers, mp_context=spawned, initializer=_end_with_parent)
     try:
         pool.submit(_ready).result()
     except (BrokenExecutor, KeyboardInterrupt) as error:

@@ -40,12 +40,14 @@ class Stopped(Protocol):
 
 def assert_ends(run: Stopped) -> None:
     """Raise `AssertionError` where the run did not come to its end."""
+    __tracebackhide__ = True  # of pytest: a failure stands in the test
     if run.stop != "end":
         raise AssertionError(f"the program does not end: {_why(run)}\n{_report(run)}")
 
 
 def assert_alarm(run: Stopped, expected: str, at: str | None) -> None:
     """Raise `AssertionError` where the run did not stop with this alarm, or not at this place."""
+    __tracebackhide__ = True  # of pytest: a failure stands in the test
     if not isinstance(expected, str):
         raise TypeError(
             f"an alarm is expected by its number or cause, a text, not {expected!r}; "

@@ -1,20 +1,33 @@
-"""The command `cncsub batch`: every program of some folders, and how each stopped."""
+"""The command `cncsub batch`: every program of some folders, and how each stopped or what is wrong
+with it.
+"""
 
 from __future__ import annotations
 
 import enum
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from cncsub.controls import names_beginning
-from cncsub.options import wrong_use
+from cncsub.checking import chosen_rules
+from cncsub.options import (
+    ControlName,
+    Encoding,
+    External,
+    Param,
+    SetupFile,
+    control_for,
+    wrong_use,
+)
 from cncsub.printing import shown
+from cncsub.project import Project, project_for
+from cncsub.setup import Setup
 
-_SHOWN = 20  # of the runs that did not end well, as text
-FINE = ("ran", "cycles")
+_SHOWN = 20  # of the runs that did not end well, and of the findings, as text
+FINE = ("ran", "cycles", "note")
 
 
 class BatchFormat(enum.StrEnum):
@@ -25,16 +38,11 @@ class BatchFormat(enum.StrEnum):
 
 
 def batch(
-    paths: Annotated[list[str], typer.Argument(help="Files and folders.", show_default=False)],
-    control: Annotated[
-        str,
-        typer.Option(
-            "-c",
-            "--control",
-            help="The control; `cncsub controls` lists them.",
-            autocompletion=names_beginning,
-        ),
-    ],
+    paths: Annotated[
+        list[str] | None, typer.Argument(help="Files and folders.", show_default=False)
+    ] = None,
+    control: ControlName = None,
+    param: Param = None,
     jobs: Annotated[
         int | None, typer.Option("-j", "--jobs", help="How many processes work.", min=1)
     ] = None,
@@ -42,50 +50,73 @@ def batch(
         Path | None, typer.Option(help="A folder for Parquet files; the same call resumes.")
     ] = None,
     each: Annotated[str, typer.Option(help="file, beside or folder: what one run loads.")] = "file",
-    external: Annotated[
-        Path | None, typer.Option(help="The folder of the external device, which M198 reads.")
-    ] = None,
+    external: External = None,
+    encoding: Encoding = None,
+    setup: SetupFile = None,
+    check: Annotated[
+        bool, typer.Option("--check", help="Check each, as `cncsub check` does, and run none.")
+    ] = False,
     max_blocks: Annotated[int, typer.Option(help="Of one run.", min=0)] = 1_000_000,
     max_seconds: Annotated[float, typer.Option(help="Of one run.")] = 10.0,
     format: Annotated[
         BatchFormat, typer.Option(help="json writes an object a line.")
     ] = BatchFormat.TEXT,
 ) -> None:
-    """Run every program file of some folders, each alone, and tell how each stopped.
+    """Run or check every program file of some folders, each alone, and tell how each stopped.
 
-    Exit status: 0 where all ran, 1 where some did not.
+    Exit status: 0 where all ran, or nothing was found but notes; 1 otherwise.
     """
-    from cncsub.archives import run_many
-
+    options = locals()
     with wrong_use():
+        project = project_for(paths)
         try:
-            rows = run_many(
-                paths,
-                control,
-                each=each,
-                external=external,
-                jobs=jobs,
-                out=out,
-                progress=True,
-                max_blocks=max_blocks,
-                max_seconds=max_seconds,
-            )
+            rows = _rows(options, project)
         except ImportError as error:
             raise ValueError(str(error)) from None
-    counts = _tell(rows, format)
-    if not counts:
+    counts = _tell(rows, format, project.severity)
+    if not counts and check and format is BatchFormat.TEXT:
+        typer.echo("nothing found")
+    if not counts and not check:
         typer.echo("no file was found there", err=True)
         raise typer.Exit(2)
     raise typer.Exit(0 if set(counts) <= set(FINE) else 1)
 
 
-def _tell(rows: Any, format: BatchFormat) -> dict[str, int]:
-    """Print the rows, a part of them at a time, and count them by status."""
+def _rows(options: Mapping[str, Any], project: Project) -> Any:
+    """The rows of the runs or the findings."""
+    from cncsub.archives import check_many, run_many
+
+    paths = options["paths"] or list(project.folders)
+    if not paths:
+        raise ValueError("which programs? Name files or folders")
+    machine = options["setup"] or project.setup
+    shared: dict[str, Any] = {
+        "control": control_for(options, project),
+        "each": options["each"],
+        "external": options["external"] or project.external,
+        "encoding": options["encoding"],
+        "jobs": options["jobs"],
+        "out": options["out"],
+        "progress": True,
+    }
+    if machine is not None:
+        shared["setup"] = Setup.from_toml(machine)
+    if not options["check"]:
+        limits = {name: options[name] for name in ("max_blocks", "max_seconds")}
+        return run_many(paths, **shared, **limits)
+    asked = chosen_rules(None) - project.ignore
+    return check_many(paths, **shared, rules=sorted(asked))
+
+
+def _tell(rows: Any, format: BatchFormat, severities: Mapping[str, str]) -> dict[str, int]:
+    """Print the rows, a part of them at a time, and count them by status, findings by severity."""
     counts: dict[str, int] = {}
     told = 0
     for part in rows.to_batches():
         for row in part.to_pylist():
-            status = row["status"]
+            if row.get("rule"):
+                row["severity"] = severities.get(row["rule"], row["severity"])
+            status = row.get("severity") or row["status"]
             counts[status] = counts.get(status, 0) + 1
             if format is BatchFormat.JSON:
                 typer.echo(json.dumps(row))
@@ -100,7 +131,10 @@ def _tell(rows: Any, format: BatchFormat) -> dict[str, int]:
 
 def _line(row: dict[str, Any]) -> str:
     where = "" if row["line"] is None else f":{row['line']}"
-    alarm = " ".join(row[name] for name in ("number", "cause") if row[name])
+    if row.get("rule"):
+        named = f"{row['severity']} {row['rule']} {row['name']}"
+        return f"{row['file']}{where}: {named}: {row['message']}"
+    alarm = " ".join(row[name] for name in ("number", "cause") if row.get(name))
     why = ": ".join(text for text in (alarm, row["error"]) if text)
     return f"{row['path']}{where}: {row['status']}{' ' + why if why else ''}"
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import enum
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, Any, NamedTuple
 
 import typer
 
@@ -29,10 +29,7 @@ from cncsub.options import (
     wrong_use,
 )
 from cncsub.printing import Console, Text, shown
-from cncsub.project import project_for
-
-if TYPE_CHECKING:
-    from cncsub import findings
+from cncsub.project import Project, project_for
 
 
 class FindingFormat(enum.StrEnum):
@@ -48,6 +45,10 @@ Rules = Annotated[
     typer.Option("--rule", help="Ask this rule: CS201, its name, or a group such as CS2."),
 ]
 Ignore = Annotated[list[str] | None, typer.Option("--ignore", help="Leave this rule out.")]
+Apart = Annotated[
+    bool,
+    typer.Option("--apart", help="Check each file by itself, with those beside it that it calls."),
+]
 Fix = Annotated[bool, typer.Option("--fix", help="Mend what is certain, in the files.")]
 Diff = Annotated[bool, typer.Option("--diff", help="Print what --fix would change.")]
 
@@ -63,6 +64,7 @@ def check(
     setup: SetupFile = None,
     rule: Rules = None,
     ignore: Ignore = None,
+    apart: Apart = False,
     fix: Fix = False,
     diff: Diff = False,
     format: Annotated[FindingFormat, typer.Option()] = FindingFormat.TEXT,
@@ -74,30 +76,44 @@ def check(
     comment (cncsub: ignore CS201) switches it off for its line.
     """
     options = {**locals(), "mdi": None}
-    from cncsub import findings
-
     with wrong_use():
         project = project_for(paths)
-        library = library_of(options)
-        beside = files_beside(options, library)
         asked = chosen_rules(rule) - chosen_rules(ignore or ()) - project.ignore
-        machine = setup or project.setup
-        known = cncsub.Setup.from_toml(machine) if machine is not None else None
-        found = library.check(main, sorted(asked), setup=known)
-        found = [finding for finding in found if finding.file not in beside]
-        found = findings.with_severity(found, dict(project.severity))
+        each = [[path] for path in dict.fromkeys(paths)] if apart and paths else [paths]
+        parts = [_check_part({**options, "paths": part}, project, asked) for part in each]
+        found = [finding for part in parts for finding in part.findings]
         if fix or diff:
-            found = _mend(findings.Mended(found), found, library, diff)
-    _write(found, library, format, output)
+            found = _mend(found, any("<text>" in part.library.files for part in parts), diff)
+    _write(found, parts, format, output)
     raise typer.Exit(1 if any(finding.severity != "note" for finding in found) else 0)
 
 
-def _mend(
-    mended: findings.Mended, found: list[Finding], library: cncsub.Library, diff: bool
-) -> list[Finding]:
+class _Part(NamedTuple):
+    """A memory that was checked, and what was found in the files that are asked for."""
+
+    library: cncsub.Library
+    findings: list[Finding]
+
+
+def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[str]) -> _Part:
+    from cncsub import findings
+
+    library = library_of(options)
+    beside = files_beside(options, library)
+    machine = options["setup"] or project.setup
+    known = cncsub.Setup.from_toml(machine) if machine is not None else None
+    found = library.check(options["main"], sorted(asked), setup=known)
+    found = [finding for finding in found if finding.file not in beside]
+    return _Part(library, findings.with_severity(found, dict(project.severity)))
+
+
+def _mend(found: list[Finding], typed: bool, diff: bool) -> list[Finding]:
     """Writes or shows the edits; the findings that are left."""
-    if "<text>" in library.files:
+    from cncsub import findings
+
+    if typed:
         raise ValueError("what comes from standard input cannot be mended: name its file")
+    mended = findings.Mended(found)
     if diff:
         sys.stdout.write(mended.diff())
         return found
@@ -105,13 +121,15 @@ def _mend(
         print(f"mended: {shown(file)}", file=sys.stderr)
     if mended.left:
         print(f"{mended.left} edits fit no longer and were left out", file=sys.stderr)
-    return [finding for finding in found if finding.fix is None]
+    return [finding for finding in found if not mended.mends(finding)]
 
 
 def _write(
-    found: Sequence[Finding], library: cncsub.Library, format: FindingFormat, output: Path | None
+    found: Sequence[Finding], parts: Sequence[_Part], format: FindingFormat, output: Path | None
 ) -> None:
     from cncsub import findings
+
+    files = dict.fromkeys(file for part in parts for file in part.library.files)
 
     def text(of: str) -> Callable[[Console], None]:
         return lambda console: console.print(of)
@@ -121,24 +139,27 @@ def _write(
     elif format is FindingFormat.SARIF:
         write_json(output, findings.sarif(found))
     elif format is FindingFormat.JUNIT:
-        write_text(output, text(findings.junit(found, library.files)))
+        write_text(output, text(findings.junit(found, files)))
     elif format is FindingFormat.GITHUB:
         if found:
             write_text(output, text(findings.github_annotations(found)))
     else:
-        write_text(output, lambda console: _print(console, found, library))
+        write_text(output, lambda console: _print(console, found, [part.library for part in parts]))
 
 
 _COLOURS = {"error": "bold red", "warning": "yellow", "note": "cyan"}
 
 
-def _print(console: Console, found: Sequence[Finding], library: cncsub.Library) -> None:
+def _print(console: Console, found: Sequence[Finding], libraries: Sequence[cncsub.Library]) -> None:
     for finding in found:
         severity, rest = str(finding).split(" ", 1)
         lines = "\n".join(shown(line) for line in rest.split("\n"))
         console.print(Text.assemble((severity, _COLOURS[severity]), f" {lines}\n"))
-    programs = f"{len(library):,} program{'' if len(library) == 1 else 's'} on"
+    count = sum(map(len, libraries))
+    programs = f"{count:,} program{'' if count == 1 else 's'} on"
     told = ", ".join(f"{n:,} {name}{'' if n == 1 else 's'}" for name, n in counts(found))
-    console.print(f"checked: {programs} {library.control.title}: {told or 'nothing found'}")
-    for file, why in library.skipped:
-        console.print(f"left out: {shown(f'{file}: {why}')}")
+    title = libraries[0].control.title
+    console.print(f"checked: {programs} {title}: {told or 'nothing found'}")
+    for library in libraries:
+        for file, why in library.skipped:
+            console.print(f"left out: {shown(f'{file}: {why}')}")

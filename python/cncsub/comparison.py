@@ -230,8 +230,7 @@ class Pair:
 
     def watched(self, a: Run, b: Run) -> tuple[Run, Run]:
         """Both once more, with the variables watched that hold a value in one of them."""
-        held = {n for run in (a, b) for n, value in run.variables.items() if value is not None}
-        numbers = [n for n in sorted(held) if _has(a, n) and _has(b, n)][:_WATCHED]
+        numbers = self._shared_variables(a, b)[:_WATCHED]
         one, other = (self.run(library, watch=numbers) for library in self.libraries)
         return one, other
 
@@ -269,7 +268,7 @@ class Pair:
             does.append(
                 "no further call"
                 if call is None
-                else f"{call.kind} {call.program}, {call.repeats} pass"
+                else f"{call.kind} {call.program}{_start(call.start_n)}, {call.repeats} pass"
                 + ("es" if call.repeats != 1 else "")
             )
         yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
@@ -328,17 +327,21 @@ class Pair:
                 low = middle + 1
         return low
 
+    def _shared_variables(self, a: Run, b: Run) -> list[int]:
+        """The numbers that both have and that hold a value in one of them. Where a control lists a
+        variable by a number that the other has not, those that the programs write count too.
+        """
+        held = {n for run in (a, b) for n, value in run.variables.items() if value is not None}
+        if not all(_has(a, n) and _has(b, n) for n in held):
+            held |= {n for library in self.libraries for n in _written(library)}
+        return [n for n in sorted(held) if _has(a, n) and _has(b, n)]
+
     def _of_variables(self, a: Run, b: Run) -> Iterator[Parting]:
-        values = [
-            {number: value for number, value in run.variables.items() if value is not None}
-            for run in (a, b)
-        ]
-        other = [
+        numbers = [
             number
-            for number in sorted(values[0].keys() | values[1].keys())
-            if not alike(values[0].get(number), values[1].get(number))
+            for number in self._shared_variables(a, b)
+            if not alike(a.variables[number], b.variables[number])
         ]
-        numbers = [n for n in other if _has(a, n) and _has(b, n)]
         if not numbers:
             return
         watched = [self.run(library, watch=numbers[:_WATCHED]).watch for library in self.libraries]
@@ -406,6 +409,19 @@ def _other_dwell(a: Run, b: Run) -> int | None:
     apart = abs(moves[0].time - moves[1].time) > _NEAR
     apart &= moves[0].kind == moves[0].kinds.index("dwell")
     return int(apart.argmax()) if apart.any() else None
+
+
+def _start(n: int | None) -> str:
+    return "" if n is None else f" from N{n}"
+
+
+def _written(library: Library) -> Iterator[int]:
+    """The numbers of the variables that blocks write."""
+    for program in library.values():
+        for block in program.blocks:
+            for use in block.writes:
+                if isinstance(use.variable, int):
+                    yield use.variable
 
 
 def _has(run: Run, number: int) -> bool:

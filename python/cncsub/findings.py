@@ -141,7 +141,9 @@ _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
-    """A test suite of JUnit: a case for each file, with its findings as failures."""
+    """A test suite of JUnit: a case for each file, with its findings as a failure; where they are
+    notes alone, as its output.
+    """
 
     def clean(text: str) -> str:
         return _NOT_XML.sub("?", text)
@@ -149,17 +151,22 @@ def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
     by_file: dict[str, list[Finding]] = {file: [] for file in files}
     for finding in findings:
         by_file.setdefault(finding.file, []).append(finding)
-    failed = sum(1 for found in by_file.values() if found)
+    failing = {file for file, found in by_file.items() if any(f.severity != "note" for f in found)}
     suite = ElementTree.Element(
-        "testsuite", name="cncsub check", tests=str(len(by_file)), failures=str(failed)
+        "testsuite", name="cncsub check", tests=str(len(by_file)), failures=str(len(failing))
     )
     for file, found in by_file.items():
         case = ElementTree.SubElement(suite, "testcase", name=clean(file), classname="cncsub.check")
-        if found:
+        if not found:
+            continue
+        if file in failing:
+            worst = next(finding for finding in found if finding.severity != "note")
             told = ElementTree.SubElement(
-                case, "failure", type=found[0].rule, message=clean(found[0].message)
+                case, "failure", type=worst.rule, message=clean(worst.message)
             )
-            told.text = clean("\n\n".join(map(str, found)))
+        else:
+            told = ElementTree.SubElement(case, "system-out")
+        told.text = clean("\n\n".join(map(str, found)))
     ElementTree.indent(suite)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ElementTree.tostring(
         suite, encoding="unicode"
@@ -191,7 +198,7 @@ class Mended:
     """Files with the edits that are certain; nothing is written before `write`."""
 
     def __init__(self, findings: Iterable[Finding]) -> None:
-        self.left = 0  # edits whose text is not where it was
+        self._left: set[Edit] = set()  # those whose text is not where it was
         self._old: dict[str, bytes] = {}
         self._new: dict[str, bytes] = {}
         edits = {edit for finding in findings for edit in finding.fix or ()}
@@ -216,11 +223,20 @@ class Mended:
             return
         if not line[:at].isascii() or not line.startswith(old, at):
             if line.count(old) != 1:
-                self.left += 1
+                self._left.add(edit)
                 return
             at = line.index(old)
         lines[edit.line - 1] = line[:at] + edit.new.encode() + line[at + len(old) :]
         self._new[edit.file] = b"\n".join(lines)
+
+    @property
+    def left(self) -> int:
+        """How many edits are left out."""
+        return len(self._left)
+
+    def mends(self, finding: Finding) -> bool:
+        """Whether it has edits and all of them are made."""
+        return finding.fix is not None and self._left.isdisjoint(finding.fix)
 
     def diff(self) -> str:
         parts: list[str] = []

@@ -267,15 +267,8 @@ def _refuse_to_overwrite(
 
 def _read(options: Mapping[str, Any]) -> cncsub.Library:
     project = project_for(options.get("paths"))
-    named = options["control"] or project.control
-    control = control_named(named)
-    if named == project.control and project.parameters:
-        control = control.with_parameters(dict(project.parameters))
-    if options["param"]:
-        pairs = (_named_value("--param", text) for text in options["param"])
-        control = control.with_parameters(dict(pairs))
     places: dict[str, Any] = {
-        "control": control,
+        "control": control_for(options, project),
         "external": options["external"] or project.external,
     }
     paths = options["paths"] or (project.folders if options["mdi"] is None else ())
@@ -305,6 +298,18 @@ def _refuse_words_of_mdi(paths: Sequence[str], mdi: str | None) -> None:
     if mdi is not None and word is not None and not Path(word).exists():
         whole = f'--mdi "{mdi} {word}"'
         raise ValueError(f"{word}: no such file; quotes hold together what is typed: {whole}")
+
+
+def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
+    """The control of the options or the project, with the parameters of both."""
+    named = options["control"] or project.control
+    control = control_named(named)
+    if named == project.control and project.parameters:
+        control = control.with_parameters(dict(project.parameters))
+    if options["param"]:
+        pairs = (_named_value("--param", text) for text in options["param"])
+        control = control.with_parameters(dict(pairs))
+    return control
 
 
 def _is_one_file(paths: Sequence[str]) -> bool:

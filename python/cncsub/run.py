@@ -362,6 +362,7 @@ class Run(_Outcome):
         >>> import cncsub
         >>> cncsub.loads("O1\\nM30\\n", control="fanuc-0i-f").run().assert_ends()
         """
+        __tracebackhide__ = True
         asserting.assert_ends(self)
 
     def assert_alarm(self, expected: str, at: str | None = None) -> None:
@@ -375,6 +376,7 @@ class Run(_Outcome):
         >>> run.assert_alarm("078", at="O1 N10")
         >>> run.assert_alarm("program-not-found")
         """
+        __tracebackhide__ = True
         asserting.assert_alarm(self, expected, at)
 
     @functools.cached_property

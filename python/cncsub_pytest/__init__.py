@@ -16,6 +16,13 @@ if TYPE_CHECKING:
     from cncsub.testing.cases import Case
 
 
+_REPORTS = {
+    "html": "a page with the source",
+    "lcov": "an lcov tracefile",
+    "cobertura": "XML of Cobertura",
+}
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("cncsub")
     group.addoption(
@@ -33,6 +40,10 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption(
         "--cncsub-cov-fail-under", type=float, metavar="PERCENT", help="Fail below so many percent."
     )
+    for name, what in _REPORTS.items():
+        group.addoption(
+            f"--cncsub-cov-{name}", metavar="FILE", help=f"Write the coverage as {what}."
+        )
     parser.addini("cncsub_control", "The controls of the fixture cnc.", type="args", default=[])
 
 
@@ -189,7 +200,13 @@ _COLLECTING = pytest.StashKey[Any]()
 
 def _wants_coverage(config: pytest.Config) -> bool:
     limit = config.getoption("--cncsub-cov-fail-under")
-    return bool(config.getoption("--cncsub-cov")) or limit is not None
+    asked = config.getoption("--cncsub-cov") or any(_reports(config).values())
+    return bool(asked) or limit is not None
+
+
+def _reports(config: pytest.Config) -> dict[str, str | None]:
+    """The files to write, by their form."""
+    return {name: config.getoption(f"--cncsub-cov-{name}") for name in _REPORTS}
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:
@@ -205,6 +222,11 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
         return
     context, collected = session.config.stash[_COLLECTING]
     context.__exit__(None, None, None)
+    for name, file in _reports(session.config).items():
+        if file is not None:
+            text = getattr(collected.total, f"to_{name}")()
+            Path(file).parent.mkdir(parents=True, exist_ok=True)
+            Path(file).write_text(text, encoding="utf-8", newline="\n")
     limit = session.config.getoption("--cncsub-cov-fail-under")
     if limit is not None and collected.total.percent < limit and session.exitstatus == 0:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED

@@ -132,9 +132,7 @@ def milling(blocks: int, linuxcnc: bool = False) -> str:
 def turning(blocks: int) -> str:
     """So many blocks of a lathe: roughing cycles and the profile they follow, nose radius, threads."""
     chance, lines = random.Random(4), []
-    part = 0
-    for _ in range(-(-blocks // TURNED_PART)):
-        part += 1
+    for part in range(-(-blocks // TURNED_PART)):
         first, last = part % 400 * 20 + 1000, part % 400 * 20 + 1010
         size = chance.uniform(18, 22)
         lines += [

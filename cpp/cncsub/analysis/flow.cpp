@@ -47,6 +47,7 @@ class FlowReader {
   void labelled(const Block& block, const Labelled& own);
   void call_label(const Block& block, const Labelled& own);
   bool passes_over(const Labelled& own);
+  void choose(const Variant& choice);
   void words_or_call(const Block& block);
   void words(const Block& block);
   bool raises_alarm(const Statement& statement) const;
@@ -211,8 +212,7 @@ void FlowReader::variant(const Block& block) {
     case Op::HCode:
       return h_code(code_.h_codes[block.aux]);
     case Op::Choose:
-      variant(code_.variants[code_.choices[block.aux].first]);
-      return variant(code_.variants[code_.choices[block.aux].second]);
+      return choose(code_.choices[block.aux]);
     case Op::Together:
       if (code_.together[block.aux].words == Labelled::kNone) return next();
       return variant(code_.variants[code_.together[block.aux].words]);
@@ -223,6 +223,15 @@ void FlowReader::variant(const Block& block) {
     default:
       return words_or_call(block);
   }
+}
+
+/// The two blocks that one may be. A code that calls is a fault only where no code calls, and that
+/// might not have been a call of another program.
+void FlowReader::choose(const Variant& choice) {
+  variant(code_.variants[choice.first]);
+  const Block& second = code_.variants[choice.second];
+  if (choice.address != 0 && second.op == Op::Fault) return next();
+  variant(second);
 }
 
 void FlowReader::words_or_call(const Block& block) {

@@ -53,6 +53,8 @@ class LabelCheck {
   using Key = std::pair<std::uint32_t, std::uint32_t>;  // subprogram, label
 
   void head(Address at, const Labelled& own);
+  void end_sub(Address at, const Labelled& own);
+  void never_ended();
   void statements(const std::vector<Address>& all);
   void crossings(std::uint32_t sub);
   const Labelled& labelled(Address at) const { return c_.code.labelled[c_.code.blocks[at].aux]; }
@@ -61,6 +63,7 @@ class LabelCheck {
   Checker& c_;
   const ProgramFlow& flow_;
   std::map<std::uint32_t, Address> heads_;
+  Address open_ = kNowhere;  // the subprogram that has not ended yet
   std::map<Key, std::vector<Address>> statements_;
 };
 
@@ -70,6 +73,22 @@ void LabelCheck::head(Address at, const Labelled& own) {
     c_.found(Check::Duplicate, at, place(at),
              "line " + std::to_string(c_.code.blocks[first->second].line) +
                  " is the head of this subprogram already");
+  never_ended();
+  if (own.kind == LabelledKind::Sub) open_ = at;
+}
+
+void LabelCheck::end_sub(Address at, const Labelled& own) {
+  if (open_ == kNowhere || labelled(open_).label != own.label)
+    c_.found(Check::LoopUnclosed, at, place(at), "no sub before it has this label");
+  else
+    open_ = kNowhere;
+}
+
+/// The subprogram that is open where another one begins, or the file ends.
+void LabelCheck::never_ended() {
+  if (open_ != kNowhere)
+    c_.found(Check::LoopUnclosed, open_, place(open_), "no endsub behind it has this label");
+  open_ = kNowhere;
 }
 
 void LabelCheck::run() {
@@ -82,11 +101,13 @@ void LabelCheck::run() {
       head(at, own);
       sub = own.label;
     } else if (own.kind == LabelledKind::EndSub) {
+      end_sub(at, own);
       sub = Labelled::kNone;
     } else if (own.kind >= LabelledKind::If) {
       statements_[{sub, own.label}].push_back(at);
     }
   }
+  never_ended();
   std::set<std::uint32_t> subs;
   for (const auto& [key, all] : statements_) {
     statements(all);

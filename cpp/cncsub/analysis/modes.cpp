@@ -1,5 +1,6 @@
 // Modes that a called program switches on and leaves on for its caller.
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <tuple>
@@ -36,13 +37,23 @@ enum Mode : std::uint8_t {
 constexpr int kModes = Macro + 1;
 // Modes of which nobody knows what is usual: parameters say it.
 constexpr bool has_no_usual(int mode) { return mode == Units || mode == Feed || mode == Surface; }
+// Modes that are never off: a caller that chose another one than the usual loses it by the usual.
+constexpr bool is_choice(int mode) {
+  return has_no_usual(mode) || mode == Distance || mode == Plane;
+}
+/// The values of a mode that count where they are left on.
+constexpr Modes counted(int mode) { return kOther | kSecond | (is_choice(mode) ? kUsual : 0); }
 
+constexpr Modes of(int mode, Modes value) { return value << (kBits * mode); }
 constexpr Modes all(Modes value) {
   Modes modes = 0;
   for (int mode = 0; mode < kModes; ++mode) modes |= value << (kBits * mode);
   return modes;
 }
-constexpr Modes of(int mode, Modes value) { return value << (kBits * mode); }
+// What M70 and M73 keep. [LinuxCNC, M70]
+constexpr Modes kKept = of(Distance, kFound) | of(Plane, kFound) | of(Units, kFound) |
+                        of(Radius, kFound) | of(Length, kFound) | of(Work, kFound) |
+                        of(Feed, kFound) | of(Surface, kFound);
 constexpr Modes value(Modes modes, int mode) { return modes >> (kBits * mode) & kOne; }
 
 constexpr std::uint32_t kAxes =
@@ -140,10 +151,14 @@ class ModeCheck {
   Modes set_by(Meaning meaning, Group group) const;
   Modes set_by(int g, const Block& block) const;
   Modes after(Modes before, Address at) const;
-  std::vector<Modes> states(const ProgramFlow& flow) const;
+  void take_back(Modes& modes, const Block& block, bool sometimes) const;
+  bool keeps(const ProgramFlow& flow) const;
+  std::vector<Modes> states(const ProgramFlow& flow, std::int32_t but = kNoProgram) const;
   Modes leaves(const ProgramFlow& flow, const std::vector<Modes>& states) const;
   void settle();
   void leaks(const ProgramFlow& flow);
+  void leak(const ProgramFlow& flow, const CallEdge& edge, Modes own,
+            std::set<std::tuple<std::int32_t, int>>& told);
   Address moves_with(const ProgramFlow& flow, Address call, int mode) const;
   std::string name(int mode, Modes which) const;
 
@@ -167,6 +182,32 @@ Modes ModeCheck::set_by(int g, const Block& block) const {
   return set_by(code.meaning, code.group);
 }
 
+/// A computed code puts back what was found, as it is written to do: `G#3` behind `#3=#4003`; so
+/// does M72.
+void ModeCheck::take_back(Modes& modes, const Block& block, bool sometimes) const {
+  if (block.g_count != 0 && (block.flags & Block::kCodeExpression) != 0)
+    put(modes, all(kFound), sometimes);
+  if (block.m_count == 0) return;
+  const CodeList codes = c_.code.codes_of(block);
+  for (const int m : codes.m())
+    if (c_.code.control->calls.roles.value.of_m(m) == Role::RestoreModes)
+      put(modes, kKept, sometimes);
+}
+
+/// Whether a program keeps its modes by M73: its return takes them back in.
+bool ModeCheck::keeps(const ProgramFlow& flow) const {
+  const Roles& roles = c_.code.control->calls.roles.value;
+  if (!roles.code_of(Role::KeepModes)) return false;
+  for (Address at = flow.first(); at < flow.last(); ++at) {
+    const Block& block = c_.code.blocks[at];
+    if (block.op != Op::Words || block.m_count == 0) continue;
+    const CodeList codes = c_.code.codes_of(block);
+    for (const int m : codes.m())
+      if (roles.of_m(m) == Role::KeepModes) return true;
+  }
+  return false;
+}
+
 /// What is in force behind a block and what it calls.
 Modes ModeCheck::after(Modes before, Address at) const {
   const Block& block = c_.code.blocks[at];
@@ -178,14 +219,15 @@ Modes ModeCheck::after(Modes before, Address at) const {
       put(modes, set_by(Meaning::Line, Group::Motion), sometimes);
     if (plain) return;
     each_g(c_.code, each, [&](int g) { put(modes, set_by(g, each), sometimes); });
+    take_back(modes, each, sometimes);
     if (each.op == Op::ModalCall) put(modes, of(Macro, kOther), sometimes);
     if (each.op == Op::CancelModal) put(modes, of(Macro, kUsual), sometimes);
   });
   return modes;
 }
 
-/// What may be in force before each block.
-std::vector<Modes> ModeCheck::states(const ProgramFlow& flow) const {
+/// What may be in force before each block, were one of the called programs to leave nothing.
+std::vector<Modes> ModeCheck::states(const ProgramFlow& flow, std::int32_t but) const {
   std::vector<Modes> before(flow.size(), 0);
   std::vector<Address> waiting;
   const auto reach = [&](Address at, Modes modes) {
@@ -204,7 +246,8 @@ std::vector<Modes> ModeCheck::states(const ProgramFlow& flow) const {
     waiting.pop_back();
     Modes modes = before[at - flow.first()];
     if (at < flow.last()) modes = after(modes, at);
-    if (const CallEdge* edge = calls[at - flow.first()])
+    const CallEdge* edge = calls[at - flow.first()];
+    if (edge != nullptr && edge->called != but)
       modes = through(modes, left_[static_cast<std::size_t>(edge->called)]);
     for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit) reach(exit->to, modes);
   }
@@ -221,6 +264,7 @@ Modes ModeCheck::leaves(const ProgramFlow& flow, const std::vector<Modes>& state
     left = (returned ? left : 0) | after(before, at);
     returned = true;
   }
+  if (keeps(flow)) put(left, kKept, false);
   return left;
 }
 
@@ -285,26 +329,55 @@ Check rule_of(int mode) {
   return mode == Work || mode == Origin ? Check::LeavesWork : Check::LeavesOn;
 }
 
+/// The modes that a called program may leave on, were they not those of its caller.
+bool may_leak(Modes left) {
+  for (int mode = 0; mode < kModes; ++mode)
+    if ((value(left, mode) & counted(mode)) != 0) return true;
+  return false;
+}
+
+/// Whether some block of a program leads back.
+bool leads_back(const ProgramFlow& flow) {
+  for (Address at = flow.first(); at < flow.last(); ++at)
+    for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit)
+      if (exit->to <= at) return true;
+  return false;
+}
+
 void ModeCheck::leaks(const ProgramFlow& flow) {
+  constexpr std::size_t kMostCalled = 64;  // for each of them the program is gone through
+  const bool loops = leads_back(flow);
   const std::vector<Modes> before = states(flow);
+  std::map<std::int32_t, std::vector<Modes>> without;  // a called program, in a loop
   std::set<std::tuple<std::int32_t, int>> told;
   for (const CallEdge& edge : flow.calls()) {
     const Modes left = left_[static_cast<std::size_t>(edge.called)];
-    if (before[edge.from - flow.first()] == 0) continue;
-    const Modes own = after(before[edge.from - flow.first()], edge.from);
-    for (int mode = 0; mode < kModes; ++mode) {
-      const Modes counts = has_no_usual(mode) ? kUsual | kOther | kSecond : kOther | kSecond;
-      const Modes leak = value(left, mode) & counts & ~value(own, mode);
-      if (leak == 0 || (value(own, mode) & kFound) != 0 || told.contains({edge.called, mode}))
-        continue;
-      const Address moves = moves_with(flow, edge.from, mode);
-      if (moves == kNowhere) continue;
-      told.insert({edge.called, mode});
-      const CallRecord& record = c_.code.calls[edge.record];
-      c_.found(rule_of(mode), edge.from, {record.at, record.width},
-               c_.code.name_of(edge.called) + " leaves " + name(mode, leak) + " on, and line " +
-                   std::to_string(c_.code.blocks[moves].line) + " moves with it");
+    if (before[edge.from - flow.first()] == 0 || !may_leak(left)) continue;
+    const std::vector<Modes>* found = &before;
+    if (loops && (without.contains(edge.called) || without.size() < kMostCalled)) {
+      std::vector<Modes>& own = without[edge.called];
+      if (own.empty()) own = states(flow, edge.called);
+      found = &own;
     }
+    leak(flow, edge, after((*found)[edge.from - flow.first()], edge.from), told);
+  }
+}
+
+/// What one call leaves on that its caller had not.
+void ModeCheck::leak(const ProgramFlow& flow, const CallEdge& edge, Modes own,
+                     std::set<std::tuple<std::int32_t, int>>& told) {
+  const Modes left = left_[static_cast<std::size_t>(edge.called)];
+  for (int mode = 0; mode < kModes; ++mode) {
+    const Modes leak = value(left, mode) & counted(mode) & ~value(own, mode);
+    if (leak == 0 || (value(own, mode) & kFound) != 0 || told.contains({edge.called, mode}))
+      continue;
+    const Address moves = moves_with(flow, edge.from, mode);
+    if (moves == kNowhere) continue;
+    told.insert({edge.called, mode});
+    const CallRecord& record = c_.code.calls[edge.record];
+    c_.found(rule_of(mode), edge.from, {record.at, record.width},
+             c_.code.name_of(edge.called) + " leaves " + name(mode, leak) + " on, and line " +
+                 std::to_string(c_.code.blocks[moves].line) + " moves with it");
   }
 }
 

@@ -90,8 +90,7 @@ const Numbers& OverwrittenCheck::scratch(std::int32_t program) {
     const Numbers both = some_of(all, first);
     const Bits handed = handed_over(flow, both);
     for (std::size_t i = 0; i < both.size(); ++i)
-      if ((handed >> i & 1) == 0 ||
-          (c_.code.place(both[i]).is_local() && is_argument(program, both[i])))
+      if ((handed >> i & 1) == 0 || (uses_.is_local(both[i]) && is_argument(program, both[i])))
         known->push_back(both[i]);
   }
   return *known;
@@ -126,7 +125,7 @@ bool OverwrittenCheck::hand_on(const CallEdge& edge) {
   Numbers& own = taken_[static_cast<std::size_t>(edge.caller)];
   Numbers more;
   for (const std::int32_t number : taken_[static_cast<std::size_t>(edge.called)]) {
-    const bool shared = !edge.macro || !c_.code.place(number).is_local();
+    const bool shared = !edge.macro || !uses_.is_local(number);
     if (shared && !std::binary_search(own.begin(), own.end(), number)) more.push_back(number);
   }
   own.insert(own.end(), more.begin(), more.end());
@@ -161,7 +160,7 @@ void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow) {
   for (const CallEdge& edge : flow.calls()) {
     if (edge.called == flow.program()) continue;
     for (const std::int32_t number : taken_[static_cast<std::size_t>(edge.called)]) {
-      const bool shared = !edge.macro || !c_.code.place(number).is_local();
+      const bool shared = !edge.macro || !uses_.is_local(number);
       if (shared && std::binary_search(own.begin(), own.end(), number)) called.push_back(number);
     }
   }
@@ -176,7 +175,7 @@ Bits OverwrittenCheck::overwrites(const CallEdge& edge, const Numbers& candidate
   Bits found = 0;
   const Numbers& of = taken_[static_cast<std::size_t>(edge.called)];
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const bool shared = !edge.macro || !c_.code.place(candidates[i]).is_local();
+    const bool shared = !edge.macro || !uses_.is_local(candidates[i]);
     if (shared && std::binary_search(of.begin(), of.end(), candidates[i])) found |= Bits{1} << i;
   }
   return found;
@@ -231,14 +230,14 @@ void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow, const Numbers& 
 void OverwrittenCheck::tell_lost(const ProgramFlow& flow, Address at, std::int32_t number) {
   for (const CallEdge& edge : flow.calls()) {
     if (overwrites(edge, {number}) == 0) continue;
-    const bool local = c_.code.place(number).is_local();
+    const bool local = uses_.is_local(number);
     const Numbers& own = scratch(edge.called);
     const bool itself = std::binary_search(own.begin(), own.end(), number);
     c_.found(local ? Check::SharedLocal : Check::SharedCommon, at, uses_.place_of(at, number),
              c_.code.name_of(edge.called) + ", called in line " +
                  std::to_string(c_.code.blocks[edge.from].line) +
-                 (itself ? ", has overwritten #" : ", and what it calls have overwritten #") +
-                 std::to_string(number))
+                 (itself ? ", has overwritten " : ", and what it calls have overwritten ") +
+                 uses_.name_of(number))
         .path = {edge.from};
     return;
   }

@@ -34,23 +34,46 @@ bool cuts_profile(const Checker& c, const Block& block) {
   return cuts;
 }
 
-/// The profile that a cycle cuts is executed by the cycle, wherever it stands; it must be there.
-void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reached) {
+/// The profile that a cycle cuts: from the block of P, the nearest behind the cycle, to that of Q.
+void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<bool>& inside) {
   const Program& program = c.program(flow.program());
+  const Block& block = c.code.blocks[at];
+  const std::int64_t p = written(c.code, block, 'P'), q = written(c.code, block, 'Q');
+  Address from = c.code.next_of(program, p, at);
+  if (from == kNowhere) from = c.code.first_of(program, p);
+  const Address to =
+      from == kNowhere ? c.code.first_of(program, q) : c.code.first_from(program, q, from);
+  if ((p >= 0 && from == kNowhere) || (q >= 0 && to == kNowhere)) {
+    Fault fault{.cause = Cause::PqNotFound,
+                .detail = c.code.no_block(from == kNowhere ? p : q, program),
+                .address = from == kNowhere ? 'P' : 'Q'};
+    c.refused(Check::TargetMissing, at, std::move(fault));
+  }
+  if (from == kNowhere || to == kNowhere || to < from) return;
+  const std::size_t first = from - flow.first(), last = to - flow.first();
+  if (inside[first] && inside[last]) return;
+  std::fill(inside.begin() + static_cast<std::ptrdiff_t>(first),
+            inside.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
+}
+
+/// The profile that a cycle cuts is executed by the cycle, wherever it stands; it must be there,
+/// and nothing in it calls.
+void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reached) {
+  std::vector<bool> inside;
   for (Address at = flow.first(); at < flow.last(); ++at) {
+    if (!cuts_profile(c, c.code.blocks[at])) continue;
+    inside.resize(flow.size(), false);
+    mark_profile(c, flow, at, inside);
+  }
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    if (!inside[i]) continue;
+    reached[i] = true;
+    const Address at = flow.first() + static_cast<Address>(i);
     const Block& block = c.code.blocks[at];
-    if (!cuts_profile(c, block)) continue;
-    const std::int64_t p = written(c.code, block, 'P'), q = written(c.code, block, 'Q');
-    const Address from = c.code.first_of(program, p), to = c.code.first_of(program, q);
-    if ((p >= 0 && from == kNowhere) || (q >= 0 && to == kNowhere)) {
-      Fault fault{.cause = Cause::PqNotFound,
-                  .detail = c.code.no_block(from == kNowhere ? p : q, program),
-                  .address = from == kNowhere ? 'P' : 'Q'};
-      c.refused(Check::TargetMissing, at, std::move(fault));
-    }
-    if (from == kNowhere || to == kNowhere || to < from || reached[to - flow.first()]) continue;
-    std::fill(reached.begin() + (from - flow.first()), reached.begin() + (to - flow.first()) + 1,
-              true);
+    if (!is_call(block.op)) continue;
+    const CallRecord& call = c.code.calls[block.aux];
+    c.refused(Check::Refused, at,
+              {Cause::ProfileCall, call.at, call.width, "a call inside the blocks of the profile"});
   }
 }
 

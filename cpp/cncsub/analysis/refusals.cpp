@@ -106,8 +106,29 @@ void check_fault(Checker& c, Address at, const Program& program, const Fault& fa
   Check check = Check::Refused;
   if (fault.cause == Cause::JumpTargetNotFound) check = Check::TargetMissing;
   if (is_of_loops(fault.cause)) check = Check::LoopUnclosed;
+  if (fault.cause == Cause::CodeNotComputed) check = Check::NotComputed;
   if (lacks_then(c.code, program, fault)) check = Check::IfWithoutThen;
   c.refused(check, at, fault);
+}
+
+/// An arc to a point that has neither a centre nor a radius, where the control refuses one.
+void check_arc(Checker& c, Address at, const Block& block) {
+  constexpr std::uint32_t kAxes = bit('X') | bit('Y') | bit('Z') | bit('U') | bit('V') | bit('W');
+  constexpr std::uint32_t kPlain = kAxes | bit('F') | bit('S') | bit('T') | bit('D') | bit('H');
+  if (block.op != Op::Words || (block.mask & kAxes) == 0 || (block.mask & ~kPlain) != 0) return;
+  if (c.code.control->motion.no_radius.value != NoRadius::Alarm) return;
+  int arc = -1;
+  bool alone = true;
+  each_g(c.code, block, [&](int g) {
+    const GCode code = c.g_codes.find(g);
+    const bool turns = code.meaning == Meaning::Cw || code.meaning == Meaning::Ccw;
+    if (turns) arc = g;
+    alone = alone && (turns || (code.group != Group::Motion && code.group != Group::OneShot &&
+                                code.group != Group::Cycle));
+  });
+  if (arc >= 0 && alone)
+    c.refused(Check::Refused, at,
+              {.cause = Cause::NoRadius, .detail = {}, .address = 'G', .code = arc});
 }
 
 void check_block(Checker& c, Address at, std::int32_t program) {
@@ -116,6 +137,7 @@ void check_block(Checker& c, Address at, std::int32_t program) {
     each_g(c.code, of, [&](int g) { check_code(c, at, g); });
     if (of.op == Op::Fault) check_fault(c, at, c.program(program), c.code.faults[of.aux]);
     if (is_call(of.op)) check_call(c, at, program, c.code.calls[of.aux]);
+    if (of.op == Op::Words && of.g_count != 0) check_arc(c, at, of);
   });
   if (block.op == Op::Labelled) check_labelled(c, at, program, block);
   if (has_expressions(c.code, block) && block.op != Op::Fault) check_uses(c, at, program, block);

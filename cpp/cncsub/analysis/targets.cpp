@@ -1,5 +1,6 @@
 // Where calls, jumps and returns lead.
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -65,10 +66,29 @@ class Loops {
   std::vector<Loop> loops_;
 };
 
+/// Those of all programs, each looked for once.
+class AllLoops {
+ public:
+  explicit AllLoops(const Checker& c) : c_(c), all_(c.flows.size()) {}
+  const Loops& of(std::int32_t program) {
+    auto& known = all_[static_cast<std::size_t>(program)];
+    if (!known) known.emplace(c_.code, c_.flow(program));
+    return *known;
+  }
+
+ private:
+  const Checker& c_;
+  std::vector<std::optional<Loops>> all_;
+};
+
 class TargetCheck {
  public:
-  TargetCheck(Checker& c, const ProgramFlow& flow)
-      : c_(c), flow_(flow), program_(c.program(flow.program())), loops_(c.code, flow) {}
+  TargetCheck(Checker& c, const ProgramFlow& flow, AllLoops& all)
+      : c_(c),
+        flow_(flow),
+        program_(c.program(flow.program())),
+        loops_(all.of(flow.program())),
+        all_(all) {}
 
   void block(Address at, const Block& block);
   void returns();
@@ -76,6 +96,7 @@ class TargetCheck {
  private:
   void jump(Address at, std::int64_t n, Address to, TextPlace place, Cause otherwise);
   void jump(Address at, const Operand& p);
+  Finding& into_loop(Address at, TextPlace place, Address end);
   void ambiguous(Address at, const Program& program, std::int64_t n, TextPlace place);
   void go_to(Address at, const Statement& go);
   void one_return(const ProgramFlow::ReturnTo& to);
@@ -83,7 +104,8 @@ class TargetCheck {
   Checker& c_;
   const ProgramFlow& flow_;
   const Program& program_;
-  Loops loops_;
+  const Loops& loops_;
+  AllLoops& all_;
   std::set<std::pair<std::int32_t, std::int64_t>> told_;
 };
 
@@ -103,12 +125,17 @@ void TargetCheck::jump(Address at, std::int64_t n, Address to, TextPlace place, 
   }
   if (n >= 0) ambiguous(at, program_, n, place);
   const Address end = loops_.entered(at, to);
-  if (end == kNowhere) return;
+  if (end != kNowhere) into_loop(at, place, end);
+}
+
+/// A jump or a return into a loop that ends in this block.
+Finding& TargetCheck::into_loop(Address at, TextPlace place, Address end) {
   Finding& into = c_.found(Check::IntoLoop, at, place,
                            "the loop ends in line " + std::to_string(c_.code.blocks[end].line));
   const Statement& statement = c_.code.statements[c_.code.blocks[end].aux];
   into.alarm = Fault{Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"};
   into.alarm_block = end;
+  return into;
 }
 
 void TargetCheck::jump(Address at, const Operand& p) {
@@ -162,8 +189,11 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
   const auto& callers = c_.callers[static_cast<std::size_t>(flow_.program())];
   if (callers.empty()) {
     const bool over = c_.code.control->calls.main_return.value == MainReturn::Restarts;
-    if (over && c_.code.first_of(program_, to.n) == kNowhere && flow_.program() == c_.main)
+    if (!over || flow_.program() != c_.main) return;
+    if (c_.code.first_of(program_, to.n) == kNowhere)
       missing(program_);
+    else
+      ambiguous(to.from, program_, to.n, to.place);
     return;
   }
   std::set<std::int32_t> seen;
@@ -172,12 +202,17 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
     if (told >= kToldCallers) break;
     if (!seen.insert(edge.caller).second) continue;
     const Program& caller = c_.program(edge.caller);
-    if (c_.code.return_target(caller, to.n, edge.from) == kNowhere) {
+    const Address found = c_.code.return_target(caller, to.n, edge.from);
+    if (found == kNowhere) {
       missing(caller).path = {edge.from};
       ++told;
-    } else {
-      ambiguous(to.from, caller, to.n, to.place);
+      continue;
     }
+    ambiguous(to.from, caller, to.n, to.place);
+    const Address end = all_.of(edge.caller).entered(edge.from, found);
+    if (end == kNowhere) continue;
+    into_loop(to.from, to.place, end).path = {edge.from};
+    ++told;
   }
 }
 
@@ -195,9 +230,10 @@ void TargetCheck::returns() {
 }  // namespace
 
 void check_targets(Checker& c) {
+  AllLoops loops(c);
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
-    TargetCheck targets(c, flow);
+    TargetCheck targets(c, flow, loops);
     for (Address at = flow.first(); at < flow.last(); ++at)
       each_variant(c.code, c.code.blocks[at],
                    [&](const Block& block) { targets.block(at, block); });

@@ -1,6 +1,8 @@
 // Locals that are read without a value, arguments that nobody gives or nobody reads.
 #include <algorithm>
+#include <set>
 #include <string>
+#include <unordered_map>
 
 #include "cncsub/analysis/variable_use.hpp"
 
@@ -24,6 +26,8 @@ class VacantCheck {
   Vacant at_entry(const ProgramFlow& flow) const;
   std::vector<Vacant> vacant(const ProgramFlow& flow) const;
   void pass(const ProgramFlow& flow, Address at, Vacant& state) const;
+  void take_conditions(const ProgramFlow& flow);
+  bool is_lonely(Address at) const;
   void tell_vacant(const ProgramFlow& flow);
   void tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check);
   void tell_unread();
@@ -32,6 +36,7 @@ class VacantCheck {
   Checker& c_;
   const VariableUses& uses_;
   std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is looked at
+  std::unordered_map<std::int32_t, int> conditions_;    // how many of its conditions ask a variable
   bool computed_calls_ = false;
   Bits locals_;
 };
@@ -71,7 +76,7 @@ Bits VacantCheck::vacant_in(const CallEdge& edge) const {
 
 VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   const auto& callers = c_.callers[static_cast<std::size_t>(flow.program())];
-  Vacant entry{0, 0, true};
+  Vacant entry{uses_.named(), uses_.named(), true};
   if (callers.empty()) {
     // Nobody knows who calls a subprogram that is not called here.
     if (flow.ever_ends() || !flow.ever_returns()) entry = {locals_, locals_, true};
@@ -80,7 +85,7 @@ VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   if (computed_calls_ || flow.program() == c_.main) return entry;
   Bits always = locals_, sometimes = 0;
   for (const CallEdge& edge : callers) {
-    const Bits vacant = vacant_in(edge);
+    const Bits vacant = vacant_in(edge) | uses_.named();
     always &= vacant;
     sometimes |= vacant;
   }
@@ -95,15 +100,39 @@ void VacantCheck::pass(const ProgramFlow& flow, Address at, Vacant& state) const
   for (const CallEdge* edge : calls_at_[at - flow.first()]) {
     if (edge->macro) continue;
     const LocalUse& called = uses_.of_program(edge->called);
-    set |= called.any ? ~Bits{0} : called.writes;
+    set |= (called.any ? ~Bits{0} : called.writes) & ~uses_.named();
   }
   const Op op = c_.code.blocks[at].op;
   if (op == Op::Labelled || op == Op::Choose ||
       (calls_at_[at - flow.first()].empty() && calls_subprogram(c_.code, c_.code.blocks[at])))
-    set = ~Bits{0};
+    set |= ~uses_.named();
   state.always &= ~set;
   // A variable that is set only where a condition holds, and read where it holds again, has one.
+  if (is_lonely(at)) set &= uses_.of_program(flow.program()).again;
   state.sometimes &= ~set;
+}
+
+/// Whether a block sets something under a condition that no other block asks again.
+bool VacantCheck::is_lonely(Address at) const {
+  const VariableUse* own = uses_.of(at);
+  if (c_.code.blocks[at].op != Op::IfThen || own == nullptr || own->any) return false;
+  return std::all_of(own->reads.begin(), own->reads.end(), [&](std::int32_t number) {
+    const auto found = conditions_.find(number);
+    return found == conditions_.end() || found->second < 2;
+  });
+}
+
+void VacantCheck::take_conditions(const ProgramFlow& flow) {
+  conditions_.clear();
+  for (Address at = flow.first(); at < flow.last(); ++at) {
+    const Op op = c_.code.blocks[at].op;
+    const bool asks =
+        op == Op::IfThen || op == Op::IfGoto || op == Op::If || op == Op::While || op == Op::Goto;
+    const VariableUse* own = asks ? uses_.of(at) : nullptr;
+    if (own == nullptr) continue;
+    const std::set<std::int32_t> asked(own->reads.begin(), own->reads.end());
+    for (const std::int32_t number : asked) ++conditions_[number];
+  }
 }
 
 /// Which locals have no value before each block: on every way to it, on some way.
@@ -119,7 +148,10 @@ std::vector<VacantCheck::Vacant> VacantCheck::vacant(const ProgramFlow& flow) co
     if (!old.reached || own.always != old.always || own.sometimes != old.sometimes)
       waiting.push_back(at);
   };
-  for (const Address entry : flow.entries()) reach(entry, {0, 0, true});
+  for (const Address entry : flow.entries()) {
+    const bool other = entry < flow.last() && c_.code.program_at(entry) != flow.program();
+    reach(entry, {other ? uses_.named() : 0, 0, true});
+  }
   reach(flow.first(), at_entry(flow));
   while (!waiting.empty()) {
     const Address at = waiting.back();
@@ -134,7 +166,7 @@ std::vector<VacantCheck::Vacant> VacantCheck::vacant(const ProgramFlow& flow) co
 void VacantCheck::tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check) {
   for (std::int32_t local = 1; local < kMostBits; ++local) {
     if ((locals >> local & 1) == 0) continue;
-    const std::string name = "#" + std::to_string(local);
+    const std::string name = uses_.name_of(local);
     Finding& found = c_.found(check, at, uses_.place_of(at, local),
                               check == Check::ArgumentMissing ? "no call gives " + name
                               : check == Check::Vacant        ? name + " has no value here"
@@ -155,9 +187,12 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow) {
     const Vacant& state = before[at - flow.first()];
     if (own == nullptr || !state.reached || own->read_locals == 0) continue;
     const Bits always = own->read_locals & state.always & ~told;
-    tell_vacant(flow, at, always, macro ? Check::ArgumentMissing : Check::Vacant);
+    const Bits arguments = macro ? always & ~uses_.named() : 0;
+    tell_vacant(flow, at, arguments, Check::ArgumentMissing);
+    tell_vacant(flow, at, always & ~arguments, Check::Vacant);
     told |= always;
-    const Bits sometimes = own->read_locals & ~own->word_locals & state.sometimes & ~told;
+    const Bits sometimes =
+        own->read_locals & ~own->word_locals & state.sometimes & ~told & ~uses_.named();
     tell_vacant(flow, at, sometimes, Check::MaybeVacant);
     told |= sometimes;
   }
@@ -193,6 +228,7 @@ void VacantCheck::run() {
   for (const ProgramFlow& flow : c_.flows) {
     if (c_.inside(flow) || uses_.of_program(flow.program()).reads == 0) continue;
     calls_at_ = calls_by_block(flow);
+    take_conditions(flow);
     tell_vacant(flow);
   }
   tell_unread();

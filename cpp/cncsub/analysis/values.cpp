@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cncsub/analysis/checker.hpp"
@@ -11,15 +12,30 @@ namespace cncsub {
 namespace {
 
 constexpr std::uint32_t kLengths = bit('X') | bit('Y') | bit('Z') | bit('U') | bit('V') | bit('W');
+constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K') | bit('R');
 constexpr double kFewIncrements = 1000;
+
+/// The words of a block that are lengths: of an arc also its centre and radius, of a drilling cycle
+/// its R. What else these letters are, such as a count, another word says.
+std::uint32_t lengths_of(const Checker& c, const Block& block) {
+  if ((block.mask & kCentre) == 0) return block.mask & kLengths;
+  std::uint32_t lengths = block.op == Op::Arc ? kLengths | kCentre : kLengths;
+  each_g(c.code, block, [&](int g) {
+    const GCode code = c.g_codes.find(g);
+    if (code.meaning == Meaning::Cw || code.meaning == Meaning::Ccw) lengths |= kCentre;
+    if (code.group == Group::Cycle && c.machine == MachineType::Mill) lengths |= bit('R');
+  });
+  return block.mask & lengths;
+}
 
 /// The lengths of a block that are written with a point, and those without one that are small.
 struct Points {
   std::uint32_t with = 0, without = 0;
 };
 
-Points points_of(const Code& code, const Block& block) {
-  const std::uint32_t lengths = block.mask & kLengths;
+Points points_of(const Checker& c, const Block& block) {
+  const Code& code = c.code;
+  const std::uint32_t lengths = lengths_of(c, block);
   if (lengths == 0) return {};
   if ((block.flags & Block::kHasExtra) == 0) return {lengths, 0};
   const auto extra = code.cells[block.data].extra;
@@ -33,12 +49,36 @@ Points points_of(const Code& code, const Block& block) {
   return points;
 }
 
+constexpr const char* kIncrements =
+    "it counts increments of the control, a thousandth of a millimetre or less";
+
+/// Whether an argument of a macro is a small whole number of which the control makes increments.
+bool counts_increments(const Argument& argument) {
+  const Operand& value = argument.operand;
+  constexpr std::string_view kScaled = "ABCIJKQRUVWXYZ";
+  return value.whole && value.kind == Operand::Kind::Constant && value.value != 0 &&
+         std::fabs(value.value) < kFewIncrements &&
+         kScaled.find(argument.address) != std::string_view::npos;
+}
+
+void check_arguments(Checker& c, Address at) {
+  each_variant(c.code, c.code.blocks[at], [&](const Block& block) {
+    if (!is_call(block.op)) return;
+    const CallRecord& record = c.code.calls[block.aux];
+    for (std::uint32_t i = 0; i < record.arguments; ++i) {
+      const Argument& argument = c.code.arguments[record.first_argument + i];
+      if (counts_increments(argument))
+        c.found(Check::NoPoint, at, {argument.operand.at, argument.operand.width}, kIncrements);
+    }
+  });
+}
+
 void check_points(Checker& c, const ProgramFlow& flow) {
   if (c.code.control->reading.whole_numbers.value != WholeNumbers::Increments) return;
   bool points = false;
   std::vector<Address> without;
   for (Address at = flow.first(); at < flow.last(); ++at) {
-    const Points of = points_of(c.code, c.code.blocks[at]);
+    const Points of = points_of(c, c.code.blocks[at]);
     points = points || of.with != 0;
     if (of.without != 0) without.push_back(at);
   }
@@ -46,7 +86,7 @@ void check_points(Checker& c, const ProgramFlow& flow) {
   const Program& program = c.program(flow.program());
   for (const Address at : without) {
     const Block& block = c.code.blocks[at];
-    const std::uint32_t addresses = points_of(c.code, block).without;
+    const std::uint32_t addresses = points_of(c, block).without;
     for (const WrittenWord& word : c.code.words_of(block, program)) {
       const bool meant = word.address.size() == 1 && word.address[0] >= 'A' &&
                          word.address[0] <= 'Z' && (addresses & bit(word.address[0])) != 0;
@@ -54,9 +94,11 @@ void check_points(Checker& c, const ProgramFlow& flow) {
         c.found(Check::NoPoint, at,
                 {static_cast<std::uint32_t>(block.text + word.at),
                  static_cast<std::uint32_t>(word.width)},
-                "it counts increments of the control, a thousandth of a millimetre or less");
+                kIncrements);
     }
   }
+  for (Address at = flow.first(); at < flow.last(); ++at)
+    if (may_call(c.code.blocks[at].op)) check_arguments(c, at);
 }
 
 void check_call(Checker& c, Address at, const CallRecord& record) {

@@ -8,7 +8,18 @@
 
 namespace cncsub {
 
+namespace {
+
+constexpr std::int32_t kFirstNamed = 1 << 30;  // a variable with a name, by its place behind this
+
+}  // namespace
+
 VariableUses::VariableUses(const Checker& c) : c_(c), programs_(c.flows.size()) {
+  for (std::size_t i = 0; i < c.code.named_variables.size(); ++i) {
+    const NamedVariable& of = c.code.named_variables[i];
+    names_.emplace(of.name, static_cast<std::int32_t>(i));
+    if (!of.common && of.index < kMostBits) named_ |= Bits{1} << of.index;
+  }
   for (const ProgramFlow& flow : c.flows)
     for (Address at = flow.first(); at < flow.last(); ++at) take(flow, at);
   share();
@@ -19,6 +30,32 @@ Bits VariableUses::bit_of(std::int64_t number, std::vector<std::int32_t>& to) co
   const bool local = place.is_local() && place.index < kMostBits;
   if (local || place.is_common()) to.push_back(static_cast<std::int32_t>(number));
   return local ? Bits{1} << place.index : 0;
+}
+
+/// The same of one that may have a name; `any`: nobody knows which it is.
+Bits VariableUses::bit_of(const VariableReference& of, std::vector<std::int32_t>& to,
+                          bool& any) const {
+  if (!of.computed && of.number >= 0) return bit_of(of.number, to);
+  const auto found = of.computed ? names_.end() : names_.find(of.name);
+  any = any || found == names_.end();
+  if (found == names_.end()) return 0;
+  to.push_back(kFirstNamed + found->second);
+  const NamedVariable& named = c_.code.named_variables[static_cast<std::size_t>(found->second)];
+  return named.common || named.index >= kMostBits ? 0 : Bits{1} << named.index;
+}
+
+std::string VariableUses::name_of(std::int32_t number) const {
+  if (number < kFirstNamed) {
+    for (const NamedVariable& of : c_.code.named_variables)
+      if (!of.common && of.index == number) return "#<" + of.name + ">";
+    return "#" + std::to_string(number);
+  }
+  return "#<" + c_.code.named_variables[static_cast<std::size_t>(number - kFirstNamed)].name + ">";
+}
+
+bool VariableUses::is_local(std::int32_t number) const {
+  if (number < kFirstNamed) return c_.code.place(number).is_local();
+  return !c_.code.named_variables[static_cast<std::size_t>(number - kFirstNamed)].common;
 }
 
 /// Whether a condition of the block compares with #0.
@@ -54,24 +91,24 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
   if (of.reads.empty() && of.writes.empty()) return;
   VariableUse use;
   use.tests = tests_vacancy(block);
+  LocalUse& program = programs_[static_cast<std::size_t>(flow.program())];
+  const bool prints = block.op >= Op::Print && block.op <= Op::NameVariables;
   const std::string& text = c_.code.files[c_.program(flow.program()).file].text;
   for (const VariableReference& each : of.reads) {
-    use.any = use.any || each.computed || each.number < 0;
-    const Bits own = each.number < 0 ? 0 : bit_of(each.number, use.reads);
-    use.read_locals |= own;
+    const Bits own = bit_of(each, use.reads, use.any);
+    if (each.asked) program.tested |= own;
+    use.read_locals |= prints ? own & ~named_ : own;  // one without a value is printed as such
     const std::string_view written = std::string_view(text).substr(each.place.at, each.place.width);
     const bool alone = is_alone(block, written);
     if (alone) use.word_locals |= own;
   }
-  for (const VariableReference& each : of.writes) {
-    use.any = use.any || each.computed || each.number < 0;
-    if (each.number >= 0) use.written_locals |= bit_of(each.number, use.writes);
-  }
-  LocalUse& own = programs_[static_cast<std::size_t>(flow.program())];
-  own.reads |= use.read_locals;
-  own.writes |= use.written_locals;
-  own.any = own.any || use.any;
-  if (use.tests) own.tested |= use.read_locals;
+  for (const VariableReference& each : of.writes)
+    use.written_locals |= bit_of(each, use.writes, use.any);
+  program.reads |= use.read_locals;
+  program.again |= program.writes & use.written_locals;
+  program.writes |= use.written_locals;
+  program.any = program.any || use.any;
+  if (use.tests) program.tested |= use.read_locals;
   uses_.emplace(at, std::move(use));
 }
 
@@ -89,6 +126,7 @@ void VariableUses::share() {
       LocalUse& caller = programs_[static_cast<std::size_t>(edge.caller)];
       const LocalUse before = caller;
       caller.reads |= of.reads;
+      caller.again |= of.again | (caller.writes & of.writes);
       caller.writes |= of.writes;
       caller.tested |= of.tested;
       caller.any = caller.any || of.any;
@@ -101,8 +139,11 @@ void VariableUses::share() {
 TextPlace VariableUses::place_of(Address at, std::int32_t number) const {
   const Block& block = c_.code.blocks[at];
   const References of = references_of(c_.code, block, c_.code.program_at(at));
-  for (const VariableReference& each : of.reads)
-    if (each.number == number) return each.place;
+  const std::string name = name_of(number);
+  for (const VariableReference& each : of.reads) {
+    const bool named = each.number < 0 && !each.computed && name == "#<" + each.name + ">";
+    if (each.number == number || named) return each.place;
+  }
   return {block.text, block.length};
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -16,7 +17,7 @@ constexpr std::int32_t kMostBits = 64;
 
 /// What one block does.
 struct VariableUse {
-  std::vector<std::int32_t> reads, writes;  // locals and commons by number
+  std::vector<std::int32_t> reads, writes;  // locals and commons by number, those with names behind
   Bits read_locals = 0, written_locals = 0;
   Bits word_locals = 0;  // those of `read_locals` that a word holds alone, or that are copied
   bool tests = false;    // compares with #0: what it reads may be vacant
@@ -26,6 +27,7 @@ struct VariableUse {
 /// What one program does with locals, with the subprograms that share them.
 struct LocalUse {
   Bits reads = 0, writes = 0, tested = 0;
+  Bits again = 0;    // of `writes`, those of more than one block
   bool any = false;  // any variable may be read or written
   bool operator==(const LocalUse&) const = default;
 };
@@ -44,16 +46,25 @@ class VariableUses {
   }
   /// The word or value of a block that reads a variable.
   TextPlace place_of(Address at, std::int32_t number) const;
+  /// The locals that have names and no numbers: no argument sets them, and no other program.
+  Bits named() const { return named_; }
+  /// A variable as it is written: #100, #<depth>.
+  std::string name_of(std::int32_t number) const;
+  /// Whether a variable belongs to one level of calls.
+  bool is_local(std::int32_t number) const;
 
  private:
   void take(const ProgramFlow& flow, Address at);
   Bits bit_of(std::int64_t number, std::vector<std::int32_t>& to) const;
+  Bits bit_of(const VariableReference& of, std::vector<std::int32_t>& to, bool& any) const;
   bool tests_vacancy(const Block& block) const;
   void share();
 
   const Checker& c_;
   std::unordered_map<Address, VariableUse> uses_;
   std::vector<LocalUse> programs_;
+  std::unordered_map<std::string, std::int32_t> names_;  // to places in Code::named_variables
+  Bits named_ = 0;
 };
 
 /// Of numbers in order those that are among `numbers`, as bits.

@@ -42,6 +42,7 @@ struct VariableReference {
   std::int64_t number = -1;  // -1 where it has a name
   std::string name;          // of a dialect or a table of names
   bool computed = false;     // the number is computed: `place` holds what gives it
+  bool asked = false;        // whether it has a value is all that is asked: EXISTS[#<a>]
   TextPlace place;           // the value or the word that holds it
 };
 

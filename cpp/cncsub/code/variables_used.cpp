@@ -61,6 +61,9 @@ void VariablesUsed::reads(std::uint32_t expression) {
       named = true;
     } else if (is_indirect(here.op)) {
       found.computed = true;
+    } else if (here.op == Ins::IsSet && !to_.reads.empty()) {
+      to_.reads.back().asked = true;
+      continue;
     } else {
       continue;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "cncsub/code/variable_faults.hpp"
 #include "cncsub/control/variable_table.hpp"
@@ -282,6 +283,24 @@ void clear_variables(Run& run) {
       std::fill_n(run.state.commons.begin() + base, range.last - range.first + 1, kVacant);
 }
 
+namespace {
+
+/// Variables that have another number as well are listed by that, as programs call them: #100 where
+/// the control counts #10100.
+void call_by_aliases(const Run& run, std::map<std::int32_t, double>& values) {
+  for (const auto& [range, base] : run.code->variables) {
+    if (!is_alias(range)) continue;
+    for (std::int32_t number = range.first; number <= range.last; ++number) {
+      auto listed = values.extract(range.from + number - range.first);
+      if (listed.empty()) continue;
+      listed.key() = number;
+      values.insert(std::move(listed));
+    }
+  }
+}
+
+}  // namespace
+
 std::map<std::int32_t, double> variables(const Run& run, int level) {
   std::map<std::int32_t, double> values;
   for (const auto& [range, base] : run.code->variables) {
@@ -297,6 +316,7 @@ std::map<std::int32_t, double> variables(const Run& run, int level) {
     for (std::int32_t number = range.first; number <= range.last; ++number, ++value)
       if (!is_vacant(*value)) values[number] = *value;
   }
+  call_by_aliases(run, values);
   for (const auto& [number, value] : run.state.system)
     values[static_cast<std::int32_t>(number)] = value;
   return values;

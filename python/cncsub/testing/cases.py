@@ -38,6 +38,7 @@ class Case:
     # The memory: one text, or a folder of files. `external` is the folder of the external device.
     program: Text | None
     files: Mapping[str, Text] | None
+    paths: tuple[Path, ...] = ()  # where the files stand, if they stand on disk already
     external: Mapping[str, Text] | None
     encoding: str | None
 

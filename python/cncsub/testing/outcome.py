@@ -52,9 +52,8 @@ def load(case: Case, control: cncsub.Control) -> cncsub.Library:
         control = control.with_parameters(dict(case.params))
     external = None if case.external is None else _folder(case, "external")
     if case.files is not None:
-        return cncsub.load(
-            _folder(case, "files"), control=control, external=external, encoding=case.encoding
-        )
+        paths = case.paths or (_folder(case, "files"),)
+        return cncsub.load(*paths, control=control, external=external, encoding=case.encoding)
     return cncsub.loads(case.program or "", control=control, external=external)
 
 

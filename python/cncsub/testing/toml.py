@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import tomllib
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -48,7 +49,9 @@ def _case(file: Path, claim: str, said: dict[str, Any], number: int) -> Case:
         raise ValueError('it names no control: control = "fanuc-0i-f"')
     if "load" in said:
         words["files"] = _files(file.parent, said["load"])
-    return read_case(claim, topic=file.name, line=number, **words)
+    case = read_case(claim, topic=file.name, line=number, **words)
+    # Read where they stand, so that coverage tells of these files, with that of other tests.
+    return replace(case, paths=tuple(file.parent / name for name in said.get("load", ())))
 
 
 def _by_number(name: str, values: Any) -> dict[int, float | None]:
