@@ -248,9 +248,15 @@ class Pair:
         return Parting(*at, "\n".join(lines))
 
     def _of_steps(self, a: Run, b: Run) -> Iterator[Parting]:
-        at = first_difference(
-            [(column_of(a.steps, name), column_of(b.steps, name)) for name in ("program", "line")]
-        )
+        """The same texts are compared by files and lines: what a control calls the program that has
+        no name of its own is no difference.
+        """
+        programs = [
+            column_of(run.steps, "program", _files_of(library))
+            for run, library in zip((a, b), self.libraries, strict=True)
+        ]
+        lines = column_of(a.steps, "line"), column_of(b.steps, "line")
+        at = first_difference([(programs[0], programs[1]), lines])
         if at is not None:
             yield self._say((a, b), (at, at), ("", ""))
 
@@ -358,9 +364,10 @@ class Pair:
     def _of_stop(self, a: Run, b: Run) -> Iterator[Parting]:
         def stop(run: Run) -> tuple[object, ...]:
             alarm = run.alarm
-            where = (alarm.cause, alarm.program, alarm.n) if alarm is not None else ()
-            lines = (alarm.line,) if alarm is not None and self.same_texts else ()
-            return (run.stop, run.waiting_for, *where, *lines)
+            if alarm is None:
+                return (run.stop, run.waiting_for)
+            place = (alarm.file, alarm.line) if self.same_texts else (alarm.program,)
+            return (run.stop, run.waiting_for, alarm.cause, alarm.n, *place)
 
         if stop(a) != stop(b):
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
@@ -407,6 +414,11 @@ def _other_dwell(a: Run, b: Run) -> int | None:
     apart = abs(moves[0].time - moves[1].time) > _NEAR
     apart &= moves[0].kind == moves[0].kinds.index("dwell")
     return int(apart.argmax()) if apart.any() else None
+
+
+def _files_of(library: Library) -> dict[str, str]:
+    """The files of the programs, by their names."""
+    return {of.name: of.file for of in (*library.external.values(), *library.values())}
 
 
 def _start(n: int | None) -> str:
