@@ -76,6 +76,9 @@ def test_what_a_control_calls_the_program_of_a_file_is_no_difference(tmp_path: P
     assert cncsub.compare(file, controls=[MILL, "mitsubishi-m700"]).same
     file.write_text("O1\nN10 G0 X1.\nN20 M98 P9\nN30 M30\n")
     assert cncsub.compare(file, controls=[MILL, "mitsubishi-m700"]).same
+    file.write_text("O1\nN10 G0 X10\nN20 M30\n")
+    compared = cncsub.compare(file, controls=[MILL, "mitsubishi-m800"])
+    assert compared.rules == ("whole_numbers",)
 
 
 def test_the_block_that_a_call_begins_at_is_told() -> None:

@@ -162,10 +162,12 @@ def _compare_controls(
 
     def explains(control: Control) -> bool:
         try:
-            tried = pair.run(library.read_for(control), max_blocks=limit)
+            exchanged = library.read_for(control)
+            tried = pair.run(exchanged, max_blocks=limit)
         except KeyError:  # read so, there is no such main program
             return False
-        return pair.parting(tried, wanted) is None
+        other = Pair((exchanged, texts[1]), names, main, options, same_texts=True)
+        return other.parting(tried, wanted) is None
 
     made, untried = rules_between(one, other, explains)
     rules = tuple(name for name in made if name not in one.parameters)
@@ -261,7 +263,14 @@ class Pair:
             yield self._say((a, b), (at, at), ("", ""))
 
     def _of_calls(self, a: Run, b: Run) -> Iterator[Parting]:
-        columns = [(column_of(a.calls, name), column_of(b.calls, name)) for name in _CALLS]
+        called = [
+            _ends_of(run, library) if self.same_texts else None
+            for run, library in zip((a, b), self.libraries)
+        ]
+        columns = [
+            (column_of(a.calls, name, called[0]), column_of(b.calls, name, called[1]))
+            for name in _CALLS
+        ]
         at = first_difference(columns)
         if at is None:
             return
@@ -419,6 +428,18 @@ def _other_dwell(a: Run, b: Run) -> int | None:
 def _files_of(library: Library) -> dict[str, str]:
     """The files of the programs, by their names."""
     return {of.name: of.file for of in (*library.external.values(), *library.values())}
+
+
+def _ends_of(run: Run, library: Library) -> dict[str, str]:
+    """The programs that a run has called, by their names: their files and last lines, which are the
+    same whatever a control calls them.
+    """
+    found = {}
+    for name in run.calls.programs:
+        program = library.get(name) or library.external.get(name)
+        if program is not None and program.blocks:
+            found[name] = f"{program.file}:{program.blocks[-1].line}"
+    return found
 
 
 def _start(n: int | None) -> str:
