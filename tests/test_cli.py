@@ -629,3 +629,16 @@ def test_a_batch_of_nothing_is_wrong_use(shop: Path) -> None:
     done = CliRunner().invoke(app, ["batch", "none", "-c", "fanuc-0i-f"])
     assert done.exit_code == 2
     assert "no file was found" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("cut", "told"),
+    [("G1 Z-10. F0.2", True), ("S500 M3 G1 Z-10. F0.2", False), ("G4 X1.", False), ("", False)],
+)
+def test_a_time_that_counts_on_a_spindle_which_stands_still_is_told(
+    tmp_path: Path, cut: str, told: bool
+) -> None:
+    file = tmp_path / "turn.nc"
+    file.write_text(f"O1\nG99 G0 X50. Z2.\n{cut}\nM30\n")
+    out = CliRunner().invoke(app, ["run", str(file), "-c", "gsk-988ta"]).stdout
+    assert ("(where no S was told, at one revolution a minute)" in out) is told

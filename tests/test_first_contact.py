@@ -242,3 +242,33 @@ def test_a_file_that_an_option_names_is_not_told_as_left_out(job: Path) -> None:
     told = command("run", job, "-c", "fanuc-0i-f", "--setup", job / "setup.toml")[2]
     assert "other.toml" in told
     assert "setup.toml" not in told
+
+
+# ---- stumbles ----
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["chek", "part.nc"], "no command is called 'chek'; near are check"),
+        (["part.nc"], "to run it: cncsub run part.nc"),
+        (["zzz"], "there are run, tree, list"),
+        (
+            ["-c", "fanuc-0i-f", "run", "part.nc"],
+            "options stand behind the command: cncsub run part.nc",
+        ),
+        (
+            ["run", "part.nc", "-c", "fanuc-0i-f", "--mdi", "G65", "P9100", "X5."],
+            'quotes hold together what is typed: --mdi "G65 P9100"',
+        ),
+    ],
+)
+def test_a_stumble_leads_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: list[str], told: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "part.nc").write_text("O1\nM30\n")
+    done = CliRunner().invoke(app, words)
+    assert done.exit_code == 2
+    assert told in done.stderr
+    assert done.stderr.count("\n") == 1

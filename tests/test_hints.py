@@ -45,6 +45,13 @@ def test_a_file_beside_the_program_is_named(tmp_path: Path) -> None:
     assert told == f"{tmp_path / 'o0009.nc'} was not read: name it, or its folder, too"
 
 
+def test_a_file_in_a_folder_beside_the_program_is_named(tmp_path: Path) -> None:
+    (tmp_path / "macros").mkdir()
+    (tmp_path / "macros" / "O9100.nc").write_text("O9100\nM99\n")
+    (told,) = hints(run(tmp_path, "O1\nG65 P9100\nM30\n")[1])
+    assert told.startswith(f"{tmp_path / 'macros' / 'O9100.nc'} was not read")
+
+
 def test_the_parameter_that_allows_a_block_is_named_and_does(tmp_path: Path) -> None:
     text = "O1\nN10 IF[[#1 EQ #0]AND[#2 EQ #0]] GOTO 20\nN20 M30\n"
     told = hints(run(tmp_path, text)[1])
@@ -59,12 +66,25 @@ def test_the_parameter_that_allows_a_block_is_named_and_does(tmp_path: Path) -> 
         ("R1=5\nG0 X=R1\nM17\n", "-c siemens-one"),
         ("G0 X1\n#<depth>=5\nM2\n", "-c linuxcnc"),
         ("CALL O9000 PX=1\nM02\n", "Okuma"),
+        ("O1\nIF[#100 EQ 1]THEN\n#1=1\nELSE\n#1=2\nENDIF\nM30\n", "-c mitsubishi-m800"),
+        ("%1\n; PART\nIF #1 EQ 0\n#2=1\nELSE\n#2=2\nENDIF\nM30\n", "-c hnc-21m"),
+        # Two parts of one name: nothing runs, and the language is told all the same.
+        ("o11 sub\no11 endsub\no11 call\nM2\n", "-c linuxcnc"),
+        ("%_N_A_MPF\nM30\n%_N_B_SPF\nM17\n", "-c siemens-one"),
     ],
 )
 def test_the_language_a_program_seems_to_be_written_in(
     tmp_path: Path, text: str, told: str
 ) -> None:
     assert told in run(tmp_path, text)[1]
+
+
+def test_a_code_of_other_controls_tells_which_have_it(tmp_path: Path) -> None:
+    (told,) = hints(run(tmp_path, "O1\nG61.1\nM30\n")[1])
+    assert told.startswith("G61.1 is a code of ")
+    assert "mitsubishi-m800" in told
+    assert "fanuc" not in told
+    assert hints(run(tmp_path, "O1\nG999\nM30\n")[1]) == []
 
 
 def test_no_alarm_has_no_hints(tmp_path: Path) -> None:
@@ -110,6 +130,19 @@ def test_explain_knows_the_alarms_that_programs_raise_themselves() -> None:
     assert explain("MC3020").startswith("user-alarm")
     assert "fanuc-0i-f" in explain("MC3020", "-c", CONTROL)
     assert "no alarm, cause or rule" in explain("MC9020", "-c", CONTROL)
+
+
+def test_explain_tells_all_that_four_figures_may_mean() -> None:
+    told = explain("3020")
+    assert "gsk-980mdi: 3011" in told
+    assert "fanuc-0i-f: MC3020 the message that the program gives" in told
+
+
+@pytest.mark.parametrize(("asked", "what"), [("6005#0", "parameter"), ("max_nesting", "rule")])
+def test_explain_leads_on_to_the_facts_of_controls(asked: str, what: str) -> None:
+    told = explain(asked, "-c", CONTROL)
+    assert f"{asked!r} is a {what} of {CONTROL}" in told
+    assert f"`cncsub controls {CONTROL} {asked}`" in told
 
 
 def test_explain_tells_the_number_that_is_taken_for_another() -> None:
@@ -170,6 +203,12 @@ def test_conditions_joined_in_the_way_of_another_language_lead_to_the_own_one(
     assert told.startswith("conditions are joined as IF[[#1EQ#2]AND[#3EQ#4]]")
     assert "--param 6006#0=1" in told
     assert "linuxcnc" not in told
+
+
+def test_what_joins_no_conditions_is_not_taken_for_it(tmp_path: Path) -> None:
+    out, error = run(tmp_path, "O1\nIF[#500 GT 1E9]GOTO20 (AND SO ON)\nN20 M30\n")
+    assert "an operator or a closing bracket is missing" in out
+    assert hints(error) == []
 
 
 def test_what_was_typed_has_hints_and_idle_options_too(tmp_path: Path) -> None:

@@ -98,6 +98,8 @@ def test_the_preferred_file_counts_and_the_main_program_stays(job: Path, folder:
 def test_a_preferred_file_is_one_that_is_read(job: Path) -> None:
     with pytest.raises(ValueError, match=r"elsewhere\.nc, which is not among the files"):
         cncsub.load(job, control=CONTROL, prefer=[job / "elsewhere.nc"])
+    with pytest.raises(ValueError, match=r"; there is \S*a\Wo9001\.nc, \S*macros\Wo9001\.nc$"):
+        cncsub.load(job, control=CONTROL, prefer="o9001.nc")
 
 
 # ---- the command ----
@@ -187,3 +189,19 @@ def test_dropped_words_are_told_with_their_places(
     many = "".join(f"N{i} M8 M9\n" for i in range(1, 40))
     Path("main.nc").write_text(f"O1\n{many}M30\n")
     assert re.search(r"\.\.\. \d+ more words were dropped", told("run"))
+
+
+@pytest.mark.parametrize("name", cncsub.controls)
+def test_a_parameter_that_nothing_is_computed_from_is_told(name: str) -> None:
+    control = cncsub.controls[name]
+    for parameter in control.parameters.values():
+        changed = control.with_parameters({parameter.name: 1 - parameter.value})
+        told = [note.file for note in cncsub.loads("M30", control=changed).notes]
+        assert told == ([] if parameter.used else [f"parameter {parameter.name}"])
+
+
+def test_a_parameter_without_an_effect_is_told_on_the_terminal(tmp_path: Path) -> None:
+    (tmp_path / "main.nc").write_text("O1\nM30\n")
+    status, _, told = run(tmp_path / "main.nc", "--param", "3406=1")
+    assert (status, told.count("no effect")) == (0, 1)
+    assert "note: parameter 3406: no effect: nothing is computed from it" in told

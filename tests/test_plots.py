@@ -16,6 +16,7 @@ from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
+from cncsub.plot_page import page_of
 
 go = pytest.importorskip("plotly.graph_objects")
 
@@ -460,6 +461,9 @@ def test_the_graph_of_a_library() -> None:
     at = {t: (x, y) for trace in named.values() for t, x, y in zip(trace.text, trace.x, trace.y)}
     assert len(set(at.values())) == 5
     assert at["O1"][0] < at["O2"][0] < at["O9"][0]
+    beside = {t: p for trace in named.values() for t, p in zip(trace.text, trace.textposition)}
+    assert beside["O2"] == "top center"  # it calls, so that an arrow goes to the right
+    assert beside["O9"] == "middle right"
 
 
 def test_a_large_library_is_cut_and_says_so() -> None:
@@ -498,7 +502,7 @@ def test_the_command_writes_a_page_in_one_piece(tmp_path: Path) -> None:
     head = text[: text.index("<script>")]
     assert "default-src 'none'" in head
     assert "<script>alert" not in text
-    assert text.count("</script>") == 2
+    assert text.count("</script>") == 3
     asked = CliRunner().invoke(app, ["plot", str(tmp_path / "job.nc"), "-c", CONTROL])
     assert asked.exit_code == 2
     assert "-o path.html" in asked.stderr
@@ -512,6 +516,37 @@ def test_the_command_writes_a_page_in_one_piece(tmp_path: Path) -> None:
             app, ["plot", str(tmp_path / "job.nc"), "-c", CONTROL, "-o", "x.html", *wrong]
         )
         assert told.exit_code == 2, wrong
+
+
+def test_the_page_of_a_long_path_is_packed(tmp_path: Path) -> None:
+    text = "O1\n#1=0\nWHILE[#1LT20000]DO1\n#1=#1+1\nM98P2\nEND1\nM30\n"
+    text += "O2\nG1X[20*COS[#1]]Y[20*SIN[3*#1]]Z[#1/100]F500\nM99\n"
+    figure = ran(text).plot()
+    assert len(page_of(figure)) < 0.25 * len(figure.to_json()) + 2_500_000
+
+
+@pytest.mark.parametrize("color", ["kind", "call"])
+def test_the_slider_has_as_many_instants_in_every_colour(color: str) -> None:
+    calls = "".join(f"M98P{number}\n" for number in range(2, 40))
+    text = f"O1\n{calls}M30\n" + "".join(
+        f"O{number}\nG91G1X{number}.F100\nG0Y1.\nX-1.\nZ1.\nM99\n" for number in range(2, 40)
+    )
+    assert len(ran(text).plot(color=color).frames) == 120
+
+
+def test_a_legend_of_many_lines_leaves_the_title_alone(browser: Any, tmp_path: Path) -> None:
+    calls = "".join(f"M98P{number}\n" for number in range(2, 16))
+    text = f"O1\n{calls}M30\n" + "".join(
+        f"O{number}\nG91G1X{number}.F100\nM99\n" for number in range(2, 16)
+    )
+    file = page(tmp_path, "--of", "calls", text=text)
+    opened = browser.new_page(viewport={"width": 390, "height": 800})
+    opened.goto(file.as_uri())
+    opened.wait_for_selector("#picture g.legend")
+    box = "document.querySelector('{}').getBoundingClientRect()"
+    title, legend = box.format("#picture .gtitle"), box.format("#picture g.legend")
+    opened.wait_for_function(f"{title}.bottom <= {legend}.top", timeout=5_000)
+    opened.close()
 
 
 @pytest.mark.parametrize("of", ["path", "calls", "programs", "watch"])

@@ -296,7 +296,7 @@ def test_wrong_texts_and_names_are_told(library: cncsub.Library) -> None:
 
 def test_run_mdi_and_machine_take_the_same_options() -> None:
     taken = set(inspect.signature(cncsub.Library.run).parameters) - {"self", "main"}
-    from cncsub.library import ModeOptions, Options
+    from cncsub.run_options import ModeOptions, Options
 
     assert set(ModeOptions.__annotations__) == taken
     assert set(Options.__annotations__) == taken - {"mode"}
@@ -809,3 +809,28 @@ def test_a_group_of_rules_that_a_control_lacks_is_absent(name: str, group: str, 
     with pytest.raises(ValueError, match=f"{name} has no rules of {group}, such as {rule}: "):
         control.replace(**{rule: 2})
     assert not cncsub.controls["fanuc-0i-f"].absent
+
+
+def test_help_shows_signatures_that_somebody_can_type() -> None:
+    classes = [made for name in dir(cncsub) if inspect.isclass(made := getattr(cncsub, name))]
+    methods = [
+        (made.__name__, name, inspect.getdoc(getattr(made, name)) or "")
+        for made in classes
+        for name in dir(made)
+        if not name.startswith("_") and callable(getattr(made, name))
+    ]
+    assert [m[:2] for m in methods if "*args" in m[2] and m[0] in ("Control", "Alarm")] == []
+    assert cncsub.Control.with_parameters.__doc__ is not None
+    assert cncsub.Control.with_parameters.__doc__.startswith("with_parameters(parameters)\n")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("load", "loads", "compare", "flatten", "translate", "report", "run_many", "check_many"),
+        *("read_variables", "Alarm", "AlarmError", "Control", "Library", "Program", "Run", "Stop"),
+        *("Setup", "Inputs", "Workpiece", "Box", "Cylinder", "Plane", "Sphere", "Machine", "Flat"),
+    ],
+)
+def test_what_is_called_or_made_has_an_example(name: str) -> None:
+    assert ">>> " in (inspect.getdoc(getattr(cncsub, name)) or "")

@@ -116,6 +116,26 @@ def test_a_program_too_long_is_cut_and_said_so_but_its_findings_are_shown() -> N
     assert len(page) < 2_000_000
 
 
+def test_calls_alike_are_one_line_and_none_is_lost() -> None:
+    text = "O1\nM98 P2\nM98 P3\nM30\nO2\nWHILE[#1LT3000]DO1\n#1=#1+1\nG65 P4 A#1\nEND1\nM99\n"
+    page = page_of(text + "O3\nM99\nO4\nM99\n")
+    tree = page[page.index('<ul class="tree">') : page.index('<section id="path">')]
+    shown = re.sub(r"<[^>]*>", "", tree)
+    assert "G65 O4 A=1 (the first; they differ) x 3,000 from O2 line 8" in shown
+    assert "M98 O3 from O1 line 3" in shown
+    assert tree.count("<li>") == 3
+    Page(page)
+
+
+def test_of_many_programs_the_short_ones_are_shown_whole_and_the_long_ones_alike() -> None:
+    long = "O1\nM98 P2\nM98 P3\nM98 P4\n" + "G4 X1.\n" * 4_000 + "M30\n"
+    long += "".join(f"O{number}\n" + "G4 X1.\n" * 3_000 + "M99\n" for number in (2, 3))
+    page = page_of(long + "O4\n#100=1\n#101=2\nM99\n")
+    assert "<td>#101=2</td>" in page
+    cut = [int(left.replace(",", "")) for left in re.findall(r"\.\.\. ([\d,]+) blocks", page)]
+    assert [4_004 - cut[0], 3_001 - cut[1], 3_001 - cut[2]] == [1_666, 1_665, 1_666]
+
+
 def test_arcs_are_round_and_x_of_a_lathe_is_a_radius() -> None:
     turn = "O1\nG0 X0 Z0\nG1 F100 X20.\nG3 X40. Z-10. R10.\nM30\n"
     path = path_of(cncsub.loads(turn, control="gsk-988ta").run())
@@ -145,13 +165,13 @@ def test_a_long_path_is_thinned_and_says_so() -> None:
     page = page_of(f"O1\nG1 F100\n{fine}M30\n")
     kept, whole = points_of(r"Thinned: ([\d,]+) of ([\d,]+) points; what is left out lies", page)
     assert kept <= MOST_POINTS < whole == 40_001
-    assert "nothing behind motion" not in page
+    assert "nothing behind move" not in page
 
 
 def test_a_path_that_cannot_be_thinned_is_cut_and_says_so() -> None:
     wide = "".join(f"X{i * i * 31 % 9973} Y{i * i * i % 9967}\n" for i in range(40_000))
     page = page_of(f"O1\nG1 F100\n{wide}M30\n")
-    behind, whole = points_of(r"nothing behind motion ([\d,]+) of ([\d,]+)", page)
+    behind, whole = points_of(r"nothing behind move ([\d,]+) of ([\d,]+)", page)
     assert behind < whole == 40_000
 
 

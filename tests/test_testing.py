@@ -193,6 +193,14 @@ def test_plain():
 """
 
 
+def test_a_control_that_there_is_not_is_told_in_a_line(project: pytest.Pytester) -> None:
+    project.makepyfile('def test_it(cnc):\n    cnc.run("O1\\nM30\\n")\n')
+    done = project.runpytest("--control", "fanuc-0if")
+    done.stdout.fnmatch_lines(["no control is called 'fanuc-0if'; near are fanuc-0i-f*"])
+    done.stdout.no_fnmatch_line("*Traceback*")
+    done.stdout.no_fnmatch_line("*def test_it*")
+
+
 def test_the_fixture_has_the_control_of_the_option_or_the_marker(project: pytest.Pytester) -> None:
     project.makepyfile(SUITE)
     (project.path / "square.nctest.toml").unlink()

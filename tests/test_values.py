@@ -276,3 +276,21 @@ def test_a_tool_and_its_change_in_one_block() -> None:
     for block in ("T1 M06", "M06 T1", "T1 M06 S500", "G90 T1 M06", "G54 G80 T1 M06"):
         run = cncsub.loads(f"O1\n{block}\nG0 X1.\nM30", control="fanuc-0i-f").run()
         assert run.moves.tool.tolist() == [1], block
+
+
+def test_the_end_of_a_line_on_windows_is_neither_shown_nor_marked() -> None:
+    text = "O1\r\nN10 #3000=1(WORN)\r\nM30\r\n"
+    alarm = cncsub.loads(text.encode(), control="fanuc-0i-f").run().alarm
+    assert alarm is not None
+    shown, mark = str(alarm).splitlines()[2:4]
+    assert shown == "   | N10 #3000=1(WORN)"
+    assert mark == "   |     ^^^^^^^^^^^^^"
+
+
+@pytest.mark.parametrize("control", cncsub.controls)
+def test_an_alarm_in_an_empty_file_is_in_its_first_line(control: str) -> None:
+    library = cncsub.loads("", control=control, name="empty.nc")
+    alarm = library.run().alarm
+    assert alarm is None or (alarm.line, alarm.column) == (1, 1)
+    assert library.main is None or library.main.line == 1
+    assert [f.line for f in library.check()] in ([], [1])

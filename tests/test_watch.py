@@ -132,7 +132,7 @@ def told(change: cncsub.Change) -> str:
     return f"{where} #{change.variable}={'-' if change.value is None else f'{change.value:g}'}"
 
 
-@pytest.mark.parametrize("trace", cncsub.library.TRACES)
+@pytest.mark.parametrize("trace", cncsub.run_options.TRACES)
 @pytest.mark.parametrize("name", TABLE)
 def test_a_row_for_each_change(name: str, trace: str) -> None:
     of = TABLE[name]
@@ -494,3 +494,15 @@ def test_a_wrong_watch_is_told(tmp_path: Path, watch: str, words: str) -> None:
 def test_moves_have_no_place_for_what_is_watched(tmp_path: Path) -> None:
     status, output = command(tmp_path, "--watch", "100", "--format", "csv")
     assert (status, "--watch takes text or json" in output) == (2, True)
+
+
+def test_vacant_neighbours_begin_on_one_line(tmp_path: Path) -> None:
+    (tmp_path / "p.nc").write_text("O1\n#100=1\nM30\n")
+    command = ["run", str(tmp_path / "p.nc"), "-c", "fanuc-0i-f", "--watch", "1-33,100-102"]
+    out = CliRunner().invoke(app, [*command, "--set", "101=5"]).stdout
+    assert [line for line in out.splitlines() if "begin" in line] == [
+        "watch: #1 to #33 begin vacant",
+        "watch: #100 begins vacant",
+        "watch: #101 begins 5",
+        "watch: #102 begins vacant",
+    ]

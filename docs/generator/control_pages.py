@@ -208,6 +208,12 @@ def _value(value: object) -> str:
     return " ".join(code(part) for part in str(value).split()) or "none"
 
 
+def _effect(parameter: cncsub.Parameter) -> str:
+    if parameter.rules:
+        return f" (sets {', '.join(map(code, parameter.rules))})"
+    return "" if parameter.used else " (nothing is computed from it)"
+
+
 def _parameters(control: cncsub.Control) -> str:
     if not control.parameters:
         return ""
@@ -215,7 +221,7 @@ def _parameters(control: cncsub.Control) -> str:
         [
             code(p.name),
             f"{p.value:g}",
-            words(p.meaning) + (f" (sets {', '.join(map(code, p.rules))})" if p.rules else ""),
+            words(p.meaning) + _effect(p),
             _worth(p.source, p.evidence),
         ]
         for p in control.parameters.values()

@@ -14,6 +14,18 @@ namespace cncsub::bindings {
 
 namespace {
 
+constexpr const char* kWithParameters = R"(with_parameters(parameters)
+
+The control with parameters of its own changed: a mapping of number, or number and bit, to value.
+
+Raises `ValueError` for a parameter that it does not have, and names what is near.
+
+>>> import cncsub
+>>> control = cncsub.controls["fanuc-0i-f"].with_parameters({"6050": 70, "6001#5": 1})
+>>> control.parameters["6050"].value
+70.0
+)";
+
 constexpr const char* kReplace = R"(replace(**rules)
 
 The control with rules changed, by the names `control.rules` shows.
@@ -56,6 +68,10 @@ a control, or `variable_options`, whose options are added.
 >>> cncsub.loads("O1\n#2501=5\n#100=#5221\nM30\n", control=control).run().variables[100]
 5.0
 )";
+
+struct ParameterRow : Parameter {
+  bool used = false;
+};
 
 struct AlarmRow {
   std::string cause;
@@ -251,26 +267,29 @@ void add_controls(py::module_& m) {
       .def("__repr__", [](const RuleView& r) {
         return "<Rule " + r.name + " = " + py::repr(value_of(r)).cast<std::string>() + ">";
       });
-  py::class_<Parameter>(m, "Parameter", py::is_final())
+  py::class_<ParameterRow>(m, "Parameter", py::is_final())
       .def_readonly("name", &Parameter::name)
       .def_readonly("value", &Parameter::value)
       .def_readonly("meaning", &Parameter::meaning)
       .def_readonly("source", &Parameter::source)
-      .def_property_readonly("evidence",
-                             [](const Parameter& p) { return std::string(to_string(p.evidence)); })
+      .def_property_readonly(
+          "evidence", [](const ParameterRow& p) { return std::string(to_string(p.evidence)); })
       .def_property_readonly("rule",
-                             [](const Parameter& p) {
+                             [](const ParameterRow& p) {
                                return p.sets.empty() ? py::object(py::none())
                                                      : py::str(p.sets.front().rule);
                              })
       .def_property_readonly("rules",
-                             [](const Parameter& p) {
+                             [](const ParameterRow& p) {
                                py::tuple names(p.sets.size());
                                for (std::size_t i = 0; i < p.sets.size(); ++i)
                                  names[i] = p.sets[i].rule;
                                return names;
                              })
-      .def("__repr__", [](const Parameter& p) {
+      .def_readonly("used", &ParameterRow::used,
+                    "Whether anything is computed from it; what is not is only what a program "
+                    "reads of it, as by PRM[].")
+      .def("__repr__", [](const ParameterRow& p) {
         return "<Parameter " + p.name + " = " + written(p.value) + ": " + p.meaning + ">";
       });
   py::class_<AlarmRow>(m, "AlarmEntry", py::is_final())
@@ -311,6 +330,9 @@ void add_controls(py::module_& m) {
         return "<VariableOption " + v.option.name + ": " + numbers_of(v.option) +
                (v.fitted ? ", fitted>" : ">");
       });
+  // Python writes no signature above these docstrings, which begin with their own.
+  py::options plain;
+  plain.disable_function_signatures();
   py::class_<Control, std::shared_ptr<Control>>(m, "Control", py::is_final())
       .def_readonly("name", &Control::name)
       .def_readonly("title", &Control::title)
@@ -337,7 +359,7 @@ void add_controls(py::module_& m) {
                              [](const Control& c) {
                                py::dict rows;
                                for (const Parameter& p : c.parameters)
-                                 rows[py::str(p.name)] = py::cast(p);
+                                 rows[py::str(p.name)] = py::cast(ParameterRow{p, c.uses(p)});
                                return rows;
                              })
       .def_property_readonly("alarms",
@@ -367,8 +389,7 @@ void add_controls(py::module_& m) {
               throw py::type_error("with_parameters takes one mapping, such as {'6050': 70}");
             return with_parameters(c, by_name ? py::object(named["parameters"]) : args[0]);
           },
-          "with_parameters(parameters)\n\nThe control with parameters of its own changed, such as "
-          "{'6050': 70, '6001#5': 1}.\nRaises `ValueError` for a parameter that it does not have.")
+          kWithParameters)
       .def(
           "replace",
           [](const Control& c, const py::args& args, const py::kwargs& changes) {

@@ -17,7 +17,8 @@ from cncsub._core import Alarm, Control, Frame, __version__
 from cncsub.controls import Cause, Source, causes, controls, sources
 from cncsub.engine_types import tell_engine_types
 from cncsub.inputs import Inputs
-from cncsub.library import Library, load, loads
+from cncsub.library import Library
+from cncsub.loading import load, loads
 from cncsub.program import Block, Program, Word
 from cncsub.rows import Call, Change, Dropped, MissedSkip, Move, Origin, SentCode, Step
 from cncsub.run import AlarmError, Machine, Run, Stop

@@ -23,7 +23,9 @@ from cncsub.archive_store import Folder, InMemory
 from cncsub.archive_work import Job, Row, Task, Work, do_chunk, done_apart, end_pool, new_pool
 from cncsub.controls import control_of
 from cncsub.files import Reading, StrPath, check_encoding, clean, first_time, walk
-from cncsub.library import Library, Options, loads
+from cncsub.library import Library
+from cncsub.loading import loads
+from cncsub.run_options import Options
 from cncsub.setup import Setup
 from cncsub.signatures import spelled_out
 

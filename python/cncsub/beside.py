@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from cncsub.library import Library
 
 MOST_FILES = 2_000  # of a folder
+MOST_FOLDERS = 20  # in a folder
 MOST_ROUNDS = 100  # files that call files that call files
 
 
@@ -39,6 +40,17 @@ def folders_of(path: str) -> list[Path]:
     """The folder of a file, and of a link that of the file it leads to."""
     folder, real = Path(path).parent, Path(os.path.realpath(path)).parent
     return [folder] if real == Path(os.path.realpath(folder)) else [folder, real]
+
+
+def folders_in(folder: Path) -> list[Path]:
+    """The folders in a folder, the first of many, without those that are hidden."""
+    try:
+        with os.scandir(folder) as entries:
+            there = [entry for _, entry in zip(range(MOST_FILES), entries)]
+            inner = [e.name for e in there if not e.name.startswith(".") and e.is_dir()]
+    except OSError:
+        return []
+    return [folder / name for name in sorted(inner)[:MOST_FOLDERS]]
 
 
 def missing_programs(library: Library) -> list[str]:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import sys
 from collections import Counter
 from importlib import import_module
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -20,6 +21,7 @@ import typer.main
 
 import cncsub
 from cncsub import system
+from cncsub.controls import did_you_mean
 from cncsub.options import WrongUseError
 from cncsub.printing import shown
 
@@ -64,6 +66,13 @@ class OneLineGroup(typer.core.TyperGroup):
             typer.echo(f"cncsub: {shown(_one_line(error))}", err=True)
             sys.exit(2)
         sys.exit(status if isinstance(status, int) else 0)
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        if args and not args[0].startswith("-") and args[0] not in COMMANDS:
+            known = did_you_mean(args[0], COMMANDS, f"; there are {', '.join(COMMANDS)}")
+            lead = f"; to run it: cncsub run {args[0]}" if Path(args[0]).exists() else known
+            raise WrongUseError(f"no command is called {args[0]!r}{lead}")
+        return super().resolve_command(ctx, args)
 
     def list_commands(self, ctx: Any) -> list[str]:
         return list(COMMANDS)
@@ -113,7 +122,12 @@ def _one_line(error: Exception) -> str:
     words = getattr(error, "format_message", None)
     if words is None and not isinstance(error, WrongUseError):
         raise error
-    return " ".join(str(words() if words else error).split())
+    told = " ".join(str(words() if words else error).split())
+    context = getattr(error, "ctx", None)
+    of_none = context is not None and context.parent is None
+    if of_none and getattr(error, "option_name", None) and not getattr(error, "possibilities", 0):
+        told += "; options stand behind the command: cncsub run part.nc -c fanuc-0i-f"
+    return told
 
 
 app = typer.Typer(cls=OneLineGroup, name="cncsub", **LOOK)

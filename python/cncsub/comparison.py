@@ -12,9 +12,11 @@ from cncsub.changes import BlockChange, block_changes
 from cncsub.controls import control_of
 from cncsub.differing import alike, column_of, first_difference
 from cncsub.exchanging import rules_between
-from cncsub.library import Library, Options, load
+from cncsub.library import Library
+from cncsub.loading import load
 from cncsub.rows import Step
 from cncsub.run import Run
+from cncsub.run_options import Options
 from cncsub.signatures import spelled_out
 
 if TYPE_CHECKING:

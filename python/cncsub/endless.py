@@ -11,7 +11,10 @@ MOST_BLOCKS = 12  # of a loop, in a text
 
 
 class Why(enum.StrEnum):
-    """What kind of program it is that does not end."""
+    """What kind of program it is that does not end: `REPEATS` (by design: M99 of the main program
+    starts it over), `LOOP` (the whole state came back exactly, so that it never ends), `WAITING`
+    (for an input nobody gave), `LONG` (nothing is proven: it may end).
+    """
 
     REPEATS = "repeats"  # by design: M99 of the main program starts it over
     LOOP = "loop"  # the whole state came back exactly, without a look outside: it never ends

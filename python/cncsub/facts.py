@@ -151,6 +151,7 @@ def control_facts(control: cncsub.Control) -> dict[str, Any]:
                 "value": parameter.value,
                 "meaning": parameter.meaning,
                 "rules": list(parameter.rules),
+                "used": parameter.used,
                 "source": parameter.source,
                 "evidence": parameter.evidence,
             }
@@ -192,34 +193,38 @@ def explanations(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]
     slugs = [slug for slug in cncsub.causes if slug == wanted]
     if not slugs:
         slugs = _causes_of_number(wanted, among)
-    if not slugs and (raising := [c for c in among if _is_user_alarm(c, wanted)]):
-        return [_user_alarm(wanted.upper(), raising)]
     by_number = wanted not in cncsub.causes
-    return [_explanation(slug, among, wanted if by_number else None) for slug in slugs]
+    told = [_explanation(slug, among, wanted if by_number else None) for slug in slugs]
+    if not slugs or re.fullmatch(r"[0-9]{4}", wanted):  # 3020 is said for MC3020 too
+        raised = [(c, number) for c in among if (number := _user_alarm_number(c, wanted))]
+        told += [_user_alarm(raised)] if raised else []
+    return told
 
 
-def _is_user_alarm(control: cncsub.Control, wanted: str) -> bool:
-    """Whether a program can raise this number by #3000: asked of the control itself."""
+def _user_alarm_number(control: cncsub.Control, wanted: str) -> str | None:
+    """The alarm of this number that a program can raise by #3000: asked of the control itself."""
     figures = re.fullmatch(r"[a-z]*([0-9]{1,4})", wanted)
     if figures is None or not (number := int(figures[1]) % 1000):
-        return False
+        return None
     alarm = cncsub.loads(f"O1\n#3000={number}\n", control=control).run().alarm
     raised = "" if alarm is None or alarm.cause != "user-alarm" else alarm.number or ""
-    return raised.casefold() == wanted or (figures[1] == wanted and raised.endswith(wanted))
+    same = raised.casefold() == wanted or (figures[1] == wanted and raised.endswith(wanted))
+    return raised if same else None
 
 
-def _user_alarm(number: str, controls: list[cncsub.Control]) -> dict[str, Any]:
-    """What is known of an alarm that only a program raises."""
+def _user_alarm(raising: list[tuple[cncsub.Control, str]]) -> dict[str, Any]:
+    """What is known of an alarm that only a program raises, on the controls with its number."""
+    number = raising[0][1]
     raised: dict[str, Any] = {
-        "number": number,
         "text": "the message that the program gives",
         "printed": None,
         "directed": {},
         "source": f"#3000={int(number[-3:])} of a program, as it runs here",
         "evidence": "see the rules of the control",
     }
-    told = _explanation("user-alarm", controls, None)
-    return {**told, "alarms": [{"control": control.name, **raised} for control in controls]}
+    told = _explanation("user-alarm", [control for control, _ in raising], None)
+    alarms = [{"control": control.name, "number": own, **raised} for control, own in raising]
+    return {**told, "alarms": alarms}
 
 
 # Causes that people take for each other, because a relative of the control raises the other number.
@@ -299,4 +304,17 @@ def unknown_alarm(asked: str, among: list[cncsub.Control], rules: Iterable[str])
     numbers = [n for c in among for a in c.alarms.values() for n in _numbers(a) if n]
     near = did_you_mean(asked, [*cncsub.causes, *rules, *dict.fromkeys(numbers)])
     where = f" on {among[0].name}" if len(among) == 1 else ""
+    known = [(c.name, what) for c in among if (what := _fact_of_control(c, asked))]
+    if known:
+        names = list(dict.fromkeys(name for name, _ in known))
+        of = ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
+        lead = f"`cncsub controls {names[0]} {asked}` prints it"
+        return f"{asked!r} is {known[0][1]} of {of}, no alarm, cause or rule of check: {lead}"
     return f"no alarm, cause or rule is called {asked!r}{where}{near}"
+
+
+def _fact_of_control(control: cncsub.Control, asked: str) -> str | None:
+    """What else of a control is called so."""
+    if asked in control.parameters:
+        return "a parameter"
+    return "a rule" if any(rule.name == asked for rule in control.rules) else None

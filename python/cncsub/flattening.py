@@ -12,9 +12,11 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.comparison import OtherControlPair, Pair, Parting
 from cncsub.controls import control_of
-from cncsub.library import Library, Options, loads
+from cncsub.library import Library
+from cncsub.loading import loads
 from cncsub.rows import Origin
 from cncsub.run import Run, Stop
+from cncsub.run_options import Options
 from cncsub.table import Table
 
 if TYPE_CHECKING:
@@ -115,7 +117,13 @@ class _FlatPair(Pair):
 
 
 class Flat:
-    """A flat program: `text`, and `origins` with a row for each block of it.
+    """A flat program: `text`, and `origins` with a row for each block of it (an `Origin`).
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P2\\nN20 M30\\nO2\\nN30 G0 X5.\\nN40 M99\\n"
+    >>> flat = cncsub.loads(text, control="fanuc-0i-f").flatten()
+    >>> flat.text.splitlines(), flat.origins[0].program, flat.origins[0].n
+    (['O1', 'G0 X5.', 'M30'], 'O2', 30)
 
     A text of more than 16 MB is not kept: whoever asks for `text`, `origins`, `pieces()` or
     `write()` has the program run again.

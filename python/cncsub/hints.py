@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import re
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from cncsub._core import Alarm, Control
-from cncsub.beside import files_named, folders_of
+from cncsub.beside import files_named, folders_in, folders_of
+from cncsub.controls import controls
 from cncsub.library import Library
 from cncsub.notes import Note
 from cncsub.program import Program
@@ -31,6 +33,9 @@ _LANGUAGES: tuple[tuple[str, str, str | None], ...] = (
     (r"^ *o(?:\d+|<\w+>) +(?:sub|call|if|while)\b|^ *#<\w+> *=", "LinuxCNC", "linuxcnc"),
     (r"^ *(?:N\w+ +)?(?:CALL +O\w+|RTS\b|V[CZ]\d*\w* *=)", "Okuma (OSP)", None),
     (r"^ *(?:N\d+ *)?G65 *H\d+ *P#", "GSK 980 or FANUC macro A", "gsk-980tdi"),
+    (r"^ *(?:N\d+ *)?(?:END_(?:IF|WHILE|FOR|REPEAT)\b|[@#]\d+ *:=)", "Syntec", "syntec-22ma"),
+    (r"^ *(?:N\d+ *)?(?:ELSE|ENDIF)\b", "the Mitsubishi M800", "mitsubishi-m800"),
+    (r"^ *(?:N\d+ *)?(?:ELSE|ENDIF|ENDW)\b", "Huazhong", "hnc-21m"),
 )
 
 
@@ -62,7 +67,8 @@ def hints_of(
         hints.append(other)
     elif not hints:
         hints += _allowed(library, run, again)
-        hints += () if hints else _joined(library.control, run, alarm)
+        hints += () if hints else _joined(library, alarm, mdi)
+        hints += () if hints else _who_has(library.control, alarm)
     return hints
 
 
@@ -83,8 +89,11 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
     # What was typed lies in no folder.
     files = [alarm.file] if alarm.file in library.files else library.files[:1]
     folders = {folder: None for file in files for folder in folders_of(file)}
+    folders |= {inner: None for folder in list(folders) for inner in folders_in(folder)}
+    device = {os.path.realpath(program.file) for program in library.external.values()}
     for file in (file for folder in folders for file in files_named(folder, name, library)):
-        yield f"{file} was not read: name it, or its folder, too"
+        if os.path.realpath(file) not in device:
+            yield f"{file} was not read: name it, or its folder, too"
 
 
 # ---- another language ----
@@ -95,11 +104,8 @@ def _language(
 ) -> str | None:
     """The language that a program seems to be written in, where the control reads another one."""
     program = library.get(alarm.program)
-    if program is None and mdi is None:
-        return None
-    text = (mdi or "" if program is None else program.text)[:MOST_TEXT]
-    for pattern, name, control in _LANGUAGES:
-        if control == library.control.name or not re.search(pattern, text, re.M | re.I):
+    for name, control in languages_of(mdi or "" if program is None else program.text):
+        if control == library.control.name:
             continue
         if control is None:
             return f"it seems to be written in the language of {name}, which no control here reads"
@@ -108,6 +114,28 @@ def _language(
         except (KeyError, ValueError):  # it has no such program, variable, axis
             continue
         if read.alarm is None or read.blocks > run.blocks:
+            return f"it seems to be written for {name}: -c {control}"
+    return None
+
+
+def languages_of(text: str) -> Iterator[tuple[str, str | None]]:
+    """The languages a text looks like, and the control here that reads each, if there is one."""
+    for pattern, name, control in _LANGUAGES:
+        if re.search(pattern, text[:MOST_TEXT], re.M | re.I):
+            yield name, control
+
+
+def other_reading(library: Library, file: str) -> str | None:
+    """The control for which a file of the memory seems to be written, where it holds no two
+    programs of one name if it is read so; in the words of a hint.
+    """
+    sources = {name: text for name, _, text, _ in library._code.sources}
+    for name, control in languages_of(sources.get(file, b"").decode(errors="replace")):
+        if control == library.control.name:
+            continue
+        if control is None:
+            return f"it seems to be written in the language of {name}, which no control here reads"
+        if all(program.file != file for program in library.read_for(control).duplicates):
             return f"it seems to be written for {name}: -c {control}"
     return None
 
@@ -148,14 +176,42 @@ def changed_controls(control: Control) -> Iterator[tuple[str, Control]]:
             yield f"the control's option {option.name} lets it pass: {option.numbers}", changed
 
 
-def _joined(control: Control, run: Run, alarm: Alarm) -> Iterator[str]:
+def _joined(library: Library, alarm: Alarm, mdi: str | None) -> Iterator[str]:
     """How conditions are joined, where a block joins them otherwise."""
-    if alarm.cause != "if-format" or not re.search(r"\b(?:AND|OR|XOR)\b", str(alarm), re.I):
+    if alarm.cause != "if-format" or not _JOINS.search(_block_of(library, alarm, mdi)):
         return
-    for parameter in control.parameters.values():
+    for parameter in library.control.parameters.values():
         if "conditions:joined" in parameter.rules:
             given = "" if parameter.value else f", with --param {parameter.name}=1"
             yield f"conditions are joined as IF[[#1EQ#2]AND[#3EQ#4]]{given}: {parameter.meaning}"
+
+
+_JOINS = re.compile(r"(?<![A-Z])(?:AND|OR|XOR)(?![A-Z])", re.IGNORECASE)
+
+
+def _block_of(library: Library, alarm: Alarm, mdi: str | None) -> str:
+    """The text of the block that alarmed, without its comments."""
+    program = library.get(alarm.program)
+    if program is not None:
+        text = next((b.text for b in program.blocks if b.line == alarm.line), "")
+    else:
+        text = "\n".join((mdi or "").splitlines()[alarm.line - 1 : alarm.line])
+    return re.sub(r"\([^()]*\)", "", text)
+
+
+def _who_has(control: Control, alarm: Alarm) -> Iterator[str]:
+    """The controls that have a G code which this one has not."""
+    code = re.fullmatch(r"G0*(\d+(?:\.\d+)?)", alarm.word or "", re.IGNORECASE)
+    if alarm.cause != "g-code-not-available" or code is None:
+        return
+    names = [
+        other.name
+        for other in controls.values()
+        if other.name != control.name
+        and any(r.name == "g_codes" and code[1] in str(r.value).split() for r in other.rules)
+    ]
+    if names:
+        yield f"{alarm.word} is a code of {', '.join(names)}"
 
 
 # ---- options without effect ----

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.collectors import tell
 from cncsub.controls import Named, control_of, did_you_mean
-from cncsub.files import CoreFile, StrPath, check_encoding, clean, cut, decoded, read_paths
-from cncsub.inputs import Inputs, checked_variables, checked_watch, inputs_of
+from cncsub.files import CoreFile, clean
+from cncsub.inputs import Inputs
 from cncsub.program import Program, find_program
 from cncsub.run import Machine, Run
+from cncsub.run_options import ModeOptions, Options, check_names, machine_with, whole
 from cncsub.setup import Setup, setup_of
 from cncsub.signatures import spelled_out
 from cncsub.stream import Stream
@@ -27,32 +27,7 @@ if TYPE_CHECKING:
     from cncsub.notes import Note
     from cncsub.references import CallGraph
 
-MODES = ("auto", "mdi")
 _NEAR = 5000  # names are compared with one that is not there
-TRACES = ("none", "calls", "blocks", "moves")
-
-
-class Options(TypedDict, total=False):
-    """The options of `Library.run` but `main` and `mode`."""
-
-    start: int | None
-    variables: Mapping[int, float | None] | None
-    block_skip: Iterable[int] | int
-    optional_stop: bool
-    max_cycles: int
-    max_blocks: int
-    max_seconds: float | None
-    max_memory: int | None
-    trace: str
-    inputs: Inputs | Mapping[str, Any] | None
-    setup: Setup | Mapping[str, Any] | None
-    watch: Iterable[int] | int
-
-
-class ModeOptions(Options, total=False):
-    """The options of `Library.run` but `main`."""
-
-    mode: str
 
 
 class Library(Mapping[str, Program]):
@@ -119,7 +94,7 @@ class Library(Mapping[str, Program]):
     def __reduce__(self) -> tuple[Any, ...]:
         # It travels as its texts and is read again where it arrives.
         sources, device = self._code.sources, self._code.external_device
-        return _read_again, (
+        return read_again, (
             self.control,
             sources,
             device,
@@ -218,7 +193,7 @@ class Library(Mapping[str, Program]):
         """
         known = control_of(control)
         sources, device = self._code.sources, self._code.external_device
-        return _read_again(known, sources, device, self._files, self._skipped, self._first)
+        return read_again(known, sources, device, self._files, self._skipped, self._first)
 
     def _with_texts(self, control: Control, texts: Mapping[str, str]) -> Library:
         """The memory of another control with other texts in its files."""
@@ -232,7 +207,7 @@ class Library(Mapping[str, Program]):
             for n, stem, data, outside in self._code.sources
         ]
         device = self._code.external_device
-        return _read_again(control, sources, device, self._files, self._skipped, self._first)
+        return read_again(control, sources, device, self._files, self._skipped, self._first)
 
     def call_graph(self) -> CallGraph:
         """Who calls whom, told by the blocks without running them: see `CallGraph`."""
@@ -413,15 +388,15 @@ class Library(Mapping[str, Program]):
                 raise TypeError(
                     f"mdi runs the text that was typed and takes no {name}; run takes it"
                 )
-        _check_names("mdi", options)
-        return _finished(_machine(self._code.with_mdi(clean(text)), -1, mode="mdi", **options))
+        check_names("mdi", options)
+        return _finished(machine_with(self._code.with_mdi(clean(text)), -1, mode="mdi", **options))
 
     @spelled_out(run)
     def machine(self, main: str | int | None = None, **options: Unpack[ModeOptions]) -> Machine:
         """The engine at the head of a program, to be run step by step; `options` are those of
         `run`.
         """
-        _check_names("machine", options)
+        check_names("machine", options)
         if options.get("trace") in ("none", "calls"):
             options["trace"] = "blocks"  # a step is a row of the table of steps
         return Machine(self._begin(main, **options))
@@ -440,87 +415,21 @@ class Library(Mapping[str, Program]):
         >>> sum(part.moves.total_length for part in library.stream(max_cycles=100_000))
         100000.0
         """
-        _check_names("stream", options)
+        check_names("stream", options)
         trace = options.get("trace", "moves")
-        return Stream(self._begin(main, **options), _whole("rows", rows, 1), trace)
+        return Stream(self._begin(main, **options), whole("rows", rows, 1), trace)
 
     def _begin(self, main: str | int | None, **options: Unpack[ModeOptions]) -> _core.Machine:
         if main is not None:
-            return _machine(self._code, self._find(main), **options)
+            return machine_with(self._code, self._find(main), **options)
         program = self.main
         if program is None:
             # Nothing to run runs: what an empty program does is the control's business.
-            return _machine(self._code.with_mdi(""), -1, **options)
-        return _machine(self._code, program._index, **options)
+            return machine_with(self._code.with_mdi(""), -1, **options)
+        return machine_with(self._code, program._index, **options)
 
 
-def load(
-    *paths: StrPath,
-    control: str | Control,
-    external: StrPath | None = None,
-    encoding: str | None = None,
-    prefer: StrPath | Iterable[StrPath] = (),
-) -> Library:
-    """Read files and folders as the memory of a control.
-
-    A folder gives every program file in it and below it; what is left out is told in
-    `Library.skipped`. `external` is the folder of the external device, which M198 reads. `encoding`
-    is that of comments and names, found out without it. Of several programs of one name the first
-    counts; `prefer` names files whose programs count before those of the others.
-
-    Raises `FileNotFoundError` for a missing path and `ValueError` for an unknown control, a folder
-    without programs or an unknown encoding; each names what is near. A program a control would
-    refuse raises nothing: it alarms when it runs. Ctrl-C raises `KeyboardInterrupt`, as anywhere
-    else, and leaves nothing behind.
-    """
-    known = control_of(control)
-    if not paths:
-        raise ValueError("load needs a file or a folder; loads takes the text of a program")
-    reading = read_paths(paths, encoding=encoding, without=external)
-    names = reading.names
-    outside, skipped = _external_files(external, encoding)
-    code = _core.compile(known, reading.rows(False) + outside, external is not None)
-    library = Library(code, names, [*reading.skipped, *skipped])
-    return _preferring(library, prefer)
-
-
-def loads(
-    text: str | bytes,
-    control: str | Control,
-    external: StrPath | None = None,
-    name: str | None = None,
-    encoding: str | None = None,
-) -> Library:
-    """Read one text as the memory of a control: one program or several, as they would stand in a
-    file.
-
-    `name` is what the file would be called; its stem names a program that has no name of its own.
-
-    >>> import cncsub
-    >>> cncsub.loads("N10 M30\\n", control="gsk-988ta", name="T0023.CNC").main.name
-    'T0023'
-    """
-    known = control_of(control)
-    check_encoding(encoding)
-    if isinstance(text, bytes | bytearray | memoryview):
-        pieces = decoded(bytes(text), encoding)
-    elif isinstance(text, str):
-        pieces = cut(text.removeprefix("\ufeff"))  # a mark of bytes that somebody has decoded
-    else:
-        raise TypeError(
-            f"loads takes the text of a program, not {type(text).__name__}; load takes paths"
-        )
-    outside, skipped = _external_files(external, encoding)
-    if name is not None and not isinstance(name, str):
-        raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
-    stem = clean(os.path.splitext(os.path.basename(name or ""))[0])  # noqa: PTH119, PTH122
-    shown = "<text>" if name is None else clean(name)
-    files: list[CoreFile] = [(shown, stem, pieces, False), *outside]
-    code = _core.compile(known, files, external is not None)
-    return Library(code, [shown], skipped)
-
-
-def _read_again(
+def read_again(
     control: Control,
     sources: Sequence[tuple[str, str, bytes, bool]],
     external_device: bool,
@@ -534,89 +443,10 @@ def _read_again(
     return Library(code, files, skipped, first if known else None)
 
 
-def _preferring(library: Library, prefer: StrPath | Iterable[StrPath]) -> Library:
-    """The memory in which the programs of some files count before those of the others."""
-    paths = [prefer] if isinstance(prefer, str | os.PathLike) else list(prefer)
-    if not paths:
-        return library
-    wanted = {os.path.realpath(path) for path in paths}
-    preferred = {name for name in library.files if os.path.realpath(name) in wanted}
-    if len(preferred) < len(wanted):
-        missing = wanted - {os.path.realpath(name) for name in preferred}
-        raise ValueError(f"prefer names {min(missing)}, which is not among the files that are read")
-    sources = sorted(library._code.sources, key=lambda source: source[0] not in preferred)
-    main = library.main
-    return _read_again(
-        library.control,
-        sources,
-        library._code.external_device,
-        sorted(library.files, key=lambda name: name not in preferred),
-        library._skipped,
-        None if main is None else main.name,
-    )
-
-
-def _external_files(
-    external: StrPath | None, encoding: str | None
-) -> tuple[list[CoreFile], list[tuple[str, str]]]:
-    if external is None:
-        return [], []
-    reading = read_paths([external], encoding=encoding)
-    return reading.rows(True), reading.skipped
-
-
 def _listing(names: Sequence[str]) -> str:
     if not names:
         return ", which is empty"
     return f"; there are {', '.join(names[:8])}{', ...' if len(names) > 8 else ''}"
-
-
-def _check_names(function: str, options: Mapping[str, object]) -> None:
-    known = ModeOptions.__annotations__
-    for name in options:
-        if name not in known:
-            raise TypeError(
-                f"{function} has no option {name!r}{did_you_mean(name, known)};"
-                " the options are those of run"
-            )
-
-
-def _machine(
-    code: _core.Code,
-    main: int,
-    *,
-    mode: str = "auto",
-    start: int | None = None,
-    variables: Mapping[int, float | None] | None = None,
-    block_skip: Iterable[int] | int = (),
-    optional_stop: bool = False,
-    max_cycles: int = 1,
-    max_blocks: int = 10_000_000,
-    max_seconds: float | None = None,
-    max_memory: int | None = None,
-    trace: str = "moves",
-    inputs: Inputs | Mapping[str, Any] | None = None,
-    setup: Setup | Mapping[str, Any] | None = None,
-    watch: Iterable[int] | int = (),
-) -> _core.Machine:
-    """The engine with checked options; `main` is the number of the program, -1 the last."""
-    return _core.machine(
-        code,
-        main if main >= 0 else len(code) - 1,
-        mdi=_one_of("mode", mode, MODES) == "mdi",
-        start=None if start is None else _whole("start, a sequence number,", start, 0),
-        variables=None if variables is None else checked_variables("variables", variables),
-        block_skip=_switches(block_skip),
-        optional_stop=_yes_or_no("optional_stop", optional_stop),
-        max_cycles=_whole("max_cycles", max_cycles, 1),
-        max_blocks=_whole("max_blocks", max_blocks, 0),
-        max_seconds=None if max_seconds is None else _seconds(max_seconds),
-        max_memory=None if max_memory is None else _whole("max_memory", max_memory, 0),
-        trace=_one_of("trace", trace, TRACES),
-        inputs=inputs_of(inputs),
-        setup=setup_of(setup),
-        watch=checked_watch(watch),
-    )
 
 
 def _finished(core: _core.Machine) -> Run:
@@ -624,56 +454,3 @@ def _finished(core: _core.Machine) -> Run:
     run = Run(core)
     tell(core.trace, core.code)
     return run
-
-
-def _one_of(what: str, value: object, known: Sequence[str]) -> str:
-    if value not in known:
-        raise ValueError(f"{what} is one of {', '.join(known)}, not {value!r}")
-    return str(value)
-
-
-def _whole(what: str, value: object, least: int) -> int:
-    if isinstance(value, bool) or not hasattr(value, "__index__"):
-        raise TypeError(f"{what} is a whole number, not {value!r}")
-    number = int(value)
-    if not least <= number < 2**63:
-        raise ValueError(
-            f"{what} is at least {least}, not {number}"
-            if number < least
-            else f"{what} is too large"
-        )
-    return number
-
-
-def _yes_or_no(what: str, value: object) -> bool:
-    if isinstance(value, str | bytes) or not hasattr(value, "__bool__") or value not in (0, 1):
-        raise TypeError(f"{what} is True or False, not {value!r}")
-    return bool(value)
-
-
-def _seconds(value: object) -> float:
-    if isinstance(value, bool) or not (hasattr(value, "__float__") or hasattr(value, "__index__")):
-        raise TypeError(f"max_seconds is a number of seconds, not {value!r}")
-    try:
-        seconds = float(value)  # type: ignore[arg-type]
-    except OverflowError:
-        seconds = 0.0
-    if not 0 < seconds < 1e300:
-        raise ValueError(f"max_seconds must be more than 0 and finite, not {value!r}")
-    return seconds
-
-
-def _switches(block_skip: object) -> tuple[int, ...]:
-    if isinstance(block_skip, bool):
-        return (1,) if block_skip else ()
-    if hasattr(block_skip, "__index__"):
-        block_skip = (block_skip,)
-    if isinstance(block_skip, str | bytes) or not isinstance(block_skip, Iterable):
-        raise TypeError(
-            "block_skip holds the numbers of the switches that are on, such as (1,),"
-            f" not {block_skip!r}"
-        )
-    switches = tuple(_whole("block_skip", switch, 1) for switch in block_skip)
-    if any(switch > 9 for switch in switches):
-        raise ValueError(f"block_skip: the block-skip switches are 1 to 9, not {max(switches)}")
-    return switches

@@ -48,10 +48,10 @@ def _title(run: Run) -> str:
         facts.append(f"for {run.waiting_for}")
     facts.append(f"{count:,} block{'' if count == 1 else 's'}")
     if len(run.moves):
-        from cncsub.printing import duration
+        from cncsub.printing import time_words
 
         facts.append(f"{run.moves._size()}, {run.moves.total_length:,.3f} mm")
-        facts.append(duration(run.moves.total_time))
+        facts.append(time_words(run))
     return ", ".join(facts)
 
 

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from cncsub.controls import Control, controls
+
 if TYPE_CHECKING:
     from cncsub.library import Library
     from cncsub.program import Program
@@ -19,8 +21,9 @@ class Note:
     `kind`: `"conflict"`, a program that does not count, because another one of its name with other
     blocks does; `"copy"`, the same where both have the same blocks; `"left-out"`, what was not
     read; `"no-head"`, the first program has no head and runs because its file comes first;
-    `"beside"`, a file that the command read too, because a call names its program.
-    `file`, `line`: the place, `None` for a file as a whole.
+    `"beside"`, a file that the command read too, because a call names its program; `"no-effect"`,
+    what was given and changes nothing.
+    `file`, `line`: the place, `None` for a file as a whole; of `"no-effect"` what was given.
     """
 
     kind: str
@@ -49,6 +52,18 @@ def notes_of(library: Library) -> Iterator[Note]:
         )
     for file, why in library.skipped:
         yield Note("left-out", f"left out: {why}", file)
+    yield from _unused_parameters(library.control)
+
+
+def _unused_parameters(control: Control) -> Iterator[Note]:
+    """The parameters that were set and from which nothing is computed."""
+    if control.name not in controls:
+        return
+    delivered = controls[control.name].parameters
+    for name, parameter in control.parameters.items():
+        if not parameter.used and parameter.value != delivered[name].value:
+            told = f"no effect: nothing is computed from it ({parameter.meaning})"
+            yield Note("no-effect", told, f"parameter {name}")
 
 
 def _no_head(library: Library) -> Note | None:

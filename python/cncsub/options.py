@@ -285,10 +285,19 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
         def load(named: Sequence[str]) -> cncsub.Library:
             return cncsub.load(*named, encoding=options["encoding"], prefer=prefer, **places)
 
+        _refuse_words_of_mdi(paths, options["mdi"])
         return with_files_beside(paths[0], load) if _is_one_file(paths) else load(paths)
     if options["mdi"] is None:
         raise ValueError("which program? Name a file or a folder, or give --mdi")
     return cncsub.loads("", **places)
+
+
+def _refuse_words_of_mdi(paths: Sequence[str], mdi: str | None) -> None:
+    """Of `--mdi G65 P9100` the shell makes a text and a file."""
+    word = next((p for p in paths if re.fullmatch(r"[A-Z][-+.\d]+", p, re.I)), None)
+    if mdi is not None and word is not None and not Path(word).exists():
+        whole = f'--mdi "{mdi} {word}"'
+        raise ValueError(f"{word}: no such file; quotes hold together what is typed: {whole}")
 
 
 def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
@@ -370,9 +379,17 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
                 if program.file == counts.file
                 else f"choose one with --prefer {counts.file}, or leave a file out"
             )
+            if program.file == counts.file and (language := _other_reading(library, program.file)):
+                cure = language
             raise ValueError(f"{counts.name} stands twice, with other blocks: {places}; {cure}")
     tell_all(notes_on(options, library))
     return library
+
+
+def _other_reading(library: cncsub.Library, file: str) -> str | None:
+    from cncsub.hints import other_reading
+
+    return other_reading(library, file)
 
 
 def tell_all(notes: Sequence[Note]) -> None:

@@ -105,6 +105,7 @@ class _Graph:
 
     def _nodes(self) -> Iterator[dict[str, Any]]:
         few = len(self.layers) <= 60
+        calling = {caller for caller, _ in self.arrows}
         for state, (colour, words) in _STATES.items():
             names = [name for name in self.layers if self.state[name] == state]
             if not names:
@@ -116,7 +117,10 @@ class _Graph:
                 "x": [self.at[name][0] for name in names],
                 "y": [self.at[name][1] for name in names],
                 "text": [_label(name) for name in names],
-                "textposition": "top center",
+                # Not where arrows come in from the left, or go on to the right.
+                "textposition": [
+                    "top center" if name in calling else "middle right" for name in names
+                ],
                 "textfont": {"size": 12 if few else 9, "color": TEXT},
                 "hovertext": [self._told_of(name) for name in names],
                 "hovertemplate": "%{hovertext}<extra></extra>",

@@ -1,7 +1,13 @@
-"""A figure as one page of HTML that needs no network, dark or light as its reader likes it."""
+"""A figure as one page of HTML that needs no network, dark or light as its reader likes it.
+
+The library that draws and the figure are packed: a browser unpacks them, so that a page of a long
+path takes a few megabytes and not twenty.
+"""
 
 from __future__ import annotations
 
+import base64
+import gzip
 from typing import Any
 
 _STYLE = """
@@ -13,7 +19,16 @@ html, body { margin: 0; height: 100%; background: #fff; }
 # A scene fills the window; where that is narrow it is drawn smaller, and what is told under a
 # picture gets shorter lines.
 _SCRIPT = """
-(function () {
+function unpacked(name) {
+  var packed = atob(document.getElementById(name).textContent);
+  var bytes = Uint8Array.from(packed, function (letter) { return letter.charCodeAt(0); });
+  var plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(plain).text();
+}
+function told(why) {
+  document.getElementById('picture').textContent = why;
+}
+function draw(figure) {
   var at = document.getElementById('picture');
   var scene = figure.layout.scene;
   var least = figure.layout.height || 400;
@@ -52,6 +67,7 @@ _SCRIPT = """
   Plotly.newPlot(at, figure.data, Object.assign({}, figure.layout, laid()),
     { responsive: true, displaylogo: false }).then(function () {
       if (figure.frames) Plotly.addFrames(at, figure.frames);
+      headed();
       var width = at.clientWidth;
       window.addEventListener('resize', function () {
         if (at.clientWidth === width) return;
@@ -61,10 +77,29 @@ _SCRIPT = """
           layout['scene.aspectratio'] = layout.scene.aspectratio;
           delete layout.scene;
         }
-        Plotly.relayout(at, layout);
+        Plotly.relayout(at, layout).then(headed);
       });
     });
-})();
+  function headed() {  // what a legend of many lines needs, so that it does not hide the title
+    var legend = at.querySelector('g.legend');
+    if (!legend) return;
+    var more = Math.ceil(legend.getBoundingClientRect().height) + 44 - at.layout.margin.t;
+    if (more <= 0) return;
+    var roomy = { 'margin.t': at.layout.margin.t + more };
+    if (!scene) roomy.height = at.layout.height + more;
+    Plotly.relayout(at, roomy);
+  }
+}
+if (typeof DecompressionStream === 'undefined') {
+  told('This page needs a browser that can unpack what it holds: one of 2023 or later.');
+} else {
+  Promise.all([unpacked('library'), unpacked('figure')]).then(function (texts) {
+    var library = document.createElement('script');
+    library.textContent = texts[0];
+    document.head.appendChild(library);
+    draw(JSON.parse(texts[1]));
+  }).catch(function (error) { told('The picture cannot be drawn: ' + error); });
+}
 """
 
 
@@ -72,7 +107,6 @@ def page_of(figure: Any) -> str:
     from plotly.offline import get_plotlyjs
 
     title = figure.layout.title.text or "plot"
-    data = figure.to_json().replace("</", "<\\/")  # no text of a program ends the script
     allowed = (
         "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'unsafe-eval';"
         " img-src data: blob:"
@@ -82,6 +116,12 @@ def page_of(figure: Any) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{allowed}">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<title>{title}</title><style>{_STYLE}</style></head>\n"
-        f'<body><div id="picture"></div><script>{get_plotlyjs()}</script>\n'
-        f"<script>var figure = {data};{_SCRIPT}</script></body></html>\n"
+        '<body><div id="picture"><noscript>A script draws the picture.</noscript></div>\n'
+        f"{_packed('library', get_plotlyjs())}{_packed('figure', figure.to_json())}"
+        f"<script>{_SCRIPT}</script></body></html>\n"
     )
+
+
+def _packed(name: str, text: str) -> str:
+    packed = base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode()
+    return f'<script type="application/gzip" id="{name}">{packed}</script>\n'

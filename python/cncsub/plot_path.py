@@ -133,7 +133,7 @@ class _Picture:
             of_tool = np.where(compensated, 0, -1).astype(np.int32)
             tool = drawn_path(self.core, "tool", rows, of_tool, self.most // 3)
             told += [f"The tool: {text}" for text in _left_out(tool)]
-        instants = Instants(drawn.points, self._lines(drawn)) if play else None
+        instants = Instants(drawn.points) if play else None
         if instants is not None:
             drawn = instants.marked(drawn)
             tool = None if tool is None else instants.marked(tool)
@@ -143,12 +143,6 @@ class _Picture:
         return figure(
             data, layout, title=title, told=told, frames=frames, below=72 if play else 0, height=500
         )
-
-    def _lines(self, drawn: Drawn) -> int:
-        """About how many traces the path is drawn in."""
-        keys = drawn.keys[drawn.keys >= 0]
-        of = np.zeros_like(keys) if self.colouring.scaled else keys % _CODES
-        return len(np.unique(2 * of + (keys // _CODES == RAPID)))
 
     def _data(
         self, drawn: Drawn, tool: Drawn | None, instants: Instants | None

@@ -16,19 +16,17 @@ import numpy as np
 from cncsub.plot_points import Drawn, Numbers, Points
 from cncsub.plotting import GRID, TEXT, clock
 
-_INSTANTS, _LEAST = 120, 40  # of the slider; where many lines change at each of them
-_CHANGES = 1_200  # of lines, at all instants together
+_INSTANTS = 120  # of the slider
 _NONE = "rgba(0,0,0,0)"
 
 
 class Instants:
-    """Instants at equal times of a path that is drawn in so many lines."""
+    """Instants of a path at equal times."""
 
-    def __init__(self, points: Points, lines: int) -> None:
+    def __init__(self, points: Points) -> None:
         self.timed = float(points.time[-1]) > 0
         times = self.times_of(points)
-        most = min(_INSTANTS, max(_LEAST, _CHANGES // max(1, lines)))
-        at = np.linspace(0, float(times[-1]), min(most, max(2, len(times))))
+        at = np.linspace(0, float(times[-1]), min(_INSTANTS, max(2, len(times))))
         self.at = at if self.timed else np.round(at)
 
     def times_of(self, points: Points) -> Numbers:

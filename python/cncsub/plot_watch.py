@@ -47,6 +47,7 @@ class _Timeline:
                 f"Changed, and not drawn: {_hashes(moving[_MOST:])}; run.watch(100).plot() draws"
                 " one."
             )
+        self.vacant: list[int] = []  # of those that are drawn: vacant at some time
         self.steps = np.asarray(watch.step)
         self.over = over
         self.at = self._places()
@@ -83,6 +84,9 @@ class _Timeline:
             layout[_named("yaxis", place)] = axis(
                 f"#{number}", domain=[high - 0.88 / count_of, high], zeroline=False
             )
+        if self.vacant:
+            verb = "is" if len(self.vacant) == 1 else "are"
+            self.told.append(f"{_hashes(self.vacant)} {verb} vacant where there is no line.")
         words = "time, s" if self.over == "time" else "step"
         bottom = "" if count_of == 1 else str(count_of)
         layout["xaxis"] = axis(words, anchor=f"y{bottom}", range=[0, self.end or 1], zeroline=False)
@@ -107,7 +111,7 @@ class _Timeline:
         hover[-1] = "at the stop"
         vacant = [row for row, value in enumerate(y) if value is None]
         if vacant:
-            self.told.append(f"#{number} is vacant where there is no line.")
+            self.vacant.append(number)
         colour = COLOURS[place % len(COLOURS)]
         return {
             "type": "scatter",

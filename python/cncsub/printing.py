@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 MOST_CALLS = 100_000  # drawn in a tree
 MOST_LINES = 200  # printed of it
 MOST_MISSED = 20  # blocks of G31
+MOST_LOOKED_AT = 500  # moves, for what their feed counts on
 MOST_CHANGES = 200  # of watched variables
 
 
@@ -83,7 +84,7 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
     print_stop(console, run)
     if len(run.moves):
         console.print(f"{run.moves._size()}, length {run.moves.total_length:,.3f} mm,", end="")
-        console.print(f" time {duration(run.moves.total_time)}")
+        console.print(f" time {time_words(run)}")
         for axis, (low, high) in run.moves.bounds.items():
             console.print(f"  {axis} {low:.10g} to {high:.10g}")
     print_watch(console, run)
@@ -107,8 +108,9 @@ def print_watch(console: Console, run: cncsub.Run) -> None:
     """What was watched: its value at the beginning, and each change with its block."""
     now = dict(run.watch.beginning)
     changes = len(run.watch)
-    for number, value in now.items():
-        console.print(f"watch: #{number} begins {_variable(value)}")
+    for first, last, value in _beginnings(now):
+        verb, span = ("begins", "") if first == last else ("begin", f" to #{last}")
+        console.print(f"watch: #{first}{span} {verb} {_variable(value)}")
     for row in range(min(changes, MOST_CHANGES)):
         change = run.watch[row]
         place = change.program if change.n is None else f"{change.program} N{change.n}"
@@ -119,6 +121,21 @@ def print_watch(console: Console, run: cncsub.Run) -> None:
     if changes > MOST_CHANGES:
         left = changes - MOST_CHANGES
         console.print(f"... {left:,} more changes; --format json and run.watch have them all")
+
+
+def _beginnings(values: Mapping[int, float | None]) -> Iterator[tuple[int, int, float | None]]:
+    """The values, each with the first and the last of the numbers side by side that have it."""
+    first = last = -2
+    value: float | None = None
+    for number, now in values.items():
+        if number == last + 1 and now is None and value is None:
+            last = number
+            continue
+        if first >= 0:
+            yield first, last, value
+        first, last, value = number, number, now
+    if first >= 0:
+        yield first, last, value
 
 
 def _variable(value: float | None) -> str:
@@ -195,6 +212,20 @@ def shown(text: str) -> str:
     return "".join(c if c.isprintable() else " " for c in text)
 
 
+def time_words(run: cncsub.Run) -> str:
+    """How long the moves take; a feed that counts on a spindle which stands still is told."""
+    words = duration(run.moves.total_time)
+    first = itertools.islice(range(len(run.moves)), MOST_LOOKED_AT)
+    if any(_waits_for_spindle(run.moves[row]) for row in first):
+        words += " (where no S was told, at one revolution a minute)"
+    return words
+
+
+def _waits_for_spindle(move: Any) -> bool:
+    turning = move.feed_mode == "per-revolution" and move.spindle == 0
+    return turning and move.kind not in ("rapid", "dwell")
+
+
 def duration(seconds: float) -> str:
     """`1 h 16 min 20.6 s`."""
     minutes, rest = divmod(seconds, 60)
@@ -209,6 +240,12 @@ def print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
         console.print(Text.assemble((name.ljust(width), "cyan"), f"  {text}"))
 
 
+def _effect(parameter: cncsub.Parameter) -> str:
+    if parameter.rules:
+        return f"; sets {', '.join(parameter.rules)}"
+    return "" if parameter.used else "; nothing is computed from it"
+
+
 def print_control(console: Console, control: cncsub.Control) -> None:
     console.print(Text(f"{control.title} ({control.name})", style="bold"))
     rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
@@ -219,7 +256,7 @@ def print_control(console: Console, control: cncsub.Control) -> None:
     parameters = (
         (
             f"{p.name} = {p.value:g}",
-            "; sets ".join(filter(None, [p.meaning, ", ".join(p.rules)])),
+            p.meaning + _effect(p),
             p,
         )
         for p in control.parameters.values()
@@ -306,8 +343,11 @@ def print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
             console.print()
         console.print(Text(fact["cause"], style="bold"))
         console.print(f"  raised by: {fact['meaning']}")
-        for kin in fact["beside"]:
-            console.print(f"  beside it: {kin['number']} {kin['cause']}, {kin['meaning']}")
+        kin: dict[tuple[str, str], list[str]] = {}
+        for one in fact["beside"]:
+            kin.setdefault((one["cause"], one["meaning"]), []).append(one["number"])
+        for (cause, meaning), numbers in kin.items():
+            console.print(f"  beside it: {', '.join(numbers)} {cause}, {meaning}")
         console.print(f"  cure: {fact['cure']}")
         for alarm in fact["alarms"]:
             directed = ", ".join(f"{number} {way}" for way, number in alarm["directed"].items())

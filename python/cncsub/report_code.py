@@ -27,13 +27,11 @@ class Anchors:
         self._files: dict[str, int] = {}
         self._names: dict[str, str] = {}
         self._shown: set[tuple[str, int]] = set()
-        left = MOST_LINES
-        for program in coverage.programs:
+        shares = _shares([len(program.blocks) for program in coverage.programs], MOST_LINES)
+        for program, share in zip(coverage.programs, shares):
             self._files.setdefault(program.file, len(self._files))
             self._names.setdefault(program.name, program.file)
-            lines = program.blocks.line[: max(0, left)]
-            self._shown.update((program.file, line) for line in lines)
-            left -= len(lines)
+            self._shown.update((program.file, line) for line in program.blocks.line[:share])
 
     def mark(self, file: str, line: int) -> None:
         """A block is shown, however long its program is."""
@@ -73,6 +71,16 @@ class Anchors:
             return ""
         words, link = self.block_of_step(step)
         return f'<a href="{escape(link)}">{escape(words)}</a>'
+
+
+def _shares(sizes: list[int], most: int) -> list[int]:
+    """How many blocks of each program are shown: the short ones whole, the long ones alike."""
+    shares = [0] * len(sizes)
+    left = most
+    for rank, place in enumerate(sorted(range(len(sizes)), key=sizes.__getitem__)):
+        shares[place] = min(sizes[place], left // (len(sizes) - rank))
+        left -= shares[place]
+    return shares
 
 
 Marks = dict[tuple[str, int], list[tuple[str, str]]]

@@ -15,7 +15,7 @@ from cncsub.plot_points import drawn_path
 if TYPE_CHECKING:
     from cncsub.run import Run
 
-MOST_LINKED = 1_000  # motions that are links of their own
+MOST_LINKED = 1_000  # moves that are links of their own
 MOST_POINTS = 20_000  # of the drawings
 _SIDE = 1000.0  # of a drawing, in its own units
 _SLANT = np.array([[0.866, 0.0], [-0.866, 0.0], [0.0, 1.0]]) + np.array(
@@ -47,7 +47,7 @@ def path_of(run: Run, coordinates: str = "work") -> Path:
     drawn = drawn_path(core, coordinates, (0, moves), keys.astype(np.int32), MOST_POINTS)
     told = drawn.told
     if drawn.behind is not None:
-        told = [*told, f"Cut: nothing behind motion {drawn.behind:,} of {moves:,} is drawn."]
+        told = [*told, f"Cut: nothing behind move {drawn.behind:,} of {moves:,} is drawn."]
     begins = drawn.keys < 0
     turned = bool(core.diameters & 1)
     return Path(drawn.xyz, drawn.points.move, begins, rapid, turned, tuple(told), drawn.breaks > 0)

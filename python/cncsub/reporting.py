@@ -20,12 +20,13 @@ from cncsub.report_tables import calls_rows, table
 from cncsub.statictree import letters
 
 if TYPE_CHECKING:
+    from cncsub.calltree import CallTree
     from cncsub.checking import Finding
     from cncsub.library import Library
-    from cncsub.rows import Call
     from cncsub.run import Run
 
-MOST_CALLS = 2_000  # of the tree
+MOST_CALLS = 100_000  # of the tree
+MOST_DRAWN = 2_000  # of them, where equal ones are one
 MOST_ROWS = 1_000  # of a table
 MOST_FINDINGS = 500
 MOST_MISSED = 20
@@ -120,13 +121,13 @@ def _stop(library: Library, run: Run, anchors: Anchors) -> Iterator[str]:
 
 
 def _facts(run: Run) -> Iterator[tuple[str, str]]:
-    from cncsub.printing import duration
+    from cncsub.printing import time_words
 
     yield "blocks", f"{run.blocks:,}"
     yield "calls", f"{len(run.calls):,}"
     if len(run.moves):
-        yield "motions", f"{len(run.moves):,}, {run.moves.total_length:,.3f} mm"
-        yield "time", f"{duration(run.moves.total_time)}, without acceleration"
+        yield "moves", f"{len(run.moves):,}, {run.moves.total_length:,.3f} mm"
+        yield "time", f"{time_words(run)}, without acceleration"
         for axis, (low, high) in run.moves.bounds.items():
             yield axis, f"{low:.10g} to {high:.10g}"
     if missed := Counter(map(str, run.missed_skips)):
@@ -146,30 +147,40 @@ def _calls(run: Run, anchors: Anchors) -> Iterator[str]:
     if not len(run.calls):
         yield "<p>It called nothing.</p>"
         return
-    rows = run.calls[:MOST_CALLS]
-    yield f'<ul class="tree">{"".join(_branches(run, rows, anchors))}</ul>'
-    if (left := len(run.calls) - len(rows)) > 0:
+    yield f'<ul class="tree">{"".join(_branches(run.calls.tree(most=MOST_CALLS), anchors))}</ul>'
+    if (left := len(run.calls) - MOST_CALLS) > 0:
         yield f'<p class="pale">... and {left:,} more calls</p>'
 
 
-def _branches(run: Run, rows: list[Call], anchors: Anchors) -> Iterator[str]:
-    """The calls, which stand behind their callers, as lists in lists."""
-    depth: dict[int | None, int] = {None: -1}
-    now = -1
-    for row in rows:
-        depth[row.call] = at = depth.get(row.parent, -1) + 1
-        yield "<ul>" if at > now and now >= 0 else "</li></ul>" * (now - at)
-        if at <= now:
-            yield "</li>"
-        now = at
-        passes = f", {row.repeats} passes" if row.repeats != 1 else ""
-        given = f" {escape(letters(row.arguments))}" if row.arguments else ""
-        caller = anchors.of_step(row.caller_step)
-        ended = "" if row.last_step is not None else ", not ended"
-        to = anchors.program(row.program)
-        yield f"<li>{escape(row.kind)} {to}{given}{passes}{ended}"
-        yield f' <span class="pale">from {caller}</span>'
-    yield "</li></ul>" * now + "</li>"
+def _branches(trees: list[CallTree], anchors: Anchors) -> Iterator[str]:
+    """The calls as lists in lists; equal ones, one behind the other, are one."""
+    levels = [iter(trees)]  # programs nest deeper than Python does
+    drawn = 0
+    while levels:
+        call = next(levels[-1], None)
+        if call is None:
+            levels.pop()
+            yield "</ul></li>" if levels else ""
+            continue
+        if drawn == MOST_DRAWN:
+            yield '<li class="pale">...</li>' + "</ul></li>" * (len(levels) - 1)
+            return
+        drawn += 1
+        yield f"<li>{_call(call, anchors)}"
+        yield "<ul>" if call.calls else "</li>"
+        if call.calls:
+            levels.append(iter(call.calls))
+
+
+def _call(call: CallTree, anchors: Anchors) -> str:
+    given = f" {escape(letters(call.arguments))}" if call.arguments else ""
+    if call.varied:
+        given += " (the first; they differ)"
+    passes = f", {call.repeats} passes" if call.repeats != 1 else ""
+    count = f" x {call.count:,}" if call.count != 1 else ""
+    ended = "" if call.blocks is not None else ", not ended"
+    words = f"{escape(call.kind)} {anchors.program(call.program)}{given}{passes}{count}{ended}"
+    return f'{words} <span class="pale">from {anchors.of_step(call.caller_step)}</span>'
 
 
 # ---- the path ----
@@ -190,16 +201,16 @@ def _path(run: Run, anchors: Anchors) -> Iterator[str]:
     drawn = list(views(path, place))
     yield f'<div class="views">{"".join(drawn)}</div>'
     if not drawn:
-        yield "<p>No motion leaves its point.</p>"
-    told = ["The programmed path in work coordinates; rapid motions are dashed"]
+        yield "<p>No move leaves its point.</p>"
+    told = ["The programmed path in work coordinates; rapid moves are dashed"]
     if path.diameters:
         told.append("X is drawn as a radius")
     if path.breaks:
         told.append("other coordinates came into force in between: parts may lie over each other")
     if len(run.moves) > MOST_LINKED:
-        told.append(f"motions are links up to {MOST_LINKED:,} of them")
+        told.append(f"moves are links up to {MOST_LINKED:,} of them")
     else:
-        told.append("a motion leads to its block")
+        told.append("a move leads to its block")
     yield f'<p class="pale">{"; ".join(told)}. {escape(" ".join(path.told))}</p>'
     if _moved(path, tool):
         yield "<details><summary>The tool in machine coordinates, with all its offsets</summary>"

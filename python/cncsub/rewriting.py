@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 
 from cncsub._core import Control
 from cncsub.checking import Edit
-from cncsub.library import Library, loads
+from cncsub.library import Library
+from cncsub.loading import loads
 from cncsub.program import Block, Program
 from cncsub.references import CallTo, Computed, JumpTo
 

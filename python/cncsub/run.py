@@ -29,7 +29,15 @@ Until = Block | tuple[str | int, int] | int
 
 
 class Stop(enum.StrEnum):
-    """Why a run stopped."""
+    """Why a run stopped, as a text too: `END` (by M02, M30 or what else ends a program), `ALARM`,
+    `CYCLES` (the main program started over `max_cycles` times), `LIMIT` (`max_blocks`,
+    `max_seconds` or `max_memory`), `WAITING` (for an input nobody gave), `INTERRUPTED` (Ctrl-C).
+
+    >>> import cncsub
+    >>> run = cncsub.loads("O1\\nN10 M99\\n", control="fanuc-0i-f").run(max_cycles=3)
+    >>> run.stop is cncsub.Stop.CYCLES, run.stop == "cycles"
+    (True, True)
+    """
 
     END = "end"  # M02, M30 or what else ends a program
     ALARM = "alarm"
@@ -40,7 +48,15 @@ class Stop(enum.StrEnum):
 
 
 class AlarmError(Exception):
-    """Raised by `raise_for_alarm`; the alarm is in `.alarm`, its message is the text."""
+    """Raised by `raise_for_alarm`; the alarm is in `.alarm`, its message is the text.
+
+    >>> import cncsub
+    >>> try:
+    ...     cncsub.loads("O1\\nN10 M98 P2\\n", control="fanuc-0i-f").run().raise_for_alarm()
+    ... except cncsub.AlarmError as error:
+    ...     error.alarm.number
+    'PS0076'
+    """
 
     def __init__(self, alarm: Alarm) -> None:
         super().__init__(str(alarm))

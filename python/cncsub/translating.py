@@ -13,9 +13,11 @@ from cncsub._core import Control
 from cncsub.checking import Edit
 from cncsub.comparison import OtherControlPair, Parting
 from cncsub.controls import control_of
-from cncsub.library import Library, Options, load
+from cncsub.library import Library
+from cncsub.loading import load
 from cncsub.rewriting import Rewriting, TranslateError
 from cncsub.run import Run, Stop
+from cncsub.run_options import Options
 from cncsub.signatures import spelled_out
 
 

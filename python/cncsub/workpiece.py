@@ -24,8 +24,13 @@ Ends = tuple[float | None, float | None]
 class Plane:
     """A flat face without end: `Plane({"X": 40}, faces="-X")` is met by a probe that moves in +X.
 
-    `at`: a point of the face; an axis left out is 0. `faces`: the way out of the material, a sign
-    and an axis, or the components of a direction, such as `{"X": 1, "Z": 1}`.
+    `at`: a point of the face, mm by axis; an axis left out is 0. `faces`: the way out of the
+    material, a sign and an axis, or the components of a direction, such as `{"X": 1, "Z": 1}`.
+    `signal`: see `Workpiece`, which raises `ValueError` for what is no face.
+
+    >>> import cncsub
+    >>> cncsub.Plane({"Z": -5}).faces
+    '+Z'
     """
 
     at: Point
@@ -44,10 +49,17 @@ class Plane:
 
 @dataclass(frozen=True)
 class Box:
-    """A box along the axes, or with `inside=True` a pocket of that shape.
+    """A box along the axes, or with `inside=True` a pocket of that shape; a solid of a `Workpiece`.
 
-    `sides`: from and to by axis, such as `{"X": (0, 80), "Y": (0, 50), "Z": (-20, 0)}`. An axis
-    left out, and an end that is `None`, is without end.
+    `sides`: from and to by axis, mm, such as `{"X": (0, 80), "Y": (0, 50), "Z": (-20, 0)}`. An axis
+    left out, and an end that is `None`, is without end. `signal`: see `Workpiece`, which raises
+    `ValueError` for what is no box.
+
+    >>> import cncsub
+    >>> block = cncsub.Box({"X": (0, 80), "Y": (0, 50), "Z": (-20, 0)})
+    >>> pocket = cncsub.Box({"X": (20, 60), "Y": (10, 40), "Z": (-5, None)}, inside=True)
+    >>> len(cncsub.Workpiece([block, pocket], stylus=3).solids)
+    2
     """
 
     sides: Mapping[str, Ends]
@@ -71,10 +83,16 @@ class Box:
 
 @dataclass(frozen=True)
 class Cylinder:
-    """A boss, or with `inside=True` a bore.
+    """A boss, or with `inside=True` a bore; a solid of a `Workpiece`.
 
-    `at`: a point of its middle line. `axis`: the way of that line, as `faces` of a `Plane`. `ends`:
-    how far it reaches from `at` along the axis, such as `(-20, 0)`; `None` is without end.
+    `at`: a point of its middle line, mm by axis. `radius`: mm. `axis`: the way of that line, as
+    `faces` of a `Plane`. `ends`: how far it reaches from `at` along the axis, mm, such as
+    `(-20, 0)`; `None` is without end. `signal`: see `Workpiece`, which raises `ValueError` for what
+    is no cylinder.
+
+    >>> import cncsub
+    >>> cncsub.Cylinder({"X": 40, "Y": 25}, radius=10, ends=(-20, 0), inside=True).axis
+    'Z'
     """
 
     at: Point
@@ -101,7 +119,15 @@ class Cylinder:
 
 @dataclass(frozen=True)
 class Sphere:
-    """A ball, or with `inside=True` a hollow of that shape."""
+    """A ball, or with `inside=True` a hollow of that shape; a solid of a `Workpiece`.
+
+    `at`: its centre, mm by axis; an axis left out is 0. `radius`: mm. `signal`: see `Workpiece`,
+    which raises `ValueError` for what is no ball.
+
+    >>> import cncsub
+    >>> cncsub.Sphere({"X": 40, "Z": -10}, radius=12.5).inside
+    False
+    """
 
     at: Point
     radius: float

@@ -89,6 +89,11 @@ class Cnc:
                 ' @pytest.mark.cnc("fanuc-0i-f")',
                 pytrace=False,
             )
+        from cncsub.controls import controls, did_you_mean
+
+        if self._control not in controls:
+            known = did_you_mean(self._control, controls)
+            pytest.fail(f"no control is called {self._control!r}{known}", pytrace=False)
         return self._control
 
     def load(self, *paths: Any, **options: Any) -> cncsub.Library:

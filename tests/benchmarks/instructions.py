@@ -27,6 +27,7 @@ from importlib import util
 from pathlib import Path
 
 import kinds
+import mixed
 import report
 import texts
 
@@ -97,6 +98,21 @@ COUNTED = {
         "pass of IF/GOTO: an assignment, a jump",
         lambda size: texts.jump_loop(1000 * size, 50),
         1000,
+    ),
+    "mill": Counted(
+        "block of a milling program: tools, drilling, contours, helices, five axes",
+        lambda size: mixed.milling(mixed.MILL_ROUND * size),
+        mixed.MILL_ROUND,
+        trace="moves",
+        reads=True,
+    ),
+    "turn": Counted(
+        "block of a turning program: roughing, nose radius, threads",
+        lambda size: mixed.turning(10 * mixed.TURNED_PART * size),
+        10 * mixed.TURNED_PART,
+        trace="moves",
+        reads=True,
+        control="gsk-988ta",
     ),
 }
 

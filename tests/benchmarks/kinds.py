@@ -19,7 +19,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import report
-import texts
 
 import cncsub
 
@@ -213,9 +212,6 @@ KINDS = {
         behind="O2\nM99\n",
         peer=False,
     ),
-    # Whole jobs, as CAM posts write them.
-    "mill": Kind("a milling job", texts.mill_operation),
-    "lathe": Kind("a turning job", texts.lathe_operation, lathe=True, peer=False),
     # Lathes.
     "turn": Kind("lathe, G1", lambda i: f"G1 X{i % 80}.5 Z-{i % 90}.25", lathe=True, peer=False),
     "turn-by": Kind(

@@ -7,6 +7,8 @@ import random
 from collections.abc import Iterator
 
 LAST_N = 99_990  # then the numbers begin again, as posts let them
+MILL_ROUND = 5_010  # blocks, after which a mill's operations come again
+TURNED_PART = 92
 
 
 class Mill:
@@ -130,9 +132,7 @@ def milling(blocks: int, linuxcnc: bool = False) -> str:
 def turning(blocks: int) -> str:
     """So many blocks of a lathe: roughing cycles and the profile they follow, nose radius, threads."""
     chance, lines = random.Random(4), []
-    part = 0
-    while len(lines) < blocks:
-        part += 1
+    for part in range(-(-blocks // TURNED_PART)):
         first, last = part % 400 * 20 + 1000, part % 400 * 20 + 1010
         size = chance.uniform(18, 22)
         lines += [
@@ -165,4 +165,4 @@ def turning(blocks: int) -> str:
             "G0 X100. Z50. M9",
             "M5",
         ]  # fmt: skip
-    return "O1\nG0 X100. Z50.\n" + "\n".join(lines) + "\nM30\n"
+    return "O1\nG10 P2 X0 Z0 R0.4 Q3\nG0 X100. Z50.\n" + "\n".join(lines) + "\nM30\n"

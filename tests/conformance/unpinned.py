@@ -116,6 +116,7 @@ _TABLE = _joined(
     _all("second_modal_call", (TA, T), "a second G66 is refused while one is active"),
     _all("codes_not_with_macro_call", (TDI,), "the control has no tool length offset"),
     _all("h_codes", (HNC,), NO_MACRO_CALLS),
+    _all("prints_leading_blanks", (TA, T, TDI, MDI, HNC), "no source says that it has DPRNT"),
     _all("h99_offset", (TA, T, *MITSUBISHI, *FANUC, HNC), NO_H_CODES),
     _all("user_alarm_offset user_alarm_last", (HNC,), "the control has no #3000"),
     _all("user_alarm_offset", MITSUBISHI, "the alarm of #3000 has one number, whatever the value"),
@@ -123,6 +124,7 @@ _TABLE = _joined(
     _all("g_meanings", (MDI,), "it has none of the codes that mean something else elsewhere"),
     _all("codes_not_turned pattern_codes", NOT_MDI, "it does not refuse what these codes do"),
     _all("power_on:G91", (TDI, TE), "the control has no G91"),
+    _all("power_on:G18 power_on:G19", GSK_LATHES, "a lathe wakes up in G18"),
     _all("power_on:G20", (TE,), NOT_KNOWN),
     _all("rotation_words", (TDI, TE), NO_ROTATION),
     _all("rapid_way", (TE,), "without the area of G22 no alarm tells the way of a rapid"),
@@ -244,7 +246,11 @@ _TABLE = _joined(
         FAMILY_MOTION,
     ),
     # SINUMERIK
-    _all("power_on:G91 power_on:G95 power_on:G20 power_on:G22", (ONE,), FAMILY_MOTION),
+    _all(
+        "power_on:G91 power_on:G95 power_on:G18 power_on:G19 power_on:G20 power_on:G22",
+        (ONE,),
+        FAMILY_MOTION,
+    ),
     _group(
         ONE,
         "common reading calls macros",

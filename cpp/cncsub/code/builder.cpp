@@ -1,5 +1,6 @@
 #include "cncsub/code/builder.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cncsub/code/sequence.hpp"
@@ -34,6 +35,7 @@ Cell code_cell(const WordValue& code) {
 void Builder::begin_program(const Program& program) {
   code_.programs.push_back(program);
   code_.programs.back().first = next_address();
+  code_.programs.back().line = std::max(program.line, 1u);  // an empty file has a first line too
   code_.programs.back().first_entry = static_cast<std::uint32_t>(code_.sequence.size());
   in_program_ = true;
 }
@@ -45,7 +47,7 @@ void Builder::end_program(std::uint32_t text_end, std::uint32_t line) {
   program.last = next_address();
   Block end;
   end.op = Op::EndOfRecord;
-  end.line = line;
+  end.line = std::max(line, 1u);
   end.text = text_end;
   append(end);
   program.last_entry = static_cast<std::uint32_t>(code_.sequence.size());

@@ -112,7 +112,9 @@ void show(Alarm& alarm, std::string_view text, std::size_t at, std::uint32_t wid
   while (at > 0 && at < text.size() && continues(text[at])) --at;
   const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
   const std::size_t line = before == std::string_view::npos ? 0 : before + 1;
-  const std::size_t line_end = std::min(text.find('\n', at), text.size());
+  std::size_t line_end = std::min(text.find('\n', at), text.size());
+  // The end of a line on Windows is read as a blank and an end of a line: not shown, not marked.
+  while (line_end > at && is_blank(text[line_end - 1])) --line_end;
   std::size_t end = at + std::min<std::size_t>(width, line_end - at);
   while (end < line_end && continues(text[end])) ++end;
   const std::string_view word = text.substr(at, end - at);

@@ -213,8 +213,9 @@ Fault not_found(const Code& code, const CallRecord& call, const Target& target) 
                                       : Cause::ProgramNotFound;
   const std::string what =
       (named ? "<" + call.name + ">" : "O" + std::to_string(target.program_number)) +
-      (target.external && code.external_device ? " is not on the external device"
-                                               : " is not in the memory");
+      (!target.external        ? " is not in the memory"
+       : code.external_device ? " is not on the external device"
+                              : " is not in the memory, and there is no external device");
   if (named) return {cause, call.name_at, call.name_width, what};
   return call.p.present() ? fault(cause, call.p, what) : fault(cause, call, what);
 }

@@ -229,6 +229,9 @@ struct CodeCall {
   std::string source;
   Evidence evidence = Evidence::Inferred;
   bool own_codes = true;  // codes that the control has itself may be registered
+  bool tenths = false;    // the numbers are tenths of a G code
+  // NOLINTNEXTLINE(readability-redundant-member-init)
+  std::string every_block = {};  // not 0: a negative number calls for every block, as G66.1 does
 };
 
 // The rules of a control, in their groups: control.calls.max_nesting.
@@ -281,6 +284,8 @@ struct Control {
   const AbsentGroup* lacks(RuleGroup group) const;
   /// The value of a parameter, 0 where the control has none of this name.
   double parameter(std::string_view parameter_name) const;
+  /// Whether anything is computed from a parameter but what a program reads of it.
+  bool uses(const Parameter& parameter) const;
   /// Sets a parameter of the control and lets it have its effect on the rules. Returns what is
   /// wrong with the name or the value, or nothing.
   std::optional<std::string> set_parameter(const std::string& parameter_name, double value);

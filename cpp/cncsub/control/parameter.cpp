@@ -63,6 +63,28 @@ double Control::parameter(std::string_view parameter_name) const {
   return p == nullptr ? 0 : p->value;
 }
 
+namespace {
+
+/// Whether a list of calling codes is kept in a parameter, or asks for it.
+bool is_of(const CodeCall& list, const Parameter& parameter) {
+  if (parameter.name == list.enable || parameter.name == list.every_block) return true;
+  const auto name = ParameterName::read(parameter.name);
+  if (!name || name->bit >= 0) return false;
+  const std::int64_t number = name->number;
+  if (list.form == CodeCall::Form::List)
+    return number >= list.parameter && number < list.parameter + list.count;
+  return list.form == CodeCall::Form::Range &&
+         (number == list.parameter || number == list.program || number == list.count);
+}
+
+}  // namespace
+
+bool Control::uses(const Parameter& parameter) const {
+  return !parameter.sets.empty() || !parameter.read_by.empty() ||
+         std::any_of(code_calls.begin(), code_calls.end(),
+                     [&](const CodeCall& list) { return is_of(list, parameter); });
+}
+
 void apply(Control& control, const Parameter& parameter, const std::string& source,
            Evidence evidence) {
   if (parameter.sets.empty()) return;

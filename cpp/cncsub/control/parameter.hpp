@@ -31,8 +31,10 @@ struct Parameter {
   std::string meaning;
   std::string source;
   Evidence evidence = Evidence::Inferred;
-  // None where the engine reads the number itself.
-  std::vector<Setting> sets = {};  // NOLINT(readability-redundant-member-init)
+  // NOLINTBEGIN(readability-redundant-member-init)
+  std::vector<Setting> sets = {};
+  std::string read_by = {};  // the rule that says that the engine reads the number itself, and how
+  // NOLINTEND(readability-redundant-member-init)
 };
 
 /// What a parameter's name says: 6001#5 is number 6001, bit 5; without a bit it is -1. Nothing

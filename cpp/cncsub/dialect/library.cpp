@@ -178,7 +178,7 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   code->cells.reserve(bytes / 4);
   if (has_macros(files)) {
     code->statements.reserve(bytes / 32);
-    code->expressions.reserve(bytes / 4);
+    code->expressions.reserve(bytes / 2);
   }
   reading.read(files, sharing);
   code->register_programs([&reading] { return reading.interrupted(kProgram); });

@@ -82,7 +82,7 @@ class BlockWriter::Maker {
 
 /// A code that calls where it stands as a number was executed as a word: it stands in brackets.
 void BlockWriter::Maker::text(char letter, const WrittenWord& word) {
-  if (!to_.words_.calls(letter, to_whole<int>(word.value))) return to_.add_text(word.text);
+  if (!to_.words_.calls(letter, word.value)) return to_.add_text(word.text);
   std::string written;
   if (to_.words_.bracketed(written, std::string(1, letter), word.value))
     to_.add_text(written);

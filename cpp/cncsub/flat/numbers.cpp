@@ -61,7 +61,7 @@ WordWriter::WordWriter(const Machine& machine, const Machine& to)
       increments_(control_.reading.whole_numbers.value == WholeNumbers::Increments),
       mills_axes_(!lathe_ && !control_.motion.angles_on_mills.value) {
   for (const auto& entry : control_.calls.registered_codes.value)
-    calling_.emplace_back(entry.letter, entry.code == 0 ? -1 : entry.code);
+    calling_.emplace_back(entry.letter, entry.code == 0 ? -1 : entry.code * 10);
   for (const CodeCall& list : control_.code_calls)
     if (list.enable.empty() || control_.parameter(list.enable) != 0) add_calling(list);
   std::sort(calling_.begin(), calling_.end());
@@ -108,13 +108,15 @@ void WordWriter::add_calling(const CodeCall& list) {
     if (list.address == '@')  // the parameter holds a letter
       calling_.emplace_back(static_cast<char>(code < 128 ? code : 0), -1);
     else if (code != 0)
-      calling_.emplace_back(list.address, code);
+      calling_.emplace_back(list.address, std::int64_t{code} * (list.tenths ? 1 : 10));
   }
 }
 
-bool WordWriter::calls(char letter, int code) const {
-  return std::binary_search(calling_.begin(), calling_.end(), std::pair(letter, code)) ||
-         std::binary_search(calling_.begin(), calling_.end(), std::pair(letter, -1));
+bool WordWriter::calls(char letter, double code) const {
+  const auto listed = [&](std::int64_t tenths) {
+    return std::binary_search(calling_.begin(), calling_.end(), std::pair(letter, tenths));
+  };
+  return listed(to_whole<std::int64_t>(std::round(code * 10))) || listed(-1);
 }
 
 std::string WordWriter::address_of(int place) const {
@@ -150,7 +152,7 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
   if (rounded) value = cncsub::rounded(machine_.motion().view(), letter, value);
   const NumberText text(value);
   const std::string address = address_of(place);
-  const bool named = !comma && calls(letter, to_whole<int>(value));
+  const bool named = !comma && calls(letter, value);
   if (named || !takes(letter, comma, value, text, rounded)) return bracketed(to, address, value);
   to += address;
   if (!comma && address.size() > 1) to += '=';
@@ -165,7 +167,7 @@ bool WordWriter::constant(std::string& to, int place, double value, bool whole) 
   const char letter = letter_of(place);
   const NumberText text(value);
   const std::string address = address_of(place);
-  if (place < kCommaC && calls(letter, to_whole<int>(value))) return bracketed(to, address, value);
+  if (place < kCommaC && calls(letter, value)) return bracketed(to, address, value);
   to += address;
   if (place < kCommaC && address.size() > 1) to += '=';
   to += text.text();
@@ -180,8 +182,7 @@ bool WordWriter::code(std::string& to, char letter, int tenfold) const {
   const bool plain = role == Role::None || role == Role::Stop || role == Role::OptionalStop ||
                      role >= Role::SpindleForward;
   const double value = tenfold / 10.0;
-  if (!plain || (tenfold % 10 == 0 && calls(letter, tenfold / 10)))
-    return bracketed(to, std::string(1, letter), value);
+  if (!plain || calls(letter, value)) return bracketed(to, std::string(1, letter), value);
   to += letter;
   to += NumberText(value).text();
   return true;

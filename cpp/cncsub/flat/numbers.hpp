@@ -49,7 +49,7 @@ class WordWriter {
   /// A code that was computed, of which one that calls or ends would do so now: not in brackets.
   bool code(std::string& to, char letter, int tenfold) const;
   /// Whether a code calls a program where it is written as a number.
-  bool calls(char letter, int code) const;
+  bool calls(char letter, double code) const;
   /// The same in brackets in any case.
   bool bracketed(std::string& to, std::string_view address, double value) const;
 
@@ -65,9 +65,9 @@ class WordWriter {
   const Code& code_;  // an empty one where the control is another one than the machine's
   const Control& control_;
   bool lathe_, increments_;
-  bool mills_axes_;                            // A and C are axes and nothing else
-  std::vector<std::pair<char, int>> calling_;  // sorted; -1: every code of the letter
-  bool plain_ = false;                         // axis words are lengths
+  bool mills_axes_;                                     // A and C are axes and nothing else
+  std::vector<std::pair<char, std::int64_t>> calling_;  // tenths, sorted; -1: all of the letter
+  bool plain_ = false;                                  // axis words are lengths
   bool arc_ = false, cycle_ = false;
 };
 

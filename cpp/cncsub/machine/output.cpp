@@ -19,7 +19,7 @@ namespace {
 constexpr double kShown = 1e-4;  // a value below is shown as 0 [rs274 2.9, DEBUG]
 
 /// A value as DPRNT writes it: a sign or a blank, the whole digits with blanks for leading zeros,
-/// the decimals. With 6001#1 = 1 the blanks are left out.
+/// the decimals. Some controls leave the blanks out.
 std::string written(double value, const PrintField& field, bool without_blanks) {
   const double scale = std::pow(10.0, field.decimals);
   double units = std::round(std::fabs(value) * scale);
@@ -101,7 +101,8 @@ std::string plainly(double value, int decimals) {
 std::string shown(const Run& run, const Print& print, const PrintField& field, double value) {
   if (field.whole_digits == PrintField::kPlain) return plainly(value, field.decimals);
   if (is_vacant(value)) value = 0;
-  if (!print.binary) return written(value, field, run.control().parameter("6001#1") != 0);
+  if (!print.binary)
+    return written(value, field, !run.control().macros.prints_leading_blanks.value);
   return std::to_string(to_whole<std::int64_t>(
       std::clamp(std::round(value * std::pow(10.0, field.decimals)), -2147483648.0, 2147483647.0)));
 }

@@ -158,6 +158,7 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
 
 /// G04 that no signal ends, at once.
 bool dwells(Run& run, const NcWords& words, Motion::Outcome& outcome) {
+  if (words.codes->meaning(Group::OneShot) != Meaning::Dwell) return false;
   const auto& signals = run.options.inputs.skips;
   return std::all_of(signals.begin(), signals.end(), [](const auto& of) { return of.empty(); }) &&
          run.motion.dwell(words, run.step(), run.moves(), outcome);
@@ -174,6 +175,41 @@ void hear(Run& run, const Block& block, const NcWords& words) {
     run.heard->words = &block;
 }
 
+/// What there is to do about a motion that was made.
+void follow_up(Run& run, const Outside& around) {
+  const Motion::Outcome& outcome = run.block.outcome;
+  if (around.skips.taken) {
+    about_to_take(run);
+    run.state.taken.skips = *around.skips.taken;
+  }
+  if (outcome.skip != SkipMove::No) {
+    keep_skip(run, outcome.skip);
+    if (around.workpiece == nullptr) run.state.taken.asked = Taken::kSkipSignal;
+  }
+  run.watch.moves += outcome.moves + run.motion.held_pieces() / kHeldPieces;
+  if (run.watch.moves > run.watch.look_moves) look_soon(run);
+}
+
+bool execute(Run& run, const NcWords& words, Outside& around) {
+  if (auto fault = run.motion.execute(words, run.step(), run.moves(), run.block.outcome, around))
+    return run.watch.broken_off == Stop::Running && alarm_of_motion(run, *fault);
+  run.watch.in_block = 0;
+  return true;
+}
+
+/// The motion of a block that names a profile.
+bool move_along(Run& run, const NcWords& words, const ProfileNumbers& wanted) {
+  Outside around = outside(run);
+  std::optional<Profile> profile(std::in_place);
+  profile->fault = read_profile(run, wanted, *profile);
+  if (run.state.stop != Stop::Running) return false;
+  around.profile = &*profile;
+  if (!execute(run, words, around)) return false;
+  if (run.heard != nullptr) run.heard->profile = std::move(profile);
+  follow_up(run, around);
+  return true;
+}
+
 /// The motion of a block: moves, modes, offsets.
 bool move(Run& run, const Block& block, NcWords& words) {
   Motion::Outcome& outcome = run.block.outcome;
@@ -185,28 +221,10 @@ bool move(Run& run, const Block& block, NcWords& words) {
     if (run.watch.moves > run.watch.look_moves) look_soon(run);
     return true;
   }
+  if (const auto wanted = run.motion.wanted_profile(words)) return move_along(run, words, *wanted);
   Outside around = outside(run);
-  std::optional<Profile> profile;
-  if (const auto wanted = run.motion.wanted_profile(words)) {
-    profile.emplace();
-    profile->fault = read_profile(run, *wanted, *profile);
-    if (run.state.stop != Stop::Running) return false;
-    around.profile = &*profile;
-  }
-  if (auto fault = run.motion.execute(words, run.step(), run.moves(), outcome, around))
-    return run.watch.broken_off == Stop::Running && alarm_of_motion(run, *fault);
-  run.watch.in_block = 0;
-  if (around.profile != nullptr && run.heard != nullptr) run.heard->profile = std::move(profile);
-  if (around.skips.taken) {
-    about_to_take(run);
-    run.state.taken.skips = *around.skips.taken;
-  }
-  if (outcome.skip != SkipMove::No) {
-    keep_skip(run, outcome.skip);
-    if (around.workpiece == nullptr) run.state.taken.asked = Taken::kSkipSignal;
-  }
-  run.watch.moves += outcome.moves + run.motion.held_pieces() / kHeldPieces;
-  if (run.watch.moves > run.watch.look_moves) look_soon(run);
+  if (!execute(run, words, around)) return false;
+  follow_up(run, around);
   return true;
 }
 

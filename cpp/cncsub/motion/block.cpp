@@ -182,34 +182,34 @@ bool all_in_range(const MotionState& s, bool with_frame) {
          (!with_frame || (in_range(s.offset) && in_range(s.length) && in_range(s.skip)));
 }
 
-/// Takes H, D and G45 to G48, and does what the block does. `frame`: whether it may set a length,
-/// which moves its axis at once.
-Result set_offsets_and_act(MotionContext& m, BlockWords& block, bool frame) {
-  const Axes before = frame ? m.state.length : Axes{};
-  if (frame)
-    if (auto wrong = set_length(m, block)) return wrong;
-  if (auto wrong = set_radius(m, block)) return wrong;
-  if (auto wrong = set_longer(m, block)) return wrong;
-  if (auto wrong = act(m, block)) return wrong;
-  return frame ? move_by_length(m, block, before) : std::nullopt;
-}
-
-}  // namespace
-
-Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
-  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
-  const bool frame = sets_frame(words);
-  const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
+/// What a block does first: it is looked over, and its modes hold.
+Result begin_block(MotionContext& m, BlockWords& block) {
   if (auto wrong = read_codes(m, block)) return wrong;
   if (auto wrong = check_block(m, block)) return wrong;
-  if (const int code = words.codes->uncomputed; code >= 0)
+  if (const int code = block.words.codes->uncomputed; code >= 0)
     return fault_of(code, Cause::CodeNotComputed, block);
   if (block.has(Group::Diameter))  // it is that of the words of its own block too [rs274 2.9]
     m.state.diameter = block.meaning(Group::Diameter) == Meaning::DiameterOn;
-  if (auto wrong = set_modes(m, block)) return wrong;
-  if (auto wrong = set_offsets_and_act(m, block, frame)) return wrong;
-  if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
-  if (corner_waits && !block.submitted) return fault(Cause::CornerNoMove, block);
+  return set_modes(m, block);
+}
+
+/// Takes H, D and G45 to G48, and does what the block does. A length moves its axis at once.
+Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
+  const bool length = block.has(Group::Length) || block.words.has('H');
+  const Axes before = length ? m.state.length : Axes{};
+  if (length)
+    if (auto wrong = set_length(m, block)) return wrong;
+  if (block.has(Group::Radius) || block.words.has('D'))
+    if (auto wrong = set_radius(m, block)) return wrong;
+  if (block.has(Group::OneShot))
+    if (auto wrong = set_longer(m, block)) return wrong;
+  if (auto wrong = act(m, block)) return wrong;
+  return length ? move_by_length(m, block, before) : std::nullopt;
+}
+
+/// What is left when a block has done what it does.
+Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, bool frame) {
+  if (corner_waited && !block.submitted) return fault(Cause::CornerNoMove, block);
   // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
   const Meaning once = block.meaning(Group::OneShot);
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
@@ -217,6 +217,44 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
     m.state.moved_before = true;
   if (!all_in_range(m.state, frame)) return out_of_range(block.words.at);
   return count_idle(m, block);
+}
+
+}  // namespace
+
+bool only_moves(MotionView m, const NcWords& words) {
+  const BlockCodes& codes = *words.codes;
+  if ((codes.groups & ~bit(Group::Motion)) != 0 || !codes.plain || codes.m_count > 0 ||
+      m.state.no_motion || m.state.angled.waiting())
+    return false;
+  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
+  const bool cycle = in_cycle(m.state) || makes_cycle(motion);
+  if (cycle ? codes.g_count > 0 : motion < Meaning::Rapid || motion > Meaning::Ccw) return false;
+  constexpr std::uint32_t kCycleWords = bit('L') | bit('P') | bit('Q');
+  const std::uint32_t known = kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes |
+                              m.facts.increments | m.facts.chamfers.mask | m.facts.rounds.mask |
+                              (cycle ? kCycleWords : 0);
+  return (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0;
+}
+
+Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
+  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
+  const bool corner_waits = !m.state.held.corner.empty();
+  if (auto wrong = check_conflicts(m, block)) return wrong;
+  if (auto wrong = set_feed(m, block)) return wrong;
+  set_lead(m, block);
+  if (auto wrong = make_motion(m, block)) return wrong;
+  return end_block(m, block, corner_waits, false);
+}
+
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
+  if (only_moves(m, words)) return run_move(m, words, step, of_cycle);
+  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
+  const bool frame = sets_frame(words);
+  const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
+  if (auto wrong = begin_block(m, block)) return wrong;
+  if (auto wrong = set_offsets_and_act(m, block)) return wrong;
+  if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
+  return end_block(m, block, corner_waits, frame);
 }
 
 bool goes_with_motion(const MotionState& state, const BlockWords& block) {

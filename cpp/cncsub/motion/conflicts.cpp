@@ -266,13 +266,17 @@ void MotionFacts::list_conflicts() {
     if (!refuses(conflict.cause)) continue;
     conflicts.push_back(&conflict);
     if (conflict.of_words) conflicts_of_words.push_back(&conflict);
+    if (conflict.of_words || conflict.codes != nullptr) conflicts_of_moves.push_back(&conflict);
   }
 }
 
 /// What may not stand together, before anything changes.
 std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
-  const auto& list =
-      block.words.codes->g_count > 0 ? m.facts.conflicts : m.facts.conflicts_of_words;
+  const BlockCodes& codes = *block.words.codes;
+  const bool plain = codes.plain && (codes.groups & ~bit(Group::Motion)) == 0 && codes.m_count == 0;
+  const auto& list = codes.g_count == 0 ? m.facts.conflicts_of_words
+                     : plain            ? m.facts.conflicts_of_moves
+                                        : m.facts.conflicts;
   for (const Conflict* conflict : list)
     if (conflict->is_in(m, block)) return fault(conflict->cause, block);
   return std::nullopt;

@@ -48,8 +48,9 @@ void mark_axes(MoveSink& sink, const Axes& machine, std::uint32_t named) {
   const Axes& from = sink.state.tool_at;
   if (moves.size() == 0)
     moves.begin(in_machine(sink.state, from), sink.facts.rapid, sink.facts.diameters);
-  for (int i = 3; i < kAxes; ++i)
-    if (machine[i] != from[i]) named |= axis_bit(i);
+  if (!others_stand(from, machine))
+    for (int i = 3; i < kAxes; ++i)
+      if (machine[i] != from[i]) named |= axis_bit(i);
   if (named >> 3 != 0)
     moves.use(named);
   else
@@ -94,16 +95,15 @@ MoveState move_state(const MotionState& state) {
 
 Piece uncompensated(MotionView m, const BlockWords& block, MoveKind kind, const Axes& work_end,
                     std::uint32_t named) {
-  Piece piece;
-  piece.kind = kind;
-  piece.step = block.step;
-  piece.end = work_end + m.state.offset;
-  piece.named = named;
-  piece.plane = m.state.plane;
-  piece.at = block.words.at;
-  piece.offset = m.state.offset;
-  piece.length = m.state.length;
-  piece.state = move_state(m.state);
+  Piece piece{.kind = kind,
+              .step = block.step,
+              .end = work_end + m.state.offset,
+              .named = named,
+              .plane = m.state.plane,
+              .at = block.words.at,
+              .offset = m.state.offset,
+              .length = m.state.length,
+              .state = move_state(m.state)};
   piece.state.cycle = block.cycle;
   return piece;
 }
@@ -119,6 +119,17 @@ Piece make_piece(MotionView m, const BlockWords& block, MoveKind kind, const Axe
 }
 
 namespace {
+
+/// Whether the tool comes to another place.
+bool moves(const Axes& from, const Axes& to) {
+  std::uint64_t other = 0;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    other |= std::bit_cast<std::uint64_t>(from[i]) ^ std::bit_cast<std::uint64_t>(to[i]);
+  if (other == 0) return false;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    if (std::fabs(to[i] - from[i]) >= 1e-12) return true;
+  return false;
+}
 
 /// Counts a move of a block, which may be one too many.
 Result count_move(MotionContext& m, const BlockWords& block) {
@@ -139,9 +150,7 @@ Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
   m.state.tool_pending = false;
   m.state.named |= piece.named;
   m.outcome.axis_word = true;
-  if (piece.turn != 0) m.outcome.moved = true;
-  for (int i = 0; i < kAxes; ++i)
-    if (std::fabs(m.state.work[i] - before[i]) >= 1e-12) m.outcome.moved = true;
+  m.outcome.moved = m.outcome.moved || piece.turn != 0 || moves(before, m.state.work);
   block.submitted = true;
   return through_corner(m.sink, piece, before + piece.offset);
 }
@@ -155,17 +164,6 @@ bool is_direct(const MotionContext& m) {
   return s.modal[at(Group::Radius)].meaning == Meaning::RadiusOff && !s.held.engaged &&
          s.held.radius.empty() && s.held.corner.empty() && m.facts.limits.empty() &&
          !checks_area(s) && m.sink.captured == nullptr;
-}
-
-/// Whether the tool comes to another place.
-bool moves(const Axes& from, const Axes& to) {
-  std::uint64_t other = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    other |= std::bit_cast<std::uint64_t>(from[i]) ^ std::bit_cast<std::uint64_t>(to[i]);
-  if (other == 0) return false;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    if (std::fabs(to[i] - from[i]) >= 1e-12) return true;
-  return false;
 }
 
 /// How long a move takes that is told in coordinates as turned as those of the work system.
@@ -230,8 +228,10 @@ Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 
   if (!in_range(machine) || !in_range(piece.centre)) return out_of_range(piece.at);
   if (sink.state.frame_angle != 0 && (!sink.facts.limits.empty() || checks_area(sink.state)))
     return Fault{Cause::CodeNotComputed, piece.at, 1, "limits of travel in a turned work system"};
-  if (auto wrong = check_travel(sink, piece, machine)) return wrong;
-  if (auto wrong = check_area(sink, piece, machine)) return wrong;
+  if (!sink.facts.limits.empty())
+    if (auto wrong = check_travel(sink, piece, machine)) return wrong;
+  if (checks_area(sink.state))
+    if (auto wrong = check_area(sink, piece, machine)) return wrong;
   const Axes& from = sink.state.tool_at;
   const std::uint32_t diameters = sink.facts.diameters;
   Way way;

@@ -111,7 +111,9 @@ struct MotionFacts {
     double low, high;
   };
   std::vector<Limit> limits;
-  std::vector<const Conflict*> conflicts, conflicts_of_words;  // those a block without G codes has
+  std::vector<const Conflict*> conflicts;
+  std::vector<const Conflict*> conflicts_of_words;  // those a block without G codes has
+  std::vector<const Conflict*> conflicts_of_moves;  // those one has of plain motion codes alone
   CornerWords chamfers, rounds, angles;
   std::uint32_t other_axes = 0;  // of a mill beside X, Y and Z, the letters that say nothing else
   std::uint32_t increments = 0;  // of a lathe with G code system A: U and W, where they are no more

@@ -20,7 +20,9 @@ constexpr std::uint32_t kArcWords = kCentreWords | bit('R');
 
 /// Whether the tool stands elsewhere than its offsets say: the next move takes it there.
 bool tool_waits(const MotionState& state) {
-  const Axes way = machine_point(state) - state.tool_at;
+  const Axes at = machine_point(state);
+  if (at == state.tool_at) return false;
+  const Axes way = at - state.tool_at;
   return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
 }
 
@@ -239,12 +241,13 @@ struct Modes {
         incremental(of.has(Group::Distance) ? of.meaning(Group::Distance) == Meaning::Incremental
                                             : state.incremental) {}
 
-  void set(MotionState& state) const {
+  void set(const MotionFacts& facts, MotionState& state) const {
     for (std::uint32_t left = codes.groups & ~bit(Group::OneShot); left != 0; left &= left - 1) {
       const auto group = static_cast<std::size_t>(std::countr_zero(left));
       state.modal[group] = codes.of[group];
     }
-    if (plane != state.plane) state.row_moves = nullptr;
+    if (plane != state.plane || codes.has(Group::Units)) state.row_moves = nullptr;
+    if (codes.has(Group::Units)) state.unit = unit_of(facts, codes.meaning(Group::Units));
     state.plane = plane;
     state.incremental = incremental;
     if (codes.has(Group::Cycle)) state.rigid = false;
@@ -257,14 +260,18 @@ struct Modes {
   bool incremental;
 };
 
-/// Whether the codes are nothing but modes here: of these groups what holds already. What turns
-/// points stands in the way of more.
-bool are_modes(const MotionState& state, const BlockCodes& codes) {
+/// Whether the codes are nothing but modes here: of these groups what holds already, but for a unit
+/// that changes where no word counts in it. What turns points stands in the way of more.
+bool are_modes(const MotionState& state, const NcWords& words) {
+  const BlockCodes& codes = *words.codes;
   constexpr std::uint32_t kTurned = bit(Group::Motion) | bit(Group::Distance);
   if (turned(state) && ((codes.groups & ~kTurned) != 0 || codes.m_count > 0)) return false;
   if (!codes.plain || codes.has(Role::RigidTapping)) return false;
-  for (const Group group : {Group::Work, Group::Units, Group::Feed})
-    if (codes.has(group) && codes.meaning(group) != state.modal[at(group)].meaning) return false;
+  const auto changes = [&](Group group) {
+    return codes.has(group) && codes.meaning(group) != state.modal[at(group)].meaning;
+  };
+  if (changes(Group::Work) || changes(Group::Feed)) return false;
+  if (words.mask != 0 && changes(Group::Units)) return false;
   return !codes.has(Group::Length) || state.length == Axes{};
 }
 
@@ -366,8 +373,7 @@ bool plan_machine_move(MotionView m, const Modes& modes, const NcWords& words, P
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
   using Way = PlainBlock::Way;
   MotionState& s = state_;
-  if (!s.direct || !are_modes(s, *words.codes) || !has_plain_words(*facts_, words, s.plain))
-    return false;
+  if (!s.direct || !are_modes(s, words) || !has_plain_words(*facts_, words, s.plain)) return false;
   if (words.codes->has(Group::Cycle) && facts_->refuses(Cause::NoMotionCode)) return false;
   if (turned(s) && check_conflicts(view(), {.words = words, .step = step})) return false;
   const Modes modes(s, *words.codes);
@@ -375,7 +381,7 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
   const bool machine = words.codes->meaning(Group::OneShot) == Meaning::Machine;
   if (!(machine ? plan_machine_move : plan_block)(view(), modes, words, block)) return false;
 
-  modes.set(s);
+  modes.set(*facts_, s);
   set_tool_and_spindle(s, facts_->control->calls.roles.value, words);
 
   outcome = {};

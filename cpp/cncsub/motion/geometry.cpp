@@ -7,11 +7,25 @@
 
 namespace cncsub {
 
-Point Curve::direction_at(Point p) const {
-  Point d = straight() ? to - from : left(p - centre);
-  if (turn < 0) d = -1 * d;
+namespace {
+
+/// A direction, as a vector of length 1.
+Point unit_of(Point d) {
   const double length = size(d);
   return length > 0 ? (1 / length) * d : Point{1, 0};
+}
+
+}  // namespace
+
+Curve::Curve(Point first, Point last, Point middle, double angle)
+    : from(first), to(last), centre(middle), turn(angle) {
+  if (straight()) {
+    u = v = unit_of(to - from);
+    return;
+  }
+  const double way = turn < 0 ? -1 : 1;
+  u = unit_of(way * left(from - centre));
+  v = unit_of(way * left(to - centre));
 }
 
 Curve curve_of(const PlaneView& view, const Axes& from, const Piece& piece) {

@@ -41,14 +41,16 @@ struct PlaneView {
 
 /// A line or an arc with its directions at both ends.
 struct Curve {
+  Curve(Point first, Point last, Point middle, double angle);
+
   Point from, to, centre;
   double turn = 0;  // 0: a straight line
+  Point u, v;       // the directions, which are asked again and again
 
   bool straight() const { return turn == 0; }
   double radius() const { return size(from - centre); }
-  Point direction_at(Point p) const;
-  Point start_direction() const { return direction_at(from); }
-  Point end_direction() const { return direction_at(to); }
+  Point start_direction() const { return u; }
+  Point end_direction() const { return v; }
   double length() const { return straight() ? size(to - from) : std::fabs(turn) * radius(); }
 };
 /// The same way, back.

@@ -87,7 +87,7 @@ class Motion {
 
  private:
   template <class Work>
-  std::optional<Fault> whole_or_nothing(Moves* moves, const Work& work);
+  std::optional<Fault> whole_or_nothing(Moves* moves, bool only_moves, const Work& work);
   void write(Axes& values, int axis, double value);
   void go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves);
   void go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves);

@@ -105,9 +105,11 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
   const auto where = [&](PowerOn code, Meaning meaning, Meaning other) {
     return c.common.power_on.value.has(code) ? meaning : other;
   };
+  const Meaning plane = where(PowerOn::G19, Meaning::PlaneYZ,
+                              where(PowerOn::G18, Meaning::PlaneZX, Meaning::PlaneXY));
   const Meaning turning = where(PowerOn::G95, Meaning::PerRevolution, Meaning::PerMinute);
   for (const Meaning meaning : {where(PowerOn::G01, Meaning::Line, Meaning::Rapid),
-                                lathe ? Meaning::PlaneZX : Meaning::PlaneXY,
+                                lathe ? Meaning::PlaneZX : plane,
                                 where(PowerOn::G91, Meaning::Incremental, Meaning::Absolute),
                                 lathe ? turning : Meaning::PerMinute,
                                 Meaning::SpindleSpeed,
@@ -127,7 +129,7 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
                                 Meaning::DiameterOff,
                                 where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
     set(meaning);
-  state.plane = lathe ? Plane::ZX : Plane::XY;
+  state.plane = plane_of(lathe ? Meaning::PlaneZX : plane);
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (!reset) {
     state.feed = c.motion.power_on_feed.value;

@@ -146,8 +146,8 @@ struct Turned {  // rotation, scaling and mirror
   bool operator==(const Turned&) const = default;
 };
 
-/// What of the modal state is nothing but numbers: a copy is one of bytes.
-struct ModalValues {
+/// What a block changes that only moves, beside its motion code and what waits.
+struct MoveValues {
   // What the fast path reads and writes.
   bool plain = false;   // nothing but G00 to G03 with words for X Y Z F and a centre can happen
   bool direct = false;  // the same, but points may be turned, and feeds may be times or count on a
@@ -160,7 +160,22 @@ struct ModalValues {
   double feed = 0;                   // mm/min, mm/rev
   double seconds_per_mm = 0;
   double time = 0;
-  Axes work{};                            // the programmed point, work coordinates
+  Axes work{};      // the programmed point, work coordinates
+  Axes tool_at{};   // machine position behind the last recorded move; kept where not `plain`
+  double lead = 0;  // of threads, where it is kept apart from the feed
+  std::uint32_t named = 0;    // axes that moves named
+  bool tool_pending = false;  // a tool offset waits for the next move
+  bool moved_before = false;  // or set coordinates: the head of the program is over
+  double polar_angle = 0;
+  bool polar_known = false;
+  CycleData cycle;
+  TurnData turn;
+
+  bool operator==(const MoveValues&) const = default;
+};
+
+/// What of the modal state is nothing but numbers: a copy is one of bytes.
+struct ModalValues : MoveValues {
   std::array<double, 3> half{1, 1, 1};    // squared share of an axis in a path's length
   std::array<double, 3> rapid_seconds{};  // per unit of the axis
 
@@ -172,17 +187,14 @@ struct ModalValues {
   Axes tool_shift{};     // lathe tool offset as a shift of the work coordinates
   Axes middle{};         // intermediate point of G28, base
   std::uint32_t middle_known = 0;
-  Axes tool_at{};  // machine position behind the last recorded move; kept where not `plain`
   // Radians about Z, counter-clockwise, by which work coordinates stand to the machine's. What is
   // called base and machine here is turned back by it, so that it differs from work by an offset.
   double frame_angle = 0;
   bool diameter = false;               // X words count twice
   std::array<double, 2> spline_way{};  // from the end of a spline along its direction there
   bool skip_touched = false;           // the signal of the last skip came
-  bool tool_pending = false;           // a tool offset waits for the next move
   int length_axis = 2;
-  std::uint32_t named = 0;  // axes that moves named
-  Axes skip{};              // skip position: work coordinates, tool included
+  Axes skip{};  // skip position: work coordinates, tool included
   std::array<GCode, kGroups> modal{};
   Meaning motion_before_cycle = Meaning::Rapid;
   Plane plane = Plane::XY;
@@ -198,14 +210,8 @@ struct ModalValues {
   int b = 0, h = 0, d = 0, t = 0;
   int tool = 0, tool_offset = 0;
   double given_radius = 0;  // that of a radius compensation without an offset number
-  double lead = 0;          // of threads, where it is kept apart from the feed
-  double polar_angle = 0;
-  bool polar_known = false;
-  bool moved_before = false;  // or set coordinates: the head of the program is over
-  CycleData cycle;
-  bool no_motion = false;  // behind G80, where no motion code is in force then
-  int cycle_before = -1;   // ten times the code of the cycle that was in force when it began
-  TurnData turn;
+  bool no_motion = false;   // behind G80, where no motion code is in force then
+  int cycle_before = -1;    // ten times the code of the cycle that was in force when it began
   MultipleData multiple;
   Turned turned;
   StrokeArea area;

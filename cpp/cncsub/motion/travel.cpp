@@ -153,7 +153,7 @@ bool checks_area(const MotionState& state) {
 }
 
 Result check_area(MotionView m, const Piece& piece, const Axes& machine) {
-  if (!checks_area(m.state) || piece.kind == MoveKind::Dwell) return std::nullopt;
+  if (piece.kind == MoveKind::Dwell) return std::nullopt;
   const StrokeArea& area = m.state.area;
   Way way;
   way.from = m.state.tool_at;

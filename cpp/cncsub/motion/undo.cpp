@@ -24,18 +24,36 @@ void OffsetLog::clear() {
   tools_.clear();
 }
 
-Undo::Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves)
+namespace {
+
+/// Takes over what a block changes that only moves.
+void take_moved(ModalState& to, const ModalState& from) {
+  static_cast<MoveValues&>(to) = from;
+  to.modal[at(Group::Motion)] = from.modal[at(Group::Motion)];
+  to.held = from.held;
+}
+
+}  // namespace
+
+Undo::Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves, bool only_moves)
     : state_(state),
       before_(before),
       log_(log),
       moves_(moves),
-      rows_(moves != nullptr ? moves->size() : 0) {
-  before_ = state_;
+      rows_(moves != nullptr ? moves->size() : 0),
+      only_moves_(only_moves) {
+  if (only_moves_)
+    take_moved(before_, state_);
+  else
+    before_ = state_;
   log_.clear();
 }
 
 void Undo::put_back() {
-  static_cast<ModalState&>(state_) = before_;
+  if (only_moves_)
+    take_moved(state_, before_);
+  else
+    static_cast<ModalState&>(state_) = before_;
   log_.put_back(state_.tables);
   if (moves_ != nullptr) moves_->truncate(rows_);
 }

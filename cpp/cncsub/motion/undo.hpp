@@ -30,8 +30,9 @@ class OffsetLog {
 /// The state and the table of moves as they are; of the offset tables only what changes is kept.
 class Undo {
  public:
-  /// `before`: where the state is kept; the room that it has is used again.
-  Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves);
+  /// `before`: where the state is kept; the room that it has is used again. `only_moves`: the block
+  /// changes nothing but what a move does.
+  Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves, bool only_moves);
   void put_back();
 
  private:
@@ -40,6 +41,7 @@ class Undo {
   OffsetLog& log_;
   Moves* moves_;
   std::size_t rows_;
+  bool only_moves_;
 };
 
 }  // namespace cncsub

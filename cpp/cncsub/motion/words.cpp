@@ -1,6 +1,7 @@
 // The meanings of a block's words, and the modes that they set.
 #include "cncsub/motion/words.hpp"
 
+#include <bit>
 #include <utility>
 
 #include "cncsub/motion/cycle/cycles.hpp"
@@ -8,8 +9,6 @@
 #include "cncsub/motion/frame/frame.hpp"
 
 namespace cncsub {
-namespace {
-
 Result set_feed(MotionContext& m, const BlockWords& block) {
   if (!block.words.has('F')) return std::nullopt;
   const Control& c = *m.facts.control;
@@ -19,6 +18,8 @@ Result set_feed(MotionContext& m, const BlockWords& block) {
     return std::nullopt;
   return feed_of(m, block, m.state.feed);
 }
+
+namespace {
 
 void set_spindle(MotionContext& m, const BlockWords& block) {
   if (block.words.has('S')) {
@@ -64,12 +65,21 @@ Result check_block(MotionView m, const BlockWords& block) {
   return check_conflicts(m, block);
 }
 
+double unit_of(const MotionFacts& facts, Meaning units) {
+  return units == Meaning::Inch ? kInch : units == Meaning::Pulses ? facts.increment : 1;
+}
+
 Result set_modes(MotionContext& m, BlockWords& block) {
-  for (const Group group :
-       {Group::Plane, Group::Distance, Group::Stroke, Group::Feed, Group::Units, Group::Return,
-        Group::Macro, Group::Surface, Group::Path, Group::Turret, Group::Fluctuation,
-        Group::PolarMilling, Group::Centre, Group::Diameter})
-    if (block.has(group)) m.state.modal[at(group)] = block.code(group);
+  constexpr std::uint32_t kRemembered =
+      bit(Group::Plane) | bit(Group::Distance) | bit(Group::Stroke) | bit(Group::Feed) |
+      bit(Group::Units) | bit(Group::Return) | bit(Group::Macro) | bit(Group::Surface) |
+      bit(Group::Path) | bit(Group::Turret) | bit(Group::Fluctuation) | bit(Group::PolarMilling) |
+      bit(Group::Centre) | bit(Group::Diameter);
+  std::uint32_t left = block.words.codes->groups & kRemembered;
+  for (; left != 0; left &= left - 1) {
+    const auto group = static_cast<std::size_t>(std::countr_zero(left));
+    m.state.modal[group] = block.words.codes->of[group];
+  }
   if (block.has(Group::Plane)) m.state.plane = plane_of(block.meaning(Group::Plane));
   const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
   // G97 without S keeps the speed that there is. [TDi 25 note 4]
@@ -77,8 +87,7 @@ Result set_modes(MotionContext& m, BlockWords& block) {
     if (const double last = spindle_at(move_state(m.state), std::fabs(m.state.work[0])); last > 0)
       m.state.speed = last;
   m.state.surface = surface;
-  const Meaning units = m.state.modal[at(Group::Units)].meaning;
-  m.state.unit = units == Meaning::Inch ? kInch : units == Meaning::Pulses ? m.facts.increment : 1;
+  m.state.unit = unit_of(m.facts, m.state.modal[at(Group::Units)].meaning);
   m.state.incremental = m.state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (block.meaning(Group::Stroke) == Meaning::StrokeOn) {
     if (auto wrong = set_area(m, block)) return wrong;
@@ -92,7 +101,9 @@ Result set_modes(MotionContext& m, BlockWords& block) {
     m.state.modal[at(Group::Polar)] = block.code(Group::Polar);
     m.state.polar_known = false;
   }
-  return set_turned(m, block);
+  constexpr std::uint32_t kTurning =
+      bit(Group::Rotation) | bit(Group::Scaling) | bit(Group::Mirror);
+  return (block.words.codes->groups & kTurning) != 0 ? set_turned(m, block) : std::nullopt;
 }
 
 Result feed_of(MotionView m, const BlockWords& block, double& feed) {

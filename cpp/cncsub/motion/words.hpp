@@ -7,6 +7,11 @@ namespace cncsub {
 
 /// Carries a block out.
 Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
+/// Whether a block says nothing but a move: the words of its end, of its centre, of a corner and F,
+/// and no code but one of a plain motion; or, without a code, those of the next pass or hole of a
+/// cycle. And carries such a block out.
+bool only_moves(MotionView m, const NcWords& words);
+Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
 
 /// What is wrong with a G code by itself, and which of them do not count.
 Result read_codes(MotionContext& m, const BlockWords& block);
@@ -15,6 +20,8 @@ Result check_block(MotionView m, const BlockWords& block);
 Result check_conflicts(MotionView m, const BlockWords& block);
 Result set_modes(MotionContext& m, BlockWords& block);
 
+/// How many millimetres the unit of a code of units is.
+double unit_of(const MotionFacts& facts, Meaning units);
 /// The value of an axis or length word in mm or degrees.
 double number(MotionView m, const NcWords& words, char address);
 inline double number(MotionView m, const BlockWords& block, char address) {
@@ -26,6 +33,8 @@ double in_units(MotionView m, const NcWords& words, char address);
 Result dwell(MotionContext& m, BlockWords& block);
 /// The seconds that the words of a G04 say, 0 where none of them does.
 double dwell_seconds(MotionView m, const NcWords& words);
+/// Takes F over, where it is a feed.
+Result set_feed(MotionContext& m, const BlockWords& block);
 /// F of a block as a feed.
 Result feed_of(MotionView m, const BlockWords& block, double& feed);
 /// What an M code does to the spindle and the tool in it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -28,16 +27,11 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
   diameters_ = diameters;
 }
 
-std::uint32_t Moves::intern(MoveState state, const Axes& offset, const std::array<double, 3>& tip) {
-  // Nearly always the same, bit by bit: that is seen at once.
-  using Bits = std::array<std::uint64_t, std::tuple_size_v<Axes>>;
-  const auto same_bits = [&offset](const Axes& other) {
-    return std::bit_cast<Bits>(other) == std::bit_cast<Bits>(offset);
-  };
-  if (offsets_.empty() || (!same_bits(offsets_.back()) && offsets_.back() != offset))
-    offsets_.push(offset);
-  if (tip != std::array<double, 3>{}) {
-    if (tips_.empty() || tips_.back() != tip) tips_.push(tip);
+std::uint32_t Moves::add_state(const Told& told) {
+  MoveState state = told.state;
+  if (offsets_.empty() || offsets_.back() != told.offset) offsets_.push(told.offset);
+  if (told.tip != std::array<double, 3>{}) {
+    if (tips_.empty() || tips_.back() != told.tip) tips_.push(told.tip);
     state.tip = static_cast<std::uint32_t>(tips_.size());
   }
   state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -77,7 +78,14 @@ class Moves {
   /// rapid rates, diameter axes.
   void begin(const Axes& machine, const Axes& rapid, std::uint32_t diameters);
   /// `tip`: from the centre of a nose to the imaginary tip.
-  std::uint32_t intern(MoveState state, const Axes& offset, const std::array<double, 3>& tip = {});
+  std::uint32_t intern(const MoveState& state, const Axes& offset,
+                       const std::array<double, 3>& tip = {}) {
+    // Nearly always as before, bit by bit.
+    if (same_bits(last_.state, state) && same_bits(last_.offset, offset) &&
+        same_bits(last_.tip, tip) && states_.size() > 0)
+      return last_.number;
+    return last_.number = add_state(last_ = {state, offset, tip, 0});
+  }
   /// The axes that moves named; bit 0 is X.
   void mark(std::uint32_t axes) { used_ |= axes; }
   /// The same for axes beyond X, Y and Z, which get a column.
@@ -164,6 +172,27 @@ class Moves {
     ~Room() = default;
   };
 
+  /// What a row was told with, and the number of its state.
+  struct Told {
+    MoveState state;
+    Axes offset{};
+    std::array<double, 3> tip{};
+    std::uint32_t number = 0;
+  };
+  template <class T>
+  static bool same_bits(const T& one, const T& other) {
+    const auto* a = reinterpret_cast<const char*>(&one);
+    const auto* b = reinterpret_cast<const char*>(&other);
+    std::uint64_t different = 0;
+    for (std::size_t at = 0; at < sizeof(T); at += sizeof different) {
+      std::uint64_t x = 0, y = 0;
+      std::memcpy(&x, a + at, sizeof x);
+      std::memcpy(&y, b + at, sizeof y);
+      different |= x ^ y;
+    }
+    return different == 0;
+  }
+  std::uint32_t add_state(const Told& told);
   void grow();
   void push_extras(const Axes& point);
   template <class Use>
@@ -180,6 +209,7 @@ class Moves {
   Column<Vector> vectors_;
   Column<Seconds> seconds_;
   Column<Skip> skips_;
+  Told last_;
   std::uint32_t used_ = 0;
   Axes start_{};  // machine position before the first row
   Axes rapid_{};

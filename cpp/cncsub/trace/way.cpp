@@ -69,7 +69,8 @@ double arc_length(double in_plane, Plane plane, const Axes& from, const Axes& to
 
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters) {
   double longest = 0;
-  for (int i = 0; i < kAxes; ++i) {
+  const int axes = others_stand(from, to) ? 3 : kAxes;
+  for (int i = 0; i < axes; ++i) {
     const double share = (diameters >> i & 1) != 0 ? 0.5 : 1;
     if (to[i] != from[i] && rapid[i] > 0)
       longest = std::max(longest, std::fabs(to[i] - from[i]) * share / rapid[i] * 60);

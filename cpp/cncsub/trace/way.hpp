@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -18,6 +19,14 @@ std::string_view to_string(SkipMove skip);
 constexpr int kAxes = 9;
 constexpr std::string_view kAxisNames = "XYZABCUVW";
 using Axes = std::array<double, kAxes>;
+
+/// Whether all axes but X, Y and Z are bit by bit the same.
+inline bool others_stand(const Axes& from, const Axes& to) {
+  std::uint64_t different = 0;
+  for (std::size_t i = 3; i < from.size(); ++i)
+    different |= std::bit_cast<std::uint64_t>(from[i]) ^ std::bit_cast<std::uint64_t>(to[i]);
+  return different == 0;
+}
 
 enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
 

@@ -167,8 +167,11 @@ void code_calls(Control& c, int last_g, int first_sub_m, int last_sub_m, int fir
   c.code_calls = {
       // A negative number makes the call modal.
       {Form::List, 'G', Kind::Macro, 6050, 9010, 10, "", 0, 1, last_g, "", sub_source,
-       SourceDocument},
-      {Form::Range, 'G', Kind::Macro, 6038, 6039, 6040, "", 0, 1, last_g, "", kKnown, Inferred},
+       SourceDocument, true, false, "6007#3"},
+      {Form::Range, 'G', Kind::Macro, 6038, 6039, 6040, "", 0, 1, last_g, "", kKnown, Inferred,
+       true, false, "6007#3"},
+      {Form::Range, 'G', Kind::Macro, 6041, 6042, 6043, "", 0, 1, last_g, "", kKnown, Inferred,
+       true, true, "6007#3"},
       {Form::List, 'M', Kind::Macro, 6080, 9020, 10, "", 0, first_macro_m, last_macro_m, "",
        sub_source, SourceDocument},
       {Form::Range, 'M', Kind::Macro, 6047, 6048, 6049, "", 0, first_macro_m, last_macro_m, "",

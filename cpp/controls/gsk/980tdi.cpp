@@ -146,7 +146,8 @@ void motion(Control& c) {
         {"143", "G37: how far before the point the measuring feed begins, mm"},
         {"144", "G36: within what distance of the point the tool arrives, mm"},
         {"145", "G37: within what distance of the point the tool arrives, mm"}})
-    c.parameters.push_back({name, 0, meaning, "TDipar 141 to 145", Manual});
+    c.parameters.push_back(
+        {name, 0, meaning, "TDipar 141 to 145", Manual, {}, rule::measuring.name});
   c.motion.helix = {Helix::Refused, kKnown, Inferred};
   lacks(c.common.power_on, {PowerOn::G01}, kTDi + "2: G00", Manual);
 }

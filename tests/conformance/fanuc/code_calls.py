@@ -344,6 +344,76 @@ case(
     arguments={1: 1},
 )
 case(
+    "parameters 6041 to 6043 make a range of G codes with one decimal call a range of programs",
+    control=NEW, source="K-M general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G90.2 A1.
+        N20 G0 X1.
+        N30 M30
+        O4002
+        N40 M99
+    """,
+    params={"6041": 900, "6042": 4000, "6043": 100}, runs="N10 N40 N20 N30", calls="G-code:O4002",
+    arguments={1: 1},
+)
+case(
+    "G90 is a code of the range of 6041 to 6043 that begins at 900",
+    control=NEW, source="K-M general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G90
+        N20 M30
+        O4000
+        N30 M99
+    """,
+    params={"6041": 900, "6042": 4000, "6043": 1}, runs="N10 N30 N20", calls="G-code:O4000",
+)
+case(
+    "the range of 6038 to 6040 holds whole G codes: G200.1 calls nothing",
+    control=NEW, source="K-M general knowledge; ALM PS0010", evidence="inferred",
+    program="""
+        O1
+        N10 G200.1
+        N20 M30
+        O3000
+        N30 M99
+    """,
+    params={"6038": 200, "6039": 3000, "6040": 3}, runs="", alarm="g-code-not-available",
+    number="PS0010", word="G200.1",
+)
+case(
+    "with 6007#3=1 a negative number of 6050 calls for every block, as G66.1",
+    control=NEW, source="K-M general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G70 A1.
+        N20 M8
+        N30 G67
+        N40 M30
+        O9010
+        N50 #100=#100+1
+        N60 M99
+    """,
+    params={"6050": -70, "6007#3": 1}, runs="N10 N20 N50 N60 N30 N40", vars={100: 1},
+)
+case(
+    "with 6007#3=0 a negative number of 6050 calls behind moves, as G66",
+    control=NEW, source="K-M general knowledge", evidence="inferred",
+    program="""
+        O1
+        N10 G70 A1.
+        N20 M8
+        N30 G0 X1.
+        N40 G67
+        N50 M30
+        O9010
+        N60 #100=#100+1
+        N70 M99
+    """,
+    params={"6050": -70}, runs="N10 N20 N30 N60 N70 N40 N50", vars={100: 1},
+)
+case(
     "a G code behind the range of 6038 to 6040 calls nothing",
     control=NEW, source="K-M general knowledge; ALM PS0010", evidence="inferred",
     program="""

@@ -160,7 +160,7 @@ case(
 )
 case(
     "with 6001#1=0 DPRNT fills leading places with blanks",
-    control=ALL, source="K-M general knowledge", evidence="inferred",
+    pins="prints_leading_blanks", control=ALL, source="K-M general knowledge", evidence="inferred",
     program="""
         O1
         N10 #100=128.47398

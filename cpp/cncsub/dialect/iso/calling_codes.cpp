@@ -61,13 +61,17 @@ void CallingCodes::add_code(const Code& code, const CodeCall& list, std::int32_t
   const bool g = list.address == 'G';
   if (g && number < 0) {  // a negative G code calls modally
     number = -number;
-    call.kind = CodeCallKind::Modal;
+    const bool every = !list.every_block.empty() && code.control->parameter(list.every_block) != 0;
+    call.kind = every ? CodeCallKind::ModalEveryBlock : CodeCallKind::Modal;
   }
-  if (number == 0 || number < list.first_code || number > list.last_code) return;
-  const bool own = g && number < 1000 && code.g_codes.test(static_cast<std::size_t>(number) * 10);
-  if (own && !list.own_codes) return;
-  call.refused = number < 1000 && list.refused.has(number * 10);
-  codes_.emplace(key(list.address, number), call);
+  const std::int64_t tenths = std::int64_t{number} * (list.tenths ? 1 : 10);
+  if (tenths < std::max(std::int64_t{list.first_code} * 10, std::int64_t{1}) ||
+      tenths > std::int64_t{list.last_code} * 10)
+    return;
+  const bool listed = tenths < static_cast<std::int64_t>(code.g_codes.size());
+  if (g && listed && code.g_codes.test(static_cast<std::size_t>(tenths)) && !list.own_codes) return;
+  call.refused = listed && list.refused.has(static_cast<int>(tenths));
+  codes_.emplace(key(list.address, tenths), call);
 }
 
 void CallingCodes::add_letter(char address, const RegisteredCall& call) {
@@ -78,13 +82,14 @@ void CallingCodes::add_letter(char address, const RegisteredCall& call) {
 bool CallingCodes::any(char address) const {
   return letters_[place(address)] != 0 ||
          std::any_of(codes_.begin(), codes_.end(),
-                     [&](const auto& code) { return code.first >> 32 == address; });
+                     [&](const auto& code) { return code.first >> kAddress == address; });
 }
 
 const RegisteredCall* CallingCodes::find(char address, double code) const {
   if (letters_[place(address)] != 0) return &of_letters_[letters_[place(address)] - 1];
-  if (codes_.empty() || std::fabs(code) > 1e9 || code != std::floor(code)) return nullptr;
-  const auto found = codes_.find(key(address, to_whole<std::int32_t>(code)));
+  const double tenths = std::round(code * 10);
+  if (codes_.empty() || code < 0 || code > 1e9 || code != tenths / 10) return nullptr;
+  const auto found = codes_.find(key(address, to_whole<std::int64_t>(tenths)));
   return found == codes_.end() ? nullptr : &found->second;
 }
 

@@ -30,14 +30,16 @@ class CallingCodes {
  private:
   void add_list(const Code& code, const CodeCall& list);
   void add_registered(const Code& code, const RegisteredCodes::Entry& entry);
+  /// `number` as a parameter holds it: negative where it calls modally.
   void add_code(const Code& code, const CodeCall& list, std::int32_t number, std::int32_t program);
   void add_letter(char address, const RegisteredCall& call);
   static std::size_t place(char address) { return static_cast<std::size_t>(address - 'A'); }
-  static std::int64_t key(char address, std::int32_t code) {
-    return (static_cast<std::int64_t>(address) << 32) | code;
+  static constexpr int kAddress = 48;  // its place in a key
+  static std::int64_t key(char address, std::int64_t tenths) {
+    return (static_cast<std::int64_t>(address) << kAddress) | tenths;
   }
 
-  std::unordered_map<std::int64_t, RegisteredCall> codes_;  // by address and number
+  std::unordered_map<std::int64_t, RegisteredCall> codes_;  // by address and tenths of a code
   std::vector<RegisteredCall> of_letters_;
   std::array<std::size_t, 26> letters_{};  // 1 + the place there, 0 = not every code calls
 };

@@ -59,18 +59,20 @@ Result check_profile_block(const MotionFacts& facts, const NcWords& words) {
   return std::nullopt;
 }
 
-/// What the blocks do, as pieces, tried out on a copy.
+/// What the blocks do, as pieces. They are tried out: but for the pieces, nothing comes of it.
 Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector<Piece>& pieces) {
-  MotionState state = m.state;
+  MotionState& state = m.state;
+  const ModalState before = state;  // of the offset tables the blocks change nothing
   MotionOutcome outcome;
   MotionContext trial{m.facts, state,    m.log, {m.facts, state, nullptr, &pieces},
                       outcome, m.outside};
   end_cycles(m.facts, state);
+  const GCode radius_off = m.facts.codes.of(Meaning::RadiusOff);
   for (const NcWords& words : blocks) {
     if (auto wrong = check_profile_block(m.facts, words)) return wrong;
     if (m.outside.over(1)) return broken_off(words.at);
     outcome = {};
-    state.modal[at(Group::Radius)] = m.facts.codes.of(Meaning::RadiusOff);
+    state.modal[at(Group::Radius)] = radius_off;
     if (auto wrong = run_block(trial, words, 0)) return wrong;
   }
   if (state.angled.waiting())
@@ -84,6 +86,7 @@ Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector
                  .detail = {},
                  .address = state.held.corner.back().corner};
   std::erase_if(pieces, [](const Piece& piece) { return piece.kind == MoveKind::Dwell; });
+  static_cast<ModalState&>(state) = before;
   return std::nullopt;
 }
 

@@ -347,7 +347,8 @@ Result enter_cycle(MotionContext& m, BlockWords& block) {
 }
 
 void end_cycles(const MotionFacts& facts, MotionState& state) {
-  if (in_cycle(state)) state.modal[at(Group::Cycle)] = facts.codes.of(Meaning::CycleOff);
+  if (!in_cycle(state)) return;
+  state.modal[at(Group::Cycle)] = facts.codes.of(Meaning::CycleOff);
   forget_cycle(facts, state);
 }
 

@@ -68,7 +68,7 @@ Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uin
 
 Axes end_point(MotionContext& m, BlockWords& block, std::uint32_t& named) {
   const Axes end = target(m, block, named);
-  return lengthened(m, block, end, named);
+  return block.longer == 0 ? end : lengthened(m, block, end, named);
 }
 
 Axes linear_target(MotionContext& m, BlockWords& block, std::uint32_t& named) {

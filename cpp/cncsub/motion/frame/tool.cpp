@@ -254,7 +254,6 @@ Result set_longer(MotionView m, BlockWords& block) {
 }
 
 Axes lengthened(MotionView m, const BlockWords& block, Axes end, std::uint32_t named) {
-  if (block.longer == 0) return end;
   for (int i = 0; i < kAxes; ++i) {
     if ((named >> i & 1) == 0) continue;
     const double way = end[i] - m.state.work[i];

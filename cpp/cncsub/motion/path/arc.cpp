@@ -209,7 +209,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const PlaneAxes plane = plane_axes(m.state.plane);
   std::uint32_t named = 0;
   const Axes written = target(m, block, named);
-  const Axes end = lengthened(m, block, written, named);
+  const Axes end = block.longer == 0 ? written : lengthened(m, block, written, named);
   const bool centre = has_centre(block, plane);
   const bool radius = block.words.has('R') && block.words['R'] != 0;
   if (named == 0 && !centre && !radius) return std::nullopt;

@@ -51,7 +51,7 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece);
 /// The way of a piece to the table: through a corner, which waits for the next piece, and through
 /// radius compensation, which does too.
 Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from);
-Result through_radius(MoveSink& sink, const Piece& written, const Axes& from);
+Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from);
 Result flush_radius(MoveSink& sink);
 /// The same where moves end beside their own ends, and what ends their waiting.
 Result by_own_normal(MoveSink& sink, const Piece& piece, const Axes& from);

@@ -132,14 +132,13 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
   return std::nullopt;
 }
 
-/// Records the waiting move up to its end, the way around the corner, and the blocks behind it.
-/// `next` is the direction of the move behind it, nothing where there is none.
-Result RadiusPath::leave(Point v, const Join* join, Point next) {
+/// Records the waiting move, which is this curve, up to its end, the way around the corner, and the
+/// blocks behind it. `next` is the direction of the move behind it, nothing where there is none.
+Result RadiusPath::leave(const Curve& curve, Point v, const Join* join, Point next) {
   Held& held = sink.state.held;
-  Piece first = held.radius.front();
+  Piece& first = held.radius.front();
   Point u;
   if (!held.starting) {
-    const Curve curve = curve_of(view, held.radius_from, first);
     const bool over = join != nullptr && join->over == Join::First;
     if (over)
       straighten(first);
@@ -169,7 +168,7 @@ Result RadiusPath::flush() {
   if (held.radius.empty()) return std::nullopt;
   const Piece& first = held.radius.front();
   const Curve curve = curve_of(view, held.radius_from, first);
-  return leave(offset_of(first) * left(curve.end_direction()), nullptr, {});
+  return leave(curve, offset_of(first) * left(curve.end_direction()), nullptr, {});
 }
 
 /// The last compensated move ends on its normal, or goes around an outside corner; then the tool
@@ -185,7 +184,7 @@ Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
     if (!inside(before.end_direction(), curve.start_direction(), offset)) {
       Join way;
       if (auto wrong = join(before, curve, nullptr, offset, piece.at, way)) return wrong;
-      if (auto wrong = leave(way.leave, &way, curve.start_direction())) return wrong;
+      if (auto wrong = leave(before, way.leave, &way, curve.start_direction())) return wrong;
     }
   }
   if (auto wrong = flush()) return wrong;
@@ -195,7 +194,8 @@ Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
 }
 
 /// Records the waiting move, now that the next one says where the tool leaves it.
-Result RadiusPath::follow(Piece& piece, const Curve& curve, const Curve* behind, Axes& from) {
+Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
+                          bool& over) {
   const Held& held = sink.state.held;
   const Point v = curve.start_direction(), normal = offset_of(piece) * left(v);
   if (held.radius.empty()) {
@@ -219,9 +219,9 @@ Result RadiusPath::follow(Piece& piece, const Curve& curve, const Curve* behind,
   } else if (auto wrong = join(before, curve, behind, offset, piece.at, way)) {
     return wrong;
   }
-  if (way.over != Join::Second) return leave(way.leave, &way, v);
-  if (auto wrong = leave(way.leave, &way, way.along)) return wrong;
-  begin_step(piece, from, way.along);
+  over = way.over == Join::Second;
+  if (auto wrong = leave(before, way.leave, &way, over ? way.along : v)) return wrong;
+  if (over) begin_step(piece, from, way.along);
   return std::nullopt;
 }
 
@@ -231,12 +231,11 @@ Result flush_radius(MoveSink& sink) {
   return RadiusPath(sink, sink.state.held.radius.front().plane).flush();
 }
 
-Result through_radius(MoveSink& sink, const Piece& written, const Axes& from) {
+Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   Held& held = sink.state.held;
-  const bool active = written.side != 0;
-  if (!active && !held.engaged && held.radius.empty()) return record_move(sink, written, {});
-  if (is_by_own_normal(sink.facts)) return by_own_normal(sink, written, from);
-  Piece piece = written;
+  const bool active = piece.side != 0;
+  if (!active && !held.engaged && held.radius.empty()) return record_move(sink, piece, {});
+  if (is_by_own_normal(sink.facts)) return by_own_normal(sink, piece, from);
   RadiusPath path(sink, piece.plane);
   Axes start = path.start_of(from);
   if (!path.moves_in_plane(piece, start)) {
@@ -260,8 +259,9 @@ Result through_radius(MoveSink& sink, const Piece& written, const Axes& from) {
     held.radius.push_back(piece);
     return std::nullopt;
   }
+  bool over = false;
   if (held.engaged || !held.radius.empty()) {
-    if (auto wrong = path.follow(piece, curve, nullptr, start)) return wrong;
+    if (auto wrong = path.follow(piece, curve, nullptr, start, over)) return wrong;
   } else if (is_arc(piece)) {
     return Fault{Cause::CompensationArc, piece.at, 1, {}};
   } else {
@@ -270,6 +270,7 @@ Result through_radius(MoveSink& sink, const Piece& written, const Axes& from) {
   held.radius_from = start;
   held.radius_to = piece.end;
   held.radius.push_back(piece);
+  if (over) RadiusPath::straighten(held.radius.back());
   return std::nullopt;
 }
 

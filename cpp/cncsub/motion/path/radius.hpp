@@ -82,10 +82,13 @@ struct RadiusPath {
   Fault no_meeting(const Curve& a, const Curve& b, double offset, std::uint32_t at) const;
   void go_around(const Curve& a, const Curve& b, Point u, Point v, double offset, Join& join) const;
   Result check_direction(const Curve& curve, Piece& piece, Point& v, Point next) const;
-  Result leave(Point v, const Join* join, Point next);
+  Result leave(const Curve& curve, Point v, const Join* join, Point next);
   Result flush();
   Result cancel(const Piece& piece, const Curve& curve);
-  Result follow(Piece& piece, const Curve& curve, const Curve* behind, Axes& from);
+  /// `over`: the piece is a step that the tool goes over from now on, in a line that begins at
+  /// `from`.
+  Result follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
+                bool& over);
 
   // step.cpp: low steps.
   bool is_low_step(const Piece& piece, const Curve& curve) const;
@@ -93,7 +96,7 @@ struct RadiusPath {
   bool join_before_step(const Curve& a, const Curve& b, const Curve& behind, double offset,
                         Join& join) const;
   bool join_over_step(const Curve& a, const Curve& b, double offset, Join& join) const;
-  void begin_step(Piece& piece, Axes& from, Point along);
+  void begin_step(const Piece& piece, Axes& from, Point along);
 };
 
 }  // namespace cncsub

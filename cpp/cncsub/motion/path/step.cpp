@@ -65,8 +65,10 @@ Result RadiusPath::take_step(const Curve* next) {
   held.radius.erase(first, held.radius.end());
   held.step = 0;
   Axes start = held.step_from;
-  if (auto wrong = follow(rest.front(), curve_of(view, start, rest.front()), next, start))
+  bool over = false;
+  if (auto wrong = follow(rest.front(), curve_of(view, start, rest.front()), next, start, over))
     return wrong;
+  if (over) straighten(rest.front());
   held.radius_from = start;
   held.radius = std::move(rest);
   return std::nullopt;
@@ -117,12 +119,11 @@ bool RadiusPath::join_before_step(const Curve& a, const Curve& b, const Curve& b
 }
 
 /// The move that the tool goes over becomes a bit of a line along which it comes to its end.
-void RadiusPath::begin_step(Piece& piece, Axes& from, Point along) {
+void RadiusPath::begin_step(const Piece& piece, Axes& from, Point along) {
   Held& held = sink.state.held;
   const Point end = view.point(piece.end), corner = view.point(from);
   const Point start = end - size(end - corner) * along;
   const Point tool = corner + Point{held.vector[0], held.vector[1]};
-  straighten(piece);
   view.set(from, start);
   held.vector = {(tool - start).a, (tool - start).b};
 }

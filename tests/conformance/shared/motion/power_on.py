@@ -115,6 +115,29 @@ case(
     moves="F X10",
 )
 case(
+    "a control of a mill wakes up in G17",
+    pins="power_on:G18 power_on:G19", control=[*MILLS, HAAS, "syntec-22ma"],
+    source="source 003; general knowledge", evidence="inferred", setup={"machine": "mill"},
+    program="O1\nN10 G2 X10. Y0 I5. J0 F100\nN20 M30",
+    moves="CW X10 Y0 C X5 Y0",
+)
+case(
+    "with 3402#1 it wakes up in G18",
+    control=FANUC, **KNOWN, setup={"machine": "mill"}, params={"3402#1": 1},
+    program="O1\nN10 G2 X10. Z0 I5. K0 F100\nN20 #100=#4002\nN30 M30",
+    moves="CW X10 Z0 C X5 Z0", vars={100: 18},
+)
+case(
+    "with 3402#2 it wakes up in G19, whatever 3402#1 says",
+    control=FANUC, **KNOWN, setup={"machine": "mill"}, params={"3402#1": 1, "3402#2": 1},
+    program="O1\nN10 #100=#4002\nN20 M30", vars={100: 19},
+)
+case(
+    "3402#1 and 3402#2 are of mills: a lathe wakes up in G18",
+    control=FANUC, **KNOWN, setup=LATHE, params={"3402#2": 1},
+    program="O1\nN10 G98 G2 X10. Z-5. R5. F100\nN20 #100=#4002\nN30 M30", moves="CW X10 Z-5 C X10 Z0",
+)
+case(
     "a control of a mill wakes up in G90",
     control=MILLS, source="TApar 3402#3; general knowledge", evidence="inferred",
     setup={"machine": "mill", "start": {"X": 5}},

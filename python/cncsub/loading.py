@@ -1,0 +1,122 @@
+"""Reading files, folders and texts as the memory of a control: `load` and `loads`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from cncsub import _core
+from cncsub._core import Control
+from cncsub.controls import control_of
+from cncsub.files import CoreFile, StrPath, check_encoding, clean, cut, decoded, read_paths
+from cncsub.library import Library, read_again
+
+
+def load(
+    *paths: StrPath,
+    control: str | Control,
+    external: StrPath | None = None,
+    encoding: str | None = None,
+    prefer: StrPath | Iterable[StrPath] = (),
+) -> Library:
+    """Read files and folders as the memory of a control.
+
+    A folder gives every program file in it and below it; what is left out is told in
+    `Library.skipped`. `external` is the folder of the external device, which M198 reads. `encoding`
+    is that of comments and names, found out without it. Of several programs of one name the first
+    counts; `prefer` names files whose programs count before those of the others.
+
+    Raises `FileNotFoundError` for a missing path and `ValueError` for an unknown control, a folder
+    without programs or an unknown encoding; each names what is near. A program a control would
+    refuse raises nothing: it alarms when it runs. Ctrl-C raises `KeyboardInterrupt`, as anywhere
+    else, and leaves nothing behind.
+
+    >>> import cncsub, pathlib, tempfile
+    >>> job = pathlib.Path(tempfile.mkdtemp())
+    >>> for name, text in {"O1.nc": "O1\\nM98 P2\\nM30\\n", "O2.nc": "O2\\nM99\\n"}.items():
+    ...     _ = (job / name).write_text(text)
+    >>> library = cncsub.load(job, control="fanuc-0i-f")
+    >>> list(library), library.main.name, library.run().stop
+    (['O1', 'O2'], 'O1', <Stop.END: 'end'>)
+    """
+    known = control_of(control)
+    if not paths:
+        raise ValueError("load needs a file or a folder; loads takes the text of a program")
+    reading = read_paths(paths, encoding=encoding, without=external)
+    names = reading.names
+    outside, skipped = _external_files(external, encoding)
+    code = _core.compile(known, reading.rows(False) + outside, external is not None)
+    library = Library(code, names, [*reading.skipped, *skipped])
+    return _preferring(library, prefer)
+
+
+def loads(
+    text: str | bytes,
+    control: str | Control,
+    external: StrPath | None = None,
+    name: str | None = None,
+    encoding: str | None = None,
+) -> Library:
+    """Read one text as the memory of a control: one program or several, as they would stand in a
+    file.
+
+    `name` is what the file would be called; its stem names a program that has no name of its own.
+
+    >>> import cncsub
+    >>> cncsub.loads("N10 M30\\n", control="gsk-988ta", name="T0023.CNC").main.name
+    'T0023'
+    """
+    known = control_of(control)
+    check_encoding(encoding)
+    if isinstance(text, bytes | bytearray | memoryview):
+        pieces = decoded(bytes(text), encoding)
+    elif isinstance(text, str):
+        pieces = cut(text.removeprefix("\ufeff"))  # a mark of bytes that somebody has decoded
+    else:
+        raise TypeError(
+            f"loads takes the text of a program, not {type(text).__name__}; load takes paths"
+        )
+    outside, skipped = _external_files(external, encoding)
+    if name is not None and not isinstance(name, str):
+        raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
+    stem = clean(os.path.splitext(os.path.basename(name or ""))[0])  # noqa: PTH119, PTH122
+    shown = "<text>" if name is None else clean(name)
+    files: list[CoreFile] = [(shown, stem, pieces, False), *outside]
+    code = _core.compile(known, files, external is not None)
+    return Library(code, [shown], skipped)
+
+
+def _preferring(library: Library, prefer: StrPath | Iterable[StrPath]) -> Library:
+    """The memory in which the programs of some files count before those of the others."""
+    paths = [prefer] if isinstance(prefer, str | os.PathLike) else list(prefer)
+    if not paths:
+        return library
+    wanted = {os.path.realpath(path) for path in paths}
+    preferred = {name for name in library.files if os.path.realpath(name) in wanted}
+    if len(preferred) < len(wanted):
+        missing = Path(min(wanted - {os.path.realpath(name) for name in preferred}))
+        alike = [name for name in library.files if Path(name).name == missing.name]
+        near = f"; there is {', '.join(alike)}" if alike else ""
+        raise ValueError(
+            f"prefer names {missing}, which is not among the files that are read{near}"
+        )
+    sources = sorted(library._code.sources, key=lambda source: source[0] not in preferred)
+    main = library.main
+    return read_again(
+        library.control,
+        sources,
+        library._code.external_device,
+        sorted(library.files, key=lambda name: name not in preferred),
+        library._skipped,
+        None if main is None else main.name,
+    )
+
+
+def _external_files(
+    external: StrPath | None, encoding: str | None
+) -> tuple[list[CoreFile], list[tuple[str, str]]]:
+    if external is None:
+        return [], []
+    reading = read_paths([external], encoding=encoding)
+    return reading.rows(True), reading.skipped
