@@ -20,10 +20,9 @@ constexpr std::uint32_t kArcWords = kCentreWords | bit('R');
 
 /// Whether the tool stands elsewhere than its offsets say: the next move takes it there.
 bool tool_waits(const MotionState& state) {
-  const Axes at = machine_point(state);
-  if (at == state.tool_at) return false;
-  const Axes way = at - state.tool_at;
-  return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
+  const Axes at = machine_point(state), way = at - state.tool_at;
+  return at != state.tool_at &&
+         std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
 }
 
 /// Which of the codes of a path a meaning is, 0 for G00 to 3 for G03; -1 where it is none.
@@ -45,7 +44,6 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   const MotionView m{facts, state};
   if (state.plain) state.tool_at = machine_point(state);
   const int path = path_of(state.modal[at(Group::Motion)].meaning);
-  const Meaning feed = state.modal[at(Group::Feed)].meaning;
   state.row_moves = nullptr;
   if (path >= 0) state.motion_code = static_cast<std::uint8_t>(path);
   set_seconds_per_mm(state);
@@ -55,7 +53,8 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
                  !state.tool_pending && !tool_waits(state) && !state.rigid_waits &&
                  facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
                  !state.diameter && !state.no_motion && !centre_is_absolute(state);
-  state.plain = state.direct && feed != Meaning::InverseTime && !turned(state) && !state.surface;
+  state.plain = state.direct && !turned(state) && !state.surface &&
+                state.modal[at(Group::Feed)].meaning != Meaning::InverseTime;
 }
 
 void take_code(const MotionFacts& facts, MotionState& state, int code) {
@@ -248,8 +247,7 @@ struct Modes {
     }
     if (plane != state.plane || codes.has(Group::Units)) state.row_moves = nullptr;
     if (codes.has(Group::Units)) state.unit = unit_of(facts, codes.meaning(Group::Units));
-    state.plane = plane;
-    state.incremental = incremental;
+    state.plane = plane, state.incremental = incremental;
     if (codes.has(Group::Cycle)) state.rigid = false;
     if (codes.has(Group::Work)) state.moved_before = true;  // as behind G54 that changes something
   }
@@ -267,11 +265,10 @@ bool are_modes(const MotionState& state, const NcWords& words) {
   constexpr std::uint32_t kTurned = bit(Group::Motion) | bit(Group::Distance);
   if (turned(state) && ((codes.groups & ~kTurned) != 0 || codes.m_count > 0)) return false;
   if (!codes.plain || codes.has(Role::RigidTapping)) return false;
-  const auto changes = [&](Group group) {
-    return codes.has(group) && codes.meaning(group) != state.modal[at(group)].meaning;
-  };
-  if (changes(Group::Work) || changes(Group::Feed)) return false;
-  if (words.mask != 0 && changes(Group::Units)) return false;
+  for (const Group group : {Group::Work, Group::Feed, Group::Units})
+    if ((group != Group::Units || words.mask != 0) && codes.has(group) &&
+        codes.meaning(group) != state.modal[at(group)].meaning)
+      return false;
   return !codes.has(Group::Length) || state.length == Axes{};
 }
 
@@ -386,10 +383,7 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
 
   outcome = {};
   const bool moves_on = block.way != Way::None;
-  if (moves_on) {
-    outcome.moved = outcome.axis_word = true;
-    outcome.moves = 1;
-  }
+  if (moves_on) outcome.moved = outcome.axis_word = true, outcome.moves = 1;
   if (block.way == Way::Straight)
     return linear(block.letters, block.values.data(), block.path, step, moves, outcome.moved);
   if (moves_on || modes.path >= 0) take_code(*facts_, state_, block.path);

@@ -46,6 +46,21 @@ struct MoveBegin {
   bool compensated = false;  // a radius offset holds at its end, or here
 };
 
+/// Whether two values are the same, bit by bit.
+template <class T>
+bool same_bits(const T& one, const T& other) {
+  const auto* a = reinterpret_cast<const char*>(&one);
+  const auto* b = reinterpret_cast<const char*>(&other);
+  std::uint64_t different = 0;
+  for (std::size_t at = 0; at < sizeof(T); at += sizeof different) {
+    std::uint64_t x = 0, y = 0;
+    std::memcpy(&x, a + at, sizeof x);
+    std::memcpy(&y, b + at, sizeof y);
+    different |= x ^ y;
+  }
+  return different == 0;
+}
+
 class Moves {
  public:
   /// An empty table for the moves that follow the last one of this.
@@ -82,7 +97,7 @@ class Moves {
                        const std::array<double, 3>& tip = {}) {
     // Nearly always as before, bit by bit.
     if (same_bits(last_.state, state) && same_bits(last_.offset, offset) &&
-        same_bits(last_.tip, tip) && states_.size() > 0)
+        same_bits(last_.tip, tip) && !states_.empty())
       return last_.number;
     return last_.number = add_state(last_ = {state, offset, tip, 0});
   }
@@ -179,19 +194,6 @@ class Moves {
     std::array<double, 3> tip{};
     std::uint32_t number = 0;
   };
-  template <class T>
-  static bool same_bits(const T& one, const T& other) {
-    const auto* a = reinterpret_cast<const char*>(&one);
-    const auto* b = reinterpret_cast<const char*>(&other);
-    std::uint64_t different = 0;
-    for (std::size_t at = 0; at < sizeof(T); at += sizeof different) {
-      std::uint64_t x = 0, y = 0;
-      std::memcpy(&x, a + at, sizeof x);
-      std::memcpy(&y, b + at, sizeof y);
-      different |= x ^ y;
-    }
-    return different == 0;
-  }
   std::uint32_t add_state(const Told& told);
   void grow();
   void push_extras(const Axes& point);

@@ -231,6 +231,18 @@ Result flush_radius(MoveSink& sink) {
   return RadiusPath(sink, sink.state.held.radius.front().plane).flush();
 }
 
+/// A move without a way in the plane waits behind the one that has one.
+static Result look_over(RadiusPath& path, const Piece& piece, const Axes& from) {
+  Held& held = path.sink.state.held;
+  // A step of an increment has no direction, but it is no block without a move.
+  if (piece.kind != MoveKind::Dwell && held.radius.size() < kReadAhead &&
+      size(path.view.point(piece.end) - path.view.point(from)) > path.least / 2)
+    held.moved = true;
+  if (held.radius.empty()) return path.record_idle(piece, {held.vector[0], held.vector[1]});
+  held.radius.push_back(piece);
+  return std::nullopt;
+}
+
 Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   Held& held = sink.state.held;
   const bool active = piece.side != 0;
@@ -238,15 +250,7 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   if (is_by_own_normal(sink.facts)) return by_own_normal(sink, piece, from);
   RadiusPath path(sink, piece.plane);
   Axes start = path.start_of(from);
-  if (!path.moves_in_plane(piece, start)) {
-    // A step of an increment has no direction, but it is no block without a move.
-    if (piece.kind != MoveKind::Dwell && held.radius.size() < kReadAhead &&
-        size(path.view.point(piece.end) - path.view.point(from)) > path.least / 2)
-      held.moved = true;
-    if (held.radius.empty()) return path.record_idle(piece, {held.vector[0], held.vector[1]});
-    held.radius.push_back(piece);
-    return std::nullopt;
-  }
+  if (!path.moves_in_plane(piece, start)) return look_over(path, piece, from);
   const Curve curve = curve_of(path.view, start, piece);
   held.moved = true;
   const bool along = !held.radius.empty() && offset_of(held.radius.front()) * offset_of(piece) > 0;
