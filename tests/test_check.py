@@ -303,6 +303,8 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "linuxcnc", "o<a> sub\n#<_n>=1\ng0 y#<_n>\no<a> endsub\nN10 #<_n>=2\nN20 g0 z#<_n>\nN30 o<a> call\nN40 g0 x#<_n>\nN50 m2\n", "CS606 N40"),
     "a name of its own that a subprogram has too": (
         "linuxcnc", "o<a> sub\n#<n>=1\ng0 y#<n>\no<a> endsub\nN10 #<n>=2\nN20 g0 z#<n>\nN30 o<a> call\nN40 g0 x#<n>\nN50 m2\n", ""),
+    "a common of LinuxCNC that has the number of a name's place": (
+        "linuxcnc", "#<a>=1\n#<b>=#<a>\no<a> sub\n#31=1\ng0 y#31 z#32\n#32=1\no<a> endsub\nN10 #31=2\nN20 g0 z#31\nN30 o<a> call\nN40 g0 x#31\nN50 m2\n", "CS606 N40"),
     "a result in a name of all programs": (
         "linuxcnc", "o<a> sub\n#<_n>=1\no<a> endsub\nN10 #<_n>=2\nN20 g0 z#<_n>\nN30 o<a> call\nN40 g0 x#<_n>\nN50 m2\n", ""),
     # Points
@@ -436,6 +438,16 @@ def test_the_path_of_what_is_too_deep() -> None:
     ).run()
     assert run.alarm is not None
     assert (run.alarm.number, run.alarm.program) == (finding.alarm.number, finding.program)
+
+
+def test_a_common_is_told_by_its_number_and_a_name_by_its_name() -> None:
+    sub = "o<a> sub\n#31=1\ng0 y#31\no<a> endsub\n"
+    main = "#<n>=1\n#31=#<n>\ng0 z#31\no<a> call\ng0 x[#31+#<m>]\nm2\n"
+    found = cncsub.loads(sub + main, control="linuxcnc").check()
+    assert [finding.message for finding in found] == [
+        "#<m> has no value here",
+        "a, called in line 8, has overwritten #31",
+    ]
 
 
 def test_an_argument_that_no_call_by_a_code_gives() -> None:

@@ -69,6 +69,18 @@ def test_a_variable_that_one_control_calls_by_two_numbers_is_one() -> None:
         assert cncsub.compare(library, controls=controls).same
 
 
+def test_what_a_control_calls_the_program_of_a_file_is_no_difference(tmp_path: Path) -> None:
+    """M700 calls a main program by its file, where FANUC calls it by its head."""
+    file = tmp_path / "part.nc"
+    file.write_text("O1\nN10 G0 X1.\nN20 M98 P2\nN30 M30\nO2\nN40 G1 X5. F100.\nN50 M99\n")
+    assert cncsub.compare(file, controls=[MILL, "mitsubishi-m700"]).same
+    file.write_text("O1\nN10 G0 X1.\nN20 M98 P9\nN30 M30\n")
+    assert cncsub.compare(file, controls=[MILL, "mitsubishi-m700"]).same
+    file.write_text("O1\nN10 G0 X10\nN20 M30\n")
+    compared = cncsub.compare(file, controls=[MILL, "mitsubishi-m800"])
+    assert compared.rules == ("whole_numbers",)
+
+
 def test_the_block_that_a_call_begins_at_is_told() -> None:
     text = "O1\nN10 M98 P2 Q5\nN20 M30\nO2\nN4 G0 X1.\nN5 G0 X2.\nN6 M99\n"
     compared = cncsub.compare(cncsub.loads(text, control=MILL), controls=[MILL, "gsk-988ta"])

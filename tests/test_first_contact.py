@@ -250,7 +250,7 @@ def test_a_file_that_an_option_names_is_not_told_as_left_out(job: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (["chek", "part.nc"], "no command is called 'chek'; near are check"),
+        (["expl", "part.nc"], "no command is called 'expl'; near are explain"),
         (["part.nc"], "to run it: cncsub run part.nc"),
         (["zzz"], "there are run, tree, list"),
         (

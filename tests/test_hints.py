@@ -162,6 +162,29 @@ def test_a_control_that_the_project_names_is_told(
     assert CliRunner().invoke(app, ["run", "p.nc", "-c", CONTROL]).stderr == ""
 
 
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("O1\nN10 IF[#1000 EQ 0]GOTO10\nM30\n", "signals = { 1000 = 1 }"),
+        ("O1\nN10 IF[#1000 EQ 1]GOTO10\nM30\n", ""),  # it is 0 until somebody says so
+        ("O1\n#500=0\nN10 IF[#500 EQ 0]GOTO10\nM30\n", "writes = [{ 500 = 1 }]"),
+    ],
+)
+def test_what_a_run_waits_for_leads_to_a_line_that_answers(
+    tmp_path: Path, text: str, line: str
+) -> None:
+    told = hints(run(tmp_path, text)[1])
+    assert told == ([f"--inputs FILE answers, such as one with the line {line}"] if line else [])
+    if line:
+        (tmp_path / "in.toml").write_text(line + "\n")
+        assert "the program ended" in run(tmp_path, text, "--inputs", str(tmp_path / "in.toml"))[0]
+
+
+@pytest.mark.parametrize("asked", ["", " "])
+def test_explain_of_nothing_explains_nothing(asked: str) -> None:
+    assert "no alarm, cause or rule is called" in explain(asked)
+
+
 # ---- what a hint may recommend ----
 
 

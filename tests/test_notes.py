@@ -70,6 +70,14 @@ def test_a_stray_text_that_would_run_is_told(job: Path) -> None:
     assert library.main.name in note.message
 
 
+def test_what_is_named_beside_a_stray_text_is_what_nobody_calls(tmp_path: Path) -> None:
+    (tmp_path / "a.nc").write_text("G0 X1.\nM30\n")
+    (tmp_path / "b.nc").write_text("O9001\nM99\n")
+    (tmp_path / "c.nc").write_text("O1\nM98 P9001\nM30\n")
+    (note,) = cncsub.load(tmp_path, control=CONTROL).notes
+    assert f"; O1 of {tmp_path / 'c.nc'} has a head" in note.message
+
+
 @pytest.mark.parametrize("control", ["siemens-one", "gsk-988ta", "linuxcnc"])
 def test_where_files_name_programs_no_head_is_missing(control: str, tmp_path: Path) -> None:
     (tmp_path / "a.mpf").write_text("G0 X1\nM30\n")

@@ -14,7 +14,7 @@ void add_parameters(Control& c, std::span<const Parameter> parameters) {
 
 void measuring_parameters(Control& c, const char* source, Evidence evidence) {
   const auto add = [&](const char* name, const char* meaning) {
-    c.parameters.push_back({name, 0, meaning, source, evidence, {}, rule::measuring.name});
+    c.parameters.push_back(read_by(rule::measuring, {name, 0, meaning, source, evidence}));
   };
   add("6241", "the measuring feed of G36 and G37, mm/min");
   add("6251", "G36, and G37 of a mill: how far before the point the measuring feed begins, mm");

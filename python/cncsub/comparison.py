@@ -164,10 +164,12 @@ def _compare_controls(
 
     def explains(control: Control) -> bool:
         try:
-            tried = pair.run(library.read_for(control), max_blocks=limit)
+            exchanged = library.read_for(control)
+            tried = pair.run(exchanged, max_blocks=limit)
         except KeyError:  # read so, there is no such main program
             return False
-        return pair.parting(tried, wanted) is None
+        other = Pair((exchanged, texts[1]), names, main, options, same_texts=True)
+        return other.parting(tried, wanted) is None
 
     made, untried = rules_between(one, other, explains)
     rules = tuple(name for name in made if name not in one.parameters)
@@ -250,14 +252,27 @@ class Pair:
         return Parting(*at, "\n".join(lines))
 
     def _of_steps(self, a: Run, b: Run) -> Iterator[Parting]:
-        at = first_difference(
-            [(column_of(a.steps, name), column_of(b.steps, name)) for name in ("program", "line")]
-        )
+        """The same texts are compared by files and lines: what a control calls the program that has
+        no name of its own is no difference.
+        """
+        programs = [
+            column_of(run.steps, "program", _files_of(library))
+            for run, library in zip((a, b), self.libraries, strict=True)
+        ]
+        lines = column_of(a.steps, "line"), column_of(b.steps, "line")
+        at = first_difference([(programs[0], programs[1]), lines])
         if at is not None:
             yield self._say((a, b), (at, at), ("", ""))
 
     def _of_calls(self, a: Run, b: Run) -> Iterator[Parting]:
-        columns = [(column_of(a.calls, name), column_of(b.calls, name)) for name in _CALLS]
+        called = [
+            _ends_of(run, library) if self.same_texts else None
+            for run, library in zip((a, b), self.libraries)
+        ]
+        columns = [
+            (column_of(a.calls, name, called[0]), column_of(b.calls, name, called[1]))
+            for name in _CALLS
+        ]
         at = first_difference(columns)
         if at is None:
             return
@@ -360,9 +375,10 @@ class Pair:
     def _of_stop(self, a: Run, b: Run) -> Iterator[Parting]:
         def stop(run: Run) -> tuple[object, ...]:
             alarm = run.alarm
-            where = (alarm.cause, alarm.program, alarm.n) if alarm is not None else ()
-            lines = (alarm.line,) if alarm is not None and self.same_texts else ()
-            return (run.stop, run.waiting_for, *where, *lines)
+            if alarm is None:
+                return (run.stop, run.waiting_for)
+            place = (alarm.file, alarm.line) if self.same_texts else (alarm.program,)
+            return (run.stop, run.waiting_for, alarm.cause, alarm.n, *place)
 
         if stop(a) != stop(b):
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
@@ -409,6 +425,23 @@ def _other_dwell(a: Run, b: Run) -> int | None:
     apart = abs(moves[0].time - moves[1].time) > _NEAR
     apart &= moves[0].kind == moves[0].kinds.index("dwell")
     return int(apart.argmax()) if apart.any() else None
+
+
+def _files_of(library: Library) -> dict[str, str]:
+    """The files of the programs, by their names."""
+    return {of.name: of.file for of in (*library.external.values(), *library.values())}
+
+
+def _ends_of(run: Run, library: Library) -> dict[str, str]:
+    """The programs that a run has called, by their names: their files and last lines, which are the
+    same whatever a control calls them.
+    """
+    found = {}
+    for name in run.calls.programs:
+        program = library.get(name) or library.external.get(name)
+        if program is not None and program.blocks:
+            found[name] = f"{program.file}:{program.blocks[-1].line}"
+    return found
 
 
 def _start(n: int | None) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -18,8 +18,10 @@ def alike(a: float | None, b: float | None) -> bool:
     return a == b or (a is not None and b is not None and abs(a - b) < NEAR)
 
 
-def column_of(table: Any, name: str) -> Column:
-    """A column with its texts written out; NaN where the table has no such column."""
+def column_of(table: Any, name: str, called: Mapping[str, str] | None = None) -> Column:
+    """A column with its texts written out, those that are `called` otherwise so; NaN where the
+    table has no such column.
+    """
     import numpy as np
 
     if name not in table.columns:
@@ -28,7 +30,8 @@ def column_of(table: Any, name: str) -> Column:
     texts = table._texts(name)
     if texts is None:
         return column
-    written: Column = np.asarray([*texts, None], dtype=object)
+    names = texts if called is None else [called.get(text, text) for text in texts]
+    written: Column = np.asarray([*names, None], dtype=object)
     return written[column]
 
 

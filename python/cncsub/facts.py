@@ -255,7 +255,7 @@ def _numbers(entry: Any) -> list[str]:
 
 
 def _same(number: str | None, wanted: str) -> bool:
-    return number is not None and number.casefold() == wanted
+    return bool(number) and (number or "").casefold() == wanted
 
 
 def _alike(number: str | None, wanted: str) -> bool:

@@ -50,18 +50,20 @@ _PERMITS = re.compile(
 def hints_of(
     library: Library, run: Run, asked: Mapping[str, Any], main: Any = None, mdi: str | None = None
 ) -> list[str]:
-    """What leads on from the alarm of a run; `asked` are the options it ran with, `mdi` what was
-    typed.
+    """What leads on from the alarm of a run, or from its waiting; `asked` are the options it ran
+    with, `mdi` what was typed.
     """
     alarm = run.alarm
-    if alarm is None:
-        return []
 
-    def again(other: Library, **options: Any) -> Run:
+    def again(other: Library = library, **options: Any) -> Run:
         if mdi is not None:
             return other.mdi(mdi, **{**asked, "trace": "calls", "watch": (), **options})
         return other.run(main, **{**asked, "trace": "calls", "watch": (), **options})
 
+    if run.stop is Stop.WAITING:
+        return list(_answers(run, asked, again))
+    if alarm is None:
+        return []
     hints = list(_missing_program(library, alarm))
     if (other := _language(library, run, alarm, mdi, again)) is not None:
         hints.append(other)
@@ -212,6 +214,29 @@ def _who_has(control: Control, alarm: Alarm) -> Iterator[str]:
     ]
     if names:
         yield f"{alarm.word} is a code of {', '.join(names)}"
+
+
+# ---- what nobody gave ----
+
+
+def _answers(run: Run, asked: Mapping[str, Any], again: Callable[..., Run]) -> Iterator[str]:
+    """A line of a file of inputs with which the run goes on: each is tried."""
+    number = re.fullmatch(r"#(\d+)", run.waiting_for or "")
+    if number is None or asked.get("inputs") is not None or run.blocks > MOST_BLOCKS:
+        return
+    told = int(number[1])
+    for value in (1, 0):
+        for words, inputs in (
+            (f"signals = {{ {told} = {value} }}", {"signals": {told: value}}),
+            (f"writes = [{{ {told} = {value} }}]", {"writes": [{told: value}]}),
+        ):
+            try:
+                tried = again(max_blocks=run.blocks + 1_000, inputs=inputs)
+            except ValueError:  # it is no signal, or nobody may write it
+                continue
+            if tried.waiting_for != run.waiting_for:
+                yield f"--inputs FILE answers, such as one with the line {words}"
+                return
 
 
 # ---- options without effect ----

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from cncsub.program import Program
 
 
+MOST_LOOKED_AT = 1_000  # programs, for one that may have been meant
+
+
 @dataclass(frozen=True, slots=True)
 class Note:
     """Something about a memory that nobody asked for and that its user should know.
@@ -71,13 +74,19 @@ def _no_head(library: Library) -> Note | None:
     main = library.main
     if main is None or _has_head(main):
         return None
-    headed = next((p for p in library.values() if p.file != main.file and _has_head(p)), None)
+    others = (p for p in library.values() if p.file != main.file and _has_head(p))
+    first = [p for _, p in zip(range(MOST_LOOKED_AT), others)]
+    edges = library.call_graph().edges if first else ()
+    called = {edge.called for edge in edges if isinstance(edge.called, str)}
+    # Rather one that nobody calls: it may be what was meant.
+    headed = next((p for p in first if p.name not in called), first[0] if first else None)
     if headed is None:
         return None
     return Note(
         "no-head",
         f"there is no program head: it counts as the program {main.name}, and as the first one it"
-        f" runs where no other is named; {headed.name} of {headed.file} has a head",
+        f" runs where no other is named; {headed.name} of {headed.file} has a head, and runs where"
+        " it is named",
         main.file,
         main.line,
     )

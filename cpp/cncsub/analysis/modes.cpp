@@ -50,7 +50,7 @@ constexpr Modes all(Modes value) {
   for (int mode = 0; mode < kModes; ++mode) modes |= value << (kBits * mode);
   return modes;
 }
-// What M70 and M73 keep. [LinuxCNC, M70]
+// What M70 and M73 keep. [LC m-code]
 constexpr Modes kKept = of(Distance, kFound) | of(Plane, kFound) | of(Units, kFound) |
                         of(Radius, kFound) | of(Length, kFound) | of(Work, kFound) |
                         of(Feed, kFound) | of(Surface, kFound);

@@ -166,8 +166,9 @@ std::vector<VacantCheck::Vacant> VacantCheck::vacant(const ProgramFlow& flow) co
 void VacantCheck::tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check) {
   for (std::int32_t local = 1; local < kMostBits; ++local) {
     if ((locals >> local & 1) == 0) continue;
-    const std::string name = uses_.name_of(local);
-    Finding& found = c_.found(check, at, uses_.place_of(at, local),
+    const std::int32_t number = uses_.number_of(local);
+    const std::string name = uses_.name_of(number);
+    Finding& found = c_.found(check, at, uses_.place_of(at, number),
                               check == Check::ArgumentMissing ? "no call gives " + name
                               : check == Check::Vacant        ? name + " has no value here"
                                                               : name + " may have no value here");

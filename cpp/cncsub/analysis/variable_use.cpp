@@ -1,5 +1,6 @@
 #include "cncsub/analysis/variable_use.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,12 +45,17 @@ Bits VariableUses::bit_of(const VariableReference& of, std::vector<std::int32_t>
   return named.common || named.index >= kMostBits ? 0 : Bits{1} << named.index;
 }
 
+std::int32_t VariableUses::number_of(std::int32_t local) const {
+  if ((named_ >> local & 1) == 0) return local;
+  const auto& all = c_.code.named_variables;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const NamedVariable& of) {
+    return !of.common && of.index == local;
+  });
+  return kFirstNamed + static_cast<std::int32_t>(found - all.begin());
+}
+
 std::string VariableUses::name_of(std::int32_t number) const {
-  if (number < kFirstNamed) {
-    for (const NamedVariable& of : c_.code.named_variables)
-      if (!of.common && of.index == number) return "#<" + of.name + ">";
-    return "#" + std::to_string(number);
-  }
+  if (number < kFirstNamed) return "#" + std::to_string(number);
   return "#<" + c_.code.named_variables[static_cast<std::size_t>(number - kFirstNamed)].name + ">";
 }
 

@@ -48,6 +48,8 @@ class VariableUses {
   TextPlace place_of(Address at, std::int32_t number) const;
   /// The locals that have names and no numbers: no argument sets them, and no other program.
   Bits named() const { return named_; }
+  /// What a local counts as by its bit: its number, or one that stands for its name.
+  std::int32_t number_of(std::int32_t local) const;
   /// A variable as it is written: #100, #<depth>.
   std::string name_of(std::int32_t number) const;
   /// Whether a variable belongs to one level of calls.

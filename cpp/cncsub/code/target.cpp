@@ -213,7 +213,7 @@ Fault not_found(const Code& code, const CallRecord& call, const Target& target) 
                                       : Cause::ProgramNotFound;
   const std::string what =
       (named ? "<" + call.name + ">" : "O" + std::to_string(target.program_number)) +
-      (!target.external        ? " is not in the memory"
+      (!target.external       ? " is not in the memory"
        : code.external_device ? " is not on the external device"
                               : " is not in the memory, and there is no external device");
   if (named) return {cause, call.name_at, call.name_width, what};

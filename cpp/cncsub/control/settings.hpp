@@ -69,4 +69,11 @@ Setting first_of(RuleOf<T> rule, const std::vector<std::pair<std::string, T>>& p
           }};
 }
 
+/// The engine reads the number itself where the rule says so.
+template <class T>
+Parameter read_by(RuleOf<T> rule, Parameter parameter) {
+  parameter.read_by = rule.name;
+  return parameter;
+}
+
 }  // namespace cncsub

@@ -205,25 +205,20 @@ void add_family_motion(Control& c) {
   c.motion.skip_signals = {SkipSignals::Parameters, "general knowledge, multi-step skip", Inferred};
   for (int p = 1; p <= 4; ++p) {
     const std::string number = std::to_string(p);
-    c.parameters.push_back({std::to_string(6201 + p),
-                            static_cast<double>(1 << (p - 1)),
-                            std::string("the skip signals of G31 P")
-                                .append(number)
-                                .append(" and G04 Q")
-                                .append(number)
-                                .append(": bit 0 is SKIP, bit 7 SKIP8"),
-                            "general knowledge; that each has its own signal is policy",
-                            Inferred,
-                            {},
-                            rule::skip_signals.name});
+    c.parameters.push_back(
+        read_by(rule::skip_signals,
+                {std::to_string(6201 + p), static_cast<double>(1 << (p - 1)),
+                 std::string("the skip signals of G31 P")
+                     .append(number)
+                     .append(" and G04 Q")
+                     .append(number)
+                     .append(": bit 0 is SKIP, bit 7 SKIP8"),
+                 "general knowledge; that each has its own signal is policy", Inferred}));
   }
-  c.parameters.push_back({"6206",
-                          0,
-                          "the skip signals of G04 without Q: bit 0 is SKIP, bit 7 SKIP8",
-                          kKnown,
-                          Inferred,
-                          {},
-                          rule::skip_signals.name});
+  c.parameters.push_back(
+      read_by(rule::skip_signals,
+              {"6206", 0, "the skip signals of G04 without Q: bit 0 is SKIP, bit 7 SKIP8", kKnown,
+               Inferred}));
   c.motion.helix = {Helix::MillsOnly, "ALM 021; helices of lathes are an option", Inferred};
   has(c.motion.data_forms, {DataForm::WithoutL},
       "general knowledge; a repost of the 0i manual: memory A", Inferred);

@@ -130,7 +130,7 @@ void mill_motion(Control& c) {
         {"5043", "G37: how far before the point the measuring feed begins, mm"},
         {"5044", "G37: within what distance of the point the tool arrives, mm"}})
     c.parameters.push_back(
-        {name, 0, meaning, "MDipar 5040, 5043, 5044", Manual, {}, rule::measuring.name});
+        read_by(rule::measuring, {name, 0, meaning, "MDipar 5040, 5043, 5044", Manual}));
   c.motion.skip_signals = {SkipSignals::Numbered, "MDipar 5431 to 5434: P1 to P4 have one each",
                            Manual};
   c.motion.max_skip_signals = {4, "MDipar 5431 to 5434", Manual};

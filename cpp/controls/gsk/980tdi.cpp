@@ -147,7 +147,7 @@ void motion(Control& c) {
         {"144", "G36: within what distance of the point the tool arrives, mm"},
         {"145", "G37: within what distance of the point the tool arrives, mm"}})
     c.parameters.push_back(
-        {name, 0, meaning, "TDipar 141 to 145", Manual, {}, rule::measuring.name});
+        read_by(rule::measuring, {name, 0, meaning, "TDipar 141 to 145", Manual}));
   c.motion.helix = {Helix::Refused, kKnown, Inferred};
   lacks(c.common.power_on, {PowerOn::G01}, kTDi + "2: G00", Manual);
 }
