@@ -101,6 +101,8 @@ def test_no_alarm_has_no_hints(tmp_path: Path) -> None:
         ("O1\nM30\n", ["--inputs", "in.toml"], ["no block probes", "answer to M117"]),
         ("O1\nG31 X5. F100\nM117\nM30\n", ["--inputs", "in.toml"], []),
         ("O1\nM30\n", ["--external", "usb"], ["by M198"]),
+        ("O1\nM30\n", ["--setup", "lathe.toml"], ["`tools` are offsets of a lathe"]),
+        ("O1\nM30\n", ["--setup", "mill.toml"], ["`radius_offsets` are offsets of a mill"]),
     ],
 )
 def test_options_without_effect_are_told(
@@ -110,6 +112,10 @@ def test_options_without_effect_are_told(
     (tmp_path / "usb").mkdir()
     (tmp_path / "usb" / "O9").write_text("O9\nM99\n")
     (tmp_path / "in.toml").write_text("skips = [0.5]\nanswers = { M117 = { 1004 = 1 } }\n")
+    (tmp_path / "lathe.toml").write_text("[tools.1]\nR = 0.4\n[length_offsets]\n1 = 5\n")
+    (tmp_path / "mill.toml").write_text(
+        'machine = "lathe-a"\n[tools.1]\nR = 0.4\n[radius_offsets]\n1 = 5\n'
+    )
     out, error = run(tmp_path, text, *options, "--format", "json")
     notes = [note["message"] for note in json.loads(out)["notes"] if note["kind"] == "no-effect"]
     assert len(notes) == len(told)

@@ -14,7 +14,7 @@
 
 #include "cncsub/system/file.hpp"
 #include "cncsub/system/memory.hpp"
-#include "utf8.hpp"
+#include "cncsub/text/utf8.hpp"
 
 namespace cncsub::bindings {
 

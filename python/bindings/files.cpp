@@ -9,11 +9,11 @@
 
 #include "bindings.hpp"
 #include "cncsub/system/file.hpp"
+#include "cncsub/text/utf8.hpp"
 #include "file_reading.hpp"
 #include "folder_listing.hpp"
 #include "gil.hpp"
 #include "text.hpp"
-#include "utf8.hpp"
 
 namespace py = pybind11;
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cncsub/system/folder.hpp"
-#include "utf8.hpp"
+#include "cncsub/text/utf8.hpp"
 
 namespace cncsub::bindings {
 

@@ -16,6 +16,7 @@ from cncsub.notes import Note
 from cncsub.program import Program
 from cncsub.references import Computed
 from cncsub.run import Run, Stop
+from cncsub.setup import Setup
 
 MOST_BLOCKS = 20_000  # of a run that is tried again, and of a memory that is searched
 MOST_SECONDS = 1.0
@@ -264,6 +265,8 @@ def without_effect(
         yield _note("--skip", "no block has a slash")
     if asked.get("optional_stop") and not re.search(r"M0?1(?!\d)", text, re.I):
         yield _note("--optional-stop", "no block has M01")
+    if (setup := asked.get("setup")) is not None:
+        yield from _of_another_machine(library.control, setup)
     inputs = asked.get("inputs")
     if inputs is not None:
         read = _read_variables(programs)
@@ -278,6 +281,18 @@ def without_effect(
             number = code[1:].lstrip("0") or "0"
             if not re.search(rf"{code[0]}0*{number}(?!\d)", text, re.I):
                 yield _note("--inputs", f"an answer to {code} is told, which no block names")
+
+
+def _of_another_machine(control: Control, setup: Setup) -> Iterator[Note]:
+    """A lathe has its offsets in `tools`, a mill in `length_offsets` and `radius_offsets`."""
+    (own,) = (str(rule.value) for rule in control.rules if rule.name == "machine")
+    machine = setup.machine or own
+    lathe = machine.startswith("lathe")
+    for field in ("length_offsets", "radius_offsets") if lathe else ("tools",):
+        if getattr(setup, field):
+            other, kind = ("a mill", "a lathe") if lathe else ("a lathe", "a mill")
+            told = f"`{field}` are offsets of {other}, and the machine is {kind} ({machine})"
+            yield _note("--setup", told)
 
 
 def _note(option: str, message: str) -> Note:

@@ -87,8 +87,9 @@ bool CallingCodes::any(char address) const {
 
 const RegisteredCall* CallingCodes::find(char address, double code) const {
   if (letters_[place(address)] != 0) return &of_letters_[letters_[place(address)] - 1];
+  if (codes_.empty() || code < 0 || code > 1e9) return nullptr;
   const double tenths = std::round(code * 10);
-  if (codes_.empty() || code < 0 || code > 1e9 || code != tenths / 10) return nullptr;
+  if (code != tenths / 10) return nullptr;
   const auto found = codes_.find(key(address, to_whole<std::int64_t>(tenths)));
   return found == codes_.end() ? nullptr : &found->second;
 }

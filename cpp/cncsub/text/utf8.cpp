@@ -1,16 +1,8 @@
-// Whether bytes are UTF-8 as Python reads it.
-#pragma once
+#include "cncsub/text/utf8.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <string_view>
+namespace cncsub {
 
-namespace cncsub::bindings {
-
-/// The bytes of the character that `text` begins with; 0 where there is none: an overlong form, a
-/// surrogate, a number beyond Unicode, the middle or a part of a character.
-inline std::size_t utf8_character(std::string_view text) {
+std::size_t utf8_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
   if (lead < 0x80) return 1;
@@ -24,8 +16,7 @@ inline std::size_t utf8_character(std::string_view text) {
   return byte(1) >= least && byte(1) <= most ? length : 0;
 }
 
-/// `stopped` is asked behind each piece; what is answered then counts for nothing.
-inline bool is_utf8(std::string_view text, const std::function<bool(std::size_t)>& stopped) {
+bool is_utf8(std::string_view text, const std::function<bool(std::size_t)>& stopped) {
   constexpr std::size_t kOnce = 1 << 16;
   while (!text.empty() && !stopped(kOnce)) {
     const std::string_view piece = text.substr(0, kOnce);
@@ -42,4 +33,4 @@ inline bool is_utf8(std::string_view text, const std::function<bool(std::size_t)
   return true;
 }
 
-}  // namespace cncsub::bindings
+}  // namespace cncsub
