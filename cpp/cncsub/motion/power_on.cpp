@@ -92,11 +92,18 @@ void forget_program(const MotionFacts& facts, MotionState& state) {
   data.retract = turning.groove_retract.value * 1e-3;
 }
 
+Meaning plane_at_power_on(const MotionFacts& facts) {
+  if (facts.lathe()) return Meaning::PlaneZX;
+  const auto& codes = facts.control->common.power_on.value;
+  return codes.has(PowerOn::G19)   ? Meaning::PlaneYZ
+         : codes.has(PowerOn::G18) ? Meaning::PlaneZX
+                                   : Meaning::PlaneXY;
+}
+
 }  // namespace
 
 void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
   const Control& c = *facts.control;
-  const bool lathe = facts.lathe();
   const auto set = [&](Meaning meaning) {
     const GCode code = facts.codes.of(meaning);
     const bool kept = reset && (code.group == Group::Units || code.group == Group::Work);
@@ -105,13 +112,12 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
   const auto where = [&](PowerOn code, Meaning meaning, Meaning other) {
     return c.common.power_on.value.has(code) ? meaning : other;
   };
-  const Meaning plane = where(PowerOn::G19, Meaning::PlaneYZ,
-                              where(PowerOn::G18, Meaning::PlaneZX, Meaning::PlaneXY));
+  const Meaning plane = plane_at_power_on(facts);
   const Meaning turning = where(PowerOn::G95, Meaning::PerRevolution, Meaning::PerMinute);
   for (const Meaning meaning : {where(PowerOn::G01, Meaning::Line, Meaning::Rapid),
-                                lathe ? Meaning::PlaneZX : plane,
+                                plane,
                                 where(PowerOn::G91, Meaning::Incremental, Meaning::Absolute),
-                                lathe ? turning : Meaning::PerMinute,
+                                facts.lathe() ? turning : Meaning::PerMinute,
                                 Meaning::SpindleSpeed,
                                 where(PowerOn::G20, Meaning::Inch, Meaning::Metric),
                                 Meaning::RadiusOff,
@@ -129,7 +135,7 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
                                 Meaning::DiameterOff,
                                 where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
     set(meaning);
-  state.plane = plane_of(lathe ? Meaning::PlaneZX : plane);
+  state.plane = plane_of(plane);
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (!reset) {
     state.feed = c.motion.power_on_feed.value;

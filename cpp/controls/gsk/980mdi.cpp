@@ -94,6 +94,19 @@ void calls_by_code(Control& c) {
   c.code_calls.push_back(subprogram);
 }
 
+void measuring(Control& c) {
+  c.motion.measuring = {Measuring::Of5040, "MDipar 5040, 5043, 5044; TDi 17: the moves", Secondary};
+  for (const auto& [name, meaning] :
+       {std::pair{"5040", "the measuring feed of G37, mm/min"},
+        {"5043", "G37: how far before the point the measuring feed begins, mm"},
+        {"5044", "G37: within what distance of the point the tool arrives, mm"}})
+    c.parameters.push_back(
+        read_by(rule::measuring, {name, 0, meaning, "MDipar 5040, 5043, 5044", Manual}));
+  c.motion.skip_signals = {SkipSignals::Numbered, "MDipar 5431 to 5434: P1 to P4 have one each",
+                           Manual};
+  c.motion.max_skip_signals = {4, "MDipar 5431 to 5434", Manual};
+}
+
 void mill_motion(Control& c) {
   c.motion.machine = {MachineType::Mill, "MDib", Manual};
   leave_out(c, RuleGroup::TurningRules, "MDib", Manual);
@@ -124,16 +137,6 @@ void mill_motion(Control& c) {
   c.motion.chamfer_words = {",C L", "MDib 0039", Manual};
   c.motion.round_words = {",R U", "MDib 0039", Manual};
   c.motion.helix = {Helix::Everywhere, "MDib 0032", Manual};
-  c.motion.measuring = {Measuring::Of5040, "MDipar 5040, 5043, 5044; TDi 17: the moves", Secondary};
-  for (const auto& [name, meaning] :
-       {std::pair{"5040", "the measuring feed of G37, mm/min"},
-        {"5043", "G37: how far before the point the measuring feed begins, mm"},
-        {"5044", "G37: within what distance of the point the tool arrives, mm"}})
-    c.parameters.push_back(
-        read_by(rule::measuring, {name, 0, meaning, "MDipar 5040, 5043, 5044", Manual}));
-  c.motion.skip_signals = {SkipSignals::Numbered, "MDipar 5431 to 5434: P1 to P4 have one each",
-                           Manual};
-  c.motion.max_skip_signals = {4, "MDipar 5431 to 5434", Manual};
   lacks(c.common.power_on, {PowerOn::G01}, kTDi + "2: G00", Secondary);
 }
 
@@ -161,6 +164,7 @@ Control gsk_980mdi() {
   c.macros.asin_range = {AngleRange::FullTurn, kMDipar + "520#7 = 0", Manual};
   calls_by_code(c);
   mill_motion(c);
+  measuring(c);
   take_list(c, alarms_980mdi_b());
   add_parameters(c, kParameters);
   return c;

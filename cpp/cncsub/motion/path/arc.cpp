@@ -22,6 +22,7 @@ bool has_centre(const BlockWords& block, const PlaneAxes& plane) {
 /// G45 to G48 change the radius of quarters and three quarters of a circle, which begin and end on
 /// the axes of their centre. [general knowledge: FANUC]
 Result check_longer(MotionView m, const BlockWords& block, const Axes& end, bool by_radius) {
+  if (block.longer == 0) return std::nullopt;
   const PlaneAxes plane = plane_axes(m.state.plane);
   const Cause cause = Cause::LongerArc;
   if (by_radius) return fault(cause, block, "write I, J, K");
@@ -214,8 +215,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const bool radius = block.words.has('R') && block.words['R'] != 0;
   if (named == 0 && !centre && !radius) return std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
-  if (block.longer != 0)
-    if (auto wrong = check_longer(m, block, written, radius)) return wrong;
+  if (auto wrong = check_longer(m, block, written, radius)) return wrong;
   if (auto wrong = check_axes(m, block, named, radius)) return wrong;
   const bool clockwise = (meaning == Meaning::Cw) != mirrored_plane(m.state);
   Piece piece = make_piece(m, block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
