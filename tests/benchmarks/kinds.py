@@ -311,8 +311,8 @@ def peer(kind: Kind, blocks: int, program: str) -> float | None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("kinds", nargs="*", metavar="KIND", help=", ".join(KINDS))
-    parser.add_argument("--blocks", type=int, default=200_000)
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--blocks", type=int, default=50_000)
+    parser.add_argument("--rounds", type=int, default=9)
     options = parser.parse_args()
     program = shutil.which("rs274")
     rows = []
@@ -321,7 +321,7 @@ def main() -> None:
         kind = KINDS[name]
         read, ran = measured(kind, options.blocks, options.rounds)
         plain = read + ran if plain is None else plain
-        other = peer(kind, options.blocks // 4, program) if program and kind.peer else None
+        other = peer(kind, options.blocks, program) if program and kind.peer else None
         rows.append(
             [
                 kind.title,
