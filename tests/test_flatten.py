@@ -165,6 +165,15 @@ WORDS = (
 )
 
 
+def test_the_codes_of_a_range_are_those_that_call() -> None:
+    """G70, G69 and G68 where the first is negative, which calls modally."""
+    numbers = {"6038": -70, "6039": 3000, "6040": 3}
+    control = cncsub.controls["fanuc-0i-f"].with_parameters(numbers)
+    flat = cncsub.loads("O1\n#1=69\nG#1 G0 X5.\nM30\n", control=control).flatten()
+    flat.verify()
+    assert flat.text == "O1\nG[69] G0 X5.\nM30\n"
+
+
 def test_for_a_control_of_another_language() -> None:
     """Head, codes, numbers, dwells and the end are those of the other control."""
     library = cncsub.loads(WORDS, control="fanuc-0i-f")

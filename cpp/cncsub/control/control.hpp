@@ -232,6 +232,10 @@ struct CodeCall {
   bool tenths = false;    // the numbers are tenths of a G code
   // NOLINTNEXTLINE(readability-redundant-member-init)
   std::string every_block = {};  // not 0: a negative number calls for every block, as G66.1 does
+
+  std::int64_t tenths_of(std::int32_t number) const {
+    return std::int64_t{number} * (tenths ? 1 : 10);
+  }
 };
 
 // The rules of a control, in their groups: control.calls.max_nesting.

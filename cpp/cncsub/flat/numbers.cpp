@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "cncsub/control/code_calls.hpp"
 #include "cncsub/motion/facts.hpp"
 #include "cncsub/motion/query.hpp"
 #include "cncsub/system/decimal.hpp"
@@ -62,8 +63,14 @@ WordWriter::WordWriter(const Machine& machine, const Machine& to)
       mills_axes_(!lathe_ && !control_.motion.angles_on_mills.value) {
   for (const auto& entry : control_.calls.registered_codes.value)
     calling_.emplace_back(entry.letter, entry.code == 0 ? -1 : entry.code * 10);
-  for (const CodeCall& list : control_.code_calls)
-    if (list.enable.empty() || control_.parameter(list.enable) != 0) add_calling(list);
+  each_code_call(control_, [this](const CodeCall& list, std::int32_t number, std::int32_t /*of*/) {
+    if (list.form == CodeCall::Form::Switch)
+      calling_.emplace_back(list.address, -1);
+    else if (list.address == '@')  // the parameter holds a letter
+      calling_.emplace_back(static_cast<char>(number > 0 && number < 128 ? number : 0), -1);
+    else if (number != 0)
+      calling_.emplace_back(list.address, list.tenths_of(std::abs(number)));
+  });
   std::sort(calling_.begin(), calling_.end());
 }
 
@@ -93,23 +100,6 @@ bool WordWriter::counts_increments(char letter, double value) const {
   if (letter == 'H') return increments_;
   return letter != 'P' && !is_in(kAlwaysLengths, letter) &&
          control_.turning.cycle_unit.value == CycleUnit::Increments;
-}
-
-/// The codes that a list of parameters makes call.
-void WordWriter::add_calling(const CodeCall& list) {
-  const auto parameter = [this](std::int32_t number) {
-    return std::abs(to_whole<int>(control_.parameter(std::to_string(number)), -99999999, 99999999));
-  };
-  const bool range = list.form == CodeCall::Form::Range;
-  if (list.form == CodeCall::Form::Switch) calling_.emplace_back(list.address, -1);
-  const int count = range ? std::min(parameter(list.count), 1000) : list.count;
-  for (int i = 0; i < count; ++i) {
-    const int code = range ? parameter(list.parameter) + i : parameter(list.parameter + i);
-    if (list.address == '@')  // the parameter holds a letter
-      calling_.emplace_back(static_cast<char>(code < 128 ? code : 0), -1);
-    else if (code != 0)
-      calling_.emplace_back(list.address, std::int64_t{code} * (list.tenths ? 1 : 10));
-  }
 }
 
 bool WordWriter::calls(char letter, double code) const {

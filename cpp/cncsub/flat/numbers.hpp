@@ -59,7 +59,6 @@ class WordWriter {
   bool points(char letter, const NumberText& text) const;
   bool counts_increments(char letter, double value) const;
   std::string address_of(int place) const;
-  void add_calling(const CodeCall& list);
 
   const Machine& machine_;
   const Code& code_;  // an empty one where the control is another one than the machine's

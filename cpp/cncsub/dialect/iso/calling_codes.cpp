@@ -2,37 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+
+#include "cncsub/control/code_calls.hpp"
 
 namespace cncsub {
 
 CallingCodes::CallingCodes(const Code& code) {
-  const Control& control = *code.control;
-  for (const CodeCall& list : control.code_calls)
-    if (list.enable.empty() || control.parameter(list.enable) != 0) add_list(code, list);
-  for (const auto& entry : control.calls.registered_codes.value) add_registered(code, entry);
-}
-
-void CallingCodes::add_list(const Code& code, const CodeCall& list) {
-  const auto parameter = [&](std::int32_t number) {
-    return to_whole<std::int32_t>(code.control->parameter(std::to_string(number)), -1'000'000'000,
-                                  1'000'000'000);
-  };
-  switch (list.form) {
-    case CodeCall::Form::List:
-      for (std::int32_t i = 0; i < list.count; ++i)
-        add_code(code, list, parameter(list.parameter + i), list.program + i);
-      break;
-    case CodeCall::Form::Range: {
-      const std::int32_t first = parameter(list.parameter), program = parameter(list.program);
-      const std::int32_t count = std::min(parameter(list.count), 1000);
-      for (std::int32_t i = 0; i < count; ++i) add_code(code, list, first + i, program + i);
-      break;
-    }
-    case CodeCall::Form::Switch:
-      add_letter(list.address, {list.kind, list.program, list.variable});
-      break;
-  }
+  each_code_call(*code.control,
+                 [&](const CodeCall& list, std::int32_t number, std::int32_t program) {
+                   if (list.form == CodeCall::Form::Switch)
+                     add_letter(list.address, {list.kind, program, list.variable});
+                   else
+                     add_code(code, list, number, program);
+                 });
+  for (const auto& entry : code.control->calls.registered_codes.value) add_registered(code, entry);
 }
 
 /// What a rule registers is held to what the control says of the address.
@@ -64,7 +47,7 @@ void CallingCodes::add_code(const Code& code, const CodeCall& list, std::int32_t
     const bool every = !list.every_block.empty() && code.control->parameter(list.every_block) != 0;
     call.kind = every ? CodeCallKind::ModalEveryBlock : CodeCallKind::Modal;
   }
-  const std::int64_t tenths = std::int64_t{number} * (list.tenths ? 1 : 10);
+  const std::int64_t tenths = list.tenths_of(number);
   if (tenths < std::max(std::int64_t{list.first_code} * 10, std::int64_t{1}) ||
       tenths > std::int64_t{list.last_code} * 10)
     return;

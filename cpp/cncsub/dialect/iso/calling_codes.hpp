@@ -28,7 +28,6 @@ class CallingCodes {
   bool any(char address) const;
 
  private:
-  void add_list(const Code& code, const CodeCall& list);
   void add_registered(const Code& code, const RegisteredCodes::Entry& entry);
   /// `number` as a parameter holds it: negative where it calls modally.
   void add_code(const Code& code, const CodeCall& list, std::int32_t number, std::int32_t program);

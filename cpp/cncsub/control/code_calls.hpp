@@ -1,0 +1,42 @@
+// The codes that the parameters of a control register to call programs.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "cncsub/control/control.hpp"
+#include "cncsub/text/number.hpp"
+
+namespace cncsub {
+
+/// Calls `take(list, number, program)` for each of them: the number as the parameter holds it,
+/// negative where the code calls modally, 0 where it registers nothing; of a switch, by which every
+/// code of a letter calls, 0 too.
+template <class Take>
+void each_code_call(const Control& control, const Take& take) {
+  constexpr std::int32_t kMost = 1'000'000'000, kMostOfRange = 1000;
+  const auto parameter = [&](std::int32_t number) {
+    return to_whole<std::int32_t>(control.parameter(std::to_string(number)), -kMost, kMost);
+  };
+  for (const CodeCall& list : control.code_calls) {
+    if (!list.enable.empty() && control.parameter(list.enable) == 0) continue;
+    switch (list.form) {
+      case CodeCall::Form::List:
+        for (std::int32_t i = 0; i < list.count; ++i)
+          take(list, parameter(list.parameter + i), list.program + i);
+        break;
+      case CodeCall::Form::Range: {
+        const std::int32_t first = parameter(list.parameter), program = parameter(list.program);
+        const std::int32_t count = std::min(parameter(list.count), kMostOfRange);
+        for (std::int32_t i = 0; i < count; ++i) take(list, first + i, program + i);
+        break;
+      }
+      case CodeCall::Form::Switch:
+        take(list, 0, list.program);
+        break;
+    }
+  }
+}
+
+}  // namespace cncsub
