@@ -55,6 +55,10 @@ struct BlockCodes : CodeList {
   bool has(Group group) const { return (groups & bit(group)) != 0; }
   bool has(Role role) const { return (roles >> static_cast<unsigned>(role) & 1) != 0; }
   Meaning meaning(Group group) const { return of[at(group)].meaning; }
+  /// Whether they are nothing but codes of plain moves, or none.
+  bool only_of_moves() const {
+    return plain && m_count == 0 && (groups & ~bit(Group::Motion)) == 0;
+  }
 
  private:
   bool take(std::size_t place, const CodeMeanings& meanings);

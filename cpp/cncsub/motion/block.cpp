@@ -219,23 +219,7 @@ Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, 
   return count_idle(m, block);
 }
 
-}  // namespace
-
-bool only_moves(MotionView m, const NcWords& words) {
-  const BlockCodes& codes = *words.codes;
-  if ((codes.groups & ~bit(Group::Motion)) != 0 || !codes.plain || codes.m_count > 0 ||
-      m.state.no_motion || m.state.angled.waiting())
-    return false;
-  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
-  const bool cycle = in_cycle(m.state) || makes_cycle(motion);
-  if (cycle ? codes.g_count > 0 : motion < Meaning::Rapid || motion > Meaning::Ccw) return false;
-  constexpr std::uint32_t kCycleWords = bit('L') | bit('P') | bit('Q');
-  const std::uint32_t known = kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes |
-                              m.facts.increments | m.facts.chamfers.mask | m.facts.rounds.mask |
-                              (cycle ? kCycleWords : 0);
-  return (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0;
-}
-
+/// A block of which `only_moves` is true.
 Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
   BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
   const bool corner_waits = !m.state.held.corner.empty();
@@ -246,8 +230,24 @@ Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool
   return end_block(m, block, corner_waits, false);
 }
 
-Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
-  if (only_moves(m, words)) return run_move(m, words, step, of_cycle);
+}  // namespace
+
+bool only_moves(MotionView m, const NcWords& words) {
+  const BlockCodes& codes = *words.codes;
+  if (!codes.only_of_moves() || m.state.no_motion || m.state.angled.waiting()) return false;
+  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
+  const bool cycle = in_cycle(m.state) || makes_cycle(motion);
+  if (cycle ? codes.g_count > 0 : motion < Meaning::Rapid || motion > Meaning::Ccw) return false;
+  constexpr std::uint32_t kCycleWords = bit('L') | bit('P') | bit('Q');
+  const std::uint32_t known = kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes |
+                              m.facts.increments | m.facts.chamfers.mask | m.facts.rounds.mask |
+                              (cycle ? kCycleWords : 0);
+  return (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0;
+}
+
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool moves_only,
+                 bool of_cycle) {
+  if (moves_only) return run_move(m, words, step, of_cycle);
   BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
   const bool frame = sets_frame(words);
   const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();

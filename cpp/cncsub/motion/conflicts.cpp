@@ -273,10 +273,9 @@ void MotionFacts::list_conflicts() {
 /// What may not stand together, before anything changes.
 std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
   const BlockCodes& codes = *block.words.codes;
-  const bool plain = codes.plain && (codes.groups & ~bit(Group::Motion)) == 0 && codes.m_count == 0;
-  const auto& list = codes.g_count == 0 ? m.facts.conflicts_of_words
-                     : plain            ? m.facts.conflicts_of_moves
-                                        : m.facts.conflicts;
+  const auto& list = codes.g_count == 0      ? m.facts.conflicts_of_words
+                     : codes.only_of_moves() ? m.facts.conflicts_of_moves
+                                             : m.facts.conflicts;
   for (const Conflict* conflict : list)
     if (conflict->is_in(m, block)) return fault(conflict->cause, block);
   return std::nullopt;

@@ -1,7 +1,6 @@
 // From a block's motion to the rows of the table: the pieces, their lengths and times.
 #include "cncsub/motion/emit.hpp"
 
-#include <bit>
 #include <limits>
 
 #include "cncsub/motion/frame/frame.hpp"
@@ -122,10 +121,7 @@ namespace {
 
 /// Whether the tool comes to another place.
 bool moves(const Axes& from, const Axes& to) {
-  std::uint64_t other = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    other |= std::bit_cast<std::uint64_t>(from[i]) ^ std::bit_cast<std::uint64_t>(to[i]);
-  if (other == 0) return false;
+  if (same_bits(from, to)) return false;
   for (std::size_t i = 0; i < from.size(); ++i)
     if (std::fabs(to[i] - from[i]) >= 1e-12) return true;
   return false;

@@ -241,10 +241,7 @@ struct Modes {
                                             : state.incremental) {}
 
   void set(const MotionFacts& facts, MotionState& state) const {
-    for (std::uint32_t left = codes.groups & ~bit(Group::OneShot); left != 0; left &= left - 1) {
-      const auto group = static_cast<std::size_t>(std::countr_zero(left));
-      state.modal[group] = codes.of[group];
-    }
+    remember(state, codes, ~bit(Group::OneShot));
     if (plane != state.plane || codes.has(Group::Units)) state.row_moves = nullptr;
     if (codes.has(Group::Units)) state.unit = unit_of(facts, codes.meaning(Group::Units));
     state.plane = plane, state.incremental = incremental;

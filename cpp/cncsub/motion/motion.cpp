@@ -57,7 +57,7 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
   MotionContext context{*facts_, state_, log_, {*facts_, state_, moves}, outcome, outside};
   const bool moves_only = only_moves(view(), words);
   auto wrong = whole_or_nothing(moves, moves_only, [&] {
-    auto fault = moves_only ? run_move(context, words, step) : run_block(context, words, step);
+    auto fault = run_block(context, words, step, moves_only);
     return fault || !words.stops ? fault : end_waiting(context.sink);
   });
   if (wrong) outcome = {};

@@ -1,7 +1,6 @@
 // The meanings of a block's words, and the modes that they set.
 #include "cncsub/motion/words.hpp"
 
-#include <bit>
 #include <utility>
 
 #include "cncsub/motion/cycle/cycles.hpp"
@@ -75,11 +74,7 @@ Result set_modes(MotionContext& m, BlockWords& block) {
       bit(Group::Units) | bit(Group::Return) | bit(Group::Macro) | bit(Group::Surface) |
       bit(Group::Path) | bit(Group::Turret) | bit(Group::Fluctuation) | bit(Group::PolarMilling) |
       bit(Group::Centre) | bit(Group::Diameter);
-  std::uint32_t left = block.words.codes->groups & kRemembered;
-  for (; left != 0; left &= left - 1) {
-    const auto group = static_cast<std::size_t>(std::countr_zero(left));
-    m.state.modal[group] = block.words.codes->of[group];
-  }
+  remember(m.state, *block.words.codes, kRemembered);
   if (block.has(Group::Plane)) m.state.plane = plane_of(block.meaning(Group::Plane));
   const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
   // G97 without S keeps the speed that there is. [TDi 25 note 4]

@@ -1,17 +1,19 @@
 // A block's words: their meanings, what does not go together, and the modes that they set.
 #pragma once
 
+#include <bit>
+
 #include "cncsub/motion/context.hpp"
 
 namespace cncsub {
 
-/// Carries a block out.
-Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
 /// Whether a block says nothing but a move: the words of its end, of its centre, of a corner and F,
 /// and no code but one of a plain motion; or, without a code, those of the next pass or hole of a
-/// cycle. And carries such a block out.
+/// cycle.
 bool only_moves(MotionView m, const NcWords& words);
-Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
+/// Carries a block out; `moves_only`: what `only_moves` says of it.
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool moves_only,
+                 bool of_cycle = false);
 
 /// What is wrong with a G code by itself, and which of them do not count.
 Result read_codes(MotionContext& m, const BlockWords& block);
@@ -19,6 +21,13 @@ Result read_codes(MotionContext& m, const BlockWords& block);
 Result check_block(MotionView m, const BlockWords& block);
 Result check_conflicts(MotionView m, const BlockWords& block);
 Result set_modes(MotionContext& m, BlockWords& block);
+/// The codes of these groups that a block has are in force from here on.
+inline void remember(MotionState& state, const BlockCodes& codes, std::uint32_t groups) {
+  for (std::uint32_t left = codes.groups & groups; left != 0; left &= left - 1) {
+    const auto group = static_cast<std::size_t>(std::countr_zero(left));
+    state.modal[group] = codes.of[group];
+  }
+}
 
 /// How many millimetres the unit of a code of units is.
 double unit_of(const MotionFacts& facts, Meaning units);

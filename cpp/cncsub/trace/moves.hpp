@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -45,21 +44,6 @@ struct MoveBegin {
   bool cycle = false;        // a canned cycle makes the move
   bool compensated = false;  // a radius offset holds at its end, or here
 };
-
-/// Whether two values are the same, bit by bit.
-template <class T>
-bool same_bits(const T& one, const T& other) {
-  const auto* a = reinterpret_cast<const char*>(&one);
-  const auto* b = reinterpret_cast<const char*>(&other);
-  std::uint64_t different = 0;
-  for (std::size_t at = 0; at < sizeof(T); at += sizeof different) {
-    std::uint64_t x = 0, y = 0;
-    std::memcpy(&x, a + at, sizeof x);
-    std::memcpy(&y, b + at, sizeof y);
-    different |= x ^ y;
-  }
-  return different == 0;
-}
 
 class Moves {
  public:

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
+#include <type_traits>
 
 namespace cncsub {
 
@@ -20,12 +21,30 @@ constexpr int kAxes = 9;
 constexpr std::string_view kAxisNames = "XYZABCUVW";
 using Axes = std::array<double, kAxes>;
 
+/// Whether so many bytes are the same; nothing branches on each of them.
+template <std::size_t Size>
+bool same_bytes(const void* one, const void* other) {
+  static_assert(Size % sizeof(std::uint64_t) == 0);
+  std::uint64_t different = 0;
+  for (std::size_t at = 0; at < Size; at += sizeof different) {
+    std::uint64_t x = 0, y = 0;
+    std::memcpy(&x, static_cast<const char*>(one) + at, sizeof x);
+    std::memcpy(&y, static_cast<const char*>(other) + at, sizeof y);
+    different |= x ^ y;
+  }
+  return different == 0;
+}
+
+/// Whether two values are the same, bit by bit.
+template <class T>
+bool same_bits(const T& one, const T& other) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return same_bytes<sizeof(T)>(&one, &other);
+}
+
 /// Whether all axes but X, Y and Z are bit by bit the same.
 inline bool others_stand(const Axes& from, const Axes& to) {
-  std::uint64_t different = 0;
-  for (std::size_t i = 3; i < from.size(); ++i)
-    different |= std::bit_cast<std::uint64_t>(from[i]) ^ std::bit_cast<std::uint64_t>(to[i]);
-  return different == 0;
+  return same_bytes<(kAxes - 3) * sizeof(double)>(&from[3], &to[3]);
 }
 
 enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
