@@ -101,4 +101,12 @@ void each_g(const Code& code, const Block& block, const Take& take) {
   for (const int g : list.g()) take(g);
 }
 
+/// The M codes of a block that are written as numbers and call nothing.
+template <class Take>
+void each_m(const Code& code, const Block& block, const Take& take) {
+  if (block.m_count == 0) return;
+  const CodeList list = code.codes_of(block);
+  for (const int m : list.m()) take(m);
+}
+
 }  // namespace cncsub

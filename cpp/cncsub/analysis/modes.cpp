@@ -187,25 +187,23 @@ Modes ModeCheck::set_by(int g, const Block& block) const {
 void ModeCheck::take_back(Modes& modes, const Block& block, bool sometimes) const {
   if (block.g_count != 0 && (block.flags & Block::kCodeExpression) != 0)
     put(modes, all(kFound), sometimes);
-  if (block.m_count == 0) return;
-  const CodeList codes = c_.code.codes_of(block);
-  for (const int m : codes.m())
+  each_m(c_.code, block, [&](int m) {
     if (c_.code.control->calls.roles.value.of_m(m) == Role::RestoreModes)
       put(modes, kKept, sometimes);
+  });
 }
 
 /// Whether a program keeps its modes by M73: its return takes them back in.
 bool ModeCheck::keeps(const ProgramFlow& flow) const {
   const Roles& roles = c_.code.control->calls.roles.value;
   if (!roles.code_of(Role::KeepModes)) return false;
-  for (Address at = flow.first(); at < flow.last(); ++at) {
+  bool keeps = false;
+  for (Address at = flow.first(); at < flow.last() && !keeps; ++at) {
     const Block& block = c_.code.blocks[at];
-    if (block.op != Op::Words || block.m_count == 0) continue;
-    const CodeList codes = c_.code.codes_of(block);
-    for (const int m : codes.m())
-      if (roles.of_m(m) == Role::KeepModes) return true;
+    if (block.op == Op::Words)
+      each_m(c_.code, block, [&](int m) { keeps |= roles.of_m(m) == Role::KeepModes; });
   }
-  return false;
+  return keeps;
 }
 
 /// What is in force behind a block and what it calls.

@@ -13,14 +13,15 @@ namespace {
 
 constexpr std::int32_t kFirstNamed = 1 << 30;  // a variable with a name, by its place behind this
 
+/// The bit of a local that has a name.
+Bits local_bit(const NamedVariable& of) {
+  return of.common || of.index >= kMostBits ? 0 : Bits{1} << of.index;
+}
+
 }  // namespace
 
 VariableUses::VariableUses(const Checker& c) : c_(c), programs_(c.flows.size()) {
-  for (std::size_t i = 0; i < c.code.named_variables.size(); ++i) {
-    const NamedVariable& of = c.code.named_variables[i];
-    names_.emplace(of.name, static_cast<std::int32_t>(i));
-    if (!of.common && of.index < kMostBits) named_ |= Bits{1} << of.index;
-  }
+  for (const NamedVariable& of : c.code.named_variables) named_ |= local_bit(of);
   for (const ProgramFlow& flow : c.flows)
     for (Address at = flow.first(); at < flow.last(); ++at) take(flow, at);
   share();
@@ -37,12 +38,16 @@ Bits VariableUses::bit_of(std::int64_t number, std::vector<std::int32_t>& to) co
 Bits VariableUses::bit_of(const VariableReference& of, std::vector<std::int32_t>& to,
                           bool& any) const {
   if (!of.computed && of.number >= 0) return bit_of(of.number, to);
-  const auto found = of.computed ? names_.end() : names_.find(of.name);
-  any = any || found == names_.end();
-  if (found == names_.end()) return 0;
-  to.push_back(kFirstNamed + found->second);
-  const NamedVariable& named = c_.code.named_variables[static_cast<std::size_t>(found->second)];
-  return named.common || named.index >= kMostBits ? 0 : Bits{1} << named.index;
+  const auto& places = c_.code.named_places;
+  const auto found = of.computed ? places.end() : places.find(of.name);
+  any = any || found == places.end();
+  if (found == places.end()) return 0;
+  to.push_back(kFirstNamed + static_cast<std::int32_t>(found->second));
+  return local_bit(named_variable(to.back()));
+}
+
+const NamedVariable& VariableUses::named_variable(std::int32_t number) const {
+  return c_.code.named_variables[static_cast<std::size_t>(number - kFirstNamed)];
 }
 
 std::int32_t VariableUses::number_of(std::int32_t local) const {
@@ -56,12 +61,12 @@ std::int32_t VariableUses::number_of(std::int32_t local) const {
 
 std::string VariableUses::name_of(std::int32_t number) const {
   if (number < kFirstNamed) return "#" + std::to_string(number);
-  return "#<" + c_.code.named_variables[static_cast<std::size_t>(number - kFirstNamed)].name + ">";
+  return "#<" + named_variable(number).name + ">";
 }
 
 bool VariableUses::is_local(std::int32_t number) const {
   if (number < kFirstNamed) return c_.code.place(number).is_local();
-  return !c_.code.named_variables[static_cast<std::size_t>(number - kFirstNamed)].common;
+  return !named_variable(number).common;
 }
 
 /// Whether a condition of the block compares with #0.

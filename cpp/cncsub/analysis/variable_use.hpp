@@ -59,13 +59,13 @@ class VariableUses {
   void take(const ProgramFlow& flow, Address at);
   Bits bit_of(std::int64_t number, std::vector<std::int32_t>& to) const;
   Bits bit_of(const VariableReference& of, std::vector<std::int32_t>& to, bool& any) const;
+  const NamedVariable& named_variable(std::int32_t number) const;
   bool tests_vacancy(const Block& block) const;
   void share();
 
   const Checker& c_;
   std::unordered_map<Address, VariableUse> uses_;
   std::vector<LocalUse> programs_;
-  std::unordered_map<std::string, std::int32_t> names_;  // to places in Code::named_variables
   Bits named_ = 0;
 };
 
