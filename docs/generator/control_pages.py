@@ -9,6 +9,7 @@ from collections.abc import Iterator
 import cncsub
 from cncsub import _core
 from cncsub.controls import EVIDENCE, sources_of
+from cncsub.facts import effect_of
 from generator.markdown import cited, code, source_anchor, table, words
 
 _GROUPS = {
@@ -208,12 +209,6 @@ def _value(value: object) -> str:
     return " ".join(code(part) for part in str(value).split()) or "none"
 
 
-def _effect(parameter: cncsub.Parameter) -> str:
-    if parameter.rules:
-        return f" (sets {', '.join(map(code, parameter.rules))})"
-    return "" if parameter.used else " (nothing is computed from it)"
-
-
 def _parameters(control: cncsub.Control) -> str:
     if not control.parameters:
         return ""
@@ -221,7 +216,7 @@ def _parameters(control: cncsub.Control) -> str:
         [
             code(p.name),
             f"{p.value:g}",
-            words(p.meaning) + _effect(p),
+            words(p.meaning) + (f" ({effect})" if (effect := effect_of(p, code)) else ""),
             _worth(p.source, p.evidence),
         ]
         for p in control.parameters.values()

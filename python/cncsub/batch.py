@@ -20,11 +20,11 @@ from cncsub.options import (
     Param,
     SetupFile,
     control_for,
+    setup_for,
     wrong_use,
 )
 from cncsub.printing import shown
 from cncsub.project import Project, project_for
-from cncsub.setup import Setup
 
 _SHOWN = 20  # of the runs that did not end well, and of the findings, as text
 FINE = ("ran", "cycles", "note")
@@ -89,7 +89,6 @@ def _rows(options: Mapping[str, Any], project: Project) -> Any:
     paths = options["paths"] or list(project.folders)
     if not paths:
         raise ValueError("which programs? Name files or folders")
-    machine = options["setup"] or project.setup
     shared: dict[str, Any] = {
         "control": control_for(options, project),
         "each": options["each"],
@@ -99,8 +98,8 @@ def _rows(options: Mapping[str, Any], project: Project) -> Any:
         "out": options["out"],
         "progress": True,
     }
-    if machine is not None:
-        shared["setup"] = Setup.from_toml(machine)
+    if (setup := setup_for(options, project)) is not None:
+        shared["setup"] = setup
     if not options["check"]:
         limits = {name: options[name] for name in ("max_blocks", "max_seconds")}
         return run_many(paths, **shared, **limits)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 from collections.abc import Callable, Iterator
@@ -42,15 +43,22 @@ def folders_of(path: str) -> list[Path]:
     return [folder] if real == Path(os.path.realpath(folder)) else [folder, real]
 
 
+def _entries(folder: Path) -> list[os.DirEntry[str]]:
+    """What lies in a folder, the first of many, by name; nothing where nobody may list it."""
+    try:
+        with os.scandir(folder) as entries:
+            return sorted(itertools.islice(entries, MOST_FILES), key=lambda entry: entry.name)
+    except OSError:
+        return []
+
+
 def folders_in(folder: Path) -> list[Path]:
     """The folders in a folder, the first of many, without those that are hidden."""
     try:
-        with os.scandir(folder) as entries:
-            there = [entry for _, entry in zip(range(MOST_FILES), entries)]
-            inner = [e.name for e in there if not e.name.startswith(".") and e.is_dir()]
+        inner = [e.name for e in _entries(folder) if not e.name.startswith(".") and e.is_dir()]
     except OSError:
         return []
-    return [folder / name for name in sorted(inner)[:MOST_FOLDERS]]
+    return [folder / name for name in inner[:MOST_FOLDERS]]
 
 
 def missing_programs(library: Library) -> list[str]:
@@ -68,12 +76,7 @@ def files_named(folder: Path, name: str, library: Library) -> Iterator[str]:
     if not name:
         return
     read = {Path(file).resolve() for file in library.files}
-    try:
-        with os.scandir(folder) as entries:
-            there = [entry for _, entry in zip(range(MOST_FILES), entries)]
-    except OSError:  # a folder that nobody may list
-        return
-    for entry in sorted(there, key=lambda entry: entry.name):
+    for entry in _entries(folder):
         stem = Path(entry.name).stem
         same = stem.upper() == name.upper()
         if digits.isdecimal():

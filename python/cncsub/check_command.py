@@ -24,6 +24,7 @@ from cncsub.options import (
     SetupFile,
     files_beside,
     library_of,
+    setup_for,
     write_json,
     write_text,
     wrong_use,
@@ -100,9 +101,7 @@ def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[s
 
     library = library_of(options)
     beside = files_beside(options, library)
-    machine = options["setup"] or project.setup
-    known = cncsub.Setup.from_toml(machine) if machine is not None else None
-    found = library.check(options["main"], sorted(asked), setup=known)
+    found = library.check(options["main"], sorted(asked), setup=setup_for(options, project))
     found = [finding for finding in found if finding.file not in beside]
     return _Part(library, findings.with_severity(found, dict(project.severity)))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict
 from typing import Any
 
@@ -11,6 +11,13 @@ import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import did_you_mean, sources_of
 from cncsub.table import records
+
+
+def effect_of(parameter: cncsub.Parameter, name: Callable[[str], str] = str) -> str:
+    """What a parameter does, where that is not the registering of codes; `name` writes a rule's."""
+    if parameter.rules:
+        return f"sets {', '.join(map(name, parameter.rules))}"
+    return "" if parameter.used else "nothing is computed from it"
 
 
 def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:

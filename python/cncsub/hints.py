@@ -111,14 +111,20 @@ def _language(
         if control == library.control.name:
             continue
         if control is None:
-            return f"it seems to be written in the language of {name}, which no control here reads"
+            return _seems(name, control)
         try:
             read = again(library.read_for(control), max_blocks=1_000, trace="none")
         except (KeyError, ValueError):  # it has no such program, variable, axis
             continue
         if read.alarm is None or read.blocks > run.blocks:
-            return f"it seems to be written for {name}: -c {control}"
+            return _seems(name, control)
     return None
+
+
+def _seems(name: str, control: str | None) -> str:
+    if control is None:
+        return f"it seems to be written in the language of {name}, which no control here reads"
+    return f"it seems to be written for {name}: -c {control}"
 
 
 def languages_of(text: str) -> Iterator[tuple[str, str | None]]:
@@ -136,10 +142,10 @@ def other_reading(library: Library, file: str) -> str | None:
     for name, control in languages_of(sources.get(file, b"").decode(errors="replace")):
         if control == library.control.name:
             continue
-        if control is None:
-            return f"it seems to be written in the language of {name}, which no control here reads"
-        if all(program.file != file for program in library.read_for(control).duplicates):
-            return f"it seems to be written for {name}: -c {control}"
+        if control is None or all(
+            program.file != file for program in library.read_for(control).duplicates
+        ):
+            return _seems(name, control)
     return None
 
 

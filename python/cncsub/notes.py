@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -75,7 +76,7 @@ def _no_head(library: Library) -> Note | None:
     if main is None or _has_head(main):
         return None
     others = (p for p in library.values() if p.file != main.file and _has_head(p))
-    first = [p for _, p in zip(range(MOST_LOOKED_AT), others)]
+    first = list(itertools.islice(others, MOST_LOOKED_AT))
     edges = library.call_graph().edges if first else ()
     called = {edge.called for edge in edges if isinstance(edge.called, str)}
     # Rather one that nobody calls: it may be what was meant.

@@ -175,8 +175,8 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     if watched := watched_numbers(options.get("watch") or ()):
         asked["watch"] = watched
     project = project_for(options.get("paths"))
-    if (setup := options["setup"] or project.setup) is not None:
-        asked["setup"] = cncsub.Setup.from_toml(setup)
+    if (setup := setup_for(options, project)) is not None:
+        asked["setup"] = setup
     if (inputs := options["inputs"] or project.inputs) is not None:
         asked["inputs"] = cncsub.Inputs.from_toml(inputs)
     return asked
@@ -312,6 +312,12 @@ def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
     return control
 
 
+def setup_for(options: Mapping[str, Any], project: Project) -> cncsub.Setup | None:
+    """The setup of the options or the project, where one of them names its file."""
+    file = options["setup"] or project.setup
+    return None if file is None else cncsub.Setup.from_toml(file)
+
+
 def _is_one_file(paths: Sequence[str]) -> bool:
     return len(paths) == 1 and Path(paths[0]).is_file()
 
@@ -374,22 +380,19 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
         counts = counting(library, program)
         if os.path.realpath(counts.file) not in chosen and not same_blocks(program, counts):
             places = f"{counts.file}:{counts.line} and {program.file}:{program.line}"
-            cure = (
-                "take one of them away"
-                if program.file == counts.file
-                else f"choose one with --prefer {counts.file}, or leave a file out"
-            )
-            if program.file == counts.file and (language := _other_reading(library, program.file)):
-                cure = language
+            cure = _cure_of_two(library, program, counts)
             raise ValueError(f"{counts.name} stands twice, with other blocks: {places}; {cure}")
     tell_all(notes_on(options, library))
     return library
 
 
-def _other_reading(library: cncsub.Library, file: str) -> str | None:
+def _cure_of_two(library: cncsub.Library, program: cncsub.Program, counts: cncsub.Program) -> str:
+    """What makes one of two programs of one name the only one."""
     from cncsub.hints import other_reading
 
-    return other_reading(library, file)
+    if program.file != counts.file:
+        return f"choose one with --prefer {counts.file}, or leave a file out"
+    return other_reading(library, program.file) or "take one of them away"
 
 
 def tell_all(notes: Sequence[Note]) -> None:

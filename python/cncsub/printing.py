@@ -12,6 +12,7 @@ from typing import IO, TYPE_CHECKING, Any
 import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import sources_of
+from cncsub.facts import effect_of
 from cncsub.statictree import letters
 
 if TYPE_CHECKING:
@@ -215,8 +216,8 @@ def shown(text: str) -> str:
 def time_words(run: cncsub.Run) -> str:
     """How long the moves take; a feed that counts on a spindle which stands still is told."""
     words = duration(run.moves.total_time)
-    first = itertools.islice(range(len(run.moves)), MOST_LOOKED_AT)
-    if any(_waits_for_spindle(run.moves[row]) for row in first):
+    looked_at = range(min(len(run.moves), MOST_LOOKED_AT))
+    if any(_waits_for_spindle(run.moves[row]) for row in looked_at):
         words += " (where no S was told, at one revolution a minute)"
     return words
 
@@ -240,12 +241,6 @@ def print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
         console.print(Text.assemble((name.ljust(width), "cyan"), f"  {text}"))
 
 
-def _effect(parameter: cncsub.Parameter) -> str:
-    if parameter.rules:
-        return f"; sets {', '.join(parameter.rules)}"
-    return "" if parameter.used else "; nothing is computed from it"
-
-
 def print_control(console: Console, control: cncsub.Control) -> None:
     console.print(Text(f"{control.title} ({control.name})", style="bold"))
     rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
@@ -256,7 +251,7 @@ def print_control(console: Console, control: cncsub.Control) -> None:
     parameters = (
         (
             f"{p.name} = {p.value:g}",
-            p.meaning + _effect(p),
+            "; ".join(filter(None, [p.meaning, effect_of(p)])),
             p,
         )
         for p in control.parameters.values()
