@@ -31,9 +31,10 @@ struct PlainReader::Words {
   int count = 0;
 };
 
-PlainReader::PlainReader(Builder& to, const BlockRules& rules)
+PlainReader::PlainReader(Builder& to, const BlockRules& rules, ExpressionReader& expressions)
     : to_(to),
       rules_(rules),
+      expressions_(expressions),
       max_digits_(rules.control.reading.max_digits.value),
       max_n_(rules.control.reading.max_sequence_number.value),
       cuts_fine_digits_(rules.control.reading.cuts_fine_digits.value) {
@@ -138,7 +139,7 @@ bool PlainReader::take_computed(Words& words, char letter, const char*& at, cons
   if ((words.mask & mark) != 0 || (letter == 'P' && rules_.control.calls.bracket_names.value))
     return false;
   Scanner here{at, s.end, s.file};
-  const auto expression = ExpressionReader(to_, rules_.expressions, here).word_value(letter);
+  const auto expression = expressions_.word_value(here, letter);
   if (!expression) return false;
   words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
   words.mask |= mark;
@@ -203,7 +204,8 @@ bool PlainReader::assignment(const Scanner& s, Block& block) {
   }
   if (here.at >= s.end || *here.at != '#') return false;
   block.n = head.n;
-  return StatementReader(to_, rules_.expressions, here, block).read();
+  StatementReader(to_, expressions_, here, block).assign();
+  return true;
 }
 
 /// Behind a slash at the head, whose switch passes over the block.

@@ -10,13 +10,14 @@
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/block_rules.hpp"
+#include "cncsub/dialect/iso/expression.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
 class PlainReader {
  public:
-  PlainReader(Builder& to, const BlockRules& rules);
+  PlainReader(Builder& to, const BlockRules& rules, ExpressionReader& expressions);
   /// Compiles a block that is that plain. False where it is not: it is left to the general way,
   /// which gives the same code.
   bool read(const Scanner& s, Block& block);
@@ -40,6 +41,7 @@ class PlainReader {
 
   Builder& to_;
   const BlockRules& rules_;
+  ExpressionReader& expressions_;
   std::array<Kind, 256> kinds_{};  // what a character begins
   std::bitset<1000> g_;            // the codes that are executed, whatever else the block holds
   int max_digits_;

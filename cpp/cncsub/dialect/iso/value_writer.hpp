@@ -12,13 +12,14 @@
 
 namespace cncsub {
 
-/// What a part of an expression gives: nothing where it was refused.
+/// What a part of an expression gives: nothing where it was refused, or an operand is awaited.
 struct Value {
-  enum class Type : std::uint8_t { None, Number, Condition };
+  enum class Type : std::uint8_t { None, Awaited, Number, Condition };
   std::int32_t raw;  // the instruction, where it is one variable and may still be vacant
   Type type;         // None: of `Value{}`
 
-  explicit operator bool() const { return type != Type::None; }
+  explicit operator bool() const { return type >= Type::Number; }
+  static Value awaited() { return {-1, Type::Awaited}; }
   static Value number() { return {-1, Type::Number}; }
   static Value condition() { return {-1, Type::Condition}; }
 };
@@ -42,8 +43,13 @@ class ValueWriter {
   /// The first fault counts.
   Refused refuse(Cause cause, std::uint32_t at, std::string detail = {});
 
-  /// The address of the word whose value is written, 0 in a statement: ROUND rounds otherwise.
-  void begin_word(char address) { address_ = static_cast<std::uint8_t>(address); }
+  /// Another expression begins. `address`: of the word whose value it is, 0 in a statement: ROUND
+  /// rounds otherwise.
+  void begin(char address) {
+    fault_.reset();
+    depth_ = 0;
+    address_ = static_cast<std::uint8_t>(address);
+  }
   bool in_word() const { return address_ != 0; }
   /// An instruction that holds nothing, or a value.
   void emit(Ins op, std::uint32_t at) {
