@@ -5,9 +5,6 @@
 #include "cncsub/dialect/iso/expression.hpp"
 
 #include <array>
-#include <span>
-
-#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
@@ -91,29 +88,16 @@ std::optional<std::uint32_t> ExpressionReader::condition(Scanner& s) {
     return out_.refuse(Cause::ExpressionFormat, at,
                        "a condition has at most " + std::to_string(most) + " characters");
   const bool any = rules_.bare || rules_.values;
-  if (any && value.type == Value::Type::Number) {  // WHILE TRUE
+  if (any && value.is_number()) {  // WHILE TRUE
     out_.arithmetic(value, s.offset());
-    value.type = Value::Type::Condition;
+    value = Value::condition();
   }
-  if (value.type != Value::Type::Condition)
+  if (!value.is_condition())
     return out_.refuse(Cause::ExpressionFormat, at, "a condition compares two values");
   return out_.finish(first, at, s.offset() - at);
 }
 
 // ---- operands ----
-
-inline Value ExpressionReader::constant(const char*& at) {
-  const char* end = at;
-  const Mantissa m = scan_mantissa(end);
-  const std::ptrdiff_t digits = m.whole + m.decimals;
-  if (digits == 0 || digits > rules_.most_digits || !ends_at(end)) return {};
-  const std::uint32_t place = offset(at);
-  if (!out_.has_room(offset(end))) return {};
-  at = end;
-  const auto whole = static_cast<double>(static_cast<std::int64_t>(m.value));
-  out_.emit(Ins::Constant, place, whole / kPowersOfTen[m.decimals]);
-  return Value::number();
-}
 
 /// A number with a gap in it, or one that is wrong.
 Value ExpressionReader::other_constant() {
@@ -129,16 +113,6 @@ Value ExpressionReader::other_constant() {
   if (!out_.has_room(s_->offset())) return {};
   out_.emit(Ins::Constant, at, number.value);
   return Value::number();
-}
-
-/// A variable whose number is digits and nothing else, and which lies near; else nothing.
-inline Value ExpressionReader::near_variable(const char*& at) {
-  const char* end = at + 1;
-  const auto number = plain_number(end);
-  const ExpressionRules::Near* const near = number ? rules_.near(*number) : nullptr;
-  if (near == nullptr || !out_.has_room(offset(at + 1))) return {};
-  at = end;
-  return out_.load(*near, *number);
 }
 
 Value ExpressionReader::sign() {
@@ -188,37 +162,7 @@ Value ExpressionReader::other_operand() {
   }
 }
 
-/// An operand; what is opened before it, and signs, wait.
-inline Value ExpressionReader::operand(const char*& at) {
-  for (;;) {
-    Value value{};
-    const char c = *at;
-    if (c == '#')
-      value = near_variable(at);
-    else if (is_digit(c) || c == '.')
-      value = constant(at);
-    if (value) return value;
-    s_->at = at;
-    value = other_operand();
-    at = s_->at;
-    if (value.type != Value::Type::Awaited) return value;
-  }
-}
-
 // ---- what waits ----
-
-/// What is read next is the value of what waits.
-Value ExpressionReader::wait(Waiting::Kind kind, std::uint32_t at, const FunctionName* function) {
-  Waiting& waiting = *last_++;
-  const bool prefix = kind <= Waiting::Kind::Not;
-  waiting.level = prefix ? Waiting::kPrefix : Waiting::kOpening;
-  waiting.kind = kind;
-  waiting.at = at;
-  waiting.first = out_.first();
-  waiting.function = function;
-  waiting.second = false;
-  return Value::awaited();
-}
 
 /// The bracket that stands here opens what is at `at`.
 Value ExpressionReader::open(Waiting::Kind kind, std::uint32_t at, const FunctionName* function) {
@@ -269,161 +213,6 @@ Value ExpressionReader::prefixed(Value value) {
     }
   }
   return value;
-}
-
-/// What ends here gives its value to what was opened: the value of that, or another argument comes.
-Value ExpressionReader::closed(Value value) {
-  Waiting& of = last_[-1];
-  const bool argument = of.kind >= Waiting::Kind::Function;
-  if (argument && of.kind != Waiting::Kind::SecondArgument) {
-    if (!out_.arithmetic(value, s_->offset())) return {};
-    if (another_argument(of)) return Value::awaited();
-    if (of.function->one == Ins::End && !of.second)
-      return out_.refuse(Cause::MissingComma, s_->offset(), "the function takes two arguments");
-  }
-  if (!closes()) return {};
-  --last_;
-  switch (of.kind) {
-    case Waiting::Kind::Indirect:
-      if (!out_.arithmetic(value, s_->offset())) return {};
-      out_.emit(Ins::IndirectRaw, of.at);
-      return out_.last();
-    case Waiting::Kind::Function:
-      return function(of);
-    case Waiting::Kind::ArcTangent:
-      return arc_tangent(of);
-    case Waiting::Kind::SecondArgument:
-      if (!out_.arithmetic(value, s_->offset())) return {};
-      out_.emit(Ins::Atan2, of.at);
-      return Value::number();
-    default:
-      return value;
-  }
-}
-
-// ---- operators ----
-
-namespace {
-
-/// The level at which an operator binds, but for logic of numbers where that binds first.
-int level_of(const ExpressionRules& rules, const OperatorName& of) {
-  return rules.alike ? of.alike : of.last;
-}
-
-/// Joins two values; the left one waited for the right one.
-inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
-  if (!waiting.of->is_arithmetic()) return apply_other(out, waiting, right, end);
-  Value left = waiting.left;
-  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
-  out.emit_operator(waiting.of->op, waiting.of->other, waiting.at);
-  return Value::number();
-}
-
-/// The signs of arithmetic by their character.
-constexpr auto kSigns = [] {
-  std::array<const OperatorName*, 256> signs{};
-  for (const OperatorName& of : kArithmetic) signs[static_cast<unsigned char>(of.text[0])] = &of;
-  return signs;
-}();
-
-/// The operator that stands here, null where none does.
-inline const OperatorName* next_operator(const ExpressionRules& rules, Scanner& s,
-                                         const char*& at) {
-  if (at == s.end) return nullptr;
-  if (const OperatorName* const sign = kSigns[static_cast<unsigned char>(*at)]) return sign;
-  if (*at == ']') return nullptr;
-  s.at = at;
-  s.blanks();
-  at = s.at;
-  if (at == s.end) return nullptr;
-  const OperatorName* const sign = kSigns[static_cast<unsigned char>(*at)];
-  return sign != nullptr ? sign : find_other_operator(rules, s);
-}
-
-}  // namespace
-
-/// Joins a value with what waits on its left and binds as closely.
-inline Value ExpressionReader::join(Value value, int level, const char* at) {
-  while (value && last_[-1].level >= level)
-    value = apply(out_, *--last_, value, offset(at));
-  return value;
-}
-
-/// An operator stands behind the value: both wait for what comes.
-inline Value ExpressionReader::operates(const OperatorName& of, Value value, const char*& at) {
-  int level = level_of(rules_, of);
-  if (rules_.numbers_first && of.is_logic()) {
-    value = join(value, of.alike + 1, at);
-    s_->at = at;
-    if (is_of_numbers(of, value)) level = of.alike + 1;
-  }
-  value = join(value, level, at);
-  if (!value) return value;
-  Waiting& waiting = *last_++;
-  waiting.left = value;
-  waiting.of = &of;
-  waiting.at = offset(at);
-  waiting.level = level;
-  waiting.kind = Waiting::Kind::Operator;
-  if (of.text.size() == 1) {
-    ++at;
-  } else {
-    s_->at = at;
-    s_->take_word(of.text);
-    at = s_->at;
-  }
-  return Value::awaited();
-}
-
-bool ExpressionReader::is_of_numbers(const OperatorName& of, const Value& value) const {
-  const Waiting* first = last_;
-  while (first[-1].level > Waiting::kOpening) --first;
-  return cncsub::is_of_numbers(*s_, of, value, {first, last_});
-}
-
-/// What stands behind an operand: the whole value, or an operand is awaited.
-inline Value ExpressionReader::behind(Value value, const Waiting* base, bool alone,
-                                      const char*& at) {
-  for (;;) {
-    if (last_[-1].level == Waiting::kPrefix) {
-      s_->at = at;
-      value = prefixed(value);
-    }
-    if (!value || (alone && last_ == base)) return value;
-    if (const OperatorName* const next = next_operator(rules_, *s_, at))
-      return operates(*next, value, at);
-    value = join(value, 0, at);
-    if (!value || last_ == base) return value;
-    if (last_[-1].kind == Waiting::Kind::Bracket && *at == ']' && at != s_->end) {
-      ++at;
-      --last_;
-      --brackets_;
-      continue;
-    }
-    s_->at = at;
-    value = closed(value);
-    at = s_->at;
-    if (value.type == Value::Type::Awaited) return value;
-  }
-}
-
-/// Reads until what waits above `base` has its value; `alone`: no operator behind that is read.
-Value ExpressionReader::values(const Waiting* base, bool alone) {
-  const char* at = s_->at;
-  Value value{};
-  do {
-    value = operand(at);
-    if (value) value = behind(value, base, alone, at);
-  } while (value.type == Value::Type::Awaited);
-  s_->at = at;
-  return value;
-}
-
-/// What stands in brackets.
-Value ExpressionReader::bracket() {
-  const Waiting* const base = last_;
-  const Value inner = open(Waiting::Kind::Bracket, s_->offset());
-  return inner.type == Value::Type::Awaited ? values(base, true) : inner;
 }
 
 }  // namespace cncsub

@@ -78,21 +78,33 @@ class ExpressionReader {
   Value bracket();
   Value values(const Waiting* base, bool alone);
 
-  Value operand(const char*& at);
-  Value constant(const char*& at);
-  Value near_variable(const char*& at);
   Value other_operand();
   Value other_constant();
   Value sign();
   Refused no_operand();
 
-  Value wait(Waiting::Kind kind, std::uint32_t at, const FunctionName* function = nullptr);
+  /// What is read next is the value of what waits.
+  Value wait(Waiting::Kind kind, std::uint32_t at, const FunctionName* function = nullptr) {
+    Waiting& waiting = *last_++;
+    waiting.level = kind <= Waiting::Kind::Not ? Waiting::kPrefix : Waiting::kOpening;
+    waiting.kind = kind;
+    waiting.at = at;
+    waiting.first = out_.first();
+    waiting.function = function;
+    waiting.second = false;
+    return Value::awaited();
+  }
   Value open(Waiting::Kind kind, std::uint32_t at, const FunctionName* function = nullptr);
   bool opens();
   bool closes();
   Value prefixed(Value value);
-  Value closed(Value value);
 
+  // ---- values.cpp ----
+  Value operand(const char*& at);
+  Value constant(const char*& at);
+  Value near_variable(const char*& at);
+  Value closed(Value value, const char*& at);
+  Value function(const Waiting& of);
   Value behind(Value value, const Waiting* base, bool alone, const char*& at);
   Value operates(const OperatorName& of, Value value, const char*& at);
   bool is_of_numbers(const OperatorName& of, const Value& value) const;
@@ -110,8 +122,8 @@ class ExpressionReader {
 
   // ---- functions.cpp ----
   Value word();
-  bool another_argument(Waiting& of);
-  Value function(const Waiting& of);
+  Value not_closed(Waiting& of, bool argument);
+  Value other_closed(const Waiting& of, Value value);
   Value arc_tangent(const Waiting& of);
   Value programmed(std::uint32_t at);
   Value negation(std::uint32_t at);

@@ -44,21 +44,28 @@ Value ExpressionReader::word() {
   return open(slash ? Waiting::Kind::ArcTangent : Waiting::Kind::Function, at, found);
 }
 
-/// Whether a comma stands behind the first of two arguments.
-bool ExpressionReader::another_argument(Waiting& of) {
-  const bool takes =
-      of.kind == Waiting::Kind::ArcTangent || of.function->two != Ins::End;
-  if (of.second || !takes || !s_->take(',')) return false;
-  of.second = true;
-  return true;
+/// What stands behind an argument or a value in brackets and does not close them: a comma, or the
+/// expression is refused.
+Value ExpressionReader::not_closed(Waiting& of, bool argument) {
+  const bool takes = argument && !of.second &&
+                     (of.kind == Waiting::Kind::ArcTangent || of.function->two != Ins::End);
+  if (takes && s_->take(',')) {
+    of.second = true;
+    return Value::awaited();
+  }
+  if (takes && of.function->one == Ins::End)
+    return out_.refuse(Cause::MissingComma, s_->offset(), "the function takes two arguments");
+  closes();
+  return {};
 }
 
-/// What a function makes of its arguments.
-Value ExpressionReader::function(const Waiting& of) {
-  Ins op = of.second ? of.function->two : of.function->one;
-  if (op == Ins::Round && out_.in_word()) op = Ins::RoundWord;
-  out_.emit(op, of.at);
-  return Value::number();
+/// What is made of the value in brackets that are neither a function's nor stand alone.
+Value ExpressionReader::other_closed(const Waiting& of, Value value) {
+  if (of.kind == Waiting::Kind::ArcTangent) return arc_tangent(of);
+  if (!out_.arithmetic(value, s_->offset())) return {};
+  const bool indirect = of.kind == Waiting::Kind::Indirect;
+  out_.emit(indirect ? Ins::IndirectRaw : Ins::Atan2, of.at);
+  return indirect ? out_.last() : Value::number();
 }
 
 /// ATAN[a]/[b], ATAN[a,b] and ATAN[a].
@@ -94,7 +101,7 @@ Value ExpressionReader::negation(std::uint32_t at) {
 
 Value ExpressionReader::negated(const Waiting& of, Value value) {
   --nots_;
-  if (value.type != Value::Type::Condition)
+  if (!value.is_condition())
     return out_.refuse(Cause::ExpressionFormat, of.at, "NOT takes a condition");
   out_.emit(Ins::Not, of.at);
   return value;

@@ -109,7 +109,7 @@ bool StatementReader::refuses(StatementKind kind, std::uint32_t at, std::string_
 }
 
 /// Nothing may stand behind a statement.
-bool StatementReader::at_end(Cause otherwise) {
+bool StatementReader::ends(Cause otherwise) {
   s_.blanks();
   if (code_.control->reading.open_comment.value == OpenComment::RestOfBlock) s_.rest_of_comment();
   const char c = s_.peek();

@@ -63,7 +63,8 @@ class StatementReader {
   void loop(Op op, Statement& statement);
   void jump(Op op, Statement& statement);
   bool print_field(Print& print);
-  bool at_end(Cause otherwise);
+  bool at_end(Cause otherwise) { return s_.at == s_.end || ends(otherwise); }
+  bool ends(Cause otherwise);
   void refuse(Fault fault);
   void refuse(Cause cause, std::uint32_t at, std::uint32_t width = 1, std::string detail = {});
 
