@@ -22,7 +22,7 @@ class BlockReader {
         plain_(to, rules_, expressions_) {}
   /// Compiles what stands between the scanner and its end into `block`, whose text and line are
   /// set. Where interrupt is over, the block is not what its text says.
-  void read(Scanner scanner, Block& block) {
+  void read(Scanner& scanner, Block& block) {
     block.op = Op::Words;
     if (!plain_.read(scanner, block)) read_any(scanner, block);
   }
