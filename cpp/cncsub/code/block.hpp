@@ -113,7 +113,8 @@ struct Assigned {
   }
   static Assigned of(const Block& block) {
     const std::uint32_t data = block.data;
-    return {static_cast<Statement::Target>(data & 7U), data >> 3 & kMostIndex, data >> 16 & kMostPlace, data >> 24};
+    return {static_cast<Statement::Target>(data & 7U), data >> 3 & kMostIndex,
+            data >> 16 & kMostPlace, data >> 24};
   }
 };
 

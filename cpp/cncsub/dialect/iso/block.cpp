@@ -43,7 +43,8 @@ void BlockReader::read_any(Scanner& s, Block& block) {
 std::optional<Block> BlockReader::words_behind(Scanner& s, Block& block) {
   Block behind = block;
   tokens_.clear();
-  if (WordScanner(to_, rules_, expressions_, s, behind).words(tokens_)) write(behind, tokens_, true);
+  if (WordScanner(to_, rules_, expressions_, s, behind).words(tokens_))
+    write(behind, tokens_, true);
   if (behind.op != Op::Fault) return behind;
   block.op = Op::Fault;
   block.aux = behind.aux;

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "cncsub/code/code.hpp"
-#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -63,9 +62,10 @@ struct ExpressionRules {
  private:
   static constexpr std::size_t kSlots = 64;
 
+  /// Small letters are as capital ones, and no other character becomes a letter.
   static constexpr std::uint32_t packed(char a, char b, char c) {
-    const auto byte = [](char of) { return std::uint32_t{static_cast<unsigned char>(upper(of))}; };
-    return byte(a) | byte(b) << 8 | byte(c) << 16;
+    const auto byte = [](char of) { return std::uint32_t{static_cast<unsigned char>(of)}; };
+    return (byte(a) | byte(b) << 8 | byte(c) << 16) & 0xDFDFDFU;
   }
   static constexpr std::size_t slot_of(std::uint32_t name) {
     return (name ^ name >> 6 ^ name >> 13) % kSlots;

@@ -44,8 +44,8 @@ struct Waiting {  // NOLINT(*-member-init): for its right value
   };
   static constexpr int kOpening = -1, kPrefix = kTightest + 1;
 
-  Value left;               // of an operator
-  const OperatorName* of;   // of an operator
+  Value left;              // of an operator
+  const OperatorName* of;  // of an operator
   const FunctionName* function;
   std::uint32_t at;
   std::uint32_t first;  // of a sign: the place of the operand's first instruction

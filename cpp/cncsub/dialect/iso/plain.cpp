@@ -239,7 +239,8 @@ bool PlainReader::read(Scanner& s, Block& block) {
     return false;
   }
   block.n = words.n;
-  if (words.dwell && whole_dwell_ && std::find(first, s.end, '.') == s.end) words.whole = words.mask;
+  if (words.dwell && whole_dwell_ && std::find(first, s.end, '.') == s.end)
+    words.whole = words.mask;
   if (words.dwell || (words.computed | words.whole) != 0)
     write_list(words, words.whole, block);
   else

@@ -169,8 +169,7 @@ void StatementReader::assignment(bool bracketed) {
   assigned.width = width;
   const bool kept = assigned.target <= Statement::Target::Common;
   const std::string_view comment =
-      kept ? std::string_view()
-           : comment_in({s_.file + code_.expression(*value).at(), s_.end});
+      kept ? std::string_view() : comment_in({s_.file + code_.expression(*value).at(), s_.end});
   if (comment.empty() && assigned.fits()) return set(block_, assigned, *value);
   Statement statement;
   statement.target = assigned.target;

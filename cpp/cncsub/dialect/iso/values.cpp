@@ -3,13 +3,14 @@
 #include <span>
 
 #include "cncsub/dialect/iso/expression.hpp"
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
 // ---- operands ----
 
 /// A number that is digits and a point; else nothing.
-inline Value ExpressionReader::constant(const char*& at) {
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::constant(const char*& at) {
   const char* end = at;
   const Mantissa m = scan_mantissa(end);
   const std::ptrdiff_t digits = m.whole + m.decimals;
@@ -23,7 +24,7 @@ inline Value ExpressionReader::constant(const char*& at) {
 }
 
 /// A variable whose number is digits and nothing else, and which lies near; else nothing.
-inline Value ExpressionReader::near_variable(const char*& at) {
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::near_variable(const char*& at) {
   const char* end = at + 1;
   const auto number = plain_number(end);
   const ExpressionRules::Near* const near = number ? rules_.near(*number) : nullptr;
@@ -53,7 +54,7 @@ inline bool ExpressionReader::opens_function(const char*& at) {
 }
 
 /// An operand; what is opened before it, and signs, wait.
-inline Value ExpressionReader::operand(const char*& at) {
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operand(const char*& at) {
   for (;;) {
     const char c = *at;
     Value value;
@@ -83,10 +84,9 @@ inline Value ExpressionReader::function(const Waiting& of) {
 
 /// What ends here gives its value to what was opened last: the value of that, or another argument
 /// is awaited.
-inline Value ExpressionReader::closed(Value value, const char*& at) {
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::closed(Value value, const char*& at) {
   Waiting& of = last_[-1];
-  const bool argument =
-      of.kind == Waiting::Kind::Function || of.kind == Waiting::Kind::ArcTangent;
+  const bool argument = of.kind == Waiting::Kind::Function || of.kind == Waiting::Kind::ArcTangent;
   if (argument && !out_.arithmetic(value, offset(at))) return {};
   const bool one_more = argument && of.function->one == Ins::End && !of.second;
   if (at == s_->end || *at != ']' || one_more) {
@@ -148,7 +148,7 @@ inline const OperatorName* next_operator(const ExpressionRules& rules, Scanner& 
 }  // namespace
 
 /// Joins a value with what waits on its left and binds as closely.
-inline Value ExpressionReader::join(Value value, int level, const char* at) {
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::join(Value value, int level, const char* at) {
   while (last_[-1].level >= level) {
     value = apply(out_, *--last_, value, offset(at));
     if (!value) break;
@@ -157,7 +157,8 @@ inline Value ExpressionReader::join(Value value, int level, const char* at) {
 }
 
 /// An operator stands behind the value: both wait for what comes.
-inline Value ExpressionReader::operates(const OperatorName& of, Value value, const char*& at) {
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operates(const OperatorName& of, Value value,
+                                                             const char*& at) {
   int level = level_of(rules_, of);
   if (rules_.numbers_first && of.is_logic()) {
     value = join(value, of.alike + 1, at);
@@ -190,8 +191,8 @@ bool ExpressionReader::is_of_numbers(const OperatorName& of, const Value& value)
 }
 
 /// What stands behind an operand: the whole value, or an operand is awaited.
-inline Value ExpressionReader::behind(Value value, const Waiting* base, bool alone,
-                                      const char*& at) {
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::behind(Value value, const Waiting* base,
+                                                           bool alone, const char*& at) {
   for (;;) {
     if (last_[-1].level == Waiting::kPrefix) {
       s_->at = at;

@@ -45,8 +45,8 @@ inline std::size_t code_index(const Operand& operand) {
 /// Where it gives false, the block is refused or the reading interrupted.
 class WordScanner {
  public:
-  WordScanner(Builder& to, const BlockRules& rules, ExpressionReader& expressions,
-              Scanner& scanner, Block& block)
+  WordScanner(Builder& to, const BlockRules& rules, ExpressionReader& expressions, Scanner& scanner,
+              Block& block)
       : to_(to),
         rules_(rules),
         control_(rules.control),
