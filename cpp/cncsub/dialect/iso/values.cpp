@@ -27,7 +27,8 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::constant(const char*& at) {
 CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::near_variable(const char*& at) {
   const char* end = at + 1;
   const auto number = plain_number(end);
-  const ExpressionRules::Near* const near = number ? rules_.near(*number) : nullptr;
+  if (!number) return {};
+  const ExpressionRules::Near* const near = rules_.near(*number);
   if (near == nullptr || !out_.has_room(offset(at + 1))) return {};
   at = end;
   return out_.load(*near, *number);
