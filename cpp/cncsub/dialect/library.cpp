@@ -153,13 +153,6 @@ void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
   }
 }
 
-/// Whether the files hold macro statements, or words that are computed.
-bool has_macros(const std::vector<SourceFile>& files) {
-  return std::any_of(files.begin(), files.end(), [](const SourceFile& file) {
-    return file.text.find('#') != std::string::npos;
-  });
-}
-
 }  // namespace
 
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
@@ -176,10 +169,9 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   // Room that is never written costs nothing, and a table that never moves is never copied.
   code->blocks.reserve(bytes / 8 + files.size());
   code->cells.reserve(bytes / 4);
-  if (has_macros(files)) {
-    code->statements.reserve(bytes / 32);
-    code->expressions.reserve(bytes / 2);
-  }
+  code->statements.reserve(bytes / 32);
+  code->expressions.reserve(bytes / 2);
+  code->sequence.reserve(bytes / 8);
   reading.read(files, sharing);
   code->register_programs([&reading] { return reading.interrupted(kProgram); });
   reading.resolve_calls(0);

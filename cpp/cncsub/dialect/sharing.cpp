@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "cncsub/system/cores.hpp"
 #include "cncsub/text/helpers.hpp"
 
 namespace cncsub {
@@ -288,7 +289,7 @@ void read_alone(const SharedReading& reading, std::vector<SourceFile>& files) {
 void read_files(const SharedReading& reading, std::vector<SourceFile>& files,
                 const Sharing& sharing) {
   reading.code.files.reserve(files.size());  // texts stay where they are
-  const std::size_t threads = sharing.threads == 0 ? cores() : sharing.threads;
+  const std::size_t threads = sharing.threads == 0 ? system::cores() : sharing.threads;
   std::size_t bytes = 0;
   for (const SourceFile& file : files) bytes += file.text.size();
   if (threads < 2 || bytes < 4 * sharing.piece || reading.dialect.pieces == nullptr)
