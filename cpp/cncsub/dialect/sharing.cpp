@@ -104,7 +104,7 @@ class Pool {
         pieces_(reading.dialect.pieces(reading.to)) {}
 
   void read(std::size_t threads) {
-    ahead_ = 2 * threads + 2;
+    threads_ = threads;
     const Helpers helpers(std::min(threads, jobs_.size()) - 1, [this] { help(); });
     const struct End {
       Pool& pool;
@@ -114,6 +114,8 @@ class Pool {
   }
 
  private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
   struct Slot {
     enum class State { Free, Taken, Done } state = State::Free;
     std::unique_ptr<Apart> apart;  // null: nothing could be read apart
@@ -127,23 +129,33 @@ class Pool {
     changed_.notify_all();
   }
 
-  /// What a helper does: the next job, and the next one, never far before the one that is joined.
+  /// What a helper does: one job after the other.
   void help() {
     std::unique_lock lock(mutex_);
     for (;;) {
-      changed_.wait(lock, [this] { return stop_ || next_ < std::min(jobs_.size(), most()); });
+      changed_.wait(lock, [this] { return stop_ || free_job() != kNone; });
       if (stop_) return;
-      take_next(lock);
-      if (next_ == jobs_.size()) return;
+      take(free_job(), lock);
     }
   }
 
-  std::size_t most() const { return joined_ + ahead_; }
+  /// The next job to be read apart, never far before the one that is joined. Each thread has its
+  /// turn: whoever joins reads jobs too, to where they belong, and nothing of them has to be moved.
+  /// Where all others are taken, those are read apart as well.
+  std::size_t free_job() const {
+    const std::size_t end = std::min(jobs_.size(), joined_ + 2 * threads_ + 2);
+    std::size_t found = kNone;
+    for (std::size_t k = joined_; k < end; ++k) {
+      // Nothing is known of what stands before a file.
+      if (slots_[k].state != Slot::State::Free || jobs_[k].begins_file()) continue;
+      if (k % threads_ != 0) return k;
+      found = std::min(found, k);
+    }
+    return found;
+  }
 
-  /// Reads the next job apart.
-  void take_next(std::unique_lock<std::mutex>& lock) {
-    const std::size_t number = next_++;
-    if (jobs_[number].begins_file()) return;  // nothing is known of what stands before it
+  /// Reads a job apart.
+  void take(std::size_t number, std::unique_lock<std::mutex>& lock) {
     slots_[number].state = Slot::State::Taken;
     std::unique_ptr<Apart> apart;
     if (!free_.empty()) {
@@ -218,11 +230,14 @@ class Pool {
   /// What was read of a job by somebody else; null where nobody took it.
   std::unique_ptr<Apart> taken(std::size_t number) {
     std::unique_lock lock(mutex_);
-    if (next_ == number) ++next_;
     Slot& slot = slots_[number];
+    if (slot.state == Slot::State::Free) {
+      slot.state = Slot::State::Done;
+      return nullptr;
+    }
     while (slot.state == Slot::State::Taken && !stop_) {
-      if (next_ < std::min(jobs_.size(), most()))
-        take_next(lock);
+      if (const std::size_t other = free_job(); other != kNone)
+        take(other, lock);
       else
         changed_.wait_for(lock, std::chrono::milliseconds(20));
       lock.unlock();
@@ -267,10 +282,10 @@ class Pool {
   const std::vector<Job> jobs_;
   std::vector<Slot> slots_;
   PieceReader pieces_;
-  std::size_t ahead_ = 0;
+  std::size_t threads_ = 1;
   std::mutex mutex_;  // of all that follows, and of the slots
   std::condition_variable changed_;
-  std::size_t next_ = 0, joined_ = 0;
+  std::size_t joined_ = 0;
   std::vector<std::unique_ptr<Apart>> free_;
   std::atomic<bool> stop_ = false;
 };
