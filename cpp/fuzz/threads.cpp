@@ -143,7 +143,7 @@ struct Shared {
 std::string read_by(const Control& control, std::size_t threads, std::size_t piece) {
   std::string large;
   for (int i = 0; i < 20; ++i) large += kProgram;
-  std::vector<SourceFile> files{{"large", "large", large, false}};
+  std::vector<SourceFile> files{{"large", "large", FileText(large), false}};
   for (int i = 0; i < 20; ++i) files.push_back({std::to_string(i), "", kProgram, i % 2 == 0});
   Sharing sharing;
   sharing.threads = threads;

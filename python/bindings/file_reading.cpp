@@ -1,7 +1,6 @@
 #include "file_reading.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -16,7 +15,6 @@
 
 #include "cncsub/system/cores.hpp"
 #include "cncsub/system/file.hpp"
-#include "cncsub/system/memory.hpp"
 #include "cncsub/text/helpers.hpp"
 #include "cncsub/text/utf8.hpp"
 
@@ -26,8 +24,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::size_t kPiece = std::size_t{1} << 20;  // little enough to stay near the processor
-constexpr std::size_t kAhead = 4;  // pieces of a large file, one of which is looked at
+constexpr std::size_t kPiece = std::size_t{1} << 18;  // little enough to stay near the processor
+constexpr std::size_t kAlone = 16;  // pieces for which a further thread is worth its start
 constexpr std::size_t kSample = 4096;
 constexpr std::size_t kAtOnce = 64;  // files for which a further thread is worth its start
 constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf"sv;
@@ -71,130 +69,93 @@ bool starts_like(std::string_view bytes, std::span<const std::string_view> start
 
 using Stopped = std::function<bool(std::size_t)>;  // asked behind so many bytes
 
-FileText failed(FileFault fault, int error = 0) {
-  FileText file;
+ReadFile failed(FileFault fault, int error = 0) {
+  ReadFile file;
   file.fault = fault;
   file.error = error;
   return file;
 }
 
-struct Piece {
-  std::unique_ptr<char[]> bytes;  // NOLINT: bytes
-  std::ptrdiff_t count = 0;       // 0: the end; -1: the file cannot be read
-  bool ascii = true;
-
-  std::string_view text() const { return {bytes.get(), static_cast<std::size_t>(count)}; }
-};
-using Ring = std::array<Piece, kAhead>;
-
-/// Those that are needed for a file.
-std::span<Piece> made(Ring& ring, std::size_t size) {
-  const std::span<Piece> used(ring.data(), size > kAhead * kPiece ? kAhead : 1);
-  for (Piece& piece : used)
-    if (!piece.bytes) piece.bytes = std::make_unique_for_overwrite<char[]>(kPiece);  // NOLINT: bytes
-  return used;
-}
-
-/// The pieces of an open file, one after the other. Of a large file another thread reads the next
-/// ones meanwhile.
-class Pieces {
+/// Reads an open file into a text that has room for it, piece by piece; a large one by several
+/// threads.
+class Filling {
  public:
-  Pieces(system::File& open, std::size_t size, std::span<Piece> ring)
-      : open_(open),
-        size_(size),
-        ring_(ring),
-        helper_(ring.size() > 1 && system::cores() > 1 ? 1 : 0, [this] { read_ahead(); }) {}
-  Pieces(const Pieces&) = delete;
-  Pieces& operator=(const Pieces&) = delete;
-  ~Pieces() {
-    const std::scoped_lock lock(mutex_);
-    ended_ = true;
-    changed_.notify_all();
+  Filling(const system::File& open, FileText& text)
+      : open_(open), text_(text), end_(text.size()) {}
+
+  /// The next piece. False where none is left.
+  bool one() {
+    const std::size_t from = next_.fetch_add(kPiece);
+    if (from >= text_.size()) return false;
+    const std::size_t to = std::min(from + kPiece, text_.size());
+    std::size_t at = from;
+    // The last byte is for a file that grows: all but this one is all that the system said.
+    while (at < to && (at == from || at + 1 != text_.size())) {
+      const std::ptrdiff_t count = open_.read(text_.data() + at, to - at, at);
+      if (count < 0) error_ = static_cast<int>(-count);
+      if (count <= 0) break;
+      at += static_cast<std::size_t>(count);
+    }
+    if (at < to) end_at(at);
+    if (!is_ascii(text_.view().substr(from, at - from))) ascii_ = false;
+    return true;
+  }
+  void all(const Stopped& stopped) {
+    const std::size_t left = text_.size() / kPiece;
+    const Helpers helpers(std::min(system::cores(), left / kAlone + 1) - 1, [this] {
+      while (one()) {
+      }
+    });
+    while (one())
+      if (stopped(kPiece)) next_ = text_.size();
   }
 
-  /// Is there until the next one is asked for.
-  const Piece& next() {
-    std::unique_lock lock(mutex_);
-    ++taken_;
-    changed_.notify_all();
-    while (read_ < taken_) {
-      if (reading_)
-        changed_.wait(lock);
-      else
-        read_one(lock);
-    }
-    return ring_[(taken_ - 1) % ring_.size()];
-  }
+  std::string_view read() const { return text_.view().substr(0, std::min<std::size_t>(end_, next_)); }
+  bool ascii() const { return ascii_; }
+  int error() const { return error_; }
 
  private:
-  void read_ahead() {
-    std::unique_lock lock(mutex_);
-    while (!ended_) {
-      if (!reading_ && read_ + 1 < taken_ + ring_.size())
-        read_one(lock);
-      else
-        changed_.wait(lock);
+  void end_at(std::size_t at) {
+    std::size_t end = end_;
+    while (at < end && !end_.compare_exchange_weak(end, at)) {
     }
   }
 
-  void read_one(std::unique_lock<std::mutex>& lock) {
-    Piece& piece = ring_[read_ % ring_.size()];
-    reading_ = true;
-    lock.unlock();
-    const std::size_t once = std::min(size_ + 1, kPiece);
-    piece.count = at_end_ ? 0 : open_.read(piece.bytes.get(), once);
-    piece.ascii = piece.count <= 0 || is_ascii(piece.text());
-    lock.lock();
-    reading_ = false;
-    ++read_;
-    if (piece.count > 0) bytes_ += static_cast<std::size_t>(piece.count);
-    // Less than was asked for is the end, where the file is as long as the system said.
-    at_end_ = piece.count <= 0 || (bytes_ == size_ && piece.count < static_cast<std::ptrdiff_t>(once));
-    ended_ = ended_ || at_end_;
-    changed_.notify_all();
-  }
-
-  system::File& open_;
-  const std::size_t size_;
-  const std::span<Piece> ring_;
-  std::mutex mutex_;  // of all that follows, and of the ring
-  std::condition_variable changed_;
-  std::size_t read_ = 0, taken_ = 0, bytes_ = 0;
-  bool reading_ = false, at_end_ = false, ended_ = false;
-  const Helpers helper_;
+  const system::File& open_;
+  FileText& text_;
+  std::atomic<std::size_t> next_ = 0, end_;
+  std::atomic<bool> ascii_ = true;
+  std::atomic<int> error_ = 0;
 };
 
-/// The bytes of an open file. One that grows meanwhile is read on.
-FileText read_open(system::File& open, std::size_t size, Ring& ring, const ReadingBounds& bounds,
+/// The bytes of an open file. One that grew is read once more.
+ReadFile read_open(const system::File& open, std::size_t size, const ReadingBounds& bounds,
                    const Stopped& stopped) {
-  FileText file;
-  file.text.reserve(size);
-  system::advise_large_pages(file.text.data(), size);
-  Pieces pieces(open, size, made(ring, size));
-  file.utf8 = true;
-  while (file.text.size() < bounds.largest && !stopped(std::min(size + 1, kPiece))) {
-    const Piece& piece = pieces.next();
-    if (piece.count < 0) return failed(FileFault::NotRead, open.error());
-    if (piece.count == 0) break;
-    const bool first = file.text.empty();
-    if (first && bounds.only_texts && !looks_like_text(piece.text()))
+  for (std::size_t room = size + 1;; room = 2 * room + kPiece) {
+    ReadFile file;
+    file.text = FileText(room);
+    Filling filling(open, file.text);
+    filling.one();
+    if (filling.error() == 0 && bounds.only_texts && !looks_like_text(filling.read()))
       return failed(FileFault::NotText);
-    file.text += piece.text();
-    file.utf8 = file.utf8 && piece.ascii;
+    filling.all(stopped);
+    if (filling.error() != 0) return failed(FileFault::NotRead, filling.error());
+    const std::string_view text = filling.read();
+    if (text.size() == room && room < bounds.largest && !stopped(0)) continue;
+    file.utf8 = filling.ascii() || (!text.starts_with(kUtf8Mark) && is_utf8(text, stopped));
+    file.text.shorten(text.size());
+    return file;
   }
-  file.utf8 = file.utf8 || (!file.text.starts_with(kUtf8Mark) && is_utf8(file.text, stopped));
-  return file;
 }
 
-FileText read_file(const std::string& path, Ring& ring, const ReadingBounds& bounds,
-                   const Stopped& stopped) {
+ReadFile read_file(const std::string& path, const ReadingBounds& bounds, const Stopped& stopped) {
   system::File open(path);
   if (!open.is_open()) return failed(FileFault::NotOpened, open.error());
   const system::File::Facts facts = open.facts();
   if (!facts.known) return failed(FileFault::NotRead, open.error());
   if (!facts.regular) return failed(FileFault::NotRegular);
   if (facts.size > bounds.largest) return failed(FileFault::TooLarge);
-  return read_open(open, static_cast<std::size_t>(facts.size), ring, bounds, stopped);
+  return read_open(open, static_cast<std::size_t>(facts.size), bounds, stopped);
 }
 
 /// The files of one call, taken one after the other by several threads.
@@ -203,7 +164,7 @@ class Pool {
   Pool(const std::vector<std::string>& paths, const ReadingBounds& bounds)
       : paths_(paths), bounds_(bounds), files_(paths.size()) {}
 
-  std::vector<FileText> read(InterruptCheck& interrupt) {
+  std::vector<ReadFile> read(InterruptCheck& interrupt) {
     start_helpers();
     work([&](std::size_t bytes) {
       if (interrupt.requested(bytes)) stop_ = true;
@@ -238,9 +199,8 @@ class Pool {
 
   void work(const Stopped& stopped) noexcept {
     try {
-      Ring ring;
       for (std::size_t i = 0; (i = next_++) < paths_.size() && !stopped(kSample);)
-        files_[i] = read_file(paths_[i], ring, bounds_, stopped);
+        files_[i] = read_file(paths_[i], bounds_, stopped);
     } catch (...) {
       const std::scoped_lock lock(mutex_);
       fault_ = std::current_exception();
@@ -261,7 +221,7 @@ class Pool {
 
   const std::vector<std::string>& paths_;
   const ReadingBounds& bounds_;
-  std::vector<FileText> files_;
+  std::vector<ReadFile> files_;
   std::vector<std::thread> helpers_;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<bool> stop_ = false;
@@ -281,7 +241,7 @@ bool looks_like_text(std::string_view bytes) {
   return static_cast<std::size_t>(strange) * 20 <= sample.size();
 }
 
-std::vector<FileText> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
+std::vector<ReadFile> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
                                  InterruptCheck& interrupt) {
   return Pool(paths, bounds).read(interrupt);
 }

@@ -186,7 +186,7 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   auto with = std::make_shared<Code>(code);
   const std::size_t programs = with->programs.size();
   Reading reading(*with, interrupted);
-  std::vector<SourceFile> typed{{"MDI", "MDI", text, false}};
+  std::vector<SourceFile> typed{{"MDI", "MDI", FileText(text), false}};
   reading.read(typed, {.threads = 1});
   // What is typed in MDI is no program of the memory: it is not registered, nothing finds it.
   reading.resolve_calls(programs);

@@ -27,8 +27,7 @@ void unify_line_ends(char* at, char* end, InterruptCheck& interrupt) {
 
 namespace {
 
-constexpr std::size_t kProgram = 64;   // what giving a program its names is worth
-constexpr std::size_t kOwnRoom = 256;  // a shorter text may lie in its string, and move with it
+constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
 
 /// Files [first, last), or lines of the first of them.
 struct Job {
@@ -40,11 +39,11 @@ struct Job {
 };
 
 void cut(SourceFile& file, std::size_t number, std::size_t piece, std::vector<Job>& jobs) {
-  const std::size_t size = file.text.size();
-  for (std::size_t at = 0; at < size;) {
-    std::size_t to = size;
-    if (size - at > 2 * piece) to = std::min(file.text.find('\n', at + piece), size - 1) + 1;
-    jobs.push_back({number, number + 1, {file.text, at, to}, file.text.data()});
+  const std::string_view text = file.text.view();
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t to = text.size();
+    if (to - at > 2 * piece) to = std::min(text.find('\n', at + piece), to - 1) + 1;
+    jobs.push_back({number, number + 1, {text, at, to}, file.text.data()});
     at = to;
   }
 }
@@ -54,7 +53,7 @@ std::vector<Job> jobs_of(std::vector<SourceFile>& files, std::size_t piece) {
   std::size_t bytes = piece;  // of the last job, if files can be added to it
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::size_t size = files[i].text.size();
-    if (size > std::max(2 * piece, kOwnRoom)) {
+    if (size > 2 * piece) {
       cut(files[i], i, piece, jobs);
       bytes = piece;
     } else if (bytes >= piece) {
@@ -292,7 +291,7 @@ class Pool {
 
 void read_alone(const SharedReading& reading, std::vector<SourceFile>& files) {
   for (SourceFile& file : files) {
-    std::string& text = reading.code.files.emplace_back(std::move(file)).text;
+    FileText& text = reading.code.files.emplace_back(std::move(file)).text;
     unify_line_ends(text.data(), text.data() + text.size(), reading.to.interrupt());
     reading.read(static_cast<std::uint32_t>(reading.code.files.size() - 1));
     if (reading.to.interrupt().requested(kProgram)) return;
@@ -303,7 +302,7 @@ void read_alone(const SharedReading& reading, std::vector<SourceFile>& files) {
 
 void read_files(const SharedReading& reading, std::vector<SourceFile>& files,
                 const Sharing& sharing) {
-  reading.code.files.reserve(files.size());  // texts stay where they are
+  reading.code.files.reserve(files.size());
   const std::size_t threads = sharing.threads == 0 ? system::cores() : sharing.threads;
   std::size_t bytes = 0;
   for (const SourceFile& file : files) bytes += file.text.size();
