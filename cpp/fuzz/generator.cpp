@@ -397,11 +397,10 @@ Job Generator::make(std::uint64_t seed, std::uint64_t number) const {
   job.options.mdi = job.options.mdi || (from_seed && job.texts.mdi.has_value());
   if (!from_seed) {
     job.texts = {};
-    job.texts.files.push_back(
-        {"F1", "F1",
-         FileText(
-             writer.program(job.control->reading.program_heads.value.has(ProgramHead::Percent))),
-         false});
+    job.texts.files.push_back({"F1", "F1",
+                               FileText(writer.program(job.control->reading.program_heads.value.has(
+                                   ProgramHead::Percent))),
+                               false});
     return job;
   }
   for (SourceFile& file : job.texts.files)

@@ -200,7 +200,8 @@ void shorten(Job& job, const std::string& claim) {
   without(setup.length_offsets);
   without(setup.radius_offsets);
   for (SourceFile& file : job.texts.files)
-    shorten(job, file.text.view(), claim, [&](const std::string& text) { file.text = FileText(text); });
+    shorten(job, file.text.view(), claim,
+            [&](const std::string& text) { file.text = FileText(text); });
   if (job.texts.mdi)
     shorten(job, *job.texts.mdi, claim, [&](const std::string& text) { job.texts.mdi = text; });
 }

@@ -190,14 +190,14 @@ void add_code(py::module_& m) {
       .def_property_readonly("duplicates", &duplicates)
       .def("__len__", [](const Code& c) { return c.programs.size(); })
       .def_property_readonly("main", &first_of_memory)
-      .def_property_readonly("sources",
-                             [](const Code& c) {
-                               py::list rows;
-                               for (const SourceFile& file : c.files)
-                                 rows.append(py::make_tuple(file.name, file.stem,
-                                                            bytes_of(file.text), file.external));
-                               return rows;
-                             })
+      .def_property_readonly(
+          "sources",
+          [](const Code& c) {
+            py::list rows;
+            for (const SourceFile& file : c.files)
+              rows.append(py::make_tuple(file.name, file.stem, bytes_of(file.text), file.external));
+            return rows;
+          })
       .def_property_readonly("leaders",
                              [](const Code& c) {
                                py::list rows;

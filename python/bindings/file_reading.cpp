@@ -80,8 +80,7 @@ ReadFile failed(FileFault fault, int error = 0) {
 /// threads.
 class Filling {
  public:
-  Filling(const system::File& open, FileText& text)
-      : open_(open), text_(text), end_(text.size()) {}
+  Filling(const system::File& open, FileText& text) : open_(open), text_(text), end_(text.size()) {}
 
   /// The next piece. False where none is left.
   bool one() {
@@ -110,7 +109,9 @@ class Filling {
       if (stopped(kPiece)) next_ = text_.size();
   }
 
-  std::string_view read() const { return text_.view().substr(0, std::min<std::size_t>(end_, next_)); }
+  std::string_view read() const {
+    return text_.view().substr(0, std::min<std::size_t>(end_, next_));
+  }
   bool ascii() const { return ascii_; }
   int error() const { return error_; }
 

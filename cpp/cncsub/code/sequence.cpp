@@ -12,7 +12,8 @@ namespace cncsub {
 
 namespace {
 
-/// Puts entries in the order of some bits of their numbers. Of one number the first stays the first.
+/// Puts entries in the order of some bits of their numbers. Of one number the first stays the
+/// first.
 void sort_by(std::span<SequenceEntry> entries, int from_bit, int bits) {
   const auto part = [=](const SequenceEntry& entry) {
     return static_cast<std::uint32_t>(entry.n) >> from_bit & ((1U << bits) - 1);

@@ -290,7 +290,8 @@ void FlatRun::write_raised(std::string& text, FlatOrigins& origins) {
   const Program& program = code.programs[static_cast<std::size_t>(program_at(coming_.at))];
   text += "G65 H99 P" + std::string(NumberText(heard_.raised_number).text());
   if (h.text_length > 0)
-    text += "(" + std::string(code.files[program.file].text.view().substr(h.text, h.text_length)) + ")";
+    text +=
+        "(" + std::string(code.files[program.file].text.view().substr(h.text, h.text_length)) + ")";
   end_line(text, origins);
 }
 

@@ -44,8 +44,8 @@ void say(Run& run, std::string text) {
 }
 
 std::string comment_of(const Run& run, const Statement& statement) {
-  return std::string(run.code->files[run.program().file].text.view().substr(
-      statement.text, statement.text_length));
+  return std::string(run.code->files[run.program().file].text.view().substr(statement.text,
+                                                                            statement.text_length));
 }
 
 bool alarm_of_program(Run& run, const Statement& statement, const std::string& text,
