@@ -18,11 +18,6 @@ constexpr ConstantName kConstants[] = {
 
 Value ExpressionReader::word() {
   const std::uint32_t at = s_->offset();
-  const bool is_short = s_->end - s_->at > 3 && s_->at[3] == '[';
-  if (const FunctionName* const known = is_short ? rules_.short_function(s_->at) : nullptr) {
-    s_->at += 3;
-    return open(Waiting::Kind::Function, at, known);
-  }
   std::string word;
   while (is_letter(s_->peek()) || (word == "ATAN" && s_->peek() == '2')) {
     word += s_->peek();

@@ -32,6 +32,20 @@ inline Value ExpressionReader::near_variable(const char*& at) {
   return out_.load(*near, *number);
 }
 
+/// A bracket, or a function of three letters with its bracket, opens here: what it holds comes next.
+inline bool ExpressionReader::opens_here(const char*& at) {
+  const bool bracket = *at == '[';
+  const bool word = s_->end - at > 3 && at[3] == '[' && is_letter(*at);
+  if ((!bracket && !word) || brackets_ >= rules_.most_brackets || at == s_->end) return false;
+  const FunctionName* const function =
+      bracket ? nullptr : rules_.short_function(at[0], at[1], at[2]);
+  if (!bracket && function == nullptr) return false;
+  wait(bracket ? Waiting::Kind::Bracket : Waiting::Kind::Function, offset(at), function);
+  ++brackets_;
+  at += bracket ? 1 : 4;
+  return true;
+}
+
 /// An operand; what is opened before it, and signs, wait.
 inline Value ExpressionReader::operand(const char*& at) {
   for (;;) {
@@ -41,11 +55,8 @@ inline Value ExpressionReader::operand(const char*& at) {
       value = near_variable(at);
     else if (is_digit(c) || c == '.')
       value = constant(at);
-    else if (c == '[' && at != s_->end && brackets_ < rules_.most_brackets) {
-      ++brackets_;
-      wait(Waiting::Kind::Bracket, offset(at++));
+    else if (opens_here(at))
       continue;
-    }
     if (value) return value;
     s_->at = at;
     value = other_operand();
