@@ -100,13 +100,13 @@ class Filling {
     return true;
   }
   void all(const Stopped& stopped) {
-    const std::size_t left = text_.size() / kPiece;
-    const Helpers helpers(std::min(system::cores(), left / kAlone + 1) - 1, [this] {
+    const std::size_t more = text_.size() / kPiece / kAlone;
+    const Helpers helpers(more == 0 ? 0 : std::min(system::cores() - 1, more), [this] {
       while (one()) {
       }
     });
     while (one())
-      if (stopped(kPiece)) next_ = text_.size();
+      if (stopped(std::min(kPiece, text_.size()))) next_ = text_.size();
   }
 
   std::string_view read() const {
