@@ -6,6 +6,7 @@
 
 #include "cncsub/code/block_codes.hpp"
 #include "cncsub/code/fault.hpp"
+#include "cncsub/code/statement.hpp"
 
 namespace cncsub {
 
@@ -20,8 +21,8 @@ enum class Op : std::uint8_t {
   Return,       // words, then M99 (aux: call; P and L are its operands)
   Jump,         // words, then M97 (aux: statement)
   EndProgram,   // words, then M02 or M30
-  Set,          // a local or a common takes a value (aux: expression, data: Assigned)
-  Assign,       // aux: statement
+  Set,          // a variable takes a value (aux: expression, data: Assigned)
+  Assign,       // the same, where the data do not hold it (aux: statement)
   Goto,         // aux: statement
   IfGoto,       // aux: statement
   IfThen,       // aux: statement
@@ -96,20 +97,23 @@ struct Block {
   int code_cells() const { return (flags & kListed) != 0 ? 1 : g_count + m_count; }
 };
 
-/// What an assignment to a local or a common writes, as a block keeps it in its `data`: where the
-/// variable lies, and where it stands in the block.
+/// What an assignment writes, as a block keeps it in its `data`: which variable, and where that
+/// stands in the block.
 struct Assigned {
-  bool common = false;
-  std::uint32_t index = 0;
+  Statement::Target target{};
+  std::uint32_t index = 0;  // as in Statement; Indirect: how many cells before the value the
+                            // expression begins that gives the variable's number
   std::uint32_t at = 0, width = 1;  // in the block
 
-  static constexpr std::uint32_t kMostIndex = (1U << 15) - 1, kMostPlace = 255;
+  static constexpr std::uint32_t kMostIndex = (1U << 13) - 1, kMostPlace = 255;
   bool fits() const { return index <= kMostIndex && at <= kMostPlace && width <= kMostPlace; }
 
-  std::uint32_t data() const { return (common ? 1U : 0U) | index << 1 | at << 16 | width << 24; }
+  std::uint32_t data() const {
+    return static_cast<std::uint32_t>(target) | index << 3 | at << 16 | width << 24;
+  }
   static Assigned of(const Block& block) {
     const std::uint32_t data = block.data;
-    return {(data & 1U) != 0, data >> 1 & kMostIndex, data >> 16 & kMostPlace, data >> 24};
+    return {static_cast<Statement::Target>(data & 7U), data >> 3 & kMostIndex, data >> 16 & kMostPlace, data >> 24};
   }
 };
 

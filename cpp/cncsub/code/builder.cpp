@@ -75,16 +75,16 @@ void Builder::drop_program(std::int32_t leader) {
 // ---- blocks ----
 
 void assign(Builder& to, Block& block, const Statement& statement) {
-  const bool common = statement.target == Statement::Target::Common;
-  if (common || statement.target == Statement::Target::Local) {
-    const std::uint32_t end = to.expressions().at(statement.expression) +
-                              to.code().expression(statement.expression).width();
-    const Assigned assigned{common, static_cast<std::uint32_t>(statement.index),
-                            statement.variable_at - block.text, statement.variable_width};
-    const bool as_told = statement.text_length == 0 && statement.at == statement.variable_at &&
-                         statement.at + statement.width == end;
-    if (assigned.fits() && as_told) return set(block, assigned, statement.expression);
-  }
+  const std::uint32_t end = to.expressions().at(statement.expression) +
+                            to.code().expression(statement.expression).width();
+  const bool indirect = statement.target == Statement::Target::Indirect;
+  const Assigned assigned{statement.target,
+                          indirect ? statement.expression - statement.variable
+                                   : static_cast<std::uint32_t>(statement.index),
+                          statement.variable_at - block.text, statement.variable_width};
+  const bool as_told = statement.text_length == 0 && statement.at == statement.variable_at &&
+                       statement.at + statement.width == end;
+  if (assigned.fits() && as_told) return set(block, assigned, statement.expression);
   to.become(block, Op::Assign, statement);
 }
 

@@ -178,13 +178,13 @@ class Builder {
   std::size_t first_drop_;  // of the block whose words come next
 };
 
-/// The block gives the value of an expression to a local or a common.
+/// The block gives the value of an expression to a variable.
 inline void set(Block& block, const Assigned& to, std::uint32_t expression) {
   block.op = Op::Set;
   block.aux = expression;
   block.data = to.data();
 }
-/// The block assigns a value to a variable.
+/// The same for what a statement says; in the block itself where that holds it.
 void assign(Builder& to, Block& block, const Statement& statement);
 
 /// A block of nothing but G00 or G01 (or no G), X, Y, Z and F is a linear move; with G02 or G03 (or

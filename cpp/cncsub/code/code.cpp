@@ -120,8 +120,11 @@ Statement assignment_of(const Code& code, const Block& block) {
   const Expression value = code.expression(block.aux);
   Statement statement;
   statement.expression = block.aux;
-  statement.target = assigned.common ? Statement::Target::Common : Statement::Target::Local;
-  statement.index = static_cast<std::int32_t>(assigned.index);
+  statement.target = assigned.target;
+  if (assigned.target == Statement::Target::Indirect)
+    statement.variable = block.aux - assigned.index;
+  else
+    statement.index = static_cast<std::int32_t>(assigned.index);
   statement.at = statement.variable_at = block.text + assigned.at;
   statement.variable_width = assigned.width;
   statement.width = value.at() + value.width() - statement.at;

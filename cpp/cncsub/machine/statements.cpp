@@ -20,13 +20,36 @@ namespace {
 
 // ---- assignments ----
 
+/// The number that an expression gives to a variable.
+std::int64_t to_number(double value) {
+  return is_vacant(value) ? 0 : to_whole<std::int64_t>(std::clamp(std::round(value), -1e9, 2e9));
+}
+
+/// A variable that is neither written as a local nor as a common takes a value.
+bool set_other(Run& run, const Block& block, const Assigned& assigned, const Places& places,
+               double value) {
+  if (assigned.target != Statement::Target::Indirect || std::fabs(value) > kLargest)
+    return store(run, assignment_of(*run.code, block), value);
+  double number = 0;
+  if (!evaluate(run, run.code->expression(block.aux - assigned.index), places, number))
+    return false;
+  const std::int64_t variable = to_number(number);
+  const VariablePlace place = run.code->place(variable);
+  if ((!place.is_local() && !place.is_common()) || write_variable(run, variable, value))
+    return store_number(run, variable, value, assignment_of(*run.code, block));
+  ++run.state.changes;
+  return true;
+}
+
 inline bool set(Run& run, const Block& block, const Places& places) {
   double value = 0;
   if (!evaluate(run, run.code->expression(block.aux), places, value)) return false;
+  const Assigned assigned = Assigned::of(block);
+  if (assigned.target > Statement::Target::Common)
+    return set_other(run, block, assigned, places, value);
   if (!run.state.programmed.empty() || std::fabs(value) > kLargest)
     return store(run, assignment_of(*run.code, block), value);
-  const Assigned assigned = Assigned::of(block);
-  double& place = places.of[assigned.common ? 1 : 0][assigned.index];
+  double& place = places.of[assigned.target == Statement::Target::Common ? 1 : 0][assigned.index];
   run.state.changes += place == value ? 0 : 1;
   place = value;
   return true;
@@ -289,9 +312,7 @@ bool store(Run& run, const Statement& statement, double value) {
     case Statement::Target::Indirect: {
       double number = 0;
       if (!evaluate(run, statement.variable, number)) return false;
-      if (is_vacant(number)) number = 0;
-      return store_number(run, to_whole<std::int64_t>(std::clamp(std::round(number), -1e9, 2e9)),
-                          value, statement);
+      return store_number(run, to_number(number), value, statement);
     }
     case Statement::Target::None:
       break;

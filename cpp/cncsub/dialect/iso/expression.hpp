@@ -103,7 +103,8 @@ class ExpressionReader {
   Value operand(const char*& at);
   Value constant(const char*& at);
   Value near_variable(const char*& at);
-  bool opens_here(const char*& at);
+  bool opens_bracket(const char*& at);
+  bool opens_function(const char*& at);
   Value closed(Value value, const char*& at);
   Value function(const Waiting& of);
   Value behind(Value value, const Waiting* base, bool alone, const char*& at);

@@ -11,34 +11,28 @@ constexpr int kDeepestThen = 10;
 
 namespace {
 
-struct Destination {
-  Statement::Target kind;
-  std::int32_t index;
-};
-
-/// Where the value of an assignment goes.
-Destination destination_of(const ExpressionRules& rules, const ExpressionReader::Variable& variable) {
+/// Where the value of an assignment goes, which stands in cell `value`.
+Assigned assigned_by(const ExpressionRules& rules, const ExpressionReader::Variable& variable,
+                     std::uint32_t value) {
   using enum Statement::Target;
-  if (variable.number < 0) return {Indirect, 0};
+  if (variable.number < 0) return {Indirect, value - variable.expression};
   const auto number = static_cast<std::uint32_t>(variable.number);
   if (const auto* const near = rules.near(number); near != nullptr && near->writable)
-    return {near->raw == Ins::LocalRaw ? Local : Common,
-            static_cast<std::int32_t>(near->base + number - near->first)};
+    return {near->raw == Ins::LocalRaw ? Local : Common, near->base + number - near->first};
   const VariablePlace place = rules.code.place(variable.number);
-  if (place.is_local()) return {Local, place.index};
-  if (place.is_common() && place.range->access == Access::ReadWrite) return {Common, place.index};
-  return {Variable, to_whole<std::int32_t>(static_cast<double>(variable.number), 0, 2000000000)};
+  const auto index = static_cast<std::uint32_t>(place.index);
+  if (place.is_local()) return {Local, index};
+  if (place.is_common() && place.range->access == Access::ReadWrite) return {Common, index};
+  constexpr std::int64_t kLargestNumber = 2000000000;
+  return {Variable, static_cast<std::uint32_t>(std::min(variable.number, kLargestNumber))};
 }
 
-/// The comment behind the value is data of #3000 and #3006.
-void keep_comment(const Code& code, const Scanner& s, Statement& statement) {
-  const std::uint32_t from = code.expression(statement.expression).at();
-  const std::string_view rest(s.file + from, static_cast<std::size_t>(s.end - s.file) - from);
-  const std::size_t open = rest.find('(');
-  if (open == std::string_view::npos) return;
-  const std::size_t close = std::min(rest.find(')', open), rest.size());
-  statement.text = from + static_cast<std::uint32_t>(open) + 1;
-  statement.text_length = static_cast<std::uint32_t>(close - open - 1);
+/// The comment in a text, which is data of #3000 and #3006 where it is that of the value and what
+/// stands behind it.
+std::string_view comment_in(std::string_view text) {
+  const std::size_t open = text.find('(');
+  if (open == std::string_view::npos) return {};
+  return text.substr(open + 1, std::min(text.find(')', open), text.size()) - open - 1);
 }
 
 /// `#2=` rather than a stray variable.
@@ -170,21 +164,26 @@ void StatementReader::assignment(bool bracketed) {
   const std::uint32_t end = s_.offset();
   block_.op = Op::Assign;
   if (!at_end(Cause::NcAndMacroInBlock)) return;
-  const Destination to = destination_of(expressions_.rules(), *variable);
-  const bool common = to.kind == Statement::Target::Common;
-  const bool plain = common || to.kind == Statement::Target::Local;
-  const Assigned assigned{common, static_cast<std::uint32_t>(to.index), at - block_.text,
-                          width};
-  if (plain && assigned.fits()) return set(block_, assigned, *value);
+  Assigned assigned = assigned_by(expressions_.rules(), *variable, *value);
+  assigned.at = at - block_.text;
+  assigned.width = width;
+  const bool kept = assigned.target <= Statement::Target::Common;
+  const std::string_view comment =
+      kept ? std::string_view()
+           : comment_in({s_.file + code_.expression(*value).at(), s_.end});
+  if (comment.empty() && assigned.fits()) return set(block_, assigned, *value);
   Statement statement;
-  statement.target = to.kind;
-  statement.index = to.index;
-  statement.variable = variable->expression;
+  statement.target = assigned.target;
+  if (assigned.target == Statement::Target::Indirect)
+    statement.variable = variable->expression;
+  else
+    statement.index = static_cast<std::int32_t>(assigned.index);
   statement.expression = *value;
   statement.at = statement.variable_at = at;
   statement.variable_width = width;
   statement.width = std::max<std::uint32_t>(1, end - at);
-  if (!plain) keep_comment(code_, s_, statement);
+  if (!comment.empty()) statement.text = static_cast<std::uint32_t>(comment.data() - s_.file);
+  statement.text_length = static_cast<std::uint32_t>(comment.size());
   to_.become(block_, Op::Assign, statement);
 }
 

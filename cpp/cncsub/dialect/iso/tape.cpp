@@ -13,6 +13,7 @@
 #include "cncsub/dialect/iso/block.hpp"
 #include "cncsub/dialect/iso/next_mark.hpp"
 #include "cncsub/dialect/iso/structure.hpp"
+#include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
@@ -183,7 +184,7 @@ class TapeReader {
     if (s.at != s.end || open_comment) add_block(s, open_comment);
   }
 
-  void add_block(Scanner& s, bool open_comment) {
+  CNCSUB_ALWAYS_INLINE void add_block(Scanner& s, bool open_comment) {
     if (!to_.in_program()) begin_headless(s.offset());
     const char* const end = s.end;
     Block block;

@@ -32,17 +32,23 @@ inline Value ExpressionReader::near_variable(const char*& at) {
   return out_.load(*near, *number);
 }
 
-/// A bracket, or a function of three letters with its bracket, opens here: what it holds comes next.
-inline bool ExpressionReader::opens_here(const char*& at) {
-  const bool bracket = *at == '[';
-  const bool word = s_->end - at > 3 && at[3] == '[' && is_letter(*at);
-  if ((!bracket && !word) || brackets_ >= rules_.most_brackets || at == s_->end) return false;
-  const FunctionName* const function =
-      bracket ? nullptr : rules_.short_function(at[0], at[1], at[2]);
-  if (!bracket && function == nullptr) return false;
-  wait(bracket ? Waiting::Kind::Bracket : Waiting::Kind::Function, offset(at), function);
+/// What opens in the plainest way: a bracket, or a function of three letters with its bracket.
+inline bool ExpressionReader::opens_bracket(const char*& at) {
+  if (*at != '[' || at == s_->end || brackets_ >= rules_.most_brackets) return false;
+  wait(Waiting::Kind::Bracket, offset(at));
   ++brackets_;
-  at += bracket ? 1 : 4;
+  ++at;
+  return true;
+}
+
+inline bool ExpressionReader::opens_function(const char*& at) {
+  if (s_->end - at <= 3 || at[3] != '[' || !is_letter(*at) || brackets_ >= rules_.most_brackets)
+    return false;
+  const FunctionName* const function = rules_.short_function(at[0], at[1], at[2]);
+  if (function == nullptr) return false;
+  wait(Waiting::Kind::Function, offset(at), function);
+  ++brackets_;
+  at += 4;
   return true;
 }
 
@@ -55,7 +61,7 @@ inline Value ExpressionReader::operand(const char*& at) {
       value = near_variable(at);
     else if (is_digit(c) || c == '.')
       value = constant(at);
-    else if (opens_here(at))
+    else if (opens_bracket(at) || opens_function(at))
       continue;
     if (value) return value;
     s_->at = at;
@@ -217,8 +223,12 @@ Value ExpressionReader::values(const Waiting* base, bool alone) {
 /// What stands in brackets.
 Value ExpressionReader::bracket() {
   const Waiting* const base = last_;
-  const Value inner = open(Waiting::Kind::Bracket, s_->offset());
-  return inner.is_awaited() ? values(base, true) : inner;
+  const char* at = s_->at;
+  if (opens_bracket(at))
+    s_->at = at;
+  else if (!open(Waiting::Kind::Bracket, s_->offset()).is_awaited())
+    return {};
+  return values(base, true);
 }
 
 }  // namespace cncsub

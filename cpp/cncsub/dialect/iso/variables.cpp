@@ -17,10 +17,15 @@ std::optional<ExpressionReader::Variable> ExpressionReader::other_target(std::ui
   const auto first = out_.first();
   const bool inside = s_->peek() == '[';
   const std::uint32_t at = inside ? s_->offset() : hash;
+  if (inside) {
+    Value inner = bracket();
+    if (!inner || !out_.arithmetic(inner, s_->offset())) return std::nullopt;
+    return Variable{kComputed, out_.finish(first, at, s_->offset() - at)};
+  }
   const auto number = variable_number(at);
   if (!number) return std::nullopt;
   if (*number != kComputed) return Variable{*number, 0};
-  return Variable{kComputed, out_.finish(first, at, inside ? s_->offset() - at : 1)};
+  return Variable{kComputed, out_.finish(first, at, 1)};
 }
 
 /// The value of a variable that is not written as digits alone, or does not lie near.
@@ -43,13 +48,7 @@ Value ExpressionReader::other_variable() {
 /// The number of a variable, where it is written behind the #; else kComputed, and instructions
 /// give it.
 std::optional<std::int64_t> ExpressionReader::variable_number(std::uint32_t at) {
-  const char first = s_->peek();
-  if (first == '[') {
-    Value inner = bracket();
-    if (!inner || !out_.arithmetic(inner, s_->offset())) return std::nullopt;
-    return kComputed;
-  }
-  if (!is_digit(first) && starts_name(*s_) && rules_.names) {
+  if (!is_digit(s_->peek()) && starts_name(*s_) && rules_.names) {
     out_.emit(Ins::Named, at, static_cast<double>(names_.text(s_->take_name())));
     return kComputed;
   }
