@@ -380,6 +380,31 @@ def test_the_engine_takes_for_utf8_what_python_takes_for_it(tmp_path: Path, data
     assert text.utf8 == is_utf8(data)
 
 
+@pytest.mark.parametrize("mark", ["", "é", "中", "\udce9"])
+def test_a_large_file_is_put_together_of_pieces(tmp_path: Path, mark: str) -> None:
+    """Several threads read it, and a character may lie in two of their pieces."""
+    count, length = 20 << 18, 1 << 18
+    data = bytearray(b"".join(b"N%d\n" % n for n in range(count // 8)).ljust(count, b"X"))
+    for at in range(length - 1, count, length):
+        character = mark.encode(errors="surrogateescape")
+        data[at : at + len(character)] = character
+    file = tmp_path / "O1.nc"
+    for size in (len(data), count - 1, 19 * length, 19 * length + 1, 19 * length - 1):
+        file.write_bytes(data[:size])
+        text = _core.read_file(str(file), 1 << 30)
+        assert isinstance(text, _core.Text)
+        assert text.part(0, 1 << 30) == data[:size]
+        assert text.utf8 == is_utf8(bytes(data[:size]))
+
+
+@pytest.mark.skipif(not Path("/proc/version").exists(), reason="a file that tells no size")
+def test_a_file_that_is_longer_than_the_system_says_is_read_to_its_end() -> None:
+    for name in ("/proc/version", "/proc/kallsyms"):
+        text = _core.read_file(name, 1 << 30)
+        assert isinstance(text, _core.Text)
+        assert text.part(0, 1 << 30) == Path(name).read_bytes()
+
+
 @given(st.lists(st.binary(max_size=40) | st.text(max_size=20).map(str.encode), max_size=5))
 def test_utf8_is_told_of_any_bytes(
     tmp_path_factory: pytest.TempPathFactory, d: list[bytes]

@@ -127,3 +127,25 @@ def test_large_texts_are_the_same_on_all_cores() -> None:
     assert run.stop == cncsub.Stop.END
     assert (run.steps.line[-1], len(run.steps)) == (60_003, 60_001)
     assert library["O1"].blocks[49_000].n == 49_000
+
+
+NUMBERS = st.sampled_from([1, 2, 3, 255, 256, 257, 9_998, 65_536, 99_999])
+
+
+@given(st.lists(NUMBERS | st.integers(1, 99_999), min_size=1, max_size=60))
+def test_blocks_are_found_by_numbers_in_any_order(numbers: list[int]) -> None:
+    """Of one number it is the nearest block behind the jump."""
+    blocks = "".join(f"N{n} #1={place}\n" for place, n in enumerate(numbers))
+    for wanted in {*numbers[:3], *numbers[-3:]}:
+        library = cncsub.loads(f"O1\nGOTO{wanted}\n{blocks}M30\n", control="gsk-988ta")
+        run = library.run(trace="blocks")
+        assert run.stop == cncsub.Stop.END, run.alarm
+        assert run.steps.line[1] == 3 + numbers.index(wanted)
+
+
+def test_numbers_that_begin_again_and_again_are_found_in_a_long_program() -> None:
+    rounds, last = 30, 4_000
+    blocks = "".join(f"N{n} #1=1\n" for _ in range(rounds) for n in range(1, last))
+    library = cncsub.loads(f"O1\n{blocks}GOTO17\n", control="gsk-988ta")
+    run = library.run(trace="blocks", max_blocks=rounds * (last - 1) + 2)
+    assert run.steps.line[-1] == 18

@@ -248,6 +248,15 @@ def test_the_cores_are_counted_where_nothing_tells_which_may_be_used(
     assert system.cores() == (os.cpu_count() or 1)
 
 
+def test_windows_knows_a_file_by_small_letters_and_capitals(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert system.same_names(["O1.NC", "o1.nc"]) == ["O1.NC", "o1.nc"]
+    monkeypatch.setattr(system, "WINDOWS", True)
+    monkeypatch.setattr(os.path, "normcase", str.lower)
+    assert system.same_names(["O1.NC", "o1.nc"]) == ["o1.nc", "o1.nc"]
+
+
 CHINESE = "O1 (粗车)\nN10 M98 P2\nN20 M30\n"
 
 

@@ -365,8 +365,9 @@ Generator::Generator(std::vector<std::vector<std::uint8_t>> seeds) : seeds_(std:
   for (const auto& seed : seeds_)
     for (const SourceFile& file : run_job(seed.data(), seed.size()).texts.files)
       for (std::size_t at = 0; at < file.text.size();) {
-        const std::size_t end = std::min(file.text.find('\n', at), file.text.size());
-        if (end - at > 3 && end - at < 200) lines_.push_back(file.text.substr(at, end - at));
+        const std::string_view text = file.text.view();
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        if (end - at > 3 && end - at < 200) lines_.emplace_back(text.substr(at, end - at));
         at = end + 1;
       }
   if (lines_.empty()) lines_.emplace_back("G1 X1.");
@@ -396,13 +397,14 @@ Job Generator::make(std::uint64_t seed, std::uint64_t number) const {
   job.options.mdi = job.options.mdi || (from_seed && job.texts.mdi.has_value());
   if (!from_seed) {
     job.texts = {};
-    job.texts.files.push_back(
-        {"F1", "F1",
-         writer.program(job.control->reading.program_heads.value.has(ProgramHead::Percent)),
-         false});
+    job.texts.files.push_back({"F1", "F1",
+                               FileText(writer.program(job.control->reading.program_heads.value.has(
+                                   ProgramHead::Percent))),
+                               false});
     return job;
   }
-  for (SourceFile& file : job.texts.files) file.text = writer.mutated(file.text);
+  for (SourceFile& file : job.texts.files)
+    file.text = FileText(writer.mutated(std::string(file.text.view())));
   if (job.texts.mdi) job.texts.mdi = writer.mutated(*job.texts.mdi);
   return job;
 }

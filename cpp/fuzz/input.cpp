@@ -259,7 +259,7 @@ SourceFile file_of(std::string_view text, std::size_t number, bool external) {
     file.stem = file.name.substr(0, file.name.rfind('.'));
     text.remove_prefix(end + 1);
   }
-  file.text = text;
+  file.text = FileText(text);
   return file;
 }
 

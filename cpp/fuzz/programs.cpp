@@ -145,13 +145,13 @@ void print(const Job& job) {
     std::printf("limits %c %.17g %.17g\n", axis, range.first, range.second);
   for (const auto& [number, value] : job.options.variables)
     std::printf("#%d = %.17g\n", number, value);
-  const auto whole = [](const std::string& text) {  // a NUL does not end it
+  const auto whole = [](std::string_view text) {  // a NUL does not end it
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::putchar('\n');
   };
   for (const SourceFile& file : job.texts.files) {
     std::printf("--- %s%s\n", file.name.c_str(), file.external ? " (external)" : "");
-    whole(file.text);
+    whole(file.text.view());
   }
   if (job.texts.mdi) {
     std::puts("--- MDI");
@@ -160,7 +160,9 @@ void print(const Job& job) {
 }
 
 /// Leaves out what is not needed to break the law: blocks, many at a time first, then words.
-void shorten(Job& job, std::string& text, const std::string& claim) {
+template <class Put>
+void shorten(Job& job, std::string_view of, const std::string& claim, const Put& put) {
+  std::string text(of);
   for (const char* ends : {"\n", "\n XYZABCUVWIJKRPQLFSTHDGM"}) {
     for (std::size_t parts = 16; parts > 0; parts /= 2)
       for (std::size_t at = 0; at < text.size();) {
@@ -169,8 +171,9 @@ void shorten(Job& job, std::string& text, const std::string& claim) {
           end = std::min(text.find_first_of(ends, end + 1), text.size());
         const std::string whole = text;
         text.erase(at, end - at);
+        put(text);
         if (holds(job, claim)) {
-          text = whole;
+          put(text = whole);
           at = end;
         }
       }
@@ -196,8 +199,11 @@ void shorten(Job& job, const std::string& claim) {
   without(setup.tools);
   without(setup.length_offsets);
   without(setup.radius_offsets);
-  for (SourceFile& file : job.texts.files) shorten(job, file.text, claim);
-  if (job.texts.mdi) shorten(job, *job.texts.mdi, claim);
+  for (SourceFile& file : job.texts.files)
+    shorten(job, file.text.view(), claim,
+            [&](const std::string& text) { file.text = FileText(text); });
+  if (job.texts.mdi)
+    shorten(job, *job.texts.mdi, claim, [&](const std::string& text) { job.texts.mdi = text; });
 }
 
 int run(const Arguments& arguments) {

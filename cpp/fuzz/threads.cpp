@@ -126,8 +126,8 @@ struct Shared {
   Machine half_way, finished;
 
   explicit Shared(const Control& control)
-      : code(compile(std::make_shared<const Control>(control), {{"O1", "O1", kProgram, false}},
-                     false)),
+      : code(compile(std::make_shared<const Control>(control),
+                     {{"O1", "O1", FileText(kProgram), false}}, false)),
         half_way(code, 0, options_of(2)),
         finished(code, 0, options_of(2)) {
     for (int i = 0; i < 10; ++i) half_way.step();
@@ -143,8 +143,9 @@ struct Shared {
 std::string read_by(const Control& control, std::size_t threads, std::size_t piece) {
   std::string large;
   for (int i = 0; i < 20; ++i) large += kProgram;
-  std::vector<SourceFile> files{{"large", "large", large, false}};
-  for (int i = 0; i < 20; ++i) files.push_back({std::to_string(i), "", kProgram, i % 2 == 0});
+  std::vector<SourceFile> files{{"large", "large", FileText(large), false}};
+  for (int i = 0; i < 20; ++i)
+    files.push_back({std::to_string(i), "", FileText(kProgram), i % 2 == 0});
   Sharing sharing;
   sharing.threads = threads;
   sharing.piece = piece;

@@ -101,7 +101,7 @@ const std::map<std::string_view, Take>& run_keys() {
       {"rule", take_rule},
       {"file",
        [](Row& r, const Fields& f) {
-         r.files.push_back({f.at(1), f.at(2), f.at(4), yes(f.at(3))});
+         r.files.push_back({f.at(1), f.at(2), FileText(f.at(4)), yes(f.at(3))});
        }},
       {"device", [](Row& r, const Fields&) { r.device = true; }},
       {"typed", [](Row& r, const Fields& f) { r.typed = f.at(1); }},

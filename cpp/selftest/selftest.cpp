@@ -29,7 +29,7 @@ std::optional<std::string> bytes_of(const char* path) {
   std::string text(static_cast<std::size_t>(facts.size), '\0');
   std::size_t got = 0;
   while (got < text.size()) {
-    const std::ptrdiff_t count = file.read(text.data() + got, text.size() - got);
+    const std::ptrdiff_t count = file.read(text.data() + got, text.size() - got, got);
     if (count <= 0) break;
     got += static_cast<std::size_t>(count);
   }

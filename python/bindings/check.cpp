@@ -55,11 +55,11 @@ Told told(const Code& code, const Finding& finding) {
   if (finding.alarm) row.alarm = alarm_of(code, finding.alarm_block, *finding.alarm);
   for (const Address at : finding.path) row.path.push_back(frame_of(code, at));
   for (const CertainEdit& edit : finding.edits) {
-    const std::string& text =
-        code.files[code.programs[static_cast<std::size_t>(code.program_at(edit.block))].file].text;
+    const Program& program = code.programs[static_cast<std::size_t>(code.program_at(edit.block))];
+    const std::string_view text = code.files[program.file].text.view();
     row.edits.push_back(
         {alarm_of(code, edit.block, {.at = edit.place.at, .width = edit.place.width, .detail = {}}),
-         {text.substr(edit.place.at, edit.place.width), edit.text}});
+         {std::string(text.substr(edit.place.at, edit.place.width)), edit.text}});
   }
   if (row.alarm && finding.alarm_block == finding.block) row.place = *row.alarm;
   if (row.alarm) row.alarm->frames.assign(row.path.rbegin(), row.path.rend());

@@ -64,19 +64,19 @@ std::string_view view_of(const py::object& piece) {
 }
 
 /// The pieces as one text. Ctrl-C is let in between. A `Text` is taken over, and is empty then.
-std::string joined(const std::vector<py::object>& pieces) {
+FileText joined(const std::vector<py::object>& pieces) {
   if (pieces.size() == 1 && py::isinstance<Text>(pieces[0]))
     return std::move(pieces[0].cast<Text&>().text);
   constexpr std::size_t kOnce = std::size_t{1} << 22;
   std::size_t bytes = 0;
   for (const py::object& piece : pieces) bytes += view_of(piece).size();
-  std::string text;
-  text.reserve(bytes);
-  system::advise_large_pages(text.data(), bytes);
+  FileText text(bytes);
+  char* to = text.data();
   for (const py::object& piece : pieces) {
     for (std::string_view left = view_of(piece); !left.empty();) {
-      text += left.substr(0, kOnce);
-      left.remove_prefix(std::min(kOnce, left.size()));
+      const std::string_view some = left.substr(0, kOnce);
+      to = std::copy(some.begin(), some.end(), to);
+      left.remove_prefix(some.size());
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
   }
@@ -131,14 +131,14 @@ void add_code(py::module_& m) {
       .def_property_readonly("line", [](const ProgramData& p) { return p.program().line; })
       .def_property_readonly("text",
                              [](const ProgramData& p) {
-                               return p.file().text.substr(p.program().text,
-                                                           p.program().text_end - p.program().text);
+                               return p.file().text.view().substr(
+                                   p.program().text, p.program().text_end - p.program().text);
                              })
       .def(
           "start",
           [](const ProgramData& p, std::size_t size) {
             const std::size_t whole = p.program().text_end - p.program().text;
-            return py::bytes(p.file().text.substr(p.program().text, std::min(size, whole)));
+            return bytes_of(p.file().text, p.program().text, std::min(size, whole));
           },
           py::arg("size"))
       .def_property_readonly("comment",
@@ -190,14 +190,14 @@ void add_code(py::module_& m) {
       .def_property_readonly("duplicates", &duplicates)
       .def("__len__", [](const Code& c) { return c.programs.size(); })
       .def_property_readonly("main", &first_of_memory)
-      .def_property_readonly("sources",
-                             [](const Code& c) {
-                               py::list rows;
-                               for (const SourceFile& file : c.files)
-                                 rows.append(py::make_tuple(file.name, file.stem,
-                                                            py::bytes(file.text), file.external));
-                               return rows;
-                             })
+      .def_property_readonly(
+          "sources",
+          [](const Code& c) {
+            py::list rows;
+            for (const SourceFile& file : c.files)
+              rows.append(py::make_tuple(file.name, file.stem, bytes_of(file.text), file.external));
+            return rows;
+          })
       .def_property_readonly("leaders",
                              [](const Code& c) {
                                py::list rows;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -12,8 +13,9 @@
 #include <system_error>
 #include <thread>
 
+#include "cncsub/system/cores.hpp"
 #include "cncsub/system/file.hpp"
-#include "cncsub/system/memory.hpp"
+#include "cncsub/text/helpers.hpp"
 #include "cncsub/text/utf8.hpp"
 
 namespace cncsub::bindings {
@@ -22,7 +24,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::size_t kPiece = std::size_t{1} << 20;  // little enough to stay near the processor
+constexpr std::size_t kPiece = std::size_t{1} << 18;  // little enough to stay near the processor
+constexpr std::size_t kAlone = 16;  // pieces for which a further thread is worth its start
 constexpr std::size_t kSample = 4096;
 constexpr std::size_t kAtOnce = 64;  // files for which a further thread is worth its start
 constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf"sv;
@@ -50,8 +53,13 @@ constexpr std::string_view kMarks[] = {kUtf8Mark, "\xff\xfe"sv, "\xfe\xff"sv, "\
 /// Bytes of no text and no punched tape: those have NUL, tab, line ends, SO, SI, DC1 to DC4 but
 /// DLE, the DOS end of file and ESC.
 constexpr bool is_strange(char c) {
-  constexpr std::string_view kKnown = "\0\t\n\v\f\r\x0e\x0f\x11\x12\x13\x14\x1a\x1b"sv;
-  return static_cast<unsigned char>(c) < 0x20 && kKnown.find(c) == std::string_view::npos;
+  constexpr std::uint32_t kKnown = [] {
+    std::uint32_t marks = 0;
+    for (const char of : "\0\t\n\v\f\r\x0e\x0f\x11\x12\x13\x14\x1a\x1b"sv) marks |= 1U << of;
+    return marks;
+  }();
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x20 && (kKnown >> byte & 1U) == 0;
 }
 
 bool starts_like(std::string_view bytes, std::span<const std::string_view> starts) {
@@ -61,45 +69,94 @@ bool starts_like(std::string_view bytes, std::span<const std::string_view> start
 
 using Stopped = std::function<bool(std::size_t)>;  // asked behind so many bytes
 
-FileText failed(FileFault fault, int error = 0) {
-  FileText file;
+ReadFile failed(FileFault fault, int error = 0) {
+  ReadFile file;
   file.fault = fault;
   file.error = error;
   return file;
 }
 
-/// The bytes of an open file. One that grows meanwhile is read on.
-FileText read_open(system::File& open, std::size_t size, char* piece, const ReadingBounds& bounds,
-                   const Stopped& stopped) {
-  FileText file;
-  file.text.reserve(size);
-  system::advise_large_pages(file.text.data(), size);
-  const std::size_t once = std::min(size + 1, kPiece);
-  while (file.text.size() < bounds.largest && !stopped(once)) {
-    const std::ptrdiff_t count = open.read(piece, once);
-    if (count < 0) return failed(FileFault::NotRead, open.error());
-    if (count == 0) break;
-    const bool first = file.text.empty();
-    file.text.append(piece, static_cast<std::size_t>(count));
-    if (first && bounds.only_texts && !looks_like_text(file.text))
-      return failed(FileFault::NotText);
-    // Less than was asked for is the end, where the file is as long as the system said.
-    if (static_cast<std::size_t>(count) < once && file.text.size() == size) break;
+/// Reads an open file into a text that has room for it, piece by piece; a large one by several
+/// threads.
+class Filling {
+ public:
+  Filling(const system::File& open, FileText& text) : open_(open), text_(text), end_(text.size()) {}
+
+  /// The next piece. False where none is left.
+  bool one() {
+    const std::size_t from = next_.fetch_add(kPiece);
+    if (from >= text_.size()) return false;
+    const std::size_t to = std::min(from + kPiece, text_.size());
+    std::size_t at = from;
+    // The last byte is for a file that grows: all but this one is all that the system said.
+    while (at < to && (at == from || at + 1 != text_.size())) {
+      const std::ptrdiff_t count = open_.read(text_.data() + at, to - at, at);
+      if (count < 0) error_ = static_cast<int>(-count);
+      if (count <= 0) break;
+      at += static_cast<std::size_t>(count);
+    }
+    if (at < to) end_at(at);
+    if (!is_ascii(text_.view().substr(from, at - from))) ascii_ = false;
+    return true;
   }
-  return file;
+  void all(const Stopped& stopped) {
+    const std::size_t more = text_.size() / kPiece / kAlone;
+    const Helpers helpers(more == 0 ? 0 : std::min(system::cores() - 1, more), [this] {
+      while (one()) {
+      }
+    });
+    while (one())
+      if (stopped(std::min(kPiece, text_.size()))) next_ = text_.size();
+  }
+
+  std::string_view read() const {
+    return text_.view().substr(0, std::min<std::size_t>(end_, next_));
+  }
+  bool ascii() const { return ascii_; }
+  int error() const { return error_; }
+
+ private:
+  void end_at(std::size_t at) {
+    std::size_t end = end_;
+    while (at < end && !end_.compare_exchange_weak(end, at)) {
+    }
+  }
+
+  const system::File& open_;
+  FileText& text_;
+  std::atomic<std::size_t> next_ = 0, end_;
+  std::atomic<bool> ascii_ = true;
+  std::atomic<int> error_ = 0;
+};
+
+/// The bytes of an open file. One that grew is read once more.
+ReadFile read_open(const system::File& open, std::size_t size, const ReadingBounds& bounds,
+                   const Stopped& stopped) {
+  for (std::size_t room = size + 1;; room = 2 * room + kPiece) {
+    ReadFile file;
+    file.text = FileText(room);
+    Filling filling(open, file.text);
+    filling.one();
+    if (filling.error() == 0 && bounds.only_texts && !looks_like_text(filling.read()))
+      return failed(FileFault::NotText);
+    filling.all(stopped);
+    if (filling.error() != 0) return failed(FileFault::NotRead, filling.error());
+    const std::string_view text = filling.read();
+    if (text.size() == room && room < bounds.largest && !stopped(0)) continue;
+    file.utf8 = filling.ascii() || (!text.starts_with(kUtf8Mark) && is_utf8(text, stopped));
+    file.text.shorten(text.size());
+    return file;
+  }
 }
 
-FileText read_file(const std::string& path, char* piece, const ReadingBounds& bounds,
-                   const Stopped& stopped) {
+ReadFile read_file(const std::string& path, const ReadingBounds& bounds, const Stopped& stopped) {
   system::File open(path);
   if (!open.is_open()) return failed(FileFault::NotOpened, open.error());
   const system::File::Facts facts = open.facts();
   if (!facts.known) return failed(FileFault::NotRead, open.error());
   if (!facts.regular) return failed(FileFault::NotRegular);
   if (facts.size > bounds.largest) return failed(FileFault::TooLarge);
-  FileText file = read_open(open, static_cast<std::size_t>(facts.size), piece, bounds, stopped);
-  file.utf8 = !file.text.starts_with(kUtf8Mark) && is_utf8(file.text, stopped);
-  return file;
+  return read_open(open, static_cast<std::size_t>(facts.size), bounds, stopped);
 }
 
 /// The files of one call, taken one after the other by several threads.
@@ -108,7 +165,7 @@ class Pool {
   Pool(const std::vector<std::string>& paths, const ReadingBounds& bounds)
       : paths_(paths), bounds_(bounds), files_(paths.size()) {}
 
-  std::vector<FileText> read(InterruptCheck& interrupt) {
+  std::vector<ReadFile> read(InterruptCheck& interrupt) {
     start_helpers();
     work([&](std::size_t bytes) {
       if (interrupt.requested(bytes)) stop_ = true;
@@ -122,8 +179,7 @@ class Pool {
 
  private:
   void start_helpers() {
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t wanted = std::min(cores, paths_.size() / kAtOnce + 1) - 1;
+    const std::size_t wanted = std::min(system::cores(), paths_.size() / kAtOnce + 1) - 1;
     helpers_.reserve(wanted);
     try {
       while (helpers_.size() < wanted) {
@@ -144,9 +200,8 @@ class Pool {
 
   void work(const Stopped& stopped) noexcept {
     try {
-      const auto piece = std::make_unique_for_overwrite<char[]>(kPiece);  // NOLINT: bytes
       for (std::size_t i = 0; (i = next_++) < paths_.size() && !stopped(kSample);)
-        files_[i] = read_file(paths_[i], piece.get(), bounds_, stopped);
+        files_[i] = read_file(paths_[i], bounds_, stopped);
     } catch (...) {
       const std::scoped_lock lock(mutex_);
       fault_ = std::current_exception();
@@ -167,7 +222,7 @@ class Pool {
 
   const std::vector<std::string>& paths_;
   const ReadingBounds& bounds_;
-  std::vector<FileText> files_;
+  std::vector<ReadFile> files_;
   std::vector<std::thread> helpers_;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<bool> stop_ = false;
@@ -187,7 +242,7 @@ bool looks_like_text(std::string_view bytes) {
   return static_cast<std::size_t>(strange) * 20 <= sample.size();
 }
 
-std::vector<FileText> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
+std::vector<ReadFile> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
                                  InterruptCheck& interrupt) {
   return Pool(paths, bounds).read(interrupt);
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cncsub/text/file_text.hpp"
 #include "cncsub/text/interrupt_check.hpp"
 
 namespace cncsub::bindings {
@@ -13,8 +14,8 @@ namespace cncsub::bindings {
 enum class FileFault { None, NotOpened, NotRead, NotRegular, TooLarge, NotText };
 
 /// The bytes of a file, or why there are none.
-struct FileText {
-  std::string text;
+struct ReadFile {
+  FileText text;
   FileFault fault = FileFault::None;
   int error = 0;      // of the system, where the file was not opened or not read
   bool utf8 = false;  // and without a mark of the order of bytes
@@ -27,7 +28,7 @@ struct ReadingBounds {
 
 /// Reads regular files, on as many cores as there are; a pipe or a device is never waited for.
 /// Nothing is to be made of the answer where the interrupt was requested.
-std::vector<FileText> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
+std::vector<ReadFile> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
                                  InterruptCheck& interrupt);
 
 /// Whether the first bytes of a file are those of a text or of a punched tape.

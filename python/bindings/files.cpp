@@ -39,7 +39,7 @@ void tell_of_opening(std::string& path) {
 }
 
 /// A `Text`, the number of the system's error where the file was not opened, or else why not.
-py::object text_or_fault(FileText& file, std::size_t largest) {
+py::object text_or_fault(ReadFile& file, std::size_t largest) {
   switch (file.fault) {
     case FileFault::None:
       break;
@@ -59,9 +59,9 @@ py::object text_or_fault(FileText& file, std::size_t largest) {
   return py::cast(Text{std::move(file.text), file.utf8});
 }
 
-std::vector<FileText> read_all(std::vector<std::string>& paths, const ReadingBounds& bounds) {
+std::vector<ReadFile> read_all(std::vector<std::string>& paths, const ReadingBounds& bounds) {
   for (std::string& path : paths) tell_of_opening(path);
-  std::vector<FileText> files;
+  std::vector<ReadFile> files;
   work_away([&](InterruptCheck& interrupt) { files = read_files(paths, bounds, interrupt); });
   return files;
 }
@@ -90,7 +90,7 @@ py::list read_found(const py::str& before, const py::list& names, std::size_t la
   std::vector<std::string> paths;
   paths.reserve(names.size());
   for (const py::handle& name : names) paths.push_back(folder + system_name(name));
-  std::vector<FileText> files = read_all(paths, {largest, true});
+  std::vector<ReadFile> files = read_all(paths, {largest, true});
   py::list found;
   Texts together;
   const auto give = [&] {
@@ -140,7 +140,7 @@ void add_files(py::module_& m) {
       .def(
           "part",
           [](const Text& t, std::size_t at, std::size_t count) {
-            return py::bytes(t.text.substr(std::min(at, t.text.size()), count));
+            return bytes_of(t.text, at, count);
           },
           py::arg("at"), py::arg("count"))
       .def_readonly("utf8", &Text::utf8)
@@ -158,7 +158,7 @@ void add_files(py::module_& m) {
           [](const Texts& texts, std::size_t index) {
             if (index >= texts.files.size()) throw py::index_error("no such file");
             const SourceFile& file = texts.files[index];
-            return py::make_tuple(file.name, file.stem, py::bytes(file.text));
+            return py::make_tuple(file.name, file.stem, bytes_of(file.text));
           },
           py::arg("index"))
       .def("__len__", [](const Texts& texts) { return texts.files.size(); });

@@ -17,11 +17,6 @@ using Kind = system::EntryKind;
 
 constexpr std::size_t kEntryBytes = 64;  // that an entry is worth between two questions
 
-bool is_ascii(std::string_view text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-}
-
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -65,28 +60,36 @@ std::string key_of(std::string_view name) {
   return key;
 }
 
-/// A name with its place; most places differ in their first bytes.
-struct Placed {
-  std::uint64_t head;
-  std::string key, name;
-
-  explicit Placed(std::string of) : head(0), key(key_of(of)), name(std::move(of)) {
-    for (std::size_t i = 0; i < sizeof head; ++i)
-      head = head << 8 | (i < key.size() ? static_cast<unsigned char>(key[i]) : 0U);
-  }
-  bool operator<(const Placed& other) const {
-    if (head != other.head) return head < other.head;
-    if (const int order = key.compare(other.key); order != 0) return order < 0;
-    return name < other.name;
-  }
-};
+/// The first bytes of a name's place, in which most differ.
+std::uint64_t head_of(std::string_view key) {
+  std::uint64_t head = 0;
+  for (std::size_t i = 0; i < sizeof head; ++i)
+    head = head << 8 | (i < key.size() ? static_cast<unsigned char>(key[i]) : 0U);
+  return head;
+}
 
 void put_in_order(std::vector<std::string>& names) {
+  struct Placed {
+    std::uint64_t head;
+    std::size_t name;
+  };
+  std::vector<std::string> keys;
   std::vector<Placed> placed;
+  keys.reserve(names.size());
   placed.reserve(names.size());
-  for (std::string& name : names) placed.emplace_back(std::move(name));
-  std::sort(placed.begin(), placed.end());
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = std::move(placed[i].name);
+  for (const std::string& name : names) {
+    keys.push_back(key_of(name));
+    placed.push_back({head_of(keys.back()), placed.size()});
+  }
+  std::sort(placed.begin(), placed.end(), [&](const Placed& a, const Placed& b) {
+    if (a.head != b.head) return a.head < b.head;
+    if (const int order = keys[a.name].compare(keys[b.name]); order != 0) return order < 0;
+    return names[a.name] < names[b.name];
+  });
+  std::vector<std::string> ordered;
+  ordered.reserve(names.size());
+  for (const Placed& place : placed) ordered.push_back(std::move(names[place.name]));
+  names = std::move(ordered);
 }
 
 void add(FolderListing& listing, std::string name, Kind kind,

@@ -18,7 +18,7 @@ class Rows {
   Rows(const Code& code, std::int32_t program)
       : code_(code),
         program_(program),
-        text_(code.files[code.programs[static_cast<std::size_t>(program)].file].text) {}
+        text_(code.files[code.programs[static_cast<std::size_t>(program)].file].text.view()) {}
 
   py::tuple call(const CallReference& of) const {
     const bool found = of.found != kNoProgram;
@@ -45,7 +45,7 @@ class Rows {
  private:
   py::str text(const TextPlace& place) const {
     const std::size_t at = std::min<std::size_t>(place.at, text_.size());
-    const std::string found = text_.substr(at, place.width);
+    const std::string found(text_.substr(at, place.width));
     const std::size_t last = found.find_last_not_of(" \t\r");
     return py::str(found.substr(0, last == std::string::npos ? 0 : last + 1));
   }
@@ -63,7 +63,7 @@ class Rows {
 
   const Code& code_;
   std::int32_t program_;
-  const std::string& text_;
+  const std::string_view text_;
 };
 
 /// Those of one block: calls, jumps, reads, writes.

@@ -1,7 +1,10 @@
 // The text of a file between its reading and its compiling.
 #pragma once
 
-#include <string>
+#include <pybind11/pytypes.h>
+
+#include <algorithm>
+#include <string_view>
 #include <vector>
 
 #include "cncsub/code/program.hpp"
@@ -10,9 +13,15 @@ namespace cncsub::bindings {
 
 /// The bytes of a file, put together while it is read: memory that is touched once.
 struct Text {
-  std::string text;
+  FileText text;
   bool utf8 = false;  // without a mark of the order of bytes: it is compiled as it is
 };
+
+inline pybind11::bytes bytes_of(const FileText& text, std::size_t at = 0,
+                                std::size_t count = std::string_view::npos) {
+  const std::string_view part = text.view().substr(std::min(at, text.size()), count);
+  return {part.data(), part.size()};
+}
 
 /// Files of a folder that are UTF-8, one behind the other.
 struct Texts {

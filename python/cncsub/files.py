@@ -206,7 +206,7 @@ def _why_not(fault: int | str) -> str:
 def first_time(folder: str, name: str, reading: Reading) -> bool:
     """Whether this name of a file is met for the first time. A link to a file is another name."""
     names = reading._names.setdefault(folder, set())
-    same = system.same_name(name)
+    [same] = system.same_names([name])
     new = same not in names
     names.add(same)
     return new
@@ -215,7 +215,7 @@ def first_time(folder: str, name: str, reading: Reading) -> bool:
 def _new_names(folder: str, names: list[str], reading: Reading) -> list[str]:
     """Those that are met for the first time."""
     known = reading._names.setdefault(folder, set())
-    same = [system.same_name(name) for name in names]
+    same = system.same_names(names)
     new = [name for name, as_one in zip(names, same) if as_one not in known] if known else names
     known.update(same)
     return new

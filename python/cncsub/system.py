@@ -56,9 +56,9 @@ def is_hidden(path: Path) -> bool:
     return bool(marks & stat.FILE_ATTRIBUTE_HIDDEN)
 
 
-def same_name(name: str) -> str:
-    """What two names of one file in a folder have in common: on Windows O1.NC is o1.nc."""
-    return os.path.normcase(name)
+def same_names(names: list[str]) -> list[str]:
+    """What the names of one file in a folder have in common: on Windows O1.NC is o1.nc."""
+    return [os.path.normcase(name) for name in names] if WINDOWS else names
 
 
 def nobody_reads(error: BaseException) -> bool:

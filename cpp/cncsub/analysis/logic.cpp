@@ -111,7 +111,7 @@ class LogicCheck {
     if (c.code.control->dialect == "linuxcnc") asked_ = Asked::OtherLogic;
   }
   bool asks() const { return asked_ != Asked::Nothing; }
-  void block(Address at, const Block& block, const std::string& text);
+  void block(Address at, const Block& block, std::string_view text);
 
  private:
   bool is_statement(const Block& block) const;
@@ -218,7 +218,7 @@ void LogicCheck::tell(Address at, TextPlace place, const Expression& of, std::st
   if (conditions != numbers) mend(found, at, written, numbers ? kLogicAsArithmetic : kLogicLast);
 }
 
-void LogicCheck::block(Address at, const Block& block, const std::string& text) {
+void LogicCheck::block(Address at, const Block& block, std::string_view text) {
   const bool extra =
       (block.flags & Block::kHasExtra) != 0 && c_.code.cells[block.data].extra.expressions != 0;
   if (!is_statement(block)) {
@@ -244,7 +244,7 @@ void check_logic(Checker& c) {
   if (!logic.asks()) return;
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
-    const std::string& text = c.code.files[c.program(flow.program()).file].text;
+    const std::string_view text = c.code.files[c.program(flow.program()).file].text.view();
     for (Address at = flow.first(); at < flow.last(); ++at)
       each_variant(c.code, c.code.blocks[at],
                    [&](const Block& block) { logic.block(at, block, text); });

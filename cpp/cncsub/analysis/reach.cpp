@@ -125,7 +125,7 @@ void mend_end(const Checker& c, const ProgramFlow& flow, Finding& found) {
   const Program& program = c.program(flow.program());
   const bool called = c.is_called(flow.program()) && flow.program() != c.main;
   if (!called || flow.ever_ends() || ends_in_g99(c, flow)) return;
-  const std::string& text = c.code.files[program.file].text;
+  const std::string_view text = c.code.files[program.file].text.view();
   const Block& last = c.code.blocks[flow.last() - 1];
   const std::size_t end = std::min(text.find('\n', last.text), text.size());
   if (program.text_end < end) return;  // another program begins in the line

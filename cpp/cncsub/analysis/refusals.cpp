@@ -93,7 +93,7 @@ bool lacks_then(const Code& code, const Program& program, const Fault& fault) {
   const IfForm form = code.control->macros.if_form.value;
   if (fault.cause != Cause::IfFormat || form == IfForm::GotoOnly || form == IfForm::Blocks)
     return false;
-  const std::string& text = code.files[program.file].text;
+  const std::string_view text = code.files[program.file].text.view();
   std::size_t behind = std::min<std::size_t>(fault.at, text.size());
   std::size_t before = behind;
   while (behind < text.size() && is_blank(text[behind])) ++behind;

@@ -104,7 +104,7 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
   use.tests = tests_vacancy(block);
   LocalUse& program = programs_[static_cast<std::size_t>(flow.program())];
   const bool prints = block.op >= Op::Print && block.op <= Op::NameVariables;
-  const std::string& text = c_.code.files[c_.program(flow.program()).file].text;
+  const std::string_view text = c_.code.files[c_.program(flow.program()).file].text.view();
   for (const VariableReference& each : of.reads) {
     const Bits own = bit_of(each, use.reads, use.any);
     if (each.asked) program.tested |= own;

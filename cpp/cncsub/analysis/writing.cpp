@@ -179,7 +179,7 @@ void check_writing(Checker& c) {
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
     const Program& program = c.program(flow.program());
-    const std::string& text = c.code.files[program.file].text;
+    const std::string_view text = c.code.files[program.file].text.view();
     check_letters(c, flow, text);
     for (Address at = flow.first(); at < flow.last(); ++at) {
       if (ends_blocks && at > flow.first()) check_semicolon(c, at, text);

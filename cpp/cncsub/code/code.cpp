@@ -102,7 +102,7 @@ Address Code::head_behind(std::uint32_t label, Address at) const {
 }
 
 std::string_view Code::text_of(const Block& block, const Program& program) const {
-  const std::string& text = files[program.file].text;
+  const std::string_view text = files[program.file].text.view();
   std::size_t end = std::min<std::size_t>(text.size(), std::size_t{block.text} + block.length);
   if (block.length == 65535) end = std::min(text.find('\n', block.text), text.size());
   std::string_view view(text.data() + block.text, end - block.text);
@@ -148,15 +148,14 @@ std::string Code::name_of(const Program& program) const {
   const SourceFile& file = files[program.file];
   if (program.name_length == Program::kOfFile) return file.stem.empty() ? "MAIN" : file.stem;
   if (program.name_length == 0) return "MAIN";
-  const char head = file.text[program.text];
-  const bool numbered = upper(head) == 'O' || head == ':';
-  return (numbered && is_digit(file.text[program.name_at]) ? "O" : "") +
-         file.text.substr(program.name_at, program.name_length);
+  const std::string_view text = file.text.view();
+  const char head = text[program.text];
+  const bool numbered = (upper(head) == 'O' || head == ':') && is_digit(text[program.name_at]);
+  return (numbered ? "O" : "") + std::string(text.substr(program.name_at, program.name_length));
 }
 
 std::string_view Code::comment_of(const Program& program) const {
-  return std::string_view(files[program.file].text)
-      .substr(program.comment_at, program.comment_length);
+  return files[program.file].text.view().substr(program.comment_at, program.comment_length);
 }
 
 }  // namespace cncsub

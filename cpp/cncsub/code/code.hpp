@@ -97,7 +97,7 @@ struct Code {
   std::vector<Variant> choices;
   std::vector<Fault> faults;
   std::vector<Drop> drops;  // in the order of their blocks' data
-  std::vector<SequenceEntry> sequence;
+  LargeVector<SequenceEntry> sequence;
   std::array<ProgramIndex, 2> by_number, by_name;  // of the memory, of the external device
 
   Expression expression(std::uint32_t number) const {

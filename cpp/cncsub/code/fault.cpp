@@ -171,11 +171,12 @@ Alarm alarm_of(const Code& code, Address address, const Fault& fault) {
   if (is_of_head(program, address, fault)) {
     alarm.n = -1;
     alarm.line = program.line;
-    show(alarm, file.text, fault.at, fault.width);
+    show(alarm, file.text.view(), fault.at, fault.width);
     return alarm;
   }
   const WordPlace place = whole_word(code, program, block, fault);
-  show(alarm, file.text, std::min<std::size_t>(std::max(place.at, block.text), file.text.size()),
+  const std::string_view text = file.text.view();
+  show(alarm, text, std::min<std::size_t>(std::max(place.at, block.text), text.size()),
        place.width);
   if (fault.cause == Cause::EndOfRecord) alarm.word.clear();  // a word is missing there
   fill_in(alarm, fault.name, code.text_of(block, program));

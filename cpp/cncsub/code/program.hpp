@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cncsub/code/fault.hpp"
+#include "cncsub/text/file_text.hpp"
 
 namespace cncsub {
 
@@ -15,7 +16,7 @@ constexpr std::int32_t kNoProgram = -1;
 struct SourceFile {
   std::string name;  // as shown in messages
   std::string stem;  // names the program where the text does not
-  std::string text;  // UTF-8
+  FileText text;     // UTF-8
   bool external = false;
   std::int32_t leader = 0;  // how many lines stand before its tape and are no program
 };

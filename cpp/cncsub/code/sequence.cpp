@@ -1,28 +1,48 @@
 #include "cncsub/code/sequence.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
 
 namespace cncsub {
 
-/// Pieces are sorted, then merged, so that interruption is asked between. Of one number the first
-/// address comes first, as it came.
-void sort_numbers(Code& code, const Program& program, InterruptCheck& interrupt) {
-  const auto by_number = [](const SequenceEntry& a, const SequenceEntry& b) { return a.n < b.n; };
-  const std::size_t size = program.last_entry - program.first_entry;
-  const auto at = [&](std::size_t i) {
-    return code.sequence.begin() +
-           static_cast<std::ptrdiff_t>(program.first_entry + std::min(i, size));
+namespace {
+
+/// Puts entries in the order of some bits of their numbers. Of one number the first stays the
+/// first.
+void sort_by(std::span<SequenceEntry> entries, int from_bit, int bits) {
+  const auto part = [=](const SequenceEntry& entry) {
+    return static_cast<std::uint32_t>(entry.n) >> from_bit & ((1U << bits) - 1);
   };
-  if (std::is_sorted(at(0), at(size), by_number)) return;
-  std::size_t piece = 1 << 16;
-  for (std::size_t i = 0; i < size && !interrupt.requested(piece * InterruptCheck::kBlock);
-       i += piece)
-    std::stable_sort(at(i), at(i + piece), by_number);
-  for (; piece < size; piece *= 2)
-    for (std::size_t i = 0;
-         i + piece < size && !interrupt.requested(piece * InterruptCheck::kBlock); i += 2 * piece)
-      std::inplace_merge(at(i), at(i + piece), at(i + 2 * piece), by_number);
+  const LargeVector<SequenceEntry> before(entries.begin(), entries.end());
+  std::vector<std::uint32_t> places((std::size_t{1} << bits) + 1);
+  for (const SequenceEntry& entry : before) ++places[part(entry) + 1];
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  for (const SequenceEntry& entry : before) entries[places[part(entry)]++] = entry;
+}
+
+}  // namespace
+
+/// By counting, in as few rounds as there are entries for: numbers mostly rise, again and again, so
+/// that what is counted and moved lies close together.
+void sort_numbers(Code& code, const Program& program, InterruptCheck& interrupt) {
+  const std::span entries(code.sequence.data() + program.first_entry,
+                          code.sequence.data() + program.last_entry);
+  std::uint32_t numbers = 0;
+  bool sorted = true;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    numbers |= static_cast<std::uint32_t>(entries[i].n);
+    sorted = sorted && (i == 0 || entries[i - 1].n <= entries[i].n);
+  }
+  if (sorted) return;
+  const int bits = std::min(static_cast<int>(std::bit_width(entries.size())), 20);
+  const int all = static_cast<int>(std::bit_width(numbers));
+  for (int bit = 0; bit < all && !interrupt.requested(entries.size_bytes()); bit += bits)
+    sort_by(entries, bit, std::min(bits, all - bit));
 }
 
 }  // namespace cncsub

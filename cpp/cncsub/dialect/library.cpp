@@ -153,10 +153,12 @@ void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
   }
 }
 
-/// Whether the files hold macro statements, or words that are computed.
-bool has_macros(const std::vector<SourceFile>& files) {
-  return std::any_of(files.begin(), files.end(), [](const SourceFile& file) {
-    return file.text.find('#') != std::string::npos;
+/// Whether this character stands in the first lines of a file: # where there are macro statements
+/// or computed words, N where blocks are numbered.
+bool begin_with(const std::vector<SourceFile>& files, char mark) {
+  constexpr std::size_t kFirst = std::size_t{1} << 16;  // bytes: a large file is not gone through
+  return std::any_of(files.begin(), files.end(), [=](const SourceFile& file) {
+    return file.text.view().substr(0, kFirst).find(mark) != std::string_view::npos;
   });
 }
 
@@ -176,10 +178,11 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   // Room that is never written costs nothing, and a table that never moves is never copied.
   code->blocks.reserve(bytes / 8 + files.size());
   code->cells.reserve(bytes / 4);
-  if (has_macros(files)) {
+  if (begin_with(files, '#')) {
     code->statements.reserve(bytes / 32);
     code->expressions.reserve(bytes / 2);
   }
+  if (begin_with(files, 'N')) code->sequence.reserve(bytes / 8);
   reading.read(files, sharing);
   code->register_programs([&reading] { return reading.interrupted(kProgram); });
   reading.resolve_calls(0);
@@ -194,7 +197,7 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   auto with = std::make_shared<Code>(code);
   const std::size_t programs = with->programs.size();
   Reading reading(*with, interrupted);
-  std::vector<SourceFile> typed{{"MDI", "MDI", text, false}};
+  std::vector<SourceFile> typed{{"MDI", "MDI", FileText(text), false}};
   reading.read(typed, {.threads = 1});
   // What is typed in MDI is no program of the memory: it is not registered, nothing finds it.
   reading.resolve_calls(programs);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "cncsub/system/cores.hpp"
 #include "cncsub/text/helpers.hpp"
 
 namespace cncsub {
@@ -26,8 +27,7 @@ void unify_line_ends(char* at, char* end, InterruptCheck& interrupt) {
 
 namespace {
 
-constexpr std::size_t kProgram = 64;   // what giving a program its names is worth
-constexpr std::size_t kOwnRoom = 256;  // a shorter text may lie in its string, and move with it
+constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
 
 /// Files [first, last), or lines of the first of them.
 struct Job {
@@ -39,11 +39,11 @@ struct Job {
 };
 
 void cut(SourceFile& file, std::size_t number, std::size_t piece, std::vector<Job>& jobs) {
-  const std::size_t size = file.text.size();
-  for (std::size_t at = 0; at < size;) {
-    std::size_t to = size;
-    if (size - at > 2 * piece) to = std::min(file.text.find('\n', at + piece), size - 1) + 1;
-    jobs.push_back({number, number + 1, {file.text, at, to}, file.text.data()});
+  const std::string_view text = file.text.view();
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t to = text.size();
+    if (to - at > 2 * piece) to = std::min(text.find('\n', at + piece), to - 1) + 1;
+    jobs.push_back({number, number + 1, {text, at, to}, file.text.data()});
     at = to;
   }
 }
@@ -53,7 +53,7 @@ std::vector<Job> jobs_of(std::vector<SourceFile>& files, std::size_t piece) {
   std::size_t bytes = piece;  // of the last job, if files can be added to it
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::size_t size = files[i].text.size();
-    if (size > std::max(2 * piece, kOwnRoom)) {
+    if (size > 2 * piece) {
       cut(files[i], i, piece, jobs);
       bytes = piece;
     } else if (bytes >= piece) {
@@ -103,7 +103,7 @@ class Pool {
         pieces_(reading.dialect.pieces(reading.to)) {}
 
   void read(std::size_t threads) {
-    ahead_ = 2 * threads + 2;
+    threads_ = threads;
     const Helpers helpers(std::min(threads, jobs_.size()) - 1, [this] { help(); });
     const struct End {
       Pool& pool;
@@ -113,6 +113,8 @@ class Pool {
   }
 
  private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
   struct Slot {
     enum class State { Free, Taken, Done } state = State::Free;
     std::unique_ptr<Apart> apart;  // null: nothing could be read apart
@@ -126,23 +128,33 @@ class Pool {
     changed_.notify_all();
   }
 
-  /// What a helper does: the next job, and the next one, never far before the one that is joined.
+  /// What a helper does: one job after the other.
   void help() {
     std::unique_lock lock(mutex_);
     for (;;) {
-      changed_.wait(lock, [this] { return stop_ || next_ < std::min(jobs_.size(), most()); });
+      changed_.wait(lock, [this] { return stop_ || free_job() != kNone; });
       if (stop_) return;
-      take_next(lock);
-      if (next_ == jobs_.size()) return;
+      take(free_job(), lock);
     }
   }
 
-  std::size_t most() const { return joined_ + ahead_; }
+  /// The next job to be read apart, never far before the one that is joined. Each thread has its
+  /// turn: whoever joins reads jobs too, to where they belong, and nothing of them has to be moved.
+  /// Where all others are taken, those are read apart as well.
+  std::size_t free_job() const {
+    const std::size_t end = std::min(jobs_.size(), joined_ + 2 * threads_ + 2);
+    std::size_t found = kNone;
+    for (std::size_t k = joined_; k < end; ++k) {
+      // Nothing is known of what stands before a file.
+      if (slots_[k].state != Slot::State::Free || jobs_[k].begins_file()) continue;
+      if (k % threads_ != 0) return k;
+      found = std::min(found, k);
+    }
+    return found;
+  }
 
-  /// Reads the next job apart.
-  void take_next(std::unique_lock<std::mutex>& lock) {
-    const std::size_t number = next_++;
-    if (jobs_[number].begins_file()) return;  // nothing is known of what stands before it
+  /// Reads a job apart.
+  void take(std::size_t number, std::unique_lock<std::mutex>& lock) {
     slots_[number].state = Slot::State::Taken;
     std::unique_ptr<Apart> apart;
     if (!free_.empty()) {
@@ -217,11 +229,14 @@ class Pool {
   /// What was read of a job by somebody else; null where nobody took it.
   std::unique_ptr<Apart> taken(std::size_t number) {
     std::unique_lock lock(mutex_);
-    if (next_ == number) ++next_;
     Slot& slot = slots_[number];
+    if (slot.state == Slot::State::Free) {
+      slot.state = Slot::State::Done;
+      return nullptr;
+    }
     while (slot.state == Slot::State::Taken && !stop_) {
-      if (next_ < std::min(jobs_.size(), most()))
-        take_next(lock);
+      if (const std::size_t other = free_job(); other != kNone)
+        take(other, lock);
       else
         changed_.wait_for(lock, std::chrono::milliseconds(20));
       lock.unlock();
@@ -266,17 +281,17 @@ class Pool {
   const std::vector<Job> jobs_;
   std::vector<Slot> slots_;
   PieceReader pieces_;
-  std::size_t ahead_ = 0;
+  std::size_t threads_ = 1;
   std::mutex mutex_;  // of all that follows, and of the slots
   std::condition_variable changed_;
-  std::size_t next_ = 0, joined_ = 0;
+  std::size_t joined_ = 0;
   std::vector<std::unique_ptr<Apart>> free_;
   std::atomic<bool> stop_ = false;
 };
 
 void read_alone(const SharedReading& reading, std::vector<SourceFile>& files) {
   for (SourceFile& file : files) {
-    std::string& text = reading.code.files.emplace_back(std::move(file)).text;
+    FileText& text = reading.code.files.emplace_back(std::move(file)).text;
     unify_line_ends(text.data(), text.data() + text.size(), reading.to.interrupt());
     reading.read(static_cast<std::uint32_t>(reading.code.files.size() - 1));
     if (reading.to.interrupt().requested(kProgram)) return;
@@ -287,8 +302,8 @@ void read_alone(const SharedReading& reading, std::vector<SourceFile>& files) {
 
 void read_files(const SharedReading& reading, std::vector<SourceFile>& files,
                 const Sharing& sharing) {
-  reading.code.files.reserve(files.size());  // texts stay where they are
-  const std::size_t threads = sharing.threads == 0 ? cores() : sharing.threads;
+  reading.code.files.reserve(files.size());
+  const std::size_t threads = sharing.threads == 0 ? system::cores() : sharing.threads;
   std::size_t bytes = 0;
   for (const SourceFile& file : files) bytes += file.text.size();
   if (threads < 2 || bytes < 4 * sharing.piece || reading.dialect.pieces == nullptr)

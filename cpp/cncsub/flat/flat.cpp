@@ -150,7 +150,7 @@ void FlatRun::write_head(std::string& text, FlatOrigins& origins) {
       if (c == '\n') origins.add(program_, -1, main.line, -1, 1);
     return;
   }
-  const std::string_view file = code.files[main.file].text;
+  const std::string_view file = code.files[main.file].text.view();
   if (main.name_length == Program::kOfFile) {
     const std::size_t first = file.find_first_not_of(" \t\n", main.text);
     taped_ = first != std::string_view::npos && file[first] == '%';
@@ -290,7 +290,8 @@ void FlatRun::write_raised(std::string& text, FlatOrigins& origins) {
   const Program& program = code.programs[static_cast<std::size_t>(program_at(coming_.at))];
   text += "G65 H99 P" + std::string(NumberText(heard_.raised_number).text());
   if (h.text_length > 0)
-    text += "(" + code.files[program.file].text.substr(h.text, h.text_length) + ")";
+    text +=
+        "(" + std::string(code.files[program.file].text.view().substr(h.text, h.text_length)) + ")";
   end_line(text, origins);
 }
 

@@ -44,7 +44,8 @@ void say(Run& run, std::string text) {
 }
 
 std::string comment_of(const Run& run, const Statement& statement) {
-  return run.code->files[run.program().file].text.substr(statement.text, statement.text_length);
+  return std::string(run.code->files[run.program().file].text.view().substr(statement.text,
+                                                                            statement.text_length));
 }
 
 bool alarm_of_program(Run& run, const Statement& statement, const std::string& text,
@@ -68,12 +69,12 @@ void tell_dropped(Run& run, const Block& block, const NcWords& words) {
   };
   const Program& program =
       run.code->programs[static_cast<std::size_t>(run.code->program_at(run.state.pc))];
-  const std::string& text = run.code->files[program.file].text;
+  const std::string_view text = run.code->files[program.file].text.view();
   if ((block.flags & Block::kDrops) != 0) {
     auto drop = std::lower_bound(run.code->drops.begin(), run.code->drops.end(), block.data,
                                  [](const Drop& d, std::uint32_t data) { return d.data < data; });
     for (; drop != run.code->drops.end() && drop->data == block.data; ++drop)
-      tell(text.substr(drop->at, drop->width));
+      tell(std::string(text.substr(drop->at, drop->width)));
   }
   for (std::size_t i = 0; i < words.codes->g_count; ++i)
     if ((run.block.outcome.dropped_codes >> i & 1) != 0) tell(code_name(words.codes->g_codes[i]));

@@ -9,6 +9,7 @@
 #ifdef _WIN32
 #include <fcntl.h>
 #include <io.h>
+#include <windows.h>
 
 #include <algorithm>
 #else
@@ -30,9 +31,18 @@ int open_file(const std::string& path) {
 void close_file(int number) { _close(number); }
 int ask(int number, Status& status) { return _fstat64(number, &status); }
 bool is_regular(const Status& status) { return (status.st_mode & _S_IFMT) == _S_IFREG; }
-std::ptrdiff_t read_file(int number, char* into, std::size_t most) {
+std::ptrdiff_t read_file(int number, char* into, std::size_t most, std::uint64_t from) {
   constexpr std::size_t kMost = std::size_t{1} << 30;
-  return _read(number, into, static_cast<unsigned>(std::min(most, kMost)));
+  OVERLAPPED place{};
+  place.Offset = static_cast<DWORD>(from);
+  place.OffsetHigh = static_cast<DWORD>(from >> 32U);
+  auto* const file = reinterpret_cast<HANDLE>(_get_osfhandle(number));  // NOLINT: as it is given
+  DWORD count = 0;
+  if (ReadFile(file, into, static_cast<DWORD>((std::min)(most, kMost)), &count, &place) != 0)
+    return count;
+  if (GetLastError() == ERROR_HANDLE_EOF) return 0;
+  errno = EIO;
+  return -1;
 }
 
 #else
@@ -45,8 +55,8 @@ int open_file(const std::string& path) {
 void close_file(int number) { close(number); }
 int ask(int number, Status& status) { return fstat(number, &status); }
 bool is_regular(const Status& status) { return S_ISREG(status.st_mode); }
-std::ptrdiff_t read_file(int number, char* into, std::size_t most) {
-  return ::read(number, into, most);
+std::ptrdiff_t read_file(int number, char* into, std::size_t most, std::uint64_t from) {
+  return ::pread(number, into, most, static_cast<off_t>(from));
 }
 
 #endif
@@ -72,12 +82,11 @@ File::Facts File::facts() {
   return {true, is_regular(status), static_cast<std::uint64_t>(status.st_size)};
 }
 
-std::ptrdiff_t File::read(char* into, std::size_t most) {
+std::ptrdiff_t File::read(char* into, std::size_t most, std::uint64_t from) const {
   while (true) {
-    const std::ptrdiff_t count = read_file(number_, into, most);
+    const std::ptrdiff_t count = read_file(number_, into, most, from);
     if (count >= 0) return count;
-    error_ = errno;
-    if (error_ != EINTR) return -1;
+    if (errno != EINTR) return -errno;
   }
 }
 

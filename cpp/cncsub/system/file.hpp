@@ -29,9 +29,10 @@ class File {
 
   bool is_open() const { return number_ >= 0; }
   Facts facts();
-  /// Reads on: how many bytes came, 0 at the end, -1 where it failed. Then `error` says why.
-  std::ptrdiff_t read(char* into, std::size_t most);
-  /// The number of the last error, as in errno.
+  /// Reads bytes from a place on: how many came, 0 at the end; the number of the error, as in
+  /// errno, below 0 where it failed. Several threads may read.
+  std::ptrdiff_t read(char* into, std::size_t most, std::uint64_t from) const;
+  /// The number of the error that it was not opened for, or told no facts.
   int error() const { return error_; }
 
  private:

@@ -1,7 +1,6 @@
 // Threads that help with work that is shared out.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <system_error>
@@ -9,8 +8,6 @@
 #include <vector>
 
 namespace cncsub {
-
-inline std::size_t cores() { return std::max<std::size_t>(1, std::thread::hardware_concurrency()); }
 
 /// As many threads as the system gives, at most `count`; each does `work` once. They are waited for
 /// where this ends.

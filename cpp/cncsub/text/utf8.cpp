@@ -2,6 +2,12 @@
 
 namespace cncsub {
 
+bool is_ascii(std::string_view text) {
+  unsigned char any = 0;
+  for (const char c : text) any |= static_cast<unsigned char>(c);
+  return any < 0x80;
+}
+
 std::size_t utf8_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -20,9 +26,7 @@ bool is_utf8(std::string_view text, const std::function<bool(std::size_t)>& stop
   constexpr std::size_t kOnce = 1 << 16;
   while (!text.empty() && !stopped(kOnce)) {
     const std::string_view piece = text.substr(0, kOnce);
-    unsigned char any = 0;
-    for (const char c : piece) any |= static_cast<unsigned char>(c);
-    std::size_t at = any < 0x80 ? piece.size() : 0;
+    std::size_t at = is_ascii(piece) ? piece.size() : 0;
     while (at < piece.size()) {
       const std::size_t length = utf8_character(text.substr(at));
       if (length == 0) return false;

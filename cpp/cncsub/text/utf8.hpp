@@ -7,6 +7,9 @@
 
 namespace cncsub {
 
+/// Whether no byte is above 127.
+bool is_ascii(std::string_view text);
+
 /// The bytes of the character that `text` begins with; 0 where there is none: an overlong form, a
 /// surrogate, a number beyond Unicode, the middle or a part of a character.
 std::size_t utf8_character(std::string_view text);

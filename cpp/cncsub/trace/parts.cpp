@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "cncsub/system/cores.hpp"
 #include "cncsub/text/helpers.hpp"
 
 namespace cncsub {
@@ -24,7 +25,7 @@ void in_parts(std::size_t rows, InterruptCheck* interrupt,
     work(piece * kPieceRows, std::min(rows, (piece + 1) * kPieceRows));
     return true;
   };
-  const Helpers helpers(std::min(cores(), pieces) - 1, [&] {
+  const Helpers helpers(std::min(system::cores(), pieces) - 1, [&] {
     while (one()) {
     }
   });

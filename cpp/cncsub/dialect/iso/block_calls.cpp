@@ -227,7 +227,7 @@ void BlockWriter::h_code() {
     h.variable_at = token.operand.at;
     h.variable_width = token.operand.width;
   }
-  const std::string_view text(rules_.code.files.back().text);
+  const std::string_view text = rules_.code.files.back().text.view();
   const std::size_t open = text.find('(', h.at);
   const std::size_t line_end = std::min(text.find('\n', h.at), text.size());
   if (open < line_end) {

@@ -72,7 +72,7 @@ class TapeReader {
 
   /// Stops early where interrupt is over.
   void read(std::uint32_t file_index) {
-    const std::string& text = code_.files[file_index].text;
+    const std::string_view text = code_.files[file_index].text.view();
     begin(file_index, text);
     read_lines({text, 0, text.size()});
     finish();

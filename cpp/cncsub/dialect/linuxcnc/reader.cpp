@@ -21,7 +21,7 @@ class FileReader {
   void read(std::uint32_t file) {
     file_ = file;
     lines_.clear();
-    const std::string& text = to_.code().files[file].text;
+    const std::string_view text = to_.code().files[file].text.view();
     Program program;
     program.number = number_in(to_.code().files[file].stem);
     program.file = file;
@@ -134,7 +134,7 @@ class FileReader {
   /// The subprograms of the file, each up to its endsub, or to the next one.
   void parts(Address end) {
     const auto whole = static_cast<std::int32_t>(to_.code().programs.size()) - 1;
-    const std::string& text = to_.code().files[file_].text;
+    const std::string_view text = to_.code().files[file_].text.view();
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const auto& [at, label] = lines_[i];
       if (!label.is_head() || to_.block(at).op != Op::Labelled) continue;
@@ -168,7 +168,7 @@ class FileReader {
   }
 
   /// The name behind the O of a subprogram: <name>, or digits.
-  static void place_name(Program& part, const std::string& text) {
+  static void place_name(Program& part, std::string_view text) {
     std::size_t from = part.text + std::size_t{1};
     while (is_blank(text[from])) ++from;
     const bool named = text[from] == '<';

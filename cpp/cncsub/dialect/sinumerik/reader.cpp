@@ -17,7 +17,7 @@ class FileReader {
   explicit FileReader(Builder& to) : to_(to), blocks_(to), structure_(to) {}
 
   void read(std::uint32_t file) {
-    const std::string& text = to_.code().files[file].text;
+    const std::string_view text = to_.code().files[file].text.view();
     bool begun = false;
     std::uint32_t line = 0;
     for (std::size_t at = 0; at < text.size();) {

@@ -1,0 +1,42 @@
+// The text of a file: many megabytes, perhaps, that are given their room once.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+
+#include "cncsub/system/memory.hpp"
+
+namespace cncsub {
+
+class FileText {
+ public:
+  FileText() = default;
+  /// Room for so many bytes that are not written yet. Whoever touches memory first waits for it, so
+  /// several threads may write.
+  explicit FileText(std::size_t size)
+      : bytes_(std::make_unique_for_overwrite<char[]>(size)), size_(size) {  // NOLINT: bytes
+    if (size > system::kLargePage) system::advise_large_pages(bytes_.get(), size);
+  }
+  explicit FileText(std::string_view text) : FileText(text.size()) {
+    std::copy(text.begin(), text.end(), bytes_.get());
+  }
+  FileText(const FileText& other) : FileText(other.view()) {}
+  FileText(FileText&& other) noexcept = default;
+  FileText& operator=(const FileText& other) { return *this = FileText(other); }
+  FileText& operator=(FileText&& other) noexcept = default;
+  ~FileText() = default;
+
+  char* data() { return bytes_.get(); }
+  std::size_t size() const { return size_; }
+  std::string_view view() const { return {bytes_.get(), size_}; }
+  /// No more than the first bytes are of the text.
+  void shorten(std::size_t size) { size_ = std::min(size_, size); }
+
+ private:
+  std::unique_ptr<char[]> bytes_;  // NOLINT: bytes
+  std::size_t size_ = 0;
+};
+
+}  // namespace cncsub
