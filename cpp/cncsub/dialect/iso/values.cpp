@@ -14,42 +14,43 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::constant(const char*& at) {
   const char* end = at;
   const Mantissa m = scan_mantissa(end);
   const std::ptrdiff_t digits = m.whole + m.decimals;
-  if (digits == 0 || digits > rules_.most_digits || !ends_at(end)) return {};
-  const std::uint32_t place = offset(at);
-  if (!out_.has_room(offset(end))) return {};
+  if (digits == 0 || digits > e_.rules.most_digits || !e_.ends_at(end)) return {};
+  const std::uint32_t place = e_.offset(at);
+  if (!e_.out.has_room(e_.offset(end))) return {};
   at = end;
   const auto whole = static_cast<double>(static_cast<std::int64_t>(m.value));
-  out_.emit(Ins::Constant, place, whole / kPowersOfTen[m.decimals]);
+  e_.out.emit(Ins::Constant, place, whole / kPowersOfTen[m.decimals]);
   return Value::number();
 }
 
 /// A variable whose number is digits and nothing else, and which lies near; else nothing.
 CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::near_variable(const char*& at) {
   const char* end = at + 1;
-  const auto number = plain_number(end);
+  const auto number = e_.plain_number(end);
   if (!number) return {};
-  const ExpressionRules::Near* const near = rules_.near(*number);
-  if (near == nullptr || !out_.has_room(offset(at + 1))) return {};
+  const ExpressionRules::Near* const near = e_.rules.near(*number);
+  if (near == nullptr || !e_.out.has_room(e_.offset(at + 1))) return {};
   at = end;
-  return out_.load(*near, *number);
+  return e_.out.load(*near, *number);
 }
 
 /// What opens in the plainest way: a bracket, or a function of three letters with its bracket.
 inline bool ExpressionReader::opens_bracket(const char*& at) {
-  if (*at != '[' || at == s_->end || brackets_ >= rules_.most_brackets) return false;
-  wait(Waiting::Kind::Bracket, offset(at));
-  ++brackets_;
+  if (*at != '[' || at == e_.s->end || e_.brackets >= e_.rules.most_brackets) return false;
+  e_.wait(Waiting::Kind::Bracket, e_.offset(at));
+  ++e_.brackets;
   ++at;
   return true;
 }
 
 inline bool ExpressionReader::opens_function(const char*& at) {
-  if (s_->end - at <= 3 || at[3] != '[' || !is_letter(*at) || brackets_ >= rules_.most_brackets)
+  if (e_.s->end - at <= 3 || at[3] != '[' || !is_letter(*at) ||
+      e_.brackets >= e_.rules.most_brackets)
     return false;
-  const FunctionName* const function = rules_.short_function(at[0], at[1], at[2]);
+  const FunctionName* const function = e_.rules.short_function(at[0], at[1], at[2]);
   if (function == nullptr) return false;
-  wait(Waiting::Kind::Function, offset(at), function);
-  ++brackets_;
+  e_.wait(Waiting::Kind::Function, e_.offset(at), function);
+  ++e_.brackets;
   at += 4;
   return true;
 }
@@ -66,9 +67,9 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operand(const char*& at) {
     else if (opens_bracket(at) || opens_function(at))
       continue;
     if (value) return value;
-    s_->at = at;
-    value = other_operand();
-    at = s_->at;
+    e_.s->at = at;
+    value = other_operand(e_);
+    at = e_.s->at;
     if (!value.is_awaited()) return value;
   }
 }
@@ -78,32 +79,32 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operand(const char*& at) {
 /// What a function makes of its arguments.
 inline Value ExpressionReader::function(const Waiting& of) {
   Ins op = of.second ? of.function->two : of.function->one;
-  if (op == Ins::Round && out_.in_word()) op = Ins::RoundWord;
-  out_.emit(op, of.at);
+  if (op == Ins::Round && e_.out.in_word()) op = Ins::RoundWord;
+  e_.out.emit(op, of.at);
   return Value::number();
 }
 
 /// What ends here gives its value to what was opened last: the value of that, or another argument
 /// is awaited.
 CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::closed(Value value, const char*& at) {
-  Waiting& of = last_[-1];
+  Waiting& of = e_.last[-1];
   const bool argument = of.kind == Waiting::Kind::Function || of.kind == Waiting::Kind::ArcTangent;
-  if (argument && !out_.arithmetic(value, offset(at))) return {};
+  if (argument && !e_.out.arithmetic(value, e_.offset(at))) return {};
   const bool one_more = argument && of.function->one == Ins::End && !of.second;
-  if (at == s_->end || *at != ']' || one_more) {
-    s_->at = at;
-    value = not_closed(of, argument);
-    at = s_->at;
+  if (at == e_.s->end || *at != ']' || one_more) {
+    e_.s->at = at;
+    value = not_closed(e_, of, argument);
+    at = e_.s->at;
     return value;
   }
   ++at;
-  --brackets_;
-  --last_;
+  --e_.brackets;
+  --e_.last;
   if (of.kind == Waiting::Kind::Bracket) return value;
   if (of.kind == Waiting::Kind::Function) return function(of);
-  s_->at = at;
-  value = other_closed(of, value);
-  at = s_->at;
+  e_.s->at = at;
+  value = other_closed(e_, of, value);
+  at = e_.s->at;
   return value;
 }
 
@@ -150,8 +151,8 @@ inline const OperatorName* next_operator(const ExpressionRules& rules, Scanner& 
 
 /// Joins a value with what waits on its left and binds as closely.
 CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::join(Value value, int level, const char* at) {
-  while (last_[-1].level >= level) {
-    value = apply(out_, *--last_, value, offset(at));
+  while (e_.last[-1].level >= level) {
+    value = apply(e_.out, *--e_.last, value, e_.offset(at));
     if (!value) break;
   }
   return value;
@@ -160,51 +161,51 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::join(Value value, int level,
 /// An operator stands behind the value: both wait for what comes.
 CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operates(const OperatorName& of, Value value,
                                                              const char*& at) {
-  int level = level_of(rules_, of);
-  if (rules_.numbers_first && of.is_logic()) {
+  int level = level_of(e_.rules, of);
+  if (e_.rules.numbers_first && of.is_logic()) {
     value = join(value, of.alike + 1, at);
     if (!value) return value;
-    s_->at = at;
+    e_.s->at = at;
     if (is_of_numbers(of, value)) level = of.alike + 1;
   }
   value = join(value, level, at);
   if (!value) return value;
-  Waiting& waiting = *last_++;
+  Waiting& waiting = *e_.last++;
   waiting.left = value;
   waiting.of = &of;
-  waiting.at = offset(at);
+  waiting.at = e_.offset(at);
   waiting.level = level;
   waiting.kind = Waiting::Kind::Operator;
   if (of.text.size() == 1) {
     ++at;
   } else {
-    s_->at = at;
-    s_->take_word(of.text);
-    at = s_->at;
+    e_.s->at = at;
+    e_.s->take_word(of.text);
+    at = e_.s->at;
   }
   return Value::awaited();
 }
 
 bool ExpressionReader::is_of_numbers(const OperatorName& of, const Value& value) const {
-  const Waiting* first = last_;
+  const Waiting* first = e_.last;
   while (first[-1].level > Waiting::kOpening) --first;
-  return cncsub::is_of_numbers(*s_, of, value, {first, last_});
+  return cncsub::is_of_numbers(*e_.s, of, value, {first, e_.last});
 }
 
 /// What stands behind an operand: the whole value, or an operand is awaited.
 CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::behind(Value value, const Waiting* base,
                                                            bool alone, const char*& at) {
   for (;;) {
-    if (last_[-1].level == Waiting::kPrefix) {
-      s_->at = at;
-      value = prefixed(value);
+    if (e_.last[-1].level == Waiting::kPrefix) {
+      e_.s->at = at;
+      value = prefixed(e_, value);
       if (!value) return value;
     }
-    if (alone && last_ == base) return value;
-    if (const OperatorName* const next = next_operator(rules_, *s_, at))
+    if (alone && e_.last == base) return value;
+    if (const OperatorName* const next = next_operator(e_.rules, *e_.s, at))
       return operates(*next, value, at);
     value = join(value, 0, at);
-    if (!value || last_ == base) return value;
+    if (!value || e_.last == base) return value;
     value = closed(value, at);
     if (!value) return value;
   }
@@ -212,25 +213,41 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::behind(Value value, const Wa
 
 /// Reads until what waits above `base` has its value; `alone`: no operator behind that is read.
 Value ExpressionReader::values(const Waiting* base, bool alone) {
-  const char* at = s_->at;
+  const char* at = e_.s->at;
   for (;;) {
     Value value = operand(at);
     if (value) value = behind(value, base, alone, at);
     if (value.is_awaited()) continue;
-    s_->at = at;
+    e_.s->at = at;
     return value;
   }
 }
 
 /// What stands in brackets.
 Value ExpressionReader::bracket() {
-  const Waiting* const base = last_;
-  const char* at = s_->at;
+  const Waiting* const base = e_.last;
+  const char* at = e_.s->at;
   if (opens_bracket(at))
-    s_->at = at;
-  else if (!open(Waiting::Kind::Bracket, s_->offset()).is_awaited())
+    e_.s->at = at;
+  else if (!e_.open(Waiting::Kind::Bracket, e_.s->offset()).is_awaited())
     return {};
   return values(base, true);
+}
+
+/// The assigned variable, or that of AR, where more than digits stand behind its #.
+std::optional<ExpressionReader::Variable> ExpressionReader::other_target(std::uint32_t hash) {
+  const auto first = e_.out.first();
+  const bool inside = e_.s->peek() == '[';
+  const std::uint32_t at = inside ? e_.s->offset() : hash;
+  if (inside) {
+    Value inner = bracket();
+    if (!inner || !e_.out.arithmetic(inner, e_.s->offset())) return std::nullopt;
+    return Variable{kComputed, e_.out.finish(first, at, e_.s->offset() - at)};
+  }
+  const auto number = variable_number(e_, at);
+  if (!number) return std::nullopt;
+  if (*number != kComputed) return Variable{*number, 0};
+  return Variable{kComputed, e_.out.finish(first, at, 1)};
 }
 
 }  // namespace cncsub

@@ -1,0 +1,94 @@
+// The expression that is being read: its text, what is written of it, and what waits for a value.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/iso/operators.hpp"
+#include "cncsub/dialect/iso/value_writer.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+struct OpenExpression {
+  static constexpr std::ptrdiff_t kMostVariableDigits = 9;
+
+  OpenExpression(Builder& to, const ExpressionRules& rules_of);
+
+  const ExpressionRules& rules;
+  Names& names;
+  ValueWriter out;
+  Scanner* s = nullptr;
+  std::unique_ptr<Waiting[]> waiting;  // NOLINT(*-avoid-c-arrays): up to `last`
+  Waiting* last = nullptr;
+  int brackets = 0;
+  int nots = 0;  // that wait
+
+  void begin(Scanner& text, char address = 0) {
+    s = &text;
+    out.begin(address);
+    last = waiting.get() + 1;
+    brackets = nots = 0;
+  }
+  std::uint32_t offset(const char* at) const { return static_cast<std::uint32_t>(at - s->file); }
+
+  /// Whether a number that was read as far as `at` ends there for certain: it may go on behind a
+  /// gap and with another point.
+  bool ends_at(const char* at) const {
+    return at == s->end || (at < s->end && !begins_gap(*at) && *at != '.');
+  }
+  /// The number behind a #, where it is digits and nothing else.
+  std::optional<std::uint32_t> plain_number(const char*& at) const {
+    const char* end = at;
+    std::uint32_t number = 0;
+    for (; is_digit(*end); ++end) number = number * 10 + static_cast<std::uint32_t>(*end - '0');
+    const std::ptrdiff_t digits = end - at;
+    if (digits == 0 || digits > kMostVariableDigits || rules.indirect || !ends_at(end))
+      return std::nullopt;
+    at = end;
+    return number;
+  }
+
+  /// What is read next is the value of what waits.
+  Value wait(Waiting::Kind kind, std::uint32_t at, const FunctionName* function = nullptr) {
+    Waiting& of = *last++;
+    of.level = kind <= Waiting::Kind::Not ? Waiting::kPrefix : Waiting::kOpening;
+    of.kind = kind;
+    of.at = at;
+    of.first = out.first();
+    of.function = function;
+    of.second = false;
+    return Value::awaited();
+  }
+  /// The bracket that stands here opens what is at `at`.
+  Value open(Waiting::Kind kind, std::uint32_t at, const FunctionName* function = nullptr) {
+    return opens() ? wait(kind, at, function) : Value{};
+  }
+  bool opens();
+  bool closes();
+};
+
+// What is not written in the plainest way, from where the scanner stands.
+
+/// An operand, or what opens before one.
+Value other_operand(OpenExpression& e);
+/// A word: a function, a value with a name, NOT.
+Value word(OpenExpression& e);
+/// A variable.
+Value other_variable(OpenExpression& e);
+/// The number of a variable that is not in brackets, where it is written behind the #; else
+/// kComputed, and instructions give it.
+std::optional<std::int64_t> variable_number(OpenExpression& e, std::uint32_t at);
+constexpr std::int64_t kComputed = -1;
+
+/// Gives an operand to the signs before it, and to NOT.
+Value prefixed(OpenExpression& e, Value value);
+/// What stands behind an argument or a value in brackets and does not close them: a comma, or the
+/// expression is refused.
+Value not_closed(OpenExpression& e, Waiting& of, bool argument);
+/// What is made of the value in brackets that are neither a function's nor stand alone.
+Value other_closed(OpenExpression& e, const Waiting& of, Value value);
+
+}  // namespace cncsub

@@ -1,0 +1,91 @@
+// Operands that are not written in the plainest way.
+#include <array>
+#include <string>
+
+#include "cncsub/dialect/iso/open_expression.hpp"
+
+namespace cncsub {
+
+namespace {
+
+enum class Begins : std::uint8_t { Nothing, Number, Variable, Bracket, Sign, Word };
+
+/// What a character begins where an operand stands.
+constexpr auto kBegins = [] {
+  std::array<Begins, 256> begins{};
+  const auto mark = [&](std::string_view characters, Begins what) {
+    for (const char c : characters) begins[static_cast<unsigned char>(c)] = what;
+  };
+  for (unsigned char c = 'A'; c <= 'Z'; ++c) begins[c] = begins[c - 'A' + 'a'] = Begins::Word;
+  mark("0123456789.", Begins::Number);
+  mark("#", Begins::Variable);
+  mark("[", Begins::Bracket);
+  mark("+-", Begins::Sign);
+  return begins;
+}();
+
+/// A number with a gap in it, or one that is wrong.
+Value other_constant(OpenExpression& e) {
+  const std::uint32_t at = e.s->offset();
+  const Number number = scan_number(*e.s);
+  if (number.points > 1)
+    return e.out.refuse(Cause::IllegalDecimalPoint, at, "two points in one number");
+  if (!number.any) return e.out.refuse(Cause::ExpressionFormat, at, "a point is no number");
+  const int most = e.rules.control.macros.max_constant_digits.value;
+  if (number.digits > static_cast<std::uint32_t>(most))
+    return e.out.refuse(Cause::TooManyDigits, at,
+                        "a number has at most " + std::to_string(most) + " digits");
+  if (!e.out.has_room(e.s->offset())) return {};
+  e.out.emit(Ins::Constant, at, number.value);
+  return Value::number();
+}
+
+Value sign(OpenExpression& e) {
+  const std::uint32_t at = e.s->offset();
+  const bool negative = *e.s->at++ == '-';
+  const char next = e.s->peek();
+  if (next == '-' || next == '+')
+    return e.out.refuse(Cause::ExpressionFormat, e.s->offset(), "two signs in a row");
+  return e.wait(negative ? Waiting::Kind::Minus : Waiting::Kind::Plus, at);
+}
+
+Refused no_operand(OpenExpression& e) {
+  const bool inside = e.brackets > 0;
+  const std::uint32_t at = e.s->offset();
+  switch (e.s->peek()) {
+    case ']':
+      return e.out.refuse(inside ? Cause::ExpressionFormat : Cause::BracketNotOpened, at,
+                          "a value is missing before the bracket");
+    case '\0':
+      return e.out.refuse(inside ? Cause::BracketNotClosed : Cause::ExpressionFormat, at,
+                          "a value is missing at the end");
+    default:
+      return e.out.refuse(Cause::ExpressionFormat, at, "a value is missing here");
+  }
+}
+
+}  // namespace
+
+Value other_operand(OpenExpression& e) {
+  if (e.s->at != e.s->end && begins_gap(*e.s->at)) {
+    e.s->pass_gap();
+    return e.s->at == e.s->end ? no_operand(e) : Value::awaited();
+  }
+  const std::uint32_t at = e.s->offset();
+  switch (e.s->at == e.s->end ? Begins::Nothing : kBegins[static_cast<unsigned char>(*e.s->at)]) {
+    case Begins::Number:
+      return other_constant(e);
+    case Begins::Variable:
+      return other_variable(e);
+    case Begins::Bracket:
+      return e.open(Waiting::Kind::Bracket, at);
+    case Begins::Sign:
+      return sign(e);
+    case Begins::Word:
+      return word(e);
+    default:
+      return no_operand(e);
+  }
+}
+
+}  // namespace cncsub
