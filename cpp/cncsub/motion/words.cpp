@@ -157,7 +157,7 @@ bool lacks_speed(MotionView m) {
 
 namespace {
 
-bool turns(char address) { return (address >= 'A' && address <= 'C') || (address == 'H'); }
+bool turns(char address) { return ((bit('A') | bit('B') | bit('C') | bit('H')) & bit(address)) != 0; }
 bool pulses(const MotionState& state) {
   return state.modal[at(Group::Units)].meaning == Meaning::Pulses;
 }
@@ -172,6 +172,7 @@ double steps_of(MotionView m, char address) {
 
 double in_units(MotionView m, const NcWords& words, char address) {
   const double value = words[address];
+  if (((words.computed | words.whole) & bit(address)) == 0) return value;
   const bool computed = (words.computed & bit(address)) != 0;
   const bool steps_meant = !computed && (words.whole & bit(address)) != 0 &&
                            m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments;

@@ -28,7 +28,7 @@ Axes RadiusPath::start_of(const Axes& from) const {
   const Held& held = sink.state.held;
   if (held.radius.empty() && !held.engaged) return from;
   const Point corner = view.point(held.radius_to), there = view.point(from);
-  if (!same(corner, there)) return from;
+  if ((corner.a == there.a && corner.b == there.b) || !same(corner, there)) return from;
   Axes start = from;
   view.set(start, corner);
   return start;
@@ -50,23 +50,23 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
     if (a.straight())
       join.leave = na + along * u;
     else
-      join.way.push_back(na + along * u);
+      join.go_by(na + along * u);
   };
   const double cosine = dot(u, v);
   const AcuteCorner corner = sink.facts.control->motion.acute_corner.value;
   if (cosine >= -1e-9) {
     go_on(reach * std::fabs(cross(u, v)) / (1 + cosine));
-    if (!b.straight()) join.way.push_back(nb);
+    if (!b.straight()) join.go_by(nb);
     return;
   }
   if (corner != AcuteCorner::Lines) {
-    join.way.push_back(nb);
+    join.go_by(nb);
     join.turn = std::acos(std::max(cosine, -1.0)) * (offset > 0 ? -1 : 1);
     return;
   }
   go_on(reach);
-  join.way.push_back(nb - reach * v);
-  if (!b.straight()) join.way.push_back(nb);
+  join.go_by(nb - reach * v);
+  if (!b.straight()) join.go_by(nb);
 }
 
 Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, double offset,
@@ -111,11 +111,9 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
     const double before = sharpness({held.entered[0], held.entered[1]}, u);
     return back * std::max(before, sharpness(w, next)) > least;
   };
-  Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
-  if (curve.straight()) {
-    if (cuts(-dot(stop - start, u))) return wrong;
-    return std::nullopt;
-  }
+  const auto interference = [&] { return Fault{Cause::CompensationInterference, piece.at, 1, {}}; };
+  if (curve.straight())
+    return cuts(-dot(stop - start, u)) ? Result(interference()) : std::nullopt;
   const double first = moved_radius(curve, curve.from, offset_of(piece)),
                last = moved_radius(curve, curve.to, offset_of(piece));
   if (first + last < -2 * least) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
@@ -124,7 +122,7 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
   const double way =
       curve.turn + angle(curve.to - curve.centre, s) - angle(curve.from - curve.centre, r);
   const double forward = curve.turn > 0 ? way : -way;
-  if (cuts(-forward * radius)) return wrong;
+  if (cuts(-forward * radius)) return interference();
   if (forward <= 0 || radius <= least)
     straighten(piece);
   else if (forward > 2 * kPi)  // once round, and a hair further
@@ -148,11 +146,10 @@ Result RadiusPath::leave(const Curve& curve, Point v, const Join* join, Point ne
   }
   held.entered = {u.a, u.b};
   if (auto wrong = record(first, v)) return wrong;
-  if (join != nullptr)
-    for (const Point& at : join->way) {
-      if (auto wrong = record_bit(first, first.end, at, join->turn)) return wrong;
-      v = at;
-    }
+  for (std::size_t i = 0; join != nullptr && i < join->points; ++i) {
+    v = join->way[i];
+    if (auto wrong = record_bit(first, first.end, v, join->turn)) return wrong;
+  }
   for (std::size_t i = 1; i < held.radius.size(); ++i)
     if (auto wrong = record_idle(held.radius[i], v)) return wrong;
   held.radius.clear();
@@ -215,7 +212,7 @@ Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* b
     way.leave = offset * left(v);
   } else if (!held.starting && offset * offset_of(piece) < 0) {  // to the other side
     way.leave = offset * left(u);
-    way.way.push_back(normal);
+    way.go_by(normal);
   } else if (auto wrong = join(before, curve, behind, offset, piece.at, way)) {
     return wrong;
   }

@@ -15,11 +15,14 @@ inline bool is_arc(const Piece& piece) { return piece.turn != 0; }
 
 /// How two moves with their offsets join.
 struct Join {
-  Point leave;             // where the tool leaves the first move, from the corner
-  std::vector<Point> way;  // points in between, from the corner
+  Point leave;                 // where the tool leaves the first move, from the corner
+  std::array<Point, 3> way{};  // points in between, from the corner:
+  std::size_t points = 0;      // so many
   double turn = 0;         // of the arc around the corner that leads to the only one of them
   enum Step { None, First, Second } over = None;  // the move that is a step the tool goes over
   Point along;                                    // its direction where it touches the step
+
+  void go_by(Point point) { way[points++] = point; }
 };
 
 /// The geometry of the moves at one corner, in the plane of the moves. Two points are one where the
