@@ -221,7 +221,7 @@ Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, 
       once == Meaning::Local)
     m.state.moved_before = true;
   if (!in_range) return out_of_range(block.words.at);
-  return count_idle(m, block);
+  return count_idle(m.sink, block.words.at);
 }
 
 /// A block of which `only_moves` is true.

@@ -1,6 +1,7 @@
 // The fast path, Motion::linear and Motion::arc: what it needs to know.
 #pragma once
 
+#include "cncsub/code/code.hpp"
 #include "cncsub/motion/facts.hpp"
 
 namespace cncsub {
@@ -13,6 +14,16 @@ inline double plain_feed(const MotionState& state, double value) {
   const bool times = state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
   return times ? value : value * state.unit;
 }
+
+/// Which of the codes of a path a meaning is, 0 for G00 to 3 for G03; -1 where it is none.
+inline int path_of(Meaning meaning) {
+  const int path = static_cast<int>(meaning) - static_cast<int>(Meaning::Rapid);
+  return path >= 0 && path < 4 ? path : -1;
+}
+
+/// Whether the words other than G and M codes are those of a plain move, S and T, with values that
+/// the general path has nothing to say about. `plain`: the state is.
+bool has_plain_words(const MotionFacts& facts, const NcWords& words, bool plain);
 
 /// A code of plain moves, 0 to 3, is that of the moves to come.
 void take_code(const MotionFacts& facts, MotionState& state, int code);

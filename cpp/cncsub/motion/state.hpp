@@ -157,6 +157,7 @@ struct MoveValues {
   bool plain = false;   // nothing but G00 to G03 with words for X Y Z F and a centre can happen
   bool direct = false;  // the same, but points may be turned, and feeds may be times or count on a
                         // spindle that follows the diameter
+  bool beside = false;  // as direct, but radius compensation leads the tool beside its way
   bool incremental = false;
   std::uint8_t motion_code = 0;  // where it is plain: 1 is G01
   std::uint32_t row_state = 0;

@@ -277,19 +277,20 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
 
 /// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
 /// the normal.
-Result count_idle(MotionContext& m, const BlockWords& block) {
-  Held& held = m.state.held;
+Result count_idle(MoveSink& sink, std::uint32_t at) {
+  Held& held = sink.state.held;
   const bool moved =
-      std::exchange(held.moved, false) || !held.corner.empty() || m.state.angled.waiting();
-  if (held.radius.empty() || moved || is_by_own_normal(m.facts)) {
+      std::exchange(held.moved, false) || !held.corner.empty() || sink.state.angled.waiting();
+  if (held.radius.empty() || moved || is_by_own_normal(sink.facts)) {
     held.idle = 0;
     return std::nullopt;
   }
-  const Control& c = *m.facts.control;
+  const Control& c = *sink.facts.control;
   if (++held.idle <= c.motion.idle_blocks.value) return std::nullopt;
-  if (m.facts.refuses(Cause::CompensationIdle)) return fault(Cause::CompensationIdle, block);
+  if (sink.facts.refuses(Cause::CompensationIdle))
+    return Fault{Cause::CompensationIdle, at, 1, {}};
   held.idle = 0;
-  return flush_radius(m.sink);
+  return flush_radius(sink);
 }
 
 }  // namespace cncsub
