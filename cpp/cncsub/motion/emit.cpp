@@ -71,8 +71,6 @@ void write_row(MoveSink& sink, const Piece& piece, const Axes& machine,
 
 }  // namespace
 
-Axes machine_point(const MotionState& state) { return state.work + state.offset + state.length; }
-
 MoveState move_state(const MotionState& state) {
   MoveState row;
   row.feed = state.feed;

@@ -21,9 +21,10 @@ constexpr std::uint32_t kArcWords = kCentreWords | bit('R');
 
 /// Whether the tool stands elsewhere than its offsets say: the next move takes it there.
 bool tool_waits(const MotionState& state) {
-  const Axes at = machine_point(state), way = at - state.tool_at;
-  return at != state.tool_at &&
-         std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
+  const Axes at = machine_point(state);
+  if (same_bits(at, state.tool_at)) return false;
+  const Axes way = at - state.tool_at;
+  return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
 }
 
 /// Zero while there is no feed.

@@ -106,7 +106,7 @@ bool Motion::line_beside(const NcWords& words, std::uint32_t step, Moves* moves,
     undo.put_back();
     return false;
   }
-  prepare_fast_path(*facts_, s);
+  if (!compensating(s)) prepare_fast_path(*facts_, s);  // this may have been the last
   outcome = {};
   outcome.moved = line.moved, outcome.axis_word = true, outcome.moves = 1;
   return true;
