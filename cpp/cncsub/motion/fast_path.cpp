@@ -302,14 +302,15 @@ bool plan_machine_move(MotionView m, const Modes& modes, const NcWords& words, P
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
   using Way = PlainBlock::Way;
   MotionState& s = state_;
-  if (s.beside) return line_beside(words, step, moves, outcome);
+  if (s.beside) return move_alone(words, step, moves, outcome);
   if (!s.direct || !are_modes(s, words) || !has_plain_words(*facts_, words, s.plain)) return false;
   if (words.codes->has(Group::Cycle) && facts_->refuses(Cause::NoMotionCode)) return false;
   if (turned(s) && check_conflicts(view(), {.words = words, .step = step})) return false;
   const Modes modes(s, *words.codes);
   PlainBlock block;
   const bool machine = words.codes->meaning(Group::OneShot) == Meaning::Machine;
-  if (!(machine ? plan_machine_move : plan_block)(view(), modes, words, block)) return false;
+  if (!(machine ? plan_machine_move : plan_block)(view(), modes, words, block))
+    return block.way == Way::Arc && facts_->lathe() && move_alone(words, step, moves, outcome);
 
   modes.set(*facts_, s);
   set_tool_and_spindle(s, facts_->control->calls.roles.value, words);

@@ -45,22 +45,12 @@ void find_end(MotionView m, const NcWords& words, const Axes& zero, PlainLine& l
   }
 }
 
-/// Where a line ends, and whether that is another place.
+/// Where a line ends.
 void plan_end(MotionView m, const NcWords& words, const Axes* zero, PlainLine& line) {
-  const MotionState& s = m.state;
-  const bool turns = turned(s);
-  line.end = turns ? turned_back(s, s.work) : s.work;
+  const bool turns = turned(m.state);
+  line.end = turns ? turned_back(m.state, m.state.work) : m.state.work;
   find_end(m, words, zero != nullptr ? *zero : Axes(line.end), line);
-  if (turns) turn_point(s, line.end, line.named);
-  for (std::size_t i = 0; i < line.end.size(); ++i)
-    line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= 1e-12;
-}
-
-/// Whether a block says nothing but a line. `path`: the code of its motion, 0 for G00.
-bool is_line(MotionView m, const NcWords& words, int path) {
-  const std::uint32_t axes = kEndWords | m.facts.other_axes | m.facts.increments;
-  return path <= 1 && words.codes->only_of_moves() && (words.mask & axes) != 0 &&
-         (words.mask & ~(axes | bit('F'))) == 0 && has_plain_words(m.facts, words, false);
+  if (turns) turn_point(m.state, line.end, line.named);
 }
 
 }  // namespace
@@ -69,6 +59,8 @@ bool plan_line(MotionView m, const NcWords& words, bool rapid, const Axes* zero,
                PlainLine& line) {
   const MotionState& s = m.state;
   plan_end(m, words, zero, line);
+  for (std::size_t i = 0; i < line.end.size(); ++i)
+    line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= 1e-12;
   const Axes from = machine_point(s), to = line.end + s.offset + s.length;
   const std::uint32_t diameters = m.facts.diameters;
   const double length = length_of(from, to, diameters), x_zero = s.offset[0] + s.length[0];
@@ -77,39 +69,6 @@ bool plan_line(MotionView m, const NcWords& words, bool rapid, const Axes* zero,
   const MoveKind kind = rapid ? MoveKind::Rapid : MoveKind::Feed;
   line.seconds = seconds_of({kind, row, from, to, length, x_zero, 0}, m.facts.rapid, diameters);
   return in_range(to) && in_range(std::array{length, line.seconds, s.time + line.seconds});
-}
-
-bool Motion::line_beside(const NcWords& words, std::uint32_t step, Moves* moves,
-                         Outcome& outcome) {
-  MotionState& s = state_;
-  const BlockCodes& codes = *words.codes;
-  const int path = codes.has(Group::Motion) ? path_of(codes.meaning(Group::Motion)) : s.motion_code;
-  if (!is_line(view(), words, path)) return false;
-  const BlockWords block{.words = words, .step = step};
-  if (turned(s) && check_conflicts(view(), block)) return false;
-  PlainLine line;
-  plan_end(view(), words, s.incremental ? nullptr : &kOrigin, line);
-
-  Undo undo(s, before_, log_, moves, true);
-  take_code(*facts_, s, path);
-  if (words.has('F')) take_feed(s, words['F']);
-  const MoveKind kind = path == 0 ? MoveKind::Rapid : MoveKind::Feed;
-  const Piece piece = make_piece(view(), block, kind, line.end, line.named);
-  const Axes from = s.work + s.offset;
-  MoveSink sink{*facts_, s, moves};
-  s.named |= line.named;
-  s.work = line.end;
-  s.moved_before = true;
-  const bool possible = (path == 0 || s.feed > 0) && in_range(piece.end) && in_range(s.work) &&
-                        !through_radius(sink, piece, from) && !count_idle(sink, words.at);
-  if (!possible) {  // the general path says why
-    undo.put_back();
-    return false;
-  }
-  if (!compensating(s)) prepare_fast_path(*facts_, s);  // this may have been the last
-  outcome = {};
-  outcome.moved = line.moved, outcome.axis_word = true, outcome.moves = 1;
-  return true;
 }
 
 }  // namespace cncsub
