@@ -194,7 +194,8 @@ Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
 Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                           bool& over) {
   const Held& held = sink.state.held;
-  const Point v = curve.start_direction(), normal = offset_of(piece) * left(v);
+  const double side = offset_of(piece);
+  const Point v = curve.start_direction(), normal = side * left(v);
   if (held.radius.empty()) {
     // Behind blocks that were not looked over the tool first goes onto the normal of this move.
     if (same_normal(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
@@ -206,11 +207,11 @@ Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* b
   const double offset = offset_of(first);
   const StartUp start_up = sink.facts.control->motion.start_up.value;
   const bool start_around = held.starting && start_up == StartUp::TypeB &&
-                            !inside(u, v, offset_of(piece)) && cross(u, v) != 0;
+                            !inside(u, v, side) && cross(u, v) != 0;
   Join way;
   if (held.starting && !start_around) {
     way.leave = offset * left(v);
-  } else if (!held.starting && offset * offset_of(piece) < 0) {  // to the other side
+  } else if (!held.starting && offset * side < 0) {  // to the other side
     way.leave = offset * left(u);
     way.go_by(normal);
   } else if (auto wrong = join(before, curve, behind, offset, piece.at, way)) {
