@@ -167,21 +167,6 @@ bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t st
   return true;
 }
 
-bool has_plain_words(const MotionFacts& facts, const NcWords& words, bool plain) {
-  const std::uint32_t known =
-      kEndWords | kArcWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
-  const std::uint32_t others = words.mask & (facts.other_axes | facts.increments);
-  // X beside U, Z beside W.
-  if ((words.mask & (words.mask & facts.increments) << ('X' - 'U')) != 0) return false;
-  if ((others != 0 || !plain) && words.has('S')) return false;
-  if (words.stops || (words.mask & ~(known | others)) != 0) return false;
-  if (words.has('S') && !(words['S'] > 0)) return false;
-  if (!words.has('F')) return true;
-  const bool steps = (words.whole & bit('F')) != 0 &&
-                     facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
-  return words['F'] > 0 && !steps;
-}
-
 namespace {
 
 /// What the codes of a block set that are nothing but modes.
@@ -220,6 +205,18 @@ bool are_modes(const MotionState& state, const NcWords& words) {
         codes.meaning(group) != state.modal[at(group)].meaning)
       return false;
   return !codes.has(Group::Length) || state.length == Axes{};
+}
+
+/// Whether the words other than G and M codes are those of a plain move, S and T, with values that
+/// the general path has nothing to say about. `plain`: the state is.
+bool has_plain_words(const MotionFacts& facts, const NcWords& words, bool plain) {
+  const std::uint32_t known =
+      kEndWords | kArcWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
+  const std::uint32_t others = words.mask & (facts.other_axes | facts.increments);
+  if ((others != 0 || !plain) && words.has('S')) return false;
+  if (words.stops || (words.mask & ~(known | others)) != 0) return false;
+  if (words.has('S') && !(words['S'] > 0)) return false;
+  return has_plain_values(facts, words);
 }
 
 /// What the T, M and S of a block set.

@@ -24,14 +24,11 @@ constexpr std::size_t kReadAhead = 8;
 }  // namespace
 
 /// Where a move starts: at the end of the last one that the increment can tell from its start.
-Axes RadiusPath::start_of(const Axes& from) const {
+void RadiusPath::find_start(Axes& from) const {
   const Held& held = sink.state.held;
-  if (held.radius.empty() && !held.engaged) return from;
+  if (held.radius.empty() && !held.engaged) return;
   const Point corner = view.point(held.radius_to), there = view.point(from);
-  if ((corner.a == there.a && corner.b == there.b) || !same(corner, there)) return from;
-  Axes start = from;
-  view.set(start, corner);
-  return start;
+  if ((corner.a != there.a || corner.b != there.b) && same(corner, there)) view.set(from, corner);
 }
 
 bool RadiusPath::moves_in_plane(const Piece& piece, const Axes& from) const {
@@ -247,7 +244,8 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   if (!active && !held.engaged && held.radius.empty()) return record_move(sink, piece, {});
   if (is_by_own_normal(sink.facts)) return by_own_normal(sink, piece, from);
   RadiusPath path(sink, piece.plane);
-  Axes start = path.start_of(from);
+  Axes start = from;
+  path.find_start(start);
   if (!path.moves_in_plane(piece, start)) return look_over(path, piece, from);
   const Curve curve = curve_of(path.view, start, piece);
   held.moved = true;

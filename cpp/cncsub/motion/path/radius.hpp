@@ -77,7 +77,7 @@ struct RadiusPath {
   bool inside(Point u, Point v, double offset) const {
     return cross(u, v) * offset > 0 && !same_normal(offset * u, -offset * v);
   }
-  Axes start_of(const Axes& from) const;
+  void find_start(Axes& from) const;
   bool moves_in_plane(const Piece& piece, const Axes& from) const;
   /// `behind` is the move behind those at the corner, where it is known.
   Result join(const Curve& a, const Curve& b, const Curve* behind, double offset, std::uint32_t at,
