@@ -83,12 +83,7 @@ void assign(Builder& to, Block& block, const Statement& statement) {
                             statement.variable_at - block.text, statement.variable_width};
     const bool as_told = statement.text_length == 0 && statement.at == statement.variable_at &&
                          statement.at + statement.width == end;
-    if (assigned.fits() && as_told) {
-      block.op = Op::Set;
-      block.aux = statement.expression;
-      block.data = assigned.data();
-      return;
-    }
+    if (assigned.fits() && as_told) return set(block, assigned, statement.expression);
   }
   to.become(block, Op::Assign, statement);
 }

@@ -178,6 +178,12 @@ class Builder {
   std::size_t first_drop_;  // of the block whose words come next
 };
 
+/// The block gives the value of an expression to a local or a common.
+inline void set(Block& block, const Assigned& to, std::uint32_t expression) {
+  block.op = Op::Set;
+  block.aux = expression;
+  block.data = to.data();
+}
 /// The block assigns a value to a variable.
 void assign(Builder& to, Block& block, const Statement& statement);
 

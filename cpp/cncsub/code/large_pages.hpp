@@ -35,7 +35,7 @@ struct LargePages {
   bool operator==(const LargePages&) const { return true; }
 
  private:
-  static constexpr std::size_t kLarge = 4 * system::kLargePage;
+  static constexpr std::size_t kLarge = 1 * system::kLargePage;
 };
 
 /// A vector that may grow to many megabytes.

@@ -13,7 +13,7 @@ namespace cncsub {
 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-inline char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 /// A digit, a point or a sign.
 inline bool begins_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
 /// The character that begins a text, all bytes of it.

@@ -20,7 +20,7 @@ void conditional(Builder& to, Statement statement, const Block& then, Block& blo
 }  // namespace
 
 void BlockReader::read_any(Scanner& s, Block& block) {
-  WordScanner words(to_, rules_, s, block);
+  WordScanner words(to_, rules_, expressions_, s, block);
   if (!words.head()) return;
   const int most = control_.reading.max_block_length.value;
   if (most > 0 && s.end - (s.file + block.text) > static_cast<std::ptrdiff_t>(most))
@@ -28,7 +28,7 @@ void BlockReader::read_any(Scanner& s, Block& block) {
                               "a block has at most " + std::to_string(most) + " characters"});
   if (control_.calls.conditional_return.value && s.peek() == '[')
     return conditional_return(s, block);
-  StatementReader statement(to_, rules_.expressions, s, block);
+  StatementReader statement(to_, expressions_, s, block);
   if (statement.read()) {
     const auto& words = statement.before_words();
     if (const auto then = words ? words_behind(s, block) : std::nullopt)
@@ -43,7 +43,7 @@ void BlockReader::read_any(Scanner& s, Block& block) {
 std::optional<Block> BlockReader::words_behind(Scanner& s, Block& block) {
   Block behind = block;
   tokens_.clear();
-  if (WordScanner(to_, rules_, s, behind).words(tokens_)) write(behind, tokens_, true);
+  if (WordScanner(to_, rules_, expressions_, s, behind).words(tokens_)) write(behind, tokens_, true);
   if (behind.op != Op::Fault) return behind;
   block.op = Op::Fault;
   block.aux = behind.aux;
@@ -54,9 +54,8 @@ std::optional<Block> BlockReader::words_behind(Scanner& s, Block& block) {
 void BlockReader::conditional_return(Scanner& s, Block& block) {
   Statement statement;
   statement.at = s.offset();
-  ExpressionReader reader(to_, rules_.expressions, s);
-  const auto condition = reader.condition();
-  if (!condition) return to_.refuse(block, reader.fault());
+  const auto condition = expressions_.condition(s);
+  if (!condition) return to_.refuse(block, expressions_.fault());
   statement.expression = *condition;
   statement.width = s.offset() - statement.at;
   const auto back = words_behind(s, block);

@@ -15,10 +15,14 @@ namespace cncsub {
 class BlockReader {
  public:
   explicit BlockReader(Builder& to)
-      : to_(to), control_(to.control()), rules_(to.code()), plain_(to, rules_) {}
+      : to_(to),
+        control_(to.control()),
+        rules_(to.code()),
+        expressions_(to, rules_.expressions),
+        plain_(to, rules_, expressions_) {}
   /// Compiles what stands between the scanner and its end into `block`, whose text and line are
   /// set. Where interrupt is over, the block is not what its text says.
-  void read(Scanner scanner, Block& block) {
+  void read(Scanner& scanner, Block& block) {
     block.op = Op::Words;
     if (!plain_.read(scanner, block)) read_any(scanner, block);
   }
@@ -33,6 +37,7 @@ class BlockReader {
   Builder& to_;
   const Control& control_;
   BlockRules rules_;
+  ExpressionReader expressions_;
   PlainReader plain_;
   Tokens tokens_;
 };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "cncsub/text/scan.hpp"
-
 namespace cncsub {
 
 namespace {
@@ -38,12 +36,6 @@ constexpr FunctionName kFunctions[] = {{Function::Sin, Ins::Sin},
                                        {Function::Rand, Ins::Random},
                                        {Function::Srand, Ins::End, Ins::RandomBetween},
                                        {Function::Ar, Ins::Programmed}};
-static_assert(std::size(kFunctions) <= 32);
-
-constexpr std::uint32_t packed(char a, char b, char c) {
-  const auto byte = [](char of) { return std::uint32_t{static_cast<unsigned char>(of)}; };
-  return byte(a) | byte(b) << 8 | byte(c) << 16;
-}
 
 }  // namespace
 
@@ -75,12 +67,13 @@ ExpressionRules::ExpressionRules(const Code& of)
                       static_cast<std::uint32_t>(place.index),
                       place.is_local() || range.access == Access::ReadWrite};
   }
-  count = 0;
   for (const FunctionName& of_name : kFunctions) {
     const std::string_view name = name_of(of_name.function);
     if (name.size() != 3 || !has(of_name.function)) continue;
-    short_names_[count] = packed(name[0], name[1], name[2]);
-    short_functions_[count++] = &of_name;
+    std::size_t slot = slot_of(packed(name[0], name[1], name[2]));
+    while (short_names_[slot] != 0) slot = (slot + 1) % kSlots;
+    short_names_[slot] = packed(name[0], name[1], name[2]);
+    short_functions_[slot] = &of_name;
   }
 }
 
@@ -90,13 +83,6 @@ const FunctionName* ExpressionRules::function(std::string_view name) const {
   if (!control.macros.short_functions.value || name.size() < 2) return nullptr;
   for (const FunctionName& f : kFunctions)
     if (name_of(f.function).starts_with(name) && has(f.function)) return &f;
-  return nullptr;
-}
-
-const FunctionName* ExpressionRules::short_function(const char* at) const {
-  const std::uint32_t name = packed(upper(at[0]), upper(at[1]), upper(at[2]));
-  for (std::size_t i = 0; short_functions_[i] != nullptr; ++i)
-    if (short_names_[i] == name) return short_functions_[i];
   return nullptr;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -38,9 +39,12 @@ struct ExpressionRules {
   bool has(Function function) const { return control.macros.functions.value.has(function); }
   /// The function of this name, or of the name that it abbreviates; null where there is none.
   const FunctionName* function(std::string_view name) const;
-  /// The function of three letters that stands here with its bracket behind it, null where another
-  /// word or a gap does.
-  const FunctionName* short_function(const char* at) const;
+  /// The function whose name is these three letters, null where there is none.
+  const FunctionName* short_function(char a, char b, char c) const {
+    const std::uint32_t name = packed(a, b, c);
+    for (std::size_t slot = slot_of(name);; slot = (slot + 1) % kSlots)
+      if (short_names_[slot] == name || short_names_[slot] == 0) return short_functions_[slot];
+  }
 
   /// Where a local or one of the first commons lies, and how a value that may be vacant is pushed.
   struct Near {
@@ -57,9 +61,20 @@ struct ExpressionRules {
   }
 
  private:
+  static constexpr std::size_t kSlots = 64;
+
+  static constexpr std::uint32_t packed(char a, char b, char c) {
+    const auto byte = [](char of) { return std::uint32_t{static_cast<unsigned char>(upper(of))}; };
+    return byte(a) | byte(b) << 8 | byte(c) << 16;
+  }
+  static constexpr std::size_t slot_of(std::uint32_t name) {
+    return (name ^ name >> 6 ^ name >> 13) % kSlots;
+  }
+
   std::array<Near, 3> near_{};
-  std::array<std::uint32_t, 32> short_names_{};
-  std::array<const FunctionName*, 32> short_functions_{};
+  // Functions of three letters, each in the first free slot from its own on; fewer than there are.
+  std::array<std::uint32_t, kSlots> short_names_{};
+  std::array<const FunctionName*, kSlots> short_functions_{};
 };
 
 }  // namespace cncsub

@@ -108,7 +108,7 @@ const OperatorName* find_other_operator(const ExpressionRules& rules, const Scan
 
 bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
                    std::span<const Waiting> waiting) {
-  if (value.type != Value::Type::Number) return false;
+  if (!value.is_number()) return false;
   const bool compared = std::any_of(waiting.begin(), waiting.end(),
                                     [](const Waiting& left) { return left.of->compares(); });
   if (!compared) return true;
@@ -121,7 +121,7 @@ Value apply_other(ValueWriter& out, const Waiting& waiting, Value right, std::ui
   const OperatorName& of = *waiting.of;
   Value left = waiting.left;
   if (of.compares()) return compare(out, waiting, right, end);
-  if (left.type == Value::Type::Condition && right.type == Value::Type::Condition) {
+  if (left.is_condition() && right.is_condition()) {
     if (!out.rules().joined)
       return out.refuse(Cause::IfFormat, waiting.at, "conditions cannot be joined on this control");
     out.emit(of.other, waiting.at);

@@ -29,11 +29,29 @@ inline constexpr OperatorName kArithmetic[] = {{"+", Ins::Add, 1, 2, Ins::AddCon
 
 constexpr int kTightest = 3;  // of the levels where logic binds last
 
+/// What waits for a value on its right.
 struct Waiting {  // NOLINT(*-member-init): for its right value
-  Value left;
-  const OperatorName* of;
+  enum class Kind : std::uint8_t {
+    Operator,
+    Plus,
+    Minus,
+    Not,
+    Bracket,         // [
+    Indirect,        // #[
+    Function,        // SIN[
+    ArcTangent,      // ATAN[ whose second argument may stand in brackets behind a slash
+    SecondArgument,  // and these
+  };
+  static constexpr int kOpening = -1, kPrefix = kTightest + 1;
+
+  Value left;               // of an operator
+  const OperatorName* of;   // of an operator
+  const FunctionName* function;
   std::uint32_t at;
-  int level;
+  std::uint32_t first;  // of a sign: the place of the operand's first instruction
+  int level;            // how tightly an operator binds; kPrefix of signs and NOT; kOpening
+  Kind kind;
+  bool second;  // of a function: the second argument is read
 };
 
 /// An operator that is no sign of arithmetic; null where none stands here.

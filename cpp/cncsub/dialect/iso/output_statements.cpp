@@ -29,10 +29,9 @@ void StatementReader::print(const Keyword& keyword, Statement& /*statement*/) {
 bool StatementReader::print_field(Print& print) {
   PrintField field;
   field.is_variable = true;
-  ExpressionReader reader(to_, rules_, s_);
-  const auto value = reader.word_value('\0');
+  const auto value = expressions_.word_value(s_, '\0');
   if (!value) {
-    refuse(reader.fault());
+    refuse(expressions_.fault());
     return false;
   }
   field.expression = *value;
@@ -81,7 +80,7 @@ void StatementReader::name_variables(const Keyword& /*keyword*/, Statement& stat
   }
   statement.variable_width =
       static_cast<std::uint32_t>(code_.names.size()) - static_cast<std::uint32_t>(statement.index);
-  if (at_end(Cause::NcAndMacroInBlock)) finish(Op::NameVariables, statement);
+  if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, Op::NameVariables, statement);
 }
 
 }  // namespace cncsub

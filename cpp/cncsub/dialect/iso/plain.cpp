@@ -31,9 +31,10 @@ struct PlainReader::Words {
   int count = 0;
 };
 
-PlainReader::PlainReader(Builder& to, const BlockRules& rules)
+PlainReader::PlainReader(Builder& to, const BlockRules& rules, ExpressionReader& expressions)
     : to_(to),
       rules_(rules),
+      expressions_(expressions),
       max_digits_(rules.control.reading.max_digits.value),
       max_n_(rules.control.reading.max_sequence_number.value),
       cuts_fine_digits_(rules.control.reading.cuts_fine_digits.value) {
@@ -133,21 +134,21 @@ bool pass_comment(const char*& at, const char* end) {
 }  // namespace
 
 /// A value that an expression at `at` gives.
-bool PlainReader::take_computed(Words& words, char letter, const char*& at, const Scanner& s) {
+bool PlainReader::take_computed(Words& words, char letter, const char*& at, Scanner& s) {
   const std::uint32_t mark = bit(letter);
   if ((words.mask & mark) != 0 || (letter == 'P' && rules_.control.calls.bracket_names.value))
     return false;
-  Scanner here{at, s.end, s.file};
-  const auto expression = ExpressionReader(to_, rules_.expressions, here).word_value(letter);
+  s.at = at;
+  const auto expression = expressions_.word_value(s, letter);
   if (!expression) return false;
   words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
   words.mask |= mark;
   words.computed |= mark;
-  at = here.at;
+  at = s.at;
   return true;
 }
 
-CNCSUB_ALWAYS_INLINE inline bool PlainReader::take_words(const Scanner& s, Words& words) {
+CNCSUB_ALWAYS_INLINE inline bool PlainReader::take_words(Scanner& s, Words& words) {
   const char* p = s.at;
   for (;;) {
     while (*p == ' ') ++p;
@@ -192,45 +193,53 @@ void PlainReader::write_list(const Words& words, std::uint32_t whole, Block& blo
   to_.words(block, list);
 }
 
-/// An assignment, perhaps behind its N.
-bool PlainReader::assignment(const Scanner& s, Block& block) {
-  Scanner here = s;
+/// An assignment behind its N.
+bool PlainReader::numbered_assignment(Scanner& s, Block& block) {
+  const char* at = s.at + 1;
   Words head;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  if (*here.at == 'N') {
-    const Mantissa number = scan_mantissa(++here.at);
-    if (number.point || !fits(number) || !take_n(head, number)) return false;
-    while (*here.at == ' ') ++here.at;
-  }
-  if (here.at >= s.end || *here.at != '#') return false;
+  const Mantissa number = scan_mantissa(at);
+  if (number.point || !fits(number) || !take_n(head, number)) return false;
+  while (*at == ' ') ++at;
+  if (at >= s.end || *at != '#') return false;
+  s.at = at;
   block.n = head.n;
-  return StatementReader(to_, rules_.expressions, here, block).read();
+  StatementReader(to_, expressions_, s, block).assign();
+  return true;
 }
 
 /// Behind a slash at the head, whose switch passes over the block.
-bool PlainReader::read_skipped(const Scanner& s, Block& block) {
-  Scanner behind = s;
-  ++behind.at;
-  const bool numbered = *behind.at >= '1' && *behind.at <= '9';
-  const int number = numbered ? *behind.at++ - '0' : 1;
-  while (*behind.at == ' ') ++behind.at;
-  if (*behind.at == '/' || !read(behind, block)) return false;
+bool PlainReader::read_skipped(Scanner& s, Block& block) {
+  const char* const slash = s.at++;
+  const bool numbered = *s.at >= '1' && *s.at <= '9';
+  const int number = numbered ? *s.at++ - '0' : 1;
+  while (*s.at == ' ') ++s.at;
+  if (*s.at == '/' || !read(s, block)) {
+    s.at = slash;
+    return false;
+  }
   block.skip = static_cast<std::uint16_t>(block.skip | 1U << number);
   return true;
 }
 
-bool PlainReader::read(const Scanner& s, Block& block) {
+bool PlainReader::read(Scanner& s, Block& block) {
   if (s.end - s.at >= kLongest) return false;
+  if (*s.at == '#' && assigns_) {
+    StatementReader(to_, expressions_, s, block).assign();
+    return true;
+  }
   if (*s.at == '/') return read_skipped(s, block);
-  if (assigns_ && (*s.at == '#' || *s.at == 'N') && assignment(s, block)) return true;
+  if (*s.at == 'N' && assigns_ && numbered_assignment(s, block)) return true;
   Words words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  const char* const first = s.at;
   const ExpressionWriter::Place before = to_.expressions().place();
   if (!take_words(s, words) || (words.mask == 0 && words.g_count == 0 && words.m < 0) ||
-      (words.dwell && !is_plain_dwell(s, words))) {
+      (words.dwell && !is_plain_dwell({first, s.end, s.file}, words))) {
     to_.expressions().take_back(before);
+    s.at = first;
     return false;
   }
   block.n = words.n;
-  if (words.dwell && whole_dwell_ && std::find(s.at, s.end, '.') == s.end) words.whole = words.mask;
+  if (words.dwell && whole_dwell_ && std::find(first, s.end, '.') == s.end) words.whole = words.mask;
   if (words.dwell || (words.computed | words.whole) != 0)
     write_list(words, words.whole, block);
   else

@@ -10,16 +10,17 @@
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/block_rules.hpp"
+#include "cncsub/dialect/iso/expression.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
 class PlainReader {
  public:
-  PlainReader(Builder& to, const BlockRules& rules);
+  PlainReader(Builder& to, const BlockRules& rules, ExpressionReader& expressions);
   /// Compiles a block that is that plain. False where it is not: it is left to the general way,
-  /// which gives the same code.
-  bool read(const Scanner& s, Block& block);
+  /// which gives the same code, and the scanner stands where it stood.
+  bool read(Scanner& s, Block& block);
 
  private:
   enum class Kind : std::uint8_t { No, Comment, Value, G, M, N };
@@ -31,15 +32,16 @@ class PlainReader {
   bool take_g(Words& words, const Mantissa& number) const;
   bool take_m(Words& words, const Mantissa& number) const;
   bool take_n(Words& words, const Mantissa& number) const;
-  bool read_skipped(const Scanner& s, Block& block);
-  bool assignment(const Scanner& s, Block& block);
-  bool take_words(const Scanner& s, Words& words);
-  bool take_computed(Words& words, char letter, const char*& at, const Scanner& s);
+  bool read_skipped(Scanner& s, Block& block);
+  bool numbered_assignment(Scanner& s, Block& block);
+  bool take_words(Scanner& s, Words& words);
+  bool take_computed(Words& words, char letter, const char*& at, Scanner& s);
   static bool is_plain_dwell(const Scanner& s, const Words& words);
   void write_list(const Words& words, std::uint32_t whole, Block& block);
 
   Builder& to_;
   const BlockRules& rules_;
+  ExpressionReader& expressions_;
   std::array<Kind, 256> kinds_{};  // what a character begins
   std::bitset<1000> g_;            // the codes that are executed, whatever else the block holds
   int max_digits_;

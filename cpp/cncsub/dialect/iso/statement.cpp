@@ -11,30 +11,23 @@ constexpr int kDeepestThen = 10;
 
 namespace {
 
+struct Destination {
+  Statement::Target kind;
+  std::int32_t index;
+};
+
 /// Where the value of an assignment goes.
-void set_target(const ExpressionRules& rules, const ExpressionReader::Variable& variable,
-                Statement& statement) {
-  if (variable.number < 0) {
-    statement.target = Statement::Target::Indirect;
-    statement.variable = variable.expression;
-    return;
-  }
+Destination destination_of(const ExpressionRules& rules, const ExpressionReader::Variable& variable) {
+  using enum Statement::Target;
+  if (variable.number < 0) return {Indirect, 0};
   const auto number = static_cast<std::uint32_t>(variable.number);
-  if (const auto* const near = rules.near(number); near != nullptr && near->writable) {
-    statement.target =
-        near->raw == Ins::LocalRaw ? Statement::Target::Local : Statement::Target::Common;
-    statement.index = static_cast<std::int32_t>(near->base + number - near->first);
-    return;
-  }
+  if (const auto* const near = rules.near(number); near != nullptr && near->writable)
+    return {near->raw == Ins::LocalRaw ? Local : Common,
+            static_cast<std::int32_t>(near->base + number - near->first)};
   const VariablePlace place = rules.code.place(variable.number);
-  const bool common = place.is_common() && place.range->access == Access::ReadWrite;
-  statement.target = place.is_local() ? Statement::Target::Local
-                     : common         ? Statement::Target::Common
-                                      : Statement::Target::Variable;
-  statement.index =
-      place.is_local() || common
-          ? place.index
-          : to_whole<std::int32_t>(static_cast<double>(variable.number), 0, 2000000000);
+  if (place.is_local()) return {Local, place.index};
+  if (place.is_common() && place.range->access == Access::ReadWrite) return {Common, place.index};
+  return {Variable, to_whole<std::int32_t>(static_cast<double>(variable.number), 0, 2000000000)};
 }
 
 /// The comment behind the value is data of #3000 and #3006.
@@ -107,8 +100,7 @@ bool StatementReader::keyword(std::string_view word) {
 }
 
 /// Refuses a statement that the control does not have, or of which nobody says whether it has it.
-bool StatementReader::lacks(StatementKind kind, std::uint32_t at, std::string_view name) {
-  if (!code_.lacking.test(static_cast<std::size_t>(kind))) return false;
+bool StatementReader::refuses(StatementKind kind, std::uint32_t at, std::string_view name) {
   auto wrong = code_.lacks(kind, at);
   if (wrong && !name.empty())
     wrong->detail.replace(wrong->detail.size() - name_of(kind).size(), std::string::npos, name);
@@ -117,7 +109,7 @@ bool StatementReader::lacks(StatementKind kind, std::uint32_t at, std::string_vi
 }
 
 /// Nothing may stand behind a statement.
-bool StatementReader::at_end(Cause otherwise) {
+bool StatementReader::ends(Cause otherwise) {
   s_.blanks();
   if (code_.control->reading.open_comment.value == OpenComment::RestOfBlock) s_.rest_of_comment();
   const char c = s_.peek();
@@ -132,17 +124,10 @@ bool StatementReader::at_end(Cause otherwise) {
   return false;
 }
 
-void StatementReader::finish(Op op, const Statement& statement) {
-  if (op == Op::Assign)
-    assign(to_, block_, statement);
-  else
-    to_.become(block_, op, statement);
-}
-
 bool StatementReader::read() {
   const char c = s_.peek();
   if (c == '#') {
-    if (!lacks(StatementKind::Variables, s_.offset())) assignment(false);
+    assign();
     return true;
   }
   if (c == '[') return named_assignment();
@@ -171,33 +156,41 @@ bool StatementReader::named_assignment() {
 }
 
 void StatementReader::assignment(bool bracketed) {
-  Statement statement;
-  statement.at = s_.offset();
-  statement.variable_at = s_.offset();
-  s_.take('#');
-  ExpressionReader reader(to_, rules_, s_);
-  const auto variable = reader.variable(statement.at);
-  if (!variable) return refuse(reader.fault());
-  set_target(rules_, *variable, statement);
+  const std::uint32_t at = s_.offset();
+  ++s_.at;
+  const auto variable = expressions_.variable(s_, at);
+  if (!variable) return refuse(expressions_.fault());
   if (bracketed && !s_.take(']'))
     return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the name's bracket is not closed");
-  statement.variable_width = std::max<std::uint32_t>(1, s_.offset() - statement.variable_at);
+  const std::uint32_t width = std::max<std::uint32_t>(1, s_.offset() - at);
   if (!s_.take('='))
     return refuse(Cause::MissingEquals, s_.offset(), 1, "behind the variable stands no =");
-  const auto value = reader.number();
-  if (!value) return refuse(reader.fault());
-  statement.expression = *value;
-  statement.width = std::max<std::uint32_t>(1, s_.offset() - statement.at);
-  const bool common_or_local =
-      statement.target == Statement::Target::Local || statement.target == Statement::Target::Common;
-  if (!common_or_local) keep_comment(code_, s_, statement);
+  const auto value = expressions_.number(s_);
+  if (!value) return refuse(expressions_.fault());
+  const std::uint32_t end = s_.offset();
   block_.op = Op::Assign;
-  if (at_end(Cause::NcAndMacroInBlock)) finish(Op::Assign, statement);
+  if (!at_end(Cause::NcAndMacroInBlock)) return;
+  const Destination to = destination_of(expressions_.rules(), *variable);
+  const bool common = to.kind == Statement::Target::Common;
+  const bool plain = common || to.kind == Statement::Target::Local;
+  const Assigned assigned{common, static_cast<std::uint32_t>(to.index), at - block_.text,
+                          width};
+  if (plain && assigned.fits()) return set(block_, assigned, *value);
+  Statement statement;
+  statement.target = to.kind;
+  statement.index = to.index;
+  statement.variable = variable->expression;
+  statement.expression = *value;
+  statement.at = statement.variable_at = at;
+  statement.variable_width = width;
+  statement.width = std::max<std::uint32_t>(1, end - at);
+  if (!plain) keep_comment(code_, s_, statement);
+  to_.become(block_, Op::Assign, statement);
 }
 
 /// A statement that is its keyword and nothing else.
 void StatementReader::bare(const Keyword& keyword, Statement& statement) {
-  if (at_end(Cause::NcAndMacroInBlock)) finish(keyword.op, statement);
+  if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, keyword.op, statement);
 }
 
 void StatementReader::device(const Keyword& keyword, Statement& /*statement*/) {
@@ -215,12 +208,11 @@ void StatementReader::go_to(const Keyword& keyword, Statement& statement) {
 /// The condition behind IF and WHILE, whose faults are those of the statement's format.
 bool StatementReader::condition(Statement& statement, Cause format) {
   statement.at = s_.offset() - 2;
-  ExpressionReader reader(to_, rules_, s_);
-  if (const auto condition = reader.condition()) {
+  if (const auto condition = expressions_.condition(s_)) {
     statement.expression = *condition;
     return true;
   }
-  Fault fault = reader.fault();
+  Fault fault = expressions_.fault();
   if (fault.cause == Cause::ExpressionFormat) fault.cause = format;
   refuse(fault);
   return false;
@@ -230,7 +222,7 @@ void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statem
   if (!condition(statement, Cause::IfFormat)) return;
   const IfForm form = code_.control->macros.if_form.value;
   if (form == IfForm::Blocks) {
-    if (at_end(Cause::NcAndMacroInBlock)) finish(Op::If, statement);
+    if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, Op::If, statement);
     return;
   }
   if (keyword("GOTO")) return jump(Op::IfGoto, statement);
@@ -240,7 +232,7 @@ void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statem
   const bool then = keyword("THEN");
   if (!then && form != IfForm::Words)
     return refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO or THEN");
-  if (s_.peek() == '\0' && form == IfForm::ThenBlocks) return finish(Op::If, statement);
+  if (s_.peek() == '\0' && form == IfForm::ThenBlocks) return to_.become(block_, Op::If, statement);
   then_statement(statement);
   if (!then && !before_words_ && block_.op != Op::Fault)
     refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO, THEN or an NC word");
@@ -250,7 +242,7 @@ void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statem
 void StatementReader::then_statement(Statement& statement) {
   Block then = block_;
   const std::uint32_t at = s_.offset();
-  StatementReader inner(to_, rules_, s_, then, thens_ + 1);
+  StatementReader inner(to_, expressions_, s_, then, thens_ + 1);
   const bool read = thens_ <= kDeepestThen && inner.read();
   if (!read && thens_ == 0 && code_.control->macros.if_form.value == IfForm::Words &&
       is_letter(s_.peek())) {
@@ -272,13 +264,13 @@ void StatementReader::then_statement(Statement& statement) {
   if (!simple)
     return refuse(Cause::IfFormat, at, 1, "THEN takes an assignment, a jump or an output");
   statement.then = to_.keep(then);
-  finish(Op::IfThen, statement);
+  to_.become(block_, Op::IfThen, statement);
 }
 
 void StatementReader::while_statement(const Keyword& /*keyword*/, Statement& statement) {
   if (!condition(statement, Cause::WhileFormat)) return;
   if (code_.control->macros.loop_form.value == LoopForm::WhileEndw) {
-    if (at_end(Cause::NcAndMacroInBlock)) finish(Op::While, statement);
+    if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, Op::While, statement);
     return;
   }
   if (!s_.take_word("DO"))
@@ -299,7 +291,7 @@ void StatementReader::loop(Op op, Statement& statement) {
     return refuse(Cause::IllegalLoopNumber, at, std::max(1u, s_.offset() - at),
                   "a loop number is 1 to " + std::to_string(most));
   statement.number = to_whole<std::int32_t>(number.value);
-  if (at_end(Cause::NcAndMacroInBlock)) finish(op, statement);
+  if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, op, statement);
 }
 
 void StatementReader::jump(Op op, Statement& statement) {
@@ -312,9 +304,8 @@ void StatementReader::jump(Op op, Statement& statement) {
   statement.number = -1;
   const char c = s_.peek();
   if (c == '#' || c == '[') {
-    ExpressionReader reader(to_, rules_, s_);
-    const auto value = reader.word_value('\0');
-    if (!value) return refuse(reader.fault());
+    const auto value = expressions_.word_value(s_, '\0');
+    if (!value) return refuse(expressions_.fault());
     statement.variable = *value;
   } else if (is_digit(c) || c == '-' || c == '.' || c == '+') {
     const Number number = scan_number(s_);
@@ -330,7 +321,7 @@ void StatementReader::jump(Op op, Statement& statement) {
     return refuse(format, at, 1, "GOTO without a sequence number");
   }
   statement.variable_width = std::max(1u, s_.offset() - at);
-  if (at_end(Cause::NcAndMacroInBlock)) finish(op, statement);
+  if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, op, statement);
 }
 
 }  // namespace cncsub

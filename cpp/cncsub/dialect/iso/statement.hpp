@@ -13,10 +13,19 @@ namespace cncsub {
 class StatementReader {
  public:
   /// `thens`: behind how many THEN of the block the statement stands.
-  StatementReader(Builder& to, const ExpressionRules& rules, Scanner& scanner, Block& block,
+  StatementReader(Builder& to, ExpressionReader& expressions, Scanner& scanner, Block& block,
                   int thens = 0)
-      : to_(to), rules_(rules), code_(to.code()), s_(scanner), block_(block), thens_(thens) {}
+      : to_(to),
+        expressions_(expressions),
+        code_(to.code()),
+        s_(scanner),
+        block_(block),
+        thens_(thens) {}
   bool read();
+  /// The same where a # stands.
+  void assign() {
+    if (!lacks(StatementKind::Variables, s_.offset())) assignment(false);
+  }
   /// An IF whose condition was read and whose words, which stand here now, were not.
   const std::optional<Statement>& before_words() const { return before_words_; }
 
@@ -32,7 +41,10 @@ class StatementReader {
 
   bool has(const Keyword& keyword) const;
   bool keyword(std::string_view word);
-  bool lacks(StatementKind kind, std::uint32_t at, std::string_view name = {});
+  bool lacks(StatementKind kind, std::uint32_t at, std::string_view name = {}) {
+    return code_.lacking.test(static_cast<std::size_t>(kind)) && refuses(kind, at, name);
+  }
+  bool refuses(StatementKind kind, std::uint32_t at, std::string_view name);
   bool named_assignment();
   void assignment(bool bracketed);
 
@@ -51,13 +63,13 @@ class StatementReader {
   void loop(Op op, Statement& statement);
   void jump(Op op, Statement& statement);
   bool print_field(Print& print);
-  void finish(Op op, const Statement& statement);
-  bool at_end(Cause otherwise);
+  bool at_end(Cause otherwise) { return s_.at == s_.end || ends(otherwise); }
+  bool ends(Cause otherwise);
   void refuse(Fault fault);
   void refuse(Cause cause, std::uint32_t at, std::uint32_t width = 1, std::string detail = {});
 
   Builder& to_;
-  const ExpressionRules& rules_;
+  ExpressionReader& expressions_;
   const Code& code_;
   Scanner& s_;
   Block& block_;

@@ -1,5 +1,6 @@
 // A file of the ISO family: where programs begin and end on its tape, and their blocks.
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -45,6 +46,15 @@ bool other_head(const Code& code, Scanner line) {
   if (c == 'O' || c == ':') return is_digit(line.peek());
   return c == '<' && heads(code, ProgramHead::Name);
 }
+
+/// What a block begins with, and neither a comment, a tape's mark nor the head of a program.
+constexpr auto kBeginsBlock = [] {
+  std::array<bool, 256> begins{};
+  for (const char c : std::string_view("#/ABCDEFGHIJKLMNPQRSTUVWXYZ"))
+    begins[static_cast<unsigned char>(c)] = true;
+  return begins;
+}();
+bool begins_block(char c) { return kBeginsBlock[static_cast<unsigned char>(c)]; }
 
 /// The first comment of the head's line becomes the title.
 void title(Program& program, const char* file, const char* start, const char* end) {
@@ -151,6 +161,7 @@ class TapeReader {
 
   void block(const char* at, const char* end) {
     Scanner s{at, end, begin_};
+    if (s.at != s.end && begins_block(*s.at)) return add_block(s, comment_not_closed(s));
     while (s.at != s.end && is_blank(*s.at)) ++s.at;
     if (s.at == s.end) return;
     if (*s.at == '%') {
@@ -161,25 +172,28 @@ class TapeReader {
       s.blanks();
       if (s.at == s.end) return;
     }
-    add_block(s);
+    comments_first(s);
   }
 
-  void add_block(Scanner s) {
+  /// A block before which comments may stand.
+  void comments_first(Scanner& s) {
     const bool open_comment = comment_not_closed(s);
     s.blanks();
     if (code_.control->reading.open_comment.value == OpenComment::RestOfBlock) s.rest_of_comment();
-    if (s.at == s.end && !open_comment) return;
+    if (s.at != s.end || open_comment) add_block(s, open_comment);
+  }
+
+  void add_block(Scanner& s, bool open_comment) {
     if (!to_.in_program()) begin_headless(s.offset());
+    const char* const end = s.end;
     Block block;
     block.text = s.offset();
     block.line = line_;
-    if (open_comment) {
-      reader_.read(Scanner{s.at, std::find(s.at, s.end, '('), s.file}, block);
+    if (open_comment) s.end = std::find(s.at, s.end, '(');
+    reader_.read(s, block);
+    if (open_comment)
       to_.refuse(block, {Cause::CommentNotClosed, block.text, 1, "the comment is not closed"});
-    } else {
-      reader_.read(s, block);
-    }
-    const auto length = static_cast<std::size_t>(s.end - s.file) - block.text;
+    const auto length = static_cast<std::size_t>(end - s.file) - block.text;
     block.length = static_cast<std::uint16_t>(std::min<std::size_t>(length, 65535));
     to_.append(block);
   }

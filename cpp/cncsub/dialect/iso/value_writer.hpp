@@ -5,22 +5,36 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/expression_rules.hpp"
 
 namespace cncsub {
 
-/// What a part of an expression gives: nothing where it was refused.
-struct Value {
-  enum class Type : std::uint8_t { None, Number, Condition };
-  std::int32_t raw;  // the instruction, where it is one variable and may still be vacant
-  Type type;         // None: of `Value{}`
+/// What a part of an expression gives: a number, or whether a condition holds. Neither where it was
+/// refused, or where what was read waits for an operand.
+class Value {
+ public:
+  Value() = default;
+  static Value number() { return Value(kNumber); }
+  static Value condition() { return Value(kCondition); }
+  static Value awaited() { return Value(kAwaited); }
+  /// That of the instruction at a place, which is one variable and may still be vacant.
+  static Value variable(std::uint32_t place) { return Value(static_cast<std::int32_t>(place)); }
 
-  explicit operator bool() const { return type != Type::None; }
-  static Value number() { return {-1, Type::Number}; }
-  static Value condition() { return {-1, Type::Condition}; }
+  explicit operator bool() const { return of_ >= kCondition; }
+  bool is_number() const { return of_ >= kNumber; }
+  bool is_condition() const { return of_ == kCondition; }
+  bool is_awaited() const { return of_ == kAwaited; }
+  bool is_variable() const { return of_ >= 0; }
+  std::uint32_t place() const { return static_cast<std::uint32_t>(of_); }
+
+ private:
+  static constexpr std::int32_t kNone = -4, kAwaited = -3, kCondition = -2, kNumber = -1;
+
+  explicit Value(std::int32_t of) : of_(of) {}
+
+  std::int32_t of_ = kNone;
 };
 
 /// What is returned where something was refused: nothing, of whatever is asked for.
@@ -42,8 +56,13 @@ class ValueWriter {
   /// The first fault counts.
   Refused refuse(Cause cause, std::uint32_t at, std::string detail = {});
 
-  /// The address of the word whose value is written, 0 in a statement: ROUND rounds otherwise.
-  void begin_word(char address) { address_ = static_cast<std::uint8_t>(address); }
+  /// Another expression begins. `address`: of the word whose value it is, 0 in a statement: ROUND
+  /// rounds otherwise.
+  void begin(char address) {
+    fault_.reset();
+    depth_ = 0;
+    address_ = static_cast<std::uint8_t>(address);
+  }
   bool in_word() const { return address_ != 0; }
   /// An instruction that holds nothing, or a value.
   void emit(Ins op, std::uint32_t at) {
@@ -72,7 +91,7 @@ class ValueWriter {
     return load(of.raw, of.base + number - of.first, number);
   }
   /// The value of the last instruction, which may be vacant.
-  Value last() const { return {static_cast<std::int32_t>(out_.last_place()), Value::Type::Number}; }
+  Value last() const { return Value::variable(out_.last_place()); }
 
   /// Whether one more value has room on the stack; else it is refused.
   bool has_room(std::uint32_t at) {
@@ -82,13 +101,16 @@ class ValueWriter {
   }
   /// A comparison leaves 1 or 0, which is a number where the control says so.
   bool is_number(Value& value) const {
-    if (value.type == Value::Type::Condition && rules_.values) value.type = Value::Type::Number;
-    return value.type == Value::Type::Number;
+    if (value.is_condition() && rules_.values) value = Value::number();
+    return value.is_number();
   }
   /// From here on the value is a number: a vacant variable counts as 0. What is none is refused.
   bool arithmetic(Value& value, std::uint32_t at) {
-    if (!is_number(value)) return no_number(at);
-    if (value.raw >= 0) count_vacant(static_cast<std::uint32_t>(std::exchange(value.raw, -1)));
+    if (value.is_variable())
+      count_vacant(value.place());
+    else if (!is_number(value))
+      return no_number(at);
+    value = Value::number();
     return true;
   }
 
@@ -107,10 +129,10 @@ class ValueWriter {
   /// The load of a variable at a place gives 0 where it is vacant.
   void count_vacant(std::uint32_t place) {
     const Ins op = out_.op(place);
-    if (held_by(op) == Holds::Variable)
-      out_.set_op(place, op == Ins::LocalRaw    ? Ins::Local
-                         : op == Ins::CommonRaw ? Ins::Common
-                                                : op);
+    if (op == Ins::CommonRaw)
+      out_.set_op(place, Ins::Common);
+    else if (op == Ins::LocalRaw)
+      out_.set_op(place, Ins::Local);
     else
       count_other_vacant(place);
   }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "cncsub/dialect/iso/statement.hpp"
-
 namespace cncsub {
 
 namespace {
@@ -242,9 +240,8 @@ bool WordScanner::computed(Token& token) {
   if (token.letter == 'O')
     return refuse(
         fault_of(token, Cause::AddressNotUsable, "a program number cannot come from a variable"));
-  ExpressionReader reader(to_, rules_.expressions, s_);
-  const auto value = reader.word_value(token.letter);
-  if (!value) return refuse(reader.fault());
+  const auto value = expressions_.word_value(s_, token.letter);
+  if (!value) return refuse(expressions_.fault());
   operand.kind = Operand::Kind::Expression;
   operand.expression = *value;
   operand.width = std::max(1u, s_.offset() - operand.at);

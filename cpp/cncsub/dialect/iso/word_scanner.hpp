@@ -10,6 +10,7 @@
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/block_rules.hpp"
+#include "cncsub/dialect/iso/expression.hpp"
 #include "cncsub/dialect/iso/lexeme.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -44,8 +45,14 @@ inline std::size_t code_index(const Operand& operand) {
 /// Where it gives false, the block is refused or the reading interrupted.
 class WordScanner {
  public:
-  WordScanner(Builder& to, const BlockRules& rules, Scanner& scanner, Block& block)
-      : to_(to), rules_(rules), control_(rules.control), s_(scanner), block_(block) {}
+  WordScanner(Builder& to, const BlockRules& rules, ExpressionReader& expressions,
+              Scanner& scanner, Block& block)
+      : to_(to),
+        rules_(rules),
+        control_(rules.control),
+        expressions_(expressions),
+        s_(scanner),
+        block_(block) {}
 
   /// The block-skip slashes and the sequence number at the head of the block.
   bool head();
@@ -82,6 +89,7 @@ class WordScanner {
   Builder& to_;
   const BlockRules& rules_;
   const Control& control_;
+  ExpressionReader& expressions_;
   Scanner& s_;
   Block& block_;
   const bool axes_ = control_.macros.numbered_axis_arguments.value;
