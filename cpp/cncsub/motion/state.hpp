@@ -80,7 +80,8 @@ struct HeldValues {
 /// Moves that wait because the next one decides where they end.
 struct Held : HeldValues {
   std::vector<Piece> corner;  // a block with a chamfer or a corner round
-  std::vector<Piece> radius;  // a compensated move, and behind it those that do not move in the plane
+  std::vector<Piece>
+      radius;  // a compensated move, and behind it those that do not move in the plane
 
   bool operator==(const Held&) const = default;
 };

@@ -109,8 +109,7 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
     return back * std::max(before, sharpness(w, next)) > least;
   };
   const auto interference = [&] { return Fault{Cause::CompensationInterference, piece.at, 1, {}}; };
-  if (curve.straight())
-    return cuts(-dot(stop - start, u)) ? Result(interference()) : std::nullopt;
+  if (curve.straight()) return cuts(-dot(stop - start, u)) ? Result(interference()) : std::nullopt;
   const double first = moved_radius(curve, curve.from, offset_of(piece)),
                last = moved_radius(curve, curve.to, offset_of(piece));
   if (first + last < -2 * least) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
@@ -203,8 +202,8 @@ Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* b
   const Point u = before.end_direction();
   const double offset = offset_of(first);
   const StartUp start_up = sink.facts.control->motion.start_up.value;
-  const bool start_around = held.starting && start_up == StartUp::TypeB &&
-                            !inside(u, v, side) && cross(u, v) != 0;
+  const bool start_around =
+      held.starting && start_up == StartUp::TypeB && !inside(u, v, side) && cross(u, v) != 0;
   Join way;
   if (held.starting && !start_around) {
     way.leave = offset * left(v);
@@ -286,8 +285,7 @@ Result count_idle(MoveSink& sink, std::uint32_t at) {
   }
   const Control& c = *sink.facts.control;
   if (++held.idle <= c.motion.idle_blocks.value) return std::nullopt;
-  if (sink.facts.refuses(Cause::CompensationIdle))
-    return Fault{Cause::CompensationIdle, at, 1, {}};
+  if (sink.facts.refuses(Cause::CompensationIdle)) return Fault{Cause::CompensationIdle, at, 1, {}};
   held.idle = 0;
   return flush_radius(sink);
 }

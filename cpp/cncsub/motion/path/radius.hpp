@@ -18,7 +18,7 @@ struct Join {
   Point leave;                 // where the tool leaves the first move, from the corner
   std::array<Point, 3> way{};  // points in between, from the corner:
   std::size_t points = 0;      // so many
-  double turn = 0;         // of the arc around the corner that leads to the only one of them
+  double turn = 0;             // of the arc around the corner that leads to the only one of them
   enum Step { None, First, Second } over = None;  // the move that is a step the tool goes over
   Point along;                                    // its direction where it touches the step
 
