@@ -177,7 +177,9 @@ void hear(Run& run, const Block& block, const NcWords& words) {
 
 /// Moves that were made count, and those that wait.
 void count_moves(Run& run) {
-  run.watch.moves += run.block.outcome.moves + run.motion.held_pieces() / kHeldPieces;
+  run.watch.moves += run.block.outcome.moves;
+  if (const Held& held = run.motion.state().held; !held.radius.empty() || !held.corner.empty())
+    run.watch.moves += run.motion.held_pieces() / kHeldPieces;
   if (run.watch.moves > run.watch.look_moves) look_soon(run);
 }
 
