@@ -175,6 +175,14 @@ void hear(Run& run, const Block& block, const NcWords& words) {
     run.heard->words = &block;
 }
 
+/// Moves that were made count, and those that wait.
+void count_moves(Run& run) {
+  run.watch.moves += run.block.outcome.moves;
+  if (const Held& held = run.motion.state().held; !held.radius.empty() || !held.corner.empty())
+    run.watch.moves += run.motion.held_pieces() / kHeldPieces;
+  if (run.watch.moves > run.watch.look_moves) look_soon(run);
+}
+
 /// What there is to do about a motion that was made.
 void follow_up(Run& run, const Outside& around) {
   const Motion::Outcome& outcome = run.block.outcome;
@@ -186,8 +194,7 @@ void follow_up(Run& run, const Outside& around) {
     keep_skip(run, outcome.skip);
     if (around.workpiece == nullptr) run.state.taken.asked = Taken::kSkipSignal;
   }
-  run.watch.moves += outcome.moves + run.motion.held_pieces() / kHeldPieces;
-  if (run.watch.moves > run.watch.look_moves) look_soon(run);
+  count_moves(run);
 }
 
 bool execute(Run& run, const NcWords& words, Outside& around) {
@@ -217,8 +224,7 @@ bool move(Run& run, const Block& block, NcWords& words) {
   words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||
                 (run.options.optional_stop && words.has(Role::OptionalStop));
   if (run.motion.modes(words, run.step(), run.moves(), outcome) || dwells(run, words, outcome)) {
-    run.watch.moves += outcome.moves;
-    if (run.watch.moves > run.watch.look_moves) look_soon(run);
+    count_moves(run);
     return true;
   }
   if (const auto wanted = run.motion.wanted_profile(words)) return move_along(run, words, *wanted);

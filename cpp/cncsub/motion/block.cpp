@@ -175,10 +175,15 @@ bool sets_frame(const NcWords& words) {
   return (words.codes->groups & ~kOthers) != 0 || (words.mask & (bit('T') | bit('H'))) != 0;
 }
 
-/// Whether everything that may grow from block to block is still a number that can be meant.
+/// Whether everything that a move may let grow from block to block is still a number that can be
+/// meant.
+bool moved_in_range(const MotionState& s) {
+  return in_range(s.work) && in_range(std::array{s.feed, s.polar_angle});
+}
+
+/// The same of what other blocks change.
 bool all_in_range(const MotionState& s, bool with_frame) {
-  const std::array others{s.feed, s.speed, s.surface_speed, s.max_speed, s.polar_angle};
-  return in_range(s.work) && in_range(others) &&
+  return moved_in_range(s) && in_range(std::array{s.speed, s.surface_speed, s.max_speed}) &&
          (!with_frame || (in_range(s.offset) && in_range(s.length) && in_range(s.skip)));
 }
 
@@ -208,15 +213,15 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
 }
 
 /// What is left when a block has done what it does.
-Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, bool frame) {
+Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, bool in_range) {
   if (corner_waited && !block.submitted) return fault(Cause::CornerNoMove, block);
   // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
   const Meaning once = block.meaning(Group::OneShot);
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
       once == Meaning::Local)
     m.state.moved_before = true;
-  if (!all_in_range(m.state, frame)) return out_of_range(block.words.at);
-  return count_idle(m, block);
+  if (!in_range) return out_of_range(block.words.at);
+  return count_idle(m.sink, block.words.at);
 }
 
 /// A block of which `only_moves` is true.
@@ -227,7 +232,7 @@ Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool
   if (auto wrong = set_feed(m, block)) return wrong;
   set_lead(m, block);
   if (auto wrong = make_motion(m, block)) return wrong;
-  return end_block(m, block, corner_waits, false);
+  return end_block(m, block, corner_waits, moved_in_range(m.state));
 }
 
 }  // namespace
@@ -254,7 +259,7 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   if (auto wrong = begin_block(m, block)) return wrong;
   if (auto wrong = set_offsets_and_act(m, block)) return wrong;
   if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
-  return end_block(m, block, corner_waits, frame);
+  return end_block(m, block, corner_waits, all_in_range(m.state, frame));
 }
 
 bool goes_with_motion(const MotionState& state, const BlockWords& block) {

@@ -71,8 +71,6 @@ void write_row(MoveSink& sink, const Piece& piece, const Axes& machine,
 
 }  // namespace
 
-Axes machine_point(const MotionState& state) { return state.work + state.offset + state.length; }
-
 MoveState move_state(const MotionState& state) {
   MoveState row;
   row.feed = state.feed;
@@ -127,11 +125,14 @@ bool moves(const Axes& from, const Axes& to) {
   return false;
 }
 
+Fault too_many_moves(const BlockWords& block) {
+  return fault(Cause::ValueOutOfRange, block,
+               "the block would make more than " + std::to_string(kMostMoves) + " moves");
+}
+
 /// Counts a move of a block, which may be one too many.
-Result count_move(MotionContext& m, const BlockWords& block) {
-  if (++m.outcome.moves > kMostMoves)
-    return fault(Cause::ValueOutOfRange, block,
-                 "the block would make more than " + std::to_string(kMostMoves) + " moves");
+inline Result count_move(MotionContext& m, const BlockWords& block) {
+  if (++m.outcome.moves > kMostMoves) return too_many_moves(block);
   if (m.outside.over(1)) return broken_off(block.words.at);
   return std::nullopt;
 }
@@ -141,14 +142,14 @@ Result count_move(MotionContext& m, const BlockWords& block) {
 Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
   if (auto wrong = count_move(m, block)) return wrong;
   if (!in_range(piece.end)) return out_of_range(piece.at);
-  const Axes before = m.state.work;
-  m.state.work = piece.end - piece.offset;
+  const Axes from = m.state.work + piece.offset, end = piece.end - piece.offset;
+  m.outcome.moved = m.outcome.moved || piece.turn != 0 || moves(m.state.work, end);
+  m.state.work = end;
   m.state.tool_pending = false;
   m.state.named |= piece.named;
   m.outcome.axis_word = true;
-  m.outcome.moved = m.outcome.moved || piece.turn != 0 || moves(before, m.state.work);
   block.submitted = true;
-  return through_corner(m.sink, piece, before + piece.offset);
+  return through_corner(m.sink, piece, from);
 }
 
 namespace {

@@ -5,7 +5,9 @@
 
 namespace cncsub {
 
-Axes machine_point(const MotionState& state);
+inline Axes machine_point(const MotionState& state) {
+  return state.work + state.offset + state.length;
+}
 /// From coordinates that are turned as work coordinates are to the machine's own, and back.
 inline Axes in_machine(const MotionState& state, const Axes& point) {
   return turned_by(state.frame_angle, point);

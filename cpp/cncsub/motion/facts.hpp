@@ -68,13 +68,15 @@ inline Fault broken_off(std::uint32_t at) { return {Cause::ValueOutOfRange, at, 
 constexpr double kMostCrossings = 1e8;
 inline bool is_rotary(int axis) { return axis >= 3 && axis <= 5; }
 
-inline Axes operator+(Axes a, const Axes& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
-  return a;
+inline Axes operator+(const Axes& a, const Axes& b) {
+  Axes sum;
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = a[i] + b[i];
+  return sum;
 }
-inline Axes operator-(Axes a, const Axes& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
-  return a;
+inline Axes operator-(const Axes& a, const Axes& b) {
+  Axes difference;
+  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] = a[i] - b[i];
+  return difference;
 }
 
 /// Words of a block by what they say of a corner: their places in its mask, and these as a mask.

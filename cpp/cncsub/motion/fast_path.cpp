@@ -10,6 +10,7 @@
 #include "cncsub/motion/geometry.hpp"
 #include "cncsub/motion/motion.hpp"
 #include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/plain_line.hpp"
 #include "cncsub/motion/words.hpp"
 #include "cncsub/system/compiler.hpp"
 
@@ -20,15 +21,10 @@ constexpr std::uint32_t kArcWords = kCentreWords | bit('R');
 
 /// Whether the tool stands elsewhere than its offsets say: the next move takes it there.
 bool tool_waits(const MotionState& state) {
-  const Axes at = machine_point(state), way = at - state.tool_at;
-  return at != state.tool_at &&
-         std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
-}
-
-/// Which of the codes of a path a meaning is, 0 for G00 to 3 for G03; -1 where it is none.
-int path_of(Meaning meaning) {
-  const int path = static_cast<int>(meaning) - static_cast<int>(Meaning::Rapid);
-  return path >= 0 && path < 4 ? path : -1;
+  const Axes at = machine_point(state);
+  if (same_bits(at, state.tool_at)) return false;
+  const Axes way = at - state.tool_at;
+  return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
 }
 
 /// Zero while there is no feed.
@@ -47,12 +43,14 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   state.row_moves = nullptr;
   if (path >= 0) state.motion_code = static_cast<std::uint8_t>(path);
   set_seconds_per_mm(state);
-  state.direct = path >= 0 && !in_cycle(state) && !compensating(state) && !state.angled.waiting() &&
-                 state.held.corner.empty() && state.held.radius.empty() && !state.held.engaged &&
-                 !polar(state) && facts.limits.empty() && !checks_area(state) && !lacks_speed(m) &&
-                 !state.tool_pending && !tool_waits(state) && !state.rigid_waits &&
-                 facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
-                 !state.diameter && !state.no_motion && !centre_is_absolute(state);
+  const bool moves_alone =
+      path >= 0 && !in_cycle(state) && !state.angled.waiting() && state.held.corner.empty() &&
+      !polar(state) && facts.limits.empty() && !checks_area(state) && !lacks_speed(m) &&
+      !state.tool_pending && !state.rigid_waits && facts.control->motion.max_feed.value == 0 &&
+      state.frame_angle == 0 && !state.diameter && !state.no_motion && !centre_is_absolute(state);
+  const bool beside = compensating(state) || state.held.engaged || !state.held.radius.empty();
+  state.beside = moves_alone && beside;
+  state.direct = moves_alone && !beside && !tool_waits(state);
   state.plain = state.direct && !turned(state) && !state.surface &&
                 state.modal[at(Group::Feed)].meaning != Meaning::InverseTime;
 }
@@ -169,67 +167,7 @@ bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t st
   return true;
 }
 
-/// A straight move of other axes than X, Y and Z too, before anything changes.
-struct PlainLine {
-  Axes end{};  // work coordinates
-  std::uint32_t named = 0;
-  double seconds = 0;
-  bool moved = false;
-};
-
-void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves) {
-  MotionState& s = state_;
-  if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);
-  s.time += line.seconds;
-  s.moved_before = true;
-  s.named |= line.named;
-  s.work = line.end;
-  if (!s.plain) s.tool_at = machine_point(s);
-  if (moves == nullptr) return;
-  moves->use(line.named);
-  moves->push(step, rapid ? MoveKind::Rapid : MoveKind::Feed, s.work, s.row_state);
-}
-
 namespace {
-
-/// Where a line ends, and the axes that it names. `zero`: what the words of the block count from.
-void find_end(MotionView m, const NcWords& words, const Axes& zero, PlainLine& line) {
-  std::uint32_t letters = words.mask & (kEndWords | m.facts.other_axes);
-  for (; letters != 0; letters &= letters - 1) {
-    const char letter = static_cast<char>('A' + std::countr_zero(letters));
-    const auto axis = static_cast<std::size_t>(axis_of(letter));
-    line.named |= axis_bit(static_cast<int>(axis));
-    line.end[axis] = number(m, words, letter) + zero[axis];
-  }
-  letters = words.mask & m.facts.increments;
-  for (; letters != 0; letters &= letters - 1) {
-    const char letter = static_cast<char>('A' + std::countr_zero(letters));
-    const std::size_t axis = letter == 'U' ? 0 : 2;
-    line.named |= axis_bit(static_cast<int>(axis));
-    line.end[axis] += number(m, words, letter);
-  }
-}
-
-/// False where the general path has something to say about it. The words of the block count from
-/// `zero`, or from where the tool is; `feed`: that of the block.
-bool plan_line(MotionView m, const NcWords& words, bool rapid, const Axes* zero, double feed,
-               PlainLine& line) {
-  const MotionState& s = m.state;
-  const bool turns = turned(s);
-  line.end = turns ? turned_back(s, s.work) : s.work;
-  find_end(m, words, zero != nullptr ? *zero : Axes(line.end), line);
-  if (turns) turn_point(s, line.end, line.named);
-  for (std::size_t i = 0; i < line.end.size(); ++i)
-    line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= 1e-12;
-  const Axes from = machine_point(s), to = line.end + s.offset + s.length;
-  const std::uint32_t diameters = m.facts.diameters;
-  const double length = length_of(from, to, diameters), x_zero = s.offset[0] + s.length[0];
-  MoveState row = move_state(s);
-  row.feed = feed;
-  const MoveKind kind = rapid ? MoveKind::Rapid : MoveKind::Feed;
-  line.seconds = seconds_of({kind, row, from, to, length, x_zero, 0}, m.facts.rapid, diameters);
-  return in_range(to) && in_range(std::array{length, line.seconds, s.time + line.seconds});
-}
 
 /// What the codes of a block set that are nothing but modes.
 struct Modes {
@@ -275,15 +213,10 @@ bool has_plain_words(const MotionFacts& facts, const NcWords& words, bool plain)
   const std::uint32_t known =
       kEndWords | kArcWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
   const std::uint32_t others = words.mask & (facts.other_axes | facts.increments);
-  // X beside U, Z beside W.
-  if ((words.mask & (words.mask & facts.increments) << ('X' - 'U')) != 0) return false;
   if ((others != 0 || !plain) && words.has('S')) return false;
   if (words.stops || (words.mask & ~(known | others)) != 0) return false;
   if (words.has('S') && !(words['S'] > 0)) return false;
-  if (!words.has('F')) return true;
-  const bool steps = (words.whole & bit('F')) != 0 &&
-                     facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
-  return words['F'] > 0 && !steps;
+  return has_plain_values(facts, words);
 }
 
 /// What the T, M and S of a block set.
@@ -340,7 +273,6 @@ bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlo
                     modes.incremental, block.arc);
   }
   if ((block.letters & kArcWords) != 0) return false;
-  static constexpr Axes kOrigin{};
   block.way = others == 0 && s.plain ? Way::Straight : Way::OtherAxes;
   if (block.way == Way::Straight) return true;
   return plan_line(m, words, block.path == 0, modes.incremental ? nullptr : &kOrigin, block.feed,
@@ -367,13 +299,15 @@ bool plan_machine_move(MotionView m, const Modes& modes, const NcWords& words, P
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
   using Way = PlainBlock::Way;
   MotionState& s = state_;
+  if (s.beside) return move_alone(words, step, moves, outcome);
   if (!s.direct || !are_modes(s, words) || !has_plain_words(*facts_, words, s.plain)) return false;
   if (words.codes->has(Group::Cycle) && facts_->refuses(Cause::NoMotionCode)) return false;
   if (turned(s) && check_conflicts(view(), {.words = words, .step = step})) return false;
   const Modes modes(s, *words.codes);
   PlainBlock block;
   const bool machine = words.codes->meaning(Group::OneShot) == Meaning::Machine;
-  if (!(machine ? plan_machine_move : plan_block)(view(), modes, words, block)) return false;
+  if (!(machine ? plan_machine_move : plan_block)(view(), modes, words, block))
+    return block.way == Way::Arc && facts_->lathe() && move_alone(words, step, moves, outcome);
 
   modes.set(*facts_, s);
   set_tool_and_spindle(s, facts_->control->calls.roles.value, words);

@@ -1,6 +1,7 @@
 // The fast path, Motion::linear and Motion::arc: what it needs to know.
 #pragma once
 
+#include "cncsub/code/code.hpp"
 #include "cncsub/motion/facts.hpp"
 
 namespace cncsub {
@@ -12,6 +13,23 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state);
 inline double plain_feed(const MotionState& state, double value) {
   const bool times = state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
   return times ? value : value * state.unit;
+}
+
+/// Which of the codes of a path a meaning is, 0 for G00 to 3 for G03; -1 where it is none.
+inline int path_of(Meaning meaning) {
+  const int path = static_cast<int>(meaning) - static_cast<int>(Meaning::Rapid);
+  return path >= 0 && path < 4 ? path : -1;
+}
+
+/// Whether F and the axis words of a block, where it has them, are such that the general path has
+/// nothing to say about them.
+inline bool has_plain_values(const MotionFacts& facts, const NcWords& words) {
+  // X beside U, Z beside W.
+  if ((words.mask & (words.mask & facts.increments) << ('X' - 'U')) != 0) return false;
+  if (!words.has('F')) return true;
+  const bool steps = (words.whole & bit('F')) != 0 &&
+                     facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
+  return words['F'] > 0 && !steps;
 }
 
 /// A code of plain moves, 0 to 3, is that of the moves to come.

@@ -23,19 +23,21 @@ inline Point left(Point p) { return {-p.b, p.a}; }
 
 /// The two axes of a plane, in true lengths: a diameter axis counts half.
 struct PlaneView {
-  PlaneAxes axes;
-  double x_share = 1;
+  PlaneView(PlaneAxes of, double x_share)
+      : axes(of), a_share(of.a == 0 ? x_share : 1), b_share(of.b == 0 ? x_share : 1) {}
 
-  double share(int axis) const { return axis == 0 ? x_share : 1; }
+  PlaneAxes axes;
+  double a_share, b_share;
+
   template <class Values>
   Point point(const Values& values) const {
-    return {values[static_cast<std::size_t>(axes.a)] * share(axes.a),
-            values[static_cast<std::size_t>(axes.b)] * share(axes.b)};
+    return {values[static_cast<std::size_t>(axes.a)] * a_share,
+            values[static_cast<std::size_t>(axes.b)] * b_share};
   }
   template <class Values>
   void set(Values& values, Point p) const {
-    values[static_cast<std::size_t>(axes.a)] = p.a / share(axes.a);
-    values[static_cast<std::size_t>(axes.b)] = p.b / share(axes.b);
+    values[static_cast<std::size_t>(axes.a)] = p.a / a_share;
+    values[static_cast<std::size_t>(axes.b)] = p.b / b_share;
   }
 };
 

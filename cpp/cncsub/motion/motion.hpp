@@ -90,6 +90,8 @@ class Motion {
   std::optional<Fault> whole_or_nothing(Moves* moves, bool only_moves, const Work& work);
   void write(Axes& values, int axis, double value);
   void go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves);
+  /// A block of `modes` that is nothing but a move, which is made as on the general path.
+  bool move_alone(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
   void go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves);
 
   std::shared_ptr<const MotionFacts> facts_;

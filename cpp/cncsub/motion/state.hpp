@@ -56,13 +56,10 @@ struct Angled {
   bool operator==(const Angled&) const = default;
 };
 
-/// Moves that wait because the next one decides where they end.
-struct Held {
-  std::vector<Piece> corner;  // a block with a chamfer or a corner round
-  Axes corner_from{};         // where it starts, base
-  std::vector<Piece>
-      radius;             // a compensated move, and behind it those that do not move in the plane
-  Axes radius_from{};     // where the first of them starts
+/// What is known of moves that wait, and is nothing but numbers: a copy is one of bytes.
+struct HeldValues {
+  Axes corner_from{};     // where the block with a corner starts, base
+  Axes radius_from{};     // where the first of the compensated moves starts
   Axes radius_to{};       // where the last compensated move in the plane ended
   std::size_t step = 0;   // where in `radius` a low step waits for the move behind it; 0: none
   Axes step_from{};       // where that starts
@@ -76,6 +73,15 @@ struct Held {
   std::array<double, 2> begun{};    // by own normals: where the first of `radius` starts
   bool begun_known = false;
   bool ended = false;  // by own normals: G40 came, and no move yet that leads to the path
+
+  bool operator==(const HeldValues&) const = default;
+};
+
+/// Moves that wait because the next one decides where they end.
+struct Held : HeldValues {
+  std::vector<Piece> corner;  // a block with a chamfer or a corner round
+  std::vector<Piece>
+      radius;  // a compensated move, and behind it those that do not move in the plane
 
   bool operator==(const Held&) const = default;
 };
@@ -152,6 +158,7 @@ struct MoveValues {
   bool plain = false;   // nothing but G00 to G03 with words for X Y Z F and a centre can happen
   bool direct = false;  // the same, but points may be turned, and feeds may be times or count on a
                         // spindle that follows the diameter
+  bool beside = false;  // as direct, but radius compensation leads the tool beside its way
   bool incremental = false;
   std::uint8_t motion_code = 0;  // where it is plain: 1 is G01
   std::uint32_t row_state = 0;

@@ -26,11 +26,31 @@ void OffsetLog::clear() {
 
 namespace {
 
+/// Takes pieces over, of which there are none nearly always.
+void take_pieces(std::vector<Piece>& to, const std::vector<Piece>& from) {
+  if (!to.empty() || !from.empty()) to = from;
+}
+
+void take_held(Held& to, const Held& from) {
+  static_cast<HeldValues&>(to) = from;
+  take_pieces(to.corner, from.corner);
+  take_pieces(to.radius, from.radius);
+}
+
 /// Takes over what a block changes that only moves.
 void take_moved(ModalState& to, const ModalState& from) {
   static_cast<MoveValues&>(to) = from;
   to.modal[at(Group::Motion)] = from.modal[at(Group::Motion)];
-  to.held = from.held;
+  take_held(to.held, from.held);
+}
+
+/// Takes over everything modal.
+void take_modal(ModalState& to, const ModalState& from) {
+  static_cast<ModalValues&>(to) = from;
+  to.angled.angle = from.angled.angle;
+  to.angled.idle = from.angled.idle;
+  take_pieces(to.angled.line, from.angled.line);
+  take_held(to.held, from.held);
 }
 
 }  // namespace
@@ -45,7 +65,7 @@ Undo::Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves,
   if (only_moves_)
     take_moved(before_, state_);
   else
-    before_ = state_;
+    take_modal(before_, state_);
   log_.clear();
 }
 
@@ -53,7 +73,7 @@ void Undo::put_back() {
   if (only_moves_)
     take_moved(state_, before_);
   else
-    static_cast<ModalState&>(state_) = before_;
+    take_modal(state_, before_);
   log_.put_back(state_.tables);
   if (moves_ != nullptr) moves_->truncate(rows_);
 }

@@ -157,25 +157,19 @@ bool lacks_speed(MotionView m) {
 
 namespace {
 
-bool turns(char address) { return (address >= 'A' && address <= 'C') || (address == 'H'); }
-bool pulses(const MotionState& state) {
-  return state.modal[at(Group::Units)].meaning == Meaning::Pulses;
-}
-
 /// How many least increments a unit of the program has at an address.
 double steps_of(MotionView m, char address) {
-  const bool tenth = !turns(address) && g20(m.state);
-  return 1 / (pulses(m.state) ? 1 : m.facts.increment * (tenth ? 0.1 : 1));
+  const bool tenth = !counts_degrees(address) && g20(m.state);
+  return 1 / (in_pulses(m.state) ? 1 : m.facts.increment * (tenth ? 0.1 : 1));
 }
 
 }  // namespace
 
-double in_units(MotionView m, const NcWords& words, char address) {
+double in_steps(MotionView m, const NcWords& words, char address) {
   const double value = words[address];
   const bool computed = (words.computed & bit(address)) != 0;
-  const bool steps_meant = !computed && (words.whole & bit(address)) != 0 &&
-                           m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
-  if (!computed && !steps_meant) return value;
+  if (!computed && m.facts.control->reading.whole_numbers.value != WholeNumbers::Increments)
+    return value;
   const double steps = steps_of(m, address);
   return (computed ? std::round(value * steps) : value) / steps;
 }
@@ -183,13 +177,6 @@ double in_units(MotionView m, const NcWords& words, char address) {
 double rounded(MotionView m, char address, double value) {
   const double steps = steps_of(m, address);
   return std::round(value * steps) / steps;
-}
-
-double number(MotionView m, const NcWords& words, char address) {
-  const double value = in_units(m, words, address);
-  if (address == 'X' && m.state.diameter) return value / 2 * m.state.unit;
-  // Pulses count on every axis, inches on the straight ones alone. [source 003, G20 G21 G22]
-  return turns(address) && !pulses(m.state) ? value : value * m.state.unit;
 }
 
 }  // namespace cncsub

@@ -31,13 +31,31 @@ inline void remember(MotionState& state, const BlockCodes& codes, std::uint32_t 
 
 /// How many millimetres the unit of a code of units is.
 double unit_of(const MotionFacts& facts, Meaning units);
+/// Whether the words of an address count degrees.
+constexpr bool counts_degrees(char address) {
+  return ((bit('A') | bit('B') | bit('C') | bit('H')) & bit(address)) != 0;
+}
+inline bool in_pulses(const MotionState& state) {
+  return state.modal[at(Group::Units)].meaning == Meaning::Pulses;
+}
+/// The value of a word in units of the program that is computed, or written without a point: that
+/// counts least increments, or is brought to one.
+double in_steps(MotionView m, const NcWords& words, char address);
+/// The value of a word in units of the program.
+inline double in_units(MotionView m, const NcWords& words, char address) {
+  return ((words.computed | words.whole) & bit(address)) == 0 ? words[address]
+                                                              : in_steps(m, words, address);
+}
 /// The value of an axis or length word in mm or degrees.
-double number(MotionView m, const NcWords& words, char address);
+inline double number(MotionView m, const NcWords& words, char address) {
+  const double value = in_units(m, words, address);
+  if (address == 'X' && m.state.diameter) return value / 2 * m.state.unit;
+  // Pulses count on every axis, inches on the straight ones alone. [source 003, G20 G21 G22]
+  return counts_degrees(address) && !in_pulses(m.state) ? value : value * m.state.unit;
+}
 inline double number(MotionView m, const BlockWords& block, char address) {
   return number(m, block.words, address);
 }
-/// The same in units of the program.
-double in_units(MotionView m, const NcWords& words, char address);
 /// G04.
 Result dwell(MotionContext& m, BlockWords& block);
 /// The seconds that the words of a G04 say, 0 where none of them does.

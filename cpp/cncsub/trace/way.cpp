@@ -96,7 +96,7 @@ double thread_time(const MoveWay& way, double spindle, std::uint32_t diameters) 
 /// long as a unit of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear
 /// interpolation] Of an arc: what lies in its plane; F is the speed there, a helix goes along.
 double path_of(const MoveWay& way) {
-  if (way.kind != MoveKind::Feed) return way.path;
+  if (way.kind != MoveKind::Feed || others_stand(way.from, way.to)) return way.path;
   double sum = way.path * way.path;
   for (int i = 3; i < 6; ++i) {
     const double turned = (way.to[i] - way.from[i]) * way.state.degree;

@@ -14,8 +14,16 @@ bool corner_address(MotionView m, char name) {
   return ((m.facts.chamfers.mask | m.facts.rounds.mask | m.facts.angles.mask) & bit(name)) != 0;
 }
 
+/// Only a cut has corners: elsewhere C is an axis.
+bool has_corners(const MotionState& state, const BlockWords& block) {
+  const Meaning motion = state.modal[at(Group::Motion)].meaning;
+  const bool cuts = motion == Meaning::Line || motion == Meaning::Cw || motion == Meaning::Ccw;
+  return cuts && !in_cycle(state) && goes_with_motion(state, block);
+}
+
 /// What a lathe with G code system A writes for increments.
 constexpr std::pair<char, char> kIncrements[] = {{'U', 'X'}, {'W', 'Z'}, {'V', 'Y'}, {'H', 'C'}};
+constexpr std::uint32_t kIncrementWords = bit('U') | bit('W') | bit('V') | bit('H');
 
 void add_increments(MotionContext& m, const BlockWords& block, Axes& end, std::uint32_t& named) {
   for (const auto& [letter, name] : kIncrements) {
@@ -46,11 +54,7 @@ Axes target(MotionContext& m, BlockWords& block, std::uint32_t& named) {
 Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uint32_t& named) {
   Axes end = turned(m.state) ? turned_back(m.state, m.state.work) : m.state.work;
   const bool lathe_a = m.facts.machine == MachineType::LatheA;
-  // Only a cut has corners: elsewhere C is an axis.
-  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
-  const bool cuts = motion == Meaning::Line || motion == Meaning::Cw || motion == Meaning::Ccw;
-  const bool corners = (block.words.mask & kCornerAxes) != 0 && cuts && !in_cycle(m.state) &&
-                       goes_with_motion(m.state, block);
+  const bool corners = (block.words.mask & kCornerAxes) != 0 && has_corners(m.state, block);
   std::uint32_t letters = block.words.mask & (lathe_a ? kAxesOfA : kAllAxes);
   for (; letters != 0; letters &= letters - 1) {
     const char name = static_cast<char>('A' + std::countr_zero(letters));
@@ -59,7 +63,7 @@ Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uin
     named |= axis_bit(static_cast<int>(i));
     end[i] = number(m, block, name) + (form.incremental ? end[i] : 0);
   }
-  if (lathe_a) add_increments(m, block, end, named);
+  if (lathe_a && (block.words.mask & kIncrementWords) != 0) add_increments(m, block, end, named);
   if ((block.words.mask & kPolarWords) != 0) polar_words(m, block, form.incremental, end, named);
   if (form.polar) polar_target(m, block, form.incremental, end, named);
   if (turned(m.state)) turn_point(m.state, end, named);

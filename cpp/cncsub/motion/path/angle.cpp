@@ -34,6 +34,7 @@ Result meet_angles(MotionContext& m, BlockWords& block, Piece second, double ang
 
 bool angle_word(MotionView m, const BlockWords& block, double& angle) {
   const NcWords& w = block.words;
+  if ((w.mask & m.facts.angles.mask) == 0) return false;
   const Control& c = *m.facts.control;
   if (!m.facts.lathe() && !c.motion.angles_on_mills.value) return false;
   const bool rapid = m.state.modal[at(Group::Motion)].meaning == Meaning::Rapid;

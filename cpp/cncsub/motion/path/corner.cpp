@@ -73,11 +73,9 @@ Result wait_for_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   return std::nullopt;
 }
 
-}  // namespace
-
-Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
+/// The move that waited gets its corner with this one.
+Result end_corner(MoveSink& sink, const Piece& piece) {
   Held& held = sink.state.held;
-  if (held.corner.empty()) return wait_for_corner(sink, piece, from);
   const Piece first = held.corner.back();
   held.corner.clear();
   if (piece.kind != MoveKind::Feed && piece.kind != MoveKind::Cw && piece.kind != MoveKind::Ccw)
@@ -93,6 +91,13 @@ Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   if (corner.has_between)
     if (auto wrong = through_radius(sink, corner.between, corner.at_first)) return wrong;
   return wait_for_corner(sink, corner.second, corner.at_second);
+}
+
+}  // namespace
+
+Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
+  return sink.state.held.corner.empty() ? wait_for_corner(sink, piece, from)
+                                        : end_corner(sink, piece);
 }
 
 }  // namespace cncsub

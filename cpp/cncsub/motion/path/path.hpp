@@ -60,7 +60,7 @@ inline bool is_by_own_normal(const MotionFacts& facts) {
   return facts.control->motion.start_up.value == StartUp::OwnNormal;
 }
 /// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
-/// the normal.
-Result count_idle(MotionContext& m, const BlockWords& block);
+/// the normal. `at`: the block.
+Result count_idle(MoveSink& sink, std::uint32_t at);
 
 }  // namespace cncsub

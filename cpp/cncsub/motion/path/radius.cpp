@@ -24,14 +24,11 @@ constexpr std::size_t kReadAhead = 8;
 }  // namespace
 
 /// Where a move starts: at the end of the last one that the increment can tell from its start.
-Axes RadiusPath::start_of(const Axes& from) const {
+void RadiusPath::find_start(Axes& from) const {
   const Held& held = sink.state.held;
-  if (held.radius.empty() && !held.engaged) return from;
+  if (held.radius.empty() && !held.engaged) return;
   const Point corner = view.point(held.radius_to), there = view.point(from);
-  if (!same(corner, there)) return from;
-  Axes start = from;
-  view.set(start, corner);
-  return start;
+  if ((corner.a != there.a || corner.b != there.b) && same(corner, there)) view.set(from, corner);
 }
 
 bool RadiusPath::moves_in_plane(const Piece& piece, const Axes& from) const {
@@ -50,23 +47,23 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
     if (a.straight())
       join.leave = na + along * u;
     else
-      join.way.push_back(na + along * u);
+      join.go_by(na + along * u);
   };
   const double cosine = dot(u, v);
   const AcuteCorner corner = sink.facts.control->motion.acute_corner.value;
   if (cosine >= -1e-9) {
     go_on(reach * std::fabs(cross(u, v)) / (1 + cosine));
-    if (!b.straight()) join.way.push_back(nb);
+    if (!b.straight()) join.go_by(nb);
     return;
   }
   if (corner != AcuteCorner::Lines) {
-    join.way.push_back(nb);
+    join.go_by(nb);
     join.turn = std::acos(std::max(cosine, -1.0)) * (offset > 0 ? -1 : 1);
     return;
   }
   go_on(reach);
-  join.way.push_back(nb - reach * v);
-  if (!b.straight()) join.way.push_back(nb);
+  join.go_by(nb - reach * v);
+  if (!b.straight()) join.go_by(nb);
 }
 
 Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, double offset,
@@ -111,11 +108,8 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
     const double before = sharpness({held.entered[0], held.entered[1]}, u);
     return back * std::max(before, sharpness(w, next)) > least;
   };
-  Fault wrong{Cause::CompensationInterference, piece.at, 1, {}};
-  if (curve.straight()) {
-    if (cuts(-dot(stop - start, u))) return wrong;
-    return std::nullopt;
-  }
+  const auto interference = [&] { return Fault{Cause::CompensationInterference, piece.at, 1, {}}; };
+  if (curve.straight()) return cuts(-dot(stop - start, u)) ? Result(interference()) : std::nullopt;
   const double first = moved_radius(curve, curve.from, offset_of(piece)),
                last = moved_radius(curve, curve.to, offset_of(piece));
   if (first + last < -2 * least) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
@@ -124,7 +118,7 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
   const double way =
       curve.turn + angle(curve.to - curve.centre, s) - angle(curve.from - curve.centre, r);
   const double forward = curve.turn > 0 ? way : -way;
-  if (cuts(-forward * radius)) return wrong;
+  if (cuts(-forward * radius)) return interference();
   if (forward <= 0 || radius <= least)
     straighten(piece);
   else if (forward > 2 * kPi)  // once round, and a hair further
@@ -148,11 +142,10 @@ Result RadiusPath::leave(const Curve& curve, Point v, const Join* join, Point ne
   }
   held.entered = {u.a, u.b};
   if (auto wrong = record(first, v)) return wrong;
-  if (join != nullptr)
-    for (const Point& at : join->way) {
-      if (auto wrong = record_bit(first, first.end, at, join->turn)) return wrong;
-      v = at;
-    }
+  for (std::size_t i = 0; join != nullptr && i < join->points; ++i) {
+    v = join->way[i];
+    if (auto wrong = record_bit(first, first.end, v, join->turn)) return wrong;
+  }
   for (std::size_t i = 1; i < held.radius.size(); ++i)
     if (auto wrong = record_idle(held.radius[i], v)) return wrong;
   held.radius.clear();
@@ -197,7 +190,8 @@ Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
 Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                           bool& over) {
   const Held& held = sink.state.held;
-  const Point v = curve.start_direction(), normal = offset_of(piece) * left(v);
+  const double side = offset_of(piece);
+  const Point v = curve.start_direction(), normal = side * left(v);
   if (held.radius.empty()) {
     // Behind blocks that were not looked over the tool first goes onto the normal of this move.
     if (same_normal(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
@@ -208,14 +202,14 @@ Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* b
   const Point u = before.end_direction();
   const double offset = offset_of(first);
   const StartUp start_up = sink.facts.control->motion.start_up.value;
-  const bool start_around = held.starting && start_up == StartUp::TypeB &&
-                            !inside(u, v, offset_of(piece)) && cross(u, v) != 0;
+  const bool start_around =
+      held.starting && start_up == StartUp::TypeB && !inside(u, v, side) && cross(u, v) != 0;
   Join way;
   if (held.starting && !start_around) {
     way.leave = offset * left(v);
-  } else if (!held.starting && offset * offset_of(piece) < 0) {  // to the other side
+  } else if (!held.starting && offset * side < 0) {  // to the other side
     way.leave = offset * left(u);
-    way.way.push_back(normal);
+    way.go_by(normal);
   } else if (auto wrong = join(before, curve, behind, offset, piece.at, way)) {
     return wrong;
   }
@@ -249,7 +243,8 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   if (!active && !held.engaged && held.radius.empty()) return record_move(sink, piece, {});
   if (is_by_own_normal(sink.facts)) return by_own_normal(sink, piece, from);
   RadiusPath path(sink, piece.plane);
-  Axes start = path.start_of(from);
+  Axes start = from;
+  path.find_start(start);
   if (!path.moves_in_plane(piece, start)) return look_over(path, piece, from);
   const Curve curve = curve_of(path.view, start, piece);
   held.moved = true;
@@ -280,19 +275,19 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
 
 /// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
 /// the normal.
-Result count_idle(MotionContext& m, const BlockWords& block) {
-  Held& held = m.state.held;
+Result count_idle(MoveSink& sink, std::uint32_t at) {
+  Held& held = sink.state.held;
   const bool moved =
-      std::exchange(held.moved, false) || !held.corner.empty() || m.state.angled.waiting();
-  if (held.radius.empty() || moved || is_by_own_normal(m.facts)) {
+      std::exchange(held.moved, false) || !held.corner.empty() || sink.state.angled.waiting();
+  if (held.radius.empty() || moved || is_by_own_normal(sink.facts)) {
     held.idle = 0;
     return std::nullopt;
   }
-  const Control& c = *m.facts.control;
+  const Control& c = *sink.facts.control;
   if (++held.idle <= c.motion.idle_blocks.value) return std::nullopt;
-  if (m.facts.refuses(Cause::CompensationIdle)) return fault(Cause::CompensationIdle, block);
+  if (sink.facts.refuses(Cause::CompensationIdle)) return Fault{Cause::CompensationIdle, at, 1, {}};
   held.idle = 0;
-  return flush_radius(m.sink);
+  return flush_radius(sink);
 }
 
 }  // namespace cncsub

@@ -15,11 +15,14 @@ inline bool is_arc(const Piece& piece) { return piece.turn != 0; }
 
 /// How two moves with their offsets join.
 struct Join {
-  Point leave;             // where the tool leaves the first move, from the corner
-  std::vector<Point> way;  // points in between, from the corner
-  double turn = 0;         // of the arc around the corner that leads to the only one of them
+  Point leave;                 // where the tool leaves the first move, from the corner
+  std::array<Point, 3> way{};  // points in between, from the corner:
+  std::size_t points = 0;      // so many
+  double turn = 0;             // of the arc around the corner that leads to the only one of them
   enum Step { None, First, Second } over = None;  // the move that is a step the tool goes over
   Point along;                                    // its direction where it touches the step
+
+  void go_by(Point point) { way[points++] = point; }
 };
 
 /// The geometry of the moves at one corner, in the plane of the moves. Two points are one where the
@@ -74,7 +77,7 @@ struct RadiusPath {
   bool inside(Point u, Point v, double offset) const {
     return cross(u, v) * offset > 0 && !same_normal(offset * u, -offset * v);
   }
-  Axes start_of(const Axes& from) const;
+  void find_start(Axes& from) const;
   bool moves_in_plane(const Piece& piece, const Axes& from) const;
   /// `behind` is the move behind those at the corner, where it is known.
   Result join(const Curve& a, const Curve& b, const Curve* behind, double offset, std::uint32_t at,

@@ -1,0 +1,74 @@
+#include "cncsub/motion/plain_line.hpp"
+
+#include <bit>
+
+#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/fast_path.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/motion.hpp"
+#include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/words.hpp"
+
+namespace cncsub {
+
+void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves) {
+  MotionState& s = state_;
+  if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);
+  s.time += line.seconds;
+  s.moved_before = true;
+  s.named |= line.named;
+  s.work = line.end;
+  if (!s.plain) s.tool_at = machine_point(s);
+  if (moves == nullptr) return;
+  moves->use(line.named);
+  moves->push(step, rapid ? MoveKind::Rapid : MoveKind::Feed, s.work, s.row_state);
+}
+
+namespace {
+
+/// The axes that a line names, and where it ends on them. `zero`: what the words of the block count
+/// from.
+void find_end(MotionView m, const NcWords& words, const Axes& zero, PlainLine& line) {
+  std::uint32_t letters = words.mask & (kEndWords | m.facts.other_axes);
+  for (; letters != 0; letters &= letters - 1) {
+    const char letter = static_cast<char>('A' + std::countr_zero(letters));
+    const auto axis = static_cast<std::size_t>(axis_of(letter));
+    line.named |= axis_bit(static_cast<int>(axis));
+    line.end[axis] = number(m, words, letter) + zero[axis];
+  }
+  letters = words.mask & m.facts.increments;
+  for (; letters != 0; letters &= letters - 1) {
+    const char letter = static_cast<char>('A' + std::countr_zero(letters));
+    const std::size_t axis = letter == 'U' ? 0 : 2;
+    line.named |= axis_bit(static_cast<int>(axis));
+    line.end[axis] += number(m, words, letter);
+  }
+}
+
+/// Where a line ends.
+void plan_end(MotionView m, const NcWords& words, const Axes* zero, PlainLine& line) {
+  const bool turns = turned(m.state);
+  line.end = turns ? turned_back(m.state, m.state.work) : m.state.work;
+  find_end(m, words, zero != nullptr ? *zero : Axes(line.end), line);
+  if (turns) turn_point(m.state, line.end, line.named);
+}
+
+}  // namespace
+
+bool plan_line(MotionView m, const NcWords& words, bool rapid, const Axes* zero, double feed,
+               PlainLine& line) {
+  const MotionState& s = m.state;
+  plan_end(m, words, zero, line);
+  for (std::size_t i = 0; i < line.end.size(); ++i)
+    line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= 1e-12;
+  const Axes from = machine_point(s), to = line.end + s.offset + s.length;
+  const std::uint32_t diameters = m.facts.diameters;
+  const double length = length_of(from, to, diameters), x_zero = s.offset[0] + s.length[0];
+  MoveState row = move_state(s);
+  row.feed = feed;
+  const MoveKind kind = rapid ? MoveKind::Rapid : MoveKind::Feed;
+  line.seconds = seconds_of({kind, row, from, to, length, x_zero, 0}, m.facts.rapid, diameters);
+  return in_range(to) && in_range(std::array{length, line.seconds, s.time + line.seconds});
+}
+
+}  // namespace cncsub
