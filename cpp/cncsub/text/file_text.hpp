@@ -10,14 +10,16 @@
 
 namespace cncsub {
 
+/// Behind its last byte stands a zero, as behind that of a string: readers look one byte ahead.
 class FileText {
  public:
   FileText() = default;
   /// Room for so many bytes that are not written yet. Whoever touches memory first waits for it, so
   /// several threads may write.
   explicit FileText(std::size_t size)
-      : bytes_(std::make_unique_for_overwrite<char[]>(size)), size_(size) {  // NOLINT: bytes
+      : bytes_(std::make_unique_for_overwrite<char[]>(size + 1)), size_(size) {  // NOLINT: bytes
     if (size > system::kLargePage) system::advise_large_pages(bytes_.get(), size);
+    bytes_[size] = '\0';
   }
   explicit FileText(std::string_view text) : FileText(text.size()) {
     std::copy(text.begin(), text.end(), bytes_.get());
@@ -30,9 +32,15 @@ class FileText {
 
   char* data() { return bytes_.get(); }
   std::size_t size() const { return size_; }
-  std::string_view view() const { return {bytes_.get(), size_}; }
+  std::string_view view() const {
+    return bytes_ == nullptr ? "" : std::string_view(bytes_.get(), size_);
+  }
   /// No more than the first bytes are of the text.
-  void shorten(std::size_t size) { size_ = std::min(size_, size); }
+  void shorten(std::size_t size) {
+    if (size >= size_) return;
+    size_ = size;
+    bytes_[size] = '\0';
+  }
 
  private:
   std::unique_ptr<char[]> bytes_;  // NOLINT: bytes
