@@ -51,9 +51,9 @@ const StatementReader::Keyword StatementReader::kKeywords[] = {
     {"ENDW", &StatementReader::bare, Op::EndDo, {}},
     {"IF", &StatementReader::if_statement, Op::If, StatementKind::If},
     {"WHILE", &StatementReader::while_statement, Op::While, StatementKind::While},
-    {"GOTO", &StatementReader::go_to, Op::Goto, {}},
-    {"DO", &StatementReader::numbered, Op::Do, StatementKind::Do},
-    {"END", &StatementReader::numbered, Op::EndDo, StatementKind::Do},
+    {"GOTO", &StatementReader::jump, Op::Goto, {}},
+    {"DO", &StatementReader::loop, Op::Do, StatementKind::Do},
+    {"END", &StatementReader::loop, Op::EndDo, StatementKind::Do},
     {"DPRNT", &StatementReader::print, Op::Print, StatementKind::Dprnt},
     {"BPRNT", &StatementReader::print, Op::Print, StatementKind::Bprnt},
     {"POPEN", &StatementReader::device, Op::OpenOutput, StatementKind::Popen},
@@ -195,14 +195,6 @@ void StatementReader::device(const Keyword& keyword, Statement& /*statement*/) {
   if (at_end(Cause::NcAndMacroInBlock)) block_.op = keyword.op;
 }
 
-void StatementReader::numbered(const Keyword& keyword, Statement& statement) {
-  loop(keyword.op, statement);
-}
-
-void StatementReader::go_to(const Keyword& keyword, Statement& statement) {
-  jump(keyword.op, statement);
-}
-
 /// The condition behind IF and WHILE, whose faults are those of the statement's format.
 bool StatementReader::condition(Statement& statement, Cause format) {
   statement.at = s_.offset() - 2;
@@ -223,7 +215,8 @@ void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statem
     if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, Op::If, statement);
     return;
   }
-  if (keyword("GOTO")) return jump(Op::IfGoto, statement);
+  if (keyword("GOTO"))
+    return jump({"GOTO", &StatementReader::jump, Op::IfGoto, StatementKind::Goto}, statement);
   const std::uint32_t at = s_.offset();
   if (form == IfForm::GotoOnly)
     return refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO");
@@ -265,7 +258,7 @@ void StatementReader::then_statement(Statement& statement) {
   to_.become(block_, Op::IfThen, statement);
 }
 
-void StatementReader::while_statement(const Keyword& /*keyword*/, Statement& statement) {
+void StatementReader::while_statement(const Keyword& keyword, Statement& statement) {
   if (!condition(statement, Cause::WhileFormat)) return;
   if (code_.control->macros.loop_form.value == LoopForm::WhileEndw) {
     if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, Op::While, statement);
@@ -273,10 +266,11 @@ void StatementReader::while_statement(const Keyword& /*keyword*/, Statement& sta
   }
   if (!s_.take_word("DO"))
     return refuse(Cause::WhileFormat, s_.offset(), 1, "behind the condition stands DO");
-  loop(Op::While, statement);
+  loop(keyword, statement);
 }
 
-void StatementReader::loop(Op op, Statement& statement) {
+void StatementReader::loop(const Keyword& keyword, Statement& statement) {
+  const Op op = keyword.op;
   const std::uint32_t at = s_.offset();
   if (!is_digit(s_.peek())) {
     refuse(op == Op::While ? Cause::WhileFormat : Cause::IllegalLoopNumber, s_.offset(), 1,
@@ -292,7 +286,8 @@ void StatementReader::loop(Op op, Statement& statement) {
   if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, op, statement);
 }
 
-void StatementReader::jump(Op op, Statement& statement) {
+void StatementReader::jump(const Keyword& keyword, Statement& statement) {
+  const Op op = keyword.op;
   const Cause format = op == Op::IfGoto ? Cause::IfFormat : Cause::StatementFormat;
   if (code_.lacking.test(static_cast<std::size_t>(StatementKind::Goto)))
     return refuse(Cause::StatementNotAvailable, statement.at, 4, "this control has no GOTO");

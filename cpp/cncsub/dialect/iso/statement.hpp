@@ -51,8 +51,8 @@ class StatementReader {
   // What stands behind a keyword; `statement` has its place.
   void bare(const Keyword& keyword, Statement& statement);
   void device(const Keyword& keyword, Statement& statement);
-  void numbered(const Keyword& keyword, Statement& statement);
-  void go_to(const Keyword& keyword, Statement& statement);
+  void loop(const Keyword& keyword, Statement& statement);
+  void jump(const Keyword& keyword, Statement& statement);
   void if_statement(const Keyword& keyword, Statement& statement);
   void while_statement(const Keyword& keyword, Statement& statement);
   void print(const Keyword& keyword, Statement& statement);
@@ -60,8 +60,6 @@ class StatementReader {
 
   bool condition(Statement& statement, Cause format);
   void then_statement(Statement& statement);
-  void loop(Op op, Statement& statement);
-  void jump(Op op, Statement& statement);
   bool print_field(Print& print);
   bool at_end(Cause otherwise) { return s_.at == s_.end || ends(otherwise); }
   bool ends(Cause otherwise);
