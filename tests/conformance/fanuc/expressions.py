@@ -245,6 +245,20 @@ case(
     runs="", alarm="bracket-not-opened", number=numbers("114", "PS1131"), at="O1 N10",
 )
 case(
+    "brackets, functions, signs and variables of computed numbers stand inside each other",
+    control=ALL, source="K-H priorities; NCT", evidence="inferred",
+    program="""
+        O1
+        N10 #1=1
+        N20 #2=100
+        N30 #100=-8
+        N40 #101=-[#[#[#1+1]]+2*[3-SIN[30]*4]]/-[#1-#2*ABS[-0.03]]
+        N50 #102=ATAN[ABS[#100]]/[#[#1+#2-1]]
+        N60 M30
+    """,
+    runs="N10 N20 N30 N40 N50 N60", vars={101: 3, 102: 135},
+)
+case(
     "a function without its closing bracket alarms",
     control=ALL, source="ALM PS1132; K-H 125", evidence="secondary",
     program="""

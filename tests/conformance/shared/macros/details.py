@@ -546,6 +546,12 @@ case(
     runs="N10", alarm="expression-format", at="%1 N20",
 )
 case(
+    "AR asks for a variable by its number: a computed one is refused",
+    control="hnc-21m", source="general knowledge, AR", evidence="inferred",
+    program="%1\nN10 T1\nN20 #50=AR[#[1]]\nN30 M30\n",
+    runs="N10", alarm="expression-format", at="%1 N20", word="AR",
+)
+case(
     "PRM of no parameter's number is out of range",
     control=["fanuc-0i-f", "fanuc-30i"], source="ALM PS0119; policy", evidence="inferred",
     program="O1\nN10 T1\nN20 #100=PRM[99999999999]\nN30 M30\n",
