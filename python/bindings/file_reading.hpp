@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cncsub/text/file_text.hpp"
+#include "cncsub/code/file_text.hpp"
 #include "cncsub/text/interrupt_check.hpp"
 
 namespace cncsub::bindings {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cncsub/code/fault.hpp"
-#include "cncsub/text/file_text.hpp"
+#include "cncsub/code/file_text.hpp"
 
 namespace cncsub {
 
