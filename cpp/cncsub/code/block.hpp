@@ -105,18 +105,32 @@ struct Assigned {
                             // expression begins that gives the variable's number
   std::uint32_t at = 0, width = 1;  // in the block
 
-  static constexpr std::uint32_t kMostIndex = (1U << 13) - 1, kMostPlace = 255;
-  bool fits() const { return index <= kMostIndex && at <= kMostPlace && width <= kMostPlace; }
-
-  std::uint32_t data() const {
-    return static_cast<std::uint32_t>(target) | index << 3 | at << 16 | width << 24;
+  static constexpr std::uint32_t kMostIndex = (1U << 14) - 1, kMostPlace = 255;
+  bool fits() const {
+    return target != Statement::Target::None && index <= kMostIndex && at <= kMostPlace &&
+           width <= kMostPlace;
   }
+
+  std::uint32_t data() const { return kind(target) | index << 2 | at << 16 | width << 24; }
   static Assigned of(const Block& block) {
     const std::uint32_t data = block.data;
-    return {static_cast<Statement::Target>(data & 7U), data >> 3 & kMostIndex,
+    return {static_cast<Statement::Target>(kind_of(block) + kLocal), index_of(block),
             data >> 16 & kMostPlace, data >> 24};
   }
+  /// 0 for a local, 1 for a common, more for others; and the index.
+  static std::uint32_t kind_of(const Block& block) { return block.data & 3U; }
+  static std::uint32_t index_of(const Block& block) { return block.data >> 2 & kMostIndex; }
+
+ private:
+  static constexpr auto kLocal = static_cast<std::uint32_t>(Statement::Target::Local);
+  static constexpr std::uint32_t kind(Statement::Target target) {
+    return static_cast<std::uint32_t>(target) - kLocal;
+  }
 };
+static_assert(static_cast<int>(Statement::Target::Common) ==
+                  static_cast<int>(Statement::Target::Local) + 1 &&
+              static_cast<int>(Statement::Target::Indirect) ==
+                  static_cast<int>(Statement::Target::Local) + 3);
 
 struct Variant {
   std::uint16_t skip = 0;  // != 0: `second` when one of these switches is on

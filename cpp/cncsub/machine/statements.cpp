@@ -44,12 +44,11 @@ bool set_other(Run& run, const Block& block, const Assigned& assigned, const Pla
 inline bool set(Run& run, const Block& block, const Places& places) {
   double value = 0;
   if (!evaluate(run, run.code->expression(block.aux), places, value)) return false;
-  const Assigned assigned = Assigned::of(block);
-  if (assigned.target > Statement::Target::Common)
-    return set_other(run, block, assigned, places, value);
+  const std::uint32_t kind = Assigned::kind_of(block);
+  if (kind > 1) return set_other(run, block, Assigned::of(block), places, value);
   if (!run.state.programmed.empty() || std::fabs(value) > kLargest)
     return store(run, assignment_of(*run.code, block), value);
-  double& place = places.of[assigned.target == Statement::Target::Common ? 1 : 0][assigned.index];
+  double& place = places.of[kind][Assigned::index_of(block)];
   run.state.changes += place == value ? 0 : 1;
   place = value;
   return true;
