@@ -117,6 +117,20 @@ struct Assigned {
     return {static_cast<Statement::Target>(kind_of(block) + kLocal), index_of(block),
             data >> 16 & kMostPlace, data >> 24};
   }
+  /// The same as a statement, but for its width. `value`: where its expression begins; `text`: the
+  /// block.
+  Statement statement(std::uint32_t value, std::uint32_t text) const {
+    Statement of;
+    of.expression = value;
+    of.target = target;
+    if (target == Statement::Target::Indirect)
+      of.variable = value - index;
+    else
+      of.index = static_cast<std::int32_t>(index);
+    of.at = of.variable_at = text + at;
+    of.variable_width = width;
+    return of;
+  }
   /// 0 for a local, 1 for a common, more for others; and the index.
   static std::uint32_t kind_of(const Block& block) { return block.data & 3U; }
   static std::uint32_t index_of(const Block& block) { return block.data >> 2 & kMostIndex; }

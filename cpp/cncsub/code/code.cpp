@@ -116,17 +116,8 @@ std::vector<WrittenWord> Code::words_of(const Block& block, const Program& progr
 
 Statement assignment_of(const Code& code, const Block& block) {
   if (block.op != Op::Set) return code.statements[block.aux];
-  const Assigned assigned = Assigned::of(block);
   const Expression value = code.expression(block.aux);
-  Statement statement;
-  statement.expression = block.aux;
-  statement.target = assigned.target;
-  if (assigned.target == Statement::Target::Indirect)
-    statement.variable = block.aux - assigned.index;
-  else
-    statement.index = static_cast<std::int32_t>(assigned.index);
-  statement.at = statement.variable_at = block.text + assigned.at;
-  statement.variable_width = assigned.width;
+  Statement statement = Assigned::of(block).statement(block.aux, block.text);
   statement.width = value.at() + value.width() - statement.at;
   return statement;
 }

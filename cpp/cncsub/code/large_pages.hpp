@@ -21,21 +21,18 @@ struct LargePages {
   T* allocate(std::size_t count) {
     if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
     const std::size_t bytes = count * sizeof(T);
-    if (bytes < kLarge) return static_cast<T*>(::operator new(bytes));
+    if (bytes < system::kLargePage) return static_cast<T*>(::operator new(bytes));
     void* const memory = system::allocate_pages(bytes);
     if (memory == nullptr) throw std::bad_alloc();
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t count) {
-    if (count * sizeof(T) < kLarge)
+    if (count * sizeof(T) < system::kLargePage)
       ::operator delete(memory);
     else
       system::free_pages(memory);
   }
   bool operator==(const LargePages&) const { return true; }
-
- private:
-  static constexpr std::size_t kLarge = 1 * system::kLargePage;
 };
 
 /// A vector that may grow to many megabytes.

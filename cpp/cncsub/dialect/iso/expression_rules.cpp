@@ -1,6 +1,7 @@
 #include "cncsub/dialect/iso/expression_rules.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace cncsub {
 
@@ -71,6 +72,7 @@ ExpressionRules::ExpressionRules(const Code& of)
     const std::string_view name = name_of(of_name.function);
     if (name.size() != 3 || !has(of_name.function)) continue;
     std::size_t slot = slot_of(packed(name[0], name[1], name[2]));
+    static_assert(std::size(kFunctions) < kSlots);
     while (short_names_[slot] != 0) slot = (slot + 1) % kSlots;
     short_names_[slot] = packed(name[0], name[1], name[2]);
     short_functions_[slot] = &of_name;

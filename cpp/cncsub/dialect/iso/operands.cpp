@@ -1,5 +1,4 @@
 // Operands that are not written in the plainest way.
-#include <array>
 #include <string>
 
 #include "cncsub/dialect/iso/open_expression.hpp"
@@ -7,22 +6,6 @@
 namespace cncsub {
 
 namespace {
-
-enum class Begins : std::uint8_t { Nothing, Number, Variable, Bracket, Sign, Word };
-
-/// What a character begins where an operand stands.
-constexpr auto kBegins = [] {
-  std::array<Begins, 256> begins{};
-  const auto mark = [&](std::string_view characters, Begins what) {
-    for (const char c : characters) begins[static_cast<unsigned char>(c)] = what;
-  };
-  for (unsigned char c = 'A'; c <= 'Z'; ++c) begins[c] = begins[c - 'A' + 'a'] = Begins::Word;
-  mark("0123456789.", Begins::Number);
-  mark("#", Begins::Variable);
-  mark("[", Begins::Bracket);
-  mark("+-", Begins::Sign);
-  return begins;
-}();
 
 /// A number with a gap in it, or one that is wrong.
 Value other_constant(OpenExpression& e) {
@@ -71,21 +54,13 @@ Value other_operand(OpenExpression& e) {
     e.s->pass_gap();
     return e.s->at == e.s->end ? no_operand(e) : Value::awaited();
   }
-  const std::uint32_t at = e.s->offset();
-  switch (e.s->at == e.s->end ? Begins::Nothing : kBegins[static_cast<unsigned char>(*e.s->at)]) {
-    case Begins::Number:
-      return other_constant(e);
-    case Begins::Variable:
-      return other_variable(e);
-    case Begins::Bracket:
-      return e.open(Waiting::Kind::Bracket, at);
-    case Begins::Sign:
-      return sign(e);
-    case Begins::Word:
-      return word(e);
-    default:
-      return no_operand(e);
-  }
+  const char c = e.s->peek();
+  if (c == '#') return other_variable(e);
+  if (c == '[') return e.open(Waiting::Kind::Bracket, e.s->offset());
+  if (c == '-' || c == '+') return sign(e);
+  if (is_digit(c) || c == '.') return other_constant(e);
+  if (is_letter(c)) return word(e);
+  return no_operand(e);
 }
 
 }  // namespace cncsub

@@ -27,8 +27,7 @@ Assigned assigned_by(const ExpressionRules& rules, const ExpressionReader::Varia
   return {Variable, static_cast<std::uint32_t>(std::min(variable.number, kLargestNumber))};
 }
 
-/// The comment in a text, which is data of #3000 and #3006 where it is that of the value and what
-/// stands behind it.
+/// The first comment in a text: behind a value it is data of #3000 and #3006.
 std::string_view comment_in(std::string_view text) {
   const std::size_t open = text.find('(');
   if (open == std::string_view::npos) return {};
@@ -171,15 +170,7 @@ void StatementReader::assignment(bool bracketed) {
   const std::string_view comment =
       kept ? std::string_view() : comment_in({s_.file + code_.expression(*value).at(), s_.end});
   if (comment.empty() && assigned.fits()) return set(block_, assigned, *value);
-  Statement statement;
-  statement.target = assigned.target;
-  if (assigned.target == Statement::Target::Indirect)
-    statement.variable = variable->expression;
-  else
-    statement.index = static_cast<std::int32_t>(assigned.index);
-  statement.expression = *value;
-  statement.at = statement.variable_at = at;
-  statement.variable_width = width;
+  Statement statement = assigned.statement(*value, block_.text);
   statement.width = std::max<std::uint32_t>(1, end - at);
   if (!comment.empty()) statement.text = static_cast<std::uint32_t>(comment.data() - s_.file);
   statement.text_length = static_cast<std::uint32_t>(comment.size());

@@ -234,7 +234,7 @@ Value ExpressionReader::bracket() {
   return values(base, true);
 }
 
-/// The assigned variable, or that of AR, where more than digits stand behind its #.
+/// The variable of an assignment, where more than digits stand behind its #.
 std::optional<ExpressionReader::Variable> ExpressionReader::other_target(std::uint32_t hash) {
   const auto first = e_.out.first();
   const bool inside = e_.s->peek() == '[';
