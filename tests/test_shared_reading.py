@@ -6,7 +6,7 @@ from collections import defaultdict
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import cncsub
@@ -97,6 +97,7 @@ ENDS = st.sampled_from(["\n"] * 6 + ["\r\n", "\r", "\n\n"])
     st.integers(1, 60),
     st.sampled_from([CONTROL, "gsk-988ta", "gsk-980tdi", "mitsubishi-m700", "hnc-21m", "linuxcnc"]),
 )
+@example([[("N10 Y2", "\n"), ("%", "\n"), ("N10 Y2", "\r"), ("%", "\n")]], 1, CONTROL)
 def test_any_text_is_the_same_wherever_it_is_cut(
     texts: list[list[tuple[str, str]]], piece: int, control: str
 ) -> None:

@@ -227,12 +227,12 @@ class TapeReader {
   }
 
   /// Whether a tape begins with the % of this line: a program's head, or blocks that another %
-  /// ends.
+  /// ends. What stands behind may be cut off for others to read, who unify its ends of lines.
   bool tape_begins(const Scanner& percent) {
     const char* end = begin_ + text_.size();
     bool blocks = false;
     for (const char* at = percent.at; at < end;) {
-      const char* line_end = std::find(at, end, '\n');
+      const char* line_end = std::find_if(at, end, [](char c) { return c == '\n' || c == '\r'; });
       if (to_.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return false;
       Scanner line{at, line_end, begin_};
       at = line_end + 1;
