@@ -114,6 +114,17 @@ DEEP = {
             "X1" + "/X1" * depth, "X1" + "".join(f"/{k % 9 + 1}X1" for k in range(depth)), "G65 P2 X1" + "=1" * depth,
         )
     ],
+    # Every operator of a level waits for its right value, and more values wait than there are brackets.
+    "values that wait for each other": [
+        f"{head}{to}={unit * depth}{value}{close * depth}\nM30\n"
+        for depth in (5, 20, 49, 64, 90, 99)
+        for head, to, close, value, units in (
+            ("%1\n", "R1", ")", "R2", ("R2+R2*(", "R2>R2+R2*(", "R2 OR R2 AND R2>R2+R2*(")),
+            ("O1\n", "#1", "]", "#2", ("#2+#2*[", "#2EQ#2+#2*[", "POW[#2,#2+#2*[", "#2 OR #2 AND #2 GT #2+#2*[")),
+            ("", "#1", "]", "#2", ("#2+#2*[", "#2 or #2 and #2 gt #2+#2*#2**[", "#2**[", "1+[")),
+        )
+        for unit in units
+    ],
     "loops and branches nested in each other": [
         "O1\n" + "WHILE[1EQ1]DO1\n" * 5000 + "END1\n" * 5000 + "M30\n",
         "O1\n" + "".join(f"DO{k % 3 + 1}\n" for k in range(5000)) + "M30\n",

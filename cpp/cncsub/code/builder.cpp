@@ -75,8 +75,8 @@ void Builder::drop_program(std::int32_t leader) {
 // ---- blocks ----
 
 void assign(Builder& to, Block& block, const Statement& statement) {
-  const std::uint32_t end = to.expressions().at(statement.expression) +
-                            to.code().expression(statement.expression).width();
+  const Expression value = to.code().expression(statement.expression);
+  const std::uint32_t end = value.at() + value.width();
   const bool indirect = statement.target == Statement::Target::Indirect;
   const Assigned assigned{statement.target,
                           indirect ? statement.expression - statement.variable

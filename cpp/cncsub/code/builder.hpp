@@ -100,7 +100,6 @@ class Builder {
 
   Address next_address() const { return static_cast<Address>(code_.blocks.size()); }
   void append(const Block& block) {
-    expressions_.clear();
     if (block.n >= 0) code_.sequence.push_back({block.n, next_address()});
     code_.blocks.push_back(block);
   }

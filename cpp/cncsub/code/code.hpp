@@ -24,6 +24,7 @@
 #include "cncsub/code/fault.hpp"
 #include "cncsub/code/labelled.hpp"
 #include "cncsub/code/large_pages.hpp"
+#include "cncsub/code/open_table.hpp"
 #include "cncsub/code/program.hpp"
 #include "cncsub/code/statement.hpp"
 #include "cncsub/control/control.hpp"
@@ -79,7 +80,7 @@ struct Code {
   LargeVector<Cell> cells;
   CodeLists code_lists;
   std::shared_ptr<const CodeMeanings> meanings;  // on the control's own kind of machine
-  LargeVector<ExpressionCell> expressions;  // one behind the other; its number is where one begins
+  OpenTable<ExpressionCell> expressions;  // one behind the other; its number is where one begins
   LargeVector<CallRecord> calls;
   std::vector<JumpRecord> jumps;
   LargeVector<Argument> arguments;

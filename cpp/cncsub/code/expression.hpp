@@ -1,6 +1,7 @@
 // Values that are computed when a block runs.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -27,12 +28,6 @@ enum class Holds : std::uint8_t { None, Variable, Value };
 
 namespace instructions {
 
-enum { Join = -1, Take = -1, Change = 0, Push = 1 };
-inline constexpr std::int8_t kEffects[] = {
-#define INS(name, effect, holds, function) effect,
-#include "cncsub/code/ins.def"
-#undef INS
-};
 inline constexpr Holds kHolds[] = {
 #define INS(name, effect, holds, function) Holds::holds,
 #include "cncsub/code/ins.def"
@@ -41,8 +36,6 @@ inline constexpr Holds kHolds[] = {
 
 }  // namespace instructions
 
-/// How many values more an instruction leaves on the stack.
-constexpr int stack_effect(Ins op) { return instructions::kEffects[static_cast<std::size_t>(op)]; }
 constexpr Holds held_by(Ins op) { return instructions::kHolds[static_cast<std::size_t>(op)]; }
 
 struct Instruction {
@@ -90,58 +83,73 @@ inline Instruction instruction_at(const ExpressionCell* at, Ins op) {
 }
 inline Instruction instruction_at(const ExpressionCell* at) { return instruction_at(at, at->op()); }
 
-/// An expression: a cell that says how it is computed and how wide it is in the text, then its
-/// instructions up to End, which knows where it stands. Most are one value, or one operation on
-/// two: `form` says so.
+/// An expression: a cell that says where it stands in the text, how wide it is and how it is
+/// computed, then its instructions. Most are one value, or one operation on two: `form` says so,
+/// and how many cells these take. Others go as far as their End.
 class Expression {
  public:
   enum class Form : std::uint8_t {
     Long,
-    Constant,             // 5
+    Constant,             // 5: nothing but the value
     Variable,             // #2: a local or a common
     TwoVariables,         // #1+#2, #1LT#2
-    VariableAndConstant,  // #1+5, #1LT5
+    VariableAndConstant,  // #1+5: an instruction that holds the constant
+    VariableToConstant,   // #1LT5
     ConstantAndVariable,  // 5-#1
   };
+  /// How wide one is at most that is not Long.
+  static constexpr std::uint32_t kWidest = (1U << 16) - 1;
 
   explicit Expression(const ExpressionCell* head) : head_(head) {}
 
   Form form() const { return static_cast<Form>(head_->low & 0xFFU); }
   /// Of two values: what joins them.
-  Ins op() const { return static_cast<Ins>(head_->low >> 8); }
-  std::uint32_t width() const { return head_->high; }
+  Ins op() const { return static_cast<Ins>(head_->low >> 8 & 0xFFU); }
+  std::uint32_t at() const { return head_->high; }
+  std::uint32_t width() const { return form() == Form::Long ? head_->low >> 8 : head_->low >> 16; }
   const ExpressionCell* cells() const { return head_ + 1; }
-  std::uint32_t at() const {
-    const ExpressionCell* cell = cells();
-    while (cell->op() != Ins::End) cell += cells_of(cell->op());
-    return cell->high;
-  }
+  /// How many there are, where the form says it.
+  std::ptrdiff_t size() const { return kSizes[static_cast<std::size_t>(form())]; }
 
-  /// Its instructions without the End, one after the other.
+  /// Its instructions without an End, one after the other.
   class Iterator {
    public:
-    explicit Iterator(const ExpressionCell* at) : at_(at) {}
-    Instruction operator*() const { return instruction_at(at_); }
+    explicit Iterator(const Expression& of)
+        : at_(of.form() == Form::Constant ? of.head_ : of.cells()),
+          end_(of.form() == Form::Long ? nullptr : of.cells() + of.size()),
+          constant_(of.form() == Form::Constant) {}
+    Instruction operator*() const { return instruction_at(at_, op()); }
     Iterator& operator++() {
-      at_ += cells_of(at_->op());
+      at_ += cells_of(op());
       return *this;
     }
     struct End {};
-    bool operator==(End /*end*/) const { return at_->op() == Ins::End; }
+    bool operator==(End /*end*/) const {
+      return end_ == nullptr ? at_->op() == Ins::End : at_ == end_;
+    }
 
    private:
-    const ExpressionCell* at_;
+    Ins op() const { return constant_ ? Ins::Constant : at_->op(); }
+
+    const ExpressionCell *at_, *end_;
+    bool constant_;  // the head stands for the instruction
   };
-  Iterator begin() const { return Iterator(cells()); }
+  Iterator begin() const { return Iterator(*this); }
   static Iterator::End end() { return {}; }
 
-  static ExpressionCell head(Form form, Ins op, std::uint32_t width) {
-    return {static_cast<std::uint32_t>(form) | static_cast<std::uint32_t>(op) << 8, width};
+  static ExpressionCell head(Form form, Ins op, std::uint32_t at, std::uint32_t width) {
+    const auto low = static_cast<std::uint32_t>(form);
+    if (form == Form::Long) return {low | std::min(width, kWidestLong) << 8, at};
+    return {low | static_cast<std::uint32_t>(op) << 8 | width << 16, at};
   }
 
  private:
+  static constexpr std::uint32_t kWidestLong = (1U << 24) - 1;
+  static constexpr std::int8_t kSizes[] = {0, 1, 1, 3, 3, 4, 4};
+
   const ExpressionCell* head_;
 };
+static_assert(static_cast<int>(Ins::Constant) == 0, "so that the head of one has no address");
 
 /// A value in a block: absent, written as a number, or an expression.
 struct Operand {

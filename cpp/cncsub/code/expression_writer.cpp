@@ -8,7 +8,8 @@ namespace {
 
 using Form = Expression::Form;
 
-constexpr bool is_variable(Ins op) { return held_by(op) == Holds::Variable; }
+constexpr bool is_variable(Ins op) { return op >= Ins::Local && op <= Ins::CommonRaw; }
+static_assert(static_cast<int>(Ins::CommonRaw) - static_cast<int>(Ins::Local) == 3);
 constexpr bool compares(Ins op) { return op >= Ins::Equal && op <= Ins::LessEqual; }
 constexpr bool joins(Ins op) { return op >= Ins::Add && op <= Ins::Multiply; }
 
@@ -20,53 +21,76 @@ constexpr Ins without_constant(Ins op) {
                                        : Ins::End;
 }
 
+struct Shape {
+  Form form;
+  Ins op = Ins::Constant;
+};
+
 /// How the instructions from `at` to `end`, which do not hold the End, are computed.
-ExpressionCell head_of(const ExpressionCell* at, const ExpressionCell* end, std::uint32_t width) {
-  const std::ptrdiff_t count = end - at;
-  const auto head = [width](Form form, Ins op) { return Expression::head(form, op, width); };
-  if (count == 2 && at->op() == Ins::Constant) return head(Form::Constant, Ins::End);
-  if (count == 4 && at->op() == Ins::Constant && is_variable(at[2].op()) &&
-      (joins(at[3].op()) || compares(at[3].op())))
-    return head(Form::ConstantAndVariable, at[3].op());
-  if (count == 0 || !is_variable(at->op())) return head(Form::Long, Ins::End);
-  if (count == 1) return head(Form::Variable, Ins::End);
-  const Ins second = at[1].op();
-  if (count == 3 && is_variable(second) && (joins(at[2].op()) || compares(at[2].op())))
-    return head(Form::TwoVariables, at[2].op());
-  if (count == 3 && without_constant(second) != Ins::End)
-    return head(Form::VariableAndConstant, without_constant(second));
-  if (count == 4 && second == Ins::Constant && compares(at[3].op()))
-    return head(Form::VariableAndConstant, at[3].op());
-  return head(Form::Long, Ins::End);
+Shape shape_of(const ExpressionCell* at, const ExpressionCell* end) {
+  const Ins first = at->op();
+  switch (end - at) {
+    case 1:
+      if (is_variable(first)) return {Form::Variable};
+      break;
+    case 2:
+      if (first == Ins::Constant) return {Form::Constant};
+      break;
+    case 3:
+      if (!is_variable(first)) break;
+      if (const Ins op = without_constant(at[1].op()); op != Ins::End)
+        return {Form::VariableAndConstant, op};
+      if (const Ins op = at[2].op(); is_variable(at[1].op()) && (joins(op) || compares(op)))
+        return {Form::TwoVariables, op};
+      break;
+    case 4:
+      if (const Ins op = at[3].op();
+          first == Ins::Constant && is_variable(at[2].op()) && (joins(op) || compares(op)))
+        return {Form::ConstantAndVariable, op};
+      if (is_variable(first) && at[1].op() == Ins::Constant && compares(at[3].op()))
+        return {Form::VariableToConstant, at[3].op()};
+      break;
+    default:
+      break;
+  }
+  return {Form::Long};
 }
 
 }  // namespace
 
-void ExpressionWriter::grow() {
+void ExpressionWriter::make_room() {
   const std::uint32_t top = place_of(top_), last = place_of(last_);
-  open_.resize(2 * open_.size());
-  clear();
-  top_ = open_.data() + top;
-  last_ = open_.data() + last;
+  const std::size_t room = 2 * (top + kSpare);
+  // They count while they are moved.
+  const std::size_t before = code_.expressions.size();
+  code_.expressions.add(top + 1);
+  code_.expressions.room(room);
+  code_.expressions.keep(before);
+  first_ = code_.expressions.room(0) + 1;
+  limit_ = first_ + top + room - kSpare;
+  top_ = first_ + top;
+  last_ = first_ + last;
 }
 
-std::uint32_t ExpressionWriter::end(std::uint32_t first, std::uint32_t at, std::uint32_t width) {
-  ExpressionCell* const begin = open_.data() + first;
-  ended_ = static_cast<std::uint32_t>(code_.expressions.size());
-  const ExpressionCell before = begin[-1];  // of an expression that this one stands in
-  begin[-1] = head_of(begin, top_, std::max(1U, width));
-  *top_ = ExpressionCell::of(Ins::End, 0, at);
-  code_.expressions.insert(code_.expressions.end(), begin - 1, top_ + 1);
-  begin[-1] = before;
-  top_ = begin;
-  return ended_;
+std::uint32_t ExpressionWriter::end(std::uint32_t at, std::uint32_t width) {
+  const auto number = static_cast<std::uint32_t>(code_.expressions.size());
+  const auto [form, op] = width <= Expression::kWidest ? shape_of(first_, top_) : Shape{Form::Long};
+  first_[-1] = Expression::head(form, op, at, std::max(1U, width));
+  if (form == Form::Constant) {
+    first_[0] = first_[1];
+    --top_;
+  } else if (form == Form::Long) {
+    *top_++ = ExpressionCell::of(Ins::End, 0, at);
+  }
+  code_.expressions.add(1 + place_of(top_));
+  return number;
 }
 
 std::uint32_t ExpressionWriter::one(const Instruction& only, std::uint32_t at,
                                     std::uint32_t width) {
-  const std::uint32_t first = next();
+  begin();
   emit(only);
-  return end(first, at, width);
+  return end(at, width);
 }
 
 }  // namespace cncsub

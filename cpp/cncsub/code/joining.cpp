@@ -26,6 +26,13 @@ std::uint32_t append(Table& to, Table& from) {
   return base;
 }
 
+std::uint32_t append(OpenTable<ExpressionCell>& to, OpenTable<ExpressionCell>& from) {
+  const std::uint32_t base = size_of(to);
+  to.append(from);
+  from.clear();
+  return base;
+}
+
 /// What the numbers of the part grow by.
 class Joining {
  public:

@@ -1,9 +1,11 @@
 #include "cncsub/machine/expressions.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/machine/ends.hpp"
@@ -44,10 +46,8 @@ inline bool take(const Fallible& from, double& value) {
 }
 
 /// False where the expression has no value; the trap says why. The last value lies in `a`, a
-/// register, those before it on the stack.
-bool compute(const ExpressionCell* at, const Evaluation& e, double& result) {
-  std::array<double, 210> stack;  // NOLINT: written before it is read; the reader allows 200 values
-  double* below = stack.data();   // where the value goes that lies below the last one
+/// register, those before it on the stack, `below` the place of the next.
+bool compute(const ExpressionCell* at, const Evaluation& e, double* below, double& result) {
   double a = 0;
   for (;;) {
     double made = 0;
@@ -83,9 +83,26 @@ bool compute(const ExpressionCell* at, const Evaluation& e, double& result) {
   }
 }
 
+/// One operation on two values, with the End that it is kept without.
+class Ended {
+ public:
+  explicit Ended(Expression e) {
+    *std::copy_n(e.cells(), e.size(), cells_.begin()) = ExpressionCell::of(Ins::End, 0, e.at());
+  }
+  const ExpressionCell* cells() const { return cells_.data(); }
+
+ private:
+  std::array<ExpressionCell, 5> cells_;
+};
+
 }  // namespace
 
 bool evaluate_long(Run& run, Expression e, const Places& places, double& value, Address of) {
+  // Each value that waits is written somewhere, one character at least.
+  constexpr std::size_t kOrdinary = 250, kSpare = 10;
+  std::array<double, kOrdinary + kSpare> stack;  // NOLINT: written before it is read
+  std::vector<double> large(e.width() <= kOrdinary ? 0 : e.width() + kSpare);
+  double* const below = large.empty() ? stack.data() : large.data();
   if (e.width() > kLongText) look_soon(run);
   Trap trap;
   const Control& control = run.control();
@@ -96,7 +113,9 @@ bool evaluate_long(Run& run, Expression e, const Places& places, double& value, 
                               control.macros.angle_unit.value == AngleUnit::Degrees,
                               of != kNowhere ? of : run.state.pc,
                               trap};
-  if (compute(e.cells(), evaluation, value)) [[likely]]
+  const bool is_long = e.form() == Expression::Form::Long;
+  if (is_long ? compute(e.cells(), evaluation, below, value)
+              : compute(Ended(e).cells(), evaluation, below, value)) [[likely]]
     return true;
   const std::uint32_t first = e.at();
   const bool inside = trap.at >= first && trap.at <= first + e.width();

@@ -81,7 +81,7 @@ CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& 
     case Expression::Form::Long:
       return evaluate_long(run, e, places, value, of);
     case Expression::Form::Constant:
-      value = cells[1].value();
+      value = cells[0].value();
       return true;
     case Expression::Form::Variable:
       value = places.load(cells[0]);
@@ -91,6 +91,7 @@ CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& 
       b = places.load(cells[1]);
       break;
     case Expression::Form::VariableAndConstant:
+    case Expression::Form::VariableToConstant:
       a = places.load(cells[0]);
       b = cells[2].value();
       break;

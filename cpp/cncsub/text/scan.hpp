@@ -71,7 +71,7 @@ struct Scanner {
     return at == end ? '\0' : upper(*at);
   }
   bool take(char c) {
-    if (peek() != c) return false;
+    if ((at == end || *at != c) && peek() != c) return false;
     ++at;
     return true;
   }

@@ -108,10 +108,10 @@ bool BlockWriter::belongs_to_call(const Token& token) const {
 WordValue BlockWriter::value_of(const Operand& operand, int place) {
   if (!operand.fine || !control_.reading.cuts_fine_digits.value)
     return {operand.kind == Operand::Kind::Expression, operand.expression, operand.value};
-  const std::uint32_t first = to_.expressions().next();
+  to_.expressions().begin();
   to_.expressions().emit({Ins::Constant, 0, operand.at, operand.value});
   to_.expressions().emit({Ins::CutWord, static_cast<std::uint8_t>('A' + place), operand.at, 0});
-  return {true, to_.expressions().end(first, operand.at, operand.width), 0};
+  return {true, to_.expressions().end(operand.at, operand.width), 0};
 }
 
 }  // namespace cncsub

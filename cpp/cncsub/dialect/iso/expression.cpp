@@ -10,19 +10,17 @@ namespace cncsub {
 
 std::optional<std::uint32_t> ExpressionReader::number(Scanner& s) {
   e_.begin(s);
-  const auto first = e_.out.first();
   s.blanks();
   const std::uint32_t at = s.offset();
   Value value = expression();
   if (!value) return std::nullopt;
   if (!e_.out.is_number(value))
     return e_.out.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
-  return e_.out.finish(first, at, s.offset() - at);
+  return e_.out.finish(at, s.offset() - at);
 }
 
 std::optional<std::uint32_t> ExpressionReader::word_value(Scanner& s, char address) {
   e_.begin(s, address);
-  const auto first = e_.out.first();
   s.blanks();
   const std::uint32_t at = s.offset();
   const bool negative = s.take('-');
@@ -39,12 +37,11 @@ std::optional<std::uint32_t> ExpressionReader::word_value(Scanner& s, char addre
     return e_.out.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
   if (negative)
     e_.out.emit(Ins::Negate, at);  // of a vacant variable it stays vacant: X-#1 is no word then
-  return e_.out.finish(first, at, s.offset() - at);
+  return e_.out.finish(at, s.offset() - at);
 }
 
 std::optional<std::uint32_t> ExpressionReader::condition(Scanner& s) {
   e_.begin(s);
-  const auto first = e_.out.first();
   s.blanks();
   const std::uint32_t at = s.offset();
   if (!e_.rules.bare && s.peek() != '[')
@@ -62,7 +59,7 @@ std::optional<std::uint32_t> ExpressionReader::condition(Scanner& s) {
   }
   if (!value.is_condition())
     return e_.out.refuse(Cause::ExpressionFormat, at, "a condition compares two values");
-  return e_.out.finish(first, at, s.offset() - at);
+  return e_.out.finish(at, s.offset() - at);
 }
 
 }  // namespace cncsub

@@ -45,6 +45,7 @@ class ExpressionReader {
   Value bracket();
   Value values(const Waiting* base, bool alone);
   Value operand(const char*& at);
+  Value plain_operand(const char*& at);
   Value constant(const char*& at);
   Value near_variable(const char*& at);
   bool opens_bracket(const char*& at);

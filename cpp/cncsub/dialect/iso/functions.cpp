@@ -24,7 +24,7 @@ Value programmed(OpenExpression& e, std::uint32_t at) {
   const std::optional<std::int64_t> number = inside ? kComputed : variable_number(e, hash);
   if (!number || *number == kComputed)
     return e.out.refuse(Cause::ExpressionFormat, at, "AR takes a variable");
-  if (!e.closes() || !e.out.has_room(e.s->offset())) return {};
+  if (!e.closes()) return {};
   e.out.emit(Ins::Programmed, at, static_cast<double>(*number));
   return Value::number();
 }
@@ -48,7 +48,6 @@ Value word(OpenExpression& e) {
   }
   for (const ConstantName& of : kConstants) {
     if (word != name_of(of.word) || !e.rules.has(of.word)) continue;
-    if (!e.out.has_room(e.s->offset())) return {};
     e.out.emit(Ins::Constant, at, of.value);
     return Value::number();
   }

@@ -57,7 +57,7 @@ struct OpenExpression {
     of.level = kind <= Waiting::Kind::Not ? Waiting::kPrefix : Waiting::kOpening;
     of.kind = kind;
     of.at = at;
-    of.first = out.first();
+    of.first = out.next();
     of.function = function;
     of.second = false;
     return Value::awaited();

@@ -18,7 +18,6 @@ Value other_constant(OpenExpression& e) {
   if (number.digits > static_cast<std::uint32_t>(most))
     return e.out.refuse(Cause::TooManyDigits, at,
                         "a number has at most " + std::to_string(most) + " digits");
-  if (!e.out.has_room(e.s->offset())) return {};
   e.out.emit(Ins::Constant, at, number.value);
   return Value::number();
 }

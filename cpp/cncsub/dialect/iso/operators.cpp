@@ -85,15 +85,14 @@ class Lookahead {
   bool value_ = false;  // the value of an operand has ended: an operator follows
 };
 
-Value compare(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
-  Value left = waiting.left;
-  const Ins op = waiting.of->op;
+Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value right,
+              std::uint32_t end) {
   const bool tells_vacant =
       out.rules().distinguishes_vacant && (op == Ins::Equal || op == Ins::NotEqual);
   if (!out.is_number(left) || !out.is_number(right))
-    return out.refuse(Cause::ExpressionFormat, waiting.at, "a comparison compares two values");
+    return out.refuse(Cause::ExpressionFormat, at, "a comparison compares two values");
   if (!tells_vacant && (!out.arithmetic(left, end) || !out.arithmetic(right, end))) return {};
-  out.emit(op, waiting.at);
+  out.emit(op, at);
   return Value::condition();
 }
 
@@ -117,18 +116,17 @@ bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
   return !Lookahead(behind).finds_condition();
 }
 
-Value apply_other(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
-  const OperatorName& of = *waiting.of;
-  Value left = waiting.left;
-  if (of.compares()) return compare(out, waiting, right, end);
+Value apply_other(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left,
+                  Value right, std::uint32_t end) {
+  if (of.compares()) return compare(out, of.op, at, left, right, end);
   if (left.is_condition() && right.is_condition()) {
     if (!out.rules().joined)
-      return out.refuse(Cause::IfFormat, waiting.at, "conditions cannot be joined on this control");
-    out.emit(of.other, waiting.at);
+      return out.refuse(Cause::IfFormat, at, "conditions cannot be joined on this control");
+    out.emit(of.other, at);
     return Value::condition();
   }
   if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
-  out.emit(of.op, waiting.at);
+  out.emit(of.op, at);
   return Value::number();
 }
 

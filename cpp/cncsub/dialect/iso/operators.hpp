@@ -61,7 +61,8 @@ const OperatorName* find_other_operator(const ExpressionRules& rules, const Scan
 /// `3EQ#1AND3` is one.
 bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
                    std::span<const Waiting> waiting);
-/// Compares or joins two values by logic; the left one waited for the right one.
-Value apply_other(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end);
+/// Compares two values or joins them by logic, by the operator at `at`.
+Value apply_other(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left,
+                  Value right, std::uint32_t end);
 
 }  // namespace cncsub

@@ -1,5 +1,4 @@
-// The instructions of one expression: what kind of value the last of them left, and how many values
-// wait on the stack.
+// The instructions of one expression, and what kind of value the last of them left.
 #pragma once
 
 #include <cstdint>
@@ -60,19 +59,13 @@ class ValueWriter {
   /// rounds otherwise.
   void begin(char address) {
     fault_.reset();
-    depth_ = 0;
+    out_.begin();
     address_ = static_cast<std::uint8_t>(address);
   }
   bool in_word() const { return address_ != 0; }
   /// An instruction that holds nothing, or a value.
-  void emit(Ins op, std::uint32_t at) {
-    out_.emit(op, address_, at);
-    depth_ += stack_effect(op);
-  }
-  void emit(Ins op, std::uint32_t at, double value) {
-    out_.emit(op, address_, at, value);
-    depth_ += stack_effect(op);
-  }
+  void emit(Ins op, std::uint32_t at) { out_.emit(op, address_, at); }
+  void emit(Ins op, std::uint32_t at, double value) { out_.emit(op, address_, at, value); }
   /// The sign at `at` of the operand that began with instruction `first`.
   void negate(std::uint32_t first, std::uint32_t at);
   /// An operator of arithmetic or logic; `with_constant` is the same with a constant on its right,
@@ -83,7 +76,6 @@ class ValueWriter {
     if (!constant || (op == Ins::Divide && out_.value(last) == 0)) return emit(op, at);
     out_.set_op(last, with_constant);
     out_.set_at(last, at);
-    depth_ += stack_effect(with_constant) - stack_effect(Ins::Constant);
   }
   /// Pushes the value of a variable, which may be vacant.
   Value load(std::int64_t number, std::uint32_t at);
@@ -93,12 +85,6 @@ class ValueWriter {
   /// The value of the last instruction, which may be vacant.
   Value last() const { return Value::variable(out_.last_place()); }
 
-  /// Whether one more value has room on the stack; else it is refused.
-  bool has_room(std::uint32_t at) {
-    if (depth_ < kDeepest) return true;
-    refuse(Cause::BracketsTooDeep, at);
-    return false;
-  }
   /// A comparison leaves 1 or 0, which is a number where the control says so.
   bool is_number(Value& value) const {
     if (value.is_condition() && rules_.values) value = Value::number();
@@ -115,16 +101,11 @@ class ValueWriter {
   }
 
   /// The place of the next instruction.
-  std::uint32_t first() const { return out_.next(); }
-  /// Ends the expression that began with instruction `first`: its number.
-  std::uint32_t finish(std::uint32_t first, std::uint32_t at, std::uint32_t width) {
-    depth_ += stack_effect(Ins::End);
-    return out_.end(first, at, width);
-  }
+  std::uint32_t next() const { return out_.next(); }
+  /// Ends the expression: its number.
+  std::uint32_t finish(std::uint32_t at, std::uint32_t width) { return out_.end(at, width); }
 
  private:
-  static constexpr int kDeepest = 200;  // values on the stack, whatever the control allows
-
   bool no_number(std::uint32_t at);
   /// The load of a variable at a place gives 0 where it is vacant.
   void count_vacant(std::uint32_t place) {
@@ -139,7 +120,6 @@ class ValueWriter {
   void count_other_vacant(std::uint32_t place);
   Value load(Ins op, std::uint32_t index, std::uint32_t number) {
     out_.emit_variable(op, index, number);
-    ++depth_;
     return last();
   }
 
@@ -147,7 +127,6 @@ class ValueWriter {
   const ExpressionRules& rules_;
   std::optional<Fault> fault_;
   std::uint8_t address_ = 0;
-  int depth_ = 0;  // values on the stack
 };
 
 }  // namespace cncsub

@@ -16,7 +16,6 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::constant(const char*& at) {
   const std::ptrdiff_t digits = m.whole + m.decimals;
   if (digits == 0 || digits > e_.rules.most_digits || !e_.ends_at(end)) return {};
   const std::uint32_t place = e_.offset(at);
-  if (!e_.out.has_room(e_.offset(end))) return {};
   at = end;
   const auto whole = static_cast<double>(static_cast<std::int64_t>(m.value));
   e_.out.emit(Ins::Constant, place, whole / kPowersOfTen[m.decimals]);
@@ -29,9 +28,15 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::near_variable(const char*& a
   const auto number = e_.plain_number(end);
   if (!number) return {};
   const ExpressionRules::Near* const near = e_.rules.near(*number);
-  if (near == nullptr || !e_.out.has_room(e_.offset(at + 1))) return {};
+  if (near == nullptr) return {};
   at = end;
   return e_.out.load(*near, *number);
+}
+
+/// A variable or a number that is written in the plainest way; else nothing.
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::plain_operand(const char*& at) {
+  if (*at == '#') return near_variable(at);
+  return is_digit(*at) || *at == '.' ? constant(at) : Value{};
 }
 
 /// What opens in the plainest way: a bracket, or a function of three letters with its bracket.
@@ -58,15 +63,9 @@ inline bool ExpressionReader::opens_function(const char*& at) {
 /// An operand; what is opened before it, and signs, wait.
 CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operand(const char*& at) {
   for (;;) {
-    const char c = *at;
-    Value value;
-    if (c == '#')
-      value = near_variable(at);
-    else if (is_digit(c) || c == '.')
-      value = constant(at);
-    else if (opens_bracket(at) || opens_function(at))
-      continue;
+    Value value = plain_operand(at);
     if (value) return value;
+    if (opens_bracket(at) || opens_function(at)) continue;
     e_.s->at = at;
     value = other_operand(e_);
     at = e_.s->at;
@@ -117,12 +116,12 @@ int level_of(const ExpressionRules& rules, const OperatorName& of) {
   return rules.alike ? of.alike : of.last;
 }
 
-/// Joins two values; the left one waited for the right one.
-inline Value apply(ValueWriter& out, const Waiting& waiting, Value right, std::uint32_t end) {
-  if (!waiting.of->is_arithmetic()) return apply_other(out, waiting, right, end);
-  Value left = waiting.left;
+/// Joins two values by the operator at `at`.
+inline Value apply(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left,
+                   Value right, std::uint32_t end) {
+  if (!of.is_arithmetic()) return apply_other(out, of, at, left, right, end);
   if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
-  out.emit_operator(waiting.of->op, waiting.of->other, waiting.at);
+  out.emit_operator(of.op, of.other, at);
   return Value::number();
 }
 
@@ -152,13 +151,15 @@ inline const OperatorName* next_operator(const ExpressionRules& rules, Scanner& 
 /// Joins a value with what waits on its left and binds as closely.
 CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::join(Value value, int level, const char* at) {
   while (e_.last[-1].level >= level) {
-    value = apply(e_.out, *--e_.last, value, e_.offset(at));
+    const Waiting& left = *--e_.last;
+    value = apply(e_.out, *left.of, left.at, left.left, value, e_.offset(at));
     if (!value) break;
   }
   return value;
 }
 
-/// An operator stands behind the value: both wait for what comes.
+/// An operator stands behind the value: both wait for what comes, but where that is written in the
+/// plainest way and nothing behind it can bind it.
 CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operates(const OperatorName& of, Value value,
                                                              const char*& at) {
   int level = level_of(e_.rules, of);
@@ -170,20 +171,26 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operates(const OperatorName&
   }
   value = join(value, level, at);
   if (!value) return value;
-  Waiting& waiting = *e_.last++;
-  waiting.left = value;
-  waiting.of = &of;
-  waiting.at = e_.offset(at);
-  waiting.level = level;
-  waiting.kind = Waiting::Kind::Operator;
+  const std::uint32_t place = e_.offset(at);
+  Value right = Value::awaited();
   if (of.text.size() == 1) {
     ++at;
+    right = plain_operand(at);
+    if (right && (at == e_.s->end || *at == ']'))
+      return apply(e_.out, of, place, value, right, e_.offset(at));
+    if (!right) right = Value::awaited();
   } else {
     e_.s->at = at;
     e_.s->take_word(of.text);
     at = e_.s->at;
   }
-  return Value::awaited();
+  Waiting& waiting = *e_.last++;
+  waiting.left = value;
+  waiting.of = &of;
+  waiting.at = place;
+  waiting.level = level;
+  waiting.kind = Waiting::Kind::Operator;
+  return right;
 }
 
 bool ExpressionReader::is_of_numbers(const OperatorName& of, const Value& value) const {
@@ -202,8 +209,11 @@ CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::behind(Value value, const Wa
       if (!value) return value;
     }
     if (alone && e_.last == base) return value;
-    if (const OperatorName* const next = next_operator(e_.rules, *e_.s, at))
-      return operates(*next, value, at);
+    if (const OperatorName* const next = next_operator(e_.rules, *e_.s, at)) {
+      value = operates(*next, value, at);
+      if (!value) return value;
+      continue;
+    }
     value = join(value, 0, at);
     if (!value || e_.last == base) return value;
     value = closed(value, at);
@@ -236,18 +246,17 @@ Value ExpressionReader::bracket() {
 
 /// The variable of an assignment, where more than digits stand behind its #.
 std::optional<ExpressionReader::Variable> ExpressionReader::other_target(std::uint32_t hash) {
-  const auto first = e_.out.first();
   const bool inside = e_.s->peek() == '[';
   const std::uint32_t at = inside ? e_.s->offset() : hash;
   if (inside) {
     Value inner = bracket();
     if (!inner || !e_.out.arithmetic(inner, e_.s->offset())) return std::nullopt;
-    return Variable{kComputed, e_.out.finish(first, at, e_.s->offset() - at)};
+    return Variable{kComputed, e_.out.finish(at, e_.s->offset() - at)};
   }
   const auto number = variable_number(e_, at);
   if (!number) return std::nullopt;
   if (*number != kComputed) return Variable{*number, 0};
-  return Variable{kComputed, e_.out.finish(first, at, 1)};
+  return Variable{kComputed, e_.out.finish(at, 1)};
 }
 
 }  // namespace cncsub

@@ -26,7 +26,6 @@ std::optional<std::int64_t> written_number(OpenExpression& e) {
 Value other_variable(OpenExpression& e) {
   const std::uint32_t at = e.s->offset();
   ++e.s->at;
-  if (!e.out.has_room(e.s->offset())) return {};
   if (const auto number = e.plain_number(e.s->at)) return e.out.load(*number, at);
   const char first = e.s->peek();
   if (first == '[') return e.open(Waiting::Kind::Indirect, at);

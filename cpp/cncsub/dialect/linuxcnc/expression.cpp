@@ -79,15 +79,12 @@ std::optional<double> ExpressionReader::whole_number(double value, std::size_t p
   return whole;
 }
 
-bool ExpressionReader::finish(Value& value, std::uint32_t first, std::uint32_t at) {
+bool ExpressionReader::finish(Value& value, std::uint32_t at) {
   value.at = at;
   value.width = line_.width_from(at);
   value.computed = !constant_;
   value.number = constant_.value_or(0);
-  if (value.computed)
-    value.expression = to_.expressions().end(first, at, value.width);
-  else
-    to_.expressions().take_back(first);
+  if (value.computed) value.expression = to_.expressions().end(at, value.width);
   return true;
 }
 
@@ -97,17 +94,20 @@ std::uint32_t ExpressionReader::expression_of(const Value& value) {
 }
 
 bool ExpressionReader::value(Value& value) {
-  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
-  return read_value(0) && finish(value, first, at);
+  const std::uint32_t at = line_.offset();
+  to_.expressions().begin();
+  return read_value(0) && finish(value, at);
 }
 
 bool ExpressionReader::bracketed(Value& value) {
-  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
-  return read_bracket(0) && finish(value, first, at);
+  const std::uint32_t at = line_.offset();
+  to_.expressions().begin();
+  return read_bracket(0) && finish(value, at);
 }
 
 bool ExpressionReader::whole(Value& value) {
-  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  const std::uint32_t at = line_.offset();
+  to_.expressions().begin();
   const std::size_t place = line_.place();
   if (!read_value(0)) return false;
   if (constant_) {
@@ -116,7 +116,7 @@ bool ExpressionReader::whole(Value& value) {
   } else {
     emit(Ins::WholeNumber);
   }
-  return finish(value, first, at);
+  return finish(value, at);
 }
 
 bool ExpressionReader::read_value(int depth) {

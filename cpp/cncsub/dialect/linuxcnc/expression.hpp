@@ -70,7 +70,7 @@ class ExpressionReader {
   bool read_exists(int depth);
   bool read_name(std::string& name, std::size_t place);
   bool wrong(Cause cause, std::string text, std::size_t place);
-  bool finish(Value& value, std::uint32_t first, std::uint32_t at);
+  bool finish(Value& value, std::uint32_t at);
   void emit(Ins op, double value = 0, std::uint32_t index = 0);
   /// The number of a variable that the last value is; nothing where there is none: `fault` says
   /// why.

@@ -133,15 +133,15 @@ bool ExpressionReader::read_exists(int depth) {
 bool ExpressionReader::place(Place& place) {
   if (line_.peek() == '<') return named_place(place);
   const std::size_t start = line_.place();
-  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  const std::uint32_t at = line_.offset();
+  to_.expressions().begin();
   if (!read_value(0)) return false;
   if (!constant_) {
     emit(Ins::VariableNumber, static_cast<double>(kLastVariable));
     place.target = Statement::Target::Indirect;
-    place.number = to_.expressions().end(first, at, line_.width_from(at));
+    place.number = to_.expressions().end(at, line_.width_from(at));
     return true;
   }
-  to_.expressions().take_back(first);
   const auto number = variable_number(start);
   if (!number) return false;
   if (is_read_only(*number))
@@ -170,12 +170,13 @@ bool ExpressionReader::named_place(Place& place) {
 }
 
 bool ExpressionReader::shown(Value& value) {
-  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  const std::uint32_t at = line_.offset();
+  to_.expressions().begin();
   constant_.reset();
   if (std::string name; line_.peek() == '<') {
     if (!read_name(name, line_.place())) return false;
     if (!push_built_in(to_, line_, name)) push_raw(to_, line_, name);
-    return finish(value, first, at);
+    return finish(value, at);
   }
   const std::string_view digits = line_.take_digits();
   std::int64_t number = 0;
@@ -184,7 +185,7 @@ bool ExpressionReader::shown(Value& value) {
     emit(Ins::Constant, digits.size() <= 9 && number == 0 ? 0 : kVacant);
   else
     push_load(to_, line_, number);
-  return finish(value, first, at);
+  return finish(value, at);
 }
 
 }  // namespace cncsub::linuxcnc

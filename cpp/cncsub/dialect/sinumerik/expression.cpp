@@ -72,15 +72,12 @@ void ExpressionReader::emit(Ins op, double value) {
   to_.expressions().emit({op, 0, line_.offset(), value});
 }
 
-bool ExpressionReader::finish(Value& value, std::uint32_t first, std::uint32_t at) {
+bool ExpressionReader::finish(Value& value, std::uint32_t at) {
   value.at = at;
   value.width = line_.width_from(at);
   value.computed = !constant_;
   value.number = constant_.value_or(0);
-  if (value.computed)
-    value.expression = to_.expressions().end(first, at, value.width);
-  else
-    to_.expressions().take_back(first);
+  if (value.computed) value.expression = to_.expressions().end(at, value.width);
   return true;
 }
 
@@ -90,24 +87,27 @@ std::uint32_t ExpressionReader::expression_of(const Value& value) {
 }
 
 bool ExpressionReader::number(Value& value) {
-  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  const std::uint32_t at = line_.offset();
+  to_.expressions().begin();
   const bool minus = line_.take('-');
   if (!minus) line_.take('+');
   if (!read_number()) return false;
   if (minus) constant_ = -constant_.value_or(0);
-  return finish(value, first, at);
+  return finish(value, at);
 }
 
 bool ExpressionReader::value(Value& value) {
-  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
-  return read(0) && finish(value, first, at);
+  const std::uint32_t at = line_.offset();
+  to_.expressions().begin();
+  return read(0) && finish(value, at);
 }
 
 bool ExpressionReader::condition(std::uint32_t& expression, bool otherwise) {
-  const std::uint32_t first = to_.expressions().next(), at = line_.offset();
+  const std::uint32_t at = line_.offset();
+  to_.expressions().begin();
   if (!read(0)) return false;
   if (otherwise) emit(Ins::Not);
-  expression = to_.expressions().end(first, at, line_.width_from(at));
+  expression = to_.expressions().end(at, line_.width_from(at));
   return true;
 }
 
@@ -285,10 +285,10 @@ bool ExpressionReader::assignment(Statement& statement) {
   statement.variable_at = at;
   line_.pass(1);  // R
   if (line_.ahead(0) == '[') {
-    const std::uint32_t first = to_.expressions().next();
+    to_.expressions().begin();
     if (!read_bracket('[', ']', 0)) return false;
     statement.target = Statement::Target::Indirect;
-    statement.variable = to_.expressions().end(first, at, line_.width_from(at));
+    statement.variable = to_.expressions().end(at, line_.width_from(at));
   } else {
     VariablePlace place;
     if (!parameter_number(line_.take_digits(), at, place, number)) return false;

@@ -58,7 +58,7 @@ class ExpressionReader {
                         std::int32_t& number);
   bool wrong(Cause cause, std::string detail, std::uint32_t at);
   bool not_computed(std::string_view what, std::uint32_t at);
-  bool finish(Value& value, std::uint32_t first, std::uint32_t at);
+  bool finish(Value& value, std::uint32_t at);
   void emit(Ins op, double value = 0);
 
   Builder& to_;
