@@ -89,7 +89,7 @@ bool leads_back(const ProgramFlow& flow, Address start) {
 bool does_something(const Block& block) {
   switch (block.op) {
     case Op::Words:
-      return block.mask != 0 || block.g_count != 0 || block.m_count != 0;
+      return block.mask != 0 || block.has_codes();
     case Op::EndProgram:
     case Op::Return:
     case Op::EndOfRecord:

@@ -68,9 +68,9 @@ constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
 constexpr std::uint32_t kEndWords = bit('X') | bit('Y') | bit('Z');
 constexpr std::uint32_t kCentreWords = bit('I') | bit('J') | bit('K');
 
-/// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the
-/// number of its list of codes (if listed; else the G codes and the M codes, one cell each, or an
-/// expression), then the values of the mask's addresses in alphabetical order.
+/// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G
+/// codes and the M codes (if not listed; one cell each, or an expression), then the values of the
+/// mask's addresses in alphabetical order.
 struct Block {
   std::uint32_t text = 0;  // where it starts in its file
   std::uint32_t line = 0;  // 1-based
@@ -78,11 +78,12 @@ struct Block {
   std::uint32_t data = 0;
   std::uint32_t mask = 0;
   std::uint32_t aux = 0;
+  std::uint32_t skip : 10 = 0;  // bit k: not executed when switch k is on
+  std::uint32_t list : 12 = 0;  // of its codes, if listed
+  std::uint32_t g_count : 4 = 0;
+  std::uint32_t m_count : 3 = 0;
   Op op = Op::Words;
-  std::uint8_t g_count = 0;
-  std::uint8_t m_count = 0;
   std::uint8_t flags = 0;
-  std::uint16_t skip = 0;    // bit k: not executed when switch k is on
   std::uint16_t length = 0;  // bytes of text, at most 65535
 
   static constexpr std::uint8_t kHasExtra = 1;
@@ -93,9 +94,24 @@ struct Block {
   static constexpr std::uint8_t kDrops = 16;   // words that do not count: Code::drops
   static constexpr std::uint8_t kListed = 32;  // its codes are one of Code::code_lists
 
+  bool has_codes() const { return (g_count | m_count) != 0; }
   /// How many cells its codes take.
-  int code_cells() const { return (flags & kListed) != 0 ? 1 : g_count + m_count; }
+  int code_cells() const {
+    return (flags & kListed) != 0 ? 0 : static_cast<int>(g_count + m_count);
+  }
+  void count_codes(std::size_t g, std::size_t m) {
+    g_count = static_cast<std::uint32_t>(g) & 15U;
+    m_count = static_cast<std::uint32_t>(m) & 7U;
+  }
+  /// Its codes are these of Code::code_lists.
+  void set_list(int number) {
+    list = static_cast<std::uint32_t>(number) & (kMostLists - 1);
+    flags |= kListed;
+  }
 };
+static_assert(kMostLists == 1 << 12 && kGCodesOfBlock < 16 && kMCodesOfBlock < 8,
+              "a block holds them");
+static_assert(sizeof(Block) == 32);
 
 /// What an assignment writes, as a block keeps it in its `data`: which variable, and where that
 /// stands in the block.

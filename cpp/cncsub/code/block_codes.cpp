@@ -5,9 +5,6 @@
 namespace cncsub {
 namespace {
 
-// Nothing but an attack has so many lists.
-constexpr std::size_t kMostLists = 4096;
-
 bool is_computed(const Control& c, Meaning meaning) {
   if (meaning == Meaning::MeasureTool) return c.motion.measuring.value != Measuring::None;
   return meaning != Meaning::Uncomputed;

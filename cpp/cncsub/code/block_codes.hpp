@@ -19,10 +19,14 @@ namespace cncsub {
 constexpr std::size_t at(Group group) { return static_cast<std::size_t>(group); }
 constexpr std::uint32_t bit(Group group) { return 1u << at(group); }
 
+// How many G and M codes a block may have, and how many lists of them a library: nothing but an
+// attack has more.
+constexpr std::size_t kGCodesOfBlock = 12, kMCodesOfBlock = 6, kMostLists = 4096;
+
 /// The codes as they are written, in their order.
 struct CodeList {
-  std::array<int, 12> g_codes{};  // ten times the code: G54.1 is 541
-  std::array<int, 6> m_codes{};
+  std::array<int, kGCodesOfBlock> g_codes{};  // ten times the code: G54.1 is 541
+  std::array<int, kMCodesOfBlock> m_codes{};
   std::uint8_t g_count = 0, m_count = 0;
 
   std::span<const int> g() const { return {g_codes.data(), g_count}; }

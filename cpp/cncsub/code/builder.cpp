@@ -102,17 +102,8 @@ void Builder::together(Block& block, const std::vector<Statement>& statements, c
 // ---- words ----
 
 void write_codes(Code& code, Block& block, const CodeList& list) {
-  Cell cell{};
-  if (const int number = code.code_lists.keep(list); number >= 0) {
-    cell.expression = static_cast<std::uint64_t>(number);
-    block.flags |= Block::kListed;
-    code.cells.push_back(cell);
-    return;
-  }
-  const auto write = [&](int of) {
-    cell.value = of;
-    code.cells.push_back(cell);
-  };
+  if (const int number = code.code_lists.keep(list); number >= 0) return block.set_list(number);
+  const auto write = [&](int of) { code.cells.push_back({.value = static_cast<double>(of)}); };
   for (const int g : list.g()) write(g);
   for (const int m : list.m()) write(m);
 }
@@ -165,8 +156,8 @@ void Builder::words(Block& block, const WordList& words) {
     block.flags |= Block::kHasExtra;
   }
   if (words.g_count + words.m_count > 0) write_codes(code_, block, words);
-  block.g_count = static_cast<std::uint8_t>(words.g_count);
-  block.m_count = static_cast<std::uint8_t>(words.m_count);
+  block.count_codes(static_cast<std::size_t>(words.g_count),
+                    static_cast<std::size_t>(words.m_count));
   for (std::uint32_t left = words.mask; left != 0; left &= left - 1)
     code_.cells.push_back(cell_of(words.values[static_cast<std::size_t>(std::countr_zero(left))]));
   if (code_.drops.size() > first_drop_) {
@@ -177,7 +168,9 @@ void Builder::words(Block& block, const WordList& words) {
   for (; first_drop_ < code_.drops.size(); ++first_drop_)
     code_.drops[first_drop_].data = block.data;
   block.op = Op::Words;
-  if ((block.flags & ~Block::kListed) != 0 || block.m_count != 0 || block.g_count > 1) return;
+  if ((block.flags & ~Block::kListed) != 0 || block.m_count != 0 || block.g_count > 1 ||
+      block.code_cells() > 0)
+    return;
   const double g = block.g_count == 0 ? -10 : words.g.front().value;
   if (g <= 30 && std::fmod(g, 10) == 0) mark_move(block, to_whole<int>(g / 10));
 }

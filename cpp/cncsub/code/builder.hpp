@@ -29,8 +29,9 @@ struct WordValue {
 
 /// The words that a block executes. An address stands once, its later value counts.
 struct WordList {
-  std::array<WordValue, 12> g;  // NOLINT: the first `g_count`, ten times a code that is a number
-  std::array<WordValue, 6> m;   // NOLINT: the first `m_count`
+  std::array<WordValue, kGCodesOfBlock>
+      g;  // NOLINT: the first `g_count`, ten times what is a number
+  std::array<WordValue, kMCodesOfBlock> m;   // NOLINT: the first `m_count`
   std::array<WordValue, kAddresses> values;  // NOLINT: those of the mask
   std::uint32_t mask = 0;
   std::uint32_t whole = 0;  // as in NcWords
@@ -200,14 +201,10 @@ inline void mark_move(Block& block, int g) {
 
 /// Gives a block its codes: one G code, or more.
 inline void write_code(Code& code, Block& block, int tenfold) {
-  Cell cell;  // NOLINT: written below
-  if (const int number = code.code_lists.keep(tenfold); number >= 0) {
-    cell.expression = static_cast<std::uint64_t>(number);
-    block.flags |= Block::kListed;
-  } else {
-    cell.value = tenfold;
-  }
-  code.cells.push_back(cell);
+  if (const int number = code.code_lists.keep(tenfold); number >= 0)
+    block.set_list(number);
+  else
+    code.cells.push_back({.value = static_cast<double>(tenfold)});
 }
 void write_codes(Code& code, Block& block, const CodeList& list);
 
@@ -220,8 +217,7 @@ inline void Builder::plain_words(Block& block, std::span<const int> g, int m, st
   };
   block.mask = mask;
   block.data = static_cast<std::uint32_t>(code_.cells.size());
-  block.g_count = static_cast<std::uint8_t>(g.size());
-  if (m >= 0) block.m_count = 1;
+  block.count_codes(g.size(), m >= 0 ? 1 : 0);
   if (g.size() == 1 && m < 0) {
     write_code(code_, block, 10 * g.front());
   } else if (!g.empty() || m >= 0) {
@@ -232,7 +228,8 @@ inline void Builder::plain_words(Block& block, std::span<const int> g, int m, st
   }
   for (std::uint32_t left = mask; left != 0; left &= left - 1)
     write(values[static_cast<std::size_t>(std::countr_zero(left))]);
-  if (m < 0 && g.size() < 2) mark_move(block, g.empty() ? -1 : g.front());
+  if (m < 0 && g.size() < 2 && block.code_cells() == 0)
+    mark_move(block, g.empty() ? -1 : g.front());
 }
 
 }  // namespace cncsub

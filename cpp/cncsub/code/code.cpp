@@ -123,14 +123,14 @@ Statement assignment_of(const Code& code, const Block& block) {
 }
 
 CodeList Code::codes_of(const Block& block) const {
-  if (block.code_cells() == 0) return {};
+  if ((block.flags & Block::kListed) != 0) return code_lists[block.list];
+  if (!block.has_codes()) return {};
   const Cell* cell = cells.data() + block.data + ((block.flags & Block::kHasExtra) != 0 ? 1 : 0);
-  if ((block.flags & Block::kListed) != 0) return code_lists[cell->expression];
   CodeList list;
   const auto known = [&] { return cell->value >= 0 && cell->value <= kLargestCode; };
-  for (int i = 0; i < block.g_count; ++i, ++cell)
+  for (unsigned i = 0; i < block.g_count; ++i, ++cell)
     if (known()) list.add_g(to_whole<int>(cell->value));
-  for (int i = 0; i < block.m_count; ++i, ++cell)
+  for (unsigned i = 0; i < block.m_count; ++i, ++cell)
     if (known()) list.add_m(to_whole<int>(cell->value));
   return list;
 }

@@ -89,20 +89,17 @@ class Joining {
     block.line += of_.line;
     if (block.op != Op::Set) block.data += cells_;
     if (!is_words(block.op)) block.aux += record_base(block.op);
-    if ((block.flags & (Block::kHasExtra | Block::kCodeExpression | Block::kListed)) != 0)
-      move_cells(block);
+    if ((block.flags & Block::kListed) != 0) block.set_list(of_.lists[block.list]);
+    if ((block.flags & (Block::kHasExtra | Block::kCodeExpression)) != 0) move_cells(block);
   }
 
   void move_cells(const Block& block) {
     Cell* cell = code_.cells.data() + block.data;
     std::uint32_t computed = 0;
     if ((block.flags & Block::kHasExtra) != 0) computed = cell++->extra.expressions;
-    if ((block.flags & Block::kListed) != 0) {
-      cell->expression = static_cast<std::uint64_t>(of_.lists[cell->expression]);
-    } else if ((block.flags & Block::kCodeExpression) != 0) {
+    if ((block.flags & Block::kCodeExpression) != 0)
       for (int i = 0; i < block.code_cells(); ++i)
         if (cell[i].value < 0) cell[i].value -= expressions_;
-    }
     cell += block.code_cells();
     for (std::uint32_t left = computed; left != 0; left &= left - 1) {
       const std::uint32_t before = block.mask & ((left & -left) - 1);

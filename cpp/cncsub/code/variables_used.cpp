@@ -76,7 +76,7 @@ void VariablesUsed::operand(const Operand& operand) {
 }
 
 void VariablesUsed::words(const Block& block) {
-  if (block.mask == 0 && block.code_cells() == 0) return;
+  if (block.mask == 0 && !block.has_codes()) return;
   const Cell* cell = code_.cells.data() + block.data;
   std::uint32_t expressions = 0;
   if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;

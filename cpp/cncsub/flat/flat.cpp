@@ -105,10 +105,8 @@ std::int32_t FlatRun::program_at(Address at) {
 /// What the codes of the last block mean, which has these words.
 const BlockCodes& FlatRun::codes_of(const Block& block) const {
   if (heard_.computed) return *heard_.values.codes;
-  const Code& code = machine_.code();
   if ((block.flags & Block::kListed) == 0) return kNoCodes;
-  const std::size_t extra = (block.flags & Block::kHasExtra) != 0 ? 1 : 0;
-  return machine_.motion().view().facts.meanings->blocks[code.cells[block.data + extra].expression];
+  return machine_.motion().view().facts.meanings->blocks[block.list];
 }
 
 bool FlatRun::ends() const {

@@ -54,7 +54,7 @@ NcWords constant_words(const Machine& machine, const Block& block) {
   NcWords words;
   const Cell* cell = code.cells.data() + block.data;
   if ((block.flags & Block::kHasExtra) != 0) words.whole = (cell++)->extra.whole;
-  if ((block.flags & Block::kListed) != 0) words.codes = &meanings.blocks[cell->expression];
+  if ((block.flags & Block::kListed) != 0) words.codes = &meanings.blocks[block.list];
   cell += block.code_cells();
   words.mask = block.mask;
   for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell)

@@ -37,7 +37,7 @@ int written_g(const Block& block, int first) {
 
 CNCSUB_ALWAYS_INLINE inline bool linear(Run& run, const Block& block) {
   bool moved = false;
-  const Cell* values = run.code->cells.data() + block.data + block.g_count;
+  const Cell* values = run.code->cells.data() + block.data;
   if (!run.motion.linear(block.mask, values, written_g(block, 0), run.step(), run.moves(), moved))
     return execute_words(run, block);
   run.state.changes += moved ? 1 : 0;
@@ -53,7 +53,7 @@ CNCSUB_ALWAYS_INLINE inline bool linear(Run& run, const Block& block) {
 }
 
 bool arc(Run& run, const Block& block) {
-  const Cell* values = run.code->cells.data() + block.data + block.g_count;
+  const Cell* values = run.code->cells.data() + block.data;
   if (!run.motion.arc(block.mask, values, written_g(block, 2), run.step(), run.moves()))
     return execute_words(run, block);
   ++run.state.changes;

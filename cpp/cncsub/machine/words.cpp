@@ -53,7 +53,7 @@ bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, dou
 /// Codes of which one is an expression, or of which a library has too many lists.
 bool decode_codes(Run& run, const Block& block, Address of, const Cell* cell, NcWords& words) {
   CodeList list;
-  for (int i = 0; i < block.g_count; ++i) {
+  for (unsigned i = 0; i < block.g_count; ++i) {
     int g = 0;
     if (!decode_code(run, block, of, *cell++, 10, g)) return false;
     if (g > 10000 || (g >= 0 && !run.code->g_codes.test(static_cast<std::size_t>(g))))
@@ -64,7 +64,7 @@ bool decode_codes(Run& run, const Block& block, Address of, const Cell* cell, Nc
                          .code = g});
     if (g >= 0) list.add_g(g);
   }
-  for (int i = 0; i < block.m_count; ++i) {
+  for (unsigned i = 0; i < block.m_count; ++i) {
     int m = 0;
     if (!decode_code(run, block, of, *cell++, 1, m)) return false;
     if (m >= 0) list.add_m(m);
@@ -246,8 +246,8 @@ bool decode(Run& run, const Block& block, Address at, NcWords& words) {
   }
   words.at = at;
   if ((block.flags & Block::kListed) != 0)
-    words.codes = &run.meanings->blocks[cell->expression];
-  else if (block.code_cells() > 0 && !decode_codes(run, block, at, cell, words))
+    words.codes = &run.meanings->blocks[block.list];
+  else if (block.has_codes() && !decode_codes(run, block, at, cell, words))
     return false;
   cell += block.code_cells();
   words.mask = block.mask;
@@ -273,7 +273,7 @@ bool carry_out(Run& run, const Block& block) {
     tell_dropped(run, block, words);
   run.block.words_done = true;
   if (block.n >= 0) run.state.last_n = block.n;
-  if (outcome.moved || words.has('T') || block.code_cells() > 0) ++run.state.changes;
+  if (outcome.moved || words.has('T') || block.has_codes()) ++run.state.changes;
   if (is_words(block.op)) return after_words(run);
   if (run.block.next != RunningBlock::kEnd) return true;
   record_step(run);  // M#1 beside a call, a return or a jump ends the program before it

@@ -9,9 +9,7 @@
 namespace cncsub {
 
 /// Whether NC words stand in a block, beside what it calls or returns from.
-inline bool has_words(const Block& block) {
-  return block.mask != 0 || block.g_count != 0 || block.m_count != 0;
-}
+inline bool has_words(const Block& block) { return block.mask != 0 || block.has_codes(); }
 
 /// The words of a block with their values. A vacant variable's word is left out, or counts as 0, as
 /// the control does. `at` is the address of the block, which may be a variant of the one there.

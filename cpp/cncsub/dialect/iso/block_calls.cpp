@@ -48,7 +48,7 @@ void BlockWriter::call() {
   if (auto fault = arguments(call)) return refuse(std::move(*fault));
   drop_unheard();
   words();
-  if (macro_ && (block_.mask != 0 || block_.g_count != 0 || block_.m_count != 0) &&
+  if (macro_ && (block_.mask != 0 || block_.has_codes()) &&
       control_.macros.words_before_macro_call.value == WordsBeforeMacroCall::Alarm)
     return refuse(
         fault_of(tokens_.front(), Cause::MacroCallNotFirst, "a word stands before the macro call"));

@@ -178,7 +178,7 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   words.line.at['g' - 'a'] = value.at;
   words.line.width['g' - 'a'] = value.width;
   if (value.computed) {
-    if (words.list.g_count < 12) words.list.add_g(word_of(value));
+    if (words.list.g_count < static_cast<int>(kGCodesOfBlock)) words.list.add_g(word_of(value));
     return true;
   }
   const double tens = value.number * 10;
@@ -200,7 +200,7 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
 bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
   words.line.computed = words.line.computed || value.computed;
   if (value.computed) {
-    if (words.list.m_count < 6) words.list.add_m(word_of(value));
+    if (words.list.m_count < static_cast<int>(kMCodesOfBlock)) words.list.add_m(word_of(value));
     return true;
   }
   if (value.number < 0)
@@ -218,7 +218,8 @@ bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
   const Role role = to_.control().calls.roles.value.of_m(code);
   words.ends = words.ends || role == Role::End || role == Role::Return;
   words.line.m.push_back(code);
-  if (words.list.m_count < 6) words.list.add_m({false, 0, static_cast<double>(code)});
+  if (words.list.m_count < static_cast<int>(kMCodesOfBlock))
+    words.list.add_m({false, 0, static_cast<double>(code)});
   return true;
 }
 
