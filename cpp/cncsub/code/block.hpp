@@ -1,6 +1,7 @@
 // Blocks, and the words that stand in them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -99,14 +100,12 @@ struct Block {
   int code_cells() const {
     return (flags & kListed) != 0 ? 0 : static_cast<int>(g_count + m_count);
   }
-  void count_codes(std::size_t g, std::size_t m) {
+  /// So many codes, which are those of a list of Code::code_lists; -1: they are cells.
+  void set_codes(int number, std::size_t g, std::size_t m) {
+    flags |= number >= 0 ? kListed : std::uint8_t{0};
+    list = static_cast<std::uint32_t>(std::max(number, 0)) & (kMostLists - 1);
     g_count = static_cast<std::uint32_t>(g) & 15U;
     m_count = static_cast<std::uint32_t>(m) & 7U;
-  }
-  /// Its codes are these of Code::code_lists.
-  void set_list(int number) {
-    list = static_cast<std::uint32_t>(number) & (kMostLists - 1);
-    flags |= kListed;
   }
 };
 static_assert(kMostLists == 1 << 12 && kGCodesOfBlock < 16 && kMCodesOfBlock < 8,

@@ -102,7 +102,9 @@ void Builder::together(Block& block, const std::vector<Statement>& statements, c
 // ---- words ----
 
 void write_codes(Code& code, Block& block, const CodeList& list) {
-  if (const int number = code.code_lists.keep(list); number >= 0) return block.set_list(number);
+  const int number = code.code_lists.keep(list);
+  block.set_codes(number, list.g_count, list.m_count);
+  if (number >= 0) return;
   const auto write = [&](int of) { code.cells.push_back({.value = static_cast<double>(of)}); };
   for (const int g : list.g()) write(g);
   for (const int m : list.m()) write(m);
@@ -131,6 +133,8 @@ std::optional<CodeList> known_codes(const Code& code, const WordList& words) {
 
 void write_codes(Code& code, Block& block, const WordList& words) {
   if (const auto list = known_codes(code, words)) return write_codes(code, block, *list);
+  block.set_codes(-1, static_cast<std::size_t>(words.g_count),
+                  static_cast<std::size_t>(words.m_count));
   const auto write = [&](const WordValue& of) {
     if (of.computed) block.flags |= Block::kCodeExpression;
     code.cells.push_back(code_cell(of));
@@ -156,8 +160,6 @@ void Builder::words(Block& block, const WordList& words) {
     block.flags |= Block::kHasExtra;
   }
   if (words.g_count + words.m_count > 0) write_codes(code_, block, words);
-  block.count_codes(static_cast<std::size_t>(words.g_count),
-                    static_cast<std::size_t>(words.m_count));
   for (std::uint32_t left = words.mask; left != 0; left &= left - 1)
     code_.cells.push_back(cell_of(words.values[static_cast<std::size_t>(std::countr_zero(left))]));
   if (code_.drops.size() > first_drop_) {

@@ -16,6 +16,7 @@
 #include "cncsub/code/code.hpp"
 #include "cncsub/code/expression_writer.hpp"
 #include "cncsub/code/names.hpp"
+#include "cncsub/system/compiler.hpp"
 #include "cncsub/text/interrupt_check.hpp"
 
 namespace cncsub {
@@ -201,15 +202,15 @@ inline void mark_move(Block& block, int g) {
 
 /// Gives a block its codes: one G code, or more.
 inline void write_code(Code& code, Block& block, int tenfold) {
-  if (const int number = code.code_lists.keep(tenfold); number >= 0)
-    block.set_list(number);
-  else
-    code.cells.push_back({.value = static_cast<double>(tenfold)});
+  const int number = code.code_lists.keep(tenfold);
+  block.set_codes(number, 1, 0);
+  if (number < 0) code.cells.push_back({.value = static_cast<double>(tenfold)});
 }
 void write_codes(Code& code, Block& block, const CodeList& list);
 
-inline void Builder::plain_words(Block& block, std::span<const int> g, int m, std::uint32_t mask,
-                                 const std::array<double, 26>& values) {
+CNCSUB_ALWAYS_INLINE inline void Builder::plain_words(Block& block, std::span<const int> g, int m,
+                                                      std::uint32_t mask,
+                                                      const std::array<double, 26>& values) {
   const auto write = [this](double value) {
     Cell cell;  // NOLINT: written below
     cell.value = value;
@@ -217,7 +218,6 @@ inline void Builder::plain_words(Block& block, std::span<const int> g, int m, st
   };
   block.mask = mask;
   block.data = static_cast<std::uint32_t>(code_.cells.size());
-  block.count_codes(g.size(), m >= 0 ? 1 : 0);
   if (g.size() == 1 && m < 0) {
     write_code(code_, block, 10 * g.front());
   } else if (!g.empty() || m >= 0) {

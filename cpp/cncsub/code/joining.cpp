@@ -89,7 +89,8 @@ class Joining {
     block.line += of_.line;
     if (block.op != Op::Set) block.data += cells_;
     if (!is_words(block.op)) block.aux += record_base(block.op);
-    if ((block.flags & Block::kListed) != 0) block.set_list(of_.lists[block.list]);
+    if ((block.flags & Block::kListed) != 0)
+      block.set_codes(of_.lists[block.list], block.g_count, block.m_count);
     if ((block.flags & (Block::kHasExtra | Block::kCodeExpression)) != 0) move_cells(block);
   }
 
