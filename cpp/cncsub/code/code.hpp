@@ -58,11 +58,33 @@ struct PlacedRange {
   std::int32_t base = 0;
 };
 
+/// Locals, or some of the first commons: where they lie, and how a value that may be vacant is
+/// pushed.
+struct NearRange {
+  std::uint32_t first = 0, count = 0;
+  Ins raw{};
+  std::uint32_t base = 0;  // where the first lies
+  bool writable = false;
+};
+
+/// The ranges of the variables that programs use most.
+struct NearVariables {
+  std::array<NearRange, 3> ranges{};
+
+  /// Null where the variable is another one.
+  const NearRange* find(std::uint32_t number) const {
+    for (const NearRange& of : ranges)
+      if (number - of.first < of.count) return &of;
+    return nullptr;
+  }
+};
+
 constexpr std::size_t kLookedAt = 65535;  // bytes of a block in which words are looked for
 
 struct Code {
   std::shared_ptr<const Control> control;
   std::vector<PlacedRange> variables;  // by number
+  NearVariables near;
   ReadWord read_word = nullptr;        // of the dialect that the programs are written in
   const Spelling* spelling = nullptr;  // the same
   bool external_device = false;

@@ -58,22 +58,19 @@ Shape shape_of(const ExpressionCell* at, const ExpressionCell* end) {
 
 }  // namespace
 
-void ExpressionWriter::make_room() {
-  const std::uint32_t top = place_of(top_), last = place_of(last_);
-  const std::size_t room = 2 * (top + kSpare);
-  // They count while they are moved.
-  const std::size_t before = code_.expressions.size();
-  code_.expressions.add(top + 1);
-  code_.expressions.room(room);
-  code_.expressions.keep(before);
-  first_ = code_.expressions.room(0) + 1;
+void OpenInstructions::make_room() {
+  const std::uint32_t top = place_of(top_);
+  const std::size_t before = table_.size(), room = 2 * (top + kRoom);
+  table_.add(top + 1);  // they count while they are moved
+  table_.room(room);
+  table_.keep(before);
+  first_ = table_.room(0) + 1;
   limit_ = first_ + top + room - kSpare;
   top_ = first_ + top;
-  last_ = first_ + last;
 }
 
-std::uint32_t ExpressionWriter::end(std::uint32_t at, std::uint32_t width) {
-  const auto number = static_cast<std::uint32_t>(code_.expressions.size());
+std::uint32_t OpenInstructions::end(std::uint32_t at, std::uint32_t width) {
+  const auto number = static_cast<std::uint32_t>(table_.size());
   const auto [form, op] = width <= Expression::kWidest ? shape_of(first_, top_) : Shape{Form::Long};
   first_[-1] = Expression::head(form, op, at, std::max(1U, width));
   if (form == Form::Constant) {
@@ -82,7 +79,7 @@ std::uint32_t ExpressionWriter::end(std::uint32_t at, std::uint32_t width) {
   } else if (form == Form::Long) {
     *top_++ = ExpressionCell::of(Ins::End, 0, at);
   }
-  code_.expressions.add(1 + place_of(top_));
+  table_.add(1 + place_of(top_));
   return number;
 }
 

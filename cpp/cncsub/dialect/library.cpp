@@ -28,6 +28,21 @@ namespace {
 
 constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
 
+void find_near_variables(Code& code) {
+  std::size_t count = 0;
+  for (const PlacedRange& placed : code.variables) {
+    const VariableRange& range = placed.range;
+    const VariablePlace place = code.place(range.first);
+    const bool near = (place.is_local() || place.is_common()) && range.access != Access::WriteOnly;
+    if (count == code.near.ranges.size() || !near) continue;
+    code.near.ranges[count++] = {static_cast<std::uint32_t>(range.first),
+                                 static_cast<std::uint32_t>(range.last - range.first + 1),
+                                 place.is_local() ? Ins::LocalRaw : Ins::CommonRaw,
+                                 static_cast<std::uint32_t>(place.index),
+                                 place.is_local() || range.access == Access::ReadWrite};
+  }
+}
+
 void number_variables(Code& code) {
   for (const VariableRange& range : variable_ranges(*code.control)) {
     if (range.kind == VariableKind::Local) {
@@ -41,6 +56,7 @@ void number_variables(Code& code) {
   }
   for (PlacedRange& placed : code.variables)
     if (is_alias(placed.range)) placed.base = code.place(placed.range.from).index;
+  find_near_variables(code);
 }
 
 /// What of the control is asked for each block or each statement.

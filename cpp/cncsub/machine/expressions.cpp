@@ -95,27 +95,32 @@ class Ended {
   std::array<ExpressionCell, 5> cells_;
 };
 
+/// The same with a stack that is large enough: each value that waits is written somewhere, one
+/// character at least.
+bool compute(Expression of, const Evaluation& e, double& result) {
+  constexpr std::size_t kOrdinary = 250, kSpare = 10;
+  std::array<double, kOrdinary + kSpare> stack;  // NOLINT: written before it is read
+  if (of.form() != Expression::Form::Long)
+    return compute(Ended(of).cells(), e, stack.data(), result);
+  if (of.width() <= kOrdinary) [[likely]]
+    return compute(of.cells(), e, stack.data(), result);
+  std::vector<double> large(of.width() + kSpare);
+  return compute(of.cells(), e, large.data(), result);
+}
+
 }  // namespace
 
 bool evaluate_long(Run& run, Expression e, const Places& places, double& value, Address of) {
-  // Each value that waits is written somewhere, one character at least.
-  constexpr std::size_t kOrdinary = 250, kSpare = 10;
-  std::array<double, kOrdinary + kSpare> stack;  // NOLINT: written before it is read
-  std::vector<double> large(e.width() <= kOrdinary ? 0 : e.width() + kSpare);
-  double* const below = large.empty() ? stack.data() : large.data();
   if (e.width() > kLongText) look_soon(run);
   Trap trap;
   const Control& control = run.control();
   const Evaluation evaluation{run,
-                              places.of[0],
-                              places.of[1],
+                              places,
                               control,
                               control.macros.angle_unit.value == AngleUnit::Degrees,
                               of != kNowhere ? of : run.state.pc,
                               trap};
-  const bool is_long = e.form() == Expression::Form::Long;
-  if (is_long ? compute(e.cells(), evaluation, below, value)
-              : compute(Ended(e).cells(), evaluation, below, value)) [[likely]]
+  if (compute(e, evaluation, value)) [[likely]]
     return true;
   const std::uint32_t first = e.at();
   const bool inside = trap.at >= first && trap.at <= first + e.width();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "cncsub/machine/context.hpp"
 #include "cncsub/system/compiler.hpp"
@@ -16,6 +17,14 @@ struct Places {
   std::array<double*, 2> of;
   double& local(std::uint32_t index) const { return of[0][index]; }
   double& common(std::uint32_t index) const { return of[1][index]; }
+  /// Where a variable lies that is near, perhaps to be written; null where it is another one.
+  double* near(const Code& code, std::int64_t number, bool written) const {
+    if (number < 0 || number > std::numeric_limits<std::int32_t>::max()) return nullptr;
+    const auto of_number = static_cast<std::uint32_t>(number);
+    const NearRange* const found = code.near.find(of_number);
+    if (found == nullptr || (written && !found->writable)) return nullptr;
+    return of[found->raw == Ins::CommonRaw ? 1 : 0] + found->base + (of_number - found->first);
+  }
   /// What an instruction for a local or a common pushes.
   double load(const ExpressionCell& cell) const {
     const auto op = static_cast<std::uint32_t>(cell.op()) - static_cast<std::uint32_t>(Ins::Local);

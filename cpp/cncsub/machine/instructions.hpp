@@ -44,8 +44,7 @@ struct Trap {
 /// The expression that is being evaluated.
 struct Evaluation {
   Run& run;
-  const double* locals;
-  const double* commons;
+  const Places& places;
   const Control& control;
   bool degrees;   // angles are degrees, not radians
   Address block;  // it stands in
@@ -83,20 +82,21 @@ inline Fallible read_or_fail(E e, I at, double number) {
 }
 
 inline double constant(E, I at) { return at.value(); }
-inline double local(E e, I at) { return number(e.locals[at.index()]); }
-inline double local_raw(E e, I at) { return e.locals[at.index()]; }
-inline double common(E e, I at) { return number(e.commons[at.index()]); }
-inline double common_raw(E e, I at) { return e.commons[at.index()]; }
+inline double local(E e, I at) { return number(e.places.local(at.index())); }
+inline double local_raw(E e, I at) { return e.places.local(at.index()); }
+inline double common(E e, I at) { return number(e.places.common(at.index())); }
+inline double common_raw(E e, I at) { return e.places.common(at.index()); }
 inline Fallible variable_raw(E e, I at) { return read_or_fail(e, at, at.value()); }
 inline Fallible variable(E e, I at) {
   const Fallible value = variable_raw(e, at);
   return value ? number(*value) : value;
 }
 inline Fallible indirect_raw(E e, I at, double a) {
-  const double index = std::round(a);
+  const double index = cncsub::rounded(a);
   if (!(std::fabs(index) < 2e9))
     return fails(e, at, Cause::IllegalVariable, "the variable number is out of range");
-  return read_or_fail(e, at, index);
+  const double* const near = e.places.near(*e.run.code, to_whole<std::int64_t>(index), false);
+  return near != nullptr ? *near : read_or_fail(e, at, index);
 }
 inline Fallible indirect(E e, I at, double a) {
   const Fallible value = indirect_raw(e, at, a);
@@ -324,8 +324,8 @@ inline Fallible named_value(E e, I at, double value) {
   e.trap.name = e.run.code->named_variables[to_whole<std::size_t>(at.value())].name;
   return fails(e, at, Cause::VariableNameUnknown);
 }
-inline Fallible named_local(E e, I at) { return named_value(e, at, e.locals[at.at()]); }
-inline Fallible named_common(E e, I at) { return named_value(e, at, e.commons[at.at()]); }
+inline Fallible named_local(E e, I at) { return named_value(e, at, e.places.local(at.at())); }
+inline Fallible named_common(E e, I at) { return named_value(e, at, e.places.common(at.at())); }
 inline double is_set(E, I, double a) { return is_vacant(a) ? 0 : 1; }
 inline double is_within(E, I at, double a, double b) { return a >= b && a <= at.value() ? 1 : 0; }
 inline Fallible whole_number(E e, I at, double a) {

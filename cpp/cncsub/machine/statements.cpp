@@ -22,7 +22,7 @@ namespace {
 
 /// The number that an expression gives to a variable.
 std::int64_t to_number(double value) {
-  return is_vacant(value) ? 0 : to_whole<std::int64_t>(std::clamp(std::round(value), -1e9, 2e9));
+  return is_vacant(value) ? 0 : to_whole<std::int64_t>(std::clamp(rounded(value), -1e9, 2e9));
 }
 
 /// A variable that is neither written as a local nor as a common takes a value.
@@ -34,9 +34,10 @@ bool set_other(Run& run, const Block& block, const Assigned& assigned, const Pla
   if (!evaluate(run, run.code->expression(block.aux - assigned.index), places, number))
     return false;
   const std::int64_t variable = to_number(number);
-  const VariablePlace place = run.code->place(variable);
-  if ((!place.is_local() && !place.is_common()) || write_variable(run, variable, value))
+  double* const place = places.near(*run.code, variable, true);
+  if (place == nullptr || !run.state.programmed.empty())
     return store_number(run, variable, value, assignment_of(*run.code, block));
+  *place = value;
   ++run.state.changes;
   return true;
 }

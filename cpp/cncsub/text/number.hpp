@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -29,6 +30,14 @@ template <class Whole>
 constexpr Whole to_whole(double value, Whole low, Whole high) {
   const Whole whole = to_whole<Whole>(value);
   return whole < low ? low : whole > high ? high : whole;
+}
+
+/// std::round, at once where the value is whole.
+inline double rounded(double value) {
+  constexpr double kSmall = 1e9;
+  if (std::fabs(value) < kSmall && static_cast<double>(static_cast<std::int32_t>(value)) == value)
+    return value;
+  return std::round(value);
 }
 
 /// The whole number that a value is but for a ten-thousandth.

@@ -30,33 +30,20 @@ class ExpressionReader {
     std::uint32_t expression = 0;
   };
   std::optional<Variable> variable(Scanner& s, std::uint32_t hash) {
-    e_.begin(s);
+    e_.s = &s;
     if (const auto number = e_.plain_number(s.at)) return Variable{*number, 0};
-    return other_target(hash);
+    return other_target(s, hash);
   }
 
   /// What is wrong with the expression that was read last.
   const Fault& fault() const { return e_.out.fault(); }
 
  private:
-  // A place in the text that is handed on stays in a register.
   Value expression() { return values(e_.last, false); }
   Value operand_alone() { return values(e_.last, true); }
   Value bracket();
   Value values(const Waiting* base, bool alone);
-  Value operand(const char*& at);
-  Value plain_operand(const char*& at);
-  Value constant(const char*& at);
-  Value near_variable(const char*& at);
-  bool opens_bracket(const char*& at);
-  bool opens_function(const char*& at);
-  Value behind(Value value, const Waiting* base, bool alone, const char*& at);
-  Value operates(const OperatorName& of, Value value, const char*& at);
-  bool is_of_numbers(const OperatorName& of, const Value& value) const;
-  Value join(Value value, int level, const char* at);
-  Value closed(Value value, const char*& at);
-  Value function(const Waiting& of);
-  std::optional<Variable> other_target(std::uint32_t hash);
+  std::optional<Variable> other_target(Scanner& s, std::uint32_t hash);
 
   OpenExpression e_;
 };

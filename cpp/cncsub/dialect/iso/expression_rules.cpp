@@ -56,18 +56,8 @@ ExpressionRules::ExpressionRules(const Code& of)
                            VacantComparison::Distinguished),
       modulo(has(Function::Mod)),
       most_brackets(std::min(control.macros.max_brackets.value, kDeepestBrackets)),
-      most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)) {
-  std::size_t count = 0;
-  for (const PlacedRange& placed : code.variables) {
-    const VariableRange& range = placed.range;
-    const VariablePlace place = code.place(range.first);
-    if (count == near_.size() || (!place.is_local() && !place.is_common())) continue;
-    near_[count++] = {static_cast<std::uint32_t>(range.first),
-                      static_cast<std::uint32_t>(range.last - range.first + 1),
-                      place.is_local() ? Ins::LocalRaw : Ins::CommonRaw,
-                      static_cast<std::uint32_t>(place.index),
-                      place.is_local() || range.access == Access::ReadWrite};
-  }
+      most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)),
+      most_variable_digits(indirect ? 0 : kMostVariableDigits) {
   for (const FunctionName& of_name : kFunctions) {
     const std::string_view name = name_of(of_name.function);
     if (name.size() != 3 || !has(of_name.function)) continue;

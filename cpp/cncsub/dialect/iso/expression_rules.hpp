@@ -32,7 +32,9 @@ struct ExpressionRules {
   bool distinguishes_vacant;
   bool modulo;
   int most_brackets;
-  std::ptrdiff_t most_digits;  // that a constant may have without a look at what they are
+  std::ptrdiff_t most_digits;           // that a constant may have without a look at what they are
+  std::ptrdiff_t most_variable_digits;  // the same of the number of a variable
+  static constexpr std::ptrdiff_t kMostVariableDigits = 9;
 
   /// Whether a function, or an operator that some controls have not, is there.
   bool has(Function function) const { return control.macros.functions.value.has(function); }
@@ -43,20 +45,6 @@ struct ExpressionRules {
     const std::uint32_t name = packed(a, b, c);
     for (std::size_t slot = slot_of(name);; slot = (slot + 1) % kSlots)
       if (short_names_[slot] == name || short_names_[slot] == 0) return short_functions_[slot];
-  }
-
-  /// Where a local or one of the first commons lies, and how a value that may be vacant is pushed.
-  struct Near {
-    std::uint32_t first = 0, count = 0;
-    Ins raw{};
-    std::uint32_t base = 0;
-    bool writable = false;
-  };
-  /// Null where the variable is another one.
-  const Near* near(std::uint32_t number) const {
-    for (const Near& range : near_)
-      if (number - range.first < range.count) return &range;
-    return nullptr;
   }
 
  private:
@@ -71,7 +59,6 @@ struct ExpressionRules {
     return (name ^ name >> 6 ^ name >> 13) % kSlots;
   }
 
-  std::array<Near, 3> near_{};
   // Functions of three letters, each in the first free slot from its own on; fewer than there are.
   std::array<std::uint32_t, kSlots> short_names_{};
   std::array<const FunctionName*, kSlots> short_functions_{};

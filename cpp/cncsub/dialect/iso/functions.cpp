@@ -48,8 +48,7 @@ Value word(OpenExpression& e) {
   }
   for (const ConstantName& of : kConstants) {
     if (word != name_of(of.word) || !e.rules.has(of.word)) continue;
-    e.out.emit(Ins::Constant, at, of.value);
-    return Value::number();
+    return e.out.constant(of.value, at);
   }
   if (word == "NOT" && e.rules.bare) return negation(e, at);
   const FunctionName* found = e.rules.function(word);

@@ -76,8 +76,11 @@ Value prefixed(OpenExpression& e, Value value) {
     if (prefix.kind == Waiting::Kind::Not) {
       value = negated(e, prefix, value);
     } else {
+      const bool constant = value.is_constant();
+      const Value number = value;
       if (!e.out.arithmetic(value, e.s->offset())) return {};
-      if (prefix.kind == Waiting::Kind::Minus) e.out.negate(prefix.first, prefix.at);
+      if (constant) value = number;
+      if (prefix.kind == Waiting::Kind::Minus) value = e.out.negated(value, prefix.at);
     }
   }
   return value;
@@ -100,8 +103,8 @@ Value other_closed(OpenExpression& e, const Waiting& of, Value value) {
   if (of.kind == Waiting::Kind::ArcTangent) return arc_tangent(e, of);
   if (!e.out.arithmetic(value, e.s->offset())) return {};
   const bool indirect = of.kind == Waiting::Kind::Indirect;
-  e.out.emit(indirect ? Ins::IndirectRaw : Ins::Atan2, of.at);
-  return indirect ? e.out.last() : Value::number();
+  const std::uint32_t place = e.out.emit(indirect ? Ins::IndirectRaw : Ins::Atan2, of.at);
+  return indirect ? Value::variable(place) : Value::number();
 }
 
 }  // namespace cncsub

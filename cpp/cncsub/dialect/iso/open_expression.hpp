@@ -13,8 +13,6 @@
 namespace cncsub {
 
 struct OpenExpression {
-  static constexpr std::ptrdiff_t kMostVariableDigits = 9;
-
   OpenExpression(Builder& to, const ExpressionRules& rules_of);
 
   const ExpressionRules& rules;
@@ -37,16 +35,16 @@ struct OpenExpression {
   /// Whether a number that was read as far as `at` ends there for certain: it may go on behind a
   /// gap and with another point.
   bool ends_at(const char* at) const {
-    return at == s->end || (at < s->end && !begins_gap(*at) && *at != '.');
+    return (!begins_gap(*at) && *at != '.' && at <= s->end) || at == s->end;
   }
   /// The number behind a #, where it is digits and nothing else.
   std::optional<std::uint32_t> plain_number(const char*& at) const {
     const char* end = at;
     std::uint32_t number = 0;
-    for (; is_digit(*end); ++end) number = number * 10 + static_cast<std::uint32_t>(*end - '0');
+    for (std::uint32_t digit = 0; (digit = static_cast<std::uint32_t>(*end - '0')) <= 9; ++end)
+      number = number * 10 + digit;
     const std::ptrdiff_t digits = end - at;
-    if (digits == 0 || digits > kMostVariableDigits || rules.indirect || !ends_at(end))
-      return std::nullopt;
+    if (digits == 0 || digits > rules.most_variable_digits || !ends_at(end)) return std::nullopt;
     at = end;
     return number;
   }
@@ -57,7 +55,6 @@ struct OpenExpression {
     of.level = kind <= Waiting::Kind::Not ? Waiting::kPrefix : Waiting::kOpening;
     of.kind = kind;
     of.at = at;
-    of.first = out.next();
     of.function = function;
     of.second = false;
     return Value::awaited();

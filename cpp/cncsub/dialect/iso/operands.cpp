@@ -18,8 +18,7 @@ Value other_constant(OpenExpression& e) {
   if (number.digits > static_cast<std::uint32_t>(most))
     return e.out.refuse(Cause::TooManyDigits, at,
                         "a number has at most " + std::to_string(most) + " digits");
-  e.out.emit(Ins::Constant, at, number.value);
-  return Value::number();
+  return e.out.constant(number.value, at);
 }
 
 Value sign(OpenExpression& e) {

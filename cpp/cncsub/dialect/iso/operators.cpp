@@ -6,16 +6,6 @@ namespace cncsub {
 
 namespace {
 
-constexpr OperatorName kOperators[] = {{"AND", Ins::And, 2, 0, Ins::BothTrue},
-                                       {"XOR", Ins::Xor, 1, 0, Ins::OneTrue},
-                                       {"OR", Ins::Or, 1, 0, Ins::EitherTrue},
-                                       {"MOD", Ins::Modulo, 2, 3},
-                                       {"EQ", Ins::Equal, 0, 1},
-                                       {"NE", Ins::NotEqual, 0, 1},
-                                       {"GT", Ins::Greater, 0, 1},
-                                       {"LT", Ins::Less, 0, 1},
-                                       {"GE", Ins::GreaterEqual, 0, 1},
-                                       {"LE", Ins::LessEqual, 0, 1}};
 constexpr OperatorName kSymbols[] = {{"==", Ins::Equal, 0, 1},        {"<>", Ins::NotEqual, 0, 1},
                                      {">=", Ins::GreaterEqual, 0, 1}, {"<=", Ins::LessEqual, 0, 1},
                                      {">", Ins::Greater, 0, 1},       {"<", Ins::Less, 0, 1}};

@@ -1,6 +1,8 @@
 // Operators of expressions: how tightly each binds, and what it makes of two values.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -27,7 +29,34 @@ inline constexpr OperatorName kArithmetic[] = {{"+", Ins::Add, 1, 2, Ins::AddCon
                                                {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
                                                {"/", Ins::Divide, 2, 3, Ins::DivideConstant}};
 
+inline constexpr OperatorName kOperators[] = {{"AND", Ins::And, 2, 0, Ins::BothTrue},
+                                              {"XOR", Ins::Xor, 1, 0, Ins::OneTrue},
+                                              {"OR", Ins::Or, 1, 0, Ins::EitherTrue},
+                                              {"MOD", Ins::Modulo, 2, 3},
+                                              {"EQ", Ins::Equal, 0, 1},
+                                              {"NE", Ins::NotEqual, 0, 1},
+                                              {"GT", Ins::Greater, 0, 1},
+                                              {"LT", Ins::Less, 0, 1},
+                                              {"GE", Ins::GreaterEqual, 0, 1},
+                                              {"LE", Ins::LessEqual, 0, 1}};
+
 constexpr int kTightest = 3;  // of the levels where logic binds last
+
+// Those of two letters, by some bits of them.
+constexpr std::size_t place_of(char a, char b) {
+  return (static_cast<std::size_t>(a) % 32) * 32 + static_cast<std::size_t>(b) % 32;
+}
+inline constexpr auto kShortOperators = [] {
+  std::array<const OperatorName*, 32 * 32> by_letters{};
+  for (const OperatorName& of : kOperators)
+    if (of.text.size() == 2) by_letters[place_of(of.text[0], of.text[1])] = &of;
+  return by_letters;
+}();
+/// The operator whose name is these two letters; null where none is, or letters are small.
+inline const OperatorName* short_operator(char a, char b) {
+  const OperatorName* const of = kShortOperators[place_of(a, b)];
+  return of != nullptr && of->text[0] == a && of->text[1] == b ? of : nullptr;
+}
 
 /// What waits for a value on its right.
 struct Waiting {  // NOLINT(*-member-init): for its right value
@@ -48,8 +77,7 @@ struct Waiting {  // NOLINT(*-member-init): for its right value
   const OperatorName* of;  // of an operator
   const FunctionName* function;
   std::uint32_t at;
-  std::uint32_t first;  // of a sign: the place of the operand's first instruction
-  int level;            // how tightly an operator binds; kPrefix of signs and NOT; kOpening
+  int level;  // how tightly an operator binds; kPrefix of signs and NOT; kOpening
   Kind kind;
   bool second;  // of a function: the second argument is read
 };

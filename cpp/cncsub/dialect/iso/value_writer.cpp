@@ -13,37 +13,36 @@ bool ValueWriter::no_number(std::uint32_t at) {
 }
 
 void ValueWriter::count_other_vacant(std::uint32_t place) {
-  switch (out_.op(place)) {
+  switch (open_.op(place)) {
     case Ins::Constant:
-      return out_.set_value(place, 0);
+      return open_.set_value(place, 0);
     case Ins::VariableRaw:
-      return out_.set_op(place, Ins::Variable);
+      return open_.set_op(place, Ins::Variable);
     case Ins::IndirectRaw:
-      return out_.set_op(place, Ins::Indirect);
+      return open_.set_op(place, Ins::Indirect);
     default:
       return;
   }
 }
 
-void ValueWriter::negate(std::uint32_t first, std::uint32_t at) {
-  if (out_.last_place() == first && out_.last() == Ins::Constant)
-    out_.set_value(first, -out_.value(first));
-  else
-    emit(Ins::Negate, at);
+Value ValueWriter::negated(Value value, std::uint32_t at) {
+  if (value.is_constant()) {
+    open_.set_value(value.place(), -open_.value(value.place()));
+    return value;
+  }
+  emit(Ins::Negate, at);
+  return Value::number();
 }
 
 Value ValueWriter::load(std::int64_t number, std::uint32_t at) {
   const VariablePlace place = rules_.code.place(number);
   const auto index = static_cast<std::uint32_t>(place.index);
+  const auto of = static_cast<double>(number);
   if (place.range != nullptr && place.kind == VariableKind::Vacant)
-    emit(Ins::Constant, at, kVacant);
-  else if (place.is_local())
-    return load(Ins::LocalRaw, index, static_cast<std::uint32_t>(number));
-  else if (place.is_common())
-    return load(Ins::CommonRaw, index, static_cast<std::uint32_t>(number));
-  else
-    emit(Ins::VariableRaw, at, static_cast<double>(number));
-  return last();
+    return Value::variable(emit(Ins::Constant, at, kVacant));
+  if (place.is_local()) return Value::variable(emit(Ins::LocalRaw, index, of));
+  if (place.is_common()) return Value::variable(emit(Ins::CommonRaw, index, of));
+  return Value::variable(emit(Ins::VariableRaw, at, of));
 }
 
 }  // namespace cncsub

@@ -19,14 +19,20 @@ class Value {
   static Value condition() { return Value(kCondition); }
   static Value awaited() { return Value(kAwaited); }
   /// That of the instruction at a place, which is one variable and may still be vacant.
-  static Value variable(std::uint32_t place) { return Value(static_cast<std::int32_t>(place)); }
+  static Value variable(std::uint32_t place) { return Value(static_cast<std::int32_t>(2 * place)); }
+  /// That of the instruction at a place, which is a number as it is written.
+  static Value constant(std::uint32_t place) {
+    return Value(static_cast<std::int32_t>(2 * place + 1));
+  }
 
   explicit operator bool() const { return of_ >= kCondition; }
   bool is_number() const { return of_ >= kNumber; }
   bool is_condition() const { return of_ == kCondition; }
   bool is_awaited() const { return of_ == kAwaited; }
-  bool is_variable() const { return of_ >= 0; }
-  std::uint32_t place() const { return static_cast<std::uint32_t>(of_); }
+  bool is_variable() const { return of_ >= 0 && (of_ & 1) == 0; }
+  bool is_constant() const { return of_ >= 0 && (of_ & 1) != 0; }
+  /// Of a variable or a constant.
+  std::uint32_t place() const { return static_cast<std::uint32_t>(of_) / 2; }
 
  private:
   static constexpr std::int32_t kNone = -4, kAwaited = -3, kCondition = -2, kNumber = -1;
@@ -47,7 +53,8 @@ struct Refused {
 
 class ValueWriter {
  public:
-  ValueWriter(Builder& to, const ExpressionRules& rules) : out_(to.expressions()), rules_(rules) {}
+  ValueWriter(Builder& to, const ExpressionRules& rules)
+      : out_(to.expressions()), open_(out_.open()), rules_(rules) {}
 
   const ExpressionRules& rules() const { return rules_; }
   /// What was refused, where something was.
@@ -59,31 +66,26 @@ class ValueWriter {
   /// rounds otherwise.
   void begin(char address) {
     fault_.reset();
-    out_.begin();
+    open_.begin();
     address_ = static_cast<std::uint8_t>(address);
   }
+  std::uint8_t address() const { return address_; }
   bool in_word() const { return address_ != 0; }
-  /// An instruction that holds nothing, or a value.
-  void emit(Ins op, std::uint32_t at) { out_.emit(op, address_, at); }
-  void emit(Ins op, std::uint32_t at, double value) { out_.emit(op, address_, at, value); }
-  /// The sign at `at` of the operand that began with instruction `first`.
-  void negate(std::uint32_t first, std::uint32_t at);
-  /// An operator of arithmetic or logic; `with_constant` is the same with a constant on its right,
-  /// Ins::End where there is none.
-  void emit_operator(Ins op, Ins with_constant, std::uint32_t at) {
-    const std::uint32_t last = out_.last_place();
-    const bool constant = with_constant != Ins::End && out_.last() == Ins::Constant;
-    if (!constant || (op == Ins::Divide && out_.value(last) == 0)) return emit(op, at);
-    out_.set_op(last, with_constant);
-    out_.set_at(last, at);
+  OpenInstructions& instructions() { return open_; }
+  /// An instruction that holds nothing, or a value: its place.
+  std::uint32_t emit(Ins op, std::uint32_t at, double value = 0) {
+    const std::uint32_t place = out_.next();
+    out_.emit({op, address_, at, value});
+    return place;
+  }
+  /// Pushes a number.
+  Value constant(double value, std::uint32_t at) {
+    return Value::constant(emit(Ins::Constant, at, value));
   }
   /// Pushes the value of a variable, which may be vacant.
   Value load(std::int64_t number, std::uint32_t at);
-  Value load(const ExpressionRules::Near& of, std::uint32_t number) {
-    return load(of.raw, of.base + number - of.first, number);
-  }
-  /// The value of the last instruction, which may be vacant.
-  Value last() const { return Value::variable(out_.last_place()); }
+  /// The value with the sign at `at` before it.
+  Value negated(Value value, std::uint32_t at);
 
   /// A comparison leaves 1 or 0, which is a number where the control says so.
   bool is_number(Value& value) const {
@@ -100,30 +102,25 @@ class ValueWriter {
     return true;
   }
 
-  /// The place of the next instruction.
-  std::uint32_t next() const { return out_.next(); }
   /// Ends the expression: its number.
-  std::uint32_t finish(std::uint32_t at, std::uint32_t width) { return out_.end(at, width); }
+  std::uint32_t finish(std::uint32_t at, std::uint32_t width) { return open_.end(at, width); }
 
  private:
   bool no_number(std::uint32_t at);
   /// The load of a variable at a place gives 0 where it is vacant.
   void count_vacant(std::uint32_t place) {
-    const Ins op = out_.op(place);
+    const Ins op = open_.op(place);
     if (op == Ins::CommonRaw)
-      out_.set_op(place, Ins::Common);
+      open_.set_op(place, Ins::Common);
     else if (op == Ins::LocalRaw)
-      out_.set_op(place, Ins::Local);
+      open_.set_op(place, Ins::Local);
     else
       count_other_vacant(place);
   }
   void count_other_vacant(std::uint32_t place);
-  Value load(Ins op, std::uint32_t index, std::uint32_t number) {
-    out_.emit_variable(op, index, number);
-    return last();
-  }
 
   ExpressionWriter& out_;
+  OpenInstructions& open_;
   const ExpressionRules& rules_;
   std::optional<Fault> fault_;
   std::uint8_t address_ = 0;

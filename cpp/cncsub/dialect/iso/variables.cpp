@@ -16,7 +16,7 @@ std::optional<std::int64_t> written_number(OpenExpression& e) {
   const Number number = scan_number(*e.s);
   const bool behind = number.points == 1 && number.decimals == 0 && number.any;
   const bool whole = number.points == 0 || (behind && e.rules.points);
-  if (!whole || number.digits > OpenExpression::kMostVariableDigits)
+  if (!whole || number.digits > ExpressionRules::kMostVariableDigits)
     return e.out.refuse(Cause::IllegalVariable, at, "a variable number is a whole number");
   return to_whole<std::int64_t>(number.value);
 }
@@ -34,8 +34,7 @@ Value other_variable(OpenExpression& e) {
   const auto number = variable_number(e, at);
   if (!number) return {};
   if (*number != kComputed) return e.out.load(*number, at);
-  e.out.emit(Ins::IndirectRaw, at);
-  return e.out.last();
+  return Value::variable(e.out.emit(Ins::IndirectRaw, at));
 }
 
 std::optional<std::int64_t> variable_number(OpenExpression& e, std::uint32_t at) {
