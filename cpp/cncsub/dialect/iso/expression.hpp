@@ -31,8 +31,11 @@ class ExpressionReader {
   };
   std::optional<Variable> variable(Scanner& s, std::uint32_t hash) {
     e_.s = &s;
-    if (const auto number = e_.plain_number(s.at)) return Variable{*number, 0};
-    return other_target(s, hash);
+    std::uint32_t number = 0;
+    const char* const end = e_.plain_number(s.at, number);
+    if (end == nullptr) return other_target(s, hash);
+    s.at = end;
+    return Variable{number, 0};
   }
 
   /// What is wrong with the expression that was read last.

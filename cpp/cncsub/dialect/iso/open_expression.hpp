@@ -35,18 +35,20 @@ struct OpenExpression {
   /// Whether a number that was read as far as `at` ends there for certain: it may go on behind a
   /// gap and with another point.
   bool ends_at(const char* at) const {
-    return (!begins_gap(*at) && *at != '.' && at <= s->end) || at == s->end;
+    if (begins_gap(*at) || *at == '.') [[unlikely]]
+      return at == s->end;
+    return at <= s->end;
   }
-  /// The number behind a #, where it is digits and nothing else.
-  std::optional<std::uint32_t> plain_number(const char*& at) const {
-    const char* end = at;
-    std::uint32_t number = 0;
-    for (std::uint32_t digit = 0; (digit = static_cast<std::uint32_t>(*end - '0')) <= 9; ++end)
+  /// Reads the number behind a #, where it is digits and nothing else: where it ends, else null.
+  /// (A branch: what is read next does not wait for what is asked here.)
+  const char* plain_number(const char* at, std::uint32_t& number) const {
+    const char* const first = at;
+    number = 0;
+    for (std::uint32_t digit = 0; (digit = static_cast<std::uint32_t>(*at - '0')) <= 9; ++at)
       number = number * 10 + digit;
-    const std::ptrdiff_t digits = end - at;
-    if (digits == 0 || digits > rules.most_variable_digits || !ends_at(end)) return std::nullopt;
-    at = end;
-    return number;
+    if (at == first || at - first > rules.most_variable_digits || !ends_at(at)) [[unlikely]]
+      return nullptr;
+    return at;
   }
 
   /// What is read next is the value of what waits.

@@ -85,13 +85,15 @@ class ValueLoop {
 
   /// A variable whose number is digits and nothing else, and which lies near; else nothing.
   CNCSUB_ALWAYS_INLINE Value near_variable() {
-    const char* end = at_ + 1;
-    const auto number = e_.plain_number(end);
-    if (!number) return {};
-    const NearRange* const near = e_.rules.code.near.find(*number);
-    if (near == nullptr) return {};
+    std::uint32_t number = 0;
+    const char* const end = e_.plain_number(at_ + 1, number);
+    if (end == nullptr) [[unlikely]]
+      return {};
+    const NearRange* const near = e_.rules.code.near.find(number);
+    if (near == nullptr) [[unlikely]]
+      return {};
     const Value value = Value::variable(place());
-    *top_++ = ExpressionCell::of(near->raw, near->base + *number - near->first, *number);
+    *top_++ = ExpressionCell::of(near->raw, near->base + number - near->first, number);
     at_ = end;
     return value;
   }

@@ -26,7 +26,11 @@ std::optional<std::int64_t> written_number(OpenExpression& e) {
 Value other_variable(OpenExpression& e) {
   const std::uint32_t at = e.s->offset();
   ++e.s->at;
-  if (const auto number = e.plain_number(e.s->at)) return e.out.load(*number, at);
+  std::uint32_t plain = 0;
+  if (const char* const end = e.plain_number(e.s->at, plain)) {
+    e.s->at = end;
+    return e.out.load(plain, at);
+  }
   const char first = e.s->peek();
   if (first == '[') return e.open(Waiting::Kind::Indirect, at);
   if (!is_digit(first) && starts_name(*e.s) && !e.rules.names)
