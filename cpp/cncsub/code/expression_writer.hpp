@@ -2,10 +2,12 @@
 // expression ends.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/code/expression_form.hpp"
 
 namespace cncsub {
 
@@ -53,6 +55,22 @@ class OpenInstructions {
   OpenTable<ExpressionCell>& table_;
   ExpressionCell *first_ = nullptr, *top_ = nullptr, *limit_ = nullptr;
 };
+
+inline std::uint32_t OpenInstructions::end(std::uint32_t at, std::uint32_t width) {
+  const auto number = static_cast<std::uint32_t>(table_.size());
+  using Form = Expression::Form;
+  const auto [form, op] =
+      width <= Expression::kWidest ? ExpressionForm::of(first_, top_) : ExpressionForm{Form::Long};
+  first_[-1] = Expression::head(form, op, at, std::max(1U, width));
+  if (form == Form::Constant) {
+    first_[0] = first_[1];
+    --top_;
+  } else if (form == Form::Long) {
+    *top_++ = ExpressionCell::of(Ins::End, 0, at);
+  }
+  table_.add(1 + place_of(top_));
+  return number;
+}
 
 class ExpressionWriter {
  public:

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "cncsub/system/decimal.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -158,7 +160,9 @@ std::optional<Fault> CallWords::number_in_p() {
   }
   const int digits =
       macro ? control_.macros.max_macro_digits.value : control_.calls.max_program_digits.value;
-  if (number >= std::pow(10.0, digits) || call_.p.digits > digits)
+  const bool exact = digits >= 0 && digits < static_cast<int>(std::size(kPowersOfTen));
+  const double behind = exact ? kPowersOfTen[digits] : std::pow(10.0, digits);
+  if (number >= behind || call_.p.digits > digits)
     return wrong_p(macro ? illegal : Cause::TooManyDigits,
                    "; it has at most " + std::to_string(digits) + " digits");
   if (number == 0 && control_.common.refuses.value.has(Cause::ProgramNumberZero))

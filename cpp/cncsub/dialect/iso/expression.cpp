@@ -8,17 +8,6 @@
 
 namespace cncsub {
 
-std::optional<std::uint32_t> ExpressionReader::number(Scanner& s) {
-  e_.begin(s);
-  s.blanks();
-  const std::uint32_t at = s.offset();
-  Value value = expression();
-  if (!value) return std::nullopt;
-  if (!e_.out.is_number(value))
-    return e_.out.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
-  return e_.out.finish(at, s.offset() - at);
-}
-
 std::optional<std::uint32_t> ExpressionReader::word_value(Scanner& s, char address) {
   e_.begin(s, address);
   s.blanks();

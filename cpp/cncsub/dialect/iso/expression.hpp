@@ -51,4 +51,15 @@ class ExpressionReader {
   OpenExpression e_;
 };
 
+inline std::optional<std::uint32_t> ExpressionReader::number(Scanner& s) {
+  e_.begin(s);
+  s.blanks();
+  const std::uint32_t at = s.offset();
+  Value value = expression();
+  if (!value) return std::nullopt;
+  if (!e_.out.is_number(value))
+    return e_.out.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
+  return e_.out.finish(at, s.offset() - at);
+}
+
 }  // namespace cncsub

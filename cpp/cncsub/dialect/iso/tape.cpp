@@ -1,7 +1,6 @@
 // A file of the ISO family: where programs begin and end on its tape, and their blocks.
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "cncsub/dialect/iso/next_mark.hpp"
 #include "cncsub/dialect/iso/structure.hpp"
 #include "cncsub/system/compiler.hpp"
+#include "cncsub/text/line_ends.hpp"
 
 namespace cncsub {
 
@@ -135,10 +135,9 @@ class TapeReader {
     semicolons_ = NextMark(';', at, end);
     comments_ = NextMark('(', at, end);
     const bool semicolons = code_.control->reading.semicolon.value == Semicolon::EndOfBlock;
+    LineEnds ends(at, end);
     while (at < end) {
-      const char* newline =
-          static_cast<const char*>(std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
-      const char* line_end = newline == nullptr ? end : newline;
+      const char* const line_end = ends.next();
       ++line_;
       if (!semicolons_.in(at, line_end)) {
         block(at, line_end);

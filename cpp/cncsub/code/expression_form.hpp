@@ -1,0 +1,62 @@
+// How an expression is computed, by its instructions: in the shortest way where it is one value, or
+// one operation on two.
+#pragma once
+
+#include "cncsub/code/expression.hpp"
+
+namespace cncsub {
+
+struct ExpressionForm {
+  using Form = Expression::Form;
+
+  Form form;
+  Ins op = Ins::Constant;  // of two values: what joins them
+
+  /// Of the instructions from `at` to `end`, which do not hold the End.
+  static ExpressionForm of(const ExpressionCell* at, const ExpressionCell* end);
+
+ private:
+  static constexpr bool is_variable(Ins op) { return op >= Ins::Local && op <= Ins::CommonRaw; }
+  static_assert(static_cast<int>(Ins::CommonRaw) - static_cast<int>(Ins::Local) == 3);
+  static constexpr bool compares(Ins op) { return op >= Ins::Equal && op <= Ins::LessEqual; }
+  static constexpr bool joins(Ins op) { return op >= Ins::Add && op <= Ins::Multiply; }
+
+  /// The same operation on two values.
+  static constexpr Ins without_constant(Ins op) {
+    return op == Ins::AddConstant        ? Ins::Add
+           : op == Ins::SubtractConstant ? Ins::Subtract
+           : op == Ins::MultiplyConstant ? Ins::Multiply
+                                         : Ins::End;
+  }
+};
+
+inline ExpressionForm ExpressionForm::of(const ExpressionCell* at, const ExpressionCell* end) {
+  const Ins first = at->op();
+  switch (end - at) {
+    case 1:
+      if (is_variable(first)) return {Form::Variable};
+      break;
+    case 2:
+      if (first == Ins::Constant) return {Form::Constant};
+      break;
+    case 3:
+      if (!is_variable(first)) break;
+      if (const Ins op = without_constant(at[1].op()); op != Ins::End)
+        return {Form::VariableAndConstant, op};
+      if (const Ins op = at[2].op(); is_variable(at[1].op()) && (joins(op) || compares(op)))
+        return {Form::TwoVariables, op};
+      break;
+    case 4:
+      if (const Ins op = at[3].op();
+          first == Ins::Constant && is_variable(at[2].op()) && (joins(op) || compares(op)))
+        return {Form::ConstantAndVariable, op};
+      if (is_variable(first) && at[1].op() == Ins::Constant && compares(at[3].op()))
+        return {Form::VariableToConstant, at[3].op()};
+      break;
+    default:
+      break;
+  }
+  return {Form::Long};
+}
+
+}  // namespace cncsub
