@@ -1,6 +1,7 @@
 #include "file_reading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -9,64 +10,26 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <span>
+#include <optional>
 #include <system_error>
 #include <thread>
 
 #include "cncsub/system/cores.hpp"
 #include "cncsub/system/file.hpp"
 #include "cncsub/text/helpers.hpp"
+#include "cncsub/text/text_start.hpp"
 #include "cncsub/text/utf8.hpp"
 
 namespace cncsub::bindings {
 
 namespace {
 
-using namespace std::string_view_literals;
-
 constexpr std::size_t kPiece = std::size_t{1} << 18;  // little enough to stay near the processor
-constexpr std::size_t kAlone = 16;  // pieces for which a further thread is worth its start
-constexpr std::size_t kSample = 4096;
-constexpr std::size_t kAtOnce = 64;  // files for which a further thread is worth its start
-constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf"sv;
-
-// First bytes of files that people keep beside their programs.
-constexpr std::string_view kOtherStarts[] = {"PK\x03\x04"sv,
-                                             "PK\x05\x06"sv,
-                                             "%PDF-"sv,
-                                             "\x89PNG"sv,
-                                             "\xff\xd8\xff"sv,
-                                             "GIF8"sv,
-                                             "\x7f"
-                                             "ELF"sv,
-                                             "MZ\x90"sv,
-                                             "\x1f\x8b"sv,
-                                             "BZh"sv,
-                                             "\xfd"
-                                             "7zXZ"sv,
-                                             "7z\xbc\xaf"sv,
-                                             "Rar!"sv,
-                                             "SQLite format"sv,
-                                             "\xd0\xcf\x11\xe0"sv};
-constexpr std::string_view kMarks[] = {kUtf8Mark, "\xff\xfe"sv, "\xfe\xff"sv, "\0\0\xfe\xff"sv};
-
-/// Bytes of no text and no punched tape: those have NUL, tab, line ends, SO, SI, DC1 to DC4 but
-/// DLE, the DOS end of file and ESC.
-constexpr bool is_strange(char c) {
-  constexpr std::uint32_t kKnown = [] {
-    std::uint32_t marks = 0;
-    for (const char of : "\0\t\n\v\f\r\x0e\x0f\x11\x12\x13\x14\x1a\x1b"sv) marks |= 1U << of;
-    return marks;
-  }();
-  const auto byte = static_cast<unsigned char>(c);
-  return byte < 0x20 && (kKnown >> byte & 1U) == 0;
-}
-
-bool starts_like(std::string_view bytes, std::span<const std::string_view> starts) {
-  return std::any_of(starts.begin(), starts.end(),
-                     [&](std::string_view start) { return bytes.starts_with(start); });
-}
-
+constexpr std::size_t kAlone = 16;         // pieces for which a further thread is worth its start
+constexpr std::size_t kAtOnce = 64;        // files for which a further thread is worth its start
+constexpr std::size_t kTogether = 16;      // files that a thread takes: they lie side by side
+constexpr std::size_t kFileBytes = 4096;   // that opening a file is worth, between two questions
+constexpr std::size_t kLittle = 16 << 10;  // bytes that are read before anything else is asked
 using Stopped = std::function<bool(std::size_t)>;  // asked behind so many bytes
 
 ReadFile failed(FileFault fault, int error = 0) {
@@ -137,21 +100,39 @@ ReadFile read_open(const system::File& open, std::size_t size, const ReadingBoun
     file.text = FileText(room);
     Filling filling(open, file.text);
     filling.one();
-    if (filling.error() == 0 && bounds.only_texts && !looks_like_text(filling.read()))
+    if (filling.error() == 0 && bounds.found && !looks_like_text(filling.read()))
       return failed(FileFault::NotText);
     filling.all(stopped);
     if (filling.error() != 0) return failed(FileFault::NotRead, filling.error());
     const std::string_view text = filling.read();
     if (text.size() == room && room < bounds.largest && !stopped(0)) continue;
-    file.utf8 = filling.ascii() || (!text.starts_with(kUtf8Mark) && is_utf8(text, stopped));
+    file.utf8 = filling.ascii() || (!text.starts_with(kMarkOfBytes) && is_utf8(text, stopped));
     file.text.shorten(text.size());
     return file;
   }
 }
 
+/// A small file: with a part of it in hand that is no more than that, nobody has to ask how large
+/// it is, nor, as it is not empty and its folder told so, whether it is a regular one.
+std::optional<ReadFile> read_small(const system::File& open, std::size_t largest) {
+  std::array<char, kLittle> bytes;  // NOLINT(cppcoreguidelines-pro-type-member-init): written next
+  const std::ptrdiff_t count = open.read(bytes.data(), bytes.size(), 0);
+  const std::size_t size = count < 0 ? 0 : static_cast<std::size_t>(count);
+  if (size == 0 || size == bytes.size() || size > largest) return std::nullopt;
+  const std::string_view text(bytes.data(), size);
+  if (!looks_like_text(text)) return failed(FileFault::NotText);
+  ReadFile file;
+  file.text = FileText(text);
+  file.utf8 = is_ascii(text) ||
+              (!text.starts_with(kMarkOfBytes) && is_utf8(text, [](std::size_t) { return false; }));
+  return file;
+}
+
 ReadFile read_file(const std::string& path, const ReadingBounds& bounds, const Stopped& stopped) {
   system::File open(path);
   if (!open.is_open()) return failed(FileFault::NotOpened, open.error());
+  if (bounds.found)
+    if (std::optional<ReadFile> file = read_small(open, bounds.largest)) return std::move(*file);
   const system::File::Facts facts = open.facts();
   if (!facts.known) return failed(FileFault::NotRead, open.error());
   if (!facts.regular) return failed(FileFault::NotRegular);
@@ -200,8 +181,11 @@ class Pool {
 
   void work(const Stopped& stopped) noexcept {
     try {
-      for (std::size_t i = 0; (i = next_++) < paths_.size() && !stopped(kSample);)
-        files_[i] = read_file(paths_[i], bounds_, stopped);
+      for (std::size_t i = 0; (i = next_.fetch_add(kTogether)) < paths_.size();)
+        for (const std::size_t end = std::min(i + kTogether, paths_.size()); i < end; ++i) {
+          if (stopped(kFileBytes)) return;
+          files_[i] = read_file(paths_[i], bounds_, stopped);
+        }
     } catch (...) {
       const std::scoped_lock lock(mutex_);
       fault_ = std::current_exception();
@@ -233,14 +217,6 @@ class Pool {
 };
 
 }  // namespace
-
-bool looks_like_text(std::string_view bytes) {
-  if (starts_like(bytes, kOtherStarts)) return false;
-  if (starts_like(bytes, kMarks)) return true;
-  const std::string_view sample = bytes.substr(0, kSample);
-  const auto strange = std::count_if(sample.begin(), sample.end(), is_strange);
-  return static_cast<std::size_t>(strange) * 20 <= sample.size();
-}
 
 std::vector<ReadFile> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
                                  InterruptCheck& interrupt) {

@@ -23,15 +23,12 @@ struct ReadFile {
 
 struct ReadingBounds {
   std::size_t largest;  // bytes
-  bool only_texts;      // whether what is plainly no text is left
+  bool found;           // in a folder, as regular files: what is plainly no text is left
 };
 
 /// Reads regular files, on as many cores as there are; a pipe or a device is never waited for.
 /// Nothing is to be made of the answer where the interrupt was requested.
 std::vector<ReadFile> read_files(const std::vector<std::string>& paths, const ReadingBounds& bounds,
                                  InterruptCheck& interrupt);
-
-/// Whether the first bytes of a file are those of a text or of a punched tape.
-bool looks_like_text(std::string_view bytes);
 
 }  // namespace cncsub::bindings

@@ -28,6 +28,7 @@ void unify_line_ends(char* at, char* end, InterruptCheck& interrupt) {
 namespace {
 
 constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
+constexpr std::size_t kWorthIt = 8;   // pieces that a further thread is worth its start for
 
 /// Files [first, last), or lines of the first of them.
 struct Job {
@@ -306,7 +307,7 @@ void read_files(const SharedReading& reading, std::vector<SourceFile>& files,
   const std::size_t threads = sharing.threads == 0 ? system::cores() : sharing.threads;
   std::size_t bytes = 0;
   for (const SourceFile& file : files) bytes += file.text.size();
-  if (threads < 2 || bytes < 4 * sharing.piece || reading.dialect.pieces == nullptr)
+  if (threads < 2 || bytes < kWorthIt * sharing.piece || reading.dialect.pieces == nullptr)
     return read_alone(reading, files);
   Pool(reading, files, jobs_of(files, sharing.piece)).read(threads);
 }

@@ -16,7 +16,7 @@ namespace cncsub {
 
 struct Sharing {
   std::size_t threads = 0;                   // 0: one for each core
-  std::size_t piece = std::size_t{1} << 18;  // bytes of a job
+  std::size_t piece = std::size_t{1} << 17;  // bytes of a job
 };
 
 /// CR, LF and CRLF all end a line; a CR before a LF counts as a blank.
