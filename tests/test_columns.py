@@ -303,3 +303,18 @@ def test_tables_join_by_program_and_sequence_number() -> None:
     assert texts == run.steps.text.to_texts().tolist()
     codes = pl.DataFrame(run.codes)
     assert {"step", "program", "n", "line"} <= set(codes.columns) & set(moves.columns)
+
+
+def test_the_memory_of_a_large_column_is_its_own_while_somebody_looks() -> None:
+    library = cncsub.loads("O1\nN10 G91 G1 X1. F1.\nGOTO10\n", control="fanuc-0i-f")
+    rows = 600_000  # blocks, half of them moves: more than two megabytes a column
+
+    def column() -> Any:
+        return library.run(max_blocks=rows).moves.x
+
+    first = column()
+    part, wanted = first[1000:2000], first[1000:2000].copy()
+    del first
+    for _ in range(3):
+        assert (column() * 0 == 0).all()
+    assert (part == wanted).all()

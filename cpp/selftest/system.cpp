@@ -9,7 +9,7 @@
 
 #include "cncsub/system/decimal.hpp"
 #include "cncsub/system/extended.hpp"
-#include "cncsub/system/memory.hpp"
+#include "cncsub/system/kept_memory.hpp"
 #include "cncsub/system/wide.hpp"
 
 namespace cncsub::selftest {
@@ -125,6 +125,15 @@ void check_memory(Differences& wrong) {
     wrong.emplace_back("there are no whole pages");
   if (memory != nullptr) std::memset(memory, 1, kBytes);
   system::free_pages(memory);
+  for (const std::size_t bytes : {kBytes, system::kLargePage / 5}) {
+    void* const taken = system::take_memory(bytes);
+    std::memset(taken, 2, bytes);
+    system::give_memory(taken, bytes);
+    void* const again = system::take_memory(bytes);
+    if (system::kMostKept != 0 && again != taken)
+      wrong.emplace_back("memory that was given back is not taken again");
+    system::give_memory(again, bytes);
+  }
 }
 
 }  // namespace

@@ -13,12 +13,17 @@
 
 namespace cncsub::bindings {
 
-/// An array of NumPy to be filled. NumPy makes it: Python has imported it where it asks for one.
+/// An array of NumPy for so many items of a type that is not written yet. NumPy makes it: Python
+/// has imported it where it asks for one. A large one lies in memory that may have been used
+/// before.
+pybind11::object empty_array(std::size_t items, std::size_t item_bytes, const std::string& type);
+
+/// An array to be filled.
 template <class T>
 struct Array {
   explicit Array(std::size_t size)
-      : object(pybind11::module_::import("numpy").attr("empty")(
-            size, std::string(std::is_integral_v<T> ? "i" : "f") + std::to_string(sizeof(T)))),
+      : object(empty_array(size, sizeof(T),
+                           (std::is_integral_v<T> ? "i" : "f") + std::to_string(sizeof(T)))),
         data(static_cast<T*>(
             pybind11::reinterpret_borrow<pybind11::buffer>(object).request(true).ptr)) {}
 

@@ -23,15 +23,17 @@
 #include "cncsub/code/expression.hpp"
 #include "cncsub/code/fault.hpp"
 #include "cncsub/code/labelled.hpp"
-#include "cncsub/code/large_pages.hpp"
 #include "cncsub/code/open_table.hpp"
 #include "cncsub/code/program.hpp"
 #include "cncsub/code/statement.hpp"
 #include "cncsub/control/control.hpp"
+#include "cncsub/system/kept_memory.hpp"
 #include "cncsub/text/number.hpp"
 #include "cncsub/text/words.hpp"
 
 namespace cncsub {
+
+using system::LargeVector;
 
 /// A number has no more digits than these, whatever a rule says: a double holds no more.
 constexpr int kMostDigits = 15;

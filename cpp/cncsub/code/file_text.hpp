@@ -6,7 +6,7 @@
 #include <memory>
 #include <string_view>
 
-#include "cncsub/system/memory.hpp"
+#include "cncsub/system/kept_memory.hpp"
 
 namespace cncsub {
 
@@ -17,8 +17,7 @@ class FileText {
   /// Room for so many bytes that are not written yet. Whoever touches memory first waits for it, so
   /// several threads may write.
   explicit FileText(std::size_t size)
-      : bytes_(std::make_unique_for_overwrite<char[]>(size + 1)), size_(size) {  // NOLINT: bytes
-    if (size > system::kLargePage) system::advise_large_pages(bytes_.get(), size);
+      : bytes_(Memory().allocate(size + 1), GiveBack{size + 1}), size_(size) {
     bytes_[size] = '\0';
   }
   explicit FileText(std::string_view text) : FileText(text.size()) {
@@ -43,7 +42,13 @@ class FileText {
   }
 
  private:
-  std::unique_ptr<char[]> bytes_;  // NOLINT: bytes
+  using Memory = system::KeptMemory<char, system::kLargePage>;
+  struct GiveBack {
+    std::size_t bytes;
+    void operator()(char* memory) const { Memory().deallocate(memory, bytes); }
+  };
+
+  std::unique_ptr<char[], GiveBack> bytes_;  // NOLINT: bytes
   std::size_t size_ = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/code/sequence.hpp"
+#include "cncsub/system/kept_memory.hpp"
 
 namespace cncsub {
 
@@ -21,8 +22,10 @@ std::uint32_t size_of(const Table& table) {
 template <class Table>
 std::uint32_t append(Table& to, Table& from) {
   const std::uint32_t base = size_of(to);
+  const bool outgrown = to.size() + from.size() > to.capacity();
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   from.clear();
+  if (outgrown) system::give_back_large_memory();  // it would be the most that reading keeps
   return base;
 }
 

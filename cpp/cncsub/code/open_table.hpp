@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "cncsub/code/large_pages.hpp"
+#include "cncsub/system/kept_memory.hpp"
 
 namespace cncsub {
 
@@ -24,7 +24,7 @@ class OpenTable {
     return *this;
   }
   ~OpenTable() {
-    if (data_ != nullptr) LargePages<T>().deallocate(data_, capacity_);
+    if (data_ != nullptr) Memory().deallocate(data_, capacity_);
   }
 
   std::size_t size() const { return size_; }
@@ -52,6 +52,7 @@ class OpenTable {
   }
 
  private:
+  using Memory = system::TableMemory<T>;
   static constexpr std::size_t kFirst = 64;
 
   void swap(OpenTable& other) noexcept {
@@ -61,9 +62,9 @@ class OpenTable {
   }
   void grow(std::size_t least) { move_to(std::max({least, 2 * capacity_, kFirst})); }
   void move_to(std::size_t capacity) {
-    T* const moved = LargePages<T>().allocate(capacity);
+    T* const moved = Memory().allocate(capacity);
     if (size_ > 0) std::memcpy(static_cast<void*>(moved), data_, size_ * sizeof(T));
-    if (data_ != nullptr) LargePages<T>().deallocate(data_, capacity_);
+    if (data_ != nullptr) Memory().deallocate(data_, capacity_);
     data_ = moved;
     capacity_ = capacity;
   }

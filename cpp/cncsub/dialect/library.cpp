@@ -9,6 +9,7 @@
 #include "cncsub/code/target.hpp"
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/system/kept_memory.hpp"
 
 namespace cncsub {
 
@@ -173,8 +174,11 @@ void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
 /// or computed words, N where blocks are numbered.
 bool begin_with(const std::vector<SourceFile>& files, char mark) {
   constexpr std::size_t kFirst = std::size_t{1} << 16;  // bytes: a large file is not gone through
-  return std::any_of(files.begin(), files.end(), [=](const SourceFile& file) {
-    return file.text.view().substr(0, kFirst).find(mark) != std::string_view::npos;
+  std::size_t left = std::size_t{1} << 20;              // nor are very many small ones
+  return std::any_of(files.begin(), files.end(), [&](const SourceFile& file) {
+    const std::string_view first = file.text.view().substr(0, std::min(kFirst, left));
+    left -= first.size();
+    return first.find(mark) != std::string_view::npos;
   });
 }
 
@@ -203,6 +207,7 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   code->register_programs([&reading] { return reading.interrupted(kProgram); });
   reading.resolve_calls(0);
   resolve_codes(*code);
+  system::give_back_large_memory();
   if (!reading.interrupted(0)) return code;
   free_aside(std::move(code), std::move(files));
   return nullptr;

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "cncsub/trace/kept_memory.hpp"
+#include "cncsub/system/kept_memory.hpp"
 
 namespace cncsub {
 
@@ -24,12 +24,12 @@ class Chunks {
   /// A chunk to write to: it is copied first where a copy of the column holds it as well.
   Chunk& own(std::size_t index) {
     std::shared_ptr<Chunk>& chunk = own_list()[index];
-    if (!alone(chunk)) chunk = std::allocate_shared<Chunk>(KeptMemory<Chunk>(), *chunk);
+    if (!alone(chunk)) chunk = std::allocate_shared<Chunk>(system::ChunkMemory<Chunk>(), *chunk);
     return *chunk;
   }
   Chunk& add() {
     List& list = own_list();
-    list.push_back(std::allocate_shared_for_overwrite<Chunk>(KeptMemory<Chunk>()));
+    list.push_back(std::allocate_shared_for_overwrite<Chunk>(system::ChunkMemory<Chunk>()));
     return *list.back();
   }
   void keep(std::size_t count) {
