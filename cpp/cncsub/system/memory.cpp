@@ -1,8 +1,9 @@
 #include "cncsub/system/memory.hpp"
 
 #include <atomic>
-#include <chrono>
+#include <cstdint>
 #include <cstdlib>
+#include <ctime>
 
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
@@ -18,22 +19,27 @@ namespace {
 constexpr std::size_t kMany = 4 * kLargePage;  // worth a look at what the first of them takes
 
 #ifdef MADV_HUGEPAGE
-using Clock = std::chrono::steady_clock;
+constexpr std::int64_t kSecond = 1'000'000'000;  // in nanoseconds
+constexpr std::int64_t kSoon = 1'000'000;        // a few times what clearing a page takes
 
-constexpr auto kSoon = std::chrono::milliseconds(1);  // four times what clearing a page takes
-constexpr auto kLook = std::chrono::seconds(1);       // after which they may come soon again
+std::int64_t now(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return time.tv_sec * kSecond + time.tv_nsec;
+}
 
-std::atomic<Clock::rep> next_look = Clock::time_point::min().time_since_epoch().count();
+std::atomic<std::int64_t> next_look = 0;
 
-/// Whether large pages come as soon as they can be cleared, this one as well.
+/// Whether large pages come as soon as they can be cleared, this one as well. Time in which others
+/// have the processor does not count; where they come late, they may come soon after a second.
 bool come_soon(char* page) {
-  const Clock::time_point began = Clock::now();
-  if (began.time_since_epoch().count() < next_look.load(std::memory_order_relaxed)) return false;
+  const std::int64_t when = now(CLOCK_MONOTONIC);
+  if (when < next_look.load(std::memory_order_relaxed)) return false;
+  const std::int64_t began = now(CLOCK_THREAD_CPUTIME_ID);
   madvise(page, kLargePage, MADV_HUGEPAGE);
   *static_cast<volatile char*>(page) = 0;
-  const Clock::time_point ended = Clock::now();
-  if (ended - began < kSoon) return true;
-  next_look.store((ended + kLook).time_since_epoch().count(), std::memory_order_relaxed);
+  if (now(CLOCK_THREAD_CPUTIME_ID) - began < kSoon) return true;
+  next_look.store(when + kSecond, std::memory_order_relaxed);
   return false;
 }
 #endif
