@@ -36,8 +36,9 @@ class Sorting {
   }
 
   void sort(Entries entries, InterruptCheck& interrupt) const {
-    Room room(entries.size() <= kFew ? 0 : std::min(entries.size(), kNear));
-    if (entries.size() < kMany) return sort(entries, bits_, room);
+    Room room(entries.size() < kMany ? entries.size() : kNear);
+    // They come by address, which need not be looked at where none overtakes another.
+    if (entries.size() < kMany) return sort_near(entries, address_bits_, bits_, room);
     const int bits = std::max(bits_ - kSplit, 0);
     const Ends ends = split(entries, bits);
     std::atomic<std::size_t> next = 0;
@@ -78,7 +79,7 @@ class Sorting {
       std::sort(entries.begin(), entries.end(),
                 [this](const auto& a, const auto& b) { return key(a) < key(b); });
     } else if (entries.size() <= kNear) {
-      sort_near(entries, bits, room);
+      sort_near(entries, 0, bits, room);
     } else {
       bits = std::max(bits - kSplit, 0);
       const Ends ends = split(entries, bits);
@@ -104,15 +105,18 @@ class Sorting {
     return ends;
   }
 
-  /// By counting, the last bits first.
-  void sort_near(Entries entries, int bits, Room& room) const {
-    constexpr int kDigit = 11;
+  /// By counting some bits, the last first, in as few rounds as there are entries for. Those that
+  /// are alike there stay in their order.
+  void sort_near(Entries entries, int from_bit, int bits, Room& room) const {
+    constexpr int kWidest = 16;
+    const int widest = std::min(static_cast<int>(std::bit_width(entries.size())), kWidest);
     Entries from = entries, to = Entries(room).first(entries.size());
-    for (int bit = 0; bit < bits; bit += kDigit) {
-      std::array<std::uint32_t, (std::size_t{1} << kDigit) + 1> places{};
-      for (const SequenceEntry& entry : from) ++places[digit(entry, bit, kDigit) + 1];
+    for (int bit = from_bit, width = 0; bit < bits; bit += width) {
+      width = std::min(widest, bits - bit);
+      std::vector<std::uint32_t> places((std::size_t{1} << width) + 1);
+      for (const SequenceEntry& entry : from) ++places[digit(entry, bit, width) + 1];
       std::partial_sum(places.begin(), places.end(), places.begin());
-      for (const SequenceEntry& entry : from) to[places[digit(entry, bit, kDigit)]++] = entry;
+      for (const SequenceEntry& entry : from) to[places[digit(entry, bit, width)]++] = entry;
       std::swap(from, to);
     }
     if (from.data() != entries.data()) std::copy(from.begin(), from.end(), entries.begin());
