@@ -22,9 +22,8 @@ bool is_plain(const CodeMeanings& meanings, const GCode& code) {
     case Group::Distance:
     case Group::Return:
     case Group::Feed:
-      return true;
     case Group::Work:
-      return code.meaning != Meaning::WorkExtra;
+      return true;
     case Group::Units:
       return meanings.control.motion.unit_change.value == UnitChange::Anywhere;
     case Group::Radius:
@@ -32,7 +31,7 @@ bool is_plain(const CodeMeanings& meanings, const GCode& code) {
     case Group::Cycle:
       return code.meaning == Meaning::CycleOff;
     case Group::Length:
-      return code.meaning == Meaning::LengthOff && meanings.machine == MachineType::Mill;
+      return code.which == 0 && meanings.machine == MachineType::Mill;
     default:
       return false;
   }

@@ -50,7 +50,8 @@ struct BlockCodes : CodeList {
   MeaningSet all;                   // the meanings of all its G codes
   std::uint32_t roles = 0;          // of its M codes, a bit each
   std::uint16_t dropped = 0;        // of the G codes, those that do not count: bits by their places
-  bool plain = true;    // modes alone that need no more than to be remembered, G09 and G53
+  bool plain = true;    // modes alone that need no more than to be remembered, work systems and
+                        // lengths, G09 and G53
   int uncomputed = -1;  // ten times a G code whose moves the engine does not know
   int data_end = -1;    // ten times one that alarms where no data were begun
   int wrong = -1;       // ten times the first that alarms, and why

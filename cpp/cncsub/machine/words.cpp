@@ -119,6 +119,13 @@ void keep_skip(Run& run, SkipMove skip) {
     write_variable(run, first + axis, skip_position(run.motion.view(), axis));
 }
 
+/// What a G31 came to.
+void take_skip(Run& run, const Motion::Outcome& outcome) {
+  if (outcome.skip == SkipMove::No) return;
+  keep_skip(run, outcome.skip);
+  if (run.options.inputs.workpiece == nullptr) run.state.taken.asked = Taken::kSkipSignal;
+}
+
 /// What the machine does about a code it was sent: its signals change, and variables that it
 /// writes.
 void answer(Run& run, char address, std::int64_t code) {
@@ -156,12 +163,16 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
   return true;
 }
 
-/// G04 that no signal ends, at once.
-bool dwells(Run& run, const NcWords& words, Motion::Outcome& outcome) {
-  if (words.codes->meaning(Group::OneShot) != Meaning::Dwell) return false;
-  const auto& signals = run.options.inputs.skips;
-  return std::all_of(signals.begin(), signals.end(), [](const auto& of) { return of.empty(); }) &&
-         run.motion.dwell(words, run.step(), run.moves(), outcome);
+/// A code that stands alone, where no signal can come.
+bool stands_alone(Run& run, const NcWords& words, Motion::Outcome& outcome) {
+  if (words.codes->g_count != 1) return false;
+  const Inputs& inputs = run.options.inputs;
+  const auto none = [](const auto& of) { return of.empty(); };
+  if (inputs.workpiece != nullptr || !std::all_of(inputs.skips.begin(), inputs.skips.end(), none))
+    return false;
+  if (!run.motion.alone(words, run.step(), run.moves(), outcome)) return false;
+  take_skip(run, outcome);
+  return true;
 }
 
 /// Tells the words to who listens.
@@ -190,10 +201,7 @@ void follow_up(Run& run, const Outside& around) {
     about_to_take(run);
     run.state.taken.skips = *around.skips.taken;
   }
-  if (outcome.skip != SkipMove::No) {
-    keep_skip(run, outcome.skip);
-    if (around.workpiece == nullptr) run.state.taken.asked = Taken::kSkipSignal;
-  }
+  take_skip(run, outcome);
   count_moves(run);
 }
 
@@ -223,7 +231,7 @@ bool move(Run& run, const Block& block, NcWords& words) {
   words.ends = block.op == Op::EndProgram;
   words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||
                 (run.options.optional_stop && words.has(Role::OptionalStop));
-  if (run.motion.modes(words, run.step(), run.moves(), outcome) || dwells(run, words, outcome)) {
+  if (run.motion.modes(words, run.step(), run.moves(), outcome) || stands_alone(run, words, outcome)) {
     count_moves(run);
     return true;
   }

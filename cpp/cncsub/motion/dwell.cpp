@@ -1,13 +1,9 @@
 // G04.
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 
 #include "cncsub/motion/emit.hpp"
-#include "cncsub/motion/fast_path.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/motion.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
@@ -62,23 +58,6 @@ Result dwell(MotionContext& m, BlockWords& block) {
     if (other != letter) m.outcome.drop(bit(other));
   if (seconds <= 0) return std::nullopt;
   return add_dwell(m, block, seconds * dwell_part(m, block));
-}
-
-bool Motion::dwell(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
-  MotionState& s = state_;
-  const bool alone = s.plain && words.codes->g_count == 1 && words.codes->m_count == 0 &&
-                     !words.stops && std::has_single_bit(words.mask);
-  if (!alone || words.codes->meaning(Group::OneShot) != Meaning::Dwell) return false;
-  const double seconds = dwell_of(view(), words).seconds;
-  if (!(seconds > 0) || !in_range(std::array{seconds, s.time + seconds})) return false;
-
-  outcome = {};
-  s.time += seconds;
-  if (moves == nullptr) return true;
-  if (s.row_moves != moves) begin_row_state(*facts_, s, *moves);
-  moves->push(step, MoveKind::Dwell, s.work, s.row_state);
-  moves->seconds(seconds);
-  return true;
 }
 
 }  // namespace cncsub

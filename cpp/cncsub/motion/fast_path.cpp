@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 
+#include "cncsub/motion/changed_frame.hpp"
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/geometry.hpp"
@@ -27,6 +28,21 @@ bool tool_waits(const MotionState& state) {
   return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
 }
 
+/// Whether a code that is no plain path leaves nothing to a move behind it that has its own code.
+bool leaves_nothing(Meaning motion) {
+  switch (motion) {
+    case Meaning::Thread:
+    case Meaning::VariableThread:
+    case Meaning::TurnCycle:
+    case Meaning::ThreadCycle:
+    case Meaning::FaceCycle:
+    case Meaning::TapCycle:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// Zero while there is no feed.
 void set_seconds_per_mm(MotionState& state) {
   const bool revolutions = state.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
@@ -39,12 +55,13 @@ void set_seconds_per_mm(MotionState& state) {
 void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   const MotionView m{facts, state};
   if (state.plain) state.tool_at = machine_point(state);
-  const int path = path_of(state.modal[at(Group::Motion)].meaning);
+  const Meaning motion = state.modal[at(Group::Motion)].meaning;
+  const int path = path_of(motion);
   state.row_moves = nullptr;
-  if (path >= 0) state.motion_code = static_cast<std::uint8_t>(path);
+  state.motion_code = path >= 0 ? static_cast<std::uint8_t>(path) : kOtherPath;
   set_seconds_per_mm(state);
   const bool moves_alone =
-      path >= 0 && !in_cycle(state) && !state.angled.waiting() && state.held.corner.empty() &&
+      (path >= 0 || leaves_nothing(motion)) && !in_cycle(state) && !state.angled.waiting() && state.held.corner.empty() &&
       !polar(state) && facts.limits.empty() && !checks_area(state) && !lacks_speed(m) &&
       !state.tool_pending && !state.rigid_waits && facts.control->motion.max_feed.value == 0 &&
       state.frame_angle == 0 && !state.diameter && !state.no_motion && !centre_is_absolute(state);
@@ -56,6 +73,7 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
 }
 
 void take_code(const MotionFacts& facts, MotionState& state, int code) {
+  if (state.motion_code == kOtherPath) state.turn = {};  // as in take_motion_code
   state.motion_code = static_cast<std::uint8_t>(code);
   state.modal[at(Group::Motion)] = facts.path_codes[static_cast<std::size_t>(code)];
 }
@@ -69,7 +87,8 @@ void take_feed(MotionState& state, double value) {
 }
 
 void begin_row_state(const MotionFacts& facts, MotionState& state, Moves& moves) {
-  if (moves.size() == 0) moves.begin(machine_point(state), facts.rapid, facts.diameters);
+  if (moves.size() == 0)
+    moves.begin(state.plain ? machine_point(state) : state.tool_at, facts.rapid, facts.diameters);
   state.row_state = moves.intern(move_state(state), state.offset + state.length);
   state.row_moves = &moves;
 }
@@ -155,7 +174,7 @@ CNCSUB_ALWAYS_INLINE inline void Motion::go_along(const PlainArc& arc, std::uint
 bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves) {
   MotionState& s = state_;
   const int code = g >= 0 ? g : s.motion_code;
-  if (!s.plain || code < 2 || facts_->lathe()) return false;
+  if (!s.plain || (code != 2 && code != 3) || facts_->lathe()) return false;
   const bool has_feed = (mask & bit('F')) != 0;
   const double feed = has_feed ? (values++)->value : s.feed;
   PlainArc arc{.clockwise = code == 2};
@@ -204,16 +223,16 @@ bool are_modes(const MotionState& state, const NcWords& words) {
     if ((group != Group::Units || words.mask != 0) && codes.has(group) &&
         codes.meaning(group) != state.modal[at(group)].meaning)
       return false;
-  return !codes.has(Group::Length) || state.length == Axes{};
+  return true;
 }
 
 /// Whether the words other than G and M codes are those of a plain move, S and T, with values that
-/// the general path has nothing to say about. `plain`: the state is.
-bool has_plain_words(const MotionFacts& facts, const NcWords& words, bool plain) {
-  const std::uint32_t known =
-      kEndWords | kArcWords | bit('F') | bit('S') | (facts.lathe() ? 0 : bit('T'));
+/// the general path has nothing to say about. `speeds`: S may stand with a plain move.
+bool has_plain_words(const MotionFacts& facts, const NcWords& words, bool speeds) {
+  const std::uint32_t known = kEndWords | kArcWords | bit('F') | bit('S') |
+                              (facts.lathe() ? 0 : bit('T')) | words_of_frame(words);
   const std::uint32_t others = words.mask & (facts.other_axes | facts.increments);
-  if ((others != 0 || !plain) && words.has('S')) return false;
+  if ((others != 0 || !speeds) && words.has('S')) return false;
   if (words.stops || (words.mask & ~(known | others)) != 0) return false;
   if (words.has('S') && !(words['S'] > 0)) return false;
   return has_plain_values(facts, words);
@@ -251,6 +270,8 @@ struct PlainBlock {
   double feed = 0;  // mm/min, mm/rev
   PlainArc arc;
   PlainLine line;
+
+  MoveKind kind() const { return path == 0 ? MoveKind::Rapid : MoveKind::Feed; }  // of a line
 };
 
 /// False where the general path has something to say about it.
@@ -259,6 +280,7 @@ bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlo
   const MotionState& s = m.state;
   const std::uint32_t others = words.mask & (m.facts.other_axes | m.facts.increments);
   block.path = modes.path >= 0 ? modes.path : s.motion_code;
+  if (block.path == kOtherPath) return false;
   block.letters = words.mask & (kEndWords | kArcWords | bit('F'));
   block.feed = words.has('F') ? plain_feed(s, words['F']) : s.feed;
   block.values = values_of(m, words, block.letters);
@@ -275,7 +297,7 @@ bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlo
   if ((block.letters & kArcWords) != 0) return false;
   block.way = others == 0 && s.plain ? Way::Straight : Way::OtherAxes;
   if (block.way == Way::Straight) return true;
-  return plan_line(m, words, block.path == 0, modes.incremental ? nullptr : &kOrigin, block.feed,
+  return plan_line(m, words, block.kind(), modes.incremental ? nullptr : &kOrigin, block.feed,
                    block.line);
 }
 
@@ -291,16 +313,24 @@ bool plan_machine_move(MotionView m, const Modes& modes, const NcWords& words, P
   if (check_conflicts(m, {.words = words, .step = 0})) return false;
   block.way = PlainBlock::Way::OtherAxes;
   const Axes zero = Axes{} - s.offset;
-  return plan_line(m, words, true, &zero, s.feed, block.line);
+  return plan_line(m, words, MoveKind::Rapid, &zero, s.feed, block.line);
 }
 
 }  // namespace
 
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
+  const MotionState& s = state_;
+  if (s.beside) return move_alone(words, step, moves, outcome);
+  if (!s.direct) return false;
+  return changes_frame(s, words) ? in_changed_frame(words, step, moves, outcome)
+                                 : plain_modes(words, s.plain, step, moves, outcome);
+}
+
+bool Motion::plain_modes(const NcWords& words, bool speeds, std::uint32_t step, Moves* moves,
+                      Outcome& outcome) {
   using Way = PlainBlock::Way;
   MotionState& s = state_;
-  if (s.beside) return move_alone(words, step, moves, outcome);
-  if (!s.direct || !are_modes(s, words) || !has_plain_words(*facts_, words, s.plain)) return false;
+  if (!are_modes(s, words) || !has_plain_words(*facts_, words, speeds)) return false;
   if (words.codes->has(Group::Cycle) && facts_->refuses(Cause::NoMotionCode)) return false;
   if (turned(s) && check_conflicts(view(), {.words = words, .step = step})) return false;
   const Modes modes(s, *words.codes);
@@ -322,7 +352,7 @@ bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outco
   if (block.way == Way::Arc) go_along(block.arc, block.letters, step, moves);
   if (block.way == Way::OtherAxes) {
     outcome.moved = block.line.moved;
-    go_along(block.line, block.path == 0, step, moves);
+    cncsub::go_along(*facts_, s, block.line, block.kind(), step, moves);
   }
   return true;
 }

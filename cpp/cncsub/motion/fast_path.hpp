@@ -32,6 +32,8 @@ inline bool has_plain_values(const MotionFacts& facts, const NcWords& words) {
   return words['F'] > 0 && !steps;
 }
 
+/// What stands for the code of a path where another one is in force.
+constexpr std::uint8_t kOtherPath = 4;
 /// A code of plain moves, 0 to 3, is that of the moves to come.
 void take_code(const MotionFacts& facts, MotionState& state, int code);
 /// F of a block holds from here on.

@@ -18,8 +18,7 @@
 
 namespace cncsub {
 
-struct PlainArc;   // of the fast path: an arc,
-struct PlainLine;  // a line of more axes than X, Y and Z
+struct PlainArc;  // of the fast path
 
 class Motion {
  public:
@@ -50,8 +49,9 @@ class Motion {
   /// the state want the general path; then nothing has changed.
   bool modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
 
-  /// G04 alone, with one word, where no signal ends it. As `modes`.
-  bool dwell(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
+  /// A block of one code that is more than a plain move, and stands alone: G04 with one word, G31,
+  /// G32, where no signal can end it. As `modes`.
+  bool alone(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
 
   /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the
   /// run. When it returns a fault nothing has changed.
@@ -92,7 +92,10 @@ class Motion {
   void go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves);
   /// A block of `modes` that is nothing but a move, which is made as on the general path.
   bool move_alone(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
-  void go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves);
+  /// A block of `modes` that changes where things lie before it moves.
+  bool in_changed_frame(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
+  bool plain_modes(const NcWords& words, bool speeds, std::uint32_t step, Moves* moves,
+                   Outcome& outcome);
 
   std::shared_ptr<const MotionFacts> facts_;
   MotionState state_;

@@ -14,7 +14,7 @@ namespace {
 bool says_move(MotionView m, const NcWords& words, int path) {
   const std::uint32_t axes = kEndWords | m.facts.other_axes | m.facts.increments;
   const std::uint32_t known = axes | bit('F') | (path > 1 ? kCentreWords | bit('R') : 0);
-  return words.codes->only_of_moves() && (words.mask & axes) != 0 && (words.mask & ~known) == 0 &&
+  return path != kOtherPath && words.codes->only_of_moves() && (words.mask & axes) != 0 && (words.mask & ~known) == 0 &&
          !words.stops && has_plain_values(m.facts, words);
 }
 

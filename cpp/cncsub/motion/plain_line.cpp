@@ -5,15 +5,13 @@
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/fast_path.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/motion.hpp"
-#include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
 
-void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Moves* moves) {
-  MotionState& s = state_;
-  if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);
+void go_along(const MotionFacts& facts, MotionState& s, const PlainLine& line, MoveKind kind,
+              std::uint32_t step, Moves* moves) {
+  if (moves != nullptr && s.row_moves != moves) begin_row_state(facts, s, *moves);
   s.time += line.seconds;
   s.moved_before = true;
   s.named |= line.named;
@@ -21,7 +19,7 @@ void Motion::go_along(const PlainLine& line, bool rapid, std::uint32_t step, Mov
   if (!s.plain) s.tool_at = machine_point(s);
   if (moves == nullptr) return;
   moves->use(line.named);
-  moves->push(step, rapid ? MoveKind::Rapid : MoveKind::Feed, s.work, s.row_state);
+  moves->push(step, kind, s.work, s.row_state);
 }
 
 namespace {
@@ -55,18 +53,19 @@ void plan_end(MotionView m, const NcWords& words, const Axes* zero, PlainLine& l
 
 }  // namespace
 
-bool plan_line(MotionView m, const NcWords& words, bool rapid, const Axes* zero, double feed,
+bool plan_line(MotionView m, const NcWords& words, MoveKind kind, const Axes* zero, double feed,
                PlainLine& line) {
   const MotionState& s = m.state;
   plan_end(m, words, zero, line);
   for (std::size_t i = 0; i < line.end.size(); ++i)
     line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= 1e-12;
-  const Axes from = machine_point(s), to = line.end + s.offset + s.length;
+  const Axes from = s.plain ? machine_point(s) : s.tool_at;
+  const Axes to = line.end + s.offset + s.length;
   const std::uint32_t diameters = m.facts.diameters;
   const double length = length_of(from, to, diameters), x_zero = s.offset[0] + s.length[0];
   MoveState row = move_state(s);
   row.feed = feed;
-  const MoveKind kind = rapid ? MoveKind::Rapid : MoveKind::Feed;
+  if (kind == MoveKind::Thread) row.feed_mode = FeedMode::PerRevolution;
   line.seconds = seconds_of({kind, row, from, to, length, x_zero, 0}, m.facts.rapid, diameters);
   return in_range(to) && in_range(std::array{length, line.seconds, s.time + line.seconds});
 }

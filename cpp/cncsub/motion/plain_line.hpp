@@ -15,9 +15,12 @@ struct PlainLine {
 };
 
 /// False where the general path has something to say about it. The words of the block count from
-/// `zero`, or from where the tool is; `feed`: that of the block.
-bool plan_line(MotionView m, const NcWords& words, bool rapid, const Axes* zero, double feed,
+/// `zero`, or from where the tool is; `feed`: that of the block, or the lead of a thread.
+bool plan_line(MotionView m, const NcWords& words, MoveKind kind, const Axes* zero, double feed,
                PlainLine& line);
+/// Makes the move, under the modes that are in force.
+void go_along(const MotionFacts& facts, MotionState& s, const PlainLine& line, MoveKind kind,
+              std::uint32_t step, Moves* moves);
 
 /// What absolute words count from.
 inline constexpr Axes kOrigin{};
