@@ -252,6 +252,7 @@ bool only_moves(MotionView m, const NcWords& words) {
 
 Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool moves_only,
                  bool of_cycle) {
+  m.state.row_moves = nullptr;  // the modes change
   if (moves_only) return run_move(m, words, step, of_cycle);
   BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
   const bool frame = sets_frame(words);

@@ -1,9 +1,11 @@
 // From a block's motion to the rows of the table: the pieces, their lengths and times.
 #include "cncsub/motion/emit.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/motion.hpp"
 #include "cncsub/motion/path/path.hpp"
 
 namespace cncsub {
@@ -171,19 +173,44 @@ double seconds_in_machine(const MotionState& state, const MoveWay& way, const Mo
                     facts.diameters);
 }
 
+/// How long a line is that goes directly, and how long it takes.
+struct DirectWay {
+  double length = 0, seconds = 0;
+};
+
+DirectWay direct_way(MotionView m, MoveKind kind, const Axes& machine) {
+  const MotionState& s = m.state;
+  const Axes& from = s.tool_at;
+  const bool by_minutes = s.modal[at(Group::Feed)].meaning == Meaning::PerMinute;
+  if (others_stand(from, machine) && s.frame_angle == 0 && (kind == MoveKind::Rapid || by_minutes)) {
+    const double dx = machine[0] - from[0], dy = machine[1] - from[1], dz = machine[2] - from[2];
+    const double length = std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz);
+    if (kind == MoveKind::Rapid) return {length, rapid_seconds(s, dx, dy, dz)};
+    return {length, s.feed > 0 ? length / s.feed * 60 : 0};
+  }
+  const double length = length_of(from, machine, m.facts.diameters);
+  const MoveState row = move_state(s);
+  return {length, seconds_in_machine(
+                      s, {kind, row, from, machine, length, s.offset[0] + s.length[0], 0}, m.facts)};
+}
+
+/// The state of the rows of a block that go directly, which is the same for all of them.
+std::uint32_t direct_state(MotionState& s, const BlockWords& block, Moves& table) {
+  if (s.row_moves == &table) return s.row_state;
+  MoveState row = move_state(s);
+  row.cycle = block.cycle;
+  s.row_moves = &table;
+  return s.row_state = table.intern(row, s.offset + s.length);
+}
+
 /// What `move` does with a piece, without one.
 Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& end,
                      std::uint32_t named) {
   MotionState& s = m.state;
   const Axes machine = end + s.offset + s.length;
-  if (!in_range(machine)) return out_of_range(block.words.at);
-  MoveState row = move_state(s);
-  row.cycle = block.cycle;
-  const std::uint32_t diameters = m.facts.diameters;
-  const double length = length_of(s.tool_at, machine, diameters);
-  const double seconds = seconds_in_machine(
-      s, {kind, row, s.tool_at, machine, length, s.offset[0] + s.length[0], 0}, m.facts);
-  if (!in_range(std::array{length, seconds, s.time + seconds})) return out_of_range(block.words.at);
+  const auto [length, seconds] = direct_way(m, kind, machine);
+  if (!in_range(machine) || !in_range(std::array{length, seconds, s.time + seconds}))
+    return out_of_range(block.words.at);
   m.outcome.axis_word = block.submitted = true;
   m.outcome.moved = m.outcome.moved || moves(s.work, end);
   s.tool_pending = false;
@@ -192,7 +219,7 @@ Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const A
   s.time += seconds;
   if (Moves* table = m.sink.table; table != nullptr) {
     mark_axes(m.sink, machine, named);
-    table->push(block.step, kind, end, table->intern(row, s.offset + s.length));
+    table->push(block.step, kind, end, direct_state(s, block, *table));
   }
   s.tool_at = machine;
   return std::nullopt;
@@ -207,7 +234,46 @@ Result move(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& work
   return move_directly(m, block, kind, work_end, named);
 }
 
+namespace {
+
+/// Whether a move of X, Y or Z alone is one behind a direct move of the same block: where the other
+/// axes are, and what holds for the rows, is as it was there.
+bool goes_on_directly(const MotionContext& m, MoveKind kind, int axis) {
+  const MotionState& s = m.state;
+  const bool by_minutes = s.modal[at(Group::Feed)].meaning == Meaning::PerMinute;
+  return axis < 3 && m.sink.table != nullptr && s.row_moves == m.sink.table &&
+         s.frame_angle == 0 && (kind == MoveKind::Rapid || by_minutes) && is_direct(m);
+}
+
+/// What `move_directly` does on one axis.
+Result move_axis_directly(MotionContext& m, const BlockWords& block, MoveKind kind,
+                          std::size_t axis, double value) {
+  MotionState& s = m.state;
+  const double machine = value + s.offset[axis] + s.length[axis];
+  const double way = std::fabs(machine - s.tool_at[axis]);
+  const double length = way * m.facts.share(static_cast<int>(axis));
+  const double seconds = kind == MoveKind::Rapid ? way * s.rapid_seconds[axis]
+                         : s.feed > 0            ? length / s.feed * 60
+                                                 : 0;
+  if (!in_range(std::array{machine, length, seconds, s.time + seconds}))
+    return out_of_range(block.words.at);
+  m.outcome.moved = m.outcome.moved || std::fabs(value - s.work[axis]) >= 1e-12;
+  s.named |= axis_bit(static_cast<int>(axis));
+  s.work[axis] = value;
+  s.tool_at[axis] = machine;
+  s.time += seconds;
+  m.sink.table->mark(axis_bit(static_cast<int>(axis)));
+  m.sink.table->push(block.step, kind, s.work, s.row_state);
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result move_axis(MotionContext& m, BlockWords& block, MoveKind kind, int axis, double value) {
+  if (goes_on_directly(m, kind, axis)) {
+    if (auto wrong = count_move(m, block)) return wrong;
+    return move_axis_directly(m, block, kind, static_cast<std::size_t>(axis), value);
+  }
   Axes end = m.state.work;
   end[static_cast<std::size_t>(axis)] = value;
   return move(m, block, kind, end, axis_bit(axis));

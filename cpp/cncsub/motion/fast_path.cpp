@@ -93,14 +93,14 @@ void begin_row_state(const MotionFacts& facts, MotionState& state, Moves& moves)
   state.row_moves = &moves;
 }
 
+namespace {
+
 /// A plain arc as it is checked, before anything changes: work coordinates.
 struct PlainArc {
   bool clockwise = false;
   std::array<double, 3> end{}, centre{};
   double in_plane = 0;  // its length there
 };
-
-namespace {
 
 /// The centre of an arc with a radius that its end is within.
 bool find_centre(const MotionFacts& facts, Point way, double radius, const PlaneAxes& plane,
@@ -155,12 +155,10 @@ CNCSUB_ALWAYS_INLINE inline bool plan_arc(const MotionFacts& facts, const Motion
   return true;
 }
 
-}  // namespace
-
-CNCSUB_ALWAYS_INLINE inline void Motion::go_along(const PlainArc& arc, std::uint32_t mask,
-                                                  std::uint32_t step, Moves* moves) {
-  MotionState& s = state_;
-  if (moves != nullptr && s.row_moves != moves) begin_row_state(*facts_, s, *moves);
+CNCSUB_ALWAYS_INLINE inline void go_along(const MotionFacts& facts, MotionState& s,
+                                          const PlainArc& arc, std::uint32_t mask,
+                                          std::uint32_t step, Moves* moves) {
+  if (moves != nullptr && s.row_moves != moves) begin_row_state(facts, s, *moves);
   s.time += arc.in_plane * s.seconds_per_mm;
   s.moved_before = true;
   s.named |= straight_axes(mask);
@@ -170,6 +168,8 @@ CNCSUB_ALWAYS_INLINE inline void Motion::go_along(const PlainArc& arc, std::uint
   moves->push(step, arc.clockwise ? MoveKind::Cw : MoveKind::Ccw, s.work, s.row_state);
   moves->arc(arc.centre, arc.in_plane);
 }
+
+}  // namespace
 
 bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves) {
   MotionState& s = state_;
@@ -182,7 +182,7 @@ bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t st
 
   if (code != s.motion_code) take_code(*facts_, s, code);
   if (has_feed) take_feed(s, feed);
-  go_along(arc, mask, step, moves);
+  go_along(*facts_, s, arc, mask, step, moves);
   return true;
 }
 
@@ -349,10 +349,10 @@ bool Motion::plain_modes(const NcWords& words, bool speeds, std::uint32_t step, 
     return linear(block.letters, block.values.data(), block.path, step, moves, outcome.moved);
   if (moves_on || modes.path >= 0) take_code(*facts_, state_, block.path);
   if (words.has('F')) take_feed(state_, words['F']);
-  if (block.way == Way::Arc) go_along(block.arc, block.letters, step, moves);
+  if (block.way == Way::Arc) go_along(*facts_, s, block.arc, block.letters, step, moves);
   if (block.way == Way::OtherAxes) {
     outcome.moved = block.line.moved;
-    cncsub::go_along(*facts_, s, block.line, block.kind(), step, moves);
+    go_along(*facts_, s, block.line, block.kind(), step, moves);
   }
   return true;
 }

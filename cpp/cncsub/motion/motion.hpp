@@ -18,8 +18,6 @@
 
 namespace cncsub {
 
-struct PlainArc;  // of the fast path
-
 class Motion {
  public:
   using Outcome = MotionOutcome;
@@ -89,7 +87,6 @@ class Motion {
   template <class Work>
   std::optional<Fault> whole_or_nothing(Moves* moves, bool only_moves, const Work& work);
   void write(Axes& values, int axis, double value);
-  void go_along(const PlainArc& arc, std::uint32_t mask, std::uint32_t step, Moves* moves);
   /// A block of `modes` that is nothing but a move, which is made as on the general path.
   bool move_alone(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
   /// A block of `modes` that changes where things lie before it moves.

@@ -39,6 +39,7 @@ bool Motion::move_alone(const NcWords& words, std::uint32_t step, Moves* moves, 
   if (s.plain) s.tool_at = machine_point(s);
   Undo undo(s, before_, log_, moves, true);
   s.plain = false;  // from here on tool_at is kept
+  s.row_moves = nullptr;
   take_code(*facts_, s, path);
   if (words.has('F')) take_feed(s, words['F']);
   s.moved_before = true;

@@ -43,6 +43,7 @@ void refresh_offset(MotionState& state) {
   if (now == state.offset) return;
   state.work = state.work + (state.offset - now);
   state.offset = now;
+  state.row_moves = nullptr;
 }
 
 Result select_work(MotionContext& m, BlockWords& block) {
