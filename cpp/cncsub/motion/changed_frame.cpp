@@ -51,13 +51,14 @@ bool take_frame(MotionContext& m, BlockWords& block) {
   const Axes before = m.state.length;
   m.state.row_moves = nullptr;
   if (select_work(m, block)) return false;
+  if (block.has(Group::Work) && !in_range(m.state.offset)) return false;
   if (block.has(Group::Length) || block.words.has('H')) {
-    if (set_length(m, block)) return false;
+    if (set_length(m, block) || !in_range(m.state.length)) return false;
     const bool moves = (block.words.mask & (kEndWords | m.facts.other_axes)) != 0;
     const bool shifts = m.facts.control->motion.length_type.value == LengthType::Shift;
     if (!moves && !shifts && m.state.length != before) return false;
   }
-  return in_range(m.state.work) && in_range(m.state.offset) && in_range(m.state.length);
+  return in_range(m.state.work);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,20 @@ class Chunks {
   }
 
   std::shared_ptr<List> list_;
+};
+
+/// Rows of a chunk. Those that are bytes alone are written by whoever appends them, and not before,
+/// whatever values a new row of theirs has.
+template <class T, std::size_t Size, bool = std::is_trivially_copyable_v<T>>
+struct ChunkRows {
+  T rows[Size];
+};
+template <class T, std::size_t Size>
+struct ChunkRows<T, Size, true> {
+  ChunkRows() {}  // NOLINT(modernize-use-equals-default): a default one would be deleted
+  union {
+    T rows[Size];
+  };
 };
 
 template <class T>
@@ -120,9 +135,7 @@ class Column {
   std::size_t bytes() const { return chunks_.size() * sizeof(Chunk); }
 
  private:
-  struct Chunk {
-    T rows[kChunk];
-  };
+  using Chunk = ChunkRows<T, kChunk>;
 
   void swap(Column& other) noexcept {
     std::swap(chunks_, other.chunks_);

@@ -27,19 +27,26 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
   diameters_ = diameters;
 }
 
-std::uint32_t Moves::add_state(const Told& told) {
-  MoveState state = told.state;
-  if (offsets_.empty() || offsets_.back() != told.offset) offsets_.push(told.offset);
-  if (told.tip != std::array<double, 3>{}) {
-    if (tips_.empty() || tips_.back() != told.tip) tips_.push(told.tip);
-    state.tip = static_cast<std::uint32_t>(tips_.size());
+std::uint32_t Moves::find_state(const MoveState& state, const Axes& offset,
+                                const std::array<double, 3>& tip) {
+  last_told_ ^= 1;
+  Told& told = told_[last_told_];
+  if (same_bits(told.state.feed, state.feed) && told.is(state, offset, tip)) return told.number;
+  told.state = state;
+  told.offset = offset;
+  told.tip = tip;
+  MoveState row = state;
+  if (offsets_.empty() || offsets_.back() != offset) offsets_.push(offset);
+  if (tip != std::array<double, 3>{}) {
+    if (tips_.empty() || tips_.back() != tip) tips_.push(tip);
+    row.tip = static_cast<std::uint32_t>(tips_.size());
   }
-  state.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
-  turned_ = turned_ || state.turned != 0;
+  row.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
+  turned_ = turned_ || row.turned != 0;
   // More states than a row can number fill more memory than there is: they go on as the last one.
   const bool full = states_.size() >> (32 - Chunk::kKindBits) != 0;
-  if (states_.empty() || (!full && !(states_.back() == state))) states_.push(state);
-  return static_cast<std::uint32_t>(states_.size() - 1);
+  if (states_.empty() || (!full && !(states_.back() == row))) states_.push(row);
+  return told.number = static_cast<std::uint32_t>(states_.size() - 1);
 }
 
 void Moves::use(std::uint32_t axes) {

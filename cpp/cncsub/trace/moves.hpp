@@ -80,10 +80,8 @@ class Moves {
   std::uint32_t intern(const MoveState& state, const Axes& offset,
                        const std::array<double, 3>& tip = {}) {
     // Nearly always as before, bit by bit.
-    if (same_bits(last_.state, state) && same_bits(last_.offset, offset) &&
-        same_bits(last_.tip, tip) && !states_.empty())
-      return last_.number;
-    return last_.number = add_state(last_ = {state, offset, tip, 0});
+    const Told& last = told_[last_told_];
+    return last.is(state, offset, tip) ? last.number : find_state(state, offset, tip);
   }
   /// The axes that moves named; bit 0 is X.
   void mark(std::uint32_t axes) { used_ |= axes; }
@@ -176,9 +174,15 @@ class Moves {
     MoveState state;
     Axes offset{};
     std::array<double, 3> tip{};
-    std::uint32_t number = 0;
+    std::uint32_t number = kNone;
+
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    bool is(const MoveState& s, const Axes& o, const std::array<double, 3>& t) const {
+      return same_bits(state, s) && same_bits(offset, o) && same_bits(tip, t) && number != kNone;
+    }
   };
-  std::uint32_t add_state(const Told& told);
+  std::uint32_t find_state(const MoveState& state, const Axes& offset,
+                           const std::array<double, 3>& tip);
   void grow();
   void push_extras(const Axes& point);
   template <class Use>
@@ -195,7 +199,9 @@ class Moves {
   Column<Vector> vectors_;
   Column<Seconds> seconds_;
   Column<Skip> skips_;
-  Told last_;
+  // The last two: feeds or zero points that take turns are no new states every time.
+  std::array<Told, 2> told_;
+  std::uint32_t last_told_ = 0;
   std::uint32_t used_ = 0;
   Axes start_{};  // machine position before the first row
   Axes rapid_{};
