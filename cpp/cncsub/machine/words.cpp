@@ -231,7 +231,8 @@ bool move(Run& run, const Block& block, NcWords& words) {
   words.ends = block.op == Op::EndProgram;
   words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||
                 (run.options.optional_stop && words.has(Role::OptionalStop));
-  if (run.motion.modes(words, run.step(), run.moves(), outcome) || stands_alone(run, words, outcome)) {
+  if (run.motion.modes(words, run.step(), run.moves(), outcome) ||
+      stands_alone(run, words, outcome)) {
     count_moves(run);
     return true;
   }

@@ -76,8 +76,7 @@ bool skip_alone(const Alone& m) {
   if (per_turn || rules.skip_own_feed.value || rules.max_skip_feed.value > 0 || !is_line(m) ||
       !plan(m, MoveKind::Feed, feed_of(m), line))
     return false;
-  const Axes skip =
-      rules.length_type.value == LengthType::Shift ? line.end : line.end + s.length;
+  const Axes skip = rules.length_type.value == LengthType::Shift ? line.end : line.end + s.length;
   if (!in_range(skip) || !in_range(line.end)) return false;
 
   go(m, MoveKind::Feed, line);

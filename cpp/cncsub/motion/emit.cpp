@@ -64,7 +64,9 @@ void write_row(MoveSink& sink, const Piece& piece, const Axes& machine,
   Moves& moves = *sink.table;
   mark_axes(sink, machine, piece.named);
   moves.push(piece.step, piece.kind, piece.end - piece.offset,
-             moves.intern(piece.state, piece.offset + piece.length, piece.tip));
+             piece.row_moves == &moves
+                 ? piece.row_state
+                 : moves.intern(piece.state, piece.offset + piece.length, piece.tip));
   if (way.arc) moves.arc(centre_of(piece), way.in_plane);
   if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves.vector(vector);
   if (piece.kind == MoveKind::Dwell) moves.seconds(piece.seconds);
@@ -182,7 +184,8 @@ DirectWay direct_way(MotionView m, MoveKind kind, const Axes& machine) {
   const MotionState& s = m.state;
   const Axes& from = s.tool_at;
   const bool by_minutes = s.modal[at(Group::Feed)].meaning == Meaning::PerMinute;
-  if (others_stand(from, machine) && s.frame_angle == 0 && (kind == MoveKind::Rapid || by_minutes)) {
+  if (others_stand(from, machine) && s.frame_angle == 0 &&
+      (kind == MoveKind::Rapid || by_minutes)) {
     const double dx = machine[0] - from[0], dy = machine[1] - from[1], dz = machine[2] - from[2];
     const double length = std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz);
     if (kind == MoveKind::Rapid) return {length, rapid_seconds(s, dx, dy, dz)};
@@ -190,8 +193,9 @@ DirectWay direct_way(MotionView m, MoveKind kind, const Axes& machine) {
   }
   const double length = length_of(from, machine, m.facts.diameters);
   const MoveState row = move_state(s);
-  return {length, seconds_in_machine(
-                      s, {kind, row, from, machine, length, s.offset[0] + s.length[0], 0}, m.facts)};
+  return {length,
+          seconds_in_machine(s, {kind, row, from, machine, length, s.offset[0] + s.length[0], 0},
+                             m.facts)};
 }
 
 /// The state of the rows of a block that go directly, which is the same for all of them.
@@ -241,8 +245,8 @@ namespace {
 bool goes_on_directly(const MotionContext& m, MoveKind kind, int axis) {
   const MotionState& s = m.state;
   const bool by_minutes = s.modal[at(Group::Feed)].meaning == Meaning::PerMinute;
-  return axis < 3 && m.sink.table != nullptr && s.row_moves == m.sink.table &&
-         s.frame_angle == 0 && (kind == MoveKind::Rapid || by_minutes) && is_direct(m);
+  return axis < 3 && m.sink.table != nullptr && s.row_moves == m.sink.table && s.frame_angle == 0 &&
+         (kind == MoveKind::Rapid || by_minutes) && is_direct(m);
 }
 
 /// What `move_directly` does on one axis.

@@ -40,7 +40,7 @@ Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup,
 /// Puts everything back when the work ends in a fault.
 template <class Work>
 std::optional<Fault> Motion::whole_or_nothing(Moves* moves, bool only_moves, const Work& work) {
-  Undo undo(state_, before_, log_, moves, only_moves);
+  Undo undo(state_, before_, log_, moves, only_moves ? Changes::Moves : Changes::All);
   state_.plain = false;  // from here on tool_at is kept
   auto wrong = work();
   if (wrong)

@@ -74,7 +74,10 @@ class Motion {
   void set_offset(VariableKind kind, int number, double value);
 
   /// The rows go to another table from now on.
-  void forget_table() { state_.row_moves = nullptr; }
+  void forget_table() {
+    state_.row_moves = nullptr;
+    for (Piece& piece : state_.held.radius) piece.row_moves = nullptr;
+  }
   /// How much waits for the moves behind it.
   std::int64_t held_pieces() const {
     return static_cast<std::int64_t>(state_.held.corner.size() + state_.held.radius.size());

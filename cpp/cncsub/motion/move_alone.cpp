@@ -14,7 +14,7 @@ namespace {
 bool says_move(MotionView m, const NcWords& words, int path) {
   const std::uint32_t axes = kEndWords | m.facts.other_axes | m.facts.increments;
   const std::uint32_t known = axes | bit('F') | (path > 1 ? kCentreWords | bit('R') : 0);
-  return path != kOtherPath && words.codes->only_of_moves() && (words.mask & axes) != 0 && (words.mask & ~known) == 0 &&
+  return words.codes->only_of_moves() && (words.mask & axes) != 0 && (words.mask & ~known) == 0 &&
          !words.stops && has_plain_values(m.facts, words);
 }
 
@@ -23,7 +23,14 @@ Result go(MotionContext& m, BlockWords& block, int path) {
   std::uint32_t named = 0;
   const Axes end = target(m, block, {m.state.incremental, false}, named);
   const MoveKind kind = path == 0 ? MoveKind::Rapid : MoveKind::Feed;
-  return move(m, block, make_piece(m, block, kind, end, named));
+  Piece piece = make_piece(m, block, kind, end, named);
+  if (Moves* table = m.sink.table; table != nullptr && m.state.beside) {
+    if (m.state.row_moves != table)
+      m.state.row_state = table->intern(piece.state, piece.offset + piece.length, piece.tip);
+    m.state.row_moves = piece.row_moves = table;
+    piece.row_state = m.state.row_state;
+  }
+  return move(m, block, piece);
 }
 
 }  // namespace
@@ -33,13 +40,13 @@ bool Motion::move_alone(const NcWords& words, std::uint32_t step, Moves* moves, 
   const BlockCodes& codes = *words.codes;
   const int path = codes.has(Group::Motion) ? path_of(codes.meaning(Group::Motion)) : s.motion_code;
   BlockWords block{.words = words, .step = step};
-  if (!says_move(view(), words, path)) return false;
+  // The data of a turning cycle would be lost that is in force.
+  if (s.motion_code == kOtherPath || !says_move(view(), words, path)) return false;
   if (turned(s) && check_conflicts(view(), block)) return false;
 
   if (s.plain) s.tool_at = machine_point(s);
-  Undo undo(s, before_, log_, moves, true);
+  Undo undo(s, before_, log_, moves, Changes::Path);
   s.plain = false;  // from here on tool_at is kept
-  s.row_moves = nullptr;
   take_code(*facts_, s, path);
   if (words.has('F')) take_feed(s, words['F']);
   s.moved_before = true;

@@ -38,6 +38,8 @@ struct Piece {
   Axes offset{};         // work to base
   Axes length{};         // base to machine
   MoveState state;
+  std::uint32_t row_state = 0;       // its number, where it is known,
+  const Moves* row_moves = nullptr;  // in this table; only compared
   // Of a compensated move that waits by its own normal: its way in the plane as it is programmed,
   // and from its end to where the tool ends.
   std::array<double, 2> way{}, beside{};
@@ -69,8 +71,11 @@ struct HeldValues {
   std::array<double, 2>
       vector{};  // from the programmed point to the tool, in the plane, radius values
   std::array<double, 2> entered{};  // the direction of the compensated move before
-  int idle = 0;                     // blocks without a move in the plane, in a row
-  std::array<double, 2> begun{};    // by own normals: where the first of `radius` starts
+  // The ends of the last move in the plane, and its direction, which the next one asks for again.
+  std::array<double, 4> line{};
+  std::array<double, 2> line_way{};
+  int idle = 0;                   // blocks without a move in the plane, in a row
+  std::array<double, 2> begun{};  // by own normals: where the first of `radius` starts
   bool begun_known = false;
   bool ended = false;  // by own normals: G40 came, and no move yet that leads to the path
 
@@ -152,8 +157,8 @@ struct Turned {  // rotation, scaling and mirror
   bool operator==(const Turned&) const = default;
 };
 
-/// What a block changes that only moves, beside its motion code and what waits.
-struct MoveValues {
+/// What a plain move changes, beside its motion code and what waits.
+struct PathValues {
   // What the fast path reads and writes.
   bool plain = false;   // nothing but G00 to G03 with words for X Y Z F and a centre can happen
   bool direct = false;  // the same, but points may be turned, and feeds may be times or count on a
@@ -173,6 +178,12 @@ struct MoveValues {
   std::uint32_t named = 0;    // axes that moves named
   bool tool_pending = false;  // a tool offset waits for the next move
   bool moved_before = false;  // or set coordinates: the head of the program is over
+
+  bool operator==(const PathValues&) const = default;
+};
+
+/// What a block changes that only moves, cycles too.
+struct MoveValues : PathValues {
   double polar_angle = 0;
   bool polar_known = false;
   CycleData cycle;

@@ -37,9 +37,10 @@ void take_held(Held& to, const Held& from) {
   take_pieces(to.radius, from.radius);
 }
 
-/// Takes over what a block changes that only moves.
+/// Takes over what a block changes that only moves, `Values` beside what waits.
+template <class Values>
 void take_moved(ModalState& to, const ModalState& from) {
-  static_cast<MoveValues&>(to) = from;
+  static_cast<Values&>(to) = from;
   to.modal[at(Group::Motion)] = from.modal[at(Group::Motion)];
   take_held(to.held, from.held);
 }
@@ -53,27 +54,32 @@ void take_modal(ModalState& to, const ModalState& from) {
   take_held(to.held, from.held);
 }
 
+void take(ModalState& to, const ModalState& from, Changes changes) {
+  switch (changes) {
+    case Changes::All:
+      return take_modal(to, from);
+    case Changes::Moves:
+      return take_moved<MoveValues>(to, from);
+    case Changes::Path:
+      return take_moved<PathValues>(to, from);
+  }
+}
+
 }  // namespace
 
-Undo::Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves, bool only_moves)
+Undo::Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves, Changes changes)
     : state_(state),
       before_(before),
       log_(log),
       moves_(moves),
       rows_(moves != nullptr ? moves->size() : 0),
-      only_moves_(only_moves) {
-  if (only_moves_)
-    take_moved(before_, state_);
-  else
-    take_modal(before_, state_);
+      changes_(changes) {
+  take(before_, state_, changes_);
   log_.clear();
 }
 
 void Undo::put_back() {
-  if (only_moves_)
-    take_moved(state_, before_);
-  else
-    take_modal(state_, before_);
+  take(state_, before_, changes_);
   log_.put_back(state_.tables);
   if (moves_ != nullptr) moves_->truncate(rows_);
 }

@@ -27,12 +27,14 @@ class OffsetLog {
   std::vector<std::pair<int, std::optional<ToolOffsets>>> tools_;
 };
 
+/// How much a block may change: everything, what a block does that only moves, or a plain move.
+enum class Changes : std::uint8_t { All, Moves, Path };
+
 /// The state and the table of moves as they are; of the offset tables only what changes is kept.
 class Undo {
  public:
-  /// `before`: where the state is kept; the room that it has is used again. `only_moves`: the block
-  /// changes nothing but what a move does.
-  Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves, bool only_moves);
+  /// `before`: where the state is kept; the room that it has is used again.
+  Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves, Changes changes);
   void put_back();
 
  private:
@@ -41,7 +43,7 @@ class Undo {
   OffsetLog& log_;
   Moves* moves_;
   std::size_t rows_;
-  bool only_moves_;
+  Changes changes_;
 };
 
 }  // namespace cncsub

@@ -186,6 +186,17 @@ Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
   return record(piece, {});
 }
 
+/// The curve of the waiting move.
+Curve RadiusPath::waiting_curve() const {
+  const Held& held = sink.state.held;
+  const Piece& first = held.radius.front();
+  const Point from = view.point(held.radius_from), to = view.point(first.end);
+  const bool known =
+      first.turn == 0 && same_bits(held.line, std::array{from.a, from.b, to.a, to.b});
+  return known ? Curve(from, to, {held.line_way[0], held.line_way[1]})
+               : curve_of(view, held.radius_from, first);
+}
+
 /// Records the waiting move, now that the next one says where the tool leaves it.
 Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                           bool& over) {
@@ -198,7 +209,7 @@ Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* b
     return record_bit(piece, from, normal, 0);
   }
   const Piece& first = held.radius.front();
-  const Curve before = curve_of(view, held.radius_from, first);
+  const Curve before = waiting_curve();
   const Point u = before.end_direction();
   const double offset = offset_of(first);
   const StartUp start_up = sink.facts.control->motion.start_up.value;
@@ -270,6 +281,8 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   held.radius_to = piece.end;
   held.radius.push_back(piece);
   if (over) RadiusPath::straighten(held.radius.back());
+  held.line = {curve.from.a, curve.from.b, curve.to.a, curve.to.b};
+  held.line_way = {curve.u.a, curve.u.b};
   return std::nullopt;
 }
 

@@ -78,6 +78,7 @@ struct RadiusPath {
     return cross(u, v) * offset > 0 && !same_normal(offset * u, -offset * v);
   }
   void find_start(Axes& from) const;
+  Curve waiting_curve() const;
   bool moves_in_plane(const Piece& piece, const Axes& from) const;
   /// `behind` is the move behind those at the corner, where it is known.
   Result join(const Curve& a, const Curve& b, const Curve* behind, double offset, std::uint32_t at,
