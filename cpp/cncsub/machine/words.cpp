@@ -120,9 +120,8 @@ void keep_skip(Run& run, SkipMove skip) {
 }
 
 /// What a G31 came to.
-void take_skip(Run& run, const Motion::Outcome& outcome) {
-  if (outcome.skip == SkipMove::No) return;
-  keep_skip(run, outcome.skip);
+void take_skip(Run& run, SkipMove skip) {
+  keep_skip(run, skip);
   if (run.options.inputs.workpiece == nullptr) run.state.taken.asked = Taken::kSkipSignal;
 }
 
@@ -163,15 +162,20 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
   return true;
 }
 
+/// Whether no signal can end a block.
+bool no_signals(const Inputs& inputs) {
+  return inputs.workpiece == nullptr && std::all_of(inputs.skips.begin(), inputs.skips.end(),
+                                                    [](const auto& of) { return of.empty(); });
+}
+
 /// A code that stands alone, where no signal can come.
 bool stands_alone(Run& run, const NcWords& words, Motion::Outcome& outcome) {
-  if (words.codes->g_count != 1) return false;
-  const Inputs& inputs = run.options.inputs;
-  const auto none = [](const auto& of) { return of.empty(); };
-  if (inputs.workpiece != nullptr || !std::all_of(inputs.skips.begin(), inputs.skips.end(), none))
-    return false;
+  const Meaning once = words.codes->meaning(Group::OneShot);
+  const bool thread = words.codes->meaning(Group::Motion) == Meaning::Thread;
+  if (once != Meaning::Dwell && once != Meaning::Skip && !thread) return false;
+  if (!thread && !no_signals(run.options.inputs)) return false;
   if (!run.motion.alone(words, run.step(), run.moves(), outcome)) return false;
-  take_skip(run, outcome);
+  if (outcome.skip != SkipMove::No) take_skip(run, outcome.skip);
   return true;
 }
 
@@ -201,7 +205,7 @@ void follow_up(Run& run, const Outside& around) {
     about_to_take(run);
     run.state.taken.skips = *around.skips.taken;
   }
-  take_skip(run, outcome);
+  if (outcome.skip != SkipMove::No) take_skip(run, outcome.skip);
   count_moves(run);
 }
 

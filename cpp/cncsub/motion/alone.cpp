@@ -1,6 +1,5 @@
 // Blocks of one code that is more than a plain move, and stands alone: G04, G31, G32.
 #include <array>
-#include <bit>
 
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/fast_path.hpp"
@@ -26,7 +25,7 @@ struct Alone {
 
 bool dwell_alone(const Alone& m) {
   MotionState& s = m.state;
-  if (!std::has_single_bit(m.words.mask)) return false;
+  if ((m.words.mask & (m.words.mask - 1)) != 0) return false;  // one word, or none: 0 seconds
   const double seconds = dwell_seconds(m, m.words);
   if (!(seconds > 0) || !in_range(std::array{seconds, s.time + seconds})) return false;
 
