@@ -180,16 +180,22 @@ struct DirectWay {
   double length = 0, seconds = 0;
 };
 
+/// How many mm a minute a line goes, where that is the same all along it; else 0.
+double even_rate(const MotionState& s) {
+  const Meaning mode = s.modal[at(Group::Feed)].meaning;
+  if (mode == Meaning::PerMinute) return s.feed;
+  return mode == Meaning::PerRevolution && !s.surface ? s.feed * turning(s.speed) : 0;
+}
+
 DirectWay direct_way(MotionView m, MoveKind kind, const Axes& machine) {
   const MotionState& s = m.state;
   const Axes& from = s.tool_at;
-  const bool by_minutes = s.modal[at(Group::Feed)].meaning == Meaning::PerMinute;
-  if (others_stand(from, machine) && s.frame_angle == 0 &&
-      (kind == MoveKind::Rapid || by_minutes)) {
+  const double rate = even_rate(s);
+  if (others_stand(from, machine) && s.frame_angle == 0 && (kind == MoveKind::Rapid || rate > 0)) {
     const double dx = machine[0] - from[0], dy = machine[1] - from[1], dz = machine[2] - from[2];
     const double length = std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz);
     if (kind == MoveKind::Rapid) return {length, rapid_seconds(s, dx, dy, dz)};
-    return {length, s.feed > 0 ? length / s.feed * 60 : 0};
+    return {length, length / rate * 60};
   }
   const double length = length_of(from, machine, m.facts.diameters);
   const MoveState row = move_state(s);
@@ -244,9 +250,8 @@ namespace {
 /// axes are, and what holds for the rows, is as it was there.
 bool goes_on_directly(const MotionContext& m, MoveKind kind, int axis) {
   const MotionState& s = m.state;
-  const bool by_minutes = s.modal[at(Group::Feed)].meaning == Meaning::PerMinute;
   return axis < 3 && m.sink.table != nullptr && s.row_moves == m.sink.table && s.frame_angle == 0 &&
-         (kind == MoveKind::Rapid || by_minutes) && is_direct(m);
+         (kind == MoveKind::Rapid || even_rate(s) > 0) && is_direct(m);
 }
 
 /// What `move_directly` does on one axis.
@@ -256,9 +261,8 @@ Result move_axis_directly(MotionContext& m, const BlockWords& block, MoveKind ki
   const double machine = value + s.offset[axis] + s.length[axis];
   const double way = std::fabs(machine - s.tool_at[axis]);
   const double length = way * m.facts.share(static_cast<int>(axis));
-  const double seconds = kind == MoveKind::Rapid ? way * s.rapid_seconds[axis]
-                         : s.feed > 0            ? length / s.feed * 60
-                                                 : 0;
+  const double seconds =
+      kind == MoveKind::Rapid ? way * s.rapid_seconds[axis] : length / even_rate(s) * 60;
   if (!in_range(std::array{machine, length, seconds, s.time + seconds}))
     return out_of_range(block.words.at);
   m.outcome.moved = m.outcome.moved || std::fabs(value - s.work[axis]) >= 1e-12;
