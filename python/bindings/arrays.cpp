@@ -1,5 +1,7 @@
 // The memory of large arrays.
-#include <utility>
+#include <pybind11/numpy.h>
+
+#include <memory>
 
 #include "bindings.hpp"
 #include "cncsub/system/kept_memory.hpp"
@@ -15,16 +17,11 @@ namespace {
 class ArrayMemory {
  public:
   explicit ArrayMemory(std::size_t bytes) : at_(system::take_memory(bytes)), bytes_(bytes) {}
-  ArrayMemory(ArrayMemory&& other) noexcept
-      : at_(std::exchange(other.at_, nullptr)), bytes_(other.bytes_) {}
-  ArrayMemory& operator=(ArrayMemory&&) = delete;
-  ~ArrayMemory() {
-    if (at_ != nullptr) system::give_memory(at_, bytes_);
-  }
+  ArrayMemory(const ArrayMemory&) = delete;
+  ArrayMemory& operator=(const ArrayMemory&) = delete;
+  ~ArrayMemory() { system::give_memory(at_, bytes_); }
 
-  py::buffer_info view() const {
-    return {static_cast<unsigned char*>(at_), static_cast<py::ssize_t>(bytes_)};
-  }
+  void* at() const { return at_; }
 
  private:
   void* at_;
@@ -34,15 +31,12 @@ class ArrayMemory {
 }  // namespace
 
 py::object empty_array(std::size_t items, std::size_t item_bytes, const std::string& type) {
-  const py::module_ numpy = py::module_::import("numpy");
   const std::size_t bytes = items * item_bytes;
-  if (bytes < system::kLargePage) return numpy.attr("empty")(items, type);
-  return numpy.attr("frombuffer")(py::cast(ArrayMemory(bytes)), type);
-}
-
-void add_arrays(py::module_& m) {
-  py::class_<ArrayMemory>(m, "ArrayMemory", py::is_final(), py::buffer_protocol())
-      .def_buffer([](const ArrayMemory& memory) { return memory.view(); });
+  if (bytes < system::kLargePage) return py::module_::import("numpy").attr("empty")(items, type);
+  auto memory = std::make_unique<ArrayMemory>(bytes);
+  const py::capsule owner(memory.get(), [](void* of) { delete static_cast<ArrayMemory*>(of); });
+  const ArrayMemory* const owned = memory.release();
+  return py::array(py::dtype(type), {items}, {item_bytes}, owned->at(), owner);
 }
 
 }  // namespace cncsub::bindings

@@ -11,7 +11,6 @@ namespace cncsub::bindings {
 void add_controls(pybind11::module_& m);
 void add_codes(pybind11::module_& m);
 void add_alarms(pybind11::module_& m);
-void add_arrays(pybind11::module_& m);
 void add_files(pybind11::module_& m);
 void add_code(pybind11::module_& m);
 void add_references(pybind11::module_& m);

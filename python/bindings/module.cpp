@@ -41,7 +41,6 @@ PYBIND11_MODULE_EXEC(engine, m) {
   cncsub::bindings::add_code(m);
   cncsub::bindings::add_references(m);
   cncsub::bindings::add_check(m);
-  cncsub::bindings::add_arrays(m);
   cncsub::bindings::add_trace(m);
   cncsub::bindings::add_machine(m);
   cncsub::bindings::add_flat(m);
