@@ -95,7 +95,7 @@ struct Block {
   static constexpr std::uint8_t kDrops = 16;   // words that do not count: Code::drops
   static constexpr std::uint8_t kListed = 32;  // its codes are one of Code::code_lists
 
-  bool has_codes() const { return (g_count | m_count) != 0; }
+  bool has_codes() const { return g_count != 0 || m_count != 0; }
   /// How many cells its codes take.
   int code_cells() const {
     return (flags & kListed) != 0 ? 0 : static_cast<int>(g_count + m_count);

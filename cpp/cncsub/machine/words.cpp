@@ -51,7 +51,7 @@ bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, dou
 }
 
 /// Codes of which one is an expression, or of which a library has too many lists.
-bool decode_codes(Run& run, const Block& block, Address of, const Cell* cell, NcWords& words) {
+bool decode_codes(Run& run, const Block& block, Address of, const Cell*& cell, NcWords& words) {
   CodeList list;
   for (unsigned i = 0; i < block.g_count; ++i) {
     int g = 0;
@@ -262,7 +262,6 @@ bool decode(Run& run, const Block& block, Address at, NcWords& words) {
     words.codes = &run.meanings->blocks[block.list];
   else if (block.has_codes() && !decode_codes(run, block, at, cell, words))
     return false;
-  cell += block.code_cells();
   words.mask = block.mask;
   for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
     const auto place = static_cast<std::size_t>(std::countr_zero(left));
@@ -286,7 +285,7 @@ bool carry_out(Run& run, const Block& block) {
     tell_dropped(run, block, words);
   run.block.words_done = true;
   if (block.n >= 0) run.state.last_n = block.n;
-  if (outcome.moved || words.has('T') || block.has_codes()) ++run.state.changes;
+  if (outcome.moved || words.has('T') || words.codes != &kNoCodes) ++run.state.changes;
   if (is_words(block.op)) return after_words(run);
   if (run.block.next != RunningBlock::kEnd) return true;
   record_step(run);  // M#1 beside a call, a return or a jump ends the program before it

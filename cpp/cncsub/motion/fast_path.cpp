@@ -219,7 +219,7 @@ bool are_modes(const MotionState& state, const NcWords& words) {
   const BlockCodes& codes = *words.codes;
   constexpr std::uint32_t kTurned = bit(Group::Motion) | bit(Group::Distance);
   if (turned(state) && ((codes.groups & ~kTurned) != 0 || codes.m_count > 0)) return false;
-  if (!codes.plain || codes.has(Role::RigidTapping)) return false;
+  if (codes.has(Role::RigidTapping)) return false;
   for (const Group group : {Group::Work, Group::Feed, Group::Units})
     if ((group != Group::Units || words.mask != 0) && codes.has(group) &&
         codes.meaning(group) != state.modal[at(group)].meaning)
@@ -322,7 +322,7 @@ bool plan_machine_move(MotionView m, const Modes& modes, const NcWords& words, P
 bool Motion::modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome) {
   const MotionState& s = state_;
   if (s.beside) return move_alone(words, step, moves, outcome);
-  if (!s.direct) return false;
+  if (!s.direct || !words.codes->plain) return false;
   return changes_frame(s, words) ? in_changed_frame(words, step, moves, outcome)
                                  : plain_modes(words, s.plain, step, moves, outcome);
 }
