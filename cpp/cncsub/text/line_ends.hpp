@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__SSE2__)
+#ifdef __SSE2__
 #include <emmintrin.h>
 #endif
 
@@ -44,14 +44,14 @@ class LineEnds {
   }
 
   /// A bit for each of 64 characters.
-#if defined(__SSE2__)
+#ifdef __SSE2__
   static std::uint64_t ends_in(const char* at) {
     const __m128i end = _mm_set1_epi8('\n');
     std::uint64_t found = 0;
-    for (int i = 0; i < 4; ++i) {
-      const __m128i part = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at + 16 * i));
+    for (std::ptrdiff_t i = 0; i < kWindow; i += 16) {
+      const __m128i part = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at + i));
       const auto bits = static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_cmpeq_epi8(part, end)));
-      found |= std::uint64_t{bits} << (16 * i);
+      found |= std::uint64_t{bits} << i;
     }
     return found;
   }
@@ -59,13 +59,13 @@ class LineEnds {
   static std::uint64_t ends_in(const char* at) {
     constexpr std::uint64_t kEach = 0x0101010101010101U, kLow = 0x7f * kEach;
     std::uint64_t found = 0;
-    for (int i = 0; i < 8; ++i) {
+    for (std::ptrdiff_t i = 0; i < kWindow; i += 8) {
       std::uint64_t part = 0;
-      std::memcpy(&part, at + 8 * i, sizeof part);
+      std::memcpy(&part, at + i, sizeof part);
       if constexpr (std::endian::native == std::endian::big) part = reversed(part);
       part ^= kEach * '\n';
       const std::uint64_t zeros = ~(((part & kLow) + kLow) | part | kLow) >> 7;
-      found |= (zeros * 0x0102040810204080U >> 56) << (8 * i);
+      found |= (zeros * 0x0102040810204080U >> 56) << i;
     }
     return found;
   }

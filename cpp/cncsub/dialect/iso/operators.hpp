@@ -47,7 +47,7 @@ constexpr std::size_t place_of(char a, char b) {
   return (static_cast<std::size_t>(a) % 32) * 32 + static_cast<std::size_t>(b) % 32;
 }
 inline constexpr auto kShortOperators = [] {
-  std::array<const OperatorName*, 32 * 32> by_letters{};
+  std::array<const OperatorName*, std::size_t{32} * 32> by_letters{};
   for (const OperatorName& of : kOperators)
     if (of.text.size() == 2) by_letters[place_of(of.text[0], of.text[1])] = &of;
   return by_letters;
