@@ -3,6 +3,7 @@ LinuxCNC's interpreter is held to them."""
 
 from __future__ import annotations
 
+import dataclasses
 import datetime
 import json
 import runpy
@@ -15,11 +16,11 @@ import jsonschema
 import pytest
 
 import cncsub
-from cncsub.testing import case, load_table
+from cncsub.testing import case, load_table, outcome
 from cncsub.testing.cases import Row
 from cncsub.testing.exchange import case_facts, left_out_by_topic, suite_facts
 from cncsub.testing.outcome import differences, report
-from conformance import cases
+from conformance import cases, rows
 
 ROOT = Path(__file__).parents[1]
 TOOLS = ROOT / "tools"
@@ -272,3 +273,11 @@ def test_linuxcnc_agrees_with_its_rows(
     }
     assert set(parted) <= known, told
     assert " agree" in told
+
+
+def test_a_row_that_is_gone_does_not_lend_its_files_to_the_next() -> None:
+    row = next(row for row in rows() if row.case.files is not None and row.case.paths == ())
+    for n in range(1, 300):
+        case = dataclasses.replace(row.case, files={"O1.NC": f"O1\nN{n} M30\n"})
+        assert outcome.load(case, cncsub.controls[row.control]).main.blocks[0].n == n
+        del case

@@ -79,7 +79,8 @@ def _scratch() -> Path:
     return folder
 
 
-_folders: dict[tuple[int, str], Path] = {}
+# With each its case: another one has the same `id` when that is gone.
+_folders: dict[tuple[int, str], tuple[Case, Path]] = {}
 
 
 def _folder(case: Case, which: str) -> Path:
@@ -95,8 +96,8 @@ def _folder(case: Case, which: str) -> Path:
             file.write_bytes(
                 text if isinstance(text, bytes) else text.encode(case.encoding or "utf-8")
             )
-        _folders[key] = folder
-    return _folders[key]
+        _folders[key] = (case, folder)
+    return _folders[key][1]
 
 
 def _stop_differences(case: Case, control: str, run: cncsub.Run) -> Iterator[str]:
