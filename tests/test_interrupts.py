@@ -192,13 +192,13 @@ def test_a_block_of_very_many_moves_is_broken_off(trace: str) -> None:
     machine.step()
     old = signal.signal(signal.SIGALRM, signal.default_int_handler)
     try:
-        signal.setitimer(signal.ITIMER_REAL, 0.02)  # the block takes some tenths of a second
+        signal.setitimer(signal.ITIMER_REAL, 0.004)  # the block takes at least five times as long
         run = machine.run()
         assert run is not None
         assert run.stop is cncsub.Stop.INTERRUPTED
         # It did nothing, and is executed as a whole when the run goes on.
         assert (machine.blocks, machine.position["X"], machine.alarm) == (1, 0, None)
-        signal.setitimer(signal.ITIMER_REAL, 0.02)
+        signal.setitimer(signal.ITIMER_REAL, 0.004)
         with pytest.raises(KeyboardInterrupt):
             machine.step()
         assert (machine.stop, machine.blocks, machine.position["X"]) == (None, 1, 0)
