@@ -186,24 +186,36 @@ def test_a_contour_of_very_many_blocks_is_broken_off() -> None:
         signal.signal(signal.SIGALRM, old)
 
 
-@pytest.mark.parametrize("trace", ["none", "moves"])
-def test_a_block_of_very_many_moves_is_broken_off(trace: str) -> None:
-    machine = cncsub.loads(HOLES, control="fanuc-0i-f").machine(trace=trace)
-    machine.step()
-    old = signal.signal(signal.SIGALRM, signal.default_int_handler)
+def hit(go: Callable[[], object]) -> object:
+    """What comes of it where an alarm comes: on a busy machine perhaps before it begins or behind
+    its end, as the block takes some hundredths of a second only.
+    """
     try:
-        signal.setitimer(signal.ITIMER_REAL, 0.004)  # the block takes at least five times as long
-        run = machine.run()
-        assert run is not None
-        assert run.stop is cncsub.Stop.INTERRUPTED
-        # It did nothing, and is executed as a whole when the run goes on.
-        assert (machine.blocks, machine.position["X"], machine.alarm) == (1, 0, None)
         signal.setitimer(signal.ITIMER_REAL, 0.004)
-        with pytest.raises(KeyboardInterrupt):
-            machine.step()
-        assert (machine.stop, machine.blocks, machine.position["X"]) == (None, 1, 0)
+        return go()
+    except KeyboardInterrupt as error:
+        return error
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+@pytest.mark.parametrize("trace", ["none", "moves"])
+def test_a_block_of_very_many_moves_is_broken_off(trace: str) -> None:
+    old = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    try:
+        for _ in range(50):
+            machine = cncsub.loads(HOLES, control="fanuc-0i-f").machine(trace=trace)
+            machine.step()
+            run = hit(machine.run)
+            if not isinstance(run, cncsub.Run) or run.stop is not cncsub.Stop.INTERRUPTED:
+                continue
+            # It did nothing, and is executed as a whole when the run goes on.
+            assert (machine.blocks, machine.position["X"], machine.alarm) == (1, 0, None)
+            stopped = hit(machine.step)
+            if isinstance(stopped, KeyboardInterrupt) and machine.stop is None and machine.blocks == 1:
+                break
+        assert (machine.stop, machine.blocks, machine.position["X"]) == (None, 1, 0)
+    finally:
         signal.signal(signal.SIGALRM, old)
     run = machine.run()
     assert run is not None

@@ -23,8 +23,9 @@ using Entries = std::span<SequenceEntry>;
 
 constexpr std::size_t kFew = 64;                     // entries that are sorted by comparing
 constexpr std::size_t kNear = std::size_t{1} << 15;  // that stay near the processor meanwhile
-constexpr std::size_t kMany = std::size_t{1}
-                              << 18;  // for which a further thread is worth its start
+// For which a copy is much of what reading keeps, and a further thread worth its start. (In their
+// place they take twice as long.)
+constexpr std::size_t kMany = std::size_t{1} << 21;
 
 /// Entries by number, then by address: as numbers of some bits. They are sorted in their place, as
 /// a copy of millions would be most of what reading keeps at its peak.
@@ -64,7 +65,7 @@ class Sorting {
   static constexpr int kSplit = 7;  // bits by which entries are put into parts
   static constexpr std::size_t kParts = std::size_t{1} << kSplit;
   using Ends = std::array<std::size_t, kParts + 1>;
-  using Room = std::vector<SequenceEntry>;  // for as many as stay near
+  using Room = LargeVector<SequenceEntry>;  // for as many as stay near
 
   std::uint64_t key(const SequenceEntry& entry) const {
     return static_cast<std::uint64_t>(entry.n) << address_bits_ | (entry.address - first_);
@@ -108,7 +109,7 @@ class Sorting {
   /// By counting some bits, the last first, in as few rounds as there are entries for. Those that
   /// are alike there stay in their order.
   void sort_near(Entries entries, int from_bit, int bits, Room& room) const {
-    constexpr int kWidest = 16;
+    constexpr int kWidest = 20;
     const int widest = std::min(static_cast<int>(std::bit_width(entries.size())), kWidest);
     Entries from = entries, to = Entries(room).first(entries.size());
     for (int bit = from_bit, width = 0; bit < bits; bit += width) {
