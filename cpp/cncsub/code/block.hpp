@@ -50,12 +50,14 @@ constexpr bool is_words(Op op) { return op <= Op::Arc; }
 
 /// A word's cell: its value, or the number of its expression.
 union Cell {
+  /// Addresses of a block.
+  struct Extra {
+    std::uint32_t expressions;  // those whose cell is an expression
+    std::uint32_t whole;        // those whose number has no point; and kPointedH
+  };
+
   double value;
-  struct {
-    std::uint32_t
-        expressions;      // of a block's extra cell: the addresses whose cell is an expression
-    std::uint32_t whole;  // and those whose number has no point; and kPointedH
-  } extra;
+  Extra extra;
   std::uint64_t expression;
 };
 

@@ -139,10 +139,10 @@ class Builder {
   void words(Block& block, const WordList& words);
   /// A word that the control reads and does not obey, of the block whose words come next.
   void drop(std::uint32_t at, std::uint32_t width) { code_.drops.push_back({0, at, width}); }
-  /// The same for a block of whole G codes, perhaps an M code (-1: none), and numbers, `values` by
-  /// letter.
+  /// The same for a block of whole G codes, perhaps an M code (-1: none), and `values` by letter:
+  /// those of the mask, expressions where `extra` says so.
   void plain_words(Block& block, std::span<const int> g, int m, std::uint32_t mask,
-                   const std::array<double, 26>& values);
+                   const Cell::Extra& extra, const std::array<Cell, 26>& values);
 
  private:
   template <class Record>
@@ -209,15 +209,17 @@ inline void write_code(Code& code, Block& block, int tenfold) {
 void write_codes(Code& code, Block& block, const CodeList& list);
 
 CNCSUB_ALWAYS_INLINE inline void Builder::plain_words(Block& block, std::span<const int> g, int m,
-                                                      std::uint32_t mask,
-                                                      const std::array<double, 26>& values) {
-  const auto write = [this](double value) {
-    Cell cell;  // NOLINT: written below
-    cell.value = value;
-    code_.cells.push_back(cell);
-  };
+                                                      std::uint32_t mask, const Cell::Extra& extra,
+                                                      const std::array<Cell, 26>& values) {
   block.mask = mask;
   block.data = static_cast<std::uint32_t>(code_.cells.size());
+  const bool numbers = (extra.expressions | extra.whole) == 0;
+  if (!numbers) {
+    Cell cell;  // NOLINT: written below
+    cell.extra = extra;
+    code_.cells.push_back(cell);
+    block.flags |= Block::kHasExtra;
+  }
   if (g.size() == 1 && m < 0) {
     write_code(code_, block, 10 * g.front());
   } else if (!g.empty() || m >= 0) {
@@ -227,8 +229,8 @@ CNCSUB_ALWAYS_INLINE inline void Builder::plain_words(Block& block, std::span<co
     write_codes(code_, block, list);
   }
   for (std::uint32_t left = mask; left != 0; left &= left - 1)
-    write(values[static_cast<std::size_t>(std::countr_zero(left))]);
-  if (m < 0 && g.size() < 2 && block.code_cells() == 0)
+    code_.cells.push_back(values[static_cast<std::size_t>(std::countr_zero(left))]);
+  if (numbers && m < 0 && g.size() < 2 && block.code_cells() == 0)
     mark_move(block, g.empty() ? -1 : g.front());
 }
 

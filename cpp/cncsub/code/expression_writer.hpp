@@ -26,6 +26,8 @@ class OpenInstructions {
   ExpressionCell* top() const { return top_; }
   void set_top(ExpressionCell* top) { top_ = top; }
   const ExpressionCell* limit() const { return limit_; }
+  /// Where there is room.
+  void put(ExpressionCell cell) { *top_++ = cell; }
   void make_room();
 
   std::uint32_t place_of(const ExpressionCell* at) const {

@@ -9,7 +9,7 @@
 namespace cncsub {
 
 std::optional<std::uint32_t> ExpressionReader::word_value(Scanner& s, char address) {
-  e_.begin(s, address);
+  e_.out.begin(address);
   s.blanks();
   const std::uint32_t at = s.offset();
   const bool negative = s.take('-');
@@ -20,7 +20,11 @@ std::optional<std::uint32_t> ExpressionReader::word_value(Scanner& s, char addre
     Fault wrong = e_.rules.code.lacking_fault(kind, at);
     return e_.out.refuse(wrong.cause, at, std::move(wrong.detail));
   }
-  Value value = variable ? operand_alone() : bracket();
+  Value value = taken(s, variable ? plain_.variable(s) : plain_.bracket(s));
+  if (!value) {
+    e_.begin(s, address);
+    value = variable ? operand_alone() : bracket();
+  }
   if (!value) return std::nullopt;
   if (!e_.out.is_number(value))
     return e_.out.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
@@ -30,12 +34,16 @@ std::optional<std::uint32_t> ExpressionReader::word_value(Scanner& s, char addre
 }
 
 std::optional<std::uint32_t> ExpressionReader::condition(Scanner& s) {
-  e_.begin(s);
+  e_.out.begin(0);
   s.blanks();
   const std::uint32_t at = s.offset();
   if (!e_.rules.bare && s.peek() != '[')
     return e_.out.refuse(Cause::ExpressionFormat, at, "a condition stands in brackets");
-  Value value = e_.rules.bare ? expression() : bracket();
+  Value value = taken(s, e_.rules.bare ? plain_.read(s) : plain_.bracket(s));
+  if (!value) {
+    e_.begin(s);
+    value = e_.rules.bare ? expression() : bracket();
+  }
   if (!value) return std::nullopt;
   const int most = e_.rules.control.macros.max_condition_length.value;
   if (most > 0 && s.offset() - at > static_cast<std::uint32_t>(most))

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cncsub/dialect/iso/open_expression.hpp"
+#include "cncsub/dialect/iso/plain_expression.hpp"
 
 namespace cncsub {
 
@@ -12,7 +13,7 @@ namespace cncsub {
 /// all of a tape, an expression after the other; what is read is passed over by the scanner.
 class ExpressionReader {
  public:
-  ExpressionReader(Builder& to, const ExpressionRules& rules) : e_(to, rules) {}
+  ExpressionReader(Builder& to, const ExpressionRules& rules) : e_(to, rules), plain_(e_.out) {}
 
   const ExpressionRules& rules() const { return e_.rules; }
   /// An expression that gives a number; nothing where it is faulty (see `fault`). Reads as far as
@@ -38,10 +39,17 @@ class ExpressionReader {
     return Variable{number, 0};
   }
 
+  /// Whether comments may stand in or behind the number that was read last.
+  bool comments() const { return comments_; }
   /// What is wrong with the expression that was read last.
   const Fault& fault() const { return e_.out.fault(); }
 
  private:
+  /// The value of what is that plain, which is passed over.
+  static Value taken(Scanner& s, const PlainValue& plain) {
+    if (plain.value) s.at = plain.at;
+    return plain.value;
+  }
   Value expression() { return values(e_.last, false); }
   Value operand_alone() { return values(e_.last, true); }
   Value bracket();
@@ -49,13 +57,20 @@ class ExpressionReader {
   std::optional<Variable> other_target(Scanner& s, std::uint32_t hash);
 
   OpenExpression e_;
+  PlainExpression plain_;
+  bool comments_ = true;
 };
 
 inline std::optional<std::uint32_t> ExpressionReader::number(Scanner& s) {
-  e_.begin(s);
+  e_.out.begin(0);
   s.blanks();
   const std::uint32_t at = s.offset();
-  Value value = expression();
+  Value value = taken(s, plain_.read(s));
+  comments_ = !value || plain_.comments();
+  if (!value) {
+    e_.begin(s);
+    value = expression();
+  }
   if (!value) return std::nullopt;
   if (!e_.out.is_number(value))
     return e_.out.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");

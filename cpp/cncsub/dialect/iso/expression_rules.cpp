@@ -60,11 +60,14 @@ ExpressionRules::ExpressionRules(const Code& of)
       most_variable_digits(indirect ? 0 : kMostVariableDigits) {
   for (const FunctionName& of_name : kFunctions) {
     const std::string_view name = name_of(of_name.function);
-    if (name.size() != 3 || !has(of_name.function)) continue;
-    std::size_t slot = slot_of(packed(name[0], name[1], name[2]));
+    if (name.size() > kLongest || !has(of_name.function)) continue;
+    if (!std::all_of(name.begin(), name.end(), is_letter)) continue;
+    std::uint64_t letters = 0;
+    for (std::size_t i = 0; i < name.size(); ++i) letters |= letter(name[i]) << 8 * i;
+    std::size_t slot = slot_of(letters);
     static_assert(std::size(kFunctions) < kSlots);
     while (short_names_[slot] != 0) slot = (slot + 1) % kSlots;
-    short_names_[slot] = packed(name[0], name[1], name[2]);
+    short_names_[slot] = letters;
     short_functions_[slot] = &of_name;
   }
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -40,27 +41,37 @@ struct ExpressionRules {
   bool has(Function function) const { return control.macros.functions.value.has(function); }
   /// The function of this name, or of the name that it abbreviates; null where there is none.
   const FunctionName* function(std::string_view name) const;
-  /// The function whose name is these three letters, null where there is none.
-  const FunctionName* short_function(char a, char b, char c) const {
-    const std::uint32_t name = packed(a, b, c);
-    for (std::size_t slot = slot_of(name);; slot = (slot + 1) % kSlots)
-      if (short_names_[slot] == name || short_names_[slot] == 0) return short_functions_[slot];
+  /// The function whose name of up to five letters begins at `at`, and ends before a bracket; null
+  /// where there is none. `width`: how many characters that is, with the bracket.
+  const FunctionName* function_at(const char* at, const char* end, int& width) const {
+    if (end - at > 3 && at[3] == '[') {
+      width = 4;
+      return packed(letter(at[0]) | letter(at[1]) << 8 | letter(at[2]) << 16);
+    }
+    std::uint64_t name = 0;
+    for (width = 0; width <= kLongest && is_letter(at[width]); ++width)
+      name |= letter(at[width]) << 8 * width;
+    return at[width++] == '[' ? packed(name) : nullptr;
   }
 
  private:
   static constexpr std::size_t kSlots = 64;
+  static constexpr int kLongest = 5;  // letters of the longest of those
 
-  /// Small letters are as capital ones, and no other character becomes a letter.
-  static constexpr std::uint32_t packed(char a, char b, char c) {
-    const auto byte = [](char of) { return std::uint32_t{static_cast<unsigned char>(of)}; };
-    return (byte(a) | byte(b) << 8 | byte(c) << 16) & 0xDFDFDFU;
+  const FunctionName* packed(std::uint64_t name) const {
+    for (std::size_t slot = slot_of(name);; slot = (slot + 1) % kSlots)
+      if (short_names_[slot] == name || short_names_[slot] == 0) return short_functions_[slot];
   }
-  static constexpr std::size_t slot_of(std::uint32_t name) {
-    return (name ^ name >> 6 ^ name >> 13) % kSlots;
+  static constexpr std::uint64_t letter(char of) {
+    return std::uint64_t{static_cast<unsigned char>(upper(of))};
+  }
+  static constexpr std::size_t slot_of(std::uint64_t name) {
+    return (name ^ name >> 6 ^ name >> 13 ^ name >> 27) % kSlots;
   }
 
-  // Functions of three letters, each in the first free slot from its own on; fewer than there are.
-  std::array<std::uint32_t, kSlots> short_names_{};
+  // Functions of up to five letters, each in the first free slot from its own on; fewer than there
+  // are.
+  std::array<std::uint64_t, kSlots> short_names_{};
   std::array<const FunctionName*, kSlots> short_functions_{};
 };
 

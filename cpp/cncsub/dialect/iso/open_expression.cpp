@@ -57,6 +57,13 @@ Value negated(OpenExpression& e, const Waiting& of, Value value) {
   return value;
 }
 
+/// What a function makes of its arguments.
+Value function(OpenExpression& e, const Waiting& of) {
+  const Ins op = of.second ? of.function->two : of.function->one;
+  e.out.emit(op == Ins::Round && e.out.in_word() ? Ins::RoundWord : op, of.at);
+  return Value::number();
+}
+
 /// ATAN[a]/[b], ATAN[a,b] and ATAN[a].
 Value arc_tangent(OpenExpression& e, const Waiting& of) {
   Scanner ahead = *e.s;
@@ -99,7 +106,8 @@ Value not_closed(OpenExpression& e, Waiting& of, bool argument) {
   return {};
 }
 
-Value other_closed(OpenExpression& e, const Waiting& of, Value value) {
+Value closed(OpenExpression& e, const Waiting& of, Value value) {
+  if (of.kind == Waiting::Kind::Function) return function(e, of);
   if (of.kind == Waiting::Kind::ArcTangent) return arc_tangent(e, of);
   if (!e.out.arithmetic(value, e.s->offset())) return {};
   const bool indirect = of.kind == Waiting::Kind::Indirect;

@@ -69,14 +69,14 @@ struct OpenExpression {
   bool closes();
 };
 
-// What is not written in the plainest way, from where the scanner stands.
+// What is read from where the scanner stands.
 
 /// An operand, or what opens before one.
-Value other_operand(OpenExpression& e);
+Value operand(OpenExpression& e);
 /// A word: a function, a value with a name, NOT.
 Value word(OpenExpression& e);
 /// A variable.
-Value other_variable(OpenExpression& e);
+Value variable(OpenExpression& e);
 /// The number of a variable that is not in brackets, where it is written behind the #; else
 /// kComputed, and instructions give it.
 std::optional<std::int64_t> variable_number(OpenExpression& e, std::uint32_t at);
@@ -87,7 +87,7 @@ Value prefixed(OpenExpression& e, Value value);
 /// What stands behind an argument or a value in brackets and does not close them: a comma, or the
 /// expression is refused.
 Value not_closed(OpenExpression& e, Waiting& of, bool argument);
-/// What is made of the value in brackets that are neither a function's nor stand alone.
-Value other_closed(OpenExpression& e, const Waiting& of, Value value);
+/// What is made of the value in brackets that do not stand alone.
+Value closed(OpenExpression& e, const Waiting& of, Value value);
 
 }  // namespace cncsub

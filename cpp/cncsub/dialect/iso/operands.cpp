@@ -1,4 +1,4 @@
-// Operands that are not written in the plainest way.
+// Operands, and what opens before one.
 #include <string>
 
 #include "cncsub/dialect/iso/open_expression.hpp"
@@ -7,8 +7,7 @@ namespace cncsub {
 
 namespace {
 
-/// A number with a gap in it, or one that is wrong.
-Value other_constant(OpenExpression& e) {
+Value constant(OpenExpression& e) {
   const std::uint32_t at = e.s->offset();
   const Number number = scan_number(*e.s);
   if (number.points > 1)
@@ -47,16 +46,16 @@ Refused no_operand(OpenExpression& e) {
 
 }  // namespace
 
-Value other_operand(OpenExpression& e) {
+Value operand(OpenExpression& e) {
   if (e.s->at != e.s->end && begins_gap(*e.s->at)) {
     e.s->pass_gap();
     return e.s->at == e.s->end ? no_operand(e) : Value::awaited();
   }
   const char c = e.s->peek();
-  if (c == '#') return other_variable(e);
+  if (c == '#') return variable(e);
   if (c == '[') return e.open(Waiting::Kind::Bracket, e.s->offset());
   if (c == '-' || c == '+') return sign(e);
-  if (is_digit(c) || c == '.') return other_constant(e);
+  if (is_digit(c) || c == '.') return constant(e);
   if (is_letter(c)) return word(e);
   return no_operand(e);
 }

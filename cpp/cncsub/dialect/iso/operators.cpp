@@ -11,7 +11,7 @@ constexpr OperatorName kSymbols[] = {{"==", Ins::Equal, 0, 1},        {"<>", Ins
                                      {">", Ins::Greater, 0, 1},       {"<", Ins::Less, 0, 1}};
 
 template <std::size_t N>
-const OperatorName* find_operator(const OperatorName (&names)[N], Scanner s) {
+const OperatorName* find_in(const OperatorName (&names)[N], Scanner s) {
   const char c = s.peek();
   for (const OperatorName& of : names)
     if (of.text[0] == c && s.take_word(of.text)) return &of;
@@ -46,14 +46,14 @@ class Lookahead {
   }
 
   bool compares() const {
-    const OperatorName* found = find_operator(kOperators, s_);
+    const OperatorName* found = find_in(kOperators, s_);
     const bool own = depth_ == 0 || (bracket_ && depth_ == 1 && deepest_ == 1);
     return own && found != nullptr && found->compares();
   }
 
   /// A logic operator, or a word that is none: what was behind the first one ends.
   bool joins() const {
-    const OperatorName* found = find_operator(kOperators, s_);
+    const OperatorName* found = find_in(kOperators, s_);
     return depth_ == 0 && (found == nullptr || found->op != Ins::Modulo);
   }
 
@@ -86,13 +86,28 @@ Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value righ
   return Value::condition();
 }
 
-/// Joins two values; the left one waited for the right one.
+Value calculate(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left, Value right,
+                std::uint32_t end) {
+  const bool constant = right.is_constant() && of.other != Ins::End;
+  const std::uint32_t last = constant ? right.place() : 0;
+  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
+  OpenInstructions& written = out.instructions();
+  if (!constant || (of.op == Ins::Divide && written.value(last) == 0)) {
+    out.emit(of.op, at);
+  } else {
+    written.set_op(last, of.other);
+    written.set_at(last, at);
+  }
+  return Value::number();
+}
+
 }  // namespace
 
-const OperatorName* find_other_operator(const ExpressionRules& rules, const Scanner& s) {
-  if (const OperatorName* found = find_operator(kOperators, s))
+const OperatorName* find_operator(const ExpressionRules& rules, const Scanner& s) {
+  if (const OperatorName* const sign = find_in(kArithmetic, s)) return sign;
+  if (const OperatorName* const found = find_in(kOperators, s))
     return found->op == Ins::Modulo && !rules.modulo ? nullptr : found;
-  return rules.symbols ? find_operator(kSymbols, s) : nullptr;
+  return rules.symbols ? find_in(kSymbols, s) : nullptr;
 }
 
 bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
@@ -106,8 +121,9 @@ bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
   return !Lookahead(behind).finds_condition();
 }
 
-Value apply_other(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left,
-                  Value right, std::uint32_t end) {
+Value apply(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left, Value right,
+            std::uint32_t end) {
+  if (of.is_arithmetic()) return calculate(out, of, at, left, right, end);
   if (of.compares()) return compare(out, of.op, at, left, right, end);
   if (left.is_condition() && right.is_condition()) {
     if (!out.rules().joined)

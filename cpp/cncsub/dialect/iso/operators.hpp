@@ -42,22 +42,6 @@ inline constexpr OperatorName kOperators[] = {{"AND", Ins::And, 2, 0, Ins::BothT
 
 constexpr int kTightest = 3;  // of the levels where logic binds last
 
-// Those of two letters, by some bits of them.
-constexpr std::size_t place_of(char a, char b) {
-  return (static_cast<std::size_t>(a) % 32) * 32 + static_cast<std::size_t>(b) % 32;
-}
-inline constexpr auto kShortOperators = [] {
-  std::array<const OperatorName*, std::size_t{32} * 32> by_letters{};
-  for (const OperatorName& of : kOperators)
-    if (of.text.size() == 2) by_letters[place_of(of.text[0], of.text[1])] = &of;
-  return by_letters;
-}();
-/// The operator whose name is these two letters; null where none is, or letters are small.
-inline const OperatorName* short_operator(char a, char b) {
-  const OperatorName* const of = kShortOperators[place_of(a, b)];
-  return of != nullptr && of->text[0] == a && of->text[1] == b ? of : nullptr;
-}
-
 /// What waits for a value on its right.
 struct Waiting {  // NOLINT(*-member-init): for its right value
   enum class Kind : std::uint8_t {
@@ -82,15 +66,15 @@ struct Waiting {  // NOLINT(*-member-init): for its right value
   bool second;  // of a function: the second argument is read
 };
 
-/// An operator that is no sign of arithmetic; null where none stands here.
-const OperatorName* find_other_operator(const ExpressionRules& rules, const Scanner& s);
+/// The operator that stands here; null where none does.
+const OperatorName* find_operator(const ExpressionRules& rules, const Scanner& s);
 /// Whether logic behind a value binds as that of numbers, which counts where that binds first. It
 /// counts whether the value is the right side of a comparison: `#1EQ3AND#2EQ4` joins two,
 /// `3EQ#1AND3` is one.
 bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
                    std::span<const Waiting> waiting);
-/// Compares two values or joins them by logic, by the operator at `at`.
-Value apply_other(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left,
-                  Value right, std::uint32_t end);
+/// Joins two values by the operator at `at`; `end`: behind them.
+Value apply(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left, Value right,
+            std::uint32_t end);
 
 }  // namespace cncsub

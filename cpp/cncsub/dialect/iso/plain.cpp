@@ -19,11 +19,10 @@ constexpr std::uint64_t kMostM = 1000;
 }  // namespace
 
 struct PlainReader::Words {
-  std::array<double, 26> values;              // NOLINT: written where the mask says so
-  std::array<std::uint32_t, 26> expressions;  // NOLINT: the same for those of `computed`
-  std::uint32_t mask = 0, computed = 0;
-  std::uint32_t whole = 0;  // those that count in increments
-  std::array<int, 12> g;    // NOLINT: the first of them
+  std::array<Cell, 26> values;  // NOLINT: written where the mask says so
+  std::uint32_t mask = 0;
+  Cell::Extra extra{};    // `whole`: those that count in increments
+  std::array<int, 12> g;  // NOLINT: the first of them
   std::size_t g_count = 0;
   bool dwell = false;
   int m = -1;
@@ -77,10 +76,10 @@ inline bool PlainReader::take_value(Words& words, char letter, bool negative,
   // Signs come as they like: nothing branches on them.
   const double value =
       static_cast<double>(static_cast<std::int64_t>(number.value)) / kPowersOfTen[number.decimals];
-  words.values[static_cast<std::size_t>(letter - 'A')] = std::bit_cast<double>(
+  words.values[static_cast<std::size_t>(letter - 'A')].value = std::bit_cast<double>(
       std::bit_cast<std::uint64_t>(value) ^ static_cast<std::uint64_t>(negative) << 63);
   words.mask |= mark;
-  words.whole |= counts ? mark : 0;
+  words.extra.whole |= counts ? mark : 0;
   return true;
 }
 
@@ -141,9 +140,9 @@ bool PlainReader::take_computed(Words& words, char letter, const char*& at, Scan
   s.at = at;
   const auto expression = expressions_.word_value(s, letter);
   if (!expression) return false;
-  words.expressions[static_cast<std::size_t>(letter - 'A')] = *expression;
+  words.values[static_cast<std::size_t>(letter - 'A')].expression = *expression;
   words.mask |= mark;
-  words.computed |= mark;
+  words.extra.expressions |= mark;
   at = s.at;
   return true;
 }
@@ -172,25 +171,8 @@ CNCSUB_ALWAYS_INLINE inline bool PlainReader::take_words(Scanner& s, Words& word
 /// Whether a dwell is one value and nothing else of which a point tells something.
 bool PlainReader::is_plain_dwell(const Scanner& s, const Words& words) {
   const std::string_view text(s.at, static_cast<std::size_t>(s.end - s.at));
-  return std::has_single_bit(words.mask) && words.computed == 0 &&
+  return std::has_single_bit(words.mask) && words.extra.expressions == 0 &&
          text.find('(') == std::string_view::npos;
-}
-
-/// Words of which some are computed or `whole`: numbers without a point that count otherwise.
-void PlainReader::write_list(const Words& words, std::uint32_t whole, Block& block) {
-  WordList list;
-  for (std::size_t i = 0; i < words.g_count; ++i) list.add_g({false, 0, words.g[i] * 10.0});
-  if (words.m >= 0) list.add_m({false, 0, static_cast<double>(words.m)});
-  for (std::uint32_t left = words.mask; left != 0; left &= left - 1) {
-    const int place = std::countr_zero(left);
-    const auto at = static_cast<std::size_t>(place);
-    const bool computed = (words.computed >> place & 1) != 0;
-    list.set(place,
-             computed ? WordValue{true, words.expressions[at], 0}
-                      : WordValue{false, 0, words.values[at]},
-             (whole >> place & 1) != 0);
-  }
-  to_.words(block, list);
 }
 
 /// An assignment behind its N.
@@ -240,11 +222,9 @@ bool PlainReader::read(Scanner& s, Block& block) {
   }
   block.n = words.n;
   if (words.dwell && whole_dwell_ && std::find(first, s.end, '.') == s.end)
-    words.whole = words.mask;
-  if (words.dwell || (words.computed | words.whole) != 0)
-    write_list(words, words.whole, block);
-  else
-    to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask, words.values);
+    words.extra.whole = words.mask;
+  to_.plain_words(block, {words.g.data(), words.g_count}, words.m, words.mask, words.extra,
+                  words.values);
   return true;
 }
 

@@ -37,7 +37,6 @@ class PlainReader {
   bool take_words(Scanner& s, Words& words);
   bool take_computed(Words& words, char letter, const char*& at, Scanner& s);
   static bool is_plain_dwell(const Scanner& s, const Words& words);
-  void write_list(const Words& words, std::uint32_t whole, Block& block);
 
   Builder& to_;
   const BlockRules& rules_;

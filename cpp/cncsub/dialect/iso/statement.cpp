@@ -166,7 +166,7 @@ void StatementReader::assignment(bool bracketed) {
   Assigned assigned = assigned_by(expressions_.rules(), *variable, *value);
   assigned.at = at - block_.text;
   assigned.width = width;
-  const bool kept = assigned.target <= Statement::Target::Common;
+  const bool kept = assigned.target <= Statement::Target::Common || !expressions_.comments();
   const std::string_view comment =
       kept ? std::string_view() : comment_in({s_.file + code_.expression(*value).at(), s_.end});
   if (comment.empty() && assigned.fits()) return set(block_, assigned, *value);

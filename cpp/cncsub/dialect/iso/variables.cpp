@@ -23,7 +23,7 @@ std::optional<std::int64_t> written_number(OpenExpression& e) {
 
 }  // namespace
 
-Value other_variable(OpenExpression& e) {
+Value variable(OpenExpression& e) {
   const std::uint32_t at = e.s->offset();
   ++e.s->at;
   std::uint32_t plain = 0;
