@@ -223,12 +223,12 @@ PlainValue PlainExpression::values(PlainValue read, int brackets) {
     }
   };
   for (;;) {
-    if (written_.top() > written_.limit()) written_.make_room();
     if (read.value.is_awaited()) {
       pass_gap(read.at);
       read = operand(read.at, brackets);
       if (!read.value) return {};
     }
+    if (written_.top() > written_.limit()) written_.make_room();
     const OperatorName* const next = next_operator(read.at);
     int level = next == nullptr ? 0 : rules_.alike ? next->alike : next->last;
     if (next != nullptr && rules_.numbers_first && next->is_logic()) {
