@@ -4,14 +4,12 @@
 #include <bit>
 #include <string_view>
 
-#include "cncsub/dialect/iso/statement.hpp"
 #include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
 
 namespace {
 
-constexpr int kLongest = 200;  // bytes; a plain block is short
 constexpr int kMostWords = 20;
 constexpr std::size_t kDwell = 4;  // of G04 it counts whether a value has a point
 constexpr std::uint64_t kMostM = 1000;
@@ -203,12 +201,8 @@ bool PlainReader::read_skipped(Scanner& s, Block& block) {
   return true;
 }
 
-bool PlainReader::read(Scanner& s, Block& block) {
+bool PlainReader::read_words(Scanner& s, Block& block) {
   if (s.end - s.at >= kLongest) return false;
-  if (*s.at == '#' && assigns_) {
-    StatementReader(to_, expressions_, s, block).assign();
-    return true;
-  }
   if (*s.at == '/') return read_skipped(s, block);
   if (*s.at == 'N' && assigns_ && numbered_assignment(s, block)) return true;
   Words words;  // NOLINT(cppcoreguidelines-pro-type-member-init)

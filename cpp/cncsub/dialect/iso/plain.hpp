@@ -10,7 +10,7 @@
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/dialect/iso/block_rules.hpp"
-#include "cncsub/dialect/iso/expression.hpp"
+#include "cncsub/dialect/iso/statement.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
@@ -20,9 +20,15 @@ class PlainReader {
   PlainReader(Builder& to, const BlockRules& rules, ExpressionReader& expressions);
   /// Compiles a block that is that plain. False where it is not: it is left to the general way,
   /// which gives the same code, and the scanner stands where it stood.
-  bool read(Scanner& s, Block& block);
+  bool read(Scanner& s, Block& block) {
+    if (*s.at != '#' || !assigns_ || s.end - s.at >= kLongest) return read_words(s, block);
+    StatementReader(to_, expressions_, s, block).assign();
+    return true;
+  }
 
  private:
+  static constexpr int kLongest = 200;  // bytes; a plain block is short
+
   enum class Kind : std::uint8_t { No, Comment, Value, G, M, N };
   struct Words;
 
@@ -32,6 +38,7 @@ class PlainReader {
   bool take_g(Words& words, const Mantissa& number) const;
   bool take_m(Words& words, const Mantissa& number) const;
   bool take_n(Words& words, const Mantissa& number) const;
+  bool read_words(Scanner& s, Block& block);
   bool read_skipped(Scanner& s, Block& block);
   bool numbered_assignment(Scanner& s, Block& block);
   bool take_words(Scanner& s, Words& words);
