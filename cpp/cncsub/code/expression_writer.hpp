@@ -33,6 +33,8 @@ class OpenInstructions {
   std::uint32_t place_of(const ExpressionCell* at) const {
     return static_cast<std::uint32_t>(at - first_);
   }
+  /// The place of the next one.
+  std::uint32_t next() const { return place_of(top_); }
   /// The operation of the instruction at a place.
   Ins op(std::uint32_t place) const { return first_[place].op(); }
   /// The value of one that holds it.
@@ -83,7 +85,7 @@ class ExpressionWriter {
   OpenInstructions& open() { return open_; }
   void begin() { open_.begin(); }
   /// The place of the next instruction.
-  std::uint32_t next() const { return open_.place_of(open_.top()); }
+  std::uint32_t next() const { return open_.next(); }
   void emit(const Instruction& instruction) {
     put(ExpressionCell::of(instruction));
     if (held_by(instruction.op) == Holds::Value) put(ExpressionCell::of(instruction.value));

@@ -34,8 +34,13 @@ const OperatorName* named_operator(const char* at) {
   return of->text.size() == 2 || of->text[2] == at[2] ? of : nullptr;
 }
 
-/// How tightly an operator binds, one by one.
-constexpr int kLevels = kTightest + 1;
+constexpr std::size_t kLevels = kTightest + 1;
+/// How tightly an operator binds, but for logic of numbers where that binds first. Nothing binds as
+/// loosely as null, the end.
+int level_of(const ExpressionRules& rules, const OperatorName* of) {
+  if (of == nullptr) return 0;
+  return rules.alike ? of->alike : of->last;
+}
 
 }  // namespace
 
@@ -47,6 +52,14 @@ struct PlainExpression::Waiting {
   int level;
 };
 
+/// What waits as far as `last`, a value behind it, and the level at which the operator behind that
+/// binds. No value where what stands behind the operator tells.
+struct PlainExpression::Logic {
+  Waiting* last;
+  Value value;
+  int level;
+};
+
 // ---- operands ----
 
 CNCSUB_ALWAYS_INLINE inline PlainValue PlainExpression::constant(const char* at) {
@@ -54,7 +67,7 @@ CNCSUB_ALWAYS_INLINE inline PlainValue PlainExpression::constant(const char* at)
   const Mantissa m = scan_mantissa(end);
   const std::ptrdiff_t digits = m.whole + m.decimals;
   if (digits == 0 || digits > rules_.most_digits || *end == '.') return {};
-  const Value value = Value::constant(place());
+  const Value value = Value::constant(written_.next());
   put(Ins::Constant, offset(at));
   const auto whole = static_cast<double>(static_cast<std::int64_t>(m.value));
   written_.put(ExpressionCell::of(whole / kPowersOfTen[m.decimals]));
@@ -70,7 +83,7 @@ CNCSUB_ALWAYS_INLINE inline PlainValue PlainExpression::written_variable(const c
   const NearRange* const near = rules_.code.near.find(number);
   if (near == nullptr && rules_.indirect) return {};
   if (near == nullptr) return {at, out_.load(number, offset(first) - 1)};
-  const Value value = Value::variable(place());
+  const Value value = Value::variable(written_.next());
   written_.put(ExpressionCell::of(near->raw, near->base + number - near->first, number));
   return {at, value};
 }
@@ -113,9 +126,9 @@ CNCSUB_ALWAYS_INLINE inline PlainValue PlainExpression::opened(const char* at, i
   if (of.width == 0) return {};
   PlainValue read = bracketed(at + of.width, brackets + 1);
   if (of.op == Ins::End || !read.value) return read;
-  if (!arithmetic(read.value)) return {};
+  if (!out_.arithmetic(read.value, 0)) return {};
   if (of.op == Ins::Atan) return arc_tangent(read.at, offset(at), brackets);
-  read.value = of.op == Ins::IndirectRaw ? Value::variable(place()) : Value::number();
+  read.value = of.op == Ins::IndirectRaw ? Value::variable(written_.next()) : Value::number();
   put(of.op, offset(at));
   return read;
 }
@@ -128,7 +141,7 @@ PlainValue PlainExpression::arc_tangent(const char* at, std::uint32_t of, int br
   PlainValue read{at, Value::number()};
   if (slash && at[0] == '/' && begins_gap(at[1])) return {};
   if (two) read = bracketed(at + 2, brackets + 1);
-  if (!read.value || !arithmetic(read.value)) return {};
+  if (!read.value || !out_.arithmetic(read.value, 0)) return {};
   put(two ? Ins::Atan2 : Ins::Atan, of);
   return {read.at, Value::number()};
 }
@@ -136,7 +149,7 @@ PlainValue PlainExpression::arc_tangent(const char* at, std::uint32_t of, int br
 /// What a sign at `at` makes of the value behind it.
 Value PlainExpression::with_sign(bool negative, Value value, std::uint32_t at) {
   if (value.is_constant()) return negative ? out_.negated(value, at) : value;
-  if (!arithmetic(value)) return {};
+  if (!out_.arithmetic(value, 0)) return {};
   if (negative) put(Ins::Negate, at);
   return Value::number();
 }
@@ -174,11 +187,6 @@ CNCSUB_ALWAYS_INLINE inline const OperatorName* PlainExpression::next_operator(c
   return of != nullptr && of->op == Ins::Modulo && !rules_.modulo ? nullptr : of;
 }
 
-/// A vacant variable counts as 0. False of a condition.
-CNCSUB_ALWAYS_INLINE inline bool PlainExpression::arithmetic(Value& value) {
-  return value.is_number() && out_.arithmetic(value, 0);
-}
-
 /// Compares two values, or joins two conditions or the bits of two numbers.
 Value PlainExpression::logic(const OperatorName& of, std::uint32_t at, Value left, Value right) {
   const bool equal = of.op == Ins::Equal || of.op == Ins::NotEqual;
@@ -189,8 +197,8 @@ Value PlainExpression::logic(const OperatorName& of, std::uint32_t at, Value lef
     return Value::condition();
   }
   const bool tells_vacant = equal && rules_.distinguishes_vacant;
-  if (tells_vacant ? !left.is_number() || !right.is_number()
-                   : !arithmetic(left) || !arithmetic(right))
+  if (tells_vacant ? !out_.is_number(left) || !out_.is_number(right)
+                   : !out_.arithmetic(left, 0) || !out_.arithmetic(right, 0))
     return {};
   put(of.op, at);
   return of.compares() ? Value::condition() : Value::number();
@@ -201,7 +209,7 @@ CNCSUB_ALWAYS_INLINE inline Value PlainExpression::apply(const OperatorName& of,
   if (!of.is_arithmetic()) return logic(of, at, left, right);
   const bool constant = right.is_constant() && of.other != Ins::End;
   const std::uint32_t last = constant ? right.place() : 0;
-  if (!arithmetic(left) || !arithmetic(right)) return {};
+  if (!out_.arithmetic(left, 0) || !out_.arithmetic(right, 0)) return {};
   if (!constant || (of.op == Ins::Divide && written_.value(last) == 0)) {
     put(of.op, at);
   } else {
@@ -211,17 +219,32 @@ CNCSUB_ALWAYS_INLINE inline Value PlainExpression::apply(const OperatorName& of,
   return Value::number();
 }
 
+/// Joins a value with what waits from `first` to `last` and binds as closely.
+CNCSUB_ALWAYS_INLINE inline Value PlainExpression::join(const Waiting* first, Waiting*& last,
+                                                        Value value, int level) {
+  while (last != first && last[-1].level >= level && value) {
+    --last;
+    value = apply(*last->of, last->at, last->left, value);
+  }
+  return value;
+}
+
+/// Logic where that of numbers binds first. Of the right side of a comparison what stands behind
+/// tells whether it is of numbers.
+PlainExpression::Logic PlainExpression::logic_behind(const OperatorName& of, const Waiting* first,
+                                                     Waiting* last, Value value) {
+  value = join(first, last, value, of.alike + 1);
+  if (!value.is_number()) return {last, value, of.last};
+  const bool compared = std::any_of(first, static_cast<const Waiting*>(last),
+                                    [](const Waiting& waiting) { return waiting.of->compares(); });
+  return {last, compared ? Value() : value, of.alike + 1};
+}
+
 /// Operands and operators, and what stands in brackets between them; the first operand where it is
-/// not read.
+/// not read. Each operator that waits binds more closely than the one before.
 PlainValue PlainExpression::values(PlainValue read, int brackets) {
   std::array<Waiting, kLevels> all;  // NOLINT(*-member-init): as far as `last`
   Waiting* last = all.data();
-  const auto join = [&](int level) {
-    while (last != all.data() && last[-1].level >= level && read.value) {
-      --last;
-      read.value = apply(*last->of, last->at, last->left, read.value);
-    }
-  };
   for (;;) {
     if (read.value.is_awaited()) {
       pass_gap(read.at);
@@ -230,16 +253,14 @@ PlainValue PlainExpression::values(PlainValue read, int brackets) {
     }
     if (written_.top() > written_.limit()) written_.make_room();
     const OperatorName* const next = next_operator(read.at);
-    int level = next == nullptr ? 0 : rules_.alike ? next->alike : next->last;
+    int level = level_of(rules_, next);
     if (next != nullptr && rules_.numbers_first && next->is_logic()) {
-      join(next->alike + 1);
-      if (read.value.is_number()) level = next->alike + 1;
-      // Whether the number is the right side of a comparison, what stands behind tells.
-      if (level > 0 &&
-          std::any_of(all.data(), last, [](const Waiting& left) { return left.of->compares(); }))
-        return {};
+      const Logic logic = logic_behind(*next, all.data(), last, read.value);
+      last = logic.last;
+      read.value = logic.value;
+      level = logic.level;
     }
-    join(level);
+    read.value = join(all.data(), last, read.value, level);
     if (!read.value) return {};
     if (next == nullptr) return read;
     last->left = read.value;

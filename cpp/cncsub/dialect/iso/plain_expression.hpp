@@ -34,7 +34,7 @@ class PlainExpression {
 
  private:
   struct Waiting;
-
+  struct Logic;
   struct Opening {
     int width = 0;  // 0: nothing opens
     Ins op{};       // of what is in the brackets, End where they are nothing but brackets
@@ -47,7 +47,6 @@ class PlainExpression {
     comments_ = false;
   }
   std::uint32_t offset(const char* at) const { return static_cast<std::uint32_t>(at - file_); }
-  std::uint32_t place() const { return written_.place_of(written_.top()); }
   void put(Ins op, std::uint32_t at) { written_.put(ExpressionCell::of(op, address_, at)); }
 
   PlainValue values(PlainValue read, int brackets);
@@ -63,8 +62,9 @@ class PlainExpression {
   void pass_gap(const char*& at);
   const char* behind_gap(const char* at);
   const OperatorName* next_operator(const char*& at);
-  bool arithmetic(Value& value);
   Value logic(const OperatorName& of, std::uint32_t at, Value left, Value right);
+  Value join(const Waiting* first, Waiting*& last, Value value, int level);
+  Logic logic_behind(const OperatorName& of, const Waiting* first, Waiting* last, Value value);
   Value apply(const OperatorName& of, std::uint32_t at, Value left, Value right);
 
   ValueWriter& out_;

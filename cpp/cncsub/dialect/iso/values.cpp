@@ -70,7 +70,7 @@ class ValueLoop {
     return Value::awaited();
   }
 
-  bool is_of_numbers(const OperatorName& of, const Value& value) {
+  bool is_of_numbers(const OperatorName& of, const Value& value) const {
     const Waiting* first = e_.last;
     while (first[-1].level > Waiting::kOpening) --first;
     return cncsub::is_of_numbers(*e_.s, of, value, {first, e_.last});
