@@ -173,6 +173,7 @@ class Pool {
   }
 
   void help() {
+    system::open_files_apart();
     work([this](std::size_t) { return stop_.load(std::memory_order_relaxed); });
     const std::scoped_lock lock(mutex_);
     --busy_;

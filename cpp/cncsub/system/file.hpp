@@ -40,4 +40,10 @@ class File {
   int error_ = 0;
 };
 
+/// For a thread that opens many files and ends soon: the system finds and gives back their numbers
+/// in one table of the process, where several threads wait for each other. From here on this thread
+/// has a table of its own, in which only what a process begins with is open: nothing that others
+/// opened is kept open by it, nor may be used. Nothing happens on a system that has no such thing.
+void open_files_apart();
+
 }  // namespace cncsub::system
