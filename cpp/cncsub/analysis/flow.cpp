@@ -21,7 +21,7 @@ std::string_view to_string(Way way) {
 }
 
 bool is_computed(const CallRecord& record) {
-  for (const Operand* of : {&record.p, &record.l, &record.start, &record.device})
+  for (const Operand* of : {&record.p, &record.l, &record.start(), &record.device()})
     if (of->kind == Operand::Kind::Expression) return true;
   return false;
 }
@@ -107,7 +107,7 @@ void FlowReader::call(const Block& block) {
   if (!record.constant) {
     if (!is_computed(record)) return next();  // it leads nowhere
     mark(ProgramFlow::kCallsComputed);
-    if (record.start.present() || record.kind == CallKind::Local)
+    if (record.start().present() || record.kind == CallKind::Local)
       mark(ProgramFlow::kStartsComputed);
     return next();
   }

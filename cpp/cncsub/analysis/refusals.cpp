@@ -42,8 +42,8 @@ void check_code(Checker& c, Address at, int g) {
 void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& record) {
   if (record.constant || is_computed(record)) return;
   Target target;
-  const CallOperands values{record.p.value, record.l.value, record.start.value,
-                            record.device.value};
+  const CallOperands values{record.p.value, record.l.value, record.start().value,
+                            record.device().value};
   if (auto fault = decode_call(c.code, record, values, program, target)) {
     c.refused(Check::Refused, at, std::move(*fault));
     return;

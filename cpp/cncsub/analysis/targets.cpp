@@ -223,7 +223,7 @@ void TargetCheck::returns() {
     const CallRecord& record = c_.code.calls[edge.record];
     if (record.target.start_n >= 0)
       ambiguous(edge.from, c_.program(edge.called), record.target.start_n,
-                {record.start.at, record.start.width});
+                {record.start().at, record.start().width});
   }
 }
 

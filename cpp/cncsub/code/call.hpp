@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "cncsub/code/expression.hpp"
 #include "cncsub/code/fault.hpp"
@@ -76,25 +78,62 @@ struct JumpRecord {
   std::uint32_t at = 0, width = 1;
 };
 
+/// What few calls have.
+struct SeldomInCall {
+  Operand start, device;
+  std::string name;  // <NAME>, P[NAME]
+  std::uint32_t name_at = 0, name_width = 1;
+};
+
+/// The same as a value that takes no room where there is nothing of it.
+class SeldomValue {
+ public:
+  SeldomValue() = default;
+  SeldomValue(const SeldomValue& other)
+      : value_(other.value_ ? std::make_unique<SeldomInCall>(*other.value_) : nullptr) {}
+  SeldomValue(SeldomValue&&) noexcept = default;
+  SeldomValue& operator=(SeldomValue other) noexcept {
+    value_ = std::move(other.value_);
+    return *this;
+  }
+  ~SeldomValue() = default;
+
+  const SeldomInCall& get() const {
+    static const SeldomInCall nothing;
+    return value_ ? *value_ : nothing;
+  }
+  SeldomInCall* find() { return value_.get(); }
+  SeldomInCall& make() {
+    if (!value_) value_ = std::make_unique<SeldomInCall>();
+    return *value_;
+  }
+
+ private:
+  std::unique_ptr<SeldomInCall> value_;
+};
+
 struct CallRecord {
   CallKind kind = CallKind::Subprogram;
   CodeCallKind code_kind = CodeCallKind::Subprogram;
-  std::int32_t code = 0;      // the calling code: 60 of M60
-  std::int32_t variable = 0;  // takes the code's value
-  Operand p, l, start, device;
-  std::string name;  // <NAME>, P[NAME]
-  std::uint32_t name_at = 0, name_width = 1;
+  bool macro = false;
+  bool constant = false;             // `target` holds for every execution
+  std::int32_t code = 0;             // the calling code: 60 of M60
+  std::int32_t variable = 0;         // takes the code's value
   std::int32_t program_number = -1;  // a call by code: the program it is registered for
+  Operand p, l;
+  SeldomValue seldom;
   std::uint32_t first_argument = 0, arguments = 0;
   std::uint32_t at = 0, width = 1;  // the calling word
-  bool macro = false;
   enum class Locals : std::uint8_t {
     ByKind,     // a macro has its own, a subprogram its caller's
     Own,        // the arguments and nothing else
     OwnByName,  // those with a number are the caller's
   } locals = Locals::ByKind;
-  bool constant = false;  // `target` holds for every execution
   Target target;
+
+  const Operand& start() const { return seldom.get().start; }
+  const Operand& device() const { return seldom.get().device; }
+  const std::string& name() const { return seldom.get().name; }
 };
 
 }  // namespace cncsub

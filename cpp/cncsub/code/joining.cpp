@@ -122,7 +122,9 @@ class Joining {
   void move_values() {
     for (std::size_t i = calls_; i < code_.calls.size(); ++i) {
       CallRecord& call = code_.calls[i];
-      for (Operand* operand : {&call.p, &call.l, &call.start, &call.device}) move(*operand);
+      for (Operand* operand : {&call.p, &call.l}) move(*operand);
+      if (SeldomInCall* seldom = call.seldom.find())
+        for (Operand* operand : {&seldom->start, &seldom->device}) move(*operand);
       call.first_argument += arguments_;
     }
     for (std::size_t i = arguments_; i < code_.arguments.size(); ++i)

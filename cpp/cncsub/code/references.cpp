@@ -47,7 +47,7 @@ class ReferenceReader {
 // ---- calls ----
 
 void ReferenceReader::operands(const CallRecord& call) {
-  for (const Operand* of : {&call.p, &call.l, &call.start, &call.device}) used_.operand(*of);
+  for (const Operand* of : {&call.p, &call.l, &call.start(), &call.device()}) used_.operand(*of);
   for (std::uint32_t i = 0; i < call.arguments; ++i)
     used_.operand(code_.arguments[call.first_argument + i].operand);
 }
@@ -61,11 +61,12 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
     of = Operand{};
   };
   computed(known.l, reference.computed_repeats);
-  computed(known.start, reference.computed_start);
+  if (SeldomInCall* seldom = known.seldom.find()) computed(seldom->start, reference.computed_start);
   computed(known.p, reference.computed_program);
   if (reference.computed_program) known.program_number = 0;
   Target target;
-  const CallOperands values{known.p.value, known.l.value, known.start.value, known.device.value};
+  const CallOperands values{known.p.value, known.l.value, known.start().value,
+                            known.device().value};
   if (decode_call(code_, known, values, program_, target)) return;
   const bool found = !reference.computed_program && !find_target(code_, known, target);
   reference.external = target.external;
@@ -75,7 +76,8 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
     reference.found = target.program;
     reference.program = code_.name_of(target.program);
   } else if (!reference.computed_program) {
-    reference.program = call.name.empty() ? "O" + std::to_string(target.program_number) : call.name;
+    reference.program =
+        call.name().empty() ? "O" + std::to_string(target.program_number) : call.name();
   }
 }
 

@@ -80,9 +80,9 @@ double CallWords::whole(const Operand& operand, double value) const {
 }
 
 std::optional<Fault> CallWords::device() {
-  if (!given(call_.device, values_.device)) return std::nullopt;
+  if (!given(call_.device(), values_.device)) return std::nullopt;
   if (values_.device < 0 || values_.device > 4)
-    return fault(Cause::ValueOutOfRange, call_.device, "the device is 0 to 4");
+    return fault(Cause::ValueOutOfRange, call_.device(), "the device is 0 to 4");
   target_.external = target_.external || values_.device > 0;
   return std::nullopt;
 }
@@ -90,7 +90,7 @@ std::optional<Fault> CallWords::device() {
 bool CallWords::counts_in_l() const {
   const bool l_counts = call_.macro ||
                         control_.calls.program_word.value != ProgramWord::CountAndNumber ||
-                        control_.calls.count_and_l.value != CountAndL::NoL || !call_.name.empty();
+                        control_.calls.count_and_l.value != CountAndL::NoL || !call_.name().empty();
   return l_counts && given(call_.l, values_.l);
 }
 
@@ -116,10 +116,10 @@ std::optional<Fault> CallWords::count() {
 }
 
 std::optional<Fault> CallWords::start() {
-  if (!given(call_.start, values_.start)) return std::nullopt;
-  const double n = whole(call_.start, values_.start);
+  if (!given(call_.start(), values_.start)) return std::nullopt;
+  const double n = whole(call_.start(), values_.start);
   if (n < 0 || n > control_.reading.max_sequence_number.value)
-    return fault(Cause::IllegalSequenceNumber, call_.start,
+    return fault(Cause::IllegalSequenceNumber, call_.start(),
                  "the start block is " + spell(values_.start));
   target_.start_n = to_whole<std::int32_t>(n);
   return std::nullopt;
@@ -130,7 +130,7 @@ std::optional<Fault> CallWords::program(std::int32_t own) {
     target_.program_number = call_.program_number;
     return std::nullopt;
   }
-  if (!call_.name.empty()) return std::nullopt;
+  if (!call_.name().empty()) return std::nullopt;
   if (!given(call_.p, values_.p)) return left_out(own);
   const bool names_block =
       call_.kind == CallKind::Local ||
@@ -211,16 +211,16 @@ std::optional<Fault> CallWords::left_out(std::int32_t own) {
 }
 
 Fault not_found(const Code& code, const CallRecord& call, const Target& target) {
-  const bool named = !call.name.empty();
+  const bool named = !call.name().empty();
   const Cause cause = target.external ? Cause::ExternalProgramNotFound
                       : named         ? Cause::NamedProgramNotFound
                                       : Cause::ProgramNotFound;
   const std::string what =
-      (named ? "<" + call.name + ">" : "O" + std::to_string(target.program_number)) +
+      (named ? "<" + call.name() + ">" : "O" + std::to_string(target.program_number)) +
       (!target.external       ? " is not in the memory"
        : code.external_device ? " is not on the external device"
                               : " is not in the memory, and there is no external device");
-  if (named) return {cause, call.name_at, call.name_width, what};
+  if (named) return {cause, call.seldom.get().name_at, call.seldom.get().name_width, what};
   return call.p.present() ? fault(cause, call.p, what) : fault(cause, call, what);
 }
 
@@ -240,8 +240,8 @@ std::optional<Fault> find_target(const Code& code, const CallRecord& call, Targe
   if (target.skipped) return std::nullopt;
   if (target.program == kNoProgram) {
     const bool external = target.external && code.external_device;
-    target.program = call.name.empty() ? code.find(target.program_number, external)
-                                       : code.find(call.name, external);
+    target.program = call.name().empty() ? code.find(target.program_number, external)
+                                         : code.find(call.name(), external);
     if (target.program == kNoProgram) return not_found(code, call, target);
   }
   const Program& program = code.programs[static_cast<std::size_t>(target.program)];
@@ -252,7 +252,7 @@ std::optional<Fault> find_target(const Code& code, const CallRecord& call, Targe
   target.start = code.first_of(program, target.start_n);
   if (target.start == kNowhere)
     return fault(Cause::StartNotFound,
-                 call.start.present() || !call.p.present() ? call.start : call.p,
+                 call.start().present() || !call.p.present() ? call.start() : call.p,
                  code.no_block(target.start_n, program));
   return std::nullopt;
 }

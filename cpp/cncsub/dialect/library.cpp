@@ -76,7 +76,7 @@ void resolve_codes(Code& code) {
 }
 
 bool has_constant_operands(const CallRecord& call) {
-  for (const Operand* operand : {&call.p, &call.l, &call.start, &call.device})
+  for (const Operand* operand : {&call.p, &call.l, &call.start(), &call.device()})
     if (operand->kind == Operand::Kind::Expression) return false;
   return true;
 }
@@ -144,7 +144,8 @@ class Reading {
 
   void resolve_call(Block& block, CallRecord& call, std::int32_t own) {
     if (!has_constant_operands(call)) return;
-    const CallOperands operands{call.p.value, call.l.value, call.start.value, call.device.value};
+    const CallOperands operands{call.p.value, call.l.value, call.start().value,
+                                call.device().value};
     Target target;
     if (auto fault = decode_call(code_, call, operands, own, target))
       return to_.refuse(block, std::move(*fault));

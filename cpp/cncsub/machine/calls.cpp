@@ -167,7 +167,8 @@ bool decode_target(Run& run, const CallRecord& record, Target& target) {
   }
   CallOperands values;
   if (!value_of(run, record.p, values.p) || !value_of(run, record.l, values.l) ||
-      !value_of(run, record.start, values.start) || !value_of(run, record.device, values.device))
+      !value_of(run, record.start(), values.start) ||
+      !value_of(run, record.device(), values.device))
     return false;
   if (auto fault = decode_call(*run.code, record, values, run.frame().program, target))
     return alarm(run, *fault);

@@ -42,7 +42,7 @@ void BlockWriter::call() {
       if (auto fault = operand(call, token)) return refuse(std::move(*fault));
   if (control_.macros.h_codes.value && meaning_.kind == CallKind::Macro) {
     if (is_h_code()) return h_code();
-    if (!call.p.present() && call.name.empty())
+    if (!call.p.present() && call.name().empty())
       return refuse({Cause::HCodeMissing, call.at, call.width, "G65 has neither P nor H"});
   }
   if (auto fault = arguments(call)) return refuse(std::move(*fault));
@@ -65,19 +65,20 @@ std::optional<Fault> BlockWriter::operand(CallRecord& call, const Token& token) 
     if (token.letter != 'D') return std::nullopt;
     if (!control_.calls.device_word.value)
       return fault_of(token, Cause::AddressNotUsable, "the control has no ,D");
-    if (says_program) call.device = token.operand;
+    if (says_program) call.seldom.make().device = token.operand;
     return std::nullopt;
   }
   if (token.letter == '<' && says_program) {
-    call.name = std::string(token.name);
-    call.name_at = token.operand.at;
-    call.name_width = token.operand.width;
+    SeldomInCall& named = call.seldom.make();
+    named.name = std::string(token.name);
+    named.name_at = token.operand.at;
+    named.name_width = token.operand.width;
   }
   if (token.letter == 'P' && says_program) return given(call.p, token);
   if (token.letter == 'L' && (says_program || macro_)) return given(call.l, token);
   if (says_start && ((token.letter == 'Q' && start == StartWord::Q) ||
                      (token.letter == 'H' && start == StartWord::H)))
-    call.start = token.operand;
+    call.seldom.make().start = token.operand;
   return std::nullopt;
 }
 

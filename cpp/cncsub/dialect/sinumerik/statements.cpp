@@ -58,9 +58,12 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
   line_.pass(name.size());
   CallRecord call;
   call.kind = CallKind::Named;
-  call.at = call.name_at = at;
-  call.width = call.name_width = line_.width_from(at);
-  call.name = std::string(bare(name));
+  call.at = at;
+  call.width = line_.width_from(at);
+  SeldomInCall& named = call.seldom.make();
+  named.name_at = call.at;
+  named.name_width = call.width;
+  named.name = std::string(bare(name));
   if (words.call) return refuse(block, Cause::CallGivenTwice, "a second call", at);
   if (name.size() == 1) return refuse(block, Cause::AddressWithoutValue, "L without a number", at);
   if (line_.take('(') && !line_.take(')')) return not_computed(block, "a call with values", at);
