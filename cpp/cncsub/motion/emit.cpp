@@ -121,14 +121,6 @@ Piece make_piece(MotionView m, const BlockWords& block, MoveKind kind, const Axe
 
 namespace {
 
-/// Whether the tool comes to another place.
-bool moves(const Axes& from, const Axes& to) {
-  if (same_bits(from, to)) return false;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    if (std::fabs(to[i] - from[i]) >= 1e-12) return true;
-  return false;
-}
-
 Fault too_many_moves(const BlockWords& block) {
   return fault(Cause::ValueOutOfRange, block,
                "the block would make more than " + std::to_string(kMostMoves) + " moves");
@@ -147,7 +139,7 @@ Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
   if (auto wrong = count_move(m, block)) return wrong;
   if (!in_range(piece.end)) return out_of_range(piece.at);
   const Axes from = m.state.work + piece.offset, end = piece.end - piece.offset;
-  m.outcome.moved = m.outcome.moved || piece.turn != 0 || moves(m.state.work, end);
+  m.outcome.moved = m.outcome.moved || piece.turn != 0 || comes_elsewhere(m.state.work, end);
   m.state.work = end;
   m.state.tool_pending = false;
   m.state.named |= piece.named;
@@ -222,7 +214,7 @@ Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const A
   if (!in_range(machine) || !in_range(std::array{length, seconds, s.time + seconds}))
     return out_of_range(block.words.at);
   m.outcome.axis_word = block.submitted = true;
-  m.outcome.moved = m.outcome.moved || moves(s.work, end);
+  m.outcome.moved = m.outcome.moved || comes_elsewhere(s.work, end);
   s.tool_pending = false;
   s.named |= named;
   s.work = end;

@@ -30,6 +30,14 @@ Result move(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& work
 Result move_axis(MotionContext& m, BlockWords& block, MoveKind kind, int axis, double value);
 Result add_dwell(MotionContext& m, BlockWords& block, double seconds);
 
+/// Whether the tool comes to another place.
+inline bool comes_elsewhere(const Axes& from, const Axes& to) {
+  if (same_bits(from, to)) return false;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    if (std::fabs(to[i] - from[i]) >= 1e-12) return true;
+  return false;
+}
+
 /// Writes the row of a piece whose tool path is known. `vector` leads from the programmed point to
 /// the tool.
 Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 3>& vector);

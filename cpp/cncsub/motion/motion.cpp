@@ -60,7 +60,10 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
     auto fault = run_block(context, words, step, moves_only);
     return fault || !words.stops ? fault : end_waiting(context.sink);
   });
-  if (wrong) outcome = {};
+  if (wrong)
+    outcome = {};
+  else
+    know_waiting(words, step, moves);
   return wrong;
 }
 
@@ -125,6 +128,7 @@ void Motion::set_offset(VariableKind kind, int number, double value) {
   }
   std::vector<double>* table = state_.tables.of(kind);
   if (table == nullptr || number < 0 || number >= static_cast<int>(table->size())) return;
+  state_.row_moves = nullptr;  // compensation may be by it
   (*table)[static_cast<std::size_t>(number)] = value * (g20(state_) ? kInch : 1);
 }
 

@@ -42,6 +42,7 @@ bool Motion::move_alone(const NcWords& words, std::uint32_t step, Moves* moves, 
   BlockWords block{.words = words, .step = step};
   // The data of a turning cycle would be lost that is in force.
   if (s.motion_code == kOtherPath || !says_move(view(), words, path)) return false;
+  if (move_beside(words, path, step, moves, outcome)) return true;
   if (turned(s) && check_conflicts(view(), block)) return false;
 
   if (s.plain) s.tool_at = machine_point(s);

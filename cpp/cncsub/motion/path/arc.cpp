@@ -204,7 +204,15 @@ Result find_centre(MotionContext& m, const BlockWords& block, bool radius, bool 
   return std::nullopt;
 }
 
+bool has_radius(const BlockWords& block) { return block.words.has('R') && block.words['R'] != 0; }
+
 }  // namespace
+
+Result shape_arc(MotionContext& m, const BlockWords& block, Piece& piece) {
+  const bool radius = has_radius(block);
+  if (auto wrong = check_axes(m, block, piece.named, radius)) return wrong;
+  return find_centre(m, block, radius, has_centre(block, plane_axes(m.state.plane)), piece);
+}
 
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const PlaneAxes plane = plane_axes(m.state.plane);
@@ -212,7 +220,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const Axes written = target(m, block, named);
   const Axes end = block.longer == 0 ? written : lengthened(m, block, written, named);
   const bool centre = has_centre(block, plane);
-  const bool radius = block.words.has('R') && block.words['R'] != 0;
+  const bool radius = has_radius(block);
   if (named == 0 && !centre && !radius) return std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   if (auto wrong = check_longer(m, block, written, radius)) return wrong;

@@ -197,33 +197,47 @@ Curve RadiusPath::waiting_curve() const {
                : curve_of(view, held.radius_from, first);
 }
 
-/// Records the waiting move, now that the next one says where the tool leaves it.
-Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
-                          bool& over) {
+Result RadiusPath::find_way(const Piece& piece, const Curve& before, const Curve& curve,
+                            const Curve* behind, Join& way) const {
   const Held& held = sink.state.held;
-  const double side = offset_of(piece);
-  const Point v = curve.start_direction(), normal = side * left(v);
-  if (held.radius.empty()) {
-    // Behind blocks that were not looked over the tool first goes onto the normal of this move.
-    if (same_normal(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
-    return record_bit(piece, from, normal, 0);
-  }
-  const Piece& first = held.radius.front();
-  const Curve before = waiting_curve();
-  const Point u = before.end_direction();
-  const double offset = offset_of(first);
+  const double side = offset_of(piece), offset = offset_of(held.radius.front());
+  const Point u = before.end_direction(), v = curve.start_direction();
   const StartUp start_up = sink.facts.control->motion.start_up.value;
   const bool start_around =
       held.starting && start_up == StartUp::TypeB && !inside(u, v, side) && cross(u, v) != 0;
-  Join way;
   if (held.starting && !start_around) {
     way.leave = offset * left(v);
   } else if (!held.starting && offset * side < 0) {  // to the other side
     way.leave = offset * left(u);
-    way.go_by(normal);
-  } else if (auto wrong = join(before, curve, behind, offset, piece.at, way)) {
-    return wrong;
+    way.go_by(side * left(v));
+  } else {
+    return join(before, curve, behind, offset, piece.at, way);
   }
+  return std::nullopt;
+}
+
+void RadiusPath::wait(const Piece& piece, const Curve& curve) {
+  Held& held = sink.state.held;
+  held.radius_to = piece.end;
+  held.radius.push_back(piece);
+  held.line = {curve.from.a, curve.from.b, curve.to.a, curve.to.b};
+  held.line_way = {curve.u.a, curve.u.b};
+}
+
+/// Records the waiting move, now that the next one says where the tool leaves it.
+Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
+                          bool& over) {
+  const Held& held = sink.state.held;
+  const Point v = curve.start_direction();
+  if (held.radius.empty()) {
+    const Point normal = offset_of(piece) * left(v);
+    // Behind blocks that were not looked over the tool first goes onto the normal of this move.
+    if (same_normal(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
+    return record_bit(piece, from, normal, 0);
+  }
+  const Curve before = waiting_curve();
+  Join way;
+  if (auto wrong = find_way(piece, before, curve, behind, way)) return wrong;
   over = way.over == Join::Second;
   if (auto wrong = leave(before, way.leave, &way, over ? way.along : v)) return wrong;
   if (over) begin_step(piece, from, way.along);
@@ -278,11 +292,8 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
     held.starting = true;
   }
   held.radius_from = start;
-  held.radius_to = piece.end;
-  held.radius.push_back(piece);
+  path.wait(piece, curve);
   if (over) RadiusPath::straighten(held.radius.back());
-  held.line = {curve.from.a, curve.from.b, curve.to.a, curve.to.b};
-  held.line_way = {curve.u.a, curve.u.b};
   return std::nullopt;
 }
 

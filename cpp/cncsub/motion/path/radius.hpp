@@ -93,6 +93,11 @@ struct RadiusPath {
   /// `from`.
   Result follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                 bool& over);
+  /// How the tool comes from the waiting move, which is the curve `before`, to this one.
+  Result find_way(const Piece& piece, const Curve& before, const Curve& curve, const Curve* behind,
+                  Join& way) const;
+  /// The piece waits now, for the one behind it.
+  void wait(const Piece& piece, const Curve& curve);
 
   // step.cpp: low steps.
   bool is_low_step(const Piece& piece, const Curve& curve) const;
