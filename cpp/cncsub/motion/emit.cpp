@@ -285,9 +285,51 @@ Result add_dwell(MotionContext& m, BlockWords& block, double seconds) {
   return through_radius(m.sink, piece, m.state.work + m.state.offset);
 }
 
+namespace {
+
+/// A line of X, Y and Z that no limit and no turned coordinates concern, and how fast it goes: the
+/// same all along it. 0 where it is another move.
+double rate_of_line(const MoveSink& sink, const Piece& piece, const Axes& machine) {
+  const MoveState& row = piece.state;
+  if (piece.kind != MoveKind::Feed || sink.table == nullptr || piece.row_moves != sink.table ||
+      sink.captured != nullptr || sink.state.frame_angle != 0 || !sink.facts.limits.empty() ||
+      piece.skip != SkipMove::No || sink.table->size() == 0 || checks_area(sink.state) ||
+      !others_stand(sink.state.tool_at, machine))
+    return 0;
+  if (row.feed_mode == FeedMode::PerMinute) return row.feed;
+  const bool even = row.feed_mode == FeedMode::PerRevolution && !row.surface;
+  return even ? row.feed * turning(row.spindle) : 0;
+}
+
+/// What `record_move` does with such a line.
+Result record_line(MoveSink& sink, const Piece& piece, const std::array<double, 3>& vector,
+                   const Axes& machine, double rate) {
+  MotionState& s = sink.state;
+  const double dx = machine[0] - s.tool_at[0], dy = machine[1] - s.tool_at[1],
+               dz = machine[2] - s.tool_at[2];
+  const double length = std::sqrt(dx * dx * s.half[0] + dy * dy * s.half[1] + dz * dz * s.half[2]);
+  const double seconds = length / rate * 60;
+  if (!in_range(std::array{machine[0], machine[1], machine[2], length, seconds, s.time + seconds}))
+    return out_of_range(piece.at);
+  s.time += seconds;
+  s.tool_at = machine;
+  Moves& moves = *sink.table;
+  if (piece.named >> 3 != 0)
+    moves.use(piece.named);
+  else
+    moves.mark(piece.named);
+  moves.push(piece.step, piece.kind, piece.end - piece.offset, piece.row_state);
+  if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves.vector(vector);
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 3>& vector) {
   Axes machine = piece.end + piece.length;
   for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
+  if (const double rate = rate_of_line(sink, piece, machine); rate > 0)
+    return record_line(sink, piece, vector, machine, rate);
   if (!in_range(machine) || !in_range(piece.centre)) return out_of_range(piece.at);
   if (sink.state.frame_angle != 0 && (!sink.facts.limits.empty() || checks_area(sink.state)))
     return Fault{Cause::CodeNotComputed, piece.at, 1, "limits of travel in a turned work system"};

@@ -44,8 +44,9 @@ struct PlaneView {
 /// A line or an arc with its directions at both ends.
 struct Curve {
   Curve(Point first, Point last, Point middle, double angle);
-  /// A line whose direction is known.
-  Curve(Point first, Point last, Point way) : from(first), to(last), u(way), v(way) {}
+  /// One whose directions are known.
+  Curve(Point first, Point last, Point middle, double angle, Point begins, Point ends)
+      : from(first), to(last), centre(middle), turn(angle), u(begins), v(ends) {}
 
   Point from, to, centre;
   double turn = 0;  // 0: a straight line

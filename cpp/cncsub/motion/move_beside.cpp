@@ -62,51 +62,81 @@ bool goes_on(MotionView m, const NcWords& words, const Moves* moves) {
          (!words.has('F') || plain_feed(s, words['F']) == s.feed);
 }
 
-/// The piece of such a block: the one that waits, with another way. False where the general path
-/// has something to say about it.
-bool shape(MotionContext& m, const BlockWords& block, int path, Piece& piece) {
-  const MotionState& s = m.state;
-  Axes end = s.work;
-  piece.named = straight_axes(block.words.mask & kEndWords);
-  for (std::size_t i = 0; i < 3; ++i)
-    if ((piece.named >> i & 1) != 0)
-      end[i] = number(m, block, kAxisNames[i]) + (s.incremental ? end[i] : 0);
-  piece.end = end + piece.offset;
-  piece.step = block.step;
-  piece.at = block.words.at;
+/// The way of such a block, base: all in which it differs from the move that waits.
+struct Goal {
+  MoveKind kind = MoveKind::Feed;
+  std::uint32_t named = 0;
+  Axes end{};
+  std::array<double, 3> centre{};
+  double turn = 0;
+};
+
+bool find_arc(MotionView m, const BlockWords& block, Goal& goal, MotionOutcome& outcome) {
+  Piece piece = m.state.held.radius.front();
+  piece.kind = goal.kind;
+  piece.named = goal.named;
+  piece.end = goal.end;
   piece.turn = 0;
   piece.centre = {};
-  if (path < 2) {
-    piece.kind = path == 0 ? MoveKind::Rapid : MoveKind::Feed;
-    return true;
-  }
-  piece.kind = path == 2 ? MoveKind::Cw : MoveKind::Ccw;
   if (may_have_corner(m, block) && (corner_words(m, block, piece) || piece.corner != 0))
     return false;
-  return !shape_arc(m, block, piece) && (piece.turn != 0 || piece.kind == MoveKind::Feed);
+  if (shape_arc(m, block, piece, outcome)) return false;
+  goal.kind = piece.kind;
+  goal.centre = piece.centre;
+  goal.turn = piece.turn;
+  return piece.turn != 0 || piece.kind == MoveKind::Feed;
 }
 
-/// Records the waiting move up to the corner with this one. When it is false nothing has changed.
-bool record_waiting(MoveSink& sink, const Piece& piece) {
+/// False where the general path has something to say about it.
+bool find_goal(MotionView m, const BlockWords& block, int path, Goal& goal,
+               MotionOutcome& outcome) {
+  const MotionState& s = m.state;
+  constexpr std::array<MoveKind, 4> kKinds{MoveKind::Rapid, MoveKind::Feed, MoveKind::Cw,
+                                           MoveKind::Ccw};
+  goal.kind = kKinds[static_cast<std::size_t>(path)];
+  goal.named = straight_axes(block.words.mask & kEndWords);
+  goal.end = s.work;
+  for (std::size_t i = 0; i < 3; ++i)
+    if ((goal.named >> i & 1) != 0)
+      goal.end[i] = number(m, block, kAxisNames[i]) + (s.incremental ? goal.end[i] : 0);
+  goal.end = goal.end + s.held.radius.front().offset;
+  return in_range(goal.end) && (path < 2 || find_arc(m, block, goal, outcome));
+}
+
+/// Records the move that waits up to the corner with this one, which waits in its place. When it
+/// is false nothing has changed.
+bool take_place(MoveSink& sink, const BlockWords& block, const Goal& goal) {
   MotionState& s = sink.state;
   Held& held = s.held;
+  Piece& piece = held.radius.front();
   RadiusPath path(sink, piece.plane);
   const Axes from = s.work + piece.offset;
   const Point start = path.view.point(from), corner = path.view.point(held.radius_to);
-  if (start.a != corner.a || start.b != corner.b || !path.moves_in_plane(piece, from)) return false;
-  const Curve curve = curve_of(path.view, from, piece);
-  if (path.is_low_step(piece, curve)) return false;
+  const Curve curve(start, path.view.point(goal.end), path.view.point(goal.centre), goal.turn);
+  if (start.a != corner.a || start.b != corner.b || !path.leads_on(curve)) return false;
+  const double side = offset_of(piece);
+  if (path.is_low_step(side, curve)) return false;
   const Curve before = path.waiting_curve();
   Join way;
-  if (path.find_way(piece, before, curve, nullptr, way) || way.over != Join::None) return false;
+  if (path.find_way(side, block.words.at, before, curve, nullptr, way) || way.over != Join::None)
+    return false;
 
   const BeforeRecord kept(s, *sink.table);
-  if (path.leave(before, way.leave, &way, curve.start_direction())) {
+  if (path.record_waiting(before, way.leave, &way, curve.start_direction())) {
     kept.put_back();
     return false;
   }
+  held.starting = false;
+  held.engaged = true;
   held.radius_from = from;
-  path.wait(piece, curve);
+  held.radius_to = piece.end = goal.end;
+  path.keep_curve(curve);
+  piece.kind = goal.kind;
+  piece.named = goal.named;
+  piece.centre = goal.centre;
+  piece.turn = goal.turn;
+  piece.step = block.step;
+  piece.at = block.words.at;
   return true;
 }
 
@@ -116,25 +146,25 @@ bool Motion::move_beside(const NcWords& words, int path, std::uint32_t step, Mov
                          Outcome& outcome) {
   MotionState& s = state_;
   if (!goes_on(view(), words, moves) || (path != 0 && !(s.feed > 0))) return false;
-  Outside nothing;
-  MotionOutcome made;
-  MotionContext context{*facts_, s, log_, {*facts_, s, moves}, made, nothing};
-  Piece piece = s.held.radius.front();
-  if (!shape(context, {.words = words, .step = step}, path, piece)) return false;
-  const Axes end = piece.end - piece.offset;
-  if (!in_range(piece.end) || !in_range(end) || !record_waiting(context.sink, piece)) return false;
+  const BlockWords block{.words = words, .step = step};
+  Outcome made;
+  Goal goal;
+  if (!find_goal(view(), block, path, goal, made)) return false;
+  const Axes end = goal.end - s.held.radius.front().offset;
+  MoveSink sink{*facts_, s, moves};
+  if (!in_range(end) || !take_place(sink, block, goal)) return false;
 
   take_code(*facts_, s, path);
   made.moves = 1;
   made.axis_word = true;
-  made.moved = piece.turn != 0 || comes_elsewhere(s.work, end);
+  made.moved = goal.turn != 0 || comes_elsewhere(s.work, end);
+  outcome = made;
   s.work = end;
   s.tool_pending = false;
   s.moved_before = true;
-  s.named |= piece.named;
+  s.named |= goal.named;
   s.held.moved = false;
   s.held.idle = 0;
-  outcome = made;
   return true;
 }
 

@@ -71,9 +71,10 @@ struct HeldValues {
   std::array<double, 2>
       vector{};  // from the programmed point to the tool, in the plane, radius values
   std::array<double, 2> entered{};  // the direction of the compensated move before
-  // The ends of the last move in the plane, and its direction, which the next one asks for again.
-  std::array<double, 4> line{};
-  std::array<double, 2> line_way{};
+  // The ends, the centre and the turn of the last move in the plane, and its directions at both
+  // ends, which the next one asks for again.
+  std::array<double, 7> curve{};
+  std::array<double, 4> curve_ways{};
   int idle = 0;                   // blocks without a move in the plane, in a row
   std::array<double, 2> begun{};  // by own normals: where the first of `radius` starts
   bool begun_known = false;

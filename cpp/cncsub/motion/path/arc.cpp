@@ -183,10 +183,10 @@ Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
 }
 
 /// The centre and the angle of an arc, by R or by the words of its centre. [source 003, note 3]
-Result find_centre(MotionContext& m, const BlockWords& block, bool radius, bool centre,
-                   Piece& piece) {
+Result find_centre(MotionView m, const BlockWords& block, bool radius, bool centre, Piece& piece,
+                   MotionOutcome& outcome) {
   if (radius) {
-    m.outcome.drop(kCentreWords);  // R counts
+    outcome.drop(kCentreWords);  // R counts
     if (auto wrong = arc_by_radius(m, block, piece)) return wrong;
     return more_turns(m, block, piece);
   }
@@ -208,10 +208,10 @@ bool has_radius(const BlockWords& block) { return block.words.has('R') && block.
 
 }  // namespace
 
-Result shape_arc(MotionContext& m, const BlockWords& block, Piece& piece) {
+Result shape_arc(MotionView m, const BlockWords& block, Piece& piece, MotionOutcome& outcome) {
   const bool radius = has_radius(block);
   if (auto wrong = check_axes(m, block, piece.named, radius)) return wrong;
-  return find_centre(m, block, radius, has_centre(block, plane_axes(m.state.plane)), piece);
+  return find_centre(m, block, radius, has_centre(block, plane_axes(m.state.plane)), piece, outcome);
 }
 
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
@@ -228,7 +228,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const bool clockwise = (meaning == Meaning::Cw) != mirrored_plane(m.state);
   Piece piece = make_piece(m, block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
   if (auto wrong = corner_words(m, block, piece)) return wrong;
-  if (auto wrong = find_centre(m, block, radius, centre, piece)) return wrong;
+  if (auto wrong = find_centre(m, block, radius, centre, piece, m.outcome)) return wrong;
   // R with the end at the start is no arc: nothing is left but what goes along. [16TC p.67]
   const bool goes_across = (named & axis_bit(plane.across)) != 0;
   if (piece.corner != 0 && goes_across && m.facts.refuses(Cause::CornerHelix))

@@ -11,7 +11,7 @@ namespace cncsub {
 /// G02 and G03.
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning);
 /// The centre of an arc of which the piece has all else, and the angle it runs through.
-Result shape_arc(MotionContext& m, const BlockWords& block, Piece& piece);
+Result shape_arc(MotionView m, const BlockWords& block, Piece& piece, MotionOutcome& outcome);
 /// Whether an arc that begins and ends at these distances from its centre, mm, is refused.
 inline bool is_off_circle(const MotionRules& rules, double first, double last, bool inches) {
   constexpr double kDiagonals = 2.8284271247461903;  // of a start or end, and of a centre

@@ -126,9 +126,8 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
   return std::nullopt;
 }
 
-/// Records the waiting move, which is this curve, up to its end, the way around the corner, and the
-/// blocks behind it. `next` is the direction of the move behind it, nothing where there is none.
-Result RadiusPath::leave(const Curve& curve, Point v, const Join* join, Point next) {
+/// Records the waiting move, which is this curve, up to its end, and the way around the corner.
+Result RadiusPath::record_waiting(const Curve& curve, Point& v, const Join* join, Point next) {
   Held& held = sink.state.held;
   Piece& first = held.radius.front();
   Point u;
@@ -146,6 +145,14 @@ Result RadiusPath::leave(const Curve& curve, Point v, const Join* join, Point ne
     v = join->way[i];
     if (auto wrong = record_bit(first, first.end, v, join->turn)) return wrong;
   }
+  return std::nullopt;
+}
+
+/// Records the waiting move, the way around the corner, and the blocks behind it. `next` is the
+/// direction of the move behind it, nothing where there is none.
+Result RadiusPath::leave(const Curve& curve, Point v, const Join* join, Point next) {
+  Held& held = sink.state.held;
+  if (auto wrong = record_waiting(curve, v, join, next)) return wrong;
   for (std::size_t i = 1; i < held.radius.size(); ++i)
     if (auto wrong = record_idle(held.radius[i], v)) return wrong;
   held.radius.clear();
@@ -190,17 +197,18 @@ Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
 Curve RadiusPath::waiting_curve() const {
   const Held& held = sink.state.held;
   const Piece& first = held.radius.front();
-  const Point from = view.point(held.radius_from), to = view.point(first.end);
-  const bool known =
-      first.turn == 0 && same_bits(held.line, std::array{from.a, from.b, to.a, to.b});
-  return known ? Curve(from, to, {held.line_way[0], held.line_way[1]})
-               : curve_of(view, held.radius_from, first);
+  const Point from = view.point(held.radius_from), to = view.point(first.end),
+              centre = view.point(first.centre);
+  const std::array known{from.a, from.b, to.a, to.b, centre.a, centre.b, first.turn};
+  if (!same_bits(held.curve, known)) return curve_of(view, held.radius_from, first);
+  const auto& ways = held.curve_ways;
+  return {from, to, centre, first.turn, {ways[0], ways[1]}, {ways[2], ways[3]}};
 }
 
-Result RadiusPath::find_way(const Piece& piece, const Curve& before, const Curve& curve,
+Result RadiusPath::find_way(double side, std::uint32_t at, const Curve& before, const Curve& curve,
                             const Curve* behind, Join& way) const {
   const Held& held = sink.state.held;
-  const double side = offset_of(piece), offset = offset_of(held.radius.front());
+  const double offset = offset_of(held.radius.front());
   const Point u = before.end_direction(), v = curve.start_direction();
   const StartUp start_up = sink.facts.control->motion.start_up.value;
   const bool start_around =
@@ -211,17 +219,16 @@ Result RadiusPath::find_way(const Piece& piece, const Curve& before, const Curve
     way.leave = offset * left(u);
     way.go_by(side * left(v));
   } else {
-    return join(before, curve, behind, offset, piece.at, way);
+    return join(before, curve, behind, offset, at, way);
   }
   return std::nullopt;
 }
 
-void RadiusPath::wait(const Piece& piece, const Curve& curve) {
+void RadiusPath::keep_curve(const Curve& curve) {
   Held& held = sink.state.held;
-  held.radius_to = piece.end;
-  held.radius.push_back(piece);
-  held.line = {curve.from.a, curve.from.b, curve.to.a, curve.to.b};
-  held.line_way = {curve.u.a, curve.u.b};
+  held.curve = {curve.from.a,   curve.from.b,   curve.to.a, curve.to.b,
+                curve.centre.a, curve.centre.b, curve.turn};
+  held.curve_ways = {curve.u.a, curve.u.b, curve.v.a, curve.v.b};
 }
 
 /// Records the waiting move, now that the next one says where the tool leaves it.
@@ -237,7 +244,8 @@ Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* b
   }
   const Curve before = waiting_curve();
   Join way;
-  if (auto wrong = find_way(piece, before, curve, behind, way)) return wrong;
+  if (auto wrong = find_way(offset_of(piece), piece.at, before, curve, behind, way))
+    return wrong;
   over = way.over == Join::Second;
   if (auto wrong = leave(before, way.leave, &way, over ? way.along : v)) return wrong;
   if (over) begin_step(piece, from, way.along);
@@ -276,7 +284,7 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   const bool along = !held.radius.empty() && offset_of(held.radius.front()) * offset_of(piece) > 0;
   if (auto wrong = path.take_step(along ? &curve : nullptr)) return wrong;
   if (!active) return path.cancel(piece, curve);
-  if (path.is_low_step(piece, curve)) {
+  if (path.is_low_step(offset_of(piece), curve)) {
     held.step = held.radius.size();
     held.step_from = start;
     held.radius_to = piece.end;
@@ -292,8 +300,10 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
     held.starting = true;
   }
   held.radius_from = start;
-  path.wait(piece, curve);
+  held.radius_to = piece.end;
+  held.radius.push_back(piece);
   if (over) RadiusPath::straighten(held.radius.back());
+  path.keep_curve(curve);
   return std::nullopt;
 }
 

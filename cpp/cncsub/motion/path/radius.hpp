@@ -80,12 +80,16 @@ struct RadiusPath {
   void find_start(Axes& from) const;
   Curve waiting_curve() const;
   bool moves_in_plane(const Piece& piece, const Axes& from) const;
+  bool leads_on(const Curve& curve) const {
+    return std::fabs(curve.turn) > kPi || !same(curve.from, curve.to);
+  }
   /// `behind` is the move behind those at the corner, where it is known.
   Result join(const Curve& a, const Curve& b, const Curve* behind, double offset, std::uint32_t at,
               Join& join) const;
   Fault no_meeting(const Curve& a, const Curve& b, double offset, std::uint32_t at) const;
   void go_around(const Curve& a, const Curve& b, Point u, Point v, double offset, Join& join) const;
   Result check_direction(const Curve& curve, Piece& piece, Point& v, Point next) const;
+  Result record_waiting(const Curve& curve, Point& v, const Join* join, Point next);
   Result leave(const Curve& curve, Point v, const Join* join, Point next);
   Result flush();
   Result cancel(const Piece& piece, const Curve& curve);
@@ -94,13 +98,13 @@ struct RadiusPath {
   Result follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                 bool& over);
   /// How the tool comes from the waiting move, which is the curve `before`, to this one.
-  Result find_way(const Piece& piece, const Curve& before, const Curve& curve, const Curve* behind,
-                  Join& way) const;
-  /// The piece waits now, for the one behind it.
-  void wait(const Piece& piece, const Curve& curve);
+  Result find_way(double side, std::uint32_t at, const Curve& before, const Curve& curve,
+                  const Curve* behind, Join& way) const;
+  /// The curve of the move that waits from now on.
+  void keep_curve(const Curve& curve);
 
   // step.cpp: low steps.
-  bool is_low_step(const Piece& piece, const Curve& curve) const;
+  bool is_low_step(double side, const Curve& curve) const;
   Result take_step(const Curve* next);
   bool join_before_step(const Curve& a, const Curve& b, const Curve& behind, double offset,
                         Join& join) const;

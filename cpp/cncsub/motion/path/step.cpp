@@ -48,12 +48,12 @@ std::optional<Point> over_step(const Curve& a, const Curve& b, double offset, do
 }  // namespace
 
 /// Whether the corner before a move is better decided when the move behind it is known.
-bool RadiusPath::is_low_step(const Piece& piece, const Curve& curve) const {
+bool RadiusPath::is_low_step(double side, const Curve& curve) const {
   const Held& held = sink.state.held;
   if (size(curve.to - curve.from) > kShortStep * least || std::fabs(curve.turn) > kPi / 2 ||
       held.radius.empty() || held.starting)
     return false;
-  return offset_of(held.radius.front()) * offset_of(piece) > 0;
+  return offset_of(held.radius.front()) * side > 0;
 }
 
 /// The low step that waits follows the move before it, now that the `next` one is known.
