@@ -37,6 +37,10 @@ bool is_plain(const CodeMeanings& meanings, const GCode& code) {
   }
 }
 
+bool is_of_path(const CodeMeanings& meanings, const GCode& code) {
+  return code.group == Group::Radius || (code.group == Group::Motion && is_plain(meanings, code));
+}
+
 /// Why a code alarms wherever it stands.
 std::optional<Cause> refusal(Meaning meaning) {
   if (meaning == Meaning::None) return Cause::GCodeNotAvailable;
@@ -73,21 +77,23 @@ bool BlockCodes::take(std::size_t place, const CodeMeanings& meanings) {
   const auto refused = [&](Cause cause) {
     wrong = written;
     why = cause;
-    return plain = false;
+    return plain = of_path = false;
   };
   if (code.meaning == Meaning::DataEnd && c.common.refuses.value.has(Cause::DataEndFirst) &&
       data_end < 0)
     data_end = written;
   if (const auto cause = refusal(code.meaning)) return refused(*cause);
   plain = plain && (code.meaning == Meaning::Neutral || is_plain(meanings, code));
+  of_path = of_path && is_of_path(meanings, code);
   if (is_neutral(code.meaning)) return true;
   if (!is_computed(c, code.meaning)) {
     uncomputed = written;
+    of_path = false;
     return true;
   }
   GCode& kept = of[at(code.group)];
   if (kept.code >= 0) {
-    plain = false;
+    plain = of_path = false;
     if (code.group != Group::OneShot && c.reading.repeated_address.value == RepeatedAddress::Alarm)
       return refused(Cause::AddressGivenTwice);
     if (kept.code != code.code) drop(kept.code, place);

@@ -52,6 +52,7 @@ struct BlockCodes : CodeList {
   std::uint16_t dropped = 0;        // of the G codes, those that do not count: bits by their places
   bool plain = true;    // modes alone that need no more than to be remembered, work systems and
                         // lengths, G09 and G53
+  bool of_path = true;  // codes of plain moves and of radius compensation, none of them twice
   int uncomputed = -1;  // ten times a G code whose moves the engine does not know
   int data_end = -1;    // ten times one that alarms where no data were begun
   int wrong = -1;       // ten times the first that alarms, and why
@@ -64,6 +65,8 @@ struct BlockCodes : CodeList {
   bool only_of_moves() const {
     return plain && m_count == 0 && (groups & ~bit(Group::Motion)) == 0;
   }
+  /// The same, and codes of radius compensation.
+  bool only_of_path() const { return of_path && m_count == 0; }
 
  private:
   bool take(std::size_t place, const CodeMeanings& meanings);

@@ -231,6 +231,8 @@ Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool
   if (auto wrong = check_conflicts(m, block)) return wrong;
   if (auto wrong = set_feed(m, block)) return wrong;
   set_lead(m, block);
+  if (block.has(Group::Radius))
+    if (auto wrong = set_radius(m, block)) return wrong;
   if (auto wrong = make_motion(m, block)) return wrong;
   return end_block(m, block, corner_waits, moved_in_range(m.state));
 }
@@ -239,14 +241,16 @@ Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool
 
 bool only_moves(MotionView m, const NcWords& words) {
   const BlockCodes& codes = *words.codes;
-  if (!codes.only_of_moves() || m.state.no_motion || m.state.angled.waiting()) return false;
+  const bool leads = codes.has(Group::Radius);
+  if (!(leads ? codes.only_of_path() : codes.only_of_moves()) || m.state.no_motion || m.state.angled.waiting()) return false;
   const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
   const bool cycle = in_cycle(m.state) || makes_cycle(motion);
   if (cycle ? codes.g_count > 0 : motion < Meaning::Rapid || motion > Meaning::Ccw) return false;
   constexpr std::uint32_t kCycleWords = bit('L') | bit('P') | bit('Q');
   const std::uint32_t known = kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes |
                               m.facts.increments | m.facts.chamfers.mask | m.facts.rounds.mask |
-                              (cycle ? kCycleWords : 0);
+                              (cycle ? kCycleWords : 0) |
+                              (leads && !m.facts.lathe() ? bit('D') : 0);
   return (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0;
 }
 

@@ -110,6 +110,7 @@ struct Conflict {
   bool (*applies)(const MotionState&, const BlockWords&);
   bool of_words = false;                       // a block without G codes may have it
   Rule<Codes> MotionRules::* codes = nullptr;  // and the block has one of these
+  bool of_radius = false;                      // a block with codes of plain moves and G40 to G42
 
   bool is_in(MotionView m, const BlockWords& block) const {
     if (!applies(m.state, block)) return false;
@@ -194,11 +195,11 @@ constexpr Conflict kConflicts[] = {
      [](const State& s, const Block& b) {
        return compensating(s) && b.meaning(Group::Radius) == Meaning::RadiusOff &&
               !b.has(Group::Motion) && is_arc(motion(s, b));
-     }},
+     }, false, nullptr, true},
     {Cause::CompensationNoMove,
      [](const State& s, const Block& b) {
        return begins_compensation(s, b) && !moves_in_plane(s, b);
-     }},
+     }, false, nullptr, true},
     {Cause::CornerCodes,
      [](const State& s, const Block& b) {
        return !s.held.corner.empty() &&
@@ -242,7 +243,7 @@ constexpr Conflict kConflicts[] = {
               b.meaning(Group::Rotation) == Meaning::RotationOn;
      }},
     {Cause::RotationCode,
-     [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); }},
+     [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); }, false, nullptr, true},
     {Cause::CyclePlane,
      [](const State& s, const Block& b) { return repeats_cuts(b) && plane(s, b) != Plane::ZX; }},
     {Cause::CycleAxis,
@@ -266,7 +267,9 @@ void MotionFacts::list_conflicts() {
     if (!refuses(conflict.cause)) continue;
     conflicts.push_back(&conflict);
     if (conflict.of_words) conflicts_of_words.push_back(&conflict);
-    if (conflict.of_words || conflict.codes != nullptr) conflicts_of_moves.push_back(&conflict);
+    const bool of_moves = conflict.of_words || conflict.codes != nullptr;
+    if (of_moves) conflicts_of_moves.push_back(&conflict);
+    if (of_moves || conflict.of_radius) conflicts_of_paths.push_back(&conflict);
   }
 }
 
@@ -275,6 +278,7 @@ std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
   const BlockCodes& codes = *block.words.codes;
   const auto& list = codes.g_count == 0      ? m.facts.conflicts_of_words
                      : codes.only_of_moves() ? m.facts.conflicts_of_moves
+                     : codes.only_of_path()  ? m.facts.conflicts_of_paths
                                              : m.facts.conflicts;
   for (const Conflict* conflict : list)
     if (conflict->is_in(m, block)) return fault(conflict->cause, block);

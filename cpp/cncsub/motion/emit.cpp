@@ -112,8 +112,7 @@ Piece uncompensated(MotionView m, const BlockWords& block, MoveKind kind, const 
 Piece make_piece(MotionView m, const BlockWords& block, MoveKind kind, const Axes& work_end,
                  std::uint32_t named) {
   Piece piece = uncompensated(m, block, kind, work_end, named);
-  const Meaning radius = m.state.modal[at(Group::Radius)].meaning;
-  piece.side = radius == Meaning::RadiusLeft ? -1 : radius == Meaning::RadiusRight ? 1 : 0;
+  piece.side = side_of(m.state);
   piece.radius = piece.side != 0 ? radius_value(m) : 0;
   if (piece.side != 0) piece.tip = tip_vector(m);
   return piece;

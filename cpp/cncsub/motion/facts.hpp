@@ -116,6 +116,7 @@ struct MotionFacts {
   std::vector<const Conflict*> conflicts;
   std::vector<const Conflict*> conflicts_of_words;  // those a block without G codes has
   std::vector<const Conflict*> conflicts_of_moves;  // those one has of plain motion codes alone
+  std::vector<const Conflict*> conflicts_of_paths;  // and those of radius compensation
   CornerWords chamfers, rounds, angles;
   std::uint32_t other_axes = 0;  // of a mill beside X, Y and Z, the letters that say nothing else
   std::uint32_t increments = 0;  // of a lathe with G code system A: U and W, where they are no more

@@ -97,7 +97,7 @@ class Motion {
                    Outcome& outcome);
   /// Whether the move that waits is one of this block, made under the modes that hold behind it:
   /// then it goes on from there.
-  void know_waiting(const NcWords& words, std::uint32_t step, Moves* moves);
+  void know_waiting(std::uint32_t step, Moves* moves);
   /// A block of `modes` that changes where things lie before it moves.
   bool in_changed_frame(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
   bool plain_modes(const NcWords& words, bool speeds, std::uint32_t step, Moves* moves,

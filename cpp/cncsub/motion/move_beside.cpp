@@ -62,6 +62,16 @@ bool goes_on(MotionView m, const NcWords& words, const Moves* moves) {
          (!words.has('F') || plain_feed(s, words['F']) == s.feed);
 }
 
+/// Whether a move has what the modes that hold give one, and nothing beside it.
+bool is_made_under(MotionView m, const Piece& piece) {
+  const MotionState& s = m.state;
+  return piece.side == side_of(s) && piece.plane == s.plane && piece.corner == 0 &&
+         !piece.corner_piece && piece.skip == SkipMove::No && piece.seconds == 0 &&
+         same_bits(piece.offset, s.offset) && same_bits(piece.length, s.length) &&
+         same_bits(piece.state, move_state(s)) && piece.radius == radius_value(m) &&
+         piece.tip == tip_vector(m);
+}
+
 /// The way of such a block, base: all in which it differs from the move that waits.
 struct Goal {
   MoveKind kind = MoveKind::Feed;
@@ -100,7 +110,7 @@ bool find_goal(MotionView m, const BlockWords& block, int path, Goal& goal,
     if ((goal.named >> i & 1) != 0)
       goal.end[i] = number(m, block, kAxisNames[i]) + (s.incremental ? goal.end[i] : 0);
   goal.end = goal.end + s.held.radius.front().offset;
-  return in_range(goal.end) && (path < 2 || find_arc(m, block, goal, outcome));
+  return in_range(std::array{goal.end[0], goal.end[1], goal.end[2]}) && (path < 2 || find_arc(m, block, goal, outcome));
 }
 
 /// Records the move that waits up to the corner with this one, which waits in its place. When it
@@ -152,7 +162,7 @@ bool Motion::move_beside(const NcWords& words, int path, std::uint32_t step, Mov
   if (!find_goal(view(), block, path, goal, made)) return false;
   const Axes end = goal.end - s.held.radius.front().offset;
   MoveSink sink{*facts_, s, moves};
-  if (!in_range(end) || !take_place(sink, block, goal)) return false;
+  if (!in_range(std::array{end[0], end[1], end[2]}) || !take_place(sink, block, goal)) return false;
 
   take_code(*facts_, s, path);
   made.moves = 1;
@@ -168,16 +178,11 @@ bool Motion::move_beside(const NcWords& words, int path, std::uint32_t step, Mov
   return true;
 }
 
-void Motion::know_waiting(const NcWords& words, std::uint32_t step, Moves* moves) {
+void Motion::know_waiting(std::uint32_t step, Moves* moves) {
   MotionState& s = state_;
   if (!s.beside || moves == nullptr || s.held.radius.size() != 1) return;
   Piece& piece = s.held.radius.front();
-  if (piece.step != step) return;
-  Piece now = make_piece(view(), {.words = words, .step = step}, piece.kind, s.work, piece.named);
-  now.end = piece.end;
-  now.centre = piece.centre;
-  now.turn = piece.turn;
-  if (now != piece) return;
+  if (piece.step != step || !is_made_under(view(), piece)) return;
   s.row_state = piece.row_state =
       moves->intern(piece.state, piece.offset + piece.length, piece.tip);
   s.row_moves = piece.row_moves = moves;

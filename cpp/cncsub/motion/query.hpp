@@ -16,6 +16,11 @@ inline bool compensating(const MotionState& state) {
   const Meaning radius = state.modal[at(Group::Radius)].meaning;
   return radius == Meaning::RadiusLeft || radius == Meaning::RadiusRight;
 }
+/// -1 to the left, 1 to the right, 0 where nothing is compensated.
+inline int side_of(const MotionState& state) {
+  const Meaning radius = state.modal[at(Group::Radius)].meaning;
+  return radius == Meaning::RadiusLeft ? -1 : radius == Meaning::RadiusRight ? 1 : 0;
+}
 inline bool g20(const MotionState& state) {
   return state.modal[at(Group::Units)].meaning == Meaning::Inch;
 }

@@ -59,6 +59,9 @@ void take(ModalState& to, const ModalState& from, Changes changes) {
     case Changes::All:
       return take_modal(to, from);
     case Changes::Moves:
+      to.modal[at(Group::Radius)] = from.modal[at(Group::Radius)];
+      to.d = from.d;
+      to.given_radius = from.given_radius;
       return take_moved<MoveValues>(to, from);
     case Changes::Path:
       return take_moved<PathValues>(to, from);
