@@ -27,7 +27,7 @@ bool dwell_alone(const Alone& m) {
   MotionState& s = m.state;
   if ((m.words.mask & (m.words.mask - 1)) != 0) return false;  // one word, or none: 0 seconds
   const double seconds = dwell_seconds(m, m.words);
-  if (!(seconds > 0) || !in_range(std::array{seconds, s.time + seconds})) return false;
+  if (!(seconds > 0) || !in_range(seconds, s.time + seconds)) return false;
 
   m.outcome = {};
   s.time += seconds;

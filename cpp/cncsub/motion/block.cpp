@@ -178,12 +178,12 @@ bool sets_frame(const NcWords& words) {
 /// Whether everything that a move may let grow from block to block is still a number that can be
 /// meant.
 bool moved_in_range(const MotionState& s) {
-  return in_range(s.work) && in_range(std::array{s.feed, s.polar_angle});
+  return in_range(s.work) && in_range(s.feed, s.polar_angle);
 }
 
 /// The same of what other blocks change.
 bool all_in_range(const MotionState& s, bool with_frame) {
-  return moved_in_range(s) && in_range(std::array{s.speed, s.surface_speed, s.max_speed}) &&
+  return moved_in_range(s) && in_range(s.speed, s.surface_speed, s.max_speed) &&
          (!with_frame || (in_range(s.offset) && in_range(s.length) && in_range(s.skip)));
 }
 

@@ -1,6 +1,7 @@
 // From a block's motion to the rows of the table: the pieces, their lengths and times.
 #include "cncsub/motion/emit.hpp"
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -210,7 +211,7 @@ Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const A
   MotionState& s = m.state;
   const Axes machine = end + s.offset + s.length;
   const auto [length, seconds] = direct_way(m, kind, machine);
-  if (!in_range(machine) || !in_range(std::array{length, seconds, s.time + seconds}))
+  if (!in_range(machine) || !in_range(length, seconds, s.time + seconds))
     return out_of_range(block.words.at);
   m.outcome.axis_word = block.submitted = true;
   m.outcome.moved = m.outcome.moved || comes_elsewhere(s.work, end);
@@ -254,7 +255,7 @@ Result move_axis_directly(MotionContext& m, const BlockWords& block, MoveKind ki
   const double length = way * m.facts.share(static_cast<int>(axis));
   const double seconds =
       kind == MoveKind::Rapid ? way * s.rapid_seconds[axis] : length / even_rate(s) * 60;
-  if (!in_range(std::array{machine, length, seconds, s.time + seconds}))
+  if (!in_range(machine, length, seconds, s.time + seconds))
     return out_of_range(block.words.at);
   m.outcome.moved = m.outcome.moved || std::fabs(value - s.work[axis]) >= 1e-12;
   s.named |= axis_bit(static_cast<int>(axis));
@@ -286,32 +287,45 @@ Result add_dwell(MotionContext& m, BlockWords& block, double seconds) {
 
 namespace {
 
-/// A line of X, Y and Z that no limit and no turned coordinates concern, and how fast it goes: the
-/// same all along it. 0 where it is another move.
-double rate_of_line(const MoveSink& sink, const Piece& piece, const Axes& machine) {
+/// How fast a line goes that no limit and no turned coordinates concern: the same all along it. 0
+/// where it is another move.
+double rate_of_line(const MoveSink& sink, const Piece& piece) {
   const MoveState& row = piece.state;
   if (piece.kind != MoveKind::Feed || sink.table == nullptr || piece.row_moves != sink.table ||
       sink.captured != nullptr || sink.state.frame_angle != 0 || !sink.facts.limits.empty() ||
-      piece.skip != SkipMove::No || sink.table->size() == 0 || checks_area(sink.state) ||
-      !others_stand(sink.state.tool_at, machine))
+      piece.skip != SkipMove::No || sink.table->size() == 0 || checks_area(sink.state))
     return 0;
   if (row.feed_mode == FeedMode::PerMinute) return row.feed;
   const bool even = row.feed_mode == FeedMode::PerRevolution && !row.surface;
   return even ? row.feed * turning(row.spindle) : 0;
 }
 
-/// What `record_move` does with such a line.
+/// Whether only X, Y and Z of the tool come to another place at the end of a piece.
+bool others_stand_at(const Axes& tool, const Piece& piece) {
+  std::uint64_t different = 0;
+  for (std::size_t i = 3; i < tool.size(); ++i)
+    different |= std::bit_cast<std::uint64_t>(tool[i]) ^
+                 std::bit_cast<std::uint64_t>(piece.end[i] + piece.length[i]);
+  return different == 0;
+}
+
+/// What `record_move` does with a line of X, Y and Z. Nothing but these is looked at, each by
+/// itself: what is just written by parts is not read back in one piece.
 Result record_line(MoveSink& sink, const Piece& piece, const std::array<double, 3>& vector,
-                   const Axes& machine, double rate) {
+                   double rate) {
   MotionState& s = sink.state;
-  const double dx = machine[0] - s.tool_at[0], dy = machine[1] - s.tool_at[1],
-               dz = machine[2] - s.tool_at[2];
+  const double x = piece.end[0] + piece.length[0] + vector[0],
+               y = piece.end[1] + piece.length[1] + vector[1],
+               z = piece.end[2] + piece.length[2] + vector[2];
+  const double dx = x - s.tool_at[0], dy = y - s.tool_at[1], dz = z - s.tool_at[2];
   const double length = std::sqrt(dx * dx * s.half[0] + dy * dy * s.half[1] + dz * dz * s.half[2]);
   const double seconds = length / rate * 60;
-  if (!in_range(std::array{machine[0], machine[1], machine[2], length, seconds, s.time + seconds}))
+  if (!in_range(x, y, z, length, seconds, s.time + seconds))
     return out_of_range(piece.at);
   s.time += seconds;
-  s.tool_at = machine;
+  s.tool_at[0] = x;
+  s.tool_at[1] = y;
+  s.tool_at[2] = z;
   Moves& moves = *sink.table;
   if (piece.named >> 3 != 0)
     moves.use(piece.named);
@@ -325,10 +339,11 @@ Result record_line(MoveSink& sink, const Piece& piece, const std::array<double, 
 }  // namespace
 
 Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 3>& vector) {
+  if (const double rate = rate_of_line(sink, piece);
+      rate > 0 && others_stand_at(sink.state.tool_at, piece))
+    return record_line(sink, piece, vector, rate);
   Axes machine = piece.end + piece.length;
   for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
-  if (const double rate = rate_of_line(sink, piece, machine); rate > 0)
-    return record_line(sink, piece, vector, machine, rate);
   if (!in_range(machine) || !in_range(piece.centre)) return out_of_range(piece.at);
   if (sink.state.frame_angle != 0 && (!sink.facts.limits.empty() || checks_area(sink.state)))
     return Fault{Cause::CodeNotComputed, piece.at, 1, "limits of travel in a turned work system"};
@@ -347,7 +362,7 @@ Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 
   way.seconds = seconds_in_machine(
       sink.state, {piece.kind, piece.state, from, machine, way.in_plane, zero, piece.seconds},
       sink.facts);
-  if (!in_range(std::array{length, way.seconds, sink.state.time + way.seconds}))
+  if (!in_range(length, way.seconds, sink.state.time + way.seconds))
     return out_of_range(piece.at);
   if (sink.captured != nullptr) sink.captured->push_back(piece);
   sink.state.time += way.seconds;

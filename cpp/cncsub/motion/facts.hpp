@@ -53,6 +53,14 @@ bool in_range(const std::array<double, Size>& values) {
     beyond |= kMost - (std::bit_cast<std::uint64_t>(value) & ~kSign);
   return (beyond & kSign) == 0;
 }
+/// The same of single values: put into an array they would be read back in one piece, for which the
+/// processor waits.
+template <class... Values>
+  requires(std::is_same_v<Values, double> && ...)
+bool in_range(Values... values) {
+  constexpr auto kSign = std::uint64_t{1} << 63, kMost = std::bit_cast<std::uint64_t>(kLargest);
+  return (((kMost - (std::bit_cast<std::uint64_t>(values) & ~kSign)) | ...) & kSign) == 0;
+}
 inline Fault out_of_range(std::uint32_t at) {
   return {Cause::ValueOutOfRange, at, 1, "the numbers of the move are out of range"};
 }

@@ -20,12 +20,12 @@ Point unit_of(Point d) {
 Curve::Curve(Point first, Point last, Point middle, double angle)
     : from(first), to(last), centre(middle), turn(angle) {
   if (straight()) {
-    u = v = unit_of(to - from);
+    u = v = unit_of(last - first);
     return;
   }
-  const double way = turn < 0 ? -1 : 1;
-  u = unit_of(way * left(from - centre));
-  v = unit_of(way * left(to - centre));
+  const double way = angle < 0 ? -1 : 1;
+  u = unit_of(way * left(first - middle));
+  v = unit_of(way * left(last - middle));
 }
 
 Curve curve_of(const PlaneView& view, const Axes& from, const Piece& piece) {

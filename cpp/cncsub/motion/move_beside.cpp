@@ -76,16 +76,23 @@ bool is_made_under(MotionView m, const Piece& piece) {
 struct Goal {
   MoveKind kind = MoveKind::Feed;
   std::uint32_t named = 0;
-  Axes end{};
+  double x = 0, y = 0, z = 0;  // its end
   std::array<double, 3> centre{};
   double turn = 0;
+
+  /// Where it ends from here, each axis by itself: what is just written by parts is not read back in
+  /// one piece.
+  void set_end(Axes& end, const MotionState& s, const Axes& offset) const {
+    for (std::size_t i = 3; i < end.size(); ++i) end[i] = s.work[i] + offset[i];
+    end[0] = x, end[1] = y, end[2] = z;
+  }
 };
 
 bool find_arc(MotionView m, const BlockWords& block, Goal& goal, MotionOutcome& outcome) {
   Piece piece = m.state.held.radius.front();
   piece.kind = goal.kind;
   piece.named = goal.named;
-  piece.end = goal.end;
+  goal.set_end(piece.end, m.state, piece.offset);
   piece.turn = 0;
   piece.centre = {};
   if (may_have_corner(m, block) && (corner_words(m, block, piece) || piece.corner != 0))
@@ -105,12 +112,15 @@ bool find_goal(MotionView m, const BlockWords& block, int path, Goal& goal,
                                            MoveKind::Ccw};
   goal.kind = kKinds[static_cast<std::size_t>(path)];
   goal.named = straight_axes(block.words.mask & kEndWords);
-  goal.end = s.work;
-  for (std::size_t i = 0; i < 3; ++i)
-    if ((goal.named >> i & 1) != 0)
-      goal.end[i] = number(m, block, kAxisNames[i]) + (s.incremental ? goal.end[i] : 0);
-  goal.end = goal.end + s.held.radius.front().offset;
-  return in_range(std::array{goal.end[0], goal.end[1], goal.end[2]}) && (path < 2 || find_arc(m, block, goal, outcome));
+  const Axes& offset = s.held.radius.front().offset;
+  const auto end = [&](std::size_t axis) {
+    if ((goal.named >> axis & 1) == 0) return s.work[axis];
+    return number(m, block, kAxisNames[axis]) + (s.incremental ? s.work[axis] : 0);
+  };
+  const double x = end(0) + offset[0], y = end(1) + offset[1], z = end(2) + offset[2];
+  goal.x = x, goal.y = y, goal.z = z;
+  return in_range(x, y, z, x - offset[0], y - offset[1], z - offset[2]) &&
+         (path < 2 || find_arc(m, block, goal, outcome));
 }
 
 /// Records the move that waits up to the corner with this one, which waits in its place. When it
@@ -122,7 +132,8 @@ bool take_place(MoveSink& sink, const BlockWords& block, const Goal& goal) {
   RadiusPath path(sink, piece.plane);
   const Axes from = s.work + piece.offset;
   const Point start = path.view.point(from), corner = path.view.point(held.radius_to);
-  const Curve curve(start, path.view.point(goal.end), path.view.point(goal.centre), goal.turn);
+  const std::array end{goal.x, goal.y, goal.z};
+  const Curve curve(start, path.view.point(end), path.view.point(goal.centre), goal.turn);
   if (start.a != corner.a || start.b != corner.b || !path.leads_on(curve)) return false;
   const double side = offset_of(piece);
   if (path.is_low_step(side, curve)) return false;
@@ -139,7 +150,8 @@ bool take_place(MoveSink& sink, const BlockWords& block, const Goal& goal) {
   held.starting = false;
   held.engaged = true;
   held.radius_from = from;
-  held.radius_to = piece.end = goal.end;
+  goal.set_end(piece.end, s, piece.offset);
+  goal.set_end(held.radius_to, s, piece.offset);
   path.keep_curve(curve);
   piece.kind = goal.kind;
   piece.named = goal.named;
@@ -157,19 +169,21 @@ bool Motion::move_beside(const NcWords& words, int path, std::uint32_t step, Mov
   MotionState& s = state_;
   if (!goes_on(view(), words, moves) || (path != 0 && !(s.feed > 0))) return false;
   const BlockWords block{.words = words, .step = step};
-  Outcome made;
   Goal goal;
-  if (!find_goal(view(), block, path, goal, made)) return false;
-  const Axes end = goal.end - s.held.radius.front().offset;
+  outcome = {};
   MoveSink sink{*facts_, s, moves};
-  if (!in_range(std::array{end[0], end[1], end[2]}) || !take_place(sink, block, goal)) return false;
+  if (!find_goal(view(), block, path, goal, outcome) || !take_place(sink, block, goal))
+    return false;
 
   take_code(*facts_, s, path);
-  made.moves = 1;
-  made.axis_word = true;
-  made.moved = goal.turn != 0 || comes_elsewhere(s.work, end);
-  outcome = made;
-  s.work = end;
+  outcome.moves = 1;
+  outcome.axis_word = true;
+  const Piece& piece = s.held.radius.front();
+  const Axes& offset = piece.offset;
+  const Axes before = s.work;
+  for (std::size_t i = 3; i < before.size(); ++i) s.work[i] = piece.end[i] - offset[i];
+  s.work[0] = goal.x - offset[0], s.work[1] = goal.y - offset[1], s.work[2] = goal.z - offset[2];
+  outcome.moved = goal.turn != 0 || comes_elsewhere(before, s.work);
   s.tool_pending = false;
   s.moved_before = true;
   s.named |= goal.named;

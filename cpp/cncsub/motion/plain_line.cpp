@@ -67,7 +67,7 @@ bool plan_line(MotionView m, const NcWords& words, MoveKind kind, const Axes* ze
   row.feed = feed;
   if (kind == MoveKind::Thread) row.feed_mode = FeedMode::PerRevolution;
   line.seconds = seconds_of({kind, row, from, to, length, x_zero, 0}, m.facts.rapid, diameters);
-  return in_range(to) && in_range(std::array{length, line.seconds, s.time + line.seconds});
+  return in_range(to) && in_range(length, line.seconds, s.time + line.seconds);
 }
 
 }  // namespace cncsub

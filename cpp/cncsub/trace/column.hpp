@@ -106,6 +106,12 @@ class Column {
     if (next_ == end_) grow();
     *next_++ = std::move(value);
   }
+  /// The place of a new row, to be written by parts: a row that is put together elsewhere is read
+  /// back in wider pieces than those it was written in, for which the processor waits.
+  T& next() {
+    if (next_ == end_) grow();
+    return *next_++;
+  }
   /// Forgets the rows from `rows` on.
   void keep(std::size_t rows) {
     if (rows >= size()) return;

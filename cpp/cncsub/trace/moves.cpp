@@ -61,12 +61,13 @@ void Moves::push_extras(const Axes& point) {
   for (Extra& extra : extras_) extra.values.push(point[extra.axis]);
 }
 
-void Moves::arc(std::array<double, 3> centre, double in_plane) {
-  arcs_.push({static_cast<std::uint32_t>(rows_ - 1), centre, in_plane});
+void Moves::arc(const std::array<double, 3>& centre, double in_plane) {
+  arcs_.next() = {
+      static_cast<std::uint32_t>(rows_ - 1), {centre[0], centre[1], centre[2]}, in_plane};
 }
 
 void Moves::vector(const std::array<double, 3>& vector) {
-  vectors_.push({static_cast<std::uint32_t>(rows_ - 1), vector});
+  vectors_.next() = {static_cast<std::uint32_t>(rows_ - 1), {vector[0], vector[1], vector[2]}};
 }
 
 void Moves::seconds(double time) { seconds_.push({static_cast<std::uint32_t>(rows_ - 1), time}); }

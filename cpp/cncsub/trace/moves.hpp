@@ -103,7 +103,7 @@ class Moves {
     if (!extras_.empty()) push_extras(point);
   }
   /// Facts about the row that was just pushed.
-  void arc(std::array<double, 3> centre, double in_plane);
+  void arc(const std::array<double, 3>& centre, double in_plane);
   void vector(const std::array<double, 3>& vector);
   void seconds(double time);
   void skip(SkipMove how);

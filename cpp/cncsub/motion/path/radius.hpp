@@ -40,9 +40,9 @@ struct RadiusPath {
   bool same_normal(Point p, Point q) const { return size(p - q) <= least / 2; }
 
   Result record(const Piece& piece, Point v) {
-    std::array<double, 3> vector{};
-    view.set(vector, v);
-    for (std::size_t i = 0; i < 3; ++i) vector[i] += piece.tip[i];
+    std::array<double, 3> vector{piece.tip[0] + 0.0, piece.tip[1] + 0.0, piece.tip[2] + 0.0};
+    vector[static_cast<std::size_t>(view.axes.a)] += v.a / view.a_share;
+    vector[static_cast<std::size_t>(view.axes.b)] += v.b / view.b_share;
     if (auto wrong = record_move(sink, piece, vector)) return wrong;
     sink.state.held.vector = {v.a, v.b};
     return std::nullopt;
