@@ -179,15 +179,24 @@ double even_rate(const MotionState& s) {
   return mode == Meaning::PerRevolution && !s.surface ? s.feed * turning(s.speed) : 0;
 }
 
+/// The same of a cut, whose spindle may follow the diameter in the middle of its way.
+double rate_of_cut(const MotionState& s, MoveKind kind, double from, double to) {
+  if (kind != MoveKind::Feed || !s.surface ||
+      s.modal[at(Group::Feed)].meaning != Meaning::PerRevolution)
+    return even_rate(s);
+  const double diameter = middle_diameter(from, to, s.offset[0] + s.length[0]);
+  return s.feed * turning(spindle_at(s.surface_speed, s.max_speed, diameter));
+}
+
 DirectWay direct_way(MotionView m, MoveKind kind, const Axes& machine) {
   const MotionState& s = m.state;
   const Axes& from = s.tool_at;
-  const double rate = even_rate(s);
-  if (others_stand(from, machine) && s.frame_angle == 0 && (kind == MoveKind::Rapid || rate > 0)) {
+  if (others_stand(from, machine) && s.frame_angle == 0) {
     const double dx = machine[0] - from[0], dy = machine[1] - from[1], dz = machine[2] - from[2];
     const double length = std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz);
     if (kind == MoveKind::Rapid) return {length, rapid_seconds(s, dx, dy, dz)};
-    return {length, length / rate * 60};
+    if (const double rate = rate_of_cut(s, kind, from[0], machine[0]); rate > 0)
+      return {length, length / rate * 60};
   }
   const double length = length_of(from, machine, m.facts.diameters);
   const MoveState row = move_state(s);
@@ -257,7 +266,7 @@ Result move_axis_directly(MotionContext& m, const BlockWords& block, MoveKind ki
       kind == MoveKind::Rapid ? way * s.rapid_seconds[axis] : length / even_rate(s) * 60;
   if (!in_range(machine, length, seconds, s.time + seconds))
     return out_of_range(block.words.at);
-  m.outcome.moved = m.outcome.moved || std::fabs(value - s.work[axis]) >= 1e-12;
+  m.outcome.moved = m.outcome.moved || std::fabs(value - s.work[axis]) >= kStanding;
   s.named |= axis_bit(static_cast<int>(axis));
   s.work[axis] = value;
   s.tool_at[axis] = machine;

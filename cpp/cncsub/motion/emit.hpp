@@ -30,11 +30,12 @@ Result move(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& work
 Result move_axis(MotionContext& m, BlockWords& block, MoveKind kind, int axis, double value);
 Result add_dwell(MotionContext& m, BlockWords& block, double seconds);
 
+constexpr double kStanding = 1e-12;  // a way that is none
 /// Whether the tool comes to another place.
 inline bool comes_elsewhere(const Axes& from, const Axes& to) {
   if (same_bits(from, to)) return false;
   for (std::size_t i = 0; i < from.size(); ++i)
-    if (std::fabs(to[i] - from[i]) >= 1e-12) return true;
+    if (std::fabs(to[i] - from[i]) >= kStanding) return true;
   return false;
 }
 

@@ -18,7 +18,7 @@ Point unit_of(Point d) {
 }  // namespace
 
 Curve::Curve(Point first, Point last, Point middle, double angle)
-    : from(first), to(last), centre(middle), turn(angle) {
+    : from{first.a, first.b}, to{last.a, last.b}, centre{middle.a, middle.b}, turn(angle) {
   if (straight()) {
     u = v = unit_of(last - first);
     return;

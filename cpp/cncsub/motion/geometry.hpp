@@ -46,7 +46,12 @@ struct Curve {
   Curve(Point first, Point last, Point middle, double angle);
   /// One whose directions are known.
   Curve(Point first, Point last, Point middle, double angle, Point begins, Point ends)
-      : from(first), to(last), centre(middle), turn(angle), u(begins), v(ends) {}
+      : from{first.a, first.b},
+        to{last.a, last.b},
+        centre{middle.a, middle.b},
+        turn(angle),
+        u{begins.a, begins.b},
+        v{ends.a, ends.b} {}
 
   Point from, to, centre;
   double turn = 0;  // 0: a straight line

@@ -180,10 +180,15 @@ bool Motion::move_beside(const NcWords& words, int path, std::uint32_t step, Mov
   outcome.axis_word = true;
   const Piece& piece = s.held.radius.front();
   const Axes& offset = piece.offset;
-  const Axes before = s.work;
-  for (std::size_t i = 3; i < before.size(); ++i) s.work[i] = piece.end[i] - offset[i];
-  s.work[0] = goal.x - offset[0], s.work[1] = goal.y - offset[1], s.work[2] = goal.z - offset[2];
-  outcome.moved = goal.turn != 0 || comes_elsewhere(before, s.work);
+  outcome.moved = goal.turn != 0;
+  const auto come = [&](std::size_t axis, double end) {
+    outcome.moved = outcome.moved || std::fabs(end - s.work[axis]) >= kStanding;
+    s.work[axis] = end;
+  };
+  come(0, goal.x - offset[0]);
+  come(1, goal.y - offset[1]);
+  come(2, goal.z - offset[2]);
+  for (std::size_t i = 3; i < offset.size(); ++i) come(i, piece.end[i] - offset[i]);
   s.tool_pending = false;
   s.moved_before = true;
   s.named |= goal.named;

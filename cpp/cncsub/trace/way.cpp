@@ -41,11 +41,10 @@ std::string_view to_string(SkipMove skip) {
   return "";
 }
 
-double spindle_at(const MoveState& state, double diameter) {
-  if (!state.surface) return state.spindle;
+double spindle_at(double surface_speed, double limit, double diameter) {
   // In the middle only the limit holds; where none was set the speed is as good as endless.
-  const double speed = 1000 * state.spindle / (kPi * std::max(std::fabs(diameter), 1e-3));
-  return state.max_spindle > 0 ? std::min(speed, state.max_spindle) : speed;
+  const double speed = 1000 * surface_speed / (kPi * std::max(std::fabs(diameter), 1e-3));
+  return limit > 0 ? std::min(speed, limit) : speed;
 }
 
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
@@ -110,7 +109,7 @@ double path_of(const MoveWay& way) {
 double seconds_of(const MoveWay& way, const Axes& rapid, std::uint32_t diameters) {
   if (way.kind == MoveKind::Dwell) return way.dwell;
   if (way.kind == MoveKind::Rapid) return rapid_time(way.from, way.to, rapid, diameters);
-  const double diameter = (std::fabs(way.from[0] - way.zero) + std::fabs(way.to[0] - way.zero)) / 2;
+  const double diameter = middle_diameter(way.from[0], way.to[0], way.zero);
   const double spindle = turning(spindle_at(way.state, diameter));
   if (way.kind == MoveKind::Thread) return thread_time(way, spindle, diameters);
   double rate = way.state.feed;

@@ -113,8 +113,16 @@ struct MoveWay {
 inline double turning(double spindle) { return spindle > 0 ? spindle : 1; }
 /// How long a move takes, in seconds: told with each move, and summed up by the run.
 double seconds_of(const MoveWay& way, const Axes& rapid, std::uint32_t diameters);
-/// r/min at this diameter.
-double spindle_at(const MoveState& state, double diameter);
+/// r/min at this diameter of a surface speed, m/min, that a limit holds, 0 where there is none.
+double spindle_at(double surface_speed, double limit, double diameter);
+/// The same of what holds for a row.
+inline double spindle_at(const MoveState& state, double diameter) {
+  return state.surface ? spindle_at(state.spindle, state.max_spindle, diameter) : state.spindle;
+}
+/// The diameter that counts for a move along X: between those at its ends.
+inline double middle_diameter(double from, double to, double zero) {
+  return (std::fabs(from - zero) + std::fabs(to - zero)) / 2;
+}
 constexpr double kNoWay = 1e-9;  // mm: what rounding leaves of a point that did not move
 /// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
