@@ -242,7 +242,9 @@ Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool
 bool only_moves(MotionView m, const NcWords& words) {
   const BlockCodes& codes = *words.codes;
   const bool leads = codes.has(Group::Radius);
-  if (!(leads ? codes.only_of_path() : codes.only_of_moves()) || m.state.no_motion || m.state.angled.waiting()) return false;
+  if (!(leads ? codes.only_of_path() : codes.only_of_moves()) || m.state.no_motion ||
+      m.state.angled.waiting())
+    return false;
   const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
   const bool cycle = in_cycle(m.state) || makes_cycle(motion);
   if (cycle ? codes.g_count > 0 : motion < Meaning::Rapid || motion > Meaning::Ccw) return false;

@@ -195,11 +195,13 @@ constexpr Conflict kConflicts[] = {
      [](const State& s, const Block& b) {
        return compensating(s) && b.meaning(Group::Radius) == Meaning::RadiusOff &&
               !b.has(Group::Motion) && is_arc(motion(s, b));
-     }, false, nullptr, true},
+     },
+     false, nullptr, true},
     {Cause::CompensationNoMove,
      [](const State& s, const Block& b) {
        return begins_compensation(s, b) && !moves_in_plane(s, b);
-     }, false, nullptr, true},
+     },
+     false, nullptr, true},
     {Cause::CornerCodes,
      [](const State& s, const Block& b) {
        return !s.held.corner.empty() &&
@@ -243,7 +245,8 @@ constexpr Conflict kConflicts[] = {
               b.meaning(Group::Rotation) == Meaning::RotationOn;
      }},
     {Cause::RotationCode,
-     [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); }, false, nullptr, true},
+     [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); },
+     false, nullptr, true},
     {Cause::CyclePlane,
      [](const State& s, const Block& b) { return repeats_cuts(b) && plane(s, b) != Plane::ZX; }},
     {Cause::CycleAxis,

@@ -264,8 +264,7 @@ Result move_axis_directly(MotionContext& m, const BlockWords& block, MoveKind ki
   const double length = way * m.facts.share(static_cast<int>(axis));
   const double seconds =
       kind == MoveKind::Rapid ? way * s.rapid_seconds[axis] : length / even_rate(s) * 60;
-  if (!in_range(machine, length, seconds, s.time + seconds))
-    return out_of_range(block.words.at);
+  if (!in_range(machine, length, seconds, s.time + seconds)) return out_of_range(block.words.at);
   m.outcome.moved = m.outcome.moved || std::fabs(value - s.work[axis]) >= kStanding;
   s.named |= axis_bit(static_cast<int>(axis));
   s.work[axis] = value;
@@ -329,8 +328,7 @@ Result record_line(MoveSink& sink, const Piece& piece, const std::array<double, 
   const double dx = x - s.tool_at[0], dy = y - s.tool_at[1], dz = z - s.tool_at[2];
   const double length = std::sqrt(dx * dx * s.half[0] + dy * dy * s.half[1] + dz * dz * s.half[2]);
   const double seconds = length / rate * 60;
-  if (!in_range(x, y, z, length, seconds, s.time + seconds))
-    return out_of_range(piece.at);
+  if (!in_range(x, y, z, length, seconds, s.time + seconds)) return out_of_range(piece.at);
   s.time += seconds;
   s.tool_at[0] = x;
   s.tool_at[1] = y;
@@ -371,8 +369,7 @@ Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 
   way.seconds = seconds_in_machine(
       sink.state, {piece.kind, piece.state, from, machine, way.in_plane, zero, piece.seconds},
       sink.facts);
-  if (!in_range(length, way.seconds, sink.state.time + way.seconds))
-    return out_of_range(piece.at);
+  if (!in_range(length, way.seconds, sink.state.time + way.seconds)) return out_of_range(piece.at);
   if (sink.captured != nullptr) sink.captured->push_back(piece);
   sink.state.time += way.seconds;
   if (sink.table != nullptr) write_row(sink, piece, machine, vector, way);

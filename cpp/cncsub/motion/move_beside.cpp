@@ -80,8 +80,8 @@ struct Goal {
   std::array<double, 3> centre{};
   double turn = 0;
 
-  /// Where it ends from here, each axis by itself: what is just written by parts is not read back in
-  /// one piece.
+  /// Where it ends from here, each axis by itself: what is just written by parts is not read back
+  /// in one piece.
   void set_end(Axes& end, const MotionState& s, const Axes& offset) const {
     for (std::size_t i = 3; i < end.size(); ++i) end[i] = s.work[i] + offset[i];
     end[0] = x, end[1] = y, end[2] = z;

@@ -8,8 +8,8 @@
 namespace cncsub {
 
 /// Whether a block says nothing but a move: the words of its end, of its centre, of a corner and F,
-/// and no code but one of a plain motion and of radius compensation with its D; or, without a code, those of the next pass or hole of a
-/// cycle.
+/// and no code but one of a plain motion and of radius compensation, with its D; or, without a
+/// code, those of the next pass or hole of a cycle.
 bool only_moves(MotionView m, const NcWords& words);
 /// Carries a block out; `moves_only`: what `only_moves` says of it.
 Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool moves_only,

@@ -211,7 +211,8 @@ bool has_radius(const BlockWords& block) { return block.words.has('R') && block.
 Result shape_arc(MotionView m, const BlockWords& block, Piece& piece, MotionOutcome& outcome) {
   const bool radius = has_radius(block);
   if (auto wrong = check_axes(m, block, piece.named, radius)) return wrong;
-  return find_centre(m, block, radius, has_centre(block, plane_axes(m.state.plane)), piece, outcome);
+  return find_centre(m, block, radius, has_centre(block, plane_axes(m.state.plane)), piece,
+                     outcome);
 }
 
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {

@@ -244,8 +244,7 @@ Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* b
   }
   const Curve before = waiting_curve();
   Join way;
-  if (auto wrong = find_way(offset_of(piece), piece.at, before, curve, behind, way))
-    return wrong;
+  if (auto wrong = find_way(offset_of(piece), piece.at, before, curve, behind, way)) return wrong;
   over = way.over == Join::Second;
   if (auto wrong = leave(before, way.leave, &way, over ? way.along : v)) return wrong;
   if (over) begin_step(piece, from, way.along);
