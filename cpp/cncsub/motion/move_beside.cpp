@@ -134,7 +134,8 @@ bool take_place(MoveSink& sink, const BlockWords& block, const Goal& goal) {
   const Point start = path.view.point(from), corner = path.view.point(held.radius_to);
   const std::array end{goal.x, goal.y, goal.z};
   const Curve curve(start, path.view.point(end), path.view.point(goal.centre), goal.turn);
-  if (start.a != corner.a || start.b != corner.b || !path.leads_on(curve)) return false;
+  const bool moves = std::fabs(curve.turn) > kPi || !path.same(curve.from, curve.to);
+  if (start.a != corner.a || start.b != corner.b || !moves) return false;
   const double side = offset_of(piece);
   if (path.is_low_step(side, curve)) return false;
   const Curve before = path.waiting_curve();
@@ -152,7 +153,7 @@ bool take_place(MoveSink& sink, const BlockWords& block, const Goal& goal) {
   held.radius_from = from;
   goal.set_end(piece.end, s, piece.offset);
   goal.set_end(held.radius_to, s, piece.offset);
-  path.keep_curve(curve);
+  keep_curve(held, curve);
   piece.kind = goal.kind;
   piece.named = goal.named;
   piece.centre = goal.centre;

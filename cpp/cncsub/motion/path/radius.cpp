@@ -224,13 +224,6 @@ Result RadiusPath::find_way(double side, std::uint32_t at, const Curve& before, 
   return std::nullopt;
 }
 
-void RadiusPath::keep_curve(const Curve& curve) {
-  Held& held = sink.state.held;
-  held.curve = {curve.from.a,   curve.from.b,   curve.to.a, curve.to.b,
-                curve.centre.a, curve.centre.b, curve.turn};
-  held.curve_ways = {curve.u.a, curve.u.b, curve.v.a, curve.v.b};
-}
-
 /// Records the waiting move, now that the next one says where the tool leaves it.
 Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                           bool& over) {
@@ -301,8 +294,8 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   held.radius_from = start;
   held.radius_to = piece.end;
   held.radius.push_back(piece);
-  if (over) RadiusPath::straighten(held.radius.back());
-  path.keep_curve(curve);
+  if (over) straighten(held.radius.back());
+  keep_curve(held, curve);
   return std::nullopt;
 }
 

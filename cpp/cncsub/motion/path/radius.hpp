@@ -13,6 +13,18 @@ inline double offset_of(const Piece& piece) {
 
 inline bool is_arc(const Piece& piece) { return piece.turn != 0; }
 
+inline void straighten(Piece& piece) {
+  piece.turn = 0;
+  if (piece.kind != MoveKind::Rapid) piece.kind = MoveKind::Feed;
+}
+
+/// The curve of the move that waits from now on.
+inline void keep_curve(Held& held, const Curve& curve) {
+  held.curve = {curve.from.a,   curve.from.b,   curve.to.a, curve.to.b,
+                curve.centre.a, curve.centre.b, curve.turn};
+  held.curve_ways = {curve.u.a, curve.u.b, curve.v.a, curve.v.b};
+}
+
 /// How two moves with their offsets join.
 struct Join {
   Point leave;                 // where the tool leaves the first move, from the corner
@@ -48,11 +60,6 @@ struct RadiusPath {
     return std::nullopt;
   }
 
-  static void straighten(Piece& piece) {
-    piece.turn = 0;
-    if (piece.kind != MoveKind::Rapid) piece.kind = MoveKind::Feed;
-  }
-
   /// A bit around a corner, as a move of the piece it belongs to.
   Result record_bit(Piece piece, const Axes& at, Point v, double turn) {
     piece.end = at;
@@ -80,9 +87,6 @@ struct RadiusPath {
   void find_start(Axes& from) const;
   Curve waiting_curve() const;
   bool moves_in_plane(const Piece& piece, const Axes& from) const;
-  bool leads_on(const Curve& curve) const {
-    return std::fabs(curve.turn) > kPi || !same(curve.from, curve.to);
-  }
   /// `behind` is the move behind those at the corner, where it is known.
   Result join(const Curve& a, const Curve& b, const Curve* behind, double offset, std::uint32_t at,
               Join& join) const;
@@ -100,8 +104,6 @@ struct RadiusPath {
   /// How the tool comes from the waiting move, which is the curve `before`, to this one.
   Result find_way(double side, std::uint32_t at, const Curve& before, const Curve& curve,
                   const Curve* behind, Join& way) const;
-  /// The curve of the move that waits from now on.
-  void keep_curve(const Curve& curve);
 
   // step.cpp: low steps.
   bool is_low_step(double side, const Curve& curve) const;
