@@ -63,7 +63,7 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
   if (wrong)
     outcome = {};
   else
-    know_waiting(step, moves);
+    know_waiting(context.sink, step);
   return wrong;
 }
 

@@ -92,12 +92,6 @@ class Motion {
   void write(Axes& values, int axis, double value);
   /// A block of `modes` that is nothing but a move, which is made as on the general path.
   bool move_alone(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
-  /// The same beside its way, behind a move that waits and was made under the same modes.
-  bool move_beside(const NcWords& words, int path, std::uint32_t step, Moves* moves,
-                   Outcome& outcome);
-  /// Whether the move that waits is one of this block, made under the modes that hold behind it:
-  /// then it goes on from there.
-  void know_waiting(std::uint32_t step, Moves* moves);
   /// A block of `modes` that changes where things lie before it moves.
   bool in_changed_frame(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
   bool plain_modes(const NcWords& words, bool speeds, std::uint32_t step, Moves* moves,

@@ -42,7 +42,8 @@ bool Motion::move_alone(const NcWords& words, std::uint32_t step, Moves* moves, 
   BlockWords block{.words = words, .step = step};
   // The data of a turning cycle would be lost that is in force.
   if (s.motion_code == kOtherPath || !says_move(view(), words, path)) return false;
-  if (move_beside(words, path, step, moves, outcome)) return true;
+  MoveSink sink{*facts_, s, moves};
+  if (move_beside(sink, block, path, outcome)) return true;
   if (turned(s) && check_conflicts(view(), block)) return false;
 
   if (s.plain) s.tool_at = machine_point(s);
@@ -53,7 +54,7 @@ bool Motion::move_alone(const NcWords& words, std::uint32_t step, Moves* moves, 
   s.moved_before = true;
   outcome = {};
   Outside nothing;
-  MotionContext context{*facts_, s, log_, {*facts_, s, moves}, outcome, nothing};
+  MotionContext context{*facts_, s, log_, sink, outcome, nothing};
   if ((path != 0 && !(s.feed > 0)) || go(context, block, path) || !block.submitted ||
       !in_range(s.work) || count_idle(context.sink, words.at)) {
     undo.put_back();  // the general path says why

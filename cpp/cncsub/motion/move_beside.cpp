@@ -4,7 +4,6 @@
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/fast_path.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/motion.hpp"
 #include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/path/radius.hpp"
 #include "cncsub/motion/words.hpp"
@@ -165,18 +164,14 @@ bool take_place(MoveSink& sink, const BlockWords& block, const Goal& goal) {
 
 }  // namespace
 
-bool Motion::move_beside(const NcWords& words, int path, std::uint32_t step, Moves* moves,
-                         Outcome& outcome) {
-  MotionState& s = state_;
-  if (!goes_on(view(), words, moves) || (path != 0 && !(s.feed > 0))) return false;
-  const BlockWords block{.words = words, .step = step};
+bool move_beside(MoveSink& sink, const BlockWords& block, int path, MotionOutcome& outcome) {
+  MotionState& s = sink.state;
+  if (!goes_on(sink, block.words, sink.table) || (path != 0 && !(s.feed > 0))) return false;
   Goal goal;
   outcome = {};
-  MoveSink sink{*facts_, s, moves};
-  if (!find_goal(view(), block, path, goal, outcome) || !take_place(sink, block, goal))
-    return false;
+  if (!find_goal(sink, block, path, goal, outcome) || !take_place(sink, block, goal)) return false;
 
-  take_code(*facts_, s, path);
+  take_code(sink.facts, s, path);
   outcome.moves = 1;
   outcome.axis_word = true;
   const Piece& piece = s.held.radius.front();
@@ -198,14 +193,14 @@ bool Motion::move_beside(const NcWords& words, int path, std::uint32_t step, Mov
   return true;
 }
 
-void Motion::know_waiting(std::uint32_t step, Moves* moves) {
-  MotionState& s = state_;
-  if (!s.beside || moves == nullptr || s.held.radius.size() != 1) return;
+void know_waiting(MoveSink& sink, std::uint32_t step) {
+  MotionState& s = sink.state;
+  if (!s.beside || sink.table == nullptr || s.held.radius.size() != 1) return;
   Piece& piece = s.held.radius.front();
-  if (piece.step != step || !is_made_under(view(), piece)) return;
+  if (piece.step != step || !is_made_under(sink, piece)) return;
   s.row_state = piece.row_state =
-      moves->intern(piece.state, piece.offset + piece.length, piece.tip);
-  s.row_moves = piece.row_moves = moves;
+      sink.table->intern(piece.state, piece.offset + piece.length, piece.tip);
+  s.row_moves = piece.row_moves = sink.table;
 }
 
 }  // namespace cncsub
