@@ -62,7 +62,7 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
   });
   if (wrong)
     outcome = {};
-  else
+  else if (state_.beside)
     know_waiting(context.sink, step);
   return wrong;
 }
