@@ -76,7 +76,8 @@ class Motion {
   /// The rows go to another table from now on.
   void forget_table() {
     state_.row_moves = nullptr;
-    for (Piece& piece : state_.held.radius) piece.row_moves = nullptr;
+    for (auto* waiting : {&state_.held.radius, &state_.held.corner, &state_.angled.line})
+      for (Piece& piece : *waiting) piece.row_moves = nullptr;
   }
   /// How much waits for the moves behind it.
   std::int64_t held_pieces() const {
