@@ -24,7 +24,6 @@ class OpenInstructions {
   }
   /// Where the next instruction goes. Up to the limit a few have room behind it.
   ExpressionCell* top() const { return top_; }
-  void set_top(ExpressionCell* top) { top_ = top; }
   const ExpressionCell* limit() const { return limit_; }
   /// Where there is room.
   void put(ExpressionCell cell) { *top_++ = cell; }
@@ -105,8 +104,7 @@ class ExpressionWriter {
  private:
   void put(ExpressionCell cell) {
     if (open_.top() > open_.limit()) open_.make_room();
-    *open_.top() = cell;
-    open_.set_top(open_.top() + 1);
+    open_.put(cell);
   }
 
   Code& code_;

@@ -41,6 +41,10 @@ inline constexpr OperatorName kOperators[] = {{"AND", Ins::And, 2, 0, Ins::BothT
                                               {"LE", Ins::LessEqual, 0, 1}};
 
 constexpr int kTightest = 3;  // of the levels where logic binds last
+/// The level at which an operator binds, but for logic of numbers where that binds first.
+inline int level_of(const ExpressionRules& rules, const OperatorName& of) {
+  return rules.alike ? of.alike : of.last;
+}
 
 /// What waits for a value on its right.
 struct Waiting {  // NOLINT(*-member-init): for its right value

@@ -35,12 +35,6 @@ const OperatorName* named_operator(const char* at) {
 }
 
 constexpr std::size_t kLevels = kTightest + 1;
-/// How tightly an operator binds, but for logic of numbers where that binds first. Nothing binds as
-/// loosely as null, the end.
-int level_of(const ExpressionRules& rules, const OperatorName* of) {
-  if (of == nullptr) return 0;
-  return rules.alike ? of->alike : of->last;
-}
 
 }  // namespace
 
@@ -187,26 +181,9 @@ CNCSUB_ALWAYS_INLINE inline const OperatorName* PlainExpression::next_operator(c
   return of != nullptr && of->op == Ins::Modulo && !rules_.modulo ? nullptr : of;
 }
 
-/// Compares two values, or joins two conditions or the bits of two numbers.
-Value PlainExpression::logic(const OperatorName& of, std::uint32_t at, Value left, Value right) {
-  const bool equal = of.op == Ins::Equal || of.op == Ins::NotEqual;
-  const bool conditions = left.is_condition() && right.is_condition();
-  if (!of.compares() && conditions) {
-    if (!rules_.joined) return {};
-    put(of.other, at);
-    return Value::condition();
-  }
-  const bool tells_vacant = equal && rules_.distinguishes_vacant;
-  if (tells_vacant ? !out_.is_number(left) || !out_.is_number(right)
-                   : !out_.arithmetic(left, 0) || !out_.arithmetic(right, 0))
-    return {};
-  put(of.op, at);
-  return of.compares() ? Value::condition() : Value::number();
-}
-
 CNCSUB_ALWAYS_INLINE inline Value PlainExpression::apply(const OperatorName& of, std::uint32_t at,
                                                          Value left, Value right) {
-  if (!of.is_arithmetic()) return logic(of, at, left, right);
+  if (!of.is_arithmetic()) return cncsub::apply(out_, of, at, left, right, 0);
   const bool constant = right.is_constant() && of.other != Ins::End;
   const std::uint32_t last = constant ? right.place() : 0;
   if (!out_.arithmetic(left, 0) || !out_.arithmetic(right, 0)) return {};
@@ -253,7 +230,7 @@ PlainValue PlainExpression::values(PlainValue read, int brackets) {
     }
     if (written_.top() > written_.limit()) written_.make_room();
     const OperatorName* const next = next_operator(read.at);
-    int level = level_of(rules_, next);
+    int level = next == nullptr ? 0 : level_of(rules_, *next);
     if (next != nullptr && rules_.numbers_first && next->is_logic()) {
       const Logic logic = logic_behind(*next, all.data(), last, read.value);
       last = logic.last;

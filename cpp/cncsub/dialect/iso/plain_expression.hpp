@@ -62,7 +62,6 @@ class PlainExpression {
   void pass_gap(const char*& at);
   const char* behind_gap(const char* at);
   const OperatorName* next_operator(const char*& at);
-  Value logic(const OperatorName& of, std::uint32_t at, Value left, Value right);
   Value join(const Waiting* first, Waiting*& last, Value value, int level);
   Logic logic_behind(const OperatorName& of, const Waiting* first, Waiting* last, Value value);
   Value apply(const OperatorName& of, std::uint32_t at, Value left, Value right);

@@ -7,11 +7,6 @@ namespace cncsub {
 
 namespace {
 
-/// The level at which an operator binds, but for logic of numbers where that binds first.
-int level_of(const ExpressionRules& rules, const OperatorName& of) {
-  return rules.alike ? of.alike : of.last;
-}
-
 class ValueLoop {
  public:
   explicit ValueLoop(OpenExpression& e) : e_(e) {}
