@@ -11,9 +11,11 @@ from pathlib import Path
 
 import pytest
 
-from linuxcnc_paths import compare, on_cncsub, program
+import linuxcnc_blocks
+from linuxcnc_paths import KINDS, compare, on_cncsub, program
 
 SEED = 1
+MOVES = tuple(kind for kind in KINDS if kind not in linuxcnc_blocks.KINDS)
 
 
 @pytest.mark.skipif(
@@ -23,7 +25,7 @@ SEED = 1
 def test_programs_move_as_they_do_on_linuxcnc(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], programs: int, together: int
 ) -> None:
-    report = compare(SEED, range(programs), "rs274", tmp_path, together)
+    report = compare(SEED, range(programs), "rs274", tmp_path, together, MOVES)
     assert report.different == [], capsys.readouterr().out
     assert report.programs > 0.95 * programs
     assert report.moves > 8 * programs
@@ -31,7 +33,7 @@ def test_programs_move_as_they_do_on_linuxcnc(
 
 
 def test_the_programs_go_over_the_ground() -> None:
-    text = program(SEED, range(300), together=False)
+    text = program(SEED, range(300), False, MOVES)
     codes = (
         "G2 G3 G7 G8 G10 G18 G19 G20 G28 G28.1 G30 G30.1 G33 G33.1 G38.2 G38.5 G41 G42 G41.1 G42.1 G43 G43.1"
         " G43.2 G49 G52 G53 G54 G59.3 G73 G74 G76 G81 G82 G83 G84 G85 G86 G89 G90.1 G91.1 G92 G92.3 G98 G99"
@@ -42,5 +44,5 @@ def test_the_programs_go_over_the_ground() -> None:
 
 
 def test_a_program_of_many_moves() -> None:
-    outcome = on_cncsub(program(SEED, range(20), together=True))
+    outcome = on_cncsub(program(SEED, range(20), True, MOVES))
     assert len(outcome.moves) > 100

@@ -167,10 +167,13 @@ class Rs274:
         return read_output(done.stdout, done.stderr)
 
 
-def command(what: str, text: Callable[[int, range], str], compare: Callable[..., Any]) -> int:
+def command(
+    what: str, text: Callable[..., str], compare: Callable[..., Any], kinds: Sequence[str] = ()
+) -> int:
     """The command of a comparison with rs274: which programs, how many in one text, or one shown.
 
-    `text(seed, numbers)` writes a text, `compare(seed, numbers, rs274, folder, together)` reports.
+    `text(seed, numbers)` writes a text, `compare(seed, numbers, rs274, folder, together)` reports;
+    both take some of `kinds` last where there are any.
     """
     parser = argparse.ArgumentParser(description=what.split("\n\n", 1)[0])
     parser.add_argument("--programs", type=int, default=1000)
@@ -179,13 +182,18 @@ def command(what: str, text: Callable[[int, range], str], compare: Callable[...,
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--show", type=int)
     parser.add_argument("--command", default="rs274")
+    if kinds:
+        parser.add_argument("--kinds", help=f"some of {','.join(kinds)}", default="")
     asked = parser.parse_args()
+    chosen = [tuple(filter(None, asked.kinds.split(",")))] if kinds else []
+    if unknown := [kind for some in chosen for kind in some if kind not in kinds]:
+        parser.error(f"no kind {', '.join(unknown)}")
     if asked.show is not None:
-        print(text(asked.seed, range(asked.show, asked.show + asked.together)))
+        print(text(asked.seed, range(asked.show, asked.show + asked.together), *chosen))
         return 0
     begun = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
         places = range(asked.first, asked.first + asked.programs)
-        report = compare(asked.seed, places, asked.command, Path(folder), asked.together)
+        report = compare(asked.seed, places, asked.command, Path(folder), asked.together, *chosen)
     print(f"{report}\n{time.monotonic() - begun:.0f} s")
     return 1 if report.different else 0

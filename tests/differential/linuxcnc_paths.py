@@ -1,9 +1,10 @@
 """Generates programs of LinuxCNC's motion and runs them on cncsub and on its interpreter `rs274`.
 
     python tests/differential/linuxcnc_paths.py --programs 100000 --together 50
+    python tests/differential/linuxcnc_paths.py --programs 1000 --kinds block,held,written
     python tests/differential/linuxcnc_paths.py --show 17
 
-A program moves in lines and arcs of all planes, by words, centres and polar coordinates, compensates
+`--kinds` names what the programs are made of, instead of all. A program moves in lines and arcs of all planes, by words, centres and polar coordinates, compensates
 radii, drills and cuts threads, sets and turns work systems, measures and changes tools, saves modes,
 and calls subprograms of such lines with computed words. It prints positions and modes. Some programs
 have a mistake. Compared are the moves of the tool in work coordinates, the messages, and at which
@@ -23,7 +24,7 @@ from __future__ import annotations
 import math
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from random import Random
@@ -32,6 +33,7 @@ import numpy as np
 
 import canonical
 import cncsub
+import linuxcnc_blocks
 from canonical import Move, with_length
 
 SHOWN = 5
@@ -68,7 +70,9 @@ STATE = (
     "#5420 #5421 #5422 #5423", "#<_x> #<_y> #<_z>", "#<_abs_x> #<_abs_y> #<_abs_z>", "#5220",
     "m #5211 #5212 #5213", "m #5221 #5222 #5223", "m #5401 #5402 #5403", "#<_motion_mode> #<_plane>",
     "#<_rpm>", "#<_metric> #<_absolute>", "m #5161 #5162 #5163", "#5400", "#<_incremental>",
-    "#<_lathe_diameter_mode> #<_ijk_absolute_mode>", "#<_coord_system>", "#5210",
+    "#<_lathe_diameter_mode> #<_ijk_absolute_mode>", "#<_coord_system>", "#5210", "#5070",
+    "#<_ccomp>", "#<_retract_old_z> #<_retract_r_plane>", "#5399", "#<_selected_tool>", "#5230",
+    "#<_inverse_time> #<_units_per_minute> #<_units_per_rev>", "#<_spindle_css_mode>", "#<_call_level>",
 )  # fmt: skip
 MISTAKES = (
     "G38.2 F100", "G81", "G1 X1 R5", "M72", "G2 X5 Y5 I1 J0", "G10 L2 P12 X1",
@@ -90,6 +94,7 @@ class Writer:
     subs: list[list[str]] = field(default_factory=list)
     inch: bool = False
     plane: int = 17
+    kinds: Sequence[str] = ()  # of KINDS; nothing: all of them
 
     def put(self, *words: str) -> None:
         self.lines.append(" ".join(word for word in words if word))
@@ -330,8 +335,12 @@ class Writer:
         self.inch, self.plane = inch, plane
         self.show()
 
+    def label(self) -> str:
+        """The number of the next subprogram."""
+        return str(self.base + 100 + len(self.subs))
+
     def call(self) -> None:
-        label = f"o{self.base + 100 + len(self.subs)}"
+        label = f"o{self.label()}"
         kept, self.lines = self.lines, []
         inch, plane = self.inch, self.plane
         keeps = self.chance(0.6)
@@ -353,19 +362,26 @@ class Writer:
         self.put(f"{label} endrepeat")
 
     def parts(self) -> tuple[list[str], list[list[str]]]:
-        items = (
-            (self.straight, 5), (self.arc, 4), (self.contour, 3), (self.frame, 4), (self.tool, 3),
-            (self.reference, 2), (self.probe, 1), (self.drill, 3), (self.thread, 1), (self.polar, 1),
-            (self.mode, 3), (self.show, 4), (self.variables, 1), (self.saved, 1), (self.call, 2),
-            (self.repeat, 1),
-        )  # fmt: skip
+        asked = self.kinds or tuple(KINDS)
+        weights = [KINDS[kind][1] for kind in asked]
         self.lines += [*HEAD, "#1 = 1", "#2 = 2"]
         for _ in range(self.random.randint(3, 12)):
-            self.random.choices([item for item, _ in items], [weight for _, weight in items])[0]()
+            KINDS[self.random.choices(asked, weights)[0]][0](self)
             if not self.careful and self.chance(0.02):
                 self.put(self.random.choice(MISTAKES))
         self.put("G40 G80")
         return self.lines, self.subs
+
+
+# What a program is made of, and how often.
+KINDS: dict[str, tuple[Callable[[Writer], None], int]] = {
+    "straight": (Writer.straight, 5), "arc": (Writer.arc, 4), "contour": (Writer.contour, 3),
+    "frame": (Writer.frame, 4), "tool": (Writer.tool, 3), "reference": (Writer.reference, 2),
+    "probe": (Writer.probe, 1), "drill": (Writer.drill, 3), "thread": (Writer.thread, 1),
+    "polar": (Writer.polar, 1), "mode": (Writer.mode, 3), "show": (Writer.show, 4),
+    "variables": (Writer.variables, 1), "saved": (Writer.saved, 1), "call": (Writer.call, 2),
+    "repeat": (Writer.repeat, 1), **linuxcnc_blocks.KINDS,
+}  # fmt: skip
 
 
 def written(parts: Sequence[tuple[list[str], list[list[str]]]]) -> str:
@@ -374,15 +390,13 @@ def written(parts: Sequence[tuple[list[str], list[list[str]]]]) -> str:
     return "\n".join([*subs, *main, "M2"]) + "\n"
 
 
-def generate(seed: int, place: int, careful: bool = False, base: int = 0) -> Writer:
-    return Writer(Random(f"{seed} {place} paths {careful}"), base, careful)
-
-
-def program(seed: int, places: range, together: bool) -> str:
+def program(seed: int, places: range, together: bool, kinds: Sequence[str] = ()) -> str:
     """One program, or many as one: none of these has a mistake."""
-    return written(
-        [generate(seed, place, together, 1000 * (n + 1)).parts() for n, place in enumerate(places)]
+    writers = (
+        Writer(Random(f"{seed} {place} paths {together}"), 1000 * (n + 1), together, kinds=kinds)
+        for n, place in enumerate(places)
     )
+    return written([writer.parts() for writer in writers])
 
 
 # ---- what comes out ----
@@ -492,18 +506,27 @@ class Report:
         return "\n".join(lines)
 
 
-def compare(seed: int, places: range, command: str, folder: Path, together: int = 1) -> Report:
+def compare(
+    seed: int,
+    places: range,
+    command: str,
+    folder: Path,
+    together: int = 1,
+    kinds: Sequence[str] = (),
+) -> Report:
     """`together`: so many careful programs make one; where that differs, each is run by itself."""
     rs274 = Rs274(command, folder)
     report = Report()
     for place in places[::together]:
         many = range(place, min(place + together, places.stop))
-        judge(report, seed, many, rs274, together > 1)
+        judge(report, seed, many, rs274, together > 1, kinds)
     return report
 
 
-def judge(report: Report, seed: int, many: range, rs274: Rs274, together: bool) -> None:
-    text = program(seed, many, together)
+def judge(
+    report: Report, seed: int, many: range, rs274: Rs274, together: bool, kinds: Sequence[str] = ()
+) -> None:
+    text = program(seed, many, together, kinds)
     theirs = rs274.run(text)
     if theirs is None:
         report.longer += len(many)
@@ -512,7 +535,7 @@ def judge(report: Report, seed: int, many: range, rs274: Rs274, together: bool) 
     found = difference(ours, theirs)
     if found and len(many) > 1:
         for place in many:
-            judge(report, seed, range(place, place + 1), rs274, together)
+            judge(report, seed, range(place, place + 1), rs274, together, kinds)
         return
     report.programs += len(many)
     report.moves += len(theirs.moves)
@@ -526,10 +549,10 @@ def judge(report: Report, seed: int, many: range, rs274: Rs274, together: bool) 
 
 
 def main() -> int:
-    def text(seed: int, numbers: range) -> str:
-        return program(seed, numbers, len(numbers) > 1)
+    def text(seed: int, numbers: range, kinds: Sequence[str]) -> str:
+        return program(seed, numbers, len(numbers) > 1, kinds)
 
-    return canonical.command(__doc__ or "", text, compare)
+    return canonical.command(__doc__ or "", text, compare, tuple(KINDS))
 
 
 if __name__ == "__main__":
