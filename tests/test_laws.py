@@ -12,9 +12,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import cncsub
+from ways import by_both_ways as ran
 
 NAMES = sorted(cncsub.controls)
 MACRO_CONTROLS = ["fanuc-16i", "fanuc-30i", "gsk-988ta", "mitsubishi-m700"]
+
+
+# Every run is made by the short ways and by the general way alone, and has to come out alike.
 
 
 def outcome(run: cncsub.Run) -> tuple[object, ...]:
@@ -65,7 +69,7 @@ OTHERS = [name for name in NAMES if name != "linuxcnc"]
 def test_a_comment_changes_nothing(control: str, blocks: list[str]) -> None:
     plain = "O1\n" + "".join(f"{b}\n" for b in blocks) + "M30\n"
     commented = "O1\n" + "".join(f"{b}()\n" if b.strip() else "\n" for b in blocks) + "M30\n"
-    runs = [cncsub.loads(t, control=control).run(max_blocks=100) for t in (plain, commented)]
+    runs = [ran(t, control, max_blocks=100) for t in (plain, commented)]
     assert outcome(runs[0]) == outcome(runs[1])
 
 
@@ -104,11 +108,9 @@ WIDE = dict.fromkeys("XYZ", (-1e8, 1e8))
 
 @given(control=st.sampled_from(MILLS), blocks=st.lists(moving, max_size=8))
 def test_limits_that_nothing_reaches_change_nothing(control: str, blocks: list[str]) -> None:
-    library = cncsub.loads(
-        "O1\nG91 G17 G1 F100.\n" + "\n".join(blocks) + "\nM30\n", control=control
-    )
+    text = "O1\nG91 G17 G1 F100.\n" + "\n".join(blocks) + "\nM30\n"
     setup = {"machine": "mill"}
-    short, long = library.run(setup=setup), library.run(setup={**setup, "limits": WIDE})
+    short, long = (ran(text, control, setup={**setup, **wide}) for wide in ({}, {"limits": WIDE}))
     assert outcome(short)[:2] == outcome(long)[:2]
     assert short.moves.columns == long.moves.columns
     for name in short.moves.columns:
@@ -143,13 +145,11 @@ def library_of(main: list[str], second: list[str], control: str) -> cncsub.Libra
         ("O3", ["#101=#1", "G91 G0 Z1."], "M99"),
         ("O4", ["#102=#102+1", "Z1."], "X1. M99"),
     ]
-    return cncsub.loads(
-        "".join(
-            f"{name}\n" + "".join(f"{b}\n" for b in body) + f"{end}\n"
-            for name, body, end in programs
-        ),
-        control=control,
+    text = "".join(
+        f"{name}\n" + "".join(f"{b}\n" for b in body) + f"{end}\n" for name, body, end in programs
     )
+    ran(text, control, max_blocks=200)
+    return cncsub.loads(text, control=control)
 
 
 @given(main=calls, second=calls, control=st.sampled_from(MACRO_CONTROLS))
@@ -306,7 +306,7 @@ expressions = st.recursive(
 def test_expressions_have_pythons_value(expression: Value, control: str) -> None:
     written, compute = expression
     roomy = cncsub.controls[control].replace(max_brackets=100)
-    run = cncsub.loads(f"O1\n#100={written}\nM30\n", control=roomy).run()
+    run = ran(f"O1\n#100={written}\nM30\n", roomy)
     try:
         expected = float(compute())
     except EdgeError:
@@ -329,9 +329,7 @@ def test_expressions_have_pythons_value(expression: Value, control: str) -> None
 
 @given(a=st.integers(-50, 50), b=st.integers(-50, 50), c=st.integers(1, 50))
 def test_precedence_without_brackets(a: int, b: int, c: int) -> None:
-    run = cncsub.loads(
-        f"O1\n#1={a}\n#2={b}\n#100=#1+#2*{c}-#1/{c}\nM30\n", control="fanuc-30i"
-    ).run()
+    run = ran(f"O1\n#1={a}\n#2={b}\n#100=#1+#2*{c}-#1/{c}\nM30\n", "fanuc-30i")
     assert run.variables[100] == pytest.approx(a + b * c - a / c, abs=1e-9)
 
 
@@ -351,7 +349,7 @@ def test_comparisons_tell_vacant_from_zero_in_eq_and_ne_only(
     }
     for word, compare in signs.items():
         program = f"O1\nIF[#1 {word} #2]THEN #100=1\nM30\n"
-        run = cncsub.loads(program, control="fanuc-30i").run(variables={1: left, 2: right})
+        run = ran(program, "fanuc-30i", variables={1: left, 2: right})
         tells = word in {"EQ", "NE"}
         expected = compare(left, right) if tells else compare(left or 0, right or 0)
         assert (run.variables.get(100) == 1) is expected, word
@@ -383,9 +381,9 @@ cut_block = st.builds(
     blocks=st.lists(cut_block, min_size=1, max_size=8),
 )
 def test_no_cut_takes_no_time(control: str, machine: str, blocks: list[str]) -> None:
-    library = cncsub.loads("O1\n" + "\n".join(blocks) + "\nM30\n", control=control)
+    text = "O1\n" + "\n".join(blocks) + "\nM30\n"
     setup = {"machine": machine, "radius_offsets": {1: 0.5}, "length_offsets": {1: 10}}
-    run = library.run(setup=setup, max_blocks=100)
+    run = ran(text, control, setup=setup, max_blocks=100)
     for move in run.moves:
         if move.kind not in ("rapid", "dwell") and move.length > 0:
             assert move.time > 0, (move, blocks)
@@ -406,7 +404,7 @@ def test_no_cut_takes_no_time(control: str, machine: str, blocks: list[str]) -> 
 def test_a_rotary_axis_does_not_know_inches(control: str, words: list[str], feed: int) -> None:
     def seconds(unit: str) -> list[float]:
         text = f"O1\n{unit}\nG91 G94 G1 {' '.join(words)} F{feed}.\nM30\n"
-        run = cncsub.loads(text, control=control).run(setup={"machine": "mill"})
+        run = ran(text, control, setup={"machine": "mill"})
         assert run.stop is cncsub.Stop.END
         return [value for move in run.moves for value in (move.time, move.feed)]
 
@@ -484,7 +482,7 @@ def test_moves_are_finite_in_order_and_add_up(
 ) -> None:
     head = "%" if cncsub.controls[control].name in ("hnc-21m", "gsk-928te") else "O"
     text = f"{head}1\nG1 F100. S300\n" + "\n".join(blocks) + f"\nM30\n{head}2\nG91 X3.\nM99\n"
-    run = cncsub.loads(text, control=control).run(setup={"machine": machine, **SHOP})
+    run = ran(text, control, setup={"machine": machine, **SHOP})
     moves = run.moves
     assert np.all(np.diff(moves.step) >= 0)
     for name in moves.columns:

@@ -329,8 +329,9 @@ Job job_around(const std::uint8_t* data, std::size_t size) {
   return job_without_texts(in);
 }
 
-std::shared_ptr<const Code> library_of(const Job& job, std::int32_t& main) {
-  auto code = compile(job.control, job.texts.files, job.texts.external_device);
+std::shared_ptr<const Code> library_of(const Job& job, std::int32_t& main, bool general_only) {
+  auto code =
+      compile(job.control, job.texts.files, job.texts.external_device, {}, {}, general_only);
   if (job.texts.mdi) code = compile_mdi(*code, *job.texts.mdi);
   if (code->programs.empty()) code = compile_mdi(*code, "");
   main = static_cast<std::int32_t>(job.texts.mdi ? code->programs.size() - 1

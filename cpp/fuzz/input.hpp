@@ -44,8 +44,9 @@ Job run_job(const std::uint8_t* data, std::size_t size);
 /// Everything but the texts; what the bytes do not need is left.
 Job job_around(const std::uint8_t* data, std::size_t size);
 
-/// The library of a job, and the program to run: never empty.
-std::shared_ptr<const Code> library_of(const Job& job, std::int32_t& main);
+/// The library of a job, and the program to run: never empty. `general_only` as for `compile`.
+std::shared_ptr<const Code> library_of(const Job& job, std::int32_t& main,
+                                       bool general_only = false);
 
 /// Where a broken claim is noted for another process, unless it is null.
 constexpr std::size_t kLongestClaim = 200;

@@ -6,9 +6,9 @@
 namespace cncsub::fuzz {
 
 /// Makes the run of a job in every way there is - in one go, block by block, by a copy that goes on
-/// by itself from some block on, with pauses and interrupts, in parts that are taken away, and with
-/// every depth of the trace -, holds them all to the laws, then resets two of the machines and runs
-/// them again. Stops the process where a claim is false.
+/// by itself from some block on, with pauses and interrupts, in parts that are taken away, with
+/// every depth of the trace, and by the general way alone -, holds them all to the laws, then
+/// resets two of the machines and runs them again. Stops the process where a claim is false.
 void try_all_ways(const Job& job);
 
 /// Holds the words of every block, as they are written, to the words that it executes.

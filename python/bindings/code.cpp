@@ -101,7 +101,8 @@ void add_row(std::vector<SourceFile>& files, const py::handle& row) {
 /// Ctrl-C is an exception here: half a library is no library.
 std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
                                     const py::sequence& rows, bool external_device,
-                                    std::size_t threads, std::optional<std::size_t> piece) {
+                                    std::size_t threads, std::optional<std::size_t> piece,
+                                    bool general_only) {
   Sharing sharing;
   sharing.threads = threads;
   if (piece) sharing.piece = std::max<std::size_t>(1, *piece);
@@ -113,7 +114,8 @@ std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
     Away away;
     code = compile(
         control, std::move(files), external_device,
-        [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); }, sharing);
+        [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); }, sharing,
+        general_only);
   }
   if (!code) throw py::error_already_set();
   return std::const_pointer_cast<Code>(code);
@@ -207,6 +209,7 @@ void add_code(py::module_& m) {
                                return rows;
                              })
       .def_readonly("external_device", &Code::external_device)
+      .def_readonly("general_only", &Code::general_only)
       .def(
           "find",
           [](const Code& c, const std::string& name, bool external) {
@@ -234,7 +237,7 @@ void add_code(py::module_& m) {
           py::arg("text"));
   m.def("compile", &compile_files, py::arg("control"), py::arg("files"),
         py::arg("external_device") = false, py::kw_only(), py::arg("threads") = 0,
-        py::arg("piece") = py::none());
+        py::arg("piece") = py::none(), py::arg("general_only") = false);
 }
 
 }  // namespace cncsub::bindings

@@ -293,6 +293,8 @@ class Code:
     def leaders(self) -> list[tuple[str, int]]: ...  # file, lines before its first %
     @property
     def external_device(self) -> bool: ...
+    @property
+    def general_only(self) -> bool: ...
     def find(self, name: str | int, external: bool = False) -> int: ...
     def with_mdi(self, text: str) -> Code: ...  # one more program, the last
 
@@ -342,10 +344,12 @@ def compile(
     *,
     threads: int = 0,
     piece: int | None = None,
+    general_only: bool = False,
 ) -> Code:
     """Files as (name shown, stem that names a program without a head, text in pieces, external), or
     several as (texts, external). Read by so many `threads` (0: one for each core), the text cut
-    into pieces of so many bytes; the programs are the same.
+    into pieces of so many bytes; the programs are the same. `general_only`: read and run without
+    the short ways.
     """
 
 @final

@@ -101,6 +101,7 @@ class Library(Mapping[str, Program]):
             self._files,
             self._skipped,
             self._first,
+            self._code.general_only,
         )
 
     def __copy__(self) -> Library:
@@ -192,8 +193,7 @@ class Library(Mapping[str, Program]):
         'gsk-988ta'
         """
         known = control_of(control)
-        sources, device = self._code.sources, self._code.external_device
-        return read_again(known, sources, device, self._files, self._skipped, self._first)
+        return self._read_again(known, self._code.sources)
 
     def _with_texts(self, control: Control, texts: Mapping[str, str]) -> Library:
         """The memory of another control with other texts in its files."""
@@ -206,8 +206,20 @@ class Library(Mapping[str, Program]):
             )
             for n, stem, data, outside in self._code.sources
         ]
-        device = self._code.external_device
-        return read_again(control, sources, device, self._files, self._skipped, self._first)
+        return self._read_again(control, sources)
+
+    def _read_again(
+        self, control: Control, sources: Sequence[tuple[str, str, bytes, bool]]
+    ) -> Library:
+        return read_again(
+            control,
+            sources,
+            self._code.external_device,
+            self._files,
+            self._skipped,
+            self._first,
+            self._code.general_only,
+        )
 
     def call_graph(self) -> CallGraph:
         """Who calls whom, told by the blocks without running them: see `CallGraph`."""
@@ -436,9 +448,10 @@ def read_again(
     files: Sequence[str],
     skipped: Sequence[tuple[str, str]],
     first: str | None = None,
+    general_only: bool = False,
 ) -> Library:
     rows: list[CoreFile] = [(name, stem, [text], outside) for name, stem, text, outside in sources]
-    code = _core.compile(control, rows, external_device)
+    code = _core.compile(control, rows, external_device, general_only=general_only)
     known = first is not None and find_program(code, first) >= 0
     return Library(code, files, skipped, first if known else None)
 

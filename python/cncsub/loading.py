@@ -19,13 +19,16 @@ def load(
     external: StrPath | None = None,
     encoding: str | None = None,
     prefer: StrPath | Iterable[StrPath] = (),
+    general_only: bool = False,
 ) -> Library:
     """Read files and folders as the memory of a control.
 
     A folder gives every program file in it and below it; what is left out is told in
     `Library.skipped`. `external` is the folder of the external device, which M198 reads. `encoding`
     is that of comments and names, found out without it. Of several programs of one name the first
-    counts; `prefer` names files whose programs count before those of the others.
+    counts; `prefer` names files whose programs count before those of the others. `general_only`
+    reads and runs every block by the general way alone: slower, with the same outcome. It is there
+    to find out whether one of the short ways for common blocks is to blame for what is seen.
 
     Raises `FileNotFoundError` for a missing path and `ValueError` for an unknown control, a folder
     without programs or an unknown encoding; each names what is near. A program a control would
@@ -46,7 +49,8 @@ def load(
     reading = read_paths(paths, encoding=encoding, without=external)
     names = reading.names
     outside, skipped = _external_files(external, encoding)
-    code = _core.compile(known, reading.rows(False) + outside, external is not None)
+    rows = reading.rows(False) + outside
+    code = _core.compile(known, rows, external is not None, general_only=bool(general_only))
     library = Library(code, names, [*reading.skipped, *skipped])
     return _preferring(library, prefer)
 
@@ -57,11 +61,13 @@ def loads(
     external: StrPath | None = None,
     name: str | None = None,
     encoding: str | None = None,
+    general_only: bool = False,
 ) -> Library:
     """Read one text as the memory of a control: one program or several, as they would stand in a
     file.
 
     `name` is what the file would be called; its stem names a program that has no name of its own.
+    `external`, `encoding` and `general_only` are as for `load`.
 
     >>> import cncsub
     >>> cncsub.loads("N10 M30\\n", control="gsk-988ta", name="T0023.CNC").main.name
@@ -83,7 +89,7 @@ def loads(
     stem = clean(os.path.splitext(os.path.basename(name or ""))[0])  # noqa: PTH119, PTH122
     shown = "<text>" if name is None else clean(name)
     files: list[CoreFile] = [(shown, stem, pieces, False), *outside]
-    code = _core.compile(known, files, external is not None)
+    code = _core.compile(known, files, external is not None, general_only=bool(general_only))
     return Library(code, [shown], skipped)
 
 
@@ -110,6 +116,7 @@ def _preferring(library: Library, prefer: StrPath | Iterable[StrPath]) -> Librar
         sorted(library.files, key=lambda name: name not in preferred),
         library._skipped,
         None if main is None else main.name,
+        library._code.general_only,
     )
 
 

@@ -68,12 +68,16 @@ class Trials:
     def printed(self, drawing: Drawing, written: Written) -> Drawing:
         return Drawing(written.curves, drawing.radius, drawing.side)
 
-    def run(self, station: Station, drawing: Drawing, written: Written) -> cncsub.Run:
+    def setup(self, station: Station, drawing: Drawing, written: Written) -> dict[str, object]:
         setup: dict[str, object] = {"machine": station.machine, "increment": written.least}
         if station.lathe:
             setup["tools"] = {1: {"R": drawing.radius, "tip": written.tip}}
         else:
             setup["radius_offsets"] = {1: drawing.radius}
+        return setup
+
+    def run(self, station: Station, drawing: Drawing, written: Written) -> cncsub.Run:
+        setup = self.setup(station, drawing, written)
         return cncsub.loads(written.text, control=station.made()).run(setup=setup)
 
 

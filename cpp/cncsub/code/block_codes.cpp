@@ -113,7 +113,7 @@ int CodeLists::keep(const CodeList& list) {
   if (2 * (lists_.size() + 1) > slots_.size()) grow();
   std::int16_t& kept = slots_[slot_of(list)];
   if (kept > 0) return kept - 1;
-  if (lists_.size() == kMostLists) return -1;
+  if (lists_.size() >= most_) return -1;
   lists_.push_back(list);
   kept = static_cast<std::int16_t>(lists_.size());
   return kept - 1;

@@ -84,6 +84,8 @@ class CodeLists {
     return place < singles_.size() && singles_[place] > 0 ? singles_[place] - 1
                                                           : keep_single(place);
   }
+  /// Every block keeps its codes itself from now on.
+  void keep_none() { most_ = 0; }
   std::span<const CodeList> all() const { return lists_; }
   const CodeList& operator[](std::size_t number) const { return lists_[number]; }
 
@@ -92,6 +94,7 @@ class CodeLists {
   void grow();
   std::size_t slot_of(const CodeList& list) const;
 
+  std::size_t most_ = kMostLists;
   std::vector<CodeList> lists_;
   std::vector<std::int16_t> slots_;           // by hash, from 1
   std::array<std::int16_t, 1000> singles_{};  // by ten times the code, from 1

@@ -84,7 +84,8 @@ void assign(Builder& to, Block& block, const Statement& statement) {
                           statement.variable_at - block.text, statement.variable_width};
   const bool as_told = statement.text_length == 0 && statement.at == statement.variable_at &&
                        statement.at + statement.width == end;
-  if (assigned.fits() && as_told) return set(block, assigned, statement.expression);
+  if (assigned.fits() && as_told && !to.code().general_only)
+    return set(block, assigned, statement.expression);
   to.become(block, Op::Assign, statement);
 }
 
@@ -170,8 +171,8 @@ void Builder::words(Block& block, const WordList& words) {
   for (; first_drop_ < code_.drops.size(); ++first_drop_)
     code_.drops[first_drop_].data = block.data;
   block.op = Op::Words;
-  if ((block.flags & ~Block::kListed) != 0 || block.m_count != 0 || block.g_count > 1 ||
-      block.code_cells() > 0)
+  if (code_.general_only || (block.flags & ~Block::kListed) != 0 || block.m_count != 0 ||
+      block.g_count > 1 || block.code_cells() > 0)
     return;
   const double g = block.g_count == 0 ? -10 : words.g.front().value;
   if (g <= 30 && std::fmod(g, 10) == 0) mark_move(block, to_whole<int>(g / 10));

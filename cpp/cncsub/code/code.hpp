@@ -90,6 +90,7 @@ struct Code {
   ReadWord read_word = nullptr;        // of the dialect that the programs are written in
   const Spelling* spelling = nullptr;  // the same
   bool external_device = false;
+  bool general_only = false;   // read and run by the general way alone, see `compile`
   std::bitset<10001> g_codes;  // the codes of the control, ten times each; all where it has no list
   std::bitset<16> lacking;     // kinds of statements that the control does not have, or
   std::bitset<16> unheard_of;  // that no source tells of, which are lacking too

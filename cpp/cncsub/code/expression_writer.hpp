@@ -15,7 +15,9 @@ namespace cncsub {
 /// expressions of the code, where the cell before the first is free for the head.
 class OpenInstructions {
  public:
-  explicit OpenInstructions(OpenTable<ExpressionCell>& table) : table_(table) {}
+  /// `short_forms`: what is one value, or one operation on two, is kept in its own form.
+  OpenInstructions(OpenTable<ExpressionCell>& table, bool short_forms)
+      : table_(table), widest_(short_forms ? Expression::kWidest : 0) {}
 
   /// Another expression begins. One that was begun and did not end is forgotten.
   void begin() {
@@ -56,6 +58,7 @@ class OpenInstructions {
   static constexpr std::size_t kSpare = 20;  // the head, a few instructions and the End
 
   OpenTable<ExpressionCell>& table_;
+  std::uint32_t widest_;  // in the text, of an expression in a form of its own
   ExpressionCell *first_ = nullptr, *top_ = nullptr, *limit_ = nullptr;
 };
 
@@ -63,7 +66,7 @@ inline std::uint32_t OpenInstructions::end(std::uint32_t at, std::uint32_t width
   const auto number = static_cast<std::uint32_t>(table_.size());
   using Form = Expression::Form;
   const auto [form, op] =
-      width <= Expression::kWidest ? ExpressionForm::of(first_, top_) : ExpressionForm{Form::Long};
+      width <= widest_ ? ExpressionForm::of(first_, top_) : ExpressionForm{Form::Long};
   first_[-1] = Expression::head(form, op, at, std::max(1U, width));
   if (form == Form::Constant) {
     first_[0] = first_[1];
@@ -77,7 +80,8 @@ inline std::uint32_t OpenInstructions::end(std::uint32_t at, std::uint32_t width
 
 class ExpressionWriter {
  public:
-  explicit ExpressionWriter(Code& code) : code_(code), open_(code.expressions) {}
+  explicit ExpressionWriter(Code& code)
+      : code_(code), open_(code.expressions, !code.general_only) {}
   ExpressionWriter(const ExpressionWriter&) = delete;
   ExpressionWriter& operator=(const ExpressionWriter&) = delete;
 

@@ -57,11 +57,12 @@ void number_variables(Code& code) {
   }
   for (PlacedRange& placed : code.variables)
     if (is_alias(placed.range)) placed.base = code.place(placed.range.from).index;
-  find_near_variables(code);
+  if (!code.general_only) find_near_variables(code);
 }
 
 /// What of the control is asked for each block or each statement.
 void list_codes(Code& code) {
+  if (code.general_only) code.code_lists.keep_none();
   const ReadingRules& rules = code.control->reading;
   rules.g_codes.value.for_each(
       [&](int code10) { code.g_codes.set(static_cast<std::size_t>(code10)); });
@@ -118,7 +119,7 @@ class Reading {
   /// behind it, are decided once.
   void resolve_calls(std::size_t from) {
     to_.names().sort_heads();
-    if (code_.calls.empty()) return;
+    if (code_.calls.empty() || code_.general_only) return;
     seen_.assign(code_.variants.size(), false);
     for (std::size_t p = from; p < code_.programs.size(); ++p)
       for (Address a = code_.programs[p].first;
@@ -188,8 +189,9 @@ bool begin_with(const std::vector<SourceFile>& files, char mark) {
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     std::vector<SourceFile> files, bool external_device,
                                     const std::function<bool()>& interrupted,
-                                    const Sharing& sharing) {
+                                    const Sharing& sharing, bool general_only) {
   auto code = std::make_shared<Code>();
+  code->general_only = general_only;
   code->external_device = external_device;
   const Dialect& dialect = dialect_of(*control);
   prepare(*code, std::move(control), dialect);

@@ -307,7 +307,8 @@ void read_files(const SharedReading& reading, std::vector<SourceFile>& files,
   const std::size_t threads = sharing.threads == 0 ? system::cores() : sharing.threads;
   std::size_t bytes = 0;
   for (const SourceFile& file : files) bytes += file.text.size();
-  if (threads < 2 || bytes < kWorthIt * sharing.piece || reading.dialect.pieces == nullptr)
+  if (threads < 2 || reading.code.general_only || bytes < kWorthIt * sharing.piece ||
+      reading.dialect.pieces == nullptr)
     return read_alone(reading, files);
   Pool(reading, files, jobs_of(files, sharing.piece)).read(threads);
 }

@@ -21,7 +21,7 @@ Run::Run(std::shared_ptr<const Code> of, Options how)
     : code(std::move(of)),
       options(std::move(how)),
       meanings(meanings_on(*code, options.setup.machine)),
-      motion(code->control, options.setup, meanings) {
+      motion(code->control, options.setup, meanings, code->general_only) {
   std::shared_ptr<const Workpiece>& workpiece = options.inputs.workpiece;
   if (workpiece)  // it stays where it is, whatever the program does to zero points
     workpiece = std::make_shared<const Workpiece>(placed(motion.view(), *workpiece));

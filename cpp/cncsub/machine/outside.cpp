@@ -31,19 +31,7 @@ std::optional<Fault> profile_block(Run& run, Address a, Profile& found) {
   return std::nullopt;
 }
 
-}  // namespace
-
-Outside outside(Run& run) {
-  Outside around;
-  around.skips = {&run.options.inputs.skips, &run.state.taken.skips, {}};
-  around.workpiece = run.options.inputs.workpiece.get();
-  run.watch.in_block = 0;
-  around.interrupted = [](void* of) { return breaks_off(*static_cast<Run*>(of)); };
-  around.run = &run;
-  return around;
-}
-
-std::optional<Fault> read_profile(Run& run, const ProfileNumbers& numbers, Profile& found) {
+std::optional<Fault> profile_blocks(Run& run, const ProfileNumbers& numbers, Profile& found) {
   const auto& [ns, nf] = numbers;
   const Program& program = run.program();
   if (run.options.mdi) return Fault{Cause::ProfileInMdi, run.state.pc, 1, {}};
@@ -73,6 +61,25 @@ std::optional<Fault> read_profile(Run& run, const ProfileNumbers& numbers, Profi
   }
   if (found.blocks.size() > kLongText) look_soon(run);
   return std::nullopt;
+}
+
+}  // namespace
+
+Outside outside(Run& run) {
+  Outside around;
+  around.skips = {&run.options.inputs.skips, &run.state.taken.skips, {}};
+  around.workpiece = run.options.inputs.workpiece.get();
+  run.watch.in_block = 0;
+  around.interrupted = [](void* of) { return breaks_off(*static_cast<Run*>(of)); };
+  around.run = &run;
+  return around;
+}
+
+std::optional<Fault> read_profile(Run& run, const ProfileNumbers& numbers, Profile& found) {
+  const BlockCodes own = run.codes;  // of the block that names the profile, which goes on
+  auto wrong = profile_blocks(run, numbers, found);
+  run.codes = own;
+  return wrong;
 }
 
 }  // namespace cncsub

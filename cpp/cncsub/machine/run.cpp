@@ -75,6 +75,14 @@ inline bool execute(Run& run, const Block& block, bool one) {
   return dispatch(run, block);
 }
 
+/// The same of one block, without the short ways.
+bool execute_generally(Run& run, const Block& block) {
+  run.block.next = run.state.pc + 1;
+  run.block.words_done = false;
+  run.block.follows_moves = false;
+  return dispatch(run, block);
+}
+
 /// Whether a block-skip switch passes over the block at State::pc. A program of nothing but such
 /// blocks that starts over and over is stopped: no limit counts it.
 bool passes_over(Run& run, const Block& block) {
@@ -108,12 +116,15 @@ bool choose(Run& run, const Block& block) {
   return dispatch(run, run.code->variants[second ? variant.second : variant.first]);
 }
 
-/// One block, and what it made of the variables that are watched.
-void execute_watched(Run& run, const Block& block) {
+/// One block by the way of its library, and what it made of the variables that are watched.
+void execute_alone(Run& run, const Block& block) {
   const std::int64_t before = run.state.executed;
   const Address at = run.state.pc;
   const Reach reach = reach_of(run, block);
-  execute(run, block, true);
+  if (run.code->general_only)
+    execute_generally(run, block);
+  else
+    execute(run, block, true);
   if (run.state.executed != before) note_changes(run, run.state.executed - 1, at, reach);
 }
 
@@ -132,7 +143,7 @@ inline bool run_blocks(Run& run, const std::function<bool()>& pause, std::int64_
     }
     if (pause && pause()) return false;
     if constexpr (watched)
-      execute_watched(run, block);
+      execute_alone(run, block);
     else
       execute(run, block, static_cast<bool>(pause));
   }
@@ -161,7 +172,7 @@ bool run_one(Run& run, const std::function<bool()>& interrupted) {
   while (s.stop == Stop::Running && s.executed == before && broken_off == Stop::Running) {
     if (s.executed >= run.options.max_blocks) return end_run(run, Stop::Limit);
     const Block& block = run.code->blocks[s.pc];
-    if (!passes_over(run, block)) execute_watched(run, block);
+    if (!passes_over(run, block)) execute_alone(run, block);
   }
   const bool limited = broken_off == Stop::Limit || stops(run) == Stop::Limit;
   if (s.stop == Stop::Running && limited) end_run(run, Stop::Limit);
@@ -179,8 +190,9 @@ void run_on(Run& run, const std::function<bool()>& interrupted, const std::funct
   while (s.stop == Stop::Running) {
     // Between two looks at the clock, the memory and Ctrl-C nothing but blocks.
     look_later(run, last);
-    const bool on = run.watched.empty() ? run_blocks<false>(run, pause, passed)
-                                        : run_blocks<true>(run, pause, passed);
+    const bool quickly = run.watched.empty() && !run.code->general_only;
+    const bool on =
+        quickly ? run_blocks<false>(run, pause, passed) : run_blocks<true>(run, pause, passed);
     if (!on || s.stop != Stop::Running) return;
     const Stop broken_off = run.watch.broken_off;
     const Stop why = broken_off != Stop::Running ? broken_off : stops(run);

@@ -240,6 +240,7 @@ Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool
 }  // namespace
 
 bool only_moves(MotionView m, const NcWords& words) {
+  if (m.facts.general_only) return false;
   const BlockCodes& codes = *words.codes;
   const bool leads = codes.has(Group::Radius);
   if (!(leads ? codes.only_of_path() : codes.only_of_moves()) || m.state.no_motion ||

@@ -44,7 +44,7 @@ int system_of(const std::string& name) {
 }
 
 MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
-                         std::shared_ptr<const CodeMeanings> of)
+                         std::shared_ptr<const CodeMeanings> of, bool general)
     : control(std::move(c)),
       meanings(std::move(of)),
       machine(meanings->machine),
@@ -56,7 +56,8 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
       increment(setup.increment > 0 ? setup.increment : 0.001),
       chamfers(control->motion.chamfer_words.value, lathe()),
       rounds(control->motion.round_words.value, lathe()),
-      angles(control->motion.angle_words.value, lathe()) {
+      angles(control->motion.angle_words.value, lathe()),
+      general_only(general) {
   number_groups(*this);
   constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
   const std::uint32_t corners = chamfers.mask | rounds.mask | angles.mask;

@@ -102,7 +102,7 @@ struct Conflict;  // what does not go together
 
 struct MotionFacts {
   MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
-              std::shared_ptr<const CodeMeanings> of);
+              std::shared_ptr<const CodeMeanings> of, bool general);
 
   std::shared_ptr<const Control> control;
   std::shared_ptr<const CodeMeanings> meanings;
@@ -126,6 +126,7 @@ struct MotionFacts {
   std::vector<const Conflict*> conflicts_of_moves;  // those one has of plain motion codes alone
   std::vector<const Conflict*> conflicts_of_paths;  // and those of radius compensation
   CornerWords chamfers, rounds, angles;
+  bool general_only;             // no block takes a short way
   std::uint32_t other_axes = 0;  // of a mill beside X, Y and Z, the letters that say nothing else
   std::uint32_t increments = 0;  // of a lathe with G code system A: U and W, where they are no more
 

@@ -60,12 +60,12 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   state.row_moves = nullptr;
   state.motion_code = path >= 0 ? static_cast<std::uint8_t>(path) : kOtherPath;
   set_seconds_per_mm(state);
-  const bool moves_alone = (path >= 0 || leaves_nothing(motion)) && !in_cycle(state) &&
-                           !state.angled.waiting() && state.held.corner.empty() && !polar(state) &&
-                           facts.limits.empty() && !checks_area(state) && !lacks_speed(m) &&
-                           !state.tool_pending && !state.rigid_waits &&
-                           facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
-                           !state.diameter && !state.no_motion && !centre_is_absolute(state);
+  const bool moves_alone =
+      !facts.general_only && (path >= 0 || leaves_nothing(motion)) && !in_cycle(state) &&
+      !state.angled.waiting() && state.held.corner.empty() && !polar(state) &&
+      facts.limits.empty() && !checks_area(state) && !lacks_speed(m) && !state.tool_pending &&
+      !state.rigid_waits && facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
+      !state.diameter && !state.no_motion && !centre_is_absolute(state);
   const bool beside = compensating(state) || state.held.engaged || !state.held.radius.empty();
   state.beside = moves_alone && beside;
   state.direct = moves_alone && !beside && !tool_waits(state);

@@ -33,8 +33,9 @@ Result end_waiting(MoveSink& sink) {
 }  // namespace
 
 Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup,
-               std::shared_ptr<const CodeMeanings> meanings)
-    : facts_(std::make_shared<MotionFacts>(std::move(control), setup, std::move(meanings))),
+               std::shared_ptr<const CodeMeanings> meanings, bool general_only)
+    : facts_(std::make_shared<MotionFacts>(std::move(control), setup, std::move(meanings),
+                                           general_only)),
       state_(state_of(*facts_, setup)) {}
 
 /// Puts everything back when the work ends in a fault.

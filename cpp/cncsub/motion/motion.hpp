@@ -22,8 +22,9 @@ class Motion {
  public:
   using Outcome = MotionOutcome;
 
+  /// `general_only`: without the short ways of `linear`, `arc`, `modes` and `alone`.
   Motion(std::shared_ptr<const Control> control, const Setup& setup,
-         std::shared_ptr<const CodeMeanings> meanings);
+         std::shared_ptr<const CodeMeanings> meanings, bool general_only = false);
 
   /// The profile that a block names, G70 to G73: to be handed in with the block.
   std::optional<ProfileNumbers> wanted_profile(const NcWords& words) const {

@@ -44,7 +44,7 @@ def differences(case: Case, control: cncsub.Control) -> Iterator[str]:
         yield from _reset_differences(case, library)
 
 
-def load(case: Case, control: cncsub.Control) -> cncsub.Library:
+def load(case: Case, control: cncsub.Control, *, general_only: bool = False) -> cncsub.Library:
     """The memory of the case, on the control with the rules and parameters of the case."""
     if case.replace:
         control = control.replace(**case.replace)
@@ -53,12 +53,21 @@ def load(case: Case, control: cncsub.Control) -> cncsub.Library:
     external = None if case.external is None else _folder(case, "external")
     if case.files is not None:
         paths = case.paths or (_folder(case, "files"),)
-        return cncsub.load(*paths, control=control, external=external, encoding=case.encoding)
-    return cncsub.loads(case.program or "", control=control, external=external)
+        return cncsub.load(
+            *paths,
+            control=control,
+            external=external,
+            encoding=case.encoding,
+            general_only=general_only,
+        )
+    return cncsub.loads(
+        case.program or "", control=control, external=external, general_only=general_only
+    )
 
 
-def execute(case: Case, library: cncsub.Library) -> cncsub.Run:
-    options = _options(case)
+def execute(case: Case, library: cncsub.Library, **others: Any) -> cncsub.Run:
+    """Run the case; `others` are options that count before its own."""
+    options = {**_options(case), **others}
     if case.mdi is not None:
         return library.mdi(case.mdi, **options)
     return library.run(**options)

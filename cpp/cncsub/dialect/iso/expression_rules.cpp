@@ -43,6 +43,7 @@ constexpr FunctionName kFunctions[] = {{Function::Sin, Ins::Sin},
 ExpressionRules::ExpressionRules(const Code& of)
     : code(of),
       control(*of.control),
+      plain(!of.general_only),
       alike(control.macros.logic_order.value == LogicOrder::LikeArithmetic),
       numbers_first(control.macros.logic_order.value == LogicOrder::LastOfConditions),
       joined(control.macros.conditions.value.has(Condition::Joined)),
@@ -57,7 +58,7 @@ ExpressionRules::ExpressionRules(const Code& of)
       modulo(has(Function::Mod)),
       most_brackets(std::min(control.macros.max_brackets.value, kDeepestBrackets)),
       most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)),
-      most_variable_digits(indirect ? 0 : kMostVariableDigits) {
+      most_variable_digits(indirect || !plain ? 0 : kMostVariableDigits) {
   for (const FunctionName& of_name : kFunctions) {
     const std::string_view name = name_of(of_name.function);
     if (name.size() > kLongest || !has(of_name.function)) continue;

@@ -21,6 +21,7 @@ struct ExpressionRules {
 
   const Code& code;
   const Control& control;
+  bool plain;          // PlainExpression may read
   bool alike;          // logic binds like arithmetic
   bool numbers_first;  // logic binds like arithmetic where it joins numbers, and last otherwise
   bool joined;         // [...] AND [...]

@@ -35,6 +35,7 @@ PlainReader::PlainReader(Builder& to, const BlockRules& rules, ExpressionReader&
       max_digits_(rules.control.reading.max_digits.value),
       max_n_(rules.control.reading.max_sequence_number.value),
       cuts_fine_digits_(rules.control.reading.cuts_fine_digits.value) {
+  if (to.code().general_only) return;  // no block is plain then
   // It is within every limit but an unusually tight one.
   const auto tight = [](int limit, int usual) { return limit > 0 && limit < usual; };
   if (tight(rules.control.reading.max_block_length.value, kLongest) ||

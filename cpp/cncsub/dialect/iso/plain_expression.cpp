@@ -252,6 +252,7 @@ PlainValue PlainExpression::values(PlainValue read, int brackets) {
 // ---- what is read ----
 
 PlainValue PlainExpression::read(const Scanner& s) {
+  if (!rules_.plain) return {};
   begin(s);
   PlainValue of = *s.at == '[' ? bracketed(s.at + 1, 1) : plain_operand(s.at);
   if (of.value && of.at == s.end) return of;
@@ -260,14 +261,14 @@ PlainValue PlainExpression::read(const Scanner& s) {
 }
 
 PlainValue PlainExpression::bracket(const Scanner& s) {
-  if (*s.at != '[') return {};
+  if (*s.at != '[' || !rules_.plain) return {};
   begin(s);
   const PlainValue of = bracketed(s.at + 1, 1);
   return of.at <= s.end ? of : PlainValue{};
 }
 
 PlainValue PlainExpression::variable(const Scanner& s) {
-  if (*s.at != '#') return {};
+  if (*s.at != '#' || !rules_.plain) return {};
   begin(s);
   const bool inside = s.at[1] == '[';
   const PlainValue of = inside ? opened(s.at, 0) : written_variable(s.at);

@@ -169,7 +169,8 @@ void StatementReader::assignment(bool bracketed) {
   const bool kept = assigned.target <= Statement::Target::Common || !expressions_.comments();
   const std::string_view comment =
       kept ? std::string_view() : comment_in({s_.file + code_.expression(*value).at(), s_.end});
-  if (comment.empty() && assigned.fits()) return set(block_, assigned, *value);
+  if (comment.empty() && assigned.fits() && !code_.general_only)
+    return set(block_, assigned, *value);
   Statement statement = assigned.statement(*value, block_.text);
   statement.width = std::max<std::uint32_t>(1, end - at);
   if (!comment.empty()) statement.text = static_cast<std::uint32_t>(comment.data() - s_.file);

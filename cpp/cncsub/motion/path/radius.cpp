@@ -200,7 +200,8 @@ Curve RadiusPath::waiting_curve() const {
   const Point from = view.point(held.radius_from), to = view.point(first.end),
               centre = view.point(first.centre);
   const std::array known{from.a, from.b, to.a, to.b, centre.a, centre.b, first.turn};
-  if (!same_bits(held.curve, known)) return curve_of(view, held.radius_from, first);
+  if (sink.facts.general_only || !same_bits(held.curve, known))
+    return curve_of(view, held.radius_from, first);
   const auto& ways = held.curve_ways;
   return {from, to, centre, first.turn, {ways[0], ways[1]}, {ways[2], ways[3]}};
 }

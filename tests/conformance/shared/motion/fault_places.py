@@ -79,6 +79,13 @@ case(
     variables={100: 1},
 )
 case(
+    "a block whose codes are computed keeps them while the blocks of its profile compute theirs",
+    control=[F16, F30], source="policy: a block does what its words say", evidence="inferred",
+    setup=lathe(),
+    program="O1\nN10 G#1 U5. R1.\nN20 G#1 P30 Q50 U0 W0 F100.\nN30 G#2 X20.\nN40 G#3 Z-9.\nN50 X50.\nN60 M30\n",
+    variables={1: 71, 2: 0, 3: 1}, runs="N10 N20 N60", final_work="X50 Z2",
+)
+case(
     "a move beyond the travel names the word of that axis, with increments too",
     control=[F30, "gsk-988t"], **RULE, setup=lathe(limits={"X": (-60, 60), "Z": (-60, 60)}),
     program="O1\nN10 G0 X40. Z0\nN20 U5. W-70.\nN30 M30", runs="N10", alarm="over-travel",
