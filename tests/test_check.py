@@ -31,7 +31,11 @@ EXAMPLES = Path(__file__).parent.parent / "examples"
 def found(text: str, control: str = MILL, **options: Any) -> list[str]:
     """`CS201 N20`: the rules and their blocks, by the line where there is no N."""
     findings = cncsub.loads(text, control=control).check(**options)
-    return [f"{f.rule} {f':{f.line}' if f.n is None else f'N{f.n}'}" for f in findings]
+    return [
+        f"{f.rule} {f':{at.line}' if at.n is None else f'N{at.n}'}"
+        for f in findings
+        for at in (f, *f.places)
+    ]
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.name)
@@ -588,7 +592,7 @@ def test_json_is_what_the_schema_says() -> None:
     last = cncsub.loads("O1\nM98 P2\nM30\nO2\nG99\n", control=MILL).check()
     jsonschema.validate(json.loads(json.dumps(finding_facts(last))), schema)
     assert facts["version"] == 1
-    assert {len(row) for row in facts["findings"]} == {14}
+    assert {len(row) for row in facts["findings"]} == {16}
     first = facts["findings"][0]
     assert (first["rule"], first["alarm"]["number"], first["path"]) == ("CS201", "PS0076", [])
 

@@ -8,7 +8,8 @@ import re
 import shlex
 import sys
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -156,10 +157,20 @@ def look_at(library: cncsub.Library, run: cncsub.Run, options: dict[str, Any]) -
     machine = {"machine": setup.machine} if setup is not None and setup.machine else None
     findings = library.check(setup=machine)
     ran = {(step.program, step.line) for step in run.steps} if findings else set()
-    for finding in findings:
+    each = [place for finding in findings for place in of_each_place(finding, library)]
+    for finding in each:
         seen = Seen(finding, library, run, ran, options)
         assert ACCOUNTS[finding.rule](seen), f"{library.control.name}: {finding}"
-    return Counter(finding.rule for finding in findings)
+    return Counter(finding.rule for finding in each)
+
+
+def of_each_place(finding: cncsub.Finding, library: cncsub.Library) -> Iterator[cncsub.Finding]:
+    """The finding, and one like it for each of its other places."""
+    yield replace(finding, places=(), count=1)
+    for place in finding.places:
+        program = (library if place.program in library else library.external)[place.program]
+        source = ";".join(b.text for b in program.blocks if b.line == place.line)
+        yield replace(finding, **place._asdict(), source=source, places=(), count=1)
 
 
 def ends_well(row: Row) -> bool:
@@ -230,6 +241,7 @@ def test_findings_in_examples_are_accounted_for(monkeypatch: pytest.MonkeyPatch)
         done = CliRunner().invoke(app, ["check", *words, "--format", "json"])
         assert done.exit_code in (0, 1), (name, words, done.output)
         for finding in json.loads(done.stdout)["findings"]:
-            where = f"{finding['program']} N{finding['n']}"
-            told.setdefault((name, finding["rule"]), set()).add(where)
+            for place in (finding, *finding["places"]):
+                where = f"{place['program']} N{place['n']}"
+                told.setdefault((name, finding["rule"]), set()).add(where)
     assert told == IN_EXAMPLES

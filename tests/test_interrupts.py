@@ -145,6 +145,27 @@ except KeyboardInterrupt:
         assert took < SOON
 
 
+@pytest.mark.parametrize("look", ["check()", "call_graph()", "flow('O1')"])
+def test_a_look_at_programs_that_all_call_each_other_is_given_up(look: str) -> None:
+    code = f"""
+import time
+text = "".join(
+    f"O{{i}}\\n" + "".join(f"M98 P{{j}}\\n#{{100 + j % 50}}=#{{1 + j % 30}}\\n" for j in range(1, 501)) + "M99\\n"
+    for i in range(1, 501)
+)
+lib = cncsub.loads(text, control="fanuc-0i-f")
+try:
+    go()
+    while True:
+        lib.{look}
+except KeyboardInterrupt:
+    print("raised", flush=True)
+"""
+    said, took = interrupted(code, after=0.4)
+    assert said == "raised"
+    assert took < SOON
+
+
 def test_the_command_line_ends_without_a_traceback(tmp_path: Path) -> None:
     file = tmp_path / "O1.nc"
     file.write_text("N10 #100=#100+1\nN20 GOTO10\n")

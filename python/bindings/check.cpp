@@ -42,7 +42,11 @@ struct Told {
   std::optional<Alarm> alarm;
   std::vector<Frame> path;
   std::vector<std::pair<Alarm, std::pair<std::string, std::string>>> edits;  // place, old, new
+  std::vector<Alarm> again;  // the first of the other places
+  std::size_t count = 1;     // of all its places
 };
+
+constexpr std::size_t kMostPlaces = 1000;  // that are told of one finding
 
 Told told(const Code& code, const Finding& finding) {
   Told row{.check = finding.check,
@@ -51,7 +55,9 @@ Told told(const Code& code, const Finding& finding) {
                {.at = finding.place.at, .width = finding.place.width, .detail = finding.detail}),
            .alarm = std::nullopt,
            .path = {},
-           .edits = {}};
+           .edits = {},
+           .again = {},
+           .count = finding.again.size() + 1};
   if (finding.alarm) row.alarm = alarm_of(code, finding.alarm_block, *finding.alarm);
   for (const Address at : finding.path) row.path.push_back(frame_of(code, at));
   for (const CertainEdit& edit : finding.edits) {
@@ -60,6 +66,13 @@ Told told(const Code& code, const Finding& finding) {
     row.edits.push_back(
         {alarm_of(code, edit.block, {.at = edit.place.at, .width = edit.place.width, .detail = {}}),
          {std::string(text.substr(edit.place.at, edit.place.width)), edit.text}});
+  }
+  for (const FoundAgain& at : finding.again) {
+    if (row.again.size() == kMostPlaces) break;
+    Fault fault = finding.alarm && finding.alarm_block == finding.block ? *finding.alarm : Fault{};
+    fault.at = at.place.at;
+    fault.width = at.place.width;
+    row.again.push_back(alarm_of(code, at.block, fault));
   }
   if (row.alarm && finding.alarm_block == finding.block) row.place = *row.alarm;
   if (row.alarm) row.alarm->frames.assign(row.path.rbegin(), row.path.rend());
@@ -71,24 +84,33 @@ py::object alarm_or_none(const std::optional<Alarm>& alarm) {
   return py::cast(*alarm);
 }
 
+py::tuple row_of(Told& row) {
+  py::tuple path(row.path.size()), again(row.again.size());
+  for (std::size_t i = 0; i < row.path.size(); ++i) path[i] = py::cast(std::move(row.path[i]));
+  for (std::size_t i = 0; i < row.again.size(); ++i) {
+    const std::string line = row.again[i].source_line;
+    again[i] = py::make_tuple(std::move(row.again[i]), line);
+  }
+  py::list edits;
+  for (const auto& [at, texts] : row.edits)
+    edits.append(py::make_tuple(at.file, at.line, at.column, texts.first, texts.second));
+  const std::string line = row.place.source_line;
+  return py::make_tuple(static_cast<int>(row.check), std::move(row.place), line,
+                        alarm_or_none(row.alarm), path, edits, again, row.count);
+}
+
 py::list check_all(const Code& code, std::int32_t main, const std::string& machine) {
   std::vector<Told> all;
   work_away([&](InterruptCheck& interrupt) {
-    for (const Finding& finding : check(code, main, machine, [&] {
-           return interrupt.requested(InterruptCheck::kBlock << 16);
-         }))
+    for (const Finding& finding : check(code, main, machine, interrupt)) {
+      if (interrupt.requested(InterruptCheck::kLook / 64)) break;
       all.push_back(told(code, finding));
+    }
   });
   py::list rows;
   for (Told& row : all) {
-    py::tuple path(row.path.size());
-    for (std::size_t i = 0; i < row.path.size(); ++i) path[i] = py::cast(std::move(row.path[i]));
-    py::list edits;
-    for (const auto& [at, texts] : row.edits)
-      edits.append(py::make_tuple(at.file, at.line, at.column, texts.first, texts.second));
-    const std::string line = row.place.source_line;
-    rows.append(py::make_tuple(static_cast<int>(row.check), std::move(row.place), line,
-                               alarm_or_none(row.alarm), path, edits));
+    if ((py::len(rows) & 0xfff) == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+    rows.append(row_of(row));
   }
   return rows;
 }
@@ -106,7 +128,7 @@ py::list all_rules() {
 /// and None for any block with a number.
 py::tuple flow(const ProgramData& program) {
   std::vector<ProgramFlow> flows;
-  work_away([&](InterruptCheck&) { flows = flow_of(*program.code); });
+  work_away([&](InterruptCheck& interrupt) { flows = flow_of(*program.code, interrupt); });
   const ProgramFlow& own = flows[program.index];
   const std::vector<bool> reached = own.reached();
   const Address last = reached.back() ? own.anywhere() : own.last();

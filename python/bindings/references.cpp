@@ -82,21 +82,37 @@ py::tuple references(const Code& code, std::int32_t program, const Block& block)
       listed(of.reads, variable), listed(of.writes, variable));
 }
 
-/// The calls of every block of every program: (program, block, call).
-py::list all_calls(const Code& code) {
-  py::list list;
+/// The calls of every block of every program: its place, the block, the call as a row.
+template <class Take>
+void take_calls(const Code& code, const Take& take) {
+  std::size_t looked_at = 0;
   for (std::size_t p = 0; p < code.programs.size(); ++p) {
     const Program& program = code.programs[p];
     const auto own = static_cast<std::int32_t>(p);
     const Rows rows(code, own);
     for (Address a = program.first; a < program.last; ++a) {
-      if ((a & 0xffff) == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (code.program_at(a) != own || !may_call(code.blocks[a].op)) continue;
+      if ((++looked_at & 0xfff) == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!may_call(code.blocks[a].op) || code.program_at(a) != own) continue;
       for (const CallReference& call : references_of(code, code.blocks[a], own).calls)
-        list.append(py::make_tuple(p, a - program.first, rows.call(call)));
+        take(p, a, rows.call(call));
     }
   }
+}
+
+/// As a list: (program, block, call).
+py::list all_calls(const Code& code) {
+  py::list list;
+  take_calls(code, [&](std::size_t program, Address at, const py::tuple& call) {
+    list.append(py::make_tuple(program, at - code.programs[program].first, call));
+  });
   return list;
+}
+
+/// One after the other, so that nothing holds them all: (program, n, line, call).
+void each_call(const Code& code, const py::function& take) {
+  take_calls(code, [&](std::size_t program, Address at, const py::tuple& call) {
+    take(program, sequence_number(code.blocks[at].n), code.blocks[at].line, call);
+  });
 }
 
 }  // namespace
@@ -110,6 +126,7 @@ void add_references(py::module_& m) {
       },
       py::arg("program"), py::arg("block"));
   m.def("all_calls", &all_calls, py::arg("code"));
+  m.def("each_call", &each_call, py::arg("code"), py::arg("take"));
 }
 
 }  // namespace cncsub::bindings

@@ -1,6 +1,6 @@
 """The engine. Use it through `cncsub`; nothing here is public by itself."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, final
 
 import numpy as np
@@ -229,10 +229,21 @@ def references(
 def all_calls(code: Code) -> list[tuple[int, int, _CallRow]]:
     """Every call: the place of its program, and of its block there."""
 
+def each_call(code: Code, take: Callable[[int, int | None, int, _CallRow], None]) -> None:
+    """Hands over every call: the place of its program, the number and the line of its block."""
+
 # which of the rules, where (its words: what is wrong), the text of the line, the alarm, the calls,
-# edits: file, line, column, old, new
+# edits: file, line, column, old, new; the first of its other places with their lines, how many
+# places it has
 _FindingRow = tuple[
-    int, Alarm, str, Alarm | None, tuple[Frame, ...], list[tuple[str, int, int, str, str]]
+    int,
+    Alarm,
+    str,
+    Alarm | None,
+    tuple[Frame, ...],
+    list[tuple[str, int, int, str, str]],
+    tuple[tuple[Alarm, str], ...],
+    int,
 ]
 
 def check(code: Code, main: int, machine: str) -> list[_FindingRow]:

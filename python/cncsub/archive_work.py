@@ -51,6 +51,7 @@ CHECK_COLUMNS = {
     "word": "string",
     "message": "string",
     "hint": "string",
+    "count": "int64",  # in how many places
     "alarm": "string",
     "error": "string",
 }

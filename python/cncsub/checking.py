@@ -46,15 +46,27 @@ class Edit(NamedTuple):
     new: str
 
 
+class Place(NamedTuple):
+    """Where a finding is found again: the program, the block, and the word that it is about."""
+
+    program: str
+    n: int | None
+    file: str
+    line: int
+    column: int
+    word: str
+
+
 @dataclass(frozen=True)
 class Finding:
-    """Something that `Library.check` has found.
+    """Something that `Library.check` has found: one for each cause.
 
     `rule`: its number, such as `CS201`; `name`: its slug; `severity`: `"error"`, `"warning"` or
     `"note"`. `program`, `n`, `line`, `column`, `file`, `word`: where, as in an `Alarm`. `message`:
     what is wrong there. `hint`: what to write instead. `alarm`: what the control raises when the
     block runs, `None` where it raises nothing or nobody knows. `path`: the calls that lead there,
-    the outermost first. `fix`: edits that mend it, `None` where none is certain.
+    the outermost first. `fix`: edits that mend it, `None` where none is certain. `places`: where
+    the same cause is found again, the first 1,000 by their blocks; `count`: how often in all.
     """
 
     rule: str
@@ -72,11 +84,21 @@ class Finding:
     path: tuple[_core.Frame, ...]
     fix: tuple[Edit, ...] | None
     source: str  # the text of the line
+    places: tuple[Place, ...] = ()
+    count: int = 1
 
     def _repr_html_(self) -> str:
         from cncsub.notebook_values import finding_html
 
         return finding_html(self)
+
+    @property
+    def told(self) -> str:
+        """The message, with how many places it holds for besides its own."""
+        if self.count == 1:
+            return self.message
+        more = self.count - 1
+        return f"{self.message} (and in {more:,} more place{'s' if more > 1 else ''})"
 
     def __str__(self) -> str:
         number = f" [{self.alarm.number}]" if self.alarm is not None and self.alarm.number else ""
@@ -84,16 +106,35 @@ class Finding:
         before, shown, width = _clipped(self.source, self.column - 1, len(self.word))
         blank = "".join("\t" if letter == "\t" else " " for letter in before)
         lines = [
-            f"{self.severity} {self.rule} {self.name}{number}: {self.message}",
+            f"{self.severity} {self.rule} {self.name}{number}: {self.told}",
             f"  --> {at}, {self.file}:{self.line}:{self.column}",
             f"   | {shown}",
             f"   | {blank}{'^' * max(1, width)}",
         ]
+        if self.places:
+            lines.append(f"also in {_listed(self.file, self.places, self.count - 1)}")
         for frame in reversed(self.path):
             caller = frame.program if frame.n is None else f"{frame.program} N{frame.n}"
             lines.append(f"called from {caller} ({frame.kind}), {frame.file}:{frame.line}")
         lines.append(f"hint: {self.hint}")
         return "\n".join(lines)
+
+
+_LISTED = 12  # lines of other places
+
+
+def _listed(file: str, places: Sequence[Place], count: int) -> str:
+    """`lines 5, 9, sub.nc line 3, and 40 more`."""
+    lines: dict[str, dict[int, None]] = {}
+    for place in places[:_LISTED]:
+        lines.setdefault(place.file, {})[place.line] = None
+    told = [
+        f"{'' if name == file else name + ' '}line{'s' if len(of) > 1 else ''} "
+        + ", ".join(map(str, of))
+        for name, of in lines.items()
+    ]
+    left = count - min(len(places), _LISTED)
+    return ", ".join(told) + (f", and {left:,} more" if left else "")
 
 
 _WIDE = 160  # letters of a line that are shown
@@ -156,7 +197,7 @@ def check(
     """All findings, by their places."""
     chosen = chosen_rules(rules)
     found = (_finding(*row) for row in _core.check(code, main, machine or ""))
-    return [finding for finding in found if finding.rule in chosen and not _ignored(finding)]
+    return [finding for finding in found if finding.rule in chosen]
 
 
 def _finding(
@@ -166,6 +207,8 @@ def _finding(
     alarm: _core.Alarm | None,
     path: tuple[_core.Frame, ...],
     edits: Sequence[tuple[str, int, int, str, str]],
+    again: Sequence[tuple[_core.Alarm, str]],
+    count: int,
 ) -> Finding:
     rule = RULES[index]
     hint = rule.hint if alarm is None else causes[alarm.cause].cure
@@ -187,8 +230,12 @@ def _finding(
         hint if alarm is not None and rule.name in _OF_ANY_CAUSE else rule.hint,
         alarm,
         path,
-        tuple(Edit(*edit) for edit in edits) or _fix(rule, place, alarm, source),
+        tuple(Edit(*edit) for edit in edits) or _fixes(rule, alarm, ((place, source), *again)),
         source,
+        tuple(
+            Place(at.program, at.n, at.file, max(1, at.line), at.column, at.word) for at, _ in again
+        ),
+        count,
     )
 
 
@@ -201,10 +248,19 @@ _O_FOR_ZERO = re.compile(r"([A-NP-Z][-+]?)O(?=[\d.;\s]|$)")
 _COMMA = re.compile(r"[A-Z][-+]?\d+$")
 
 
+def _fixes(
+    rule: CheckRule, alarm: _core.Alarm | None, places: Iterable[tuple[_core.Alarm, str]]
+) -> tuple[Edit, ...] | None:
+    """Edits behind which the control does the same, or what it refused and can only mean, at all
+    places that have one.
+    """
+    fixes = (_fix(rule, place, alarm, line) for place, line in places)
+    return tuple(edit for fix in fixes for edit in fix or ()) or None
+
+
 def _fix(
     rule: CheckRule, place: _core.Alarm, alarm: _core.Alarm | None, source: str
 ) -> tuple[Edit, ...] | None:
-    """Edits behind which the control does the same, or what it refused and can only mean."""
     word = place.word
     if rule.name == "g99-for-m99" and (at := word.upper().find("G99")) >= 0:
         return (Edit(place.file, place.line, place.column + at, word[at : at + 3], "M99"),)
@@ -227,18 +283,6 @@ def _mended_word(place: _core.Alarm, alarm: _core.Alarm, source: str) -> tuple[E
     if comma and _COMMA.search(source[: place.column - 1].upper()):
         return (Edit(place.file, place.line, place.column, word, f".{word[1:]}"),)
     return None
-
-
-_COMMENT = re.compile(r"cncsub:\s*ignore\b([^()]*)", re.IGNORECASE)
-
-
-def _ignored(finding: Finding) -> bool:
-    """Whether a comment in the line switches the rule off: `(cncsub: ignore CS701)`."""
-    told = _COMMENT.search(finding.source)
-    if told is None:
-        return False
-    names = set(re.findall(r"[A-Za-z][\w-]*", told[1]))
-    return not names or finding.rule in {n.upper() for n in names} or finding.name in names
 
 
 def counts(findings: Iterable[Finding]) -> Iterator[tuple[str, int]]:
@@ -267,7 +311,8 @@ class Flow:
     """The ways through a program, as its blocks are written.
 
     `blocks`: how many blocks it has. `edges`: the ways between them. `returns`, `ends`: the blocks
-    that may return to a caller and that may end the run. `unreached`: the blocks no way leads to.
+    that may return to a caller and that may end the run. `unreached`: the blocks that no jump or
+    call reaches.
 
     >>> import cncsub
     >>> text = "O1\\nN10 GOTO 30\\nN20 G4 P1\\nN30 M30\\n"

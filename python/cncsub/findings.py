@@ -44,6 +44,8 @@ def _facts(finding: Finding) -> dict[str, Any]:
             for f in finding.path
         ],
         "fix": None if finding.fix is None else [edit._asdict() for edit in finding.fix],
+        "count": finding.count,
+        "places": [place._asdict() for place in finding.places],
     }
 
 
@@ -84,7 +86,7 @@ def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
 
 def _result(finding: Finding, numbers: Sequence[str]) -> dict[str, Any]:
     number = finding.alarm.number if finding.alarm is not None else None
-    told = f"{finding.message} [alarm {number}]" if number else finding.message
+    told = f"{finding.told} [alarm {number}]" if number else finding.told
     result: dict[str, Any] = {
         "ruleId": finding.rule,
         "ruleIndex": numbers.index(finding.rule),
@@ -92,6 +94,10 @@ def _result(finding: Finding, numbers: Sequence[str]) -> dict[str, Any]:
         "message": {"text": f"{told}. Hint: {finding.hint}"},
         "locations": [_location(finding.file, finding.line, finding.column, len(finding.word))],
     }
+    if finding.places:
+        result["relatedLocations"] = [
+            _location(at.file, at.line, at.column, len(at.word)) for at in finding.places
+        ]
     if finding.path:
         places = [
             _location(frame.file, frame.line, 1, 0, f"{frame.program} {frame.kind}")
@@ -162,7 +168,7 @@ def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
         if file in failing:
             worst = next(finding for finding in found if finding.severity != "note")
             told = ElementTree.SubElement(
-                case, "failure", type=worst.rule, message=clean(worst.message)
+                case, "failure", type=worst.rule, message=clean(worst.told)
             )
         else:
             told = ElementTree.SubElement(case, "system-out")

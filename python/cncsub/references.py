@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -255,24 +255,31 @@ def _quoted(text: str) -> str:
 def call_graph(code: _core.Code) -> CallGraph:
     """The graph of all programs of a memory and its external device."""
     data = [code.program(index) for index in range(len(code))]
-    edges: list[Edge] = []
-    ways: list[tuple[int, int, str]] = []
-    for caller, block, row in _core.all_calls(code):
-        call = _call(row)
-        n, line, _ = data[caller].block(block)
-        name, file = data[caller].name, data[caller].file
-        edges.append(Edge(name, n, line, call.kind, call.program, call.repeats, call.exists, file))
-        if row[2] is not None:
-            ways.append((caller, row[2], call.kind))
     names = tuple(program.name for program in data)
-    graph = _Graph(len(data), [(caller, called) for caller, called, _ in ways])
-    called = {to for _, to, _ in ways}
+    files = [program.file for program in data]
+    edges: list[Edge] = []
+    ways: dict[str, list[dict[int, None]]] = {}  # by kind and caller: what it calls
+
+    def take(caller: int, n: int | None, line: int, row: _core._CallRow) -> None:
+        call, called = _call(row), row[2]
+        to = call.program if called is None else names[called]
+        edges.append(
+            Edge(names[caller], n, line, call.kind, to, call.repeats, call.exists, files[caller])
+        )
+        if called is not None:
+            if call.kind not in ways:
+                ways[call.kind] = [{} for _ in data]
+            ways[call.kind][caller][called] = None
+
+    _core.each_call(code, take)
+    every: list[dict[int, None]] = [{} for _ in data]
+    for of_kind in ways.values():
+        for caller, programs in enumerate(of_kind):
+            every[caller].update(programs)
+    graph = _Graph(every)
+    called = {to for each in every for to in each}
     reached = graph.reached(code.main)
-    kinds = dict.fromkeys(kind for _, _, kind in ways)
-    deepest = {
-        kind: _Graph(len(data), [(a, b) for a, b, of in ways if of == kind]).deepest()
-        for kind in kinds
-    }
+    deepest = {kind: _Graph(each).deepest() for kind, each in ways.items()}
     if ways:
         deepest["any"] = graph.deepest()
     return CallGraph(
@@ -288,10 +295,8 @@ def call_graph(code: _core.Code) -> CallGraph:
 class _Graph:
     """Numbers from 0 and arrows between them. No function calls itself: chains may be long."""
 
-    def __init__(self, size: int, arrows: Sequence[tuple[int, int]]) -> None:
-        self.next: list[list[int]] = [[] for _ in range(size)]
-        for a, b in dict.fromkeys(arrows):
-            self.next[a].append(b)
+    def __init__(self, arrows: Iterable[Iterable[int]]) -> None:
+        self.next = [list(each) for each in arrows]
         self.order: list[int] = []  # each behind all it leads to, but for arrows that close cycles
         self._groups: list[list[int]] = []
         self._walk()

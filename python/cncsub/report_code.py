@@ -94,8 +94,10 @@ def code_section(
     if alarm is not None:
         marks[alarm.file, alarm.line] = [("error", f"alarm {alarm.number or ''} {alarm.cause}")]
     for found in findings:
-        words = f"{found.rule} {found.message}"
-        marks.setdefault((found.file, found.line), []).append((found.severity, words))
+        words = (found.severity, f"{found.rule} {found.message}")
+        marks.setdefault((found.file, found.line), []).append(words)
+        for place in found.places:
+            marks.setdefault((place.file, place.line), []).append(words)
     blocks, branches = coverage.blocks, coverage.branches
     yield (
         f"<p>{percent_text(coverage.percent)} covered:"

@@ -237,7 +237,7 @@ def _findings(findings: list[Finding], anchors: Anchors) -> Iterator[str]:
             anchors.link(f.file, f.line, f"{f.program} line {f.line}"),
             escape(f.severity),
             escape(f"{f.rule} {f.name}"),
-            escape(f.message),
+            escape(f.told),
             escape(f.hint),
         )
         for f in findings[:MOST_FINDINGS]

@@ -73,25 +73,28 @@ def static_tree(library: Library, main: str | int | None = None) -> tuple[list[S
     count = 0
     waiting: list[tuple[Iterator[Edge], list[StaticCall], str]] = []
     waiting.append((iter(out.get(first.name, ())), roots, first.name))
+    opened = {first.name}
     while waiting:
         edges, calls, _ = waiting[-1]
         edge = next(edges, None)
         if edge is None:
-            told.add(waiting.pop()[2])
+            told.add(name := waiting.pop()[2])
+            opened.discard(name)
             continue
         if count == MOST:
             return roots, False
         count += 1
         calls.append(call := _call(library, edge))
-        name = call.program
-        if name is None or not out.get(name):
+        called = call.program
+        if called is None or not out.get(called):
             continue
-        if any(name == open_one for _, _, open_one in waiting):
+        if called in opened:
             call.again = "cycle"
-        elif name in told:
+        elif called in told:
             call.again = "above"
         else:
-            waiting.append((iter(out[name]), call.calls, name))
+            waiting.append((iter(out[called]), call.calls, called))
+            opened.add(called)
     return roots, True
 
 

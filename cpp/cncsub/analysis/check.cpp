@@ -23,17 +23,123 @@ const std::vector<CheckInfo>& all_checks() {
   return all;
 }
 
-Finding& Checker::found(Check check, Address block, TextPlace place, std::string detail) {
-  Finding finding;
+namespace {
+
+/// The programs that call each other, as far as calls are known.
+Arrows calls_of(const std::vector<ProgramFlow>& flows) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+  for (const ProgramFlow& flow : flows)
+    for (const CallEdge& edge : flow.calls())
+      all.emplace_back(static_cast<std::uint32_t>(edge.caller),
+                       static_cast<std::uint32_t>(edge.called));
+  return {flows.size(), all};
+}
+
+/// Whether the cause of a finding lies in the control or in what was read, not in one program.
+bool is_of_memory(Check check) {
+  switch (check) {
+    case Check::Refused:
+    case Check::CodeMissing:
+    case Check::VariableMissing:
+    case Check::NotComputed:
+    case Check::ProgramMissing:
+    case Check::Dropped:
+    case Check::PlainCode:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+Checker::Checker(const Code& code, std::int32_t main, const std::string& machine,
+                 InterruptCheck& interrupt)
+    : code(code),
+      main(main),
+      machine(machine_of(*code.control, machine)),
+      g_codes(*code.control, this->machine),
+      flows(flow_of(code, interrupt)),
+      callers(code.programs.size()),
+      groups(calls_of(flows)),
+      named(code.programs.size()),
+      interrupt_(interrupt),
+      called_by_another_(code.programs.size()) {
+  for (const ProgramFlow& flow : flows)
+    for (const CallEdge& edge : flow.calls()) {
+      const auto called = static_cast<std::size_t>(edge.called);
+      callers[called].push_back(edge);
+      if (edge.caller != edge.called) called_by_another_[called] = true;
+    }
+  for (const SourceFile& file : code.files) ignored_.emplace_back(file.text.view());
+}
+
+bool Checker::ignored(Check check, Address block, TextPlace place) {
+  const Program& of = program(code.program_at(block));
+  const std::size_t at = std::max(place.at, code.blocks[block].text);
+  return ignored_[of.file].holds(check, at);
+}
+
+void Checker::keep_edits() {
+  if (spare_of_ != 0) {
+    auto& edits = findings_[spare_of_ - 1].edits;
+    edits.insert(edits.end(), spare_.edits.begin(), spare_.edits.end());
+  }
+  spare_ = {};
+  spare_of_ = 0;
+}
+
+Finding& Checker::add(Check check, const std::string& cause, Address block, TextPlace place) {
+  keep_edits();
+  if (ignored(check, block, place)) return spare_;
+  const auto [known, added] = causes_.try_emplace(cause, findings_.size());
+  if (!added) {
+    findings_[known->second].again.push_back({block, place});
+    spare_of_ = known->second + 1;
+    return spare_;
+  }
+  findings_.emplace_back();
+  Finding& finding = findings_.back();
   finding.check = check;
   finding.block = block;
   finding.place = place;
+  return finding;
+}
+
+bool Checker::known(Check check, const std::string& cause, Address block, TextPlace place) {
+  std::string whole = std::to_string(static_cast<int>(check)) + ":" + cause;
+  if (causes_.contains(whole)) {
+    add(check, whole, block, place);
+    return true;
+  }
+  next_cause_ = std::move(whole);
+  return false;
+}
+
+Finding& Checker::found(Check check, Address block, TextPlace place, std::string detail) {
+  std::string cause = std::move(next_cause_);
+  next_cause_.clear();
+  if (cause.empty()) {
+    cause = std::to_string(static_cast<int>(check)) + " ";
+    if (!is_of_memory(check)) cause += std::to_string(code.program_at(block));
+    cause += " " + detail;
+  }
+  Finding& finding = add(check, cause, block, place);
   finding.detail = std::move(detail);
-  findings.push_back(std::move(finding));
-  return findings.back();
+  return finding;
 }
 
 Finding& Checker::refused(Check check, Address block, Fault fault) {
+  if (next_cause_.empty()) {
+    next_cause_ = std::to_string(static_cast<int>(check)) + " ";
+    if (!is_of_memory(check)) next_cause_ += std::to_string(code.program_at(block));
+    next_cause_ += " " + std::to_string(static_cast<int>(fault.cause)) + " " + fault.detail;
+    next_cause_ += fault.address;
+    if (fault.detail.starts_with("{}")) {  // the word stands there
+      const std::string_view text = code.files[program(code.program_at(block)).file].text.view();
+      next_cause_ += text.substr(std::min<std::size_t>(fault.at, text.size()), fault.width);
+    }
+  }
   Finding& finding = found(check, block, {fault.at, fault.width}, fault.detail);
   finding.alarm_block = block;
   finding.alarm = std::move(fault);
@@ -86,28 +192,33 @@ class Ways {
 
 }  // namespace
 
+std::vector<Finding> Checker::take() {
+  keep_edits();
+  const Ways ways(*this);
+  for (Finding& finding : findings_) {
+    if (over()) break;
+    ways.lead(finding);
+    std::sort(finding.again.begin(), finding.again.end(),
+              [](const FoundAgain& a, const FoundAgain& b) {
+                return std::pair(a.block, a.place.at) < std::pair(b.block, b.place.at);
+              });
+  }
+  std::stable_sort(findings_.begin(), findings_.end(), [](const Finding& a, const Finding& b) {
+    return std::pair(a.block, a.check) < std::pair(b.block, b.check);
+  });
+  return std::move(findings_);
+}
+
 std::vector<Finding> check(const Code& code, std::int32_t main, const std::string& machine,
-                           const std::function<bool()>& over) {
-  const MachineType kind = machine_of(*code.control, machine);
-  Checker checker{code, main, kind, GCodes(*code.control, kind), flow_of(code), {}, {}, {}};
-  checker.callers.resize(code.programs.size());
-  checker.named.resize(code.programs.size());
-  for (const ProgramFlow& flow : checker.flows)
-    for (const CallEdge& edge : flow.calls())
-      checker.callers[static_cast<std::size_t>(edge.called)].push_back(edge);
+                           InterruptCheck& interrupt) {
+  Checker checker(code, main, machine, interrupt);
   for (const auto& part :
        {check_refusals, check_targets, check_reach, check_nesting, check_modes, check_variables,
         check_labels, check_logic, check_values, check_writing}) {
-    if (over()) break;
+    if (checker.over()) break;
     part(checker);
   }
-  const Ways ways(checker);
-  for (Finding& finding : checker.findings) ways.lead(finding);
-  std::stable_sort(checker.findings.begin(), checker.findings.end(),
-                   [](const Finding& a, const Finding& b) {
-                     return std::pair(a.block, a.check) < std::pair(b.block, b.check);
-                   });
-  return std::move(checker.findings);
+  return checker.take();
 }
 
 }  // namespace cncsub

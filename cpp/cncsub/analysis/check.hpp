@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 
 #include "cncsub/code/code.hpp"
 #include "cncsub/code/references.hpp"
+#include "cncsub/text/interrupt_check.hpp"
 
 namespace cncsub {
 
@@ -39,6 +39,12 @@ struct CertainEdit {
   std::string text;
 };
 
+/// Where a finding is found again for the same cause.
+struct FoundAgain {
+  Address block = kNowhere;
+  TextPlace place;
+};
+
 struct Finding {
   Check check{};
   Address block = kNowhere;
@@ -47,14 +53,15 @@ struct Finding {
   // What the control raises, and in which block; nothing where it raises nothing, or nobody knows.
   std::optional<Fault> alarm;
   Address alarm_block = kNowhere;
-  std::vector<Address> path;  // the blocks that call, the outermost first
-  std::vector<CertainEdit> edits;
+  std::vector<Address> path;       // the blocks that call, the outermost first
+  std::vector<CertainEdit> edits;  // of all its places
+  std::vector<FoundAgain> again;   // the other places of the same cause, by their blocks
 };
 
-/// All findings, by their blocks. `main`: the program that is run first, kNoProgram where nobody
-/// says so. `machine`: its kind, empty for the control's own. `over`: asked now and then, may end
-/// it.
+/// All findings, by their blocks: one for each cause. `main`: the program that is run first,
+/// kNoProgram where nobody says so. `machine`: its kind, empty for the control's own. What is
+/// interrupted gives findings that are not complete.
 std::vector<Finding> check(const Code& code, std::int32_t main, const std::string& machine,
-                           const std::function<bool()>& over);
+                           InterruptCheck& interrupt);
 
 }  // namespace cncsub

@@ -2,25 +2,33 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "cncsub/analysis/check.hpp"
 #include "cncsub/analysis/flow.hpp"
+#include "cncsub/analysis/groups.hpp"
+#include "cncsub/analysis/ignored.hpp"
 #include "cncsub/code/references.hpp"
 #include "cncsub/control/g_codes.hpp"
 
 namespace cncsub {
 
 /// What the parts look at, and where their findings go.
-struct Checker {
+class Checker {
+ public:
+  Checker(const Code& code, std::int32_t main, const std::string& machine,
+          InterruptCheck& interrupt);
+
   const Code& code;
   std::int32_t main;
   MachineType machine;
   GCodes g_codes;
   std::vector<ProgramFlow> flows;
   std::vector<std::vector<CallEdge>> callers;  // by the called program
-  std::vector<Finding> findings;
-  std::vector<bool> named;  // programs that a call names which leads nowhere
+  Groups groups;                               // of programs that call each other
+  std::vector<bool> named;                     // programs that a call names which leads nowhere
 
   const Program& program(std::int32_t index) const {
     return code.programs[static_cast<std::size_t>(index)];
@@ -37,13 +45,39 @@ struct Checker {
   }
   /// Whether a program other than itself calls it.
   bool is_called_by_another(std::int32_t index) const {
-    for (const CallEdge& edge : callers[static_cast<std::size_t>(index)])
-      if (edge.caller != index) return true;
-    return false;
+    return called_by_another_[static_cast<std::size_t>(index)];
   }
+  /// Whether somebody wants the check to end; `blocks` were looked at since the last question.
+  bool over(std::size_t blocks = 1) const {
+    return interrupt_.requested(blocks * InterruptCheck::kBlock);
+  }
+
+  /// What is wrong at a place. Where a finding has the same cause, in the program or for what the
+  /// control refuses in the memory, the place becomes one of that finding: what is set in the
+  /// answer then goes nowhere, but for its edits.
   Finding& found(Check check, Address block, TextPlace place, std::string detail);
   /// What the control says is wrong, with its alarm.
   Finding& refused(Check check, Address block, Fault fault);
+  /// Whether a cause is known that only its finder can name. Then the place is one of its finding;
+  /// otherwise the next finding is the first of this cause.
+  bool known(Check check, const std::string& cause, Address block, TextPlace place);
+
+  /// The findings, each with the calls that lead to it.
+  std::vector<Finding> take();
+
+ private:
+  Finding& add(Check check, const std::string& cause, Address block, TextPlace place);
+  bool ignored(Check check, Address block, TextPlace place);
+  void keep_edits();
+
+  InterruptCheck& interrupt_;
+  std::vector<bool> called_by_another_;
+  std::vector<Finding> findings_;
+  std::unordered_map<std::string, std::size_t> causes_;  // of the findings, by rule and scope
+  std::string next_cause_;                               // that `known` was asked for
+  std::vector<IgnoredLines> ignored_;                    // by file
+  Finding spare_;                                        // for what is a place of another finding
+  std::size_t spare_of_ = 0;                             // its place behind 1; 0: it goes nowhere
 };
 
 /// Faults, codes, calls and variables that the control refuses.

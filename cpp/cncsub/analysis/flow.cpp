@@ -279,16 +279,18 @@ void FlowReader::read(Address at) {
   to_.all_marks_ = static_cast<std::uint8_t>(to_.all_marks_ | marks_);
 }
 
-ProgramFlow::ProgramFlow(const Code& code, std::int32_t program) : code_(code), program_(program) {
+ProgramFlow::ProgramFlow(const Code& code, std::int32_t program, InterruptCheck& interrupt)
+    : code_(code), program_(program) {
   const Program& own = code.programs[static_cast<std::size_t>(program)];
   first_ = own.first;
-  last_ = own.last;
+  last_ = interrupt.requested(0) ? own.first : own.last;
   FlowReader reader(*this);
   places_.reserve(last_ - first_ + 2);
   exits_.reserve(last_ - first_);
   for (Address at = first_; at < last_; ++at) {
     places_.push_back(static_cast<std::uint32_t>(exits_.size()));
     reader.read(at);
+    if (interrupt.requested(InterruptCheck::kBlock)) last_ = at + 1;
   }
   places_.push_back(static_cast<std::uint32_t>(exits_.size()));  // of the end: it leads nowhere
   places_.push_back(static_cast<std::uint32_t>(exits_.size()));
@@ -323,6 +325,15 @@ std::vector<bool> ProgramFlow::reached() const {
   return reached(std::move(waiting));
 }
 
+Arrows ProgramFlow::backwards() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+  all.reserve(exits_.size());
+  for (Address at = first_; at <= anywhere(); ++at)
+    for (const Exit* exit = begin(at); exit != end(at); ++exit)
+      all.emplace_back(exit->to - first_, at - first_);
+  return {size(), all};
+}
+
 std::vector<bool> ProgramFlow::reached_from(Address start) const { return reached({start}); }
 
 std::vector<bool> ProgramFlow::reached(std::vector<Address> waiting) const {
@@ -339,22 +350,48 @@ std::vector<bool> ProgramFlow::reached(std::vector<Address> waiting) const {
 
 namespace {
 
-constexpr std::size_t kManyReturns = 64;  // as many as these may lead anywhere
-
-/// The ways of one call: where the called program returns to, and where it begins.
-void add_call(const Code& code, std::vector<ProgramFlow>& all, const CallEdge& edge) {
-  ProgramFlow& caller = all[static_cast<std::size_t>(edge.caller)];
-  ProgramFlow& called = all[static_cast<std::size_t>(edge.called)];
-  if (edge.start != kNowhere && edge.start != called.first())
-    called.entries().push_back(edge.start);
-  const Program& program = code.programs[static_cast<std::size_t>(edge.caller)];
-  if (called.return_numbers().size() > kManyReturns) {
-    caller.add(edge.from, {caller.anywhere(), Way::Returned});
-    return;
+/// The ways that calls open in their callers.
+class CallWays {
+ public:
+  CallWays(const Code& code, std::vector<ProgramFlow>& all) : code_(code), all_(all) {
+    for (const ProgramFlow& flow : all) numbers_.push_back(numbers_of(flow));
   }
-  for (const ProgramFlow::ReturnTo& to : called.return_numbers()) {
-    const Address found = to.n < 0 ? caller.anywhere()  // computed
-                                   : code.return_target(program, to.n, edge.from);
+  /// Where the called program of a call returns to, and where it begins.
+  void add(const CallEdge& edge);
+
+ private:
+  static constexpr std::size_t kManyReturns = 64;      // as many as these may lead anywhere
+  static constexpr std::size_t kMostWays = 4'000'000;  // of a memory: behind them as well
+
+  static std::vector<std::int64_t> numbers_of(const ProgramFlow& flow) {
+    std::vector<std::int64_t> numbers;
+    for (const ProgramFlow::ReturnTo& to : flow.return_numbers()) numbers.push_back(to.n);
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+  }
+
+  const Code& code_;
+  std::vector<ProgramFlow>& all_;
+  std::vector<std::vector<std::int64_t>> numbers_;  // of M99 P by program, -1 where it is computed
+  std::size_t added_ = 0;
+};
+
+void CallWays::add(const CallEdge& edge) {
+  ProgramFlow& caller = all_[static_cast<std::size_t>(edge.caller)];
+  ProgramFlow& called = all_[static_cast<std::size_t>(edge.called)];
+  const auto& numbers = numbers_[static_cast<std::size_t>(edge.called)];
+  auto& entries = called.entries();
+  if (edge.start != kNowhere && edge.start != called.first() &&
+      (entries.empty() || entries.back() != edge.start))
+    entries.push_back(edge.start);
+  if (numbers.empty()) return;
+  if (numbers.size() > kManyReturns || added_ > kMostWays)
+    return caller.add(edge.from, {caller.anywhere(), Way::Returned});
+  const Program& program = code_.programs[static_cast<std::size_t>(edge.caller)];
+  added_ += numbers.size();
+  for (const std::int64_t n : numbers) {
+    const Address found = n < 0 ? caller.anywhere() : code_.return_target(program, n, edge.from);
     if (found != kNowhere) caller.add(edge.from, {found, Way::Returned});
   }
 }
@@ -373,21 +410,23 @@ void add_main(const Code& code, ProgramFlow& flow) {
 
 }  // namespace
 
-std::vector<ProgramFlow> flow_of(const Code& code) {
+std::vector<ProgramFlow> flow_of(const Code& code, InterruptCheck& interrupt) {
   std::vector<ProgramFlow> all;
   all.reserve(code.programs.size());
   for (std::size_t i = 0; i < code.programs.size(); ++i)
-    all.emplace_back(code, static_cast<std::int32_t>(i));
+    all.emplace_back(code, static_cast<std::int32_t>(i), interrupt);
   std::vector<bool> called(all.size(), false);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t k = 0; k < all[i].calls().size(); ++k) {
-      const CallEdge edge = all[i].calls()[k];
+  CallWays ways(code, all);
+  for (const ProgramFlow& flow : all)
+    for (const CallEdge& edge : flow.calls()) {
+      if (interrupt.requested(InterruptCheck::kBlock)) break;
       called[static_cast<std::size_t>(edge.called)] = true;
-      add_call(code, all, edge);
+      ways.add(edge);
     }
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!called[i]) add_main(code, all[i]);
     all[i].close();
+    if (interrupt.requested(all[i].size())) break;
   }
   return all;
 }

@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "cncsub/analysis/groups.hpp"
 #include "cncsub/code/code.hpp"
 #include "cncsub/code/references.hpp"
+#include "cncsub/text/interrupt_check.hpp"
 
 namespace cncsub {
 
@@ -41,7 +43,7 @@ struct CallEdge {
 /// that for any block with a number: there computed jumps lead, and from there to each of them.
 class ProgramFlow {
  public:
-  ProgramFlow(const Code& code, std::int32_t program);
+  ProgramFlow(const Code& code, std::int32_t program, InterruptCheck& interrupt);
 
   Address first() const { return first_; }
   Address last() const { return last_; }
@@ -83,6 +85,8 @@ class ProgramFlow {
   std::vector<bool> reached() const;
   /// The same where only one block is entered.
   std::vector<bool> reached_from(Address start) const;
+  /// The ways the other way round, by places from the first block on.
+  Arrows backwards() const;
 
  private:
   friend class FlowReader;
@@ -104,6 +108,7 @@ class ProgramFlow {
 };
 
 /// The ways through all programs of a memory, with those that M99 P of called programs opens.
-std::vector<ProgramFlow> flow_of(const Code& code);
+/// Where it is interrupted, some of them are empty.
+std::vector<ProgramFlow> flow_of(const Code& code, InterruptCheck& interrupt);
 
 }  // namespace cncsub

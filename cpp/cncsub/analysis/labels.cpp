@@ -170,7 +170,7 @@ void LabelCheck::statements(const std::vector<Address>& all) {
 
 void check_labels(Checker& c) {
   for (const ProgramFlow& flow : c.flows)
-    if (flow.has_labels() && !c.inside(flow)) LabelCheck(c, flow).run();
+    if (flow.has_labels() && !c.inside(flow) && !c.over(flow.size())) LabelCheck(c, flow).run();
 }
 
 }  // namespace cncsub

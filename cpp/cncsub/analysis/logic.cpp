@@ -245,7 +245,7 @@ void check_logic(Checker& c) {
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
     const std::string_view text = c.code.files[c.program(flow.program()).file].text.view();
-    for (Address at = flow.first(); at < flow.last(); ++at)
+    for (Address at = flow.first(); at < flow.last() && !c.over(); ++at)
       each_variant(c.code, c.code.blocks[at],
                    [&](const Block& block) { logic.block(at, block, text); });
   }

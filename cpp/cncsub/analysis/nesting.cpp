@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -11,6 +10,8 @@
 namespace cncsub {
 
 namespace {
+
+constexpr std::size_t kMostNamed = 12;  // programs of a circle
 
 /// How many calls are open: of subprograms, of macros, of both.
 using Depth = std::array<int, 3>;
@@ -27,6 +28,7 @@ bool is_refused_again(const Checker& c, const CallEdge& edge) {
 void check_self_calls(Checker& c) {
   for (const ProgramFlow& flow : c.flows)
     for (const CallEdge& edge : flow.calls()) {
+      if (c.over()) return;
       const Block& block = c.code.blocks[edge.from];
       const bool code = block.op == Op::Choose && c.code.choices[block.aux].address != 0;
       if (code || c.inside(flow) || !is_refused_again(c, edge)) continue;
@@ -57,6 +59,8 @@ class CallTree {
   std::size_t size() const { return entered_.size(); }
   const Entered& entered(std::size_t place) const { return entered_[place]; }
   const std::vector<Call>& calls(std::size_t place) const { return calls_[place]; }
+  /// What is entered, with what calls it and is called by it in turn.
+  Groups groups() const;
 
  private:
   std::size_t enter(std::int32_t program, Address start);
@@ -95,16 +99,30 @@ void CallTree::take_calls(std::size_t place) {
     looked_at_ += flow.size();
     reached = flow.reached_from(from.start);
   }
+  c_.over(flow.size());
   for (const CallEdge& edge : flow.calls())
     if (reached.empty() || reached[edge.from - flow.first()])
       calls_[place].push_back({&edge, enter(edge.called, edge.start)});
+}
+
+Groups CallTree::groups() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+  for (std::size_t place = 0; place < calls_.size(); ++place)
+    for (const Call& call : calls_[place])
+      all.emplace_back(static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(call.to));
+  return Groups(Arrows(size(), all));
 }
 
 /// All that is entered, each before what it calls, but for the calls that close a circle.
 class CallOrder {
  public:
   CallOrder(Checker& c, const CallTree& tree)
-      : c_(c), tree_(tree), state_(tree.size(), Walked::New) {
+      : c_(c),
+        tree_(tree),
+        groups_(tree.groups()),
+        state_(tree.size(), Walked::New),
+        times_open_(c.flows.size(), 0),
+        told_(c.code.blocks.size() + 1, false) {
     for (std::size_t i = 0; i < state_.size(); ++i)
       if (state_[i] == Walked::New) walk(i);
     std::reverse(order_.begin(), order_.end());
@@ -123,6 +141,10 @@ class CallOrder {
     std::size_t call = 0;
   };
 
+  bool is_told(Address at);
+  std::string group_of(std::size_t place) const { return std::to_string(groups_.of[place]); }
+  void circle_from(std::vector<Open>::const_iterator first, std::string& names,
+                   std::vector<Address>& path) const;
   void walk(std::size_t from);
   void circle(const CallTree::Call& call);
   std::string name(std::size_t place) const;
@@ -131,12 +153,36 @@ class CallOrder {
 
   Checker& c_;
   const CallTree& tree_;
+  Groups groups_;
   std::vector<Walked> state_;
+  std::vector<std::uint32_t> times_open_;  // by program
   std::vector<Open> open_;
   std::vector<std::size_t> order_;
   std::vector<std::pair<std::size_t, const CallEdge*>> closing_;
-  std::set<Address> told_;
+  std::vector<bool> told_;  // blocks
 };
+
+/// Whether something was told of a block before.
+bool CallOrder::is_told(Address at) {
+  const bool told = told_[at];
+  told_[at] = true;
+  return told;
+}
+
+/// What is open from a place on: its names, but for those in the middle of a long circle, and the
+/// calls between.
+void CallOrder::circle_from(std::vector<Open>::const_iterator first, std::string& names,
+                            std::vector<Address>& path) const {
+  const auto count = static_cast<std::size_t>(open_.end() - first);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Open& at = *(first + static_cast<std::ptrdiff_t>(i));
+    const bool told = count <= kMostNamed || i < kMostNamed / 2 || i + kMostNamed / 2 >= count;
+    if (told) names += name(at.place) + " > ";
+    if (!told && i == kMostNamed / 2)
+      names += "... " + std::to_string(count - kMostNamed) + " more ... > ";
+    if (told && i + 1 < count) path.push_back(tree_.calls(at.place)[at.call - 1].edge->from);
+  }
+}
 
 void CallOrder::circle(const CallTree::Call& call) {
   const CallEdge& edge = *call.edge;
@@ -144,17 +190,15 @@ void CallOrder::circle(const CallTree::Call& call) {
   // A code does not call in the program that it calls.
   const Block& block = c_.code.blocks[edge.from];
   const bool code = block.op == Op::Choose && c_.code.choices[block.aux].address != 0;
-  if (code || is_refused_again(c_, edge) || !told_.insert(edge.from).second) return;
-  auto first = open_.begin();
-  while (first->place != call.to) ++first;
-  std::string names = name(call.to);
-  std::vector<Address> path;
-  for (auto at = first; at + 1 != open_.end(); ++at) {
-    path.push_back(tree_.calls(at->place)[at->call - 1].edge->from);
-    names += " > " + name((at + 1)->place);
-  }
-  names += " > " + name(call.to);
+  if (code || is_refused_again(c_, edge) || is_told(edge.from)) return;
   const CallRecord& record = c_.code.calls[edge.record];
+  if (c_.known(Check::Recursion, group_of(call.to), edge.from, {record.at, record.width})) return;
+  auto first = open_.cbegin();
+  while (first->place != call.to) ++first;
+  std::string names;
+  std::vector<Address> path;
+  circle_from(first, names, path);
+  names += name(call.to);
   c_.found(Check::Recursion, edge.from, {record.at, record.width}, names).path = std::move(path);
 }
 
@@ -166,23 +210,19 @@ bool CallOrder::is_of_open_caller(const CallEdge& edge) const {
       (rule == CallerCall::WithStart && started) ||
       (rule == CallerCall::MainRefused && edge.called != c_.main))
     return false;
-  return std::any_of(open_.begin(), open_.end(), [&](const Open& open) {
-    return tree_.entered(open.place).program == edge.called;
-  });
+  return times_open_[static_cast<std::size_t>(edge.called)] > 0;
 }
 
 void CallOrder::refuse(const CallEdge& edge) {
-  if (!told_.insert(edge.from).second) return;
-  auto first = open_.begin();
+  if (is_told(edge.from)) return;
+  const CallRecord& record = c_.code.calls[edge.record];
+  const std::string group = group_of(static_cast<std::size_t>(edge.called));
+  if (c_.known(Check::CallsOpen, group, edge.from, {record.at, record.width})) return;
+  auto first = open_.cbegin();
   while (tree_.entered(first->place).program != edge.called) ++first;
   std::string names;
   std::vector<Address> path;
-  for (auto at = first; at != open_.end(); ++at) {
-    if (at + 1 != open_.end()) path.push_back(tree_.calls(at->place)[at->call - 1].edge->from);
-    names += name(at->place);
-    names += " > ";
-  }
-  const CallRecord& record = c_.code.calls[edge.record];
+  circle_from(first, names, path);
   c_.refused(
         Check::CallsOpen, edge.from,
         {Cause::ProgramCallsCaller, record.at, record.width, names + c_.code.name_of(edge.called)})
@@ -199,14 +239,19 @@ std::string CallOrder::name(std::size_t place) const {
 }
 
 void CallOrder::walk(std::size_t from) {
-  open_.push_back({from});
-  state_[from] = Walked::Open;
-  while (!open_.empty()) {
+  const auto enter = [this](std::size_t place) {
+    open_.push_back({place});
+    state_[place] = Walked::Open;
+    ++times_open_[static_cast<std::size_t>(tree_.entered(place).program)];
+  };
+  enter(from);
+  while (!open_.empty() && !c_.over()) {
     Open& top = open_.back();
     const std::vector<CallTree::Call>& calls = tree_.calls(top.place);
     if (top.call == calls.size()) {
       state_[top.place] = Walked::Done;
       order_.push_back(top.place);
+      --times_open_[static_cast<std::size_t>(tree_.entered(top.place).program)];
       open_.pop_back();
       continue;
     }
@@ -214,16 +259,19 @@ void CallOrder::walk(std::size_t from) {
     if (is_of_open_caller(*call.edge)) refuse(*call.edge);
     Walked& state = state_[call.to];
     if (state == Walked::Open) circle(call);
-    if (state != Walked::New) continue;
-    state = Walked::Open;
-    open_.push_back({call.to});
+    if (state == Walked::New) enter(call.to);
   }
 }
 
 class NestingCheck {
  public:
   NestingCheck(Checker& c, const CallTree& tree)
-      : c_(c), tree_(tree), deepest_(tree.size()), from_(tree.size()) {}
+      : c_(c),
+        tree_(tree),
+        limits_{limits(false), limits(true)},
+        deepest_(tree.size()),
+        from_(tree.size()),
+        told_(c.code.blocks.size() + 1, false) {}
 
   void call(std::size_t from, const CallTree::Call& call);
 
@@ -245,9 +293,10 @@ class NestingCheck {
 
   Checker& c_;
   const CallTree& tree_;
+  std::array<std::vector<Limit>, 2> limits_;  // of subprograms, of macros
   std::vector<Depth> deepest_;
   std::vector<std::array<By, 3>> from_;
-  std::set<Address> told_;
+  std::vector<bool> told_;  // blocks
 };
 
 std::vector<NestingCheck::Limit> NestingCheck::limits(bool macro) const {
@@ -281,9 +330,10 @@ void NestingCheck::call(std::size_t from, const CallTree::Call& call) {
   const CallRecord& record = c_.code.calls[edge.record];
   ++deeper[record.macro ? 1 : 0];
   ++deeper[2];
-  for (const Limit& limit : limits(record.macro)) {
+  for (const Limit& limit : limits_[record.macro ? 1 : 0]) {
     const auto measure = static_cast<std::size_t>(limit.measure);
-    if (deeper[measure] != limit.most + 1 || !told_.insert(edge.from).second) continue;
+    if (deeper[measure] != limit.most + 1 || told_[edge.from]) continue;
+    told_[edge.from] = true;
     c_.refused(Check::TooDeep, edge.from,
                {limit.cause, record.at, record.width,
                 "the control allows " + std::to_string(limit.most) + limit.what})
@@ -305,8 +355,10 @@ void check_nesting(Checker& c) {
   const CallOrder order(c, tree);
   NestingCheck nesting(c, tree);
   for (const std::size_t from : order.order())
-    for (const CallTree::Call& call : tree.calls(from))
+    for (const CallTree::Call& call : tree.calls(from)) {
+      if (c.over()) return;
       if (!order.closes(from, *call.edge)) nesting.call(from, call);
+    }
 }
 
 }  // namespace cncsub

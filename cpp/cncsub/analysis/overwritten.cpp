@@ -1,8 +1,9 @@
 // Variables that a program uses as its own, and that a program it calls uses as its own too.
 #include <algorithm>
-#include <map>
-#include <optional>
+#include <bit>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "cncsub/analysis/variable_use.hpp"
@@ -13,17 +14,51 @@ namespace {
 
 using Numbers = std::vector<std::int32_t>;
 
-/// As many numbers from one on as there are bits.
-Numbers some_of(const Numbers& all, std::size_t first) {
-  const std::size_t last = std::min(all.size(), first + kMostBits);
-  return {all.begin() + static_cast<std::ptrdiff_t>(first),
-          all.begin() + static_cast<std::ptrdiff_t>(last)};
-}
+constexpr std::size_t kMostWords = 16;  // of bits: the variables behind them are not looked at
+
+/// Variables as bits, by their places among those that are looked at.
+using Set = std::vector<Bits>;
+
+/// A variable that has a bit.
+struct Numbered {
+  std::int32_t number;
+  bool local;
+};
+
+/// The variables that some program both reads and writes.
+class Numbering {
+ public:
+  std::size_t count() const { return all_.size(); }
+  std::size_t words() const { return (all_.size() + kMostBits - 1) / kMostBits; }
+  const Numbered& of(std::size_t place) const { return all_[place]; }
+  void add(std::int32_t number, bool local) {
+    if (all_.size() >= kMostWords * kMostBits || !places_.try_emplace(number, all_.size()).second)
+      return;
+    all_.push_back({number, local});
+  }
+  void mark(Set& set, std::int32_t number) const {
+    if (const auto found = places_.find(number); found != places_.end())
+      set[found->second / kMostBits] |= Bits{1} << (found->second % kMostBits);
+  }
+  /// Those of the numbers whose bits stand in one word.
+  Bits bits(const Numbers& numbers, std::size_t word) const {
+    Bits found = 0;
+    for (const std::int32_t number : numbers) {
+      const auto at = places_.find(number);
+      if (at != places_.end() && at->second / kMostBits == word)
+        found |= Bits{1} << (at->second % kMostBits);
+    }
+    return found;
+  }
+
+ private:
+  std::vector<Numbered> all_;
+  std::unordered_map<std::int32_t, std::size_t> places_;
+};
 
 class OverwrittenCheck {
  public:
-  OverwrittenCheck(Checker& c, const VariableUses& uses)
-      : c_(c), uses_(uses), scratch_(c.flows.size()) {}
+  OverwrittenCheck(Checker& c, const VariableUses& uses) : c_(c), uses_(uses) {}
   void run();
 
  private:
@@ -33,82 +68,108 @@ class OverwrittenCheck {
     bool reached = false;
   };
 
-  Numbers read_and_written(const ProgramFlow& flow) const;
-  bool is_argument(std::int32_t program, std::int32_t number) const;
-  const Numbers& scratch(std::int32_t program);
+  void number_all();
+  Set written(const ProgramFlow& flow) const;
+  Set read_and_written(const ProgramFlow& flow) const;
+  Set arguments(std::int32_t program) const;
+  void find_scratch(const ProgramFlow& flow);
+  Bits handed_over(const ProgramFlow& flow, std::size_t word) const;
   void find_taken();
-  bool hand_on(const CallEdge& edge);
-  Bits handed_over(const ProgramFlow& flow, const Numbers& both) const;
-  Bits overwrites(const CallEdge& edge, const Numbers& candidates);
-  State behind(Address at, const ProgramFlow& flow, State state, const Numbers& candidates,
-               Bits& read);
+  bool take_called(std::uint32_t program);
+  void share_commons(const std::vector<std::uint32_t>& group);
+  Bits taken_by(const CallEdge& edge, std::size_t word) const;
+  State behind(Address at, const ProgramFlow& flow, State state, std::size_t word, Bits& read);
   void tell_overwritten(const ProgramFlow& flow);
-  void tell_overwritten(const ProgramFlow& flow, const Numbers& candidates);
-  void tell_lost(const ProgramFlow& flow, Address at, std::int32_t number);
+  void tell_overwritten(const ProgramFlow& flow, std::size_t word);
+  void tell_lost(const ProgramFlow& flow, Address at, std::size_t place);
 
   Checker& c_;
   const VariableUses& uses_;
-  std::vector<std::optional<Numbers>> scratch_;
-  std::vector<Numbers> taken_;  // by program: what it and those that it calls use as their own
+  Numbering numbering_;
+  std::vector<Bits> locals_;                            // of the variables, those of one level
+  std::vector<Set> scratch_;                            // by program: what it uses as its own
+  std::vector<Set> taken_;                              // and with it those that it calls
   std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is looked at
 };
 
-/// The variables that a program both reads and writes; none where it may use any.
-Numbers OverwrittenCheck::read_and_written(const ProgramFlow& flow) const {
-  std::map<std::int32_t, std::pair<bool, bool>> seen;  // number: read, written
-  for (Address at = flow.first(); at < flow.last(); ++at)
-    if (const VariableUse* own = uses_.of(at)) {
-      if (own->any) return {};
-      for (const std::int32_t number : own->reads) seen[number].first = true;
-      for (const std::int32_t number : own->writes) seen[number].second = true;
-    }
+/// Gives bits to the variables that some program both reads and writes.
+void OverwrittenCheck::number_all() {
   Numbers both;
-  for (const auto& [number, how] : seen)
-    if (how.first && how.second) both.push_back(number);
-  return both;
+  std::unordered_map<std::int32_t, int> seen;
+  for (const ProgramFlow& flow : c_.flows) {
+    seen.clear();
+    for (Address at = flow.first(); at < flow.last() && !c_.over(); ++at)
+      if (const VariableUse* own = uses_.of(at)) {
+        for (const std::int32_t number : own->reads) seen[number] |= 1;
+        for (const std::int32_t number : own->writes) seen[number] |= 2;
+      }
+    for (const auto& [number, how] : seen)
+      if (how == 3) both.push_back(number);
+  }
+  std::sort(both.begin(), both.end());
+  for (const std::int32_t number : both) numbering_.add(number, uses_.is_local(number));
+  locals_.resize(numbering_.words());
+  for (std::size_t i = 0; i < numbering_.count(); ++i)
+    if (numbering_.of(i).local) locals_[i / kMostBits] |= Bits{1} << (i % kMostBits);
 }
 
-/// Whether some call gives the local as an argument: then it is the program's own from the start.
-bool OverwrittenCheck::is_argument(std::int32_t program, std::int32_t number) const {
+Set OverwrittenCheck::written(const ProgramFlow& flow) const {
+  Set found(numbering_.words());
+  for (Address at = flow.first(); at < flow.last(); ++at)
+    if (const VariableUse* own = uses_.of(at))
+      for (const std::int32_t number : own->writes) numbering_.mark(found, number);
+  return found;
+}
+
+/// The variables that a program both reads and writes; none where it may use any.
+Set OverwrittenCheck::read_and_written(const ProgramFlow& flow) const {
+  Set read(numbering_.words());
+  for (Address at = flow.first(); at < flow.last(); ++at)
+    if (const VariableUse* own = uses_.of(at)) {
+      if (own->any) return Set(numbering_.words());
+      for (const std::int32_t number : own->reads) numbering_.mark(read, number);
+    }
+  const Set written = this->written(flow);
+  for (std::size_t i = 0; i < read.size(); ++i) read[i] &= written[i];
+  return read;
+}
+
+/// The locals that some call gives as an argument: they are the program's own from the start.
+Set OverwrittenCheck::arguments(std::int32_t program) const {
+  Set found(numbering_.words());
   for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(program)]) {
     const CallRecord& record = c_.code.calls[edge.record];
     for (std::uint32_t i = 0; edge.macro && i < record.arguments; ++i)
-      if (c_.code.arguments[record.first_argument + i].variable == number) return true;
+      numbering_.mark(found, c_.code.arguments[record.first_argument + i].variable);
   }
-  return false;
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] &= locals_[i];
+  return found;
 }
 
 /// The variables that a program uses as its own: it writes each before it reads it, or has it as an
 /// argument, and reads it.
-const Numbers& OverwrittenCheck::scratch(std::int32_t program) {
-  auto& known = scratch_[static_cast<std::size_t>(program)];
-  if (known) return *known;
-  known.emplace();
-  const ProgramFlow& flow = c_.flow(program);
-  const Numbers all = read_and_written(flow);
-  for (std::size_t first = 0; first < all.size(); first += kMostBits) {
-    const Numbers both = some_of(all, first);
-    const Bits handed = handed_over(flow, both);
-    for (std::size_t i = 0; i < both.size(); ++i)
-      if ((handed >> i & 1) == 0 || (uses_.is_local(both[i]) && is_argument(program, both[i])))
-        known->push_back(both[i]);
-  }
-  return *known;
+void OverwrittenCheck::find_scratch(const ProgramFlow& flow) {
+  Set& known = scratch_[static_cast<std::size_t>(flow.program())];
+  known = read_and_written(flow);
+  if (std::all_of(known.begin(), known.end(), [](Bits bits) { return bits == 0; })) return;
+  const Set given = arguments(flow.program());
+  for (std::size_t word = 0; word < known.size(); ++word)
+    if (known[word] != 0) known[word] &= ~handed_over(flow, word) | given[word];
 }
 
-/// Which of these variables some way reads before it writes them.
-Bits OverwrittenCheck::handed_over(const ProgramFlow& flow, const Numbers& both) const {
+/// Which of its own variables some way reads before it writes them.
+Bits OverwrittenCheck::handed_over(const ProgramFlow& flow, std::size_t word) const {
   std::vector<Bits> unwritten(flow.size(), 0);
   std::vector<Address> waiting{flow.first()};
-  unwritten[0] = both.empty() ? 0 : ~Bits{0} >> (kMostBits - static_cast<int>(both.size()));
+  unwritten[0] = scratch_[static_cast<std::size_t>(flow.program())][word];
   Bits handed = 0;
-  while (!waiting.empty()) {
+  while (!waiting.empty() && !c_.over()) {
     const Address at = waiting.back();
     waiting.pop_back();
     Bits state = unwritten[at - flow.first()];
     if (const VariableUse* own = at < flow.last() ? uses_.of(at) : nullptr) {
-      handed |= state & bits_of(both, own->reads);
-      state &= ~bits_of(both, own->writes);
+      handed |= state & numbering_.bits(own->reads, word);
+      state &= ~numbering_.bits(own->writes, word);
     }
     for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit) {
       Bits& next = unwritten[exit->to - flow.first()];
@@ -120,96 +181,104 @@ Bits OverwrittenCheck::handed_over(const ProgramFlow& flow, const Numbers& both)
   return handed;
 }
 
-/// What the called program of a call takes, its caller takes too; whether that is more.
-bool OverwrittenCheck::hand_on(const CallEdge& edge) {
-  Numbers& own = taken_[static_cast<std::size_t>(edge.caller)];
-  Numbers more;
-  for (const std::int32_t number : taken_[static_cast<std::size_t>(edge.called)]) {
-    const bool shared = !edge.macro || !uses_.is_local(number);
-    if (shared && !std::binary_search(own.begin(), own.end(), number)) more.push_back(number);
-  }
-  own.insert(own.end(), more.begin(), more.end());
-  std::sort(own.begin(), own.end());
-  return !more.empty();
+/// What the called program of a call takes of its caller's variables.
+Bits OverwrittenCheck::taken_by(const CallEdge& edge, std::size_t word) const {
+  const Bits taken = taken_[static_cast<std::size_t>(edge.called)][word];
+  return edge.macro ? taken & ~locals_[word] : taken;
 }
 
-void OverwrittenCheck::find_taken() {
-  taken_.resize(c_.flows.size());
-  std::vector<std::int32_t> waiting;
-  for (const ProgramFlow& flow : c_.flows) {
-    const std::int32_t program = flow.program();
-    if (!c_.is_called(program)) continue;
-    taken_[static_cast<std::size_t>(program)] = scratch(program);
-    if (!scratch(program).empty()) waiting.push_back(program);
+/// What its called programs take, a program takes too; whether that is more than was known.
+bool OverwrittenCheck::take_called(std::uint32_t program) {
+  Set& own = taken_[program];
+  bool more = false;
+  for (const CallEdge& edge : c_.flows[program].calls())
+    for (std::size_t word = 0; edge.called != edge.caller && word < own.size(); ++word) {
+      const Bits all = own[word] | taken_by(edge, word);
+      more = more || all != own[word];
+      own[word] = all;
+    }
+  return more;
+}
+
+/// Programs that call each other take all commons that one of them takes.
+void OverwrittenCheck::share_commons(const std::vector<std::uint32_t>& group) {
+  Set all(numbering_.words());
+  for (const std::uint32_t program : group) {
+    take_called(program);
+    for (std::size_t word = 0; word < all.size(); ++word)
+      all[word] |= taken_[program][word] & ~locals_[word];
   }
-  while (!waiting.empty()) {
-    const std::int32_t program = waiting.back();
-    waiting.pop_back();
-    for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(program)])
-      if (c_.is_called(edge.caller) && edge.caller != program && hand_on(edge))
-        waiting.push_back(edge.caller);
+  for (const std::uint32_t program : group)
+    for (std::size_t word = 0; word < all.size(); ++word) taken_[program][word] |= all[word];
+}
+
+/// What is called comes before its callers: only programs that call each other are gone through
+/// again, until nothing is new.
+void OverwrittenCheck::find_taken() {
+  taken_.assign(c_.flows.size(), Set(numbering_.words()));
+  for (const auto& group : c_.groups.groups) {
+    std::vector<std::uint32_t> waiting;
+    for (const std::uint32_t program : group)
+      if (c_.is_called(static_cast<std::int32_t>(program))) {
+        taken_[program] = scratch_[program];
+        waiting.push_back(program);
+      }
+    if (group.size() > 1) share_commons(group);
+    std::unordered_set<std::uint32_t> waits(waiting.begin(), waiting.end());
+    while (!waiting.empty() && !c_.over()) {
+      const std::uint32_t program = waiting.back();
+      waiting.pop_back();
+      waits.erase(program);
+      c_.over(c_.flows[program].calls().size());
+      if (!take_called(program)) continue;
+      for (const CallEdge& edge : c_.callers[program]) {
+        const auto caller = static_cast<std::uint32_t>(edge.caller);
+        if (c_.groups.of[caller] == c_.groups.of[program] && waits.insert(caller).second)
+          waiting.push_back(caller);
+      }
+    }
   }
 }
 
 void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow) {
-  Numbers own, called;
-  for (Address at = flow.first(); at < flow.last(); ++at)
-    if (const VariableUse* of = uses_.of(at))
-      own.insert(own.end(), of->writes.begin(), of->writes.end());
-  std::sort(own.begin(), own.end());
-  for (const CallEdge& edge : flow.calls()) {
-    if (edge.called == flow.program()) continue;
-    for (const std::int32_t number : taken_[static_cast<std::size_t>(edge.called)]) {
-      const bool shared = !edge.macro || !uses_.is_local(number);
-      if (shared && std::binary_search(own.begin(), own.end(), number)) called.push_back(number);
-    }
-  }
-  std::sort(called.begin(), called.end());
-  called.erase(std::unique(called.begin(), called.end()), called.end());
-  for (std::size_t first = 0; first < called.size(); first += kMostBits)
-    tell_overwritten(flow, some_of(called, first));
-}
-
-/// What a call of a program makes of its caller's variables.
-Bits OverwrittenCheck::overwrites(const CallEdge& edge, const Numbers& candidates) {
-  Bits found = 0;
-  const Numbers& of = taken_[static_cast<std::size_t>(edge.called)];
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const bool shared = !edge.macro || !uses_.is_local(candidates[i]);
-    if (shared && std::binary_search(of.begin(), of.end(), candidates[i])) found |= Bits{1} << i;
-  }
-  return found;
+  Set called(numbering_.words());
+  for (const CallEdge& edge : flow.calls())
+    for (std::size_t word = 0; edge.called != flow.program() && word < called.size(); ++word)
+      called[word] |= taken_by(edge, word);
+  const Set own = written(flow);
+  for (std::size_t word = 0; word < called.size(); ++word)
+    if ((called[word] & own[word]) != 0 && !c_.over()) tell_overwritten(flow, word);
 }
 
 /// What a block and the programs it calls make of the variables; `read` are those that the program
 /// reads as its own anywhere.
 OverwrittenCheck::State OverwrittenCheck::behind(Address at, const ProgramFlow& flow, State state,
-                                                 const Numbers& candidates, Bits& read) {
+                                                 std::size_t word, Bits& read) {
   if (const VariableUse* of = at < flow.last() ? uses_.of(at) : nullptr) {
-    read |= state.own & bits_of(candidates, of->reads);
-    const Bits set = bits_of(candidates, of->writes);
+    read |= state.own & numbering_.bits(of->reads, word);
+    const Bits set = numbering_.bits(of->writes, word);
     state.own = of->any ? 0 : state.own | set;
     state.lost = of->any ? 0 : state.lost & ~set;
   }
   for (const CallEdge* edge : calls_at_[at - flow.first()]) {
-    const Bits lost = state.own & overwrites(*edge, candidates);
+    const Bits lost = state.own & taken_by(*edge, word);
     state.own &= ~lost;
     state.lost |= lost;
   }
   return state;
 }
 
-/// Of these variables those that the program reads as its own, and reads again as its own after a
-/// called program has used them.
-void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow, const Numbers& candidates) {
+/// Of the variables of one word those that the program reads as its own, and reads again as its own
+/// after a called program has used them.
+void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow, std::size_t word) {
   std::vector<State> before(flow.size());
   std::vector<Address> waiting{flow.first()};
   before[0].reached = true;
   Bits read = 0;
-  while (!waiting.empty()) {
+  while (!waiting.empty() && !c_.over()) {
     const Address at = waiting.back();
     waiting.pop_back();
-    const State state = behind(at, flow, before[at - flow.first()], candidates, read);
+    const State state = behind(at, flow, before[at - flow.first()], word, read);
     for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit) {
       State& next = before[exit->to - flow.first()];
       const State old = next;
@@ -220,30 +289,37 @@ void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow, const Numbers& 
   for (Address at = flow.first(); at < flow.last(); ++at) {
     const VariableUse* of = uses_.of(at);
     if (of == nullptr) continue;
-    const Bits lost = bits_of(candidates, of->reads) & before[at - flow.first()].lost & read;
+    Bits lost = numbering_.bits(of->reads, word) & before[at - flow.first()].lost & read;
     read &= ~lost;  // told once
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-      if ((lost >> i & 1) != 0) tell_lost(flow, at, candidates[i]);
+    for (; lost != 0; lost &= lost - 1)
+      tell_lost(flow, at, word * kMostBits + static_cast<std::size_t>(std::countr_zero(lost)));
   }
 }
 
-void OverwrittenCheck::tell_lost(const ProgramFlow& flow, Address at, std::int32_t number) {
+void OverwrittenCheck::tell_lost(const ProgramFlow& flow, Address at, std::size_t place) {
+  const std::size_t word = place / kMostBits;
+  const Bits own = Bits{1} << (place % kMostBits);
+  const Numbered& variable = numbering_.of(place);
   for (const CallEdge& edge : flow.calls()) {
-    if (overwrites(edge, {number}) == 0) continue;
-    const bool local = uses_.is_local(number);
-    const Numbers& own = scratch(edge.called);
-    const bool itself = std::binary_search(own.begin(), own.end(), number);
-    c_.found(local ? Check::SharedLocal : Check::SharedCommon, at, uses_.place_of(at, number),
+    if ((taken_by(edge, word) & own) == 0) continue;
+    const bool itself = (scratch_[static_cast<std::size_t>(edge.called)][word] & own) != 0;
+    c_.found(variable.local ? Check::SharedLocal : Check::SharedCommon, at,
+             uses_.place_of(at, variable.number),
              c_.code.name_of(edge.called) + ", called in line " +
                  std::to_string(c_.code.blocks[edge.from].line) +
                  (itself ? ", has overwritten " : ", and what it calls have overwritten ") +
-                 uses_.name_of(number))
+                 uses_.name_of(variable.number))
         .path = {edge.from};
     return;
   }
 }
 
 void OverwrittenCheck::run() {
+  number_all();
+  if (numbering_.words() == 0) return;
+  scratch_.assign(c_.flows.size(), Set(numbering_.words()));
+  for (const ProgramFlow& flow : c_.flows)
+    if (c_.is_called(flow.program())) find_scratch(flow);
   find_taken();
   for (const ProgramFlow& flow : c_.flows) {
     if (flow.calls().empty()) continue;

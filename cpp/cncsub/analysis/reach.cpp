@@ -35,7 +35,8 @@ bool cuts_profile(const Checker& c, const Block& block) {
 }
 
 /// The profile that a cycle cuts: from the block of P, the nearest behind the cycle, to that of Q.
-void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<bool>& inside) {
+/// `begun`: by block, how many profiles begin there less those that end before it.
+void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<int>& begun) {
   const Program& program = c.program(flow.program());
   const Block& block = c.code.blocks[at];
   const std::int64_t p = written(c.code, block, 'P'), q = written(c.code, block, 'Q');
@@ -50,23 +51,23 @@ void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<b
     c.refused(Check::TargetMissing, at, std::move(fault));
   }
   if (from == kNowhere || to == kNowhere || to < from) return;
-  const std::size_t first = from - flow.first(), last = to - flow.first();
-  if (inside[first] && inside[last]) return;
-  std::fill(inside.begin() + static_cast<std::ptrdiff_t>(first),
-            inside.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
+  ++begun[from - flow.first()];
+  --begun[to - flow.first() + 1];
 }
 
 /// The profile that a cycle cuts is executed by the cycle, wherever it stands; it must be there,
 /// and nothing in it calls.
 void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reached) {
-  std::vector<bool> inside;
-  for (Address at = flow.first(); at < flow.last(); ++at) {
+  std::vector<int> begun;
+  for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
     if (!cuts_profile(c, c.code.blocks[at])) continue;
-    inside.resize(flow.size(), false);
-    mark_profile(c, flow, at, inside);
+    begun.resize(flow.size(), 0);
+    mark_profile(c, flow, at, begun);
   }
-  for (std::size_t i = 0; i < inside.size(); ++i) {
-    if (!inside[i]) continue;
+  int inside = 0;
+  for (std::size_t i = 0; i < begun.size(); ++i) {
+    inside += begun[i];
+    if (inside == 0) continue;
     reached[i] = true;
     const Address at = flow.first() + static_cast<Address>(i);
     const Block& block = c.code.blocks[at];
@@ -77,12 +78,21 @@ void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reach
   }
 }
 
-/// Whether some way from a block comes to M99.
-bool leads_back(const ProgramFlow& flow, Address start) {
-  const std::vector<bool> reached = flow.reached_from(start);
-  for (Address at = start; at < flow.last(); ++at)
-    if (reached[at - flow.first()] && flow.returns(at)) return true;
-  return false;
+/// The blocks from which some way comes to M99.
+std::vector<bool> leading_back(const ProgramFlow& flow) {
+  const Arrows back = flow.backwards();
+  std::vector<bool> found(flow.size(), false);
+  std::vector<std::uint32_t> waiting;
+  for (Address at = flow.first(); at < flow.last(); ++at)
+    if (flow.returns(at)) waiting.push_back(at - flow.first());
+  while (!waiting.empty()) {
+    const std::uint32_t place = waiting.back();
+    waiting.pop_back();
+    if (found[place]) continue;
+    found[place] = true;
+    waiting.insert(waiting.end(), back.begin(place), back.end(place));
+  }
+  return found;
 }
 
 /// Whether a block does something that somebody would miss.
@@ -115,8 +125,8 @@ void check_unreached(Checker& c, const ProgramFlow& flow, const std::vector<bool
     const Block& block = c.code.blocks[first];
     const std::size_t count = at - from;
     c.found(Check::Unreachable, first, {block.text, block.length},
-            count == 1 ? "no way leads to this block"
-                       : "no way leads to these " + std::to_string(count) + " blocks");
+            count == 1 ? "no jump or call reaches this block"
+                       : "no jump or call reaches these " + std::to_string(count) + " blocks");
   }
 }
 
@@ -167,6 +177,7 @@ void check_ends_in_call(Checker& c, const ProgramFlow& flow) {
 void check_fallen_into(Checker& c, const ProgramFlow& flow) {
   if (flow.entries().empty() || c.is_called_by_another(flow.program())) return;
   const std::vector<bool> reached = flow.reached_from(flow.first());
+  std::vector<bool> back;  // looked for where it is asked
   std::set<Address> told;
   for (const CallEdge& edge : flow.calls()) {
     const Address start = edge.start;
@@ -175,7 +186,9 @@ void check_fallen_into(Checker& c, const ProgramFlow& flow) {
     const bool falls = std::any_of(flow.begin(start - 1), flow.end(start - 1), [&](const Exit& of) {
       return of.to == start && of.way == Way::Next;
     });
-    if (!falls || !leads_back(flow, start)) continue;
+    if (!falls) continue;
+    if (back.empty()) back = leading_back(flow);
+    if (!back[start - flow.first()]) continue;
     const Block& block = c.code.blocks[start];
     c.found(Check::FallenInto, start, {block.text, block.length},
             "line " + std::to_string(c.code.blocks[edge.from].line) +
@@ -196,6 +209,7 @@ void check_reach(Checker& c) {
   for (const ProgramFlow& flow : c.flows) {
     const Program& program = c.program(flow.program());
     if (c.inside(flow)) continue;
+    if (c.over(flow.size())) return;
     std::vector<bool> reached = flow.reached();
     if (!labels) check_end(c, flow, reached[flow.last() - flow.first()]);
     mark_profiles(c, flow, reached);

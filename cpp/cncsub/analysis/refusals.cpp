@@ -148,7 +148,8 @@ void check_block(Checker& c, Address at, std::int32_t program) {
 void check_refusals(Checker& c) {
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
-    for (Address at = flow.first(); at < flow.last(); ++at) check_block(c, at, flow.program());
+    for (Address at = flow.first(); at < flow.last() && !c.over(4); ++at)
+      check_block(c, at, flow.program());
   }
 }
 

@@ -11,7 +11,8 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::size_t kToldCallers = 16;  // of one M99 P
+constexpr std::size_t kToldCallers = 16;       // of one M99 P
+constexpr std::size_t kMostReturns = 1 << 20;  // that are looked up in the callers of a program
 
 /// The lines of the blocks of a number: "lines 3, 9"; empty where there is but one.
 std::string lines_of(const Code& code, const Program& program, std::int64_t n) {
@@ -107,6 +108,7 @@ class TargetCheck {
   const Loops& loops_;
   AllLoops& all_;
   std::set<std::pair<std::int32_t, std::int64_t>> told_;
+  std::size_t looked_up_ = 0;
 };
 
 void TargetCheck::ambiguous(Address at, const Program& program, std::int64_t n, TextPlace place) {
@@ -196,11 +198,12 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
       ambiguous(to.from, program_, to.n, to.place);
     return;
   }
-  std::set<std::int32_t> seen;
+  std::int32_t before = kNoProgram;  // calls of one caller stand one after the other
   std::size_t told = 0;
   for (const CallEdge& edge : callers) {
-    if (told >= kToldCallers) break;
-    if (!seen.insert(edge.caller).second) continue;
+    if (told >= kToldCallers || ++looked_up_ > kMostReturns || c_.over()) break;
+    if (edge.caller == before) continue;
+    before = edge.caller;
     const Program& caller = c_.program(edge.caller);
     const Address found = c_.code.return_target(caller, to.n, edge.from);
     if (found == kNowhere) {
@@ -234,7 +237,7 @@ void check_targets(Checker& c) {
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
     TargetCheck targets(c, flow, loops);
-    for (Address at = flow.first(); at < flow.last(); ++at)
+    for (Address at = flow.first(); at < flow.last() && !c.over(); ++at)
       each_variant(c.code, c.code.blocks[at],
                    [&](const Block& block) { targets.block(at, block); });
     targets.returns();

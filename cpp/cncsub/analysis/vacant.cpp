@@ -153,7 +153,7 @@ std::vector<VacantCheck::Vacant> VacantCheck::vacant(const ProgramFlow& flow) co
     reach(entry, {other ? uses_.named() : 0, 0, true});
   }
   reach(flow.first(), at_entry(flow));
-  while (!waiting.empty()) {
+  while (!waiting.empty() && !c_.over()) {
     const Address at = waiting.back();
     waiting.pop_back();
     Vacant state = before[at - flow.first()];
@@ -218,6 +218,7 @@ void VacantCheck::tell_unread() {
   std::vector<Bits> told(c_.flows.size(), 0);
   for (const ProgramFlow& flow : c_.flows)
     for (const CallEdge& edge : flow.calls()) {
+      if (c_.over()) return;
       const bool known = edge.macro && edge.start != kNowhere &&
                          !uses_.of_program(edge.called).any &&
                          !c_.flow(edge.called).calls_computed();
@@ -227,6 +228,7 @@ void VacantCheck::tell_unread() {
 
 void VacantCheck::run() {
   for (const ProgramFlow& flow : c_.flows) {
+    if (c_.over(flow.size())) return;
     if (c_.inside(flow) || uses_.of_program(flow.program()).reads == 0) continue;
     calls_at_ = calls_by_block(flow);
     take_conditions(flow);

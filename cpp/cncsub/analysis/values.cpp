@@ -195,9 +195,10 @@ bool ends_in_g99(const Checker& c, const ProgramFlow& flow) {
 void check_values(Checker& c) {
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
+    if (c.over(flow.size())) return;
     check_points(c, flow);
     check_last(c, flow);
-    for (Address at = flow.first(); at < flow.last(); ++at)
+    for (Address at = flow.first(); at < flow.last() && !c.over(); ++at)
       each_variant(c.code, c.code.blocks[at], [&](const Block& block) {
         check_drops(c, at, block);
         check_plain_code(c, at, block);

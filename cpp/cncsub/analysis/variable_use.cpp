@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "cncsub/code/references.hpp"
@@ -23,7 +24,7 @@ Bits local_bit(const NamedVariable& of) {
 VariableUses::VariableUses(const Checker& c) : c_(c), programs_(c.flows.size()) {
   for (const NamedVariable& of : c.code.named_variables) named_ |= local_bit(of);
   for (const ProgramFlow& flow : c.flows)
-    for (Address at = flow.first(); at < flow.last(); ++at) take(flow, at);
+    for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) take(flow, at);
   share();
 }
 
@@ -123,27 +124,41 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
   uses_.emplace(at, std::move(use));
 }
 
-/// A subprogram has the locals of its caller: what it does is done by the caller too.
+/// A subprogram has the locals of its caller: what it does is done by the caller too. What is
+/// called comes before its callers, so that only programs that call each other are gone through
+/// again.
 void VariableUses::share() {
-  std::vector<std::int32_t> waiting;
-  waiting.reserve(c_.flows.size());
-  for (const ProgramFlow& flow : c_.flows) waiting.push_back(flow.program());
-  while (!waiting.empty()) {
-    const std::int32_t program = waiting.back();
-    waiting.pop_back();
-    const LocalUse of = of_program(program);
-    for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(program)]) {
-      if (edge.macro) continue;
-      LocalUse& caller = programs_[static_cast<std::size_t>(edge.caller)];
-      const LocalUse before = caller;
-      caller.reads |= of.reads;
-      caller.again |= of.again | (caller.writes & of.writes);
-      caller.writes |= of.writes;
-      caller.tested |= of.tested;
-      caller.any = caller.any || of.any;
-      if (caller != before) waiting.push_back(edge.caller);
+  for (const auto& group : c_.groups.groups) {
+    std::vector<std::uint32_t> waiting = group;
+    std::unordered_set<std::uint32_t> waits(group.begin(), group.end());
+    while (!waiting.empty() && !c_.over()) {
+      const std::uint32_t program = waiting.back();
+      waiting.pop_back();
+      waits.erase(program);
+      if (!take_called(program)) continue;
+      for (const CallEdge& edge : c_.callers[program]) {
+        const auto caller = static_cast<std::uint32_t>(edge.caller);
+        if (c_.groups.of[caller] == c_.groups.of[program] && waits.insert(caller).second)
+          waiting.push_back(caller);
+      }
     }
   }
+}
+
+/// Takes what the subprograms of a program do with its locals; whether that is more than was known.
+bool VariableUses::take_called(std::uint32_t program) {
+  LocalUse& caller = programs_[program];
+  const LocalUse before = caller;
+  for (const CallEdge& edge : c_.flows[program].calls()) {
+    if (edge.macro) continue;
+    const LocalUse& of = of_program(edge.called);
+    caller.reads |= of.reads;
+    caller.again |= of.again | (caller.writes & of.writes);
+    caller.writes |= of.writes;
+    caller.tested |= of.tested;
+    caller.any = caller.any || of.any;
+  }
+  return caller != before;
 }
 
 /// The word or value of a block that reads a variable.

@@ -1,7 +1,6 @@
 // What blocks and programs do with variables.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -62,23 +61,13 @@ class VariableUses {
   const NamedVariable& named_variable(std::int32_t number) const;
   bool tests_vacancy(const Block& block) const;
   void share();
+  bool take_called(std::uint32_t program);
 
   const Checker& c_;
   std::unordered_map<Address, VariableUse> uses_;
   std::vector<LocalUse> programs_;
   Bits named_ = 0;
 };
-
-/// Of numbers in order those that are among `numbers`, as bits.
-inline Bits bits_of(const std::vector<std::int32_t>& ordered,
-                    const std::vector<std::int32_t>& numbers) {
-  Bits found = 0;
-  for (const std::int32_t number : numbers) {
-    const auto at = std::lower_bound(ordered.begin(), ordered.end(), number);
-    if (at != ordered.end() && *at == number) found |= Bits{1} << (at - ordered.begin());
-  }
-  return found;
-}
 
 /// The calls of a program by their blocks.
 std::vector<std::vector<const CallEdge*>> calls_by_block(const ProgramFlow& flow);

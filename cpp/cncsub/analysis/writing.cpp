@@ -160,7 +160,7 @@ void check_letters(Checker& c, const ProgramFlow& flow, std::string_view text) {
   if (c.code.control->dialect != "iso") return;  // other languages take small letters
   std::vector<CertainEdit> edits;
   head_in_capitals(c, flow, text, edits);
-  for (Address at = flow.first(); at < flow.last(); ++at) {
+  for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
     const Block& block = c.code.blocks[at];
     const TextPlace place = small_letters(text, block);
     if (place.width > 0 && !prints(c.code, block)) edits.push_back(in_capitals(at, place, text));
@@ -181,7 +181,7 @@ void check_writing(Checker& c) {
     const Program& program = c.program(flow.program());
     const std::string_view text = c.code.files[program.file].text.view();
     check_letters(c, flow, text);
-    for (Address at = flow.first(); at < flow.last(); ++at) {
+    for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
       if (ends_blocks && at > flow.first()) check_semicolon(c, at, text);
       each_variant(c.code, c.code.blocks[at],
                    [&](const Block& block) { check_conflict(c, at, block, program); });

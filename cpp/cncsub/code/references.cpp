@@ -104,9 +104,10 @@ void ReferenceReader::label_of(const Labelled& own, CallReference& reference) co
     label = code_.label(number);
     reference.program = std::to_string(number);
   }
-  const auto head = std::find_if(code_.heads.begin(), code_.heads.end(),
-                                 [label](const LabelledHead& of) { return of.label == label; });
-  if (label != Labelled::kNone && head != code_.heads.end())
+  const auto head =
+      std::lower_bound(code_.heads.begin(), code_.heads.end(), label,
+                       [](const LabelledHead& of, std::uint32_t own) { return of.label < own; });
+  if (label != Labelled::kNone && head != code_.heads.end() && head->label == label)
     reference.found = code_.program_at(head->address);
   else
     reference.found = code_.find(reference.program);
