@@ -84,7 +84,7 @@ KINDS: dict[str, tuple[str, Callable[[int], str], int]] = {
     "parts of a program": ("haas-ngc", many_parts, 3000),
     "returns to numbers": (MILL, many_returns, 3000),
     "profiles inside each other": ("gsk-988ta", many_profiles, 3000),
-    "names of all programs": ("linuxcnc", many_variables, 2000),
+    "names of all programs": ("linuxcnc", many_variables, 500),
     "labels": ("linuxcnc", many_labels, 4000),
     "computed jumps": (MILL, many_jumps, 5000),
     "loops without an end": (MILL, many_loops, 5000),
