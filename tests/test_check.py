@@ -65,6 +65,8 @@ NEAR: dict[str, tuple[str, str]] = {
     "CS704": ("M3 M8", "M3"), "CS705": ("#2+#3 AND 7", "#2+[#3 AND 7]"), "CS706": ("G99", "M99"),
     "CS707": ("M97 P30", "M97"),
     "CS801": ("G0 G1", "G90 G1"), "CS802": ("; N20", "\nN20"), "CS803": ("x1.", "X1. (x)"),
+    "CS607": ("GOTO 30", "GOTO 20"), "CS708": ("X10. R1.", "X10. Z-1. R1."), "CS709": ("L3", "K3"),
+    "CS710": ("N20 IF", "N15 G103 P1\nN20 IF"), "CS711": ("+0.1", "+0.25"), "CS804": ("Y2.", "Y2.)"),
 }  # fmt: skip
 
 
@@ -247,7 +249,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "linuxcnc", "o100 sub\no1 if [#1]\ng0 x1\no1 endif\no100 endsub\no1 if [0]\no1 endif\no100 call [1]\nm2\n", ""),
     "a subprogram behind the end of the main program": ("linuxcnc", "g0 x0\no100 call\nm2\no100 sub\ng0 x1\no100 endsub\n", ""),
     "a subprogram that another label ends": (
-        "linuxcnc", "o1 sub\ng0 x1\no2 endsub\no1 call\nm2\n", "CS207 :1, CS207 :3"),
+        "linuxcnc", "o1 sub\ng0 x1\no2 endsub\no1 call\nm2\n", "CS207 :3, CS207 :1"),
     "a subprogram without its end": ("linuxcnc", "o1 sub\ng0 x1\no2 sub\no2 endsub\no1 call\no2 call\nm2\n", "CS207 :1"),
     "two subprograms of a label": ("linuxcnc", "o100 sub\no100 endsub\no100 sub\ng0 x1\no100 endsub\nm2\n", "CS205 :3"),
     "a jump to a label that is nowhere": ("siemens-one", "N10 GOTOF LAB\nN20 M30\n", "CS202 N10"),
@@ -381,6 +383,61 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "one M code too many": ("fanuc-0i-f", "O1\nN10 M8 M9\n" + END, "CS704 N10"),
     "brackets around what belongs together": ("mitsubishi-m800", "O1\nN10 IF[[#500 EQ 1] AND [#501 EQ 2]]GOTO 90\nN20 #502=[#503 AND 7]+1\n" + END, ""),
     "a sign is no operation": ("", "O1\nN10 #502=#503 AND -7\n" + END, ""),
+    # Cycles
+    "a cycle whose Z is forgotten at G80": (
+        "", "O1\nN10 G0 X0 Z5.\nN20 G81 X1. Z-1. R1. F9\nN30 G80\nN40 G81 X2. R1.\nN50 G80\n" + END, "CS708 N40"),
+    "a cycle that goes on from another one": (
+        "", "O1\nN10 G0 X0 Z5.\nN20 G81 X1. Z-1. R1. F9\nN30 X2.\nN40 G83 X3. Q1.\nN50 G80\n" + END, ""),
+    "a cycle that has its Z on one of two ways": (
+        "", "O1\nN10 G0 X0 Z5.\nN20 G81 X1. Z-1. R1. F9\nN25 IF[#500 EQ 1]GOTO 40\nN30 G80\nN40 G81 X2. R1.\nN50 G80\n" + END, ""),
+    "a cycle that stores its words and drills nothing on purpose": (
+        "", "O1\nN10 G0 X0 Z5.\nN20 G81 R1. F9 K0\nN30 X1. Z-1.\nN50 G80\n" + END, ""),
+    "a cycle without a place": ("", "O1\nN10 G0 X0 Z5.\nN20 G81 F9\nN30 X1. Z-1. R1.\nN50 G80\n" + END, ""),
+    "a cycle of a called program may have the Z of its caller": (
+        "", "O1\nN10 G0 X0 Z5.\nN20 G81 Z-1. R1. F9 K0\nN30 M98 P2\nN40 G80\n" + END + "O2\nN60 G81 X2.\nN70 M99\n", ""),
+    "a cycle in another plane": ("", "O1\nN10 G18 G0 X0 Y5.\nN20 G81 X1. Y-1. R1. F9\nN50 G80\n" + END, ""),
+    "the cycles of a lathe": ("gsk-988ta", "O1\nN10 G0 X20. Z5.\nN20 G90 X18. W-5. F0.1\nN30 X16.\n" + END, ""),
+    "K where the control counts by L": (
+        "haas-ngc", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9. K3\nN30 G80\n" + END, "CS709 N20"),
+    "K of a cycle that shifts or pecks": (
+        "haas-ngc", "O1\nN10 G91 G0 X0\nN20 G73 X1. Z-1. R-1. Q1. F9. K3\nN30 G80\n" + END, ""),
+    "both letters where both count": (
+        "gsk-980mdi", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9. L3\nN25 X1. K3\nN30 G80\n" + END, ""),
+    # Allowances and called programs without points
+    "allowances in increments": (
+        "gsk-988ta", "O1\nN5 G0 X50. Z2.\nN10 G71 U1. R1.\nN15 G71 P30 Q50 U500 W100 F0.1\nN30 G0 X10.\nN50 G1 X20.\n" + END, ""),
+    "a called program without points beside a main program with points": (
+        "", "O1\nN10 G0 X1.5\nN20 M98 P2000\n" + END + "O2000\nN40 G91 G1 X10 F100\nN50 G90\nN60 M99\n", "CS701 N40"),
+    "programs that do not call each other": ("", "O1\nN10 G0 X1.5\n" + END + "O2\nN40 G1 X10 F100\nN60 M30\n", ""),
+    # Commons
+    "a common that a called program sets": (
+        "", "O1\nN10 M98 P2\nN30 G0 X#100\n" + END + "O2\nN40 #100=1.\nN50 M99\n", ""),
+    "a common that no program sets": ("", "O1\nN30 G0 X#100\n" + END, ""),
+    "a common that is kept at power-off": (
+        "", "O1\nN10 IF[#501 EQ 1]GOTO 30\nN20 #500=1.\nN30 G0 X#500\n" + END, ""),
+    "a common that is compared with #0": (
+        "", "O1\nN10 IF[#500 EQ 1]GOTO 25\nN20 #100=1.\nN25 IF[#100 EQ #0]GOTO 90\nN30 G0 X#100\n" + END, ""),
+    "a common that is set below the move": ("", "O1\nN10 G0 X#100\nN20 #100=1.\n" + END, "CS607 N10"),
+    # Loops over fractions
+    "a loop that never meets its end": (
+        "", "O1\nN10 #1=0\nN20 WHILE[#1 NE 1.]DO1\nN30 #1=#1+0.1\nN40 END1\n" + END, "CS711 N20"),
+    "a loop whose end is no fraction": (
+        "", "O1\nN10 #1=0\nN20 WHILE[#1 LE 1.]DO1\nN30 #1=#1+0.1\nN40 END1\n" + END, ""),
+    "a loop of halves": ("", "O1\nN10 #1=0\nN20 WHILE[#1 NE 1.]DO1\nN30 #1=#1+0.5\nN40 END1\n" + END, ""),
+    "a loop by GOTO": (
+        "", "O1\nN10 #1=0\nN20 G0 X#1\nN30 #1=#1+0.1\nN40 IF[#1 LT 1.]GOTO 20\n" + END, "CS711 N40"),
+    "a loop whose counter is rounded": (
+        "", "O1\nN10 #1=0\nN20 WHILE[#1 LT 1.]DO1\nN30 #1=ROUND[#1*10+1]/10\nN40 END1\n" + END, ""),
+    # Inputs
+    "an input behind G103": ("haas-ngc", "O1\nN10 G103 P1\nN20 IF[#1001 EQ 1]GOTO 90\nN30 G4 P1\n" + END, ""),
+    "an input where G103 is taken back": (
+        "haas-ngc", "O1\nN10 G103 P1\nN15 G103\nN20 IF[#1001 EQ 1]GOTO 90\nN30 G4 P1\n" + END, "CS710 N20"),
+    # What follows from a call that is refused
+    "blocks that a refused call would lead to": (
+        "", "O1\nN10 M98 Q50\nN20 M30\nN50 G0 X1.\nN60 M99\n", "CS101 N10"),
+    "blocks that a refused jump would lead to": ("", "O1\nN10 GOTO 77\nN20 G0 X1.\n" + END, "CS202 N10"),
+    "a comment that is closed later in its line": ("", "O1\nN10 G0 X1. (A) (B)\n" + END, ""),
+    "an open comment of a control that refuses it": ("gsk-980mdi", "O1\nN10 G0 X1. (A\n" + END, "CS101 N10"),
     # How blocks are written
     "an IF without THEN is refused": ("", "O1\nN10 IF[#500 EQ 1]#501=5\n" + END, "CS103 N10"),
     "an IF with THEN": ("", "O1\nN10 IF[#500 EQ 1]THEN #501=5\n" + END, ""),

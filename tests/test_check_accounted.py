@@ -148,7 +148,9 @@ ACCOUNTS: dict[str, Callable[[Seen], bool]] = {
     "CS701": written(r"[XYZUVW]-?\d+(?![.\d])"), "CS702": written(r"P\d{5}"),
     "CS703": written("L0"), "CS704": dropped, "CS705": written("(?i)AND|OR"),
     "CS706": written("G99"), "CS707": written("M0*(97|98|99|198)"), "CS801": dropped, "CS802": written(";"),
-    "CS803": written("[a-z]"),
+    "CS803": written("[a-z]"), "CS607": written("#"), "CS708": written("G0*(73|74|76|8[1-9])"),
+    "CS709": written("[LK]"), "CS710": written("#"), "CS711": written("WHILE|IF"),
+    "CS804": written(r"\([^)]*$"),
 }  # fmt: skip
 
 

@@ -68,6 +68,9 @@ def test_the_parameter_that_allows_a_block_is_named_and_does(tmp_path: Path) -> 
         ("CALL O9000 PX=1\nM02\n", "Okuma"),
         ("O1\nIF[#100 EQ 1]THEN\n#1=1\nELSE\n#1=2\nENDIF\nM30\n", "-c mitsubishi-m800"),
         ("%1\n; PART\nIF #1 EQ 0\n#2=1\nELSE\n#2=2\nENDIF\nM30\n", "-c hnc-21m"),
+        ("%\nN1O1(PART)\nN2 G0 X1.\nN3 #V1=5\nN4 #IF V1 > 3 THEN GOTO :END\nM30\n", "Fadal"),
+        ("%PART,MX--,\n(P100=5)\n(IF P100 EQ 5 GOTO N10)\nG0 X10\nN10 M30\n", "Fagor"),
+        ("@100=5\nG0 X1.\nM30\n", "LNC"),
         # Two parts of one name: nothing runs, and the language is told all the same.
         ("o11 sub\no11 endsub\no11 call\nM2\n", "-c linuxcnc"),
         ("%_N_A_MPF\nM30\n%_N_B_SPF\nM17\n", "-c siemens-one"),
@@ -290,3 +293,56 @@ def test_a_link_has_the_files_beside_what_it_leads_to(tmp_path: Path) -> None:
     assert done.exit_code == 0
     assert "O7.nc: read too" in done.stderr
     assert "O8.nc: read too" in done.stderr
+
+
+FOREIGN = {
+    "Heidenhain": "0 BEGIN PGM A MM\n1 L X+10 R0 FMAX\n",
+    "Okuma": "CALL O9000 PX=1\nM02\n",
+    "Fagor": "%PART,MX--,\n(P100=5)\nG0 X10\nM30\n",
+    "Fadal": "N1O1(PART)\nN2 #V1=5\nM30\n",
+    "LNC": "@100=5\nM30\n",
+}
+
+
+@pytest.mark.parametrize("language", FOREIGN)
+def test_a_language_that_no_control_reads_is_told_by_check_too(
+    tmp_path: Path, language: str
+) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text(FOREIGN[language])
+    done = CliRunner().invoke(app, ["check", str(file), "-c", CONTROL])
+    assert f"it seems to be written in the language of {language}" in done.stderr
+    own = "O1\n(IF THE TOOL BREAKS CALL 5)\n(SUB 5)\nG0 X1.\nM30\n"
+    file.write_text(own)
+    assert CliRunner().invoke(app, ["check", str(file), "-c", CONTROL]).stderr == ""
+
+
+def test_a_language_that_no_control_reads_is_told_in_a_batch(tmp_path: Path) -> None:
+    for language, text in FOREIGN.items():
+        (tmp_path / f"{language}.nc").write_text(text)
+    (tmp_path / "own.nc").write_text("O1\nM30\n")
+    from concurrent.futures import ThreadPoolExecutor
+
+    with ThreadPoolExecutor(2) as pool:
+        table = cncsub.run_many([tmp_path], control=CONTROL, executor=pool)
+    told = {Path(row["path"]).stem: row["error"] for row in table.to_pylist()}
+    assert told.pop("own") is None
+    assert all(f"language of {language}" in (told[language] or "") for language in FOREIGN)
+
+
+@pytest.mark.parametrize("block", ["N10 M98 P2 Q100", "N10 M98 Q100"])
+def test_a_finding_tells_the_parameter_behind_which_it_is_gone(tmp_path: Path, block: str) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text(f"O1\n{block}\nM30\nN100 M99\nO2\nG4 P1\nN100 M99\n")
+    words = ["check", str(file), "-c", CONTROL]
+    assert "hint: --param 6005#0=1 lets it pass" in CliRunner().invoke(app, words).stdout
+    done = CliRunner().invoke(app, [*words, "--param", "6005#0=1", "--ignore", "CS3"])
+    assert done.exit_code == 0, done.stdout
+
+
+def test_a_code_is_told_of_controls_that_compute_it(tmp_path: Path) -> None:
+    for code in ("G61.1", "G5.1", "G12.1", "G43.4", "G107"):
+        for hint in hints(run(tmp_path, f"O1\n{code}\nM30\n")[1]):
+            for name in hint.rpartition(" of ")[2].split(", "):
+                found = cncsub.loads(f"N1 {code}\n", control=name).check(rules=["CS102", "CS105"])
+                assert found == [], (code, name)

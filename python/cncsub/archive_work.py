@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.files import CoreFile, Reading, StrPath, read_found_files, read_paths, walk
+from cncsub.hints import foreign_language
 from cncsub.library import Library
 from cncsub.run import Run, Stop
 
@@ -102,12 +103,13 @@ def _rows(task: Task, job: Job) -> list[Row]:
     try:
         left_out = _left_out(task, library)
         if task.kind == "check":
-            found = finding_rows(task, job, library.check(**task.options))
+            found = finding_rows(task, job, library.check(**task.options), library)
             return found + ([bad_row(task, job, "unreadable", left_out)] if left_out else [])
         run = library.run(**task.options)
         if run.stop == Stop.INTERRUPTED:
             raise KeyboardInterrupt
-        return [_run_row(task, job, run, time.perf_counter() - begun, left_out)]
+        seconds = time.perf_counter() - begun
+        return [_run_row(task, job, run, seconds, left_out, foreign_language(library))]
     except Exception as error:
         return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
 
@@ -140,10 +142,13 @@ def _left_out(task: Task, library: Library) -> str:
     return "; ".join(f"{file}: {why}" for file, why in library.skipped if task.each == "folder")
 
 
-def _run_row(task: Task, job: Job, run: Run, seconds: float, left_out: str) -> Row:
+def _run_row(
+    task: Task, job: Job, run: Run, seconds: float, left_out: str, language: str | None
+) -> Row:
     alarm = run.alarm
     told = [str(alarm.detail)] if alarm is not None else []
     told += [left_out] if left_out else []
+    told += [language] if language else []
     ended = run.stop in (Stop.END, Stop.CYCLES)
     # Where a run that waits or met a limit stood: its last block.
     place = alarm or (None if ended or not len(run.steps) else run.steps[-1])
@@ -169,8 +174,11 @@ def _run_row(task: Task, job: Job, run: Run, seconds: float, left_out: str) -> R
     )
 
 
-def finding_rows(task: Task, job: Job, findings: Sequence[Any]) -> list[Row]:
-    """A row for each finding of one job."""
+def finding_rows(
+    task: Task, job: Job, findings: Sequence[Any], library: Library | None = None
+) -> list[Row]:
+    """A row for each finding of one job; the first tells a language that no control here reads."""
+    language = None if library is None or not findings else foreign_language(library)
     names = list(CHECK_COLUMNS)[3:-2]
     return [
         (
@@ -179,9 +187,9 @@ def finding_rows(task: Task, job: Job, findings: Sequence[Any]) -> list[Row]:
             "finding",
             *(getattr(finding, name) for name in names),
             _number(finding.alarm),
-            None,
+            None if place else language,
         )
-        for finding in findings
+        for place, finding in enumerate(findings)
     ]
 
 

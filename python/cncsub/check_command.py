@@ -97,12 +97,18 @@ class _Part(NamedTuple):
 
 
 def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[str]) -> _Part:
-    from cncsub import findings
+    from cncsub import findings, hints
 
     library = library_of(options)
     beside = files_beside(options, library)
-    found = library.check(options["main"], sorted(asked), setup=setup_for(options, project))
-    found = [finding for finding in found if finding.file not in beside]
+
+    def look(at: cncsub.Library) -> list[Finding]:
+        found = at.check(options["main"], sorted(asked), setup=setup_for(options, project))
+        return [finding for finding in found if finding.file not in beside]
+
+    found = hints.with_ways_past(library, look(library), look)
+    if (foreign := hints.foreign_language(library)) is not None:
+        print(f"hint: {foreign}", file=sys.stderr)
     return _Part(library, findings.with_severity(found, dict(project.severity)))
 
 

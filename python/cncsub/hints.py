@@ -6,10 +6,12 @@ import os
 import re
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 from cncsub._core import Alarm, Control
 from cncsub.beside import files_named, folders_in, folders_of
+from cncsub.checking import Finding
 from cncsub.controls import controls
 from cncsub.library import Library
 from cncsub.notes import Note
@@ -33,6 +35,19 @@ _LANGUAGES: tuple[tuple[str, str, str | None], ...] = (
     ),
     (r"^ *o(?:\d+|<\w+>) +(?:sub|call|if|while)\b|^ *#<\w+> *=", "LinuxCNC", "linuxcnc"),
     (r"^ *(?:N\w+ +)?(?:CALL +O\w+|RTS\b|V[CZ]\d*\w* *=)", "Okuma (OSP)", None),
+    (
+        r"^ *(?:N\d+ *)?#(?:[VR]\d+ *=|(?:IF|GOTO|PRINT|INPUT|CLEAR)\b|:[A-Z])"
+        r"|^ *N\d+ *O\d+ *(?:\(|$)",
+        "Fadal",
+        None,
+    ),
+    (
+        r"^%[^\n,]*, *M[X-]|^ *(?:N\d+ *)?(?:\( *(?:P\d+ *=|IF P\d|CALL *\d+ *\)|RET *\))"
+        r"|\$(?:IF|GOTO|FOR|WHILE|ENDIF)\b|#(?:P?CALL|MCALL|SUB|RET)\b)",
+        "Fagor",
+        None,
+    ),
+    (r"^ *(?:N\d+ *)?@\d+ *=(?!=)", "LNC", None),
     (r"^ *(?:N\d+ *)?G65 *H\d+ *P#", "GSK 980 or FANUC macro A", "gsk-980tdi"),
     (r"^ *(?:N\d+ *)?(?:END_(?:IF|WHILE|FOR|REPEAT)\b|[@#]\d+ *:=)", "Syntec", "syntec-22ma"),
     (r"^ *(?:N\d+ *)?(?:ELSE|ENDIF)\b", "the Mitsubishi M800", "mitsubishi-m800"),
@@ -64,7 +79,8 @@ def hints_of(
     if run.stop is Stop.WAITING:
         return list(_answers(run, asked, again))
     if alarm is None:
-        return []
+        foreign = None if mdi is not None else foreign_language(library)
+        return [foreign] if foreign is not None else []
     hints = list(_missing_program(library, alarm))
     if (other := _language(library, run, alarm, mdi, again)) is not None:
         hints.append(other)
@@ -132,6 +148,18 @@ def languages_of(text: str) -> Iterator[tuple[str, str | None]]:
     for pattern, name, control in _LANGUAGES:
         if re.search(pattern, text[:MOST_TEXT], re.M | re.I):
             yield name, control
+
+
+def foreign_language(library: Library, file: str | None = None) -> str | None:
+    """The language of a file of the memory, or of its first one, where no control here reads it: it
+    is told also where what its blocks seem to say runs. In the words of a hint.
+    """
+    for name, _, source, _ in library._code.sources[:MOST_TOLD]:
+        if file in (None, name):
+            text = source[:MOST_TEXT].decode(errors="replace")
+            found = (_seems(*each) for each in languages_of(text) if each[1] is None)
+            return next(found, None)
+    return None
 
 
 def other_reading(library: Library, file: str) -> str | None:
@@ -218,9 +246,50 @@ def _who_has(control: Control, alarm: Alarm) -> Iterator[str]:
         for other in controls.values()
         if other.name != control.name
         and any(r.name == "g_codes" and code[1] in str(r.value).split() for r in other.rules)
+        and _computes(other, f"G{code[1]}")
     ]
     if names:
         yield f"{alarm.word} is a code of {', '.join(names)}"
+
+
+def _computes(control: Control, code: str) -> bool:
+    """Whether a control has a code and a block that names it alone runs."""
+    from cncsub.loading import loads
+
+    return not loads(f"N1 {code}\n", control=control).check(rules=["CS102", "CS105"])
+
+
+# ---- what lets pass what a check finds ----
+
+
+def with_ways_past(
+    library: Library, found: list[Finding], check: Callable[[Library], list[Finding]]
+) -> list[Finding]:
+    """The findings, each with the parameter or option behind which it is gone: each is tried."""
+    wanted = {_place(f): f for f in found if f.rule in _REFUSED}
+    blocks = sum(len(program.blocks) for program in library.values())
+    if not wanted or blocks > MOST_BLOCKS:
+        return found
+    end = time.monotonic() + MOST_SECONDS
+    hints: dict[tuple[Any, ...], list[str]] = {}
+    for words, control in changed_controls(library.control):
+        if time.monotonic() > end:
+            break
+        left = {_place(f) for f in check(library.read_for(control))}
+        alarming = {place[1:] for place in left if place[0] in _REFUSED}
+        for place in wanted:
+            if place not in left and place[1:] not in alarming:
+                hints.setdefault(place, []).append(words)
+    return [
+        replace(f, hint="; ".join((*hints.get(_place(f), ())[:MOST_TOLD], f.hint))) for f in found
+    ]
+
+
+_REFUSED = ("CS101", "CS102", "CS103", "CS104", "CS303", "CS704")  # a parameter may allow them
+
+
+def _place(finding: Finding) -> tuple[Any, ...]:
+    return (finding.rule, finding.file, finding.line, finding.column)
 
 
 # ---- what nobody gave ----

@@ -106,6 +106,13 @@ Finding& Checker::add(Check check, const std::string& cause, Address block, Text
   return finding;
 }
 
+/// Where a finding is looked for again: in its program, or in the memory.
+std::string Checker::scope_of(Check check, Address block) const {
+  std::string scope = std::to_string(static_cast<int>(check)) + " ";
+  if (!is_of_memory(check)) scope += std::to_string(code.program_at(block));
+  return scope + " ";
+}
+
 bool Checker::known(Check check, const std::string& cause, Address block, TextPlace place) {
   std::string whole = std::to_string(static_cast<int>(check)) + ":" + cause;
   if (causes_.contains(whole)) {
@@ -120,9 +127,9 @@ Finding& Checker::found(Check check, Address block, TextPlace place, std::string
   std::string cause = std::move(next_cause_);
   next_cause_.clear();
   if (cause.empty()) {
-    cause = std::to_string(static_cast<int>(check)) + " ";
-    if (!is_of_memory(check)) cause += std::to_string(code.program_at(block));
-    cause += " " + detail;
+    cause = scope_of(check, block);
+    // Of loops that are not closed, or cross, the first tells what the others follow from.
+    if (check != Check::LoopUnclosed) cause += detail;
   }
   Finding& finding = add(check, cause, block, place);
   finding.detail = std::move(detail);
@@ -131,10 +138,11 @@ Finding& Checker::found(Check check, Address block, TextPlace place, std::string
 
 Finding& Checker::refused(Check check, Address block, Fault fault) {
   if (next_cause_.empty()) {
-    next_cause_ = std::to_string(static_cast<int>(check)) + " ";
-    if (!is_of_memory(check)) next_cause_ += std::to_string(code.program_at(block));
-    next_cause_ += " " + std::to_string(static_cast<int>(fault.cause)) + " " + fault.detail;
-    next_cause_ += fault.address;
+    next_cause_ = scope_of(check, block);
+    if (check != Check::LoopUnclosed) {
+      next_cause_ += std::to_string(static_cast<int>(fault.cause)) + " " + fault.detail;
+      next_cause_ += fault.address;
+    }
     if (fault.detail.starts_with("{}")) {  // the word stands there
       const std::string_view text = code.files[program(code.program_at(block)).file].text.view();
       next_cause_ += text.substr(std::min<std::size_t>(fault.at, text.size()), fault.width);
@@ -212,9 +220,9 @@ std::vector<Finding> Checker::take() {
 std::vector<Finding> check(const Code& code, std::int32_t main, const std::string& machine,
                            InterruptCheck& interrupt) {
   Checker checker(code, main, machine, interrupt);
-  for (const auto& part :
-       {check_refusals, check_targets, check_reach, check_nesting, check_modes, check_variables,
-        check_labels, check_logic, check_values, check_writing}) {
+  for (const auto& part : {check_refusals, check_targets, check_reach, check_nesting, check_modes,
+                           check_variables, check_labels, check_logic, check_values, check_drilling,
+                           check_counting, check_read_ahead, check_writing}) {
     if (checker.over()) break;
     part(checker);
   }

@@ -29,6 +29,13 @@ class Checker {
   std::vector<std::vector<CallEdge>> callers;  // by the called program
   Groups groups;                               // of programs that call each other
   std::vector<bool> named;                     // programs that a call names which leads nowhere
+  /// A program in which blocks may be meant that nothing reaches, for what a block of it or of
+  /// another one says that is refused or dropped.
+  struct Unsure {
+    std::int32_t program;
+    Address because;
+  };
+  std::vector<Unsure> unsure;
 
   const Program& program(std::int32_t index) const {
     return code.programs[static_cast<std::size_t>(index)];
@@ -69,6 +76,7 @@ class Checker {
   Finding& add(Check check, const std::string& cause, Address block, TextPlace place);
   bool ignored(Check check, Address block, TextPlace place);
   void keep_edits();
+  std::string scope_of(Check check, Address block) const;
 
   InterruptCheck& interrupt_;
   std::vector<bool> called_by_another_;
@@ -98,6 +106,12 @@ void check_labels(Checker& c);
 void check_logic(Checker& c);
 /// Values that people trip over.
 void check_values(Checker& c);
+/// Canned cycles that drill nothing, or not as often as is written.
+void check_drilling(Checker& c);
+/// Loops that count in fractions.
+void check_counting(Checker& c);
+/// Inputs that are read before the blocks above have run.
+void check_read_ahead(Checker& c);
 /// What a control reads otherwise than it looks: codes of one group, semicolons, small letters.
 void check_writing(Checker& c);
 

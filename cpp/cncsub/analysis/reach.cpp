@@ -197,6 +197,18 @@ void check_fallen_into(Checker& c, const ProgramFlow& flow) {
   }
 }
 
+/// The programs in which a block that is reached may have led on, were it not refused.
+std::vector<bool> unsure_programs(const Checker& c, const std::vector<std::vector<bool>>& reached) {
+  std::vector<bool> unsure(c.flows.size(), false);
+  for (const auto& [program, because] : c.unsure) {
+    const std::int32_t own = c.code.program_at(because);
+    const std::size_t place = because - c.flow(own).first();
+    const std::vector<bool>& of = reached[static_cast<std::size_t>(own)];
+    if (place >= of.size() || of[place]) unsure[static_cast<std::size_t>(program)] = true;
+  }
+  return unsure;
+}
+
 }  // namespace
 
 void check_reach(Checker& c) {
@@ -206,14 +218,21 @@ void check_reach(Checker& c) {
     starts = starts || flow.starts_computed();
     labels = labels || flow.has_labels();
   }
+  std::vector<std::vector<bool>> all_reached(c.flows.size());
+  for (const ProgramFlow& flow : c.flows) {
+    if (c.over(flow.size())) return;
+    all_reached[static_cast<std::size_t>(flow.program())] = flow.reached();
+  }
+  const std::vector<bool> unsure = unsure_programs(c, all_reached);
   for (const ProgramFlow& flow : c.flows) {
     const Program& program = c.program(flow.program());
     if (c.inside(flow)) continue;
     if (c.over(flow.size())) return;
-    std::vector<bool> reached = flow.reached();
+    std::vector<bool>& reached = all_reached[static_cast<std::size_t>(flow.program())];
     if (!labels) check_end(c, flow, reached[flow.last() - flow.first()]);
     mark_profiles(c, flow, reached);
-    if (!starts) check_unreached(c, flow, reached);
+    if (!starts && !unsure[static_cast<std::size_t>(flow.program())])
+      check_unreached(c, flow, reached);
     check_ends_in_call(c, flow);
     check_fallen_into(c, flow);
     const bool only_called = flow.ever_returns() && !flow.ever_ends();

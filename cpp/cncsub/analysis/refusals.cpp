@@ -46,8 +46,11 @@ void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& 
                             record.device().value};
   if (auto fault = decode_call(c.code, record, values, program, target)) {
     c.refused(Check::Refused, at, std::move(*fault));
+    c.unsure.push_back({program, at});
     return;
   }
+  if (target.program != kNoProgram) c.unsure.push_back({target.program, at});
+  if (record.kind == CallKind::Local) c.unsure.push_back({program, at});
   if (auto fault = find_target(c.code, record, target))
     c.refused(Check::ProgramMissing, at, std::move(*fault));
   if (target.program != kNoProgram) c.named[static_cast<std::size_t>(target.program)] = true;
@@ -102,8 +105,21 @@ bool lacks_then(const Code& code, const Program& program, const Fault& fault) {
   return before > 0 && text[before - 1] == ']';
 }
 
+/// Whether a block that is refused would have called or jumped.
+bool leads_on(const Checker& c, Address at, const Program& program) {
+  const Roles& roles = c.code.control->calls.roles.value;
+  const std::vector<WrittenWord> words = c.code.words_of(c.code.blocks[at], program);
+  return std::any_of(words.begin(), words.end(), [&](const WrittenWord& word) {
+    if (word.address.empty()) return true;  // a macro statement
+    if (word.address != "M" || !word.known) return false;
+    const auto m = to_whole<int>(word.value);
+    return roles.of_m(m) != Role::None || calls_elsewhere(roles, m);
+  });
+}
+
 void check_fault(Checker& c, Address at, const Program& program, const Fault& fault) {
   Check check = Check::Refused;
+  if (leads_on(c, at, program)) c.unsure.push_back({c.code.program_at(at), at});
   if (fault.cause == Cause::JumpTargetNotFound) check = Check::TargetMissing;
   if (is_of_loops(fault.cause)) check = Check::LoopUnclosed;
   if (fault.cause == Cause::CodeNotComputed) check = Check::NotComputed;
@@ -131,12 +147,20 @@ void check_arc(Checker& c, Address at, const Block& block) {
               {.cause = Cause::NoRadius, .detail = {}, .address = 'G', .code = arc});
 }
 
+/// What a call drops may have said where it begins.
+void mark_dropped(Checker& c, Address at, std::int32_t program, const CallRecord& record) {
+  const bool known = record.constant && record.target.program != kNoProgram;
+  c.unsure.push_back({known ? record.target.program : program, at});
+}
+
 void check_block(Checker& c, Address at, std::int32_t program) {
   const Block& block = c.code.blocks[at];
   each_variant(c.code, block, [&](const Block& of) {
     each_g(c.code, of, [&](int g) { check_code(c, at, g); });
     if (of.op == Op::Fault) check_fault(c, at, c.program(program), c.code.faults[of.aux]);
     if (is_call(of.op)) check_call(c, at, program, c.code.calls[of.aux]);
+    if (is_call(of.op) && (of.flags & Block::kDrops) != 0)
+      mark_dropped(c, at, program, c.code.calls[of.aux]);
     if (of.op == Op::Words && of.g_count != 0) check_arc(c, at, of);
   });
   if (block.op == Op::Labelled) check_labelled(c, at, program, block);

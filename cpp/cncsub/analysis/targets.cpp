@@ -121,6 +121,7 @@ void TargetCheck::ambiguous(Address at, const Program& program, std::int64_t n, 
 
 void TargetCheck::jump(Address at, std::int64_t n, Address to, TextPlace place, Cause otherwise) {
   if (to == kNowhere) {
+    c_.unsure.push_back({flow_.program(), at});
     c_.refused(Check::TargetMissing, at,
                {otherwise, place.at, place.width, c_.code.no_block(n, program_)});
     return;
@@ -245,6 +246,10 @@ void check_targets(Checker& c) {
     if (program.duplicate_of == kNoProgram || program.first >= program.last) continue;
     const Program& first = c.program(program.duplicate_of);
     const Block& block = c.code.blocks[program.first];
+    const std::string files = std::to_string(program.file) + " " + std::to_string(first.file);
+    if (program.file != first.file &&
+        c.known(Check::Duplicate, files, program.first, {block.text, block.length}))
+      continue;  // a file that holds what another one holds
     c.found(Check::Duplicate, program.first, {block.text, block.length},
             c.code.name_of(program) + " stands in " + c.code.files[first.file].name + ", line " +
                 std::to_string(first.line) + ", too, and that one runs");

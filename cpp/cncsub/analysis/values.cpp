@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cncsub/analysis/checker.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -15,17 +16,35 @@ constexpr std::uint32_t kLengths = bit('X') | bit('Y') | bit('Z') | bit('U') | b
 constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K') | bit('R');
 constexpr double kFewIncrements = 1000;
 
+/// Whether a code roughs, finishes, pecks or threads by a profile or in many passes: its allowances
+/// and depths are written as increments on purpose. [a lathe's G70 to G76]
+bool counts_in_passes(Meaning meaning) {
+  switch (meaning) {
+    case Meaning::Finish:
+    case Meaning::RoughTurn:
+    case Meaning::RoughFace:
+    case Meaning::RoughPattern:
+    case Meaning::PeckFace:
+    case Meaning::PeckTurn:
+    case Meaning::MultipleThread:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// The words of a block that are lengths: of an arc also its centre and radius, of a drilling cycle
 /// its R. What else these letters are, such as a count, another word says.
 std::uint32_t lengths_of(const Checker& c, const Block& block) {
-  if ((block.mask & kCentre) == 0) return block.mask & kLengths;
   std::uint32_t lengths = block.op == Op::Arc ? kLengths | kCentre : kLengths;
+  bool passes = false;
   each_g(c.code, block, [&](int g) {
     const GCode code = c.g_codes.find(g);
+    passes = passes || counts_in_passes(code.meaning);
     if (code.meaning == Meaning::Cw || code.meaning == Meaning::Ccw) lengths |= kCentre;
     if (code.group == Group::Cycle && c.machine == MachineType::Mill) lengths |= bit('R');
   });
-  return block.mask & lengths;
+  return passes ? 0 : block.mask & lengths;
 }
 
 /// The lengths of a block that are written with a point, and those without one that are small.
@@ -73,16 +92,38 @@ void check_arguments(Checker& c, Address at) {
   });
 }
 
-void check_points(Checker& c, const ProgramFlow& flow) {
-  if (c.code.control->reading.whole_numbers.value != WholeNumbers::Increments) return;
-  bool points = false;
-  std::vector<Address> without;
-  for (Address at = flow.first(); at < flow.last(); ++at) {
-    const Points of = points_of(c, c.code.blocks[at]);
-    points = points || of.with != 0;
-    if (of.without != 0) without.push_back(at);
+bool counts_increments(const Checker& c) {
+  return c.code.control->reading.whole_numbers.value == WholeNumbers::Increments;
+}
+
+/// The programs that write points, and those that call one or are called by one, directly or not:
+/// what belongs together is written alike.
+std::vector<bool> writing_points(const Checker& c) {
+  std::vector<bool> found(c.flows.size(), false);
+  if (!counts_increments(c)) return found;
+  std::vector<std::int32_t> waiting;
+  for (const ProgramFlow& flow : c.flows)
+    for (Address at = flow.first(); at < flow.last() && !c.over(); ++at)
+      if (points_of(c, c.code.blocks[at]).with != 0) {
+        waiting.push_back(flow.program());
+        break;
+      }
+  while (!waiting.empty() && !c.over()) {
+    const std::int32_t program = waiting.back();
+    waiting.pop_back();
+    if (found[static_cast<std::size_t>(program)]) continue;
+    found[static_cast<std::size_t>(program)] = true;
+    for (const CallEdge& edge : c.flow(program).calls()) waiting.push_back(edge.called);
+    for (const CallEdge& edge : c.callers[static_cast<std::size_t>(program)])
+      waiting.push_back(edge.caller);
   }
-  if (!points) return;
+  return found;
+}
+
+void check_points(Checker& c, const ProgramFlow& flow) {
+  std::vector<Address> without;
+  for (Address at = flow.first(); at < flow.last() && !c.over(); ++at)
+    if (points_of(c, c.code.blocks[at]).without != 0) without.push_back(at);
   const Program& program = c.program(flow.program());
   for (const Address at : without) {
     const Block& block = c.code.blocks[at];
@@ -165,12 +206,36 @@ void check_plain_code(Checker& c, Address at, const Block& block) {
               (near.empty() ? "" : "; what comes nearest here is " + near));
 }
 
+/// The parameter that sets a rule, in words; empty where none does.
+std::string parameter_of(const Checker& c, std::string_view rule) {
+  for (const Parameter& parameter : c.code.control->parameters)
+    for (const Setting& setting : parameter.sets)
+      if (setting.rule == rule)
+        return " (parameter " + parameter.name + ", " + parameter.meaning + ")";
+  return "";
+}
+
+/// Why the control does not obey a word, as far as its address tells.
+std::string dropped(const Checker& c, const Block& block, std::string_view text, const Drop& drop) {
+  const char letter = drop.at < text.size() ? upper(text[drop.at]) : '\0';
+  const int most = c.code.control->reading.m_codes_per_block.value;
+  if (letter == 'M')
+    return "of the M codes of a block the control obeys " +
+           (most == 1 ? std::string("the last alone") : "the last " + std::to_string(most)) +
+           parameter_of(c, "m_codes_per_block");
+  if (is_call(block.op) && (letter == 'Q' || letter == 'H'))
+    return std::string("the control's calls know no ") + letter + parameter_of(c, "start_word");
+  return "the control does not obey it";
+}
+
 void check_drops(Checker& c, Address at, const Block& block) {
   if ((block.flags & Block::kDrops) == 0 || plain_code(c, block) >= 0) return;
+  if (block.op == Op::Fault) return;  // told with its alarm
   auto drop = std::lower_bound(c.code.drops.begin(), c.code.drops.end(), block.data,
                                [](const Drop& of, std::uint32_t data) { return of.data < data; });
+  const std::string_view text = c.code.files[c.program(c.code.program_at(at)).file].text.view();
   for (; drop != c.code.drops.end() && drop->data == block.data; ++drop)
-    c.found(Check::Dropped, at, {drop->at, drop->width}, "the control does not obey it");
+    c.found(Check::Dropped, at, {drop->at, drop->width}, dropped(c, block, text, *drop));
 }
 
 /// G99 as the last block of a program that nothing else ends.
@@ -193,10 +258,11 @@ bool ends_in_g99(const Checker& c, const ProgramFlow& flow) {
 }
 
 void check_values(Checker& c) {
+  const std::vector<bool> points = writing_points(c);
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
     if (c.over(flow.size())) return;
-    check_points(c, flow);
+    if (points[static_cast<std::size_t>(flow.program())]) check_points(c, flow);
     check_last(c, flow);
     for (Address at = flow.first(); at < flow.last() && !c.over(); ++at)
       each_variant(c.code, c.code.blocks[at], [&](const Block& block) {

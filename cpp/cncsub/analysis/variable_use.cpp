@@ -184,6 +184,7 @@ void check_variables(Checker& c) {
   const VariableUses uses(c);
   check_vacant(c, uses);
   check_overwritten(c, uses);
+  check_commons(c, uses);
 }
 
 }  // namespace cncsub

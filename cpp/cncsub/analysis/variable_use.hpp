@@ -74,6 +74,8 @@ std::vector<std::vector<const CallEdge*>> calls_by_block(const ProgramFlow& flow
 
 /// Locals without a value, arguments that nobody gives or reads.
 void check_vacant(Checker& c, const VariableUses& uses);
+/// Commons without a value where a move takes them.
+void check_commons(Checker& c, const VariableUses& uses);
 /// Variables that a caller and a called program both use as their own.
 void check_overwritten(Checker& c, const VariableUses& uses);
 

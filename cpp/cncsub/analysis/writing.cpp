@@ -75,6 +75,26 @@ void check_semicolon(Checker& c, Address at, std::string_view text) {
           "the semicolon before it ends a block");
 }
 
+// ---- a comment that is not closed ----
+
+/// Where the rest of a line is a comment because nothing closes it, and the control takes that.
+void check_open_comment(Checker& c, Address at, std::string_view text) {
+  const Block& block = c.code.blocks[at];
+  const std::size_t end = std::min(text.find('\n', block.text), text.size());
+  const std::string_view line =
+      text.substr(std::min<std::size_t>(block.text, end), end - block.text);
+  const std::size_t open = line.rfind('(');
+  if (open == std::string_view::npos || line.find(')', open) != std::string_view::npos) return;
+  const bool ends = c.code.control->reading.semicolon.value == Semicolon::Comment;
+  if (ends && line.substr(0, open).find(';') != std::string_view::npos) return;
+  if (c.code.blocks[at].op == Op::Fault) return;  // what is wrong there may be just this
+  std::size_t width = end - block.text - open;
+  while (width > 1 && is_blank(line[open + width - 1])) --width;
+  c.found(Check::OpenComment, at,
+          {static_cast<std::uint32_t>(block.text + open), static_cast<std::uint32_t>(width)},
+          "nothing closes the comment: the rest of the block counts as its text");
+}
+
 // ---- small letters ----
 
 bool is_small(char c) { return c >= 'a' && c <= 'z'; }
@@ -176,6 +196,8 @@ void check_letters(Checker& c, const ProgramFlow& flow, std::string_view text) {
 
 void check_writing(Checker& c) {
   const bool ends_blocks = c.code.control->reading.semicolon.value == Semicolon::EndOfBlock;
+  const bool open = c.code.control->dialect == "iso" &&
+                    c.code.control->reading.open_comment.value == OpenComment::RestOfBlock;
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
     const Program& program = c.program(flow.program());
@@ -183,6 +205,9 @@ void check_writing(Checker& c) {
     check_letters(c, flow, text);
     for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
       if (ends_blocks && at > flow.first()) check_semicolon(c, at, text);
+      const bool last =
+          at + 1 == flow.last() || c.code.blocks[at + 1].line != c.code.blocks[at].line;
+      if (open && last) check_open_comment(c, at, text);
       each_variant(c.code, c.code.blocks[at],
                    [&](const Block& block) { check_conflict(c, at, block, program); });
     }

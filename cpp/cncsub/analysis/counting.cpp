@@ -1,0 +1,215 @@
+// Loops that count in fractions: sums of 0.1 are not what they look like.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cncsub/analysis/checker.hpp"
+
+namespace cncsub {
+
+namespace {
+
+/// A variable by its place.
+struct Counter {
+  bool local = false;
+  std::uint32_t index = 0;
+  bool operator==(const Counter&) const = default;
+};
+
+std::vector<Instruction> instructions_of(const Expression& of) {
+  constexpr std::size_t kMost = 4;
+  std::vector<Instruction> all;
+  for (auto at = of.begin(); at != Expression::end() && all.size() < kMost; ++at)
+    all.push_back(*at);
+  return all;
+}
+
+std::optional<Counter> counter_of(const Instruction& ins) {
+  const bool local = ins.op == Ins::Local || ins.op == Ins::LocalRaw;
+  const bool common = ins.op == Ins::Common || ins.op == Ins::CommonRaw;
+  if ((!local && !common) || (local && ins.at == 0)) return std::nullopt;
+  return Counter{local, ins.at};
+}
+
+/// Which way two values are compared, with the counter at the left.
+std::optional<Ins> turned(Ins op) {
+  switch (op) {
+    case Ins::Less:
+      return Ins::Greater;
+    case Ins::Greater:
+      return Ins::Less;
+    case Ins::LessEqual:
+      return Ins::GreaterEqual;
+    case Ins::GreaterEqual:
+      return Ins::LessEqual;
+    case Ins::Equal:
+    case Ins::NotEqual:
+      return op;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// What a loop asks: whether its counter stands so to a limit.
+struct Asked {
+  Counter counter;
+  Ins op{};
+  std::optional<double> limit;  // where it is written as a number
+};
+
+std::optional<Asked> asked_by(const Expression& of) {
+  const std::vector<Instruction> all = instructions_of(of);
+  if (all.size() != 3 || !turned(all[2].op)) return std::nullopt;
+  const auto constant = [](const Instruction& ins) {
+    return ins.op == Ins::Constant ? std::optional<double>(ins.value) : std::nullopt;
+  };
+  if (const auto left = counter_of(all[0])) return Asked{*left, all[2].op, constant(all[1])};
+  if (const auto right = counter_of(all[1]))
+    return Asked{*right, *turned(all[2].op), constant(all[0])};
+  return std::nullopt;
+}
+
+bool holds(Ins op, double a, double b) {
+  switch (op) {
+    case Ins::Less:
+      return a < b;
+    case Ins::Greater:
+      return a > b;
+    case Ins::LessEqual:
+      return a <= b;
+    case Ins::GreaterEqual:
+      return a >= b;
+    case Ins::Equal:
+      return a == b;
+    default:
+      return a != b;
+  }
+}
+
+constexpr int kMostPasses = 100'000;
+
+/// How often a counter that grows by a step is asked until the answer is no; none where that takes
+/// very long. `digits`: the sums are rounded to so many after the point, 0: they are as the control
+/// makes them.
+std::optional<int> passes(const Asked& asked, double from, double step, double digits) {
+  double value = from;
+  for (int count = 0; count < kMostPasses; ++count) {
+    if (!holds(asked.op, value, *asked.limit)) return count;
+    value += step;
+    if (digits > 0) value = std::round(value * digits) / digits;
+  }
+  return std::nullopt;
+}
+
+class CountingCheck {
+ public:
+  CountingCheck(Checker& c, const ProgramFlow& flow) : c_(c), flow_(flow) {}
+  void loop(Address at, const Statement& of, Address from, Address to);
+
+ private:
+  bool assigns(Address at, const Counter& counter) const;
+  std::optional<double> step(const Counter& counter, Address from, Address to) const;
+  std::optional<double> start(const Counter& counter, Address before) const;
+
+  Checker& c_;
+  const ProgramFlow& flow_;
+};
+
+bool CountingCheck::assigns(Address at, const Counter& counter) const {
+  const Block& block = c_.code.blocks[at];
+  if (block.op != Op::Set && block.op != Op::Assign) return block.op > Op::Arc;
+  const Statement of = assignment_of(c_.code, block);
+  if (of.target == Statement::Target::Indirect) return true;
+  const bool local = of.target == Statement::Target::Local;
+  if (!local && of.target != Statement::Target::Common) return false;
+  return counter == Counter{local, static_cast<std::uint32_t>(of.index)};
+}
+
+/// By how much the one assignment of a loop changes its counter.
+std::optional<double> CountingCheck::step(const Counter& counter, Address from, Address to) const {
+  std::optional<double> found;
+  for (Address at = from; at < to; ++at) {
+    const Block& block = c_.code.blocks[at];
+    const bool sets = block.op == Op::Set || block.op == Op::Assign;
+    if (!sets || !assigns(at, counter)) continue;
+    const Statement of = assignment_of(c_.code, block);
+    const std::vector<Instruction> all = instructions_of(c_.code.expression(of.expression));
+    const bool adds = all.size() == 2 && counter_of(all[0]) == counter &&
+                      (all[1].op == Ins::AddConstant || all[1].op == Ins::SubtractConstant);
+    if (!adds || found) return std::nullopt;
+    found = all[1].op == Ins::AddConstant ? all[1].value : -all[1].value;
+  }
+  return found;
+}
+
+/// The value that a counter has before a loop, where the blocks before it give it one.
+std::optional<double> CountingCheck::start(const Counter& counter, Address before) const {
+  constexpr Address kFar = 32;
+  for (Address at = before; at > flow_.first() && before - at < kFar; --at) {
+    if (!assigns(at - 1, counter)) continue;
+    const Block& block = c_.code.blocks[at - 1];
+    if (block.op != Op::Set && block.op != Op::Assign) return std::nullopt;
+    const Statement of = assignment_of(c_.code, block);
+    const std::vector<Instruction> all = instructions_of(c_.code.expression(of.expression));
+    if (all.size() != 1 || all[0].op != Ins::Constant) return std::nullopt;
+    return all[0].value;
+  }
+  return std::nullopt;
+}
+
+/// Whether a step is no sum of halves, quarters, eighths ..., which are added without rounding.
+bool is_rounded(double step) {
+  constexpr double kScale = 1 << 20;
+  return std::isfinite(step) && step != 0 && std::fabs(step) < kScale &&
+         std::round(step * kScale) != step * kScale;
+}
+
+/// A loop from one block up to another, which asks in a third whether it goes on.
+void CountingCheck::loop(Address at, const Statement& of, Address from, Address to) {
+  constexpr double kDigits = 1e7;
+  const auto asked = asked_by(c_.code.expression(of.expression));
+  if (!asked) return;
+  const auto by = step(asked->counter, from, to);
+  if (!by || !is_rounded(*by)) return;
+  const auto begins = start(asked->counter, std::min(from, at));
+  const std::string sums = "the control adds up fractions that it holds in binary: ";
+  std::string told;
+  if (asked->limit && begins) {
+    const auto real = passes(*asked, *begins, *by, 0);
+    const auto meant = passes(*asked, *begins, *by, kDigits);
+    if (!meant || real == meant) return;
+    told = sums + (real ? "it does " + std::to_string(*real) + " passes where " +
+                              std::to_string(*meant) + " are written"
+                        : "the counter never has this value, and the loop never ends");
+  } else if (asked->op == Ins::NotEqual) {
+    told = sums + "the counter may never have this value, and the loop never ends";
+  }
+  if (told.empty()) return;
+  const Expression written = c_.code.expression(of.expression);
+  c_.found(Check::FractionLoop, at, {written.at(), written.width()}, std::move(told));
+}
+
+}  // namespace
+
+void check_counting(Checker& c) {
+  for (const ProgramFlow& flow : c.flows) {
+    if (c.inside(flow)) continue;
+    CountingCheck counting(c, flow);
+    std::size_t looked_at = 0;  // loops inside loops are gone over again
+    for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
+      const Block& block = c.code.blocks[at];
+      const bool asks = block.op == Op::While || block.op == Op::IfGoto;
+      if (!asks || looked_at > 64 * flow.size()) continue;
+      const Statement& of = c.code.statements[block.aux];
+      const bool loops = block.op == Op::While;
+      const Address from = loops ? at + 1 : of.to, to = loops ? of.end : at;
+      if (from == kNowhere || to == kNowhere || from >= to || from < flow.first()) continue;
+      looked_at += to - from;
+      counting.loop(at, of, from, std::min(to, flow.last()));
+    }
+  }
+}
+
+}  // namespace cncsub
