@@ -71,6 +71,13 @@ def texts_of_rows() -> dict[str, list[str]]:
 TEXTS = texts_of_rows()
 
 
+@pytest.mark.parametrize("end", ["\n\r\r", "\r\n", "\r", "\n\r", "\r\r\n", "\n\n\r\r"])
+def test_lines_end_the_same_wherever_a_text_is_cut(end: str) -> None:
+    text = end.join(["%", *(f"O{i}\nN10 X{i}.\rN20 M99" for i in range(1, 40)), "%"])
+    for piece in (17, 18, 19, 50):
+        check(CONTROL, [("part.nc", "part", text)], piece, deep=False)
+
+
 @pytest.mark.parametrize("control", sorted(TEXTS))
 def test_the_programs_of_all_rows_are_the_same_however_they_are_read(control: str) -> None:
     texts = list(dict.fromkeys(TEXTS[control]))

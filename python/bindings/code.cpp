@@ -235,6 +235,15 @@ void add_code(py::module_& m) {
             return std::const_pointer_cast<Code>(with);
           },
           py::arg("text"));
+  m.def(
+      "unify_line_ends",
+      [](const py::bytes& text) {
+        std::string unified = text;
+        InterruptCheck never;
+        cncsub::unify_line_ends(unified.data(), unified.data() + unified.size(), never);
+        return py::bytes(unified);
+      },
+      py::arg("text"));
   m.def("compile", &compile_files, py::arg("control"), py::arg("files"),
         py::arg("external_device") = false, py::kw_only(), py::arg("threads") = 0,
         py::arg("piece") = py::none(), py::arg("general_only") = false);

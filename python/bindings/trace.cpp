@@ -316,6 +316,10 @@ void add_trace(py::module_& m) {
       .def_property_readonly("path_length", &path_length)
       .def_property_readonly("time", &Record::time)
       .def_property_readonly("bounds", &bounds_of)
+      .def_property_readonly("control",
+                             [](const Record& record) {
+                               return std::const_pointer_cast<Control>(record.code().control);
+                             })
       .def_property_readonly("dropped", &dropped)
       .def_property_readonly(
           "messages", [](const Record& record) { return listed(record, record.trace().messages); });

@@ -346,6 +346,11 @@ def names_in(
     Audited as `os.scandir`.
     """
 
+def unify_line_ends(text: bytes) -> bytes:
+    """The same text as `compile` reads it: each line ends with one line feed, and blanks stand for
+    what else was there, so that every other byte keeps its place.
+    """
+
 def compile(
     control: Control,
     files: Sequence[
@@ -366,6 +371,8 @@ def compile(
 @final
 class Trace:
     """What was recorded: by a machine, which may go on, or in one part of a stream."""
+    @property
+    def control(self) -> Control: ...
     @property
     def steps(self) -> int: ...  # rows of the table of steps
     def step_row(self, index: int, row: type[Step]) -> Step: ...

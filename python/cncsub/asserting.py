@@ -93,7 +93,7 @@ def _report(run: Stopped) -> str:
 
 def _lines(run: Stopped) -> Iterator[str]:
     if run.alarm is not None:
-        yield from str(run.alarm).splitlines()
+        yield from str(run.alarm).split("\n")
     count = len(run.steps)
     yield f"what ran last, of {run.blocks} blocks:" if count else f"{run.blocks} blocks ran"
     for i in range(max(0, count - _LAST), count):

@@ -78,7 +78,7 @@ def coverage(
             run = library.run(name, **asked)
             total += run.coverage()
             _tell_stop(run, name)
-            tell_dropped(len(run.dropped))
+            tell_dropped(len(run.dropped), (word.warning for word in run.dropped))
         for path, text in ((html, total.to_html), (lcov, total.to_lcov)):
             _write(path, text)
         _write(cobertura, total.to_cobertura)

@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 
 import cncsub
 from cncsub.checking import RULES, Edit, Finding
+from cncsub.lines import lines_of, without_end
 
 VERSION = 1  # of the JSON; it grows when a key changes its meaning or goes
 
@@ -205,8 +206,8 @@ class Mended:
 
     def __init__(self, findings: Iterable[Finding]) -> None:
         self._left: set[Edit] = set()  # those whose text is not where it was
-        self._old: dict[str, bytes] = {}
-        self._new: dict[str, bytes] = {}
+        self._old: dict[str, list[bytes]] = {}  # the lines of each file
+        self._new: dict[str, list[bytes]] = {}
         edits = {edit for finding in findings for edit in finding.fix or ()}
         # From the end of each line, so that what stands before stays where it is.
         for edit in sorted(edits, key=lambda edit: edit[:3], reverse=True):
@@ -217,15 +218,13 @@ class Mended:
         once in its line, is replaced as bytes, whatever the encoding of its comments.
         """
         if edit.file not in self._new:
-            self._old[edit.file] = self._new[edit.file] = Path(edit.file).read_bytes()
-        lines = self._new[edit.file].split(b"\n")
+            self._old[edit.file] = lines_of(Path(edit.file).read_bytes())
+            self._new[edit.file] = list(self._old[edit.file])
+        lines = self._new[edit.file]
         line, old = lines[edit.line - 1], edit.old.encode()
         at = edit.column - 1
         if not old:
-            end = b"\r" if line.endswith(b"\r") else b""
-            new = edit.new.encode().replace(b"\n", end + b"\n")
-            lines[edit.line - 1] = line.removesuffix(end) + new + end
-            self._new[edit.file] = b"\n".join(lines)
+            lines[edit.line - 1] = self._lengthened(line, lines[0], edit.new.encode())
             return
         if not line[:at].isascii() or not line.startswith(old, at):
             if line.count(old) != 1:
@@ -233,7 +232,14 @@ class Mended:
                 return
             at = line.index(old)
         lines[edit.line - 1] = line[:at] + edit.new.encode() + line[at + len(old) :]
-        self._new[edit.file] = b"\n".join(lines)
+
+    @staticmethod
+    def _lengthened(line: bytes, first: bytes, new: bytes) -> bytes:
+        """A line with a text put behind it, whose lines end as the lines of the file do."""
+        words = without_end(line)
+        end = line[len(words) :]
+        usual = end or first[len(without_end(first)) :] or b"\n"
+        return words + new.replace(b"\n", usual) + end
 
     @property
     def left(self) -> int:
@@ -247,9 +253,9 @@ class Mended:
     def diff(self) -> str:
         parts: list[str] = []
         for file, old in self._old.items():
+            new = lines_of(b"".join(self._new[file]))
             before, after = (
-                text.decode("utf-8", "replace").splitlines(keepends=True)
-                for text in (old, self._new[file])
+                [line.decode("utf-8", "replace") for line in lines] for lines in (old, new)
             )
             parts += difflib.unified_diff(before, after, file, file)
         return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
@@ -258,7 +264,7 @@ class Mended:
         """Writes the files that change, and names them."""
         changed = [file for file, text in self._new.items() if text != self._old[file]]
         for file in changed:
-            Path(file).write_bytes(self._new[file])
+            Path(file).write_bytes(b"".join(self._new[file]))
         return changed
 
 

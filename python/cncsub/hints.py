@@ -14,6 +14,7 @@ from cncsub.beside import files_named, folders_in, folders_of
 from cncsub.checking import Finding
 from cncsub.controls import controls
 from cncsub.library import Library
+from cncsub.lines import lines_of
 from cncsub.notes import Note
 from cncsub.program import Program
 from cncsub.references import Computed
@@ -232,7 +233,7 @@ def _block_of(library: Library, alarm: Alarm, mdi: str | None) -> str:
     if program is not None:
         text = next((b.text for b in program.blocks if b.line == alarm.line), "")
     else:
-        text = "\n".join((mdi or "").splitlines()[alarm.line - 1 : alarm.line])
+        text = "".join(lines_of(mdi or "")[alarm.line - 1 : alarm.line])
     return re.sub(r"\([^()]*\)", "", text)
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from cncsub.library import Library
     from cncsub.program import Program
+    from cncsub.rows import Dropped
     from cncsub.run import Run
     from cncsub.tables import Calls
 
@@ -37,8 +38,13 @@ def run_html(run: Run) -> str:
     if len(run.moves):
         parts.append(table(("", "from", "to"), _bounds(run)))
     parts += few("message", run.messages)
-    parts += few("dropped", (f"{word.text} at line {word.line}" for word in run.dropped))
+    parts += few("dropped", map(_dropped, run.dropped))
     return page(parts)
+
+
+def _dropped(word: Dropped) -> str:
+    warning = "" if word.warning is None else f" (warning: {word.warning})"
+    return f"{word.text} at line {word.line}{warning}"
 
 
 def _title(run: Run) -> str:
@@ -88,7 +94,7 @@ def library_html(library: Library) -> str:
 
 def program_html(program: Program) -> str:
     """The lines of a program with their numbers, its comments paler than its blocks."""
-    lines = program.text.rstrip().splitlines() or [""]
+    lines = program.text.rstrip().split("\n")
     numbered = [(program.line + i, line) for i, line in enumerate(lines)]
     left = len(numbered) - _HEAD - _TAIL
     marks = _marks(program)

@@ -124,5 +124,5 @@ def _blocks(program: Program) -> list[str]:
     text = program.text.lstrip()
     if text.startswith(program.name):
         text = text[len(program.name) :]
-    lines = (line.strip() for line in text.splitlines())
+    lines = (line.strip() for line in text.split("\n"))
     return [line for line in lines if line.strip("%")]

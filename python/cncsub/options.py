@@ -403,11 +403,15 @@ def tell_all(notes: Sequence[Note]) -> None:
         typer.echo(f"note: ... and {left:,} more", err=True)
 
 
-def tell_dropped(dropped: int) -> None:
-    """Tells on the error stream that words were dropped, for commands that show none of them."""
+def tell_dropped(dropped: int, warnings: Iterable[str | None] = ()) -> None:
+    """Tells on the error stream that words were dropped, for commands that show none of them, and
+    once what does not start because of that.
+    """
     if dropped:
         words = f"{dropped:,} word{'' if dropped == 1 else 's'}"
         typer.echo(f"note: the control dropped {words}; cncsub run and check tell which", err=True)
+    for warning in sorted({each for each in warnings if each is not None}):
+        typer.echo(f"warning: an M code was dropped: {warning}", err=True)
 
 
 def tell_hints(hints: Iterable[str]) -> None:

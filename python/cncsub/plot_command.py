@@ -123,7 +123,7 @@ def plot(
             raise ValueError(str(error)) from None
         output.write_text(page_of(figure), encoding="utf-8", newline="\n")
     print_stop(console_on(sys.stderr), run)
-    tell_dropped(len(run.dropped))
+    tell_dropped(len(run.dropped), (word.warning for word in run.dropped))
     typer.echo(f"wrote {shown(str(output))}")
     raise typer.Exit(status_of(run))
 

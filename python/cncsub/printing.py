@@ -96,11 +96,15 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
         console.print(f"skip: {shown(block)}{f', {times:,} times' if times > 1 else ''}")
     if len(missed) > MOST_MISSED:
         console.print(f"... skips of {len(missed) - MOST_MISSED:,} more blocks met nothing")
-    words = Counter((w.program, w.n, w.line, w.file, w.text) for w in run.dropped)
-    for (program, n, line, file, text), times in itertools.islice(words.items(), MOST_MISSED):
+    words = Counter((w.program, w.n, w.line, w.file, w.text, w.warning) for w in run.dropped)
+    for (program, n, line, file, text, warning), times in itertools.islice(
+        words.items(), MOST_MISSED
+    ):
         place = program if n is None else f"{program} N{n}"
         often = "" if times == 1 else f", {times} times"
         console.print(f"dropped: {shown(text)} at {shown(f'{place}, {file}:{line}')}{often}")
+        if warning is not None:
+            console.print(f"warning: {shown(text)} does nothing: {warning}")
     if len(words) > MOST_MISSED:
         console.print(f"... {len(words) - MOST_MISSED:,} more words were dropped")
 

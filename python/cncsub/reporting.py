@@ -138,6 +138,8 @@ def _facts(run: Run) -> Iterator[tuple[str, str]]:
         told = [f"{word}{f', {n:,} times' if n > 1 else ''}" for word, n in words.items()]
         more = f" and {len(told) - MOST_MISSED:,} more" if len(told) > MOST_MISSED else ""
         yield "dropped", "; ".join(told[:MOST_MISSED]) + more
+    for word in {w.warning: w for w in run.dropped if w.warning is not None}.values():
+        yield "warning", f"{word.text} does nothing: {word.warning}"
 
 
 # ---- the calls ----

@@ -324,7 +324,7 @@ class Rewriting:
             raise self.refused(block, "what has to stand behind it is not under its condition")
         skip = _SKIP.match(line)
         own = skip[1] if skip else ""  # a block that is skipped takes what is behind it along
-        written = "\n".join([joined, *(own + each for each in behind.splitlines())])
+        written = "\n".join([joined, *(own + each for each in behind.split("\n") if each)])
         edit = Edit(block.program.file, block.line, first + 1, line[first:], written)
         self.edits.setdefault(block.program.name, []).append(edit)
 

@@ -12,7 +12,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Dropped:
-    """A word that the control read and did not obey, as it is written; a G code by its name."""
+    """A word that the control read and did not obey, as it is written; a G code by its name.
+    `warning`: what does not start because of that, and what to do; `None` for words of which
+    nothing else hangs.
+    """
 
     step: int
     program: str
@@ -20,6 +23,7 @@ class Dropped:
     line: int
     file: str
     text: str
+    warning: str | None = None
 
 
 class _Placed:

@@ -102,14 +102,19 @@ class Recorded(Stays):
     def dropped(self) -> tuple[Dropped, ...]:
         """Words that the control read and did not obey, in order (with any `trace` but `"none"`): M
         codes beyond those it takes in a block, all but the last of an address or of a group of G
-        codes, I and K beside R, U beside X.
+        codes, I and K beside R, U beside X. An M code that would start the spindle or the coolant
+        has a `warning`.
 
         >>> import cncsub
         >>> run = cncsub.loads("O1\\nN10 M8 M3 S500\\nM30\\n", control="fanuc-0i-f").run()
         >>> run.dropped[0].text, run.dropped[0].n, run.m_codes
         ('M8', 10, [3])
+        >>> print(run.dropped[0].warning.partition(":")[0])
+        it would start the coolant
         """
-        return tuple(Dropped(*row) for row in self._trace.dropped)
+        from cncsub.dropping import dropped_words
+
+        return tuple(dropped_words(self._trace.dropped, self._trace.control))
 
     @property
     def missed_skips(self) -> list[MissedSkip]:

@@ -90,7 +90,7 @@ def run(
         stream = _stream(locals())
         dropped = _write_moves(stream, format, output)
         print_stop(console_on(sys.stderr), stream)
-        tell_dropped(dropped)
+        tell_dropped(*dropped)
         raise typer.Exit(status_of(stream))
     with wrong_use():
         asked = filters(where or ())
@@ -102,7 +102,7 @@ def run(
             blocks = made.listing(**asked)
         write_listing(blocks, output, as_json=format is RunFormat.JSON)
         print_stop(console_on(sys.stderr), made)
-        tell_dropped(len(made.dropped))
+        tell_dropped(len(made.dropped), (word.warning for word in made.dropped))
         tell_hints(hints)
         raise typer.Exit(status_of(made))
     if format is RunFormat.TEXT:
@@ -146,7 +146,7 @@ def tree(
         write_json(output, {**tree_facts(made, title), "notes": notes, "hints": hints})
     else:
         write_text(output, lambda console: print_tree(console, made, title, callers=True))
-        tell_dropped(len(made.dropped))
+        tell_dropped(len(made.dropped), (word.warning for word in made.dropped))
         if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
             print_stop(console_on(sys.stderr), made)
             tell_hints(hints)
@@ -194,8 +194,12 @@ def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
         return library.stream(options["main"], **asked)
 
 
-def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) -> int:
-    """Writes the moves as they are made; how many words were dropped meanwhile."""
+def _write_moves(
+    stream: cncsub.Stream, format: RunFormat, output: Path | None
+) -> tuple[int, set[str | None]]:
+    """Writes the moves as they are made; how many words were dropped meanwhile, and of them the
+    warnings.
+    """
     if format is RunFormat.CSV:
         if output is None:
             return _write_csv(stream, sys.stdout)
@@ -209,24 +213,26 @@ def _write_moves(stream: cncsub.Stream, format: RunFormat, output: Path | None) 
         raise WrongUseError("parquet needs pyarrow: pip install 'cncsub[arrow]'") from None
     with contextlib.ExitStack() as files:
         file = files.enter_context(opened(output, "wb"))
-        writer, dropped = None, 0
+        writer, dropped, warnings = None, 0, set[str | None]()
         for part in stream:
             dropped += len(part.dropped)
+            warnings |= {word.warning for word in part.dropped}
             rows = part.moves.to_arrow()
             if writer is None:
                 writer = files.enter_context(parquet.ParquetWriter(file, rows.schema))
             writer.write_table(rows)
-    return dropped
+    return dropped, warnings
 
 
-def _write_csv(stream: cncsub.Stream, file: IO[str]) -> int:
+def _write_csv(stream: cncsub.Stream, file: IO[str]) -> tuple[int, set[str | None]]:
     import csv
 
-    dropped = 0
+    dropped, warnings = 0, set[str | None]()
     writer = csv.writer(file, lineterminator="\n")
     for number, part in enumerate(stream):
         if number == 0:
             writer.writerow(part.moves.columns)
         writer.writerows(record.values() for record in records(part.moves))
         dropped += len(part.dropped)
-    return dropped
+        warnings |= {word.warning for word in part.dropped}
+    return dropped, warnings

@@ -14,6 +14,7 @@ from cncsub.checking import Edit
 from cncsub.comparison import OtherControlPair, Parting
 from cncsub.controls import control_of
 from cncsub.library import Library
+from cncsub.lines import lines_of
 from cncsub.loading import load
 from cncsub.rewriting import Rewriting, TranslateError
 from cncsub.run import Run, Stop
@@ -52,8 +53,8 @@ class Translation:
         """What changed, as a unified diff; empty where nothing had to."""
         parts: list[str] = []
         for file, text in self.texts.items():
-            before = self._before[file].splitlines(keepends=True)
-            parts += difflib.unified_diff(before, text.splitlines(keepends=True), file, file)
+            before = lines_of(self._before[file])
+            parts += difflib.unified_diff(before, lines_of(text), file, file)
         return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
 
     def write(self, folder: str | os.PathLike[str]) -> list[str]:

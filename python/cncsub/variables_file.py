@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from cncsub.inputs import checked_variables, numbered
+from cncsub.lines import lines_of, without_end
 from cncsub.setup import from_toml
 
 _VACANT = ("", "vacant", "none", "#0", "nan")
@@ -44,7 +45,7 @@ def read_variables(path: str | os.PathLike[str]) -> dict[int, float | None]:
     name = os.fspath(path)
     if name.lower().endswith(".toml"):
         return from_toml(path, _from_table)
-    text = Path(path).read_text(encoding="utf-8-sig", errors="replace")
+    text = Path(path).read_bytes().decode("utf-8-sig", errors="replace")
     rows = _csv_rows(text) if name.lower().endswith(".csv") else _punched(text)
     found: dict[int, float | None] = {}
     for line, number, value in _checked(name, rows):
@@ -90,9 +91,10 @@ class _LineError(ValueError):
 
 
 def _csv_rows(text: str) -> Rows:
-    head = text.split("\n", 1)[0]
+    lines = lines_of(text)
+    head = lines[0] if lines else ""
     between = next((sign for sign in ";\t" if sign in head), ",")
-    for line, row in enumerate(csv.reader(text.splitlines(), delimiter=between), 1):
+    for line, row in enumerate(csv.reader(map(without_end, lines), delimiter=between), 1):
         cells = [cell.strip() for cell in row]
         if not any(cells):
             continue
@@ -108,7 +110,7 @@ def _csv_rows(text: str) -> Rows:
 
 
 def _punched(text: str) -> Rows:
-    for line, written in enumerate(text.splitlines(), 1):
+    for line, written in enumerate(map(without_end, lines_of(text)), 1):
         block = written.strip(" \t\r\x00\x11\x12\x13\x14;").upper()
         if bits := _BITS.fullmatch(block):
             value = struct.unpack(">d", bytes.fromhex(bits[2]))[0]

@@ -120,6 +120,16 @@ _TABLE = _joined(
     _all("h99_offset", (TA, T, *MITSUBISHI, *FANUC, HNC), NO_H_CODES),
     _all("user_alarm_offset user_alarm_last", (HNC,), "the control has no #3000"),
     _all("user_alarm_offset", MITSUBISHI, "the alarm of #3000 has one number, whatever the value"),
+    _all(
+        "computed_whole",
+        (*GSK_LATHES, MDI, *MITSUBISHI, HNC, HAAS),
+        "no source says what becomes of a computed S or P that is not whole",
+    ),
+    _all(
+        "first_axis_allowance second_axis_allowance",
+        (*GSK_LATHES, *MILLS, *MITSUBISHI, F16),
+        "no parameter of the control lets a profile turn back a little",
+    ),
     # Motion
     _all("g_meanings", (MDI,), "it has none of the codes that mean something else elsewhere"),
     _all("codes_not_turned pattern_codes", NOT_MDI, "it does not refuse what these codes do"),

@@ -15,13 +15,33 @@
 
 namespace cncsub {
 
+namespace {
+
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+/// A run of line feeds and carriage returns, of which one is a return. The last character of each
+/// line's end becomes the line feed, so that no blank is left at the head of a line.
+void unify_run(char* first, char* end) {
+  char* feed = end;
+  while (feed != first && feed[-1] != '\n') --feed;
+  if (feed == first) return std::fill(first, end, '\n');
+  std::replace(first, end, '\r', ' ');
+  if (feed == end) return;
+  end[-1] = '\n';
+  feed[-1] = ' ';
+}
+
+}  // namespace
+
 void unify_line_ends(char* at, char* end, InterruptCheck& interrupt) {
+  const char* const begin = at;
   const auto next = [&](char* from) {
     return static_cast<char*>(std::memchr(from, '\r', static_cast<std::size_t>(end - from)));
   };
   while (at != end && (at = next(at)) != nullptr && !interrupt.requested(InterruptCheck::kBlock)) {
-    *at = at + 1 != end && at[1] == '\n' ? ' ' : '\n';
-    ++at;
+    char* const first = at != begin && at[-1] == '\n' ? at - 1 : at;
+    at = std::find_if_not(at, end, is_line_end);
+    unify_run(first, at);
   }
 }
 
@@ -44,6 +64,7 @@ void cut(SourceFile& file, std::size_t number, std::size_t piece, std::vector<Jo
   for (std::size_t at = 0; at < text.size();) {
     std::size_t to = text.size();
     if (to - at > 2 * piece) to = std::min(text.find('\n', at + piece), to - 1) + 1;
+    while (to < text.size() && is_line_end(text[to])) ++to;
     jobs.push_back({number, number + 1, {text, at, to}, file.text.data()});
     at = to;
   }

@@ -19,7 +19,9 @@ struct Sharing {
   std::size_t piece = std::size_t{1} << 17;  // bytes of a job
 };
 
-/// CR, LF and CRLF all end a line; a CR before a LF counts as a blank.
+/// Lets each line end with one line feed. A run of line feeds and carriage returns ends as many
+/// lines as it has line feeds, or, where it has none, carriage returns: LF, CR, CR LF, and the
+/// LF CR CR that FANUC punches [B-63524EN p.649], are one end each. Blanks stand for the rest.
 void unify_line_ends(char* at, char* end, InterruptCheck& interrupt);
 
 /// Where the files go, and how another code is made ready for a part of them.

@@ -32,6 +32,7 @@ Run::Run(std::shared_ptr<const Code> of, Options how)
   state.signals = options.inputs.signals;
   state.taken.clock_ms = options.inputs.clock_ms;
   largest_word = kPowersOfTen[most_digits(control())];
+  for (const char address : control().reading.computed_whole.value) computed_whole |= bit(address);
   jumps_refused = options.mdi && refuses(Cause::JumpInMdi);
 }
 

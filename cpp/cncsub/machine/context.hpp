@@ -104,8 +104,9 @@ struct Run {
 
   std::shared_ptr<const Code> code;
   Options options;
-  double largest_word = 0;     // no computed word of a block reaches it
-  bool jumps_refused = false;  // in the main program, which was typed in MDI
+  double largest_word = 0;           // no computed word of a block reaches it
+  std::uint32_t computed_whole = 0;  // the addresses whose computed values are rounded
+  bool jumps_refused = false;        // in the main program, which was typed in MDI
   State state;
   std::shared_ptr<const CodeMeanings> meanings;  // of the codes, on this kind of machine
   BlockCodes codes;                              // of a block that computes them

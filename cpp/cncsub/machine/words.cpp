@@ -93,7 +93,7 @@ bool decode_computed(Run& run, std::uint32_t expression, Address of, std::size_t
       words.mask &= ~(1u << place);
     value = 0;
   }
-  words.value[place] = value;
+  words.value[place] = (run.computed_whole >> place & 1) != 0 ? std::round(value) : value;
   words.computed |= 1u << place;
   return true;
 }
@@ -284,6 +284,8 @@ bool carry_out(Run& run, const Block& block) {
   if ((block.flags & Block::kDrops) != 0 || (outcome.dropped | outcome.dropped_codes) != 0)
     tell_dropped(run, block, words);
   run.block.words_done = true;
+  if (outcome.missed_reference)
+    return alarm_of_motion(run, {.cause = Cause::NotAtReference, .at = run.state.pc, .detail = {}});
   if (block.n >= 0) run.state.last_n = block.n;
   if (outcome.moved || words.has('T') || words.codes != &kNoCodes) ++run.state.changes;
   if (is_words(block.op)) return after_words(run);

@@ -19,6 +19,11 @@ bool begins_turn(const Block& b) {
          b.meaning(Group::Scaling) == Meaning::ScalingOn ||
          b.meaning(Group::Mirror) == Meaning::MirrorOn;
 }
+/// Whether a canned cycle is active and neither a motion code nor G80 of the block ends it: either
+/// does so first, wherever it stands. [15iM; M7 p.52]
+bool in_cycle(const Block& b) {
+  return b.was_cycle && !b.has(Group::Motion) && b.meaning(Group::Cycle) != Meaning::CycleOff;
+}
 bool cycles(const Block& b) {
   return b.has(Group::Cycle) && b.meaning(Group::Cycle) != Meaning::CycleOff;
 }
@@ -95,7 +100,7 @@ bool taps(const Block& b) {
 
 /// Whether a block moves by its axis words, outside of a canned cycle.
 bool moves_axes(const Block& b) {
-  if (b.was_cycle || b.has(Group::Cycle)) return false;
+  if (in_cycle(b) || b.has(Group::Cycle)) return false;
   for (const Meaning meaning : {Meaning::Dwell, Meaning::SetData, Meaning::SetCoordinate,
                                 Meaning::ClearCoordinate, Meaning::Local})
     if (does(b, meaning)) return false;
@@ -139,7 +144,7 @@ constexpr Conflict kConflicts[] = {
      }},
     {Cause::CycleAxisChanged,
      [](const State& s, const Block& b) {
-       return b.was_cycle && ((b.has(Group::Plane) && plane(s, b) != s.plane) ||
+       return in_cycle(b) && ((b.has(Group::Plane) && plane(s, b) != s.plane) ||
                               (cycles(b) && b.code(Group::Cycle).which != s.cycle.code.which));
      }},
     {Cause::OneShotWithMotion,
@@ -175,10 +180,10 @@ constexpr Conflict kConflicts[] = {
      }},
     {Cause::ReferenceInCycle,
      [](const State&, const Block& b) {
-       return b.was_cycle && (returns(b) || does(b, Meaning::CheckReference));
+       return in_cycle(b) && (returns(b) || does(b, Meaning::CheckReference));
      }},
     {Cause::MachineMoveInCycle,
-     [](const State&, const Block& b) { return b.was_cycle && does(b, Meaning::Machine); }},
+     [](const State&, const Block& b) { return in_cycle(b) && does(b, Meaning::Machine); }},
     {Cause::PolarPlane,
      [](const State& s, const Block& b) { return polar(s) && b.has(Group::Plane); }},
     {Cause::PolarWorkSystem,
@@ -241,7 +246,7 @@ constexpr Conflict kConflicts[] = {
      &MotionRules::codes_not_turned},
     {Cause::RotatedCycle,
      [](const State& s, const Block& b) {
-       return b.was_cycle && s.plane != Plane::XY &&
+       return in_cycle(b) && s.plane != Plane::XY &&
               b.meaning(Group::Rotation) == Meaning::RotationOn;
      }},
     {Cause::RotationCode,
@@ -259,7 +264,7 @@ constexpr Conflict kConflicts[] = {
     {Cause::TurningAxis,
      [](const State& s, const Block& b) { return turning(s, b) && other_axis(b); }, true},
     {Cause::PatternWithoutCycle,
-     [](const State&, const Block& b) { return !b.was_cycle && !cycles(b); }, false,
+     [](const State&, const Block& b) { return !in_cycle(b) && !cycles(b); }, false,
      &MotionRules::pattern_codes},
 };
 

@@ -242,7 +242,7 @@ bool has_plain_words(const MotionFacts& facts, const NcWords& words, bool speeds
 /// What the T, M and S of a block set.
 void set_tool_and_spindle(MotionState& s, const Roles& roles, const NcWords& words) {
   const int tool = s.tool;
-  if (words.has('T')) s.t = whole(words['T']);
+  if (words.has('T')) s.t = whole(std::round(words['T']));
   for (const int code : words.codes->m()) take_spindle(s, roles.of_m(code));
   if (words.has('S')) {
     s.speed = words['S'];

@@ -37,6 +37,7 @@ struct MotionOutcome {
   Address behind = kNowhere;  // G71 to G73: the run goes on here, behind the profile
   std::int64_t moves = 0;
   SkipMove skip = SkipMove::No;
+  bool missed_reference = false;  // G27 has moved elsewhere, which alarms then
   // What the block says and the control does not obey beside something else of the block.
   std::uint32_t dropped = 0;        // addresses, as in a mask
   std::uint16_t dropped_codes = 0;  // the places of G codes among the block's

@@ -51,6 +51,18 @@ const Parameter kParameters[] = {
      kKnown,
      Inferred,
      {entry(rule::conditions, Condition::Joined)}},
+    {"5145",
+     0,
+     "how far a profile of G71 and G72 may turn back along the first axis of the plane, mm",
+     kKnown,
+     Inferred,
+     {micrometres(rule::first_axis_allowance)}},
+    {"5146",
+     0,
+     "how far it may turn back along the second axis of the plane, mm of the radius",
+     kKnown,
+     Inferred,
+     {micrometres(rule::second_axis_allowance)}},
 };
 
 }  // namespace

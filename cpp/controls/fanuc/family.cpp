@@ -29,6 +29,7 @@ void reading(Control& c) {
   c.reading.point_addresses = {"ABCEFIJKQRUVWXYZ",
                                cite({kSin, kAlm, "the list, and E of threads, general knowledge"}),
                                Inferred};
+  c.reading.computed_whole = {"PS", cite({kSin, "of all addresses of whole numbers"}), Secondary};
   c.reading.minus_addresses = {"ABCEFHIJKQRSUVWXYZ",
                                cite({kKnown, "alarm 006 for M and P from ALM"}), Inferred};
   c.reading.whole_numbers = {WholeNumbers::Increments,

@@ -507,3 +507,94 @@ case(
     """,
     moves="R X2",
 )
+
+# Two signs
+
+SIGNS = "PS-ZH 006: two or more minus signs"
+for _word, _said in [("X--5.", "X--5."), ("X-+5.", "X-+5."), ("F--100", "F--100"), ("M--8", "M--8"),
+                     ("G--1", "G--1"), ("S--5", "S--5"), ("X--#100", "X--#100"), ("X- -5.", "X- -5.")]:
+    case(
+        f"{_word} has two signs",
+        control=ALL, source=SIGNS, evidence="secondary" if "+" not in _word else "inferred",
+        program=f"O1\nN10 M8\nN20 {_word}\nN30 M30", variables={100: 1},
+        runs="N10", m=[8], alarm="two-signs", number=numbers("006", "PS0006"), at="O1 N20", word=_said,
+    )
+case(
+    "a sequence number with two signs",
+    control=ALL, source=SIGNS, evidence="secondary",
+    program="O1\nN10 M8\nN--20 M9\nN30 M30",
+    runs="N10", m=[8], alarm="two-signs", number=numbers("006", "PS0006"),
+)
+case(
+    "an argument with two signs",
+    control=ALL, source=SIGNS, evidence="secondary",
+    program="O1\nN10 M8\nN20 G65 P2 A--1.\nN30 M30\nO2\nM99",
+    runs="N10", m=[8], alarm="two-signs", number=numbers("006", "PS0006"), word="A--1.",
+)
+case(
+    "a sign without a number has no data",
+    control=ALL, source="ALM PS0005", evidence="inferred",
+    program="O1\nN10 M8\nN20 X-\nN30 M30",
+    runs="N10", m=[8], alarm="address-without-value", number=numbers("005", "PS0005"), word="X-",
+)
+
+# Addresses of whole numbers round what an expression gives
+
+WHOLE = "SIN: an expression at an address of whole numbers is rounded, S#1 with #1 = 1000.5 is S1001"
+for _value, _is in [("1000.4999", 1000), ("1000.5", 1001), ("999.6", 1000)]:
+    case(
+        f"S#1 with #1={_value} is S{_is}",
+        control=ALL, source=WHOLE, evidence="secondary",
+        program=f"O1\nN10 #1={_value}\nN20 G97 S#1 M3\nN30 #100=#4119\nN40 S[#1]\nN50 #101=#4119\nN60 M30",
+        runs="N10 N20 N30 N40 N50 N60", vars={100: _is, 101: _is},
+    )
+case(
+    "P of a dwell from an expression is rounded to whole milliseconds",
+    pins="computed_whole", control=ALL, source=WHOLE, evidence="secondary", setup={"machine": "mill"},
+    program="O1\nN10 #1=1500.6\nN20 G4 P#1\nN30 G4 P[#1-1500.2]\nN40 M30",
+    runs="N10 N20 N30 N40", moves="W 1.501",
+)
+case(
+    "a feed per revolution counts the speed that S of an expression is rounded to",
+    pins="computed_whole", control=ALL, source=WHOLE, evidence="secondary", setup={"machine": "mill"},
+    program="O1\nN10 #1=99.6\nN20 G97 S#1 M3\nN30 G95 G1 X100. F1.\nN40 M30",
+    runs="N10 N20 N30 N40", time=60,
+)
+
+# Numbers of offsets, systems and tools, and counts
+
+for _what, _setup, _program, _said in [
+    ("the length offset of H", {"machine": "mill", "length_offsets": {1: 10.0, 2: 20.0}},
+     "G43 Z0 H#1", {"final_machine": "Z20"}),
+    ("the radius offset of D", {"machine": "mill", "radius_offsets": {1: 1.0, 2: 2.0}},
+     "G41 G1 X10. F100 D#1\nG1 Y10.", {"final_machine": "X8 Y10"}),
+    ("the extra system of P", {"machine": "mill"},
+     "G10 L20 P1 X1.\nG10 L20 P2 X2.\nG54.1 P#1 G0 X0", {"final_machine": "X2"}),
+    ("the offset of T", {"machine": "lathe-a", "tools": {1: {"X": 1}, 2: {"X": 2}}},
+     "T[100+#1]\nG0 X0", {"final_machine": "X2"}),
+    ("L of G10", {"machine": "mill"}, "G10 L#1 P1 X3.\nG0 X0", {"final_machine": "X3"}),
+]:
+    case(
+        f"{_what} from an expression is rounded",
+        control=NEW, source=WHOLE, evidence="inferred", setup=_setup,
+        program=f"O1\nN10 #1=1.6\n{_program}\nN20 M30", runs="N10 N20", **_said,
+    )
+case(
+    "a repeat count of a canned cycle from an expression is rounded",
+    control=ALL, source=WHOLE, evidence="inferred", setup={"machine": "mill"},
+    program="O1\nN10 #1=2.6\nN20 G91 G81 X1. Z-1. R-1. F100 K#1\nN30 M30",
+    runs="N10 N20 N30", final_work="X3",
+)
+case(
+    "sequence numbers of a profile from expressions are rounded",
+    control=ALL, source=WHOLE, evidence="inferred", setup={"machine": "lathe-a", "start": {"X": 20, "Z": 2}},
+    program="""
+        O1
+        N5 #1=2.9999999
+        N10 G70 P[#1*10] Q[#1*10+10] F10.
+        N15 M30
+        N30 G0 X10.
+        N40 G1 Z-10.
+    """,
+    runs="N5 N10 N15", moves="R X10\nF Z-10\nR X20 Z2",
+)

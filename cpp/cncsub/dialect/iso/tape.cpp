@@ -10,6 +10,7 @@
 
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/iso/block.hpp"
+#include "cncsub/dialect/iso/leader.hpp"
 #include "cncsub/dialect/iso/next_mark.hpp"
 #include "cncsub/dialect/iso/structure.hpp"
 #include "cncsub/system/compiler.hpp"
@@ -19,33 +20,19 @@ namespace cncsub {
 
 namespace {
 
-/// The first semicolon that is not inside a comment, or the end.
-const char* outside_comment(const char* at, const char* end) {
+/// The first such mark outside of comments and, for %, of brackets, in which DPRNT has its text; or
+/// the end.
+const char* outside(char mark, const char* at, const char* end) {
   bool comment = false;
+  int brackets = 0;
   for (; at < end; ++at) {
     if (*at == '(') comment = true;
     if (*at == ')') comment = false;
-    if (*at == ';' && !comment) return at;
+    if (comment) continue;
+    if (mark == '%' && (*at == '[' || *at == ']')) brackets += *at == '[' ? 1 : -1;
+    if (*at == mark && brackets <= 0) return at;
   }
   return end;
-}
-
-bool heads(const Code& code, ProgramHead head) {
-  return code.control->reading.program_heads.value.has(head);
-}
-
-/// Whether a line that starts with % is the head of a program.
-bool percent_head(const Code& code, Scanner line) {
-  ++line.at;
-  return heads(code, ProgramHead::Percent) && is_digit(line.peek());
-}
-
-/// Whether a line is the head of a program by another mark.
-bool other_head(const Code& code, Scanner line) {
-  const char c = line.peek();
-  ++line.at;
-  if (c == 'O' || c == ':') return is_digit(line.peek());
-  return c == '<' && heads(code, ProgramHead::Name);
 }
 
 /// What a block begins with, and neither a comment, a tape's mark nor the head of a program.
@@ -64,6 +51,18 @@ void title(Program& program, const char* file, const char* start, const char* en
   const char* close_at = std::find(open, end, ')');
   program.comment_at = static_cast<std::uint32_t>(open + 1 - file);
   program.comment_length = static_cast<std::uint32_t>(close_at - open - 1);
+}
+
+/// Whether a comment that begins in a block is not closed there, and the control alarms at that.
+bool comment_not_closed(const Code& code, NextMark& comments, const Scanner& s) {
+  if (!comments.in(s.at, s.end)) return false;
+  if (code.control->reading.open_comment.value != OpenComment::Alarm) return false;
+  bool open = false;
+  for (const char* c = s.at; c < s.end; ++c) {
+    if (*c == '(') open = true;
+    if (*c == ')') open = false;
+  }
+  return open;
 }
 
 class TapeReader {
@@ -134,6 +133,7 @@ class TapeReader {
     const char* end = begin_ + lines.to;
     semicolons_ = NextMark(';', at, end);
     comments_ = NextMark('(', at, end);
+    percents_ = NextMark('%', at, end);
     const bool semicolons = code_.control->reading.semicolon.value == Semicolon::EndOfBlock;
     LineEnds ends(at, end);
     while (at < end) {
@@ -144,7 +144,7 @@ class TapeReader {
       } else if (semicolons) {
         split(at, line_end);
       } else {
-        block(at, outside_comment(at, line_end));
+        block(at, outside(';', at, line_end));
       }
       if (to_.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return;
       at = line_end + 1;
@@ -153,21 +153,30 @@ class TapeReader {
 
   void split(const char* at, const char* end) {
     while (at < end) {
-      const char* stop = outside_comment(at, end);
+      const char* stop = outside(';', at, end);
       block(at, stop);
       at = stop + 1;
     }
   }
 
+  /// A block, and perhaps the % after its words: it ends the tape as one on a line of its own does,
+  /// and what follows it on the line belongs to no program.
   void block(const char* at, const char* end) {
+    if (!percents_.in(at, end)) return words(at, end);
+    while (at != end && is_blank(*at)) ++at;
+    if (*at == '%') return percent({at, end, begin_});
+    const bool ends_tape = !heads(code_, ProgramHead::Percent);  // there % begins programs
+    const char* const percent = ends_tape ? outside('%', at, end) : end;
+    words(at, percent);
+    if (percent != end) end_tape({percent, end, begin_});
+  }
+
+  void words(const char* at, const char* end) {
     Scanner s{at, end, begin_};
-    if (s.at != s.end && begins_block(*s.at)) return add_block(s, comment_not_closed(s));
+    if (s.at != s.end && begins_block(*s.at))
+      return add_block(s, comment_not_closed(code_, comments_, s));
     while (s.at != s.end && is_blank(*s.at)) ++s.at;
     if (s.at == s.end) return;
-    if (*s.at == '%') {
-      percent(s);
-      return;
-    }
     if (head(s)) {
       s.blanks();
       if (s.at == s.end) return;
@@ -177,7 +186,7 @@ class TapeReader {
 
   /// A block before which comments may stand.
   void comments_first(Scanner& s) {
-    const bool open_comment = comment_not_closed(s);
+    const bool open_comment = comment_not_closed(code_, comments_, s);
     s.blanks();
     if (code_.control->reading.open_comment.value == OpenComment::RestOfBlock) s.rest_of_comment();
     if (s.at != s.end || open_comment) add_block(s, open_comment);
@@ -198,55 +207,34 @@ class TapeReader {
     to_.append(block);
   }
 
-  bool comment_not_closed(const Scanner& s) {
-    if (!comments_.in(s.at, s.end)) return false;
-    if (code_.control->reading.open_comment.value != OpenComment::Alarm) return false;
-    bool open = false;
-    for (const char* c = s.at; c < s.end; ++c) {
-      if (*c == '(') open = true;
-      if (*c == ')') open = false;
-    }
-    return open;
-  }
-
   /// A line that starts with %: the tape's mark, or the head of a program.
   void percent(Scanner s) {
     const char* start = s.at;
-    if (std::exchange(leader_possible_, false) && to_.in_program() && tape_begins(s)) drop_leader();
     ++s.at;
-    if (heads(code_, ProgramHead::Percent) && is_digit(s.peek())) {
-      const Number number = scan_number(s);
-      s.blanks();
-      begin_program(trimmed({start, static_cast<std::size_t>(s.at - start)}),
-                    number.value < 1e15 ? to_whole<std::int64_t>(number.value) : -1, start);
-      title(to_.program(), begin_, start, s.end);
-      return;
-    }
-    if (to_.in_program()) close(static_cast<std::uint32_t>(start - begin_));
+    if (!heads(code_, ProgramHead::Percent) || !is_digit(s.peek()))
+      return end_tape({start, s.end, begin_});
+    drop_leader({start, s.end, begin_});
+    const Number number = scan_number(s);
+    s.blanks();
+    begin_program(trimmed({start, static_cast<std::size_t>(s.at - start)}),
+                  number.value < 1e15 ? to_whole<std::int64_t>(number.value) : -1, start);
+    title(to_.program(), begin_, start, s.end);
   }
 
-  /// Whether a tape begins with the % of this line: a program's head, or blocks that another %
-  /// ends. What stands behind may be cut off for others to read, who unify its ends of lines.
-  bool tape_begins(const Scanner& percent) {
-    const char* end = begin_ + text_.size();
-    bool blocks = false;
-    for (const char* at = percent.at; at < end;) {
-      const char* line_end = std::find_if(at, end, [](char c) { return c == '\n' || c == '\r'; });
-      if (to_.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return false;
-      Scanner line{at, line_end, begin_};
-      at = line_end + 1;
-      const char c = line.peek();
-      if (c == '\0') continue;
-      if (c == '%' ? blocks || percent_head(code_, line) : !blocks && other_head(code_, line))
-        return true;
-      blocks = blocks || c != '%';
-    }
-    return false;
+  /// The tape's mark: it ends the open program.
+  void end_tape(const Scanner& percent) {
+    drop_leader(percent);
+    if (to_.in_program()) close(percent.offset());
   }
 
-  /// What stands before the first % of a tape is no program: a reader looks for the % first.
-  void drop_leader() {
-    to_.drop_program(static_cast<std::int32_t>(line_) - 1);
+  /// What stands before the first % of a tape may be no program.
+  void drop_leader(const Scanner& percent) {
+    if (!std::exchange(leader_possible_, false) || !to_.in_program()) return;
+    if (!is_leader(to_, text_, percent)) return;
+    const char* before = percent.at;
+    while (before != begin_ && is_blank(before[-1])) --before;
+    const bool own_line = before == begin_ || before[-1] == '\n';
+    to_.drop_program(static_cast<std::int32_t>(line_) - (own_line ? 1 : 0));
     first_in_file_ = true;
   }
 
@@ -363,7 +351,7 @@ class TapeReader {
   BlockReader reader_;
   std::string_view text_;  // of the file
   const char* begin_ = nullptr;
-  NextMark semicolons_, comments_;
+  NextMark semicolons_, comments_, percents_;
   std::uint32_t file_ = 0;
   std::size_t statements_ = 0;  // of the programs before
   std::uint32_t line_ = 0;

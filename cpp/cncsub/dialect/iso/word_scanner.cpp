@@ -13,6 +13,13 @@ std::uint16_t mask_of(const Lexeme& slash) {
   return static_cast<std::uint16_t>(1U << (slash.skip == 0 ? 1U : slash.skip));
 }
 
+/// Whether another sign stands behind the sign of a number.
+bool two_signs(const Number& number, Scanner behind) {
+  if (number.any || !number.has_sign || number.points != 0) return false;
+  const char next = behind.peek();
+  return next == '-' || next == '+';
+}
+
 bool takes_name(Role role) {
   switch (role) {
     case Role::Call:
@@ -52,6 +59,7 @@ bool WordScanner::sequence_number(const Lexeme& read) {
   };
   if (read.value == Lexeme::Value::Expression)
     return wrong(Cause::IllegalSequenceNumber, "a sequence number cannot come from a variable");
+  if (two_signs(number, s_)) return wrong(Cause::TwoSigns, "a sequence number has no sign");
   if (!number.any) return wrong(Cause::AddressWithoutValue, "N without a number");
   if (number.points != 0)
     return wrong(Cause::IllegalDecimalPoint, "a sequence number has no point");
@@ -199,6 +207,9 @@ bool WordScanner::number(Token& token, const Number& number) {
 /// What is wrong whatever the word is for; what only an argument of a macro may have is kept in the
 /// token.
 bool WordScanner::check(Token& token, const Number& number) {
+  if (two_signs(number, s_))
+    return refuse(
+        fault_of(token, Cause::TwoSigns, std::string(1, token.letter) + " has more than one sign"));
   if (!number.any)
     return refuse(fault_of(token, Cause::AddressWithoutValue,
                            std::string(1, token.letter) + " stands without a value"));

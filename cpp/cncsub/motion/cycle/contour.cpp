@@ -249,15 +249,20 @@ std::vector<double> Contour::crossings(double level) const {
   return list;
 }
 
-/// The piece of the profile that goes back along an axis, or nothing.
+/// The piece of the profile that goes back along an axis, by more than it may, or nothing. Forward
+/// is where the whole profile leads; where it leads back to its beginning, where it sets out.
 const Piece* Contour::turning_back(int axis) const {
-  int way = 0;
+  const auto along = static_cast<std::size_t>(axis);
+  const auto& turning = m.facts.control->turning;
+  const int micrometres =
+      axis == 0 ? turning.second_axis_allowance.value : turning.first_axis_allowance.value;
+  const double allowed = micrometres * 1e-3 * scale(axis) + 1e-9;
+  double furthest = pieces.front().end[along], way = 0;
   for (std::size_t i = 1; i < pieces.size(); ++i) {
-    const double step = pieces[i].end[static_cast<std::size_t>(axis)] -
-                        pieces[i - 1].end[static_cast<std::size_t>(axis)];
-    if (std::fabs(step) < 1e-9) continue;
-    if (way != 0 && (step > 0) != (way > 0)) return &pieces[i];
-    way = step > 0 ? 1 : -1;
+    const double step = pieces[i].end[along] - furthest;
+    if (way == 0 && std::fabs(step) > allowed) way = step;
+    if (step * way < 0 && std::fabs(step) > allowed) return &pieces[i];
+    if (step * way > 0) furthest += step;
   }
   return nullptr;
 }
@@ -269,20 +274,6 @@ bool Contour::starts_inside() const {
   for (const Piece& piece : pieces)
     if ((end_of(piece)[level] - start[level]) * away > 1e-9) return true;
   return false;
-}
-
-/// How often the profile goes back in behind a shoulder.
-int Contour::pocket_count() const {
-  const auto level = static_cast<std::size_t>(level_axis);
-  const double away = end_of(pieces.front())[level] <= start[level] ? 1 : -1;
-  int count = 0;
-  bool outward = false;
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    const double step = (pieces[i].end[level] - pieces[i - 1].end[level]) * away;
-    if (step < -1e-9 && outward) ++count;
-    if (std::fabs(step) > 1e-9) outward = step > 0;
-  }
-  return count;
 }
 
 Fault Contour::turns_back(int axis) const {
@@ -373,7 +364,7 @@ Result Contour::pass(const Axes& by) {
 std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWords& words) {
   const Meaning once = words.codes->meaning(Group::OneShot);
   if (once < Meaning::Finish || once > Meaning::RoughPattern) return std::nullopt;
-  const ProfileNumbers numbers{whole(words['P']), whole(words['Q'])};
+  const ProfileNumbers numbers{whole(std::round(words['P'])), whole(std::round(words['Q']))};
   if (numbers.ns == numbers.nf && facts.refuses(Cause::PqSame)) return std::nullopt;
   return numbers;
 }
@@ -383,7 +374,7 @@ Result contour(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (!w.has('P') && !w.has('Q') && meaning != Meaning::Finish)
     return take_first_block(m, block, meaning);
   if (!w.has('P') || !w.has('Q')) return fault(Cause::PqMissing, block);
-  if (whole(w['P']) == whole(w['Q']) && m.facts.refuses(Cause::PqSame))
+  if (std::round(w['P']) == std::round(w['Q']) && m.facts.refuses(Cause::PqSame))
     return fault(Cause::PqSame, block);
   if (m.outside.profile == nullptr) return fault(Cause::PqNotFound, block);
   const Profile& profile = *m.outside.profile;

@@ -36,7 +36,6 @@ struct Contour {
 
   Result check() const;
   bool starts_inside() const;
-  int pocket_count() const;
   const Piece* turning_back(int axis) const;
   bool monotone(int axis) const { return turning_back(axis) == nullptr; }
   Fault turns_back(int axis) const;
@@ -45,6 +44,7 @@ struct Contour {
   std::vector<double> crossings(double level) const;
   Result follow(const Axes& by, std::size_t from);
   // pockets.cpp
+  int pocket_count() const;
   Result rough_pockets();
   Result pass(const Axes& by);
 };

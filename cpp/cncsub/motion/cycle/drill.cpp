@@ -1,4 +1,5 @@
 // Canned cycles: drilling, boring, tapping of mills, and the drilling cycles of lathes.
+#include "cncsub/motion/counted.hpp"
 #include "cncsub/motion/cycle/cycles.hpp"
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
@@ -67,7 +68,7 @@ Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
   const Control& c = *m.facts.control;
   repeats = 1;
   for (const char letter : c.motion.cycle_repeats.value)
-    if (w.has(letter)) repeats = whole(w[letter]);
+    if (w.has(letter)) repeats = whole(counted(m, w, letter));
   if (w.has('K') && w.has('L') && m.facts.refuses(Cause::CycleRepeatsTwice))
     return fault(Cause::CycleRepeatsTwice, block);
   const int most = c.motion.max_cycle_repeats.value;

@@ -305,4 +305,18 @@ Result Contour::rough_pockets() {
   return go(MoveKind::Rapid, start);
 }
 
+/// How often the profile goes back in behind a shoulder.
+int Contour::pocket_count() const {
+  const auto level = static_cast<std::size_t>(level_axis);
+  const double away = end_of(pieces.front())[level] <= start[level] ? 1 : -1;
+  int count = 0;
+  bool outward = false;
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const double step = (pieces[i].end[level] - pieces[i - 1].end[level]) * away;
+    if (step < -1e-9 && outward) ++count;
+    if (std::fabs(step) > 1e-9) outward = step > 0;
+  }
+  return count;
+}
+
 }  // namespace cncsub

@@ -1,4 +1,5 @@
 // Work coordinates: zero points and shifts.
+#include "cncsub/motion/counted.hpp"
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/query.hpp"
@@ -55,7 +56,7 @@ Result select_work(MotionContext& m, BlockWords& block) {
   int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
   if (meaning == Meaning::WorkExtra) {
     const int own = block.code(Group::Work).which;
-    const double p = own > 0 ? own : block.words.has('P') ? block.words['P'] : 1;
+    const double p = own > 0 ? own : block.words.has('P') ? counted(m, block.words, 'P') : 1;
     if (p < 1 || p > static_cast<double>(m.state.tables.extra.size()))
       return fault(Cause::WorkSystem, block);
     m.state.extra_system = to_whole<int>(p);

@@ -1,4 +1,5 @@
 // G10: offsets and zero points that the program sets.
+#include "cncsub/motion/counted.hpp"
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/words.hpp"
 
@@ -105,7 +106,7 @@ Result set_data(MotionContext& m, BlockWords& block) {
   m.state.data_set = true;
   const NcWords& w = block.words;
   if (!w.has('L')) return set_without_l(m, block);
-  const int l = whole(w['L']);
+  const int l = whole(counted(m, w, 'L'));
   const bool systems = l == 2 || l == 20, offsets = l == 1 || (l >= 10 && l <= 13);
   // Of tool life and parameters no motion depends.
   const bool others =

@@ -1,4 +1,5 @@
 // Reference points and machine coordinates: G53, G27 to G30, G60.
+#include "cncsub/motion/counted.hpp"
 #include "cncsub/motion/cycle/cycles.hpp"
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
@@ -69,7 +70,7 @@ Result machine_move(MotionContext& m, BlockWords& block) {
 
 Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
   if (number_of_point == 2) {
-    const double p = block.words.has('P') ? block.words['P'] : 2;
+    const double p = block.words.has('P') ? counted(m, block.words, 'P') : 2;
     if (p < 2 || p > 4) return fault(Cause::ReferenceNumber, block);
     if (!m.facts.homed && m.facts.refuses(Cause::ReferenceNotHomed))
       return fault(Cause::ReferenceNotHomed, block);
@@ -129,7 +130,7 @@ Result check_reference(MotionContext& m, BlockWords& block) {
   for (int i = 0; i < kAxes; ++i) {
     const double wanted = found == points.end() ? 0 : found->second[static_cast<std::size_t>(i)];
     if ((named >> i & 1) != 0 && std::fabs(machine[i] - wanted) > m.facts.increment / 2)
-      return fault(Cause::NotAtReference, block);
+      m.outcome.missed_reference = true;
   }
   return std::nullopt;
 }

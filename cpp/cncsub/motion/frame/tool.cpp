@@ -1,4 +1,5 @@
 // Tool words: T of mills and lathes, length offsets, the radius in force.
+#include "cncsub/motion/counted.hpp"
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/path/path.hpp"
@@ -52,7 +53,7 @@ void shift_by_length(MotionContext& m, bool add) {
 /// The number of the offset: that of H, or of the tool where the control takes it without H.
 Result take_h(MotionContext& m, const BlockWords& block) {
   if (block.words.has('H')) {
-    const double number = block.words['H'];
+    const double number = counted(m, block.words, 'H');
     if (number < 0 || number >= static_cast<double>(m.state.tables.length.size()))
       return fault(Cause::OffsetNumber, block);
     m.state.h = to_whole<int>(number);
@@ -119,7 +120,7 @@ Result take_length(MotionContext& m, BlockWords& block) {
 
 Result set_tool(MotionContext& m, BlockWords& block) {
   if (!block.words.has('T')) return std::nullopt;
-  const int t = whole(block.words['T']);
+  const int t = whole(std::round(block.words['T']));  // as the code that is sent
   if (!m.facts.lathe()) {
     m.state.t = t;
     return std::nullopt;
@@ -192,7 +193,7 @@ Result set_radius(MotionContext& m, BlockWords& block) {
     if (!block.words.has('D')) return fault(Cause::RadiusOffsetNumber, block);
     m.state.given_radius = number(m, block, 'D') / 2;
   } else if (block.words.has('D') && !m.facts.lathe() && !measures) {
-    const double number = block.words['D'];
+    const double number = counted(m, block.words, 'D');
     if (number < 0 || number >= static_cast<double>(m.state.tables.radius.size()))
       return fault(Cause::RadiusOffsetNumber, block);
     m.state.d = to_whole<int>(number);

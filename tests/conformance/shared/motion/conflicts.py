@@ -383,5 +383,5 @@ case(
     control=GSK_988, source="Talm 045", evidence="secondary",
     setup=LATHE | {"reference": {1: {"X": 0, "Z": 0}}},
     program="O1\nN10 G27 X0\nN20 G27 X10\nN30 M30",
-    runs="N10", alarm="not-at-reference", number="045", at="O1 N20", word="X10",
+    runs="N10 N20", alarm="not-at-reference", number="045", at="O1 N20", word="X10", final_work="X10",
 )

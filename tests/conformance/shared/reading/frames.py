@@ -116,15 +116,14 @@ for name, content in [("an empty file", b""), ("a file of zeros", b"\0" * 4096),
 
 NOT_FOUND = {**on_fanuc(76), "fanuc-16i": "078", **dict.fromkeys(GSK_988, "083"), **dict.fromkeys(GSK_980, "0001"),
              **dict.fromkeys(MITSUBISHI, "P232")}
-LEADER = "GED, file frame: the tape begins with its %; general knowledge"
-
+LEADER = "GED, file frame: the tape begins with its %; B-62694EN p.88: a title stands before the first block; general knowledge"
 for _kind, _head, _number in (("O", b"O1", NOT_FOUND), ("percent", b"%1", None)):
     _where = {"control": WITH_O if _kind == "O" else WITH_PERCENT, "source": LEADER,
               "evidence": "inferred"}
     for _name, _before in [
         ("words", b"PART 12 FIXTURE 3\r\nTOOLS: 4\r\n"), ("a bad word", b"X1..2\n#1=[\n"),
-        ("an end of program", b"G0 X1.\nM30\n"), ("a letter O", b"ORDER 7\n"),
-        ("an open loop", b"WHILE[1EQ1]DO1\n"),
+        ("a letter O", b"ORDER 7\n"), ("a title that reads as words", b"T12\nS355\n"),
+        ("a title with a comment", b"(SHAFT)\nREV B (M30)\n"), ("a thread", b"BOLT M30\n"),
     ]:
         case(f"{_name} before the first percent sign is a leader, {_kind} programs", **_where,
              files={"O1.NC": _before + b"%\n" + _head + b"\nN10 M8\nN20 M9\nN30 M30\n%\n"},
@@ -135,6 +134,87 @@ for _kind, _head, _number in (("O", b"O1", NOT_FOUND), ("percent", b"%1", None))
              files={"O1.NC": _before + b"%\n" + _head + b"\nN10 M8\nN20 M98 P77\nN30 M30\n"},
              runs="N10", alarm="program-not-found", number=_number, word="P77", m=[8],
              at=f"{_head.decode()} N20")
+case(
+    "a title that a percent sign ends is a leader before the tape that follows",
+    control=WITH_O, source=LEADER, evidence="inferred",
+    files={"O1.NC": b"SHAFT 100%\n%\nO1\nN10 M8\nN20 M30\n%\n"}, runs="N10 N20", m=[8],
+)
+
+# What could run before the first % is the main program, and no leader
+STARTS = "B-63524EN p.649: a file starts with % or LF; general knowledge: a leader holds no program"
+for _kind, _tape in (("O", b"%\nO2"), ("percent", b"%2"), ("percent behind a percent sign", b"%\n%2")):
+    _controls = WITH_O if _kind == "O" else WITH_PERCENT
+    for _name, _text, _runs, _m in [
+        ("with M30", b"N10 M8\nN20 M30\n", "N10 N20", [8]),
+        ("without sequence numbers", b"M8\nG0 X1\nM9\nM30\n", "", [8, 9]),
+        ("with M02 behind a skip", b"/N10 M8\n(TITLE)\nN20 M9\nN30 M2\n", "N10 N20 N30", [8, 9]),
+        ("behind a title", b"(SHAFT)\n\nN10 M8\nN20 M30\n", "N10 N20", [8]),
+    ]:
+        case(
+            f"a main program without a head {_name} before the first percent sign runs, {_kind}",
+            control=_controls, source=STARTS, evidence="inferred",
+            files={"MAIN.NC": _text + _tape + b"\nN60 M3\nN70 M99\n%\n"}, runs=_runs, m=_m,
+        )
+case(
+    "a main program without a head before the first percent sign calls the program behind it",
+    control=WITH_O, source=STARTS, evidence="inferred",
+    files={"MAIN.NC": b"N10 M98 P2\nN20 M30\n%\nO2\nN60 M3\nN70 M99\n%\n"}, runs="N10 N60 N70 N20",
+    m=[3],
+)
+case(
+    "a main program without a head and without an end alarms before the first percent sign",
+    control=FANUC, source=STARTS, evidence="inferred",
+    files={"MAIN.NC": b"N10 M8\nN20 M9\n%\nO2\nN60 M3\nN70 M30\n%\n"}, runs="N10 N20", m=[8, 9],
+    alarm="end-of-record", number=on_fanuc(5010),
+)
+case(
+    "a main program without a head alarms at a block that nobody can read, before the first percent sign",
+    control=WITH_O, source=STARTS, evidence="inferred",
+    files={"MAIN.NC": b"N10 M8\nX1..2\nN20 M30\n%\nO2\nN60 M3\nN70 M30\n%\n"}, runs="N10", m=[8],
+    alarm="illegal-decimal-point",
+    number={**on_fanuc(7), **dict.fromkeys(GSK_988, "007"), **dict.fromkeys(GSK_980, "0012"),
+            **dict.fromkeys(MITSUBISHI, "P33")},
+)
+case(
+    "macro statements before the first percent sign are a program",
+    control=FANUC, source=STARTS, evidence="inferred",
+    files={"MAIN.NC": b"#500=1\nGOTO 10\nM3\nN10 M30\n%\nO2\nN60 M3\nN70 M30\n%\n"}, runs="N10",
+    m=[], vars={500: 1},
+)
+case(
+    "an open loop before the first percent sign is a program that alarms",
+    control=FANUC, source=STARTS, evidence="inferred",
+    files={"MAIN.NC": b"WHILE[1EQ1]DO1\n%\nO2\nN60 M3\nN70 M30\n%\n"}, runs="", m=[],
+    alarm="missing-end", number=on_fanuc(124),
+)
+
+# A % behind words ends the tape
+BEHIND = "general knowledge: % is the end of the record wherever it stands; production programs end in N125M30%"
+for _name, _text in [
+    ("a trailer", b"O1\nN10 M8\nN20 M9\nN30 M30%\nEND OF TAPE\n"),
+    ("another program", b"O1\nN10 M8\nN20 M9\nN30M30%\nO2\nN40 M3\nN50 M99\n%\n"),
+    ("more on its line", b"O1\nN10 M8\nN20 M9\nN30 M30 % N40 M3\n"),
+]:
+    case(f"a percent sign behind words ends the program before {_name}", control=WITH_O,
+         source=BEHIND, evidence="inferred", files={"O1.NC": _text}, **{
+             k: v for k, v in PLAIN.items() if k in ("runs", "m")})
+case(
+    "a percent sign behind words is the end of a program that has no M30",
+    control=FANUC, source=BEHIND + "; ALM 5010", evidence="inferred",
+    files={"O1.NC": b"O1\nN10 M8%\nN20 M9\nN30 M30\n"}, runs="N10", m=[8],
+    alarm="end-of-record", number=on_fanuc(5010),
+)
+case(
+    "a percent sign behind a skipped word ends the program too",
+    control=FANUC, source=BEHIND, evidence="inferred", skip=(1,),
+    files={"O1.NC": b"O1\nN10 M8\nN20 M30 /M3%\nN30 M9\n"}, runs="N10 N20", m=[8],
+)
+case(
+    "a percent sign in a comment ends nothing",
+    control=WITH_O, source=BEHIND, evidence="inferred",
+    files={"O1.NC": b"O1\nN10 M8 (AT 50%)\nN20 M9 (100%) \nN30 M30\n"}, runs="N10 N20 N30",
+    m=[8, 9],
+)
 case(
     "a leader stands before a head that a second percent sign does not follow",
     control=WITH_O, source=LEADER, evidence="inferred",

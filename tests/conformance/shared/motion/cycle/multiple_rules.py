@@ -222,6 +222,61 @@ case(
     number={"mitsubishi-meldas": "P203", "mitsubishi-m700": "P203", "mitsubishi-m800": "P203", "fanuc-16i": "064", "fanuc-0i-d": "PS0064", "fanuc-0i-f": "PS0064", "fanuc-30i": "PS0064"},
     word="Z-5.",
 )
+NEW_FANUC = ["fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
+ALLOWANCE = "general knowledge: parameters 5145 and 5146 of the 0i-D and the 30i"
+
+
+def turning_back(x="X20.", z="Z-12.", code="G71 U1. R1."):
+    """A profile whose block N50 leads to `x` and `z`, and which goes on out and in from there."""
+    return f"""
+        O1
+        N5 G0 X40. Z2.
+        N10 {code}
+        N15 {code[:3]} P20 Q70 U0 W0 F10.
+        N20 G0 X10.
+        N30 G1 Z-10.
+        N40 X20. Z-12.
+        N50 {x} {z}
+        N60 X30. Z-20.
+        N70 X40.
+        N80 M30
+    """
+
+
+case(
+    "a profile may not turn back along Z at all without 5145",
+    pins="first_axis_allowance", control=NEW_FANUC, source="ALM; " + ALLOWANCE,
+    evidence="inferred", setup=PROFILE, program=turning_back(z="Z-11.999"),
+    alarm="profile-not-monotone", number="PS0064", word="Z-11.999",
+)
+case(
+    "a profile may not turn back along X at all without 5146",
+    pins="second_axis_allowance", control=NEW_FANUC, source="ALM; " + ALLOWANCE,
+    evidence="inferred", setup=PROFILE, program=turning_back(x="X19.998"),
+    alarm="profile-not-monotone", number="PS0064", word="X19.998",
+)
+case(
+    "a profile that turns back along Z by more than 5145 allows alarms",
+    control=NEW_FANUC, source="ALM; " + ALLOWANCE, evidence="inferred", setup=PROFILE,
+    params={"5145": 0.05, "5146": 1}, program=turning_back(z="Z-11.949"),
+    alarm="profile-not-monotone", number="PS0064", word="Z-11.949",
+)
+case(
+    "5145 allows a profile to turn back along Z by so much",
+    control=NEW_FANUC, source=ALLOWANCE, evidence="inferred",
+    setup=PROFILE, params={"5145": 0.05}, program=turning_back(z="Z-11.95"), runs="N5 N10 N15 N80",
+)
+case(
+    "5146 allows a profile to turn back along X by so much of the radius",
+    control=NEW_FANUC, source=ALLOWANCE, evidence="inferred",
+    setup=PROFILE, params={"5146": 0.05}, program=turning_back(x="X19.9"), runs="N5 N10 N15 N80",
+)
+case(
+    "beyond 5146 a profile that turns back along X alarms",
+    control=NEW_FANUC, source="ALM; " + ALLOWANCE, evidence="inferred", setup=PROFILE,
+    params={"5145": 1, "5146": 0.05}, program=turning_back(x="X19.898"),
+    alarm="profile-not-monotone", number="PS0064", word="X19.898",
+)
 case(
     "a profile that turns back alarms where 5102#1 says so",
     control=GSK_988, source="ALM; MZ 897, paired; Talm", evidence="secondary", setup=PROFILE,

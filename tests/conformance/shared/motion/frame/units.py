@@ -220,6 +220,37 @@ case(
     runs="N10", alarm="reference-in-cycle", number=numbers(FANUC, "044"), at="O1 N20", word="G28",
 )
 
+for _lead, _what in [("G0", "a motion code"), ("G80", "G80"), ("G1", "G01")]:
+    case(
+        f"{_what} beside G28 cancels the canned cycle first",
+        control=FANUC, source="general knowledge: a code of group 01, or G80, cancels the cycle; production lathes write G0 G28 U0 W0 after each drill",
+        evidence="inferred", setup=MILL,
+        program=f"""
+            O1
+            N10 G90 G81 X5. Z-5. R1. F100
+            N20 {_lead} G28 X0
+            N30 G28 Y0 {_lead}
+            N40 X7.
+            N50 M30
+        """,
+        runs="N10 N20 N30 N40 N50",
+    )
+case(
+    "a motion code beside G28 cancels the drilling cycle of a lathe first",
+    control=FANUC, source="general knowledge: a code of group 01 cancels the cycle; production lathes write G0 G28 U0 W0 after each drill",
+    evidence="inferred", setup={"machine": "lathe-a", "start": {"X": 0, "Z": 5}},
+    program="""
+        O1
+        N10 G83 Z-5. R-2. F100
+        N20 G0 G28 U0 W0
+        N30 G83 Z-5. R-2. F100
+        N40 G28 U0 W0
+        N50 M30
+    """,
+    runs="N10 N20 N30", alarm="reference-in-cycle", number=numbers(FANUC, "044"), at="O1 N40",
+    word="G28",
+)
+
 _reference = [*MITSUBISHI, *FANUC]
 
 case(
@@ -229,11 +260,11 @@ case(
     program="""
         O1
         N10 G27 Z0
-        N20 G27 Z10.
+        N20 G27 Z10. M8
         N30 M30
     """,
-    runs="N10", alarm="not-at-reference", number=numbers(_reference, "092", "P434"),
-    at="O1 N20", word="Z10.",
+    runs="N10 N20", alarm="not-at-reference", number=numbers(_reference, "092", "P434"),
+    at="O1 N20", word="Z10.", final_work="Z10.", m=[8],
 )
 case(
     "G30 knows no fifth reference point",

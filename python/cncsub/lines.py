@@ -1,0 +1,34 @@
+"""The lines of a text, counted as the engine counts them."""
+
+from __future__ import annotations
+
+from typing import AnyStr
+
+from cncsub import _core
+
+
+def lines_of(text: AnyStr) -> list[AnyStr]:
+    """The lines of a text or of the bytes of a file, each with its end; together they are the text.
+
+    >>> lines_of("O1\\n\\r\\rN10 M30\\r\\n%")
+    ['O1\\n\\r\\r', 'N10 M30\\r\\n', '%']
+    """
+    if isinstance(text, str):
+        data = text.encode("utf-8", "surrogatepass")
+        return [line.decode("utf-8", "surrogatepass") for line in _split(data)]
+    return _split(text)
+
+
+def _split(data: bytes) -> list[bytes]:
+    lines, at = [], 0
+    for line in _core.unify_line_ends(data).split(b"\n"):
+        lines.append(data[at : at + len(line) + 1])
+        at += len(line) + 1
+    return lines if lines[-1] else lines[:-1]
+
+
+def without_end(line: AnyStr) -> AnyStr:
+    """A line of `lines_of` without its end."""
+    if isinstance(line, str):
+        return line.rstrip("\r\n")
+    return line.rstrip(b"\r\n")
