@@ -7,11 +7,11 @@
 
 namespace cncsub {
 
-/// The value of such a word. What an expression gives is made whole as the operands of calls are.
+/// The value of such a word, made whole as the operands of calls are. What is written as a number
+/// counts as what an expression gives: `flatten` writes one for the other.
 inline double counted(MotionView m, const NcWords& words, char letter) {
   const bool rounds = m.facts.control->calls.call_values.value == CallValues::Rounded;
-  const bool computed = (words.computed & bit(letter)) != 0;
-  return computed && rounds ? std::round(words[letter]) : words[letter];
+  return rounds ? std::round(words[letter]) : words[letter];
 }
 
 }  // namespace cncsub
