@@ -22,7 +22,7 @@ def parting(one: cncsub.Run, other: cncsub.Run) -> str | None:
     """The first thing in which two runs differ, None where they are the same run."""
     for name, told in TOLD.items():
         a, b = told(one), told(other)
-        if a != b and not _same(a, b):
+        if a != b and not same(a, b):
             return f"{name}: {a}\n{' ' * len(name)}  {b}"
     return None
 
@@ -59,15 +59,16 @@ TOLD: dict[str, Callable[[cncsub.Run], object]] = {
 }
 
 
-def _same(a: Any, b: Any) -> bool:
+def same(a: Any, b: Any) -> bool:
+    """Whether two values are the same but for rounding, in all their parts."""
     if isinstance(a, float) and isinstance(b, float):
         return a == b or (a != a and b != b) or abs(a - b) <= ROUNDING * (1 + abs(a))
     if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(_same(a[key], b[key]) for key in a)
+        return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
     if dataclasses.is_dataclass(a) and type(a) is type(b):
-        return all(_same(getattr(a, f.name), getattr(b, f.name)) for f in dataclasses.fields(a))
+        return all(same(getattr(a, f.name), getattr(b, f.name)) for f in dataclasses.fields(a))
     if isinstance(a, list | tuple) and isinstance(b, list | tuple):
-        return len(a) == len(b) and all(map(_same, a, b))
+        return len(a) == len(b) and all(map(same, a, b))
     return bool(a == b)
 
 

@@ -287,7 +287,7 @@ bool carry_out(Run& run, const Block& block) {
   if (outcome.missed_reference)
     return alarm_of_motion(run, {.cause = Cause::NotAtReference, .at = run.state.pc, .detail = {}});
   if (block.n >= 0) run.state.last_n = block.n;
-  if (outcome.moved || words.has('T') || words.codes != &kNoCodes) ++run.state.changes;
+  if (outcome.moved || words.has('T') || !words.codes->only_of_moves()) ++run.state.changes;
   if (is_words(block.op)) return after_words(run);
   if (run.block.next != RunningBlock::kEnd) return true;
   record_step(run);  // M#1 beside a call, a return or a jump ends the program before it

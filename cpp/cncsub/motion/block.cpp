@@ -250,10 +250,12 @@ bool only_moves(MotionView m, const NcWords& words) {
   const bool cycle = in_cycle(m.state) || makes_cycle(motion);
   if (cycle ? codes.g_count > 0 : motion < Meaning::Rapid || motion > Meaning::Ccw) return false;
   constexpr std::uint32_t kCycleWords = bit('L') | bit('P') | bit('Q');
+  // D of a mill is a number of an offset, whatever else it is.
+  const std::uint32_t offset = m.facts.lathe() ? 0 : bit('D');
+  const std::uint32_t corners = (m.facts.chamfers.mask | m.facts.rounds.mask) & ~offset;
   const std::uint32_t known = kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes |
-                              m.facts.increments | m.facts.chamfers.mask | m.facts.rounds.mask |
-                              (cycle ? kCycleWords : 0) |
-                              (leads && !m.facts.lathe() ? bit('D') : 0);
+                              m.facts.increments | corners | (cycle ? kCycleWords : 0) |
+                              (leads ? offset : 0);
   return (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0;
 }
 

@@ -14,6 +14,7 @@ struct LaidOut {
   explicit LaidOut(const MotionState& s)
       : work(s.work),
         offset(s.offset),
+        origin(s.origin),
         length(s.length),
         work_code(s.modal[at(Group::Work)]),
         length_code(s.modal[at(Group::Length)]),
@@ -23,13 +24,13 @@ struct LaidOut {
         h(s.h) {}
 
   void put_back(MotionState& s) const {
-    s.work = work, s.offset = offset, s.length = length;
+    s.work = work, s.offset = offset, s.origin = origin, s.length = length;
     s.modal[at(Group::Work)] = work_code, s.modal[at(Group::Length)] = length_code;
     s.work_system = work_system, s.extra_system = extra_system;
     s.length_axis = length_axis, s.h = h;
   }
 
-  Axes work, offset, length;
+  Axes work, offset, origin, length;
   GCode work_code, length_code;
   int work_system, extra_system, length_axis, h;
 };

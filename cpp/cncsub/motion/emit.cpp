@@ -52,7 +52,7 @@ void mark_axes(MoveSink& sink, const Axes& machine, std::uint32_t named) {
     moves.begin(in_machine(sink.state, from), sink.facts.rapid, sink.facts.diameters);
   if (!others_stand(from, machine))
     for (int i = 3; i < kAxes; ++i)
-      if (machine[i] != from[i]) named |= axis_bit(i);
+      if (std::fabs(machine[i] - from[i]) >= kStanding) named |= axis_bit(i);
   if (named >> 3 != 0)
     moves.use(named);
   else
@@ -97,14 +97,15 @@ MoveState move_state(const MotionState& state) {
 
 Piece uncompensated(MotionView m, const BlockWords& block, MoveKind kind, const Axes& work_end,
                     std::uint32_t named) {
+  const Axes offset = piece_offset(m.state);
   Piece piece{.kind = kind,
               .step = block.step,
-              .end = work_end + m.state.offset,
+              .end = work_end + offset,
               .named = named,
               .plane = m.state.plane,
               .at = block.words.at,
-              .offset = m.state.offset,
-              .length = m.state.length,
+              .offset = offset,
+              .length = piece_length(m.state),
               .state = move_state(m.state)};
   piece.state.cycle = block.cycle;
   return piece;
@@ -218,7 +219,7 @@ std::uint32_t direct_state(MotionState& s, const BlockWords& block, Moves& table
 Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& end,
                      std::uint32_t named) {
   MotionState& s = m.state;
-  const Axes machine = end + s.offset + s.length;
+  const Axes machine = machine_point(s, end);
   const auto [length, seconds] = direct_way(m, kind, machine);
   if (!in_range(machine) || !in_range(length, seconds, s.time + seconds))
     return out_of_range(block.words.at);
@@ -259,7 +260,7 @@ bool goes_on_directly(const MotionContext& m, MoveKind kind, int axis) {
 Result move_axis_directly(MotionContext& m, const BlockWords& block, MoveKind kind,
                           std::size_t axis, double value) {
   MotionState& s = m.state;
-  const double machine = value + s.offset[axis] + s.length[axis];
+  const double machine = value + (s.offset[axis] + s.length[axis]);
   const double way = std::fabs(machine - s.tool_at[axis]);
   const double length = way * m.facts.share(static_cast<int>(axis));
   const double seconds =
@@ -290,7 +291,7 @@ Result move_axis(MotionContext& m, BlockWords& block, MoveKind kind, int axis, d
 Result add_dwell(MotionContext& m, BlockWords& block, double seconds) {
   Piece piece = make_piece(m, block, MoveKind::Dwell, m.state.work, 0);
   piece.seconds = seconds;
-  return through_radius(m.sink, piece, m.state.work + m.state.offset);
+  return through_radius(m.sink, piece, m.state.work + piece.offset);
 }
 
 namespace {

@@ -5,9 +5,24 @@
 
 namespace cncsub {
 
-inline Axes machine_point(const MotionState& state) {
-  return state.work + state.offset + state.length;
+/// Where a point in work coordinates lies on the machine, the tool offsets included. The offsets
+/// are added first, as the rows of the table of moves do.
+inline Axes machine_point(const MotionState& state, const Axes& work) {
+  return work + (state.offset + state.length);
 }
+inline Axes machine_point(const MotionState& state) { return machine_point(state, state.work); }
+/// Whether moves wait for those behind them, or compensation holds the tool beside them.
+inline bool moves_wait(const MotionState& state) {
+  const Held& held = state.held;
+  return held.engaged || !held.radius.empty() || !held.corner.empty() || state.angled.waiting();
+}
+/// Pieces count from where the work coordinates do, unless some wait that count from elsewhere.
+inline void settle_origin(MotionState& state) {
+  if (!moves_wait(state)) state.origin = state.offset;
+}
+/// What leads from work coordinates to those of pieces, and from there to the machine's.
+inline Axes piece_offset(const MotionState& state) { return state.offset - state.origin; }
+inline Axes piece_length(const MotionState& state) { return state.origin + state.length; }
 /// From coordinates that are turned as work coordinates are to the machine's own, and back.
 inline Axes in_machine(const MotionState& state, const Axes& point) {
   return turned_by(state.frame_angle, point);
@@ -30,7 +45,6 @@ Result move(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& work
 Result move_axis(MotionContext& m, BlockWords& block, MoveKind kind, int axis, double value);
 Result add_dwell(MotionContext& m, BlockWords& block, double seconds);
 
-constexpr double kStanding = 1e-12;  // a way that is none
 /// Whether the tool comes to another place.
 inline bool comes_elsewhere(const Axes& from, const Axes& to) {
   if (same_bits(from, to)) return false;

@@ -22,6 +22,7 @@ namespace cncsub {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kInch = 25.4;
+constexpr double kStanding = 1e-9;  // mm: a shorter way is none, it comes of rounding alone
 
 /// The axis of a letter, -1 where it is none.
 constexpr int axis_of(char letter) {

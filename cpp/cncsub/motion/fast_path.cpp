@@ -25,7 +25,7 @@ bool tool_waits(const MotionState& state) {
   const Axes at = machine_point(state);
   if (same_bits(at, state.tool_at)) return false;
   const Axes way = at - state.tool_at;
-  return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) > 1e-9; });
+  return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) >= kStanding; });
 }
 
 /// Whether a code that is no plain path leaves nothing to a move behind it that has its own code.
@@ -55,6 +55,7 @@ void set_seconds_per_mm(MotionState& state) {
 void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   const MotionView m{facts, state};
   if (state.plain) state.tool_at = machine_point(state);
+  settle_origin(state);
   const Meaning motion = state.modal[at(Group::Motion)].meaning;
   const int path = path_of(motion);
   state.row_moves = nullptr;
@@ -107,7 +108,7 @@ struct PlainArc {
 bool find_centre(const MotionFacts& facts, Point way, double radius, const PlaneAxes& plane,
                  PlainArc& arc) {
   const double chord = size(way);
-  if (chord < 1e-9 || !(chord <= 2 * std::fabs(radius))) return false;
+  if (chord < kStanding || !(chord <= 2 * std::fabs(radius))) return false;
   if (radius < 0 && !takes_negative_radius(facts)) return false;
   const Point centre = centre_by_radius(way, radius, arc.clockwise);
   arc.centre[static_cast<std::size_t>(plane.a)] = centre.a;
@@ -144,7 +145,7 @@ CNCSUB_ALWAYS_INLINE inline bool plan_arc(const MotionFacts& facts, const Motion
   const double first = std::hypot(i, j), last = std::hypot(arc.end[a] - ca, arc.end[b] - cb);
   if (has_no_radius(rules, first, last) || is_off_circle(rules, first, last, s.unit != 1))
     return false;
-  const bool full = std::hypot(arc.end[a] - s.work[a], arc.end[b] - s.work[b]) < 1e-9;
+  const bool full = std::hypot(arc.end[a] - s.work[a], arc.end[b] - s.work[b]) < kStanding;
   const double turn =
       full ? 2 * kPi
            : turn_between(std::atan2(-j, -i), std::atan2(arc.end[b] - cb, arc.end[a] - ca),

@@ -43,7 +43,7 @@ inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::u
 
   const double dx = travel(s, mask, 'X', values), dy = travel(s, mask, 'Y', values),
                dz = travel(s, mask, 'Z', values);
-  moved = dx != 0 || dy != 0 || dz != 0;
+  moved = std::fabs(dx) + std::fabs(dy) + std::fabs(dz) >= kStanding;
   if (moved) s.time += code == 0 ? rapid_seconds(s, dx, dy, dz) : feed_seconds(s, dx, dy, dz);
   const std::uint32_t axes = straight_axes(mask);
   if (axes == 0) return true;

@@ -66,7 +66,7 @@ bool is_made_under(MotionView m, const Piece& piece) {
   const MotionState& s = m.state;
   return piece.side == side_of(s) && piece.plane == s.plane && piece.corner == 0 &&
          !piece.corner_piece && piece.skip == SkipMove::No && piece.seconds == 0 &&
-         same_bits(piece.offset, s.offset) && same_bits(piece.length, s.length) &&
+         same_bits(piece.offset, piece_offset(s)) && same_bits(piece.length, piece_length(s)) &&
          same_bits(piece.state, move_state(s)) && piece.radius == radius_value(m) &&
          piece.tip == tip_vector(m);
 }

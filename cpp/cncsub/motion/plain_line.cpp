@@ -58,9 +58,9 @@ bool plan_line(MotionView m, const NcWords& words, MoveKind kind, const Axes* ze
   const MotionState& s = m.state;
   plan_end(m, words, zero, line);
   for (std::size_t i = 0; i < line.end.size(); ++i)
-    line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= 1e-12;
+    line.moved = line.moved || std::fabs(line.end[i] - s.work[i]) >= kStanding;
   const Axes from = s.plain ? machine_point(s) : s.tool_at;
-  const Axes to = line.end + s.offset + s.length;
+  const Axes to = machine_point(s, line.end);
   const std::uint32_t diameters = m.facts.diameters;
   const double length = length_of(from, to, diameters), x_zero = s.offset[0] + s.length[0];
   MoveState row = move_state(s);

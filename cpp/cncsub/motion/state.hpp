@@ -17,13 +17,14 @@ namespace cncsub {
 /// X, Y and Z of a mask of letters, as bits of the axes.
 constexpr std::uint32_t straight_axes(std::uint32_t letters) { return letters >> ('X' - 'A') & 7u; }
 
-/// A motion on its way to the table: the end without tool offsets, in machine terms ("base").
+/// A motion on its way to the table: the end without tool offsets, in coordinates from
+/// ModalValues::origin.
 struct Piece {
   MoveKind kind = MoveKind::Rapid;
   std::uint32_t step = 0;
   Axes end{};
   std::uint32_t named = 0;         // axes with a word, bit i = kAxisNames[i]
-  std::array<double, 3> centre{};  // of an arc, base
+  std::array<double, 3> centre{};  // of an arc, from the origin too
   Plane plane = Plane::XY;
   double turn = 0;     // of an arc: the angle run through, plus = counter-clockwise
   double seconds = 0;  // of a dwell
@@ -35,8 +36,8 @@ struct Piece {
   bool corner_piece = false;  // put in between two blocks
   SkipMove skip = SkipMove::No;
   std::uint32_t at = 0;  // its block, for faults
-  Axes offset{};         // work to base
-  Axes length{};         // base to machine
+  Axes offset{};         // from work coordinates to those
+  Axes length{};         // from those to the machine's
   MoveState state;
   std::uint32_t row_state = 0;       // its number, where it is known,
   const Moves* row_moves = nullptr;  // in this table; only compared
@@ -60,7 +61,7 @@ struct Angled {
 
 /// What is known of moves that wait, and is nothing but numbers: a copy is one of bytes.
 struct HeldValues {
-  Axes corner_from{};     // where the block with a corner starts, base
+  Axes corner_from{};     // where the block with a corner starts, from the origin
   Axes radius_from{};     // where the first of the compensated moves starts
   Axes radius_to{};       // where the last compensated move in the plane ended
   std::size_t step = 0;   // where in `radius` a low step waits for the move behind it; 0: none
@@ -199,6 +200,10 @@ struct ModalValues : MoveValues {
   std::array<double, 3> rapid_seconds{};  // per unit of the axis
 
   Axes offset{};  // work to base: zero points, shift, local
+  // What pieces count from, base. It is the zero point of the work coordinates, so that a path is
+  // worked out in the numbers that were programmed, wherever these lie on the machine; while moves
+  // wait it stays the zero point of the first of them.
+  Axes origin{};
   Axes length{};  // base to machine: tool length
   Axes shift{}, local{};
   Axes kept_shift{};     // what the shift becomes when it is taken back in

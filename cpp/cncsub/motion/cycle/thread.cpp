@@ -109,7 +109,8 @@ Result read_thread(MotionContext& m, const BlockWords& block, const Axes& end, T
   if (form.first <= 0) return fault(Cause::ThreadCut, block);
   if (data.least_cut > form.height) return fault_at(height, Cause::ThreadLeastCut, block);
   if (data.allowance >= form.height) return fault_at(height, Cause::ThreadAllowance, block);
-  if (x == 0 || z == 0) return fault(Cause::ThreadTravel, block);
+  if (std::fabs(x) < kStanding || std::fabs(z) < kStanding)
+    return fault(Cause::ThreadTravel, block);
   if (std::fabs(form.taper) > std::fabs(z)) return fault(Cause::ThreadSteep, block);
   if (form.taper * x < 0 && std::fabs(form.taper) > std::fabs(x))
     return fault(Cause::ThreadTaper, block);

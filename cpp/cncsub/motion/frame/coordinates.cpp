@@ -34,6 +34,7 @@ void turn_frame(MotionState& state) {
   state.frame_angle = angle;
   state.offset = zero_offset(state);
   state.work = base - state.offset;
+  settle_origin(state);
 }
 
 }  // namespace
@@ -44,6 +45,7 @@ void refresh_offset(MotionState& state) {
   if (now == state.offset) return;
   state.work = state.work + (state.offset - now);
   state.offset = now;
+  settle_origin(state);
   state.row_moves = nullptr;
 }
 

@@ -111,7 +111,7 @@ Result check_polar_words(MotionView m, const BlockWords& block) {
   const Meaning once = block.meaning(Group::OneShot);
   const bool moves = once == Meaning::None || once == Meaning::Dwell;
   const bool counts = m.state.incremental || !w.has_place(kRadius) || !w.has_place(kAngle);
-  const bool at_zero = m.state.work[0] == 0 && m.state.work[1] == 0;
+  const bool at_zero = std::hypot(m.state.work[0], m.state.work[1]) < kStanding;
   const bool lacks_angle = counts && at_zero && (m.state.incremental || !w.has_place(kAngle));
   if (w.has('X') || w.has('Y') || m.state.plane != Plane::XY || !moves || lacks_angle)
     return fault(Cause::PolarWord, block);

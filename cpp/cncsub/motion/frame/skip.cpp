@@ -45,7 +45,7 @@ std::optional<double> touch(MotionView m, const Workpiece& workpiece, SignalMask
     tool[static_cast<std::size_t>(m.state.length_axis)] = *workpiece.length;
   }
   const auto ball = [&](const Axes& work) {
-    const Axes machine = in_machine(m.state, work + m.state.offset + m.state.length - tool);
+    const Axes machine = in_machine(m.state, machine_point(m.state, work) - tool);
     Point3 centre{};
     for (std::size_t i = 0; i < centre.size(); ++i)
       centre[i] = machine[i] * m.facts.share(static_cast<int>(i));

@@ -20,7 +20,7 @@ Result meet_angles(MotionContext& m, BlockWords& block, Piece second, double ang
   Piece first = m.state.angled.line.front();
   const Point u{cosine(m.state.angled.angle), sine(m.state.angled.angle)},
       v{cosine(angle), sine(angle)};
-  const Axes start = m.state.work + first.offset;
+  const Axes start = m.state.work + second.offset;
   const Point p = view.point(start), q = view.point(second.end);
   if (std::fabs(cross(u, v)) < sine(kLeastAngle)) return fault(Cause::AngleParallel, block);
   first.end = start;

@@ -51,7 +51,7 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   const double da = piece.end[plane.a] * m.facts.share(plane.a) - a0;
   const double db = piece.end[plane.b] * m.facts.share(plane.b) - b0;
   const double chord = std::hypot(da, db);
-  if (chord < 1e-9)
+  if (chord < kStanding)
     return m.facts.refuses(Cause::NoArcTravel) ? Result(fault(Cause::NoArcTravel, block))
                                                : std::nullopt;
   double size = std::fabs(radius);
@@ -132,11 +132,11 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
     piece.kind = MoveKind::Feed;
     return std::nullopt;
   }
-  if (piece.radius != 0 && last == 0) return fault(Cause::CompensationArcEnd, block);
+  if (piece.radius != 0 && last < kStanding) return fault(Cause::CompensationArcEnd, block);
   piece.centre[plane.a] = ca / m.facts.share(plane.a);
   piece.centre[plane.b] = cb / m.facts.share(plane.b);
   const bool clockwise = piece.kind == MoveKind::Cw;
-  if (std::hypot(a1 - a0, b1 - b0) < 1e-9)
+  if (std::hypot(a1 - a0, b1 - b0) < kStanding)
     piece.turn = clockwise ? -2 * kPi : 2 * kPi;
   else
     piece.turn =

@@ -14,8 +14,10 @@ Result right_angle_chamfer(MotionView m, const BlockWords& block, Piece& piece) 
       piece.kind != MoveKind::Feed || piece.turn != 0)
     return std::nullopt;
   const Axes end = piece.end - piece.offset;
-  if (end[0] != m.state.work[0] && end[2] != m.state.work[2])
-    return fault(Cause::CornerTaper, block);
+  const auto goes = [&](std::size_t axis) {
+    return std::fabs(end[axis] - m.state.work[axis]) > least_length(m) / 2;
+  };
+  if (goes(0) && goes(2)) return fault(Cause::CornerTaper, block);
   if (w.has('I') && w.has('K')) return fault(Cause::CornerFormat, block);
   piece.corner_size = std::fabs(number(m, block, w.has('I') ? 'I' : 'K'));
   if (piece.corner_size > 0) piece.corner = 'C';

@@ -216,7 +216,7 @@ Result OwnNormal::end_before_line(const Piece& piece, Point v, double away) cons
 
 Result OwnNormal::line(Piece piece) const {
   const Point start = corner(), end = view.point(piece.end);
-  if (size(end - start) < 1e-9) {  // nothing in the plane
+  if (size(end - start) < kStanding) {  // nothing in the plane
     wait(piece, tool(), {});
     return std::nullopt;
   }

@@ -8,6 +8,11 @@
 
 namespace cncsub {
 
+/// The least increment as a length: what words of a contour are rounded to.
+inline double least_length(MotionView m) {
+  return m.facts.increment * (g20(m.state) ? kInch / 10 : 1);
+}
+
 /// G02 and G03.
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning);
 /// The centre of an arc of which the piece has all else, and the angle it runs through.

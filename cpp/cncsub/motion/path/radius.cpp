@@ -212,8 +212,8 @@ Result RadiusPath::find_way(double side, std::uint32_t at, const Curve& before, 
   const double offset = offset_of(held.radius.front());
   const Point u = before.end_direction(), v = curve.start_direction();
   const StartUp start_up = sink.facts.control->motion.start_up.value;
-  const bool start_around =
-      held.starting && start_up == StartUp::TypeB && !inside(u, v, side) && cross(u, v) != 0;
+  const bool start_around = held.starting && start_up == StartUp::TypeB && !inside(u, v, side) &&
+                            std::fabs(cross(u, v)) > 1e-9;
   if (held.starting && !start_around) {
     way.leave = offset * left(v);
   } else if (!held.starting && offset * side < 0) {  // to the other side

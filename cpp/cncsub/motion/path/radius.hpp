@@ -3,6 +3,7 @@
 
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/path.hpp"
 
 namespace cncsub {
 
@@ -43,7 +44,7 @@ struct Join {
 struct RadiusPath {
   MoveSink& sink;
   PlaneView view;
-  double least = sink.facts.increment * (g20(sink.state) ? kInch / 10 : 1);
+  double least = least_length(sink);
 
   RadiusPath(MoveSink& s, Plane plane) : sink(s), view{plane_axes(plane), s.facts.share(0)} {}
 

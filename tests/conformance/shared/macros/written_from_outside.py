@@ -162,3 +162,11 @@ case(
     """,
     max_blocks=9, runs="(N10 N20 N30)*3", stop="limit",
 )
+
+case(
+    "a loop that only says its motion code again waits for its input all the same",
+    control=["fanuc-16i", "gsk-988ta", "mitsubishi-m700"],
+    source="policy: what changes nothing can only wait for the world outside", evidence="inferred",
+    program="O1\nN10 WHILE[#1000 EQ 0]DO1\nN20 G1 F478.\nN30 END1\nN40 M30",
+    runs="(N10 N20 N30)*2", stop="waiting",
+)

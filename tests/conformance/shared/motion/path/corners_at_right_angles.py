@@ -20,6 +20,26 @@ case(
     program="O1\nN10 G1 Z-20. I3. F0.2\nN20 X50. K-2.\nN30 Z-40.\nN40 M30",
     moves="F Z-17\nF X26 Z-20\nF X46 Z-20\nF X50 Z-22\nF Z-40",
 )
+for _zero in ("G54", "EXT"):
+    case(
+        f"a chamfer does not know where {_zero} lies: the ends of its moves are compared where they are programmed",
+        control=FANUC, **KNOWN, setup={"machine": "lathe-a", "work_offsets": {_zero: {"X": 1, "Z": 0.003}}},
+        program="O1\nN10 G0 X31.69 Z0\nN20 G98 G1 Z21.95 I-5.5 F300\nN30 X20.\nN40 G0 X31.69 Z0\n"
+                "N50 G1 X50. K2.\nN60 Z10.\nN70 M30",
+        moves="R X31.69 Z0\nF Z16.45\nF X20.69 Z21.95\nF X20\nR X31.69 Z0\nF X46 Z0\nF X50 Z2\nF Z10",
+    )
+case(
+    "a coordinate that was set by G50, or that increments add up to, is no taper either",
+    control=FANUC, **KNOWN, setup={"machine": "lathe-a", "start": {"X": 0, "Z": 0}},
+    program="O1\nN10 G50 X100.303\nN20 G0 X0.1\nN30 U0.2\nN40 G98 G1 X0.3 Z-10. I1. F300\nN50 X20.\nN60 M30",
+    moves="R X0.1\nR X0.3\nF Z-9\nF X2.3 Z-10\nF X20",
+)
+case(
+    "a move that leads an increment aside is a taper",
+    control=FANUC, **KNOWN, setup={"machine": "lathe-a", "start": {"X": 0, "Z": 0}},
+    program="O1\nN10 G0 X20. Z0\nN20 G98 G1 X20.001 Z-10. I1. F300\nN30 X30.\nN40 M30",
+    alarm="corner-taper", number=on_fanuc("054"), word="I1.",
+)
 case(
     "I and K are no chamfer", control=OTHERS, **KNOWN, setup=AT,
     pins="chamfer_ik",

@@ -203,6 +203,15 @@ path(
     centre="X-10 Y20 | X1 Y20 | X1 Y0.001 | X0.999 Y0 | X0.999 Y20 | X-10 Y20",
 )
 path(
+    "the groove is as wide wherever G54 and EXT lie",
+    [*FANUC, *MITSUBISHI, MDI], "G90 G17 G0 X-10. Y20.", "G41 D1 G1 X0 Y20. F100", "Y0.001",
+    "G3 X1.999 Y0 I1. J0.", "G1 Y20.", "G40 X-10.",
+    setup=MILL | {"radius_offsets": {1: 1}, "start": {"X": 0, "Y": 0, "Z": 0},
+                  "work_offsets": {"G54": {"X": -731.117, "Y": 402.389}, "EXT": {"X": 13.021, "Y": -7.707}}},
+    centre="X-728.096 Y414.682 | X-717.096 Y414.682 | X-717.096 Y394.683 | X-717.097 Y394.682 | X-717.097 Y414.682 | "
+           "X-728.096 Y414.682",
+)
+path(
     "into a round groove whose words miss 2 mm by an increment a tool of D3 does not fit",
     [*FANUC, *MITSUBISHI, MDI], "G90 G17 G0 X-10. Y20.", "G41 D3 G1 X0 Y20. F100", "Y0.001",
     "G3 X1.999 Y0 I1. J0.", "G1 Y20.", "G40 X-10.",
