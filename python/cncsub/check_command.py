@@ -84,7 +84,10 @@ def check(
         parts = [_check_part({**options, "paths": part}, project, asked) for part in each]
         found = [finding for part in parts for finding in part.findings]
         if fix or diff:
-            found = _mend(found, any("<text>" in part.library.files for part in parts), diff)
+            _mend(found, any("<text>" in part.library.files for part in parts), diff)
+        if fix and not diff:  # what is found in the files as they are now
+            parts = [_check_part({**options, "paths": part}, project, asked) for part in each]
+            found = [finding for part in parts for finding in part.findings]
     _write(found, parts, format, output)
     raise typer.Exit(1 if any(finding.severity != "note" for finding in found) else 0)
 
@@ -112,8 +115,8 @@ def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[s
     return _Part(library, findings.with_severity(found, dict(project.severity)))
 
 
-def _mend(found: list[Finding], typed: bool, diff: bool) -> list[Finding]:
-    """Writes or shows the edits; the findings that are left."""
+def _mend(found: list[Finding], typed: bool, diff: bool) -> None:
+    """Writes or shows the edits."""
     from cncsub import findings
 
     if typed:
@@ -121,12 +124,11 @@ def _mend(found: list[Finding], typed: bool, diff: bool) -> list[Finding]:
     mended = findings.Mended(found)
     if diff:
         sys.stdout.write(mended.diff())
-        return found
+        return
     for file in mended.write():
         print(f"mended: {shown(file)}", file=sys.stderr)
     if mended.left:
         print(f"{mended.left} edits fit no longer and were left out", file=sys.stderr)
-    return [finding for finding in found if not mended.mends(finding)]
 
 
 def _write(

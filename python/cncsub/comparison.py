@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import bisect
 import os
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
-from cncsub._core import Control
+from cncsub._core import Alarm, Control
 from cncsub.changes import BlockChange, block_changes
 from cncsub.controls import control_of
 from cncsub.differing import alike, column_of, first_difference
 from cncsub.exchanging import rules_between
 from cncsub.library import Library
-from cncsub.loading import load
+from cncsub.loading import load, loads
 from cncsub.rows import Step
 from cncsub.run import Run
 from cncsub.run_options import Options
@@ -25,12 +27,13 @@ if TYPE_CHECKING:
 _WATCHED = 1000  # variables that can be watched at once
 _LISTS = {"m_codes": "M code", "t_codes": "T code", "messages": "message"}
 _CALLS = ("kind", "program", "start_n", "repeats", "level")
-_ENDS = (2, 30)  # the stop is compared; which end codes are sent to the machine is not
 _NEAR = 1e-9  # s
+_NEAR_LENGTH = 1e-6  # mm
 _CUTS = ("feed", "cw", "ccw", "thread")
 _ONLY_OF = {"feed": _CUTS, "feed_mode": _CUTS, "plane": ("cw", "ccw")}  # kinds of moves
-# Of moves: what follows from the others, and which block makes them.
+# Of moves: which block makes them, and what follows from the others where X means the same.
 _NOT_COMPARED = ("move", "step", "length", "time", "program", "n", "line")
+_END_CODE = re.compile(r"\bM0*(\d+)=end\b")
 
 
 class Parting(NamedTuple):
@@ -46,8 +49,11 @@ class Comparison:
     """How two runs compare.
 
     `same`: whether they make the same calls, moves, codes, messages and variables and stop alike;
-    of the same programs, whether they execute the same blocks too. An alarm is the same by its
-    cause and place: its number is each control's own. `where`: the first step of each that the
+    of the same programs, whether they execute the same blocks too, of those that are blocks of both
+    languages. Of two controls, codes that end a program are compared by the stop: one sends them to
+    the machine and another does not. Moves are the same where the tool goes the same way: X of a
+    lathe is a diameter. An alarm is the same by its cause and place: its number is each control's
+    own. `where`: the first step of each that the
     other does not do likewise, `None` for one that has stopped before. `what`: what each does.
     `rules`: names of rules that make the difference: the first control with the second one's values
     for these does what the second one does. Empty where programs are compared, and where no rules
@@ -123,7 +129,7 @@ def compare(
     if second is None:
         raise TypeError("compare takes a second library, or controls=[one, another]")
     a, b = _library(first, control), _library(second, control)
-    pair = Pair((a, b), ("before", "after"), main, options, same_texts=False)
+    pair = Pair((a, b), ("before", "after"), main, options)
     runs = pair.runs()
     parting = pair.parting(*runs)
     compared = _told(pair, runs, parting, (), ())
@@ -153,7 +159,10 @@ def _compare_controls(
     library = _library(of, control or one)
     texts = (library.read_for(one), library.read_for(other))
     names = (one.name, other.name) if one.name != other.name else ("first", "second")
-    pair = Pair(texts, names, main, options, same_texts=True)
+    for each in (one, other):
+        if lacking := variables_lacking(each, options.get("variables") or {}):
+            raise ValueError(f"variables: {each.name} has no #{lacking[0]}")
+    pair = _ControlPair(texts, names, main, options)
     runs = pair.runs()
     parting = pair.parting(*runs)
     if parting is None:
@@ -168,7 +177,7 @@ def _compare_controls(
             tried = pair.run(exchanged, max_blocks=limit)
         except KeyError:  # read so, there is no such main program
             return False
-        other = Pair((exchanged, texts[1]), names, main, options, same_texts=True)
+        other = _ControlPair((exchanged, texts[1]), names, main, options)
         return other.parting(tried, wanted) is None
 
     made, untried = rules_between(one, other, explains)
@@ -204,18 +213,17 @@ def _side(run: Run, at: int, does: str) -> str:
 class Pair:
     """Two libraries, and how they are run."""
 
+    _of_a_call: tuple[str, ...] = _CALLS
+
     def __init__(
         self,
         libraries: tuple[Library, Library],
         names: tuple[str, str],
         main: str | int | None,
         options: Options,
-        *,
-        same_texts: bool,
     ) -> None:
         self.libraries = libraries
         self.names = names
-        self.same_texts = same_texts
         self._main = main
         self._options = options
 
@@ -242,8 +250,6 @@ class Pair:
         for name in _LISTS:
             yield from self._of_list(a, b, name)
         yield from self._of_variables(a, b)
-        if self.same_texts:
-            yield from self._of_steps(a, b)
         yield from self._of_stop(a, b)
 
     def _say(self, runs: tuple[Run, Run], at: tuple[int, int], does: tuple[str, str]) -> Parting:
@@ -251,27 +257,11 @@ class Pair:
         lines = (f"{name}: {_side(run, step, text)}" for name, run, step, text in sides)
         return Parting(*at, "\n".join(lines))
 
-    def _of_steps(self, a: Run, b: Run) -> Iterator[Parting]:
-        """The same texts are compared by files and lines: what a control calls the program that has
-        no name of its own is no difference.
-        """
-        programs = [
-            column_of(run.steps, "program", _files_of(library))
-            for run, library in zip((a, b), self.libraries, strict=True)
-        ]
-        lines = column_of(a.steps, "line"), column_of(b.steps, "line")
-        at = first_difference([(programs[0], programs[1]), lines])
-        if at is not None:
-            yield self._say((a, b), (at, at), ("", ""))
-
     def _of_calls(self, a: Run, b: Run) -> Iterator[Parting]:
-        called = [
-            _ends_of(run, library) if self.same_texts else None
-            for run, library in zip((a, b), self.libraries)
-        ]
+        called = [self._called(run, library) for run, library in zip((a, b), self.libraries)]
         columns = [
             (column_of(a.calls, name, called[0]), column_of(b.calls, name, called[1]))
-            for name in _CALLS
+            for name in self._of_a_call
         ]
         at = first_difference(columns)
         if at is None:
@@ -288,9 +278,17 @@ class Pair:
             )
         yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
 
+    def _called(self, run: Run, library: Library) -> dict[str, str] | None:
+        """What the programs that a run calls are compared by, where it is not their names."""
+        return None
+
     def _moved(self, run: Run, name: str) -> Column:
         """A column of the moves, as it is compared."""
         return column_of(run.moves, name)
+
+    def _sent(self, run: Run, library: Library, name: str) -> Sequence[object]:
+        """One of the lists of a run, as it is compared."""
+        return list(getattr(run, name))
 
     def _of_moves(self, a: Run, b: Run) -> Iterator[Parting]:
         names = list(dict.fromkeys([*a.moves.columns, *b.moves.columns]))
@@ -314,7 +312,8 @@ class Pair:
 
     def _of_list(self, a: Run, b: Run, name: str) -> Iterator[Parting]:
         """Lists that grow while a run goes on: the step is found by shorter and shorter runs."""
-        lists = (getattr(a, name), getattr(b, name))
+        both = self.libraries
+        lists = (self._sent(a, both[0], name), self._sent(b, both[1], name))
         count = min(len(lists[0]), len(lists[1]))
         at = next((i for i in range(count) if lists[0][i] != lists[1][i]), count)
         if at == len(lists[0]) == len(lists[1]):
@@ -336,7 +335,7 @@ class Pair:
         low, high = 0, len(run.steps)
         while low < high:
             middle = (low + high) // 2
-            if len(getattr(self.run(library, max_blocks=middle + 1), name)) > at:
+            if len(self._sent(self.run(library, max_blocks=middle + 1), library, name)) > at:
                 high = middle
             else:
                 low = middle + 1
@@ -377,11 +376,14 @@ class Pair:
             alarm = run.alarm
             if alarm is None:
                 return (run.stop, run.waiting_for)
-            place = (alarm.file, alarm.line) if self.same_texts else (alarm.program,)
-            return (run.stop, run.waiting_for, alarm.cause, alarm.n, *place)
+            return (run.stop, run.waiting_for, alarm.cause, alarm.n, *self._place(alarm))
 
         if stop(a) != stop(b):
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
+
+    def _place(self, alarm: Alarm) -> tuple[object, ...]:
+        """Where an alarm was raised, as it is compared."""
+        return (alarm.program,)
 
 
 class OtherControlPair(Pair):
@@ -402,19 +404,116 @@ class OtherControlPair(Pair):
         taken[[not count for count in counts]] = 0
         return taken
 
+    def _sent(self, run: Run, library: Library, name: str) -> Sequence[object]:
+        """Without the codes that end a program: the stop is compared, and which of them are sent to
+        the machine is each control's own.
+        """
+        sent = super()._sent(run, library, name)
+        if name != "m_codes":
+            return sent
+        ends = _end_codes(library.control)
+        return [code for code in sent if code not in ends]
+
+    def _of_moves(self, a: Run, b: Run) -> Iterator[Parting]:
+        """Where coordinates are the same and ways are not, X counts otherwise: a diameter is none
+        of a mill.
+        """
+        found = list(super()._of_moves(a, b))
+        yield from found
+        count = min(len(a.moves), len(b.moves))
+        apart = abs(a.moves.length[:count] - b.moves.length[:count]) > _NEAR_LENGTH
+        if found or not apart.any():
+            return
+        at = int(apart.argmax())
+        steps = (int(a.moves.step[at]), int(b.moves.step[at]))
+        does = [f"move {at} is {run.moves.length[at]:g} mm long" for run in (a, b)]
+        yield self._say((a, b), steps, (does[0], does[1]))
+
     def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
         yield from self._of_moves(a, b)
-        codes = [[code for code in run.m_codes if code not in _ENDS] for run in (a, b)]
         for name in _LISTS:
-            if name != "m_codes" or codes[0] != codes[1]:
-                yield from self._of_list(a, b, name)
+            yield from self._of_list(a, b, name)
+        yield from self._of_dwells(a, b)
+        causes = [run.alarm.cause if run.alarm is not None else "" for run in (a, b)]
+        if (a.stop, a.waiting_for, causes[0]) != (b.stop, b.waiting_for, causes[1]):
+            yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
+
+    def _of_dwells(self, a: Run, b: Run) -> Iterator[Parting]:
         at = _other_dwell(a, b)
         if at is not None:
             steps = (int(a.moves.step[at]), int(b.moves.step[at]))
             yield self._say((a, b), steps, (f"move {at}", f"move {at}, a dwell of another time"))
-        causes = [run.alarm.cause if run.alarm is not None else "" for run in (a, b)]
-        if (a.stop, a.waiting_for, causes[0]) != (b.stop, b.waiting_for, causes[1]):
-            yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
+
+
+class _ControlPair(OtherControlPair):
+    """The same texts on two controls. What a control calls the program that has no name of its own
+    is no difference: programs are compared by their files and lines. Nor is a level of locals that
+    one of them opens for a call: what stands in them is compared where it does something.
+    """
+
+    _of_a_call = ("kind", "program", "start_n", "repeats")
+
+    def _called(self, run: Run, library: Library) -> dict[str, str]:
+        return _ends_of(run, library)
+
+    def _place(self, alarm: Alarm) -> tuple[object, ...]:
+        return (alarm.file, alarm.line)
+
+    def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
+        yield from Pair._partings(self, a, b)
+        yield from self._of_dwells(a, b)
+        yield from self._of_steps(a, b)
+
+    def _of_steps(self, a: Run, b: Run) -> Iterator[Parting]:
+        """Of the lines that are blocks of both: the head of a program is a block of some languages
+        and none of others.
+        """
+        steps = _shared_steps((a, b), self.libraries)
+        at = first_difference([(steps[0][1], steps[1][1])])
+        if at is None:
+            return
+        where = [
+            int(of[at]) if at < len(of) else len(run.steps)
+            for (of, _), run in zip(steps, (a, b), strict=True)
+        ]
+        yield self._say((a, b), (where[0], where[1]), ("", ""))
+
+
+def _shared_steps(
+    runs: tuple[Run, Run], libraries: tuple[Library, Library]
+) -> list[tuple[Column, Column]]:
+    """The steps of each run whose lines are blocks of both, and a number for the line of each."""
+    import numpy as np
+
+    files: dict[str, int] = {}
+    lines = []
+    for run, library in zip(runs, libraries, strict=True):
+        of = _files_of(library)
+        numbers = [files.setdefault(of.get(name, name), len(files)) for name in run.steps.programs]
+        lines.append((np.asarray([*numbers, 0])[run.steps.program] << 32) + run.steps.line)
+    names = list(files)
+    odd = [
+        key
+        for key in np.setxor1d(lines[0], lines[1]).tolist()
+        if not all(_is_block(library, names[key >> 32], key & 0xFFFFFFFF) for library in libraries)
+    ]
+    kept = [np.flatnonzero(~np.isin(of, odd)) for of in lines]
+    return [(at, of[at]) for at, of in zip(kept, lines, strict=True)]
+
+
+def _is_block(library: Library, file: str, line: int) -> bool:
+    for program in (*library.values(), *library.external.values()):
+        blocks = program.blocks if program.file == file else ()
+        at = bisect.bisect_left(range(len(blocks)), line, key=lambda i: blocks[i].line)
+        if at < len(blocks) and blocks[at].line == line:
+            return True
+    return False
+
+
+def _end_codes(control: Control) -> frozenset[int]:
+    """The M codes that end a program."""
+    roles = next((str(rule.value) for rule in control.rules if rule.name == "roles"), "")
+    return frozenset(int(found) for found in _END_CODE.findall(roles))
 
 
 def _other_dwell(a: Run, b: Run) -> int | None:
@@ -442,6 +541,20 @@ def _ends_of(run: Run, library: Library) -> dict[str, str]:
         if program is not None and program.blocks:
             found[name] = f"{program.file}:{program.blocks[-1].line}"
     return found
+
+
+def variables_lacking(control: Control, given: Mapping[int, float | None]) -> list[int]:
+    """The variables of a control that would be given values and that it does not have."""
+    empty = loads("", control=control)
+
+    def lacks(number: int) -> bool:
+        try:
+            empty._begin(None, variables={number: given[number]})
+        except ValueError:
+            return True
+        return False
+
+    return [number for number in given if lacks(number)]
 
 
 def _start(n: int | None) -> str:

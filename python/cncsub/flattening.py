@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from cncsub import _core
 from cncsub._core import Control
-from cncsub.comparison import OtherControlPair, Pair, Parting
+from cncsub.comparison import OtherControlPair, Pair, Parting, variables_lacking
 from cncsub.controls import control_of
 from cncsub.library import Library
 from cncsub.loading import loads
@@ -301,8 +301,10 @@ def _refuse(
 ) -> NoReturn:
     """Refuses a program for another control that does not run alike."""
     run = library.run(main, **options)
-    step = run.steps[min(parting.first, len(run.steps) - 1)]
     reason = f"the flat program would not run alike\n{parting.what}"
+    if not len(run.steps):
+        raise FlattenError(reason)
+    step = run.steps[min(parting.first, len(run.steps) - 1)]
     raise FlattenError(reason, step.program, step.n, step.line)
 
 
@@ -312,9 +314,17 @@ def _parts(
     """Where the flat program parts from the run."""
     again: Options = {**options, "max_cycles": 1, "start": None}  # the flat program begins there
     flat = loads(text, control=control)
+    given = options.get("variables") or {}
+    lacking = variables_lacking(control, given)  # their values stand in the text
+    again["variables"] = {n: value for n, value in given.items() if n not in lacking}
     kind = _FlatPair if control is library.control else OtherControlPair
-    pair = kind((library, flat), ("program", "flat"), main, options, same_texts=False)
-    run, other = library.run(main, **options), flat.run(**again)
+    pair = kind((library, flat), ("program", "flat"), main, options)
+    try:
+        run, other = library.run(main, **options), flat.run(**again)
+    except KeyError as error:  # read so, there is no program
+        raise FlattenError(
+            f"{control.name} reads the flat text otherwise: {error.args[0]}"
+        ) from None
     if len(other.calls):
         call = other.calls[0]
         step = other.steps[call.caller_step]

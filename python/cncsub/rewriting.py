@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from cncsub._core import Control
 from cncsub.checking import Edit
+from cncsub.cycle_counts import CycleCounts, letters_of
 from cncsub.library import Library
 from cncsub.loading import loads
 from cncsub.program import Block, Program
@@ -69,9 +70,10 @@ def _number(program: str) -> int | None:
 class Rewriting:
     """The texts of a library, and what has to change in them."""
 
-    def __init__(self, library: Library, target: Control) -> None:
+    def __init__(self, library: Library, target: Control, machine: str = "") -> None:
         self.library = library
         self.target = target
+        self._machine = machine
         self.read = library.read_for(target)
         self.edits: dict[str, list[Edit]] = {}
         self.unproved: list[str] = []
@@ -106,7 +108,23 @@ class Rewriting:
                 own = there[index] if index < len(there) else None
                 same = own is not None and own.line == block.line
                 self._block(block, own if same else None)
+        self._cycle_counts()
         self._external()
+
+    def _cycle_counts(self) -> None:
+        """K3 of a drilling cycle is L3 where the other control counts by L."""
+        letters = letters_of(self.target)
+        counts = CycleCounts(self.library.control, self._machine)
+        done: set[tuple[str, int]] = set()
+        for program in self.library.values():
+            for block, letter in counts.words(program):
+                place = (block.program.file, block.line)
+                if letter in letters or not letters or place in done:
+                    continue
+                done.add(place)
+                spans = _words(block, self._line(block), letter)
+                if spans:
+                    self.replace(block, spans, letters[0] + spans[0][1][1:])
 
     def _external(self) -> None:
         """The external device is not written to: what would have to change there is refused."""

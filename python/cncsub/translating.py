@@ -11,7 +11,7 @@ from typing import Unpack
 
 from cncsub._core import Control
 from cncsub.checking import Edit
-from cncsub.comparison import OtherControlPair, Parting
+from cncsub.comparison import OtherControlPair, Parting, variables_lacking
 from cncsub.controls import control_of
 from cncsub.library import Library
 from cncsub.lines import lines_of
@@ -90,7 +90,8 @@ def translate(
     """Rewrite calls of programs so that control `to` does what the control of `of` did.
 
     Rewritten are the count in P and in L, the start block in H and in Q, calls of a block of the
-    same program (M97, M98 H) as programs of their own, and M99 P. `of`: a library, or a path, which
+    same program (M97, M98 H) as programs of their own, M99 P, and how often a drilling cycle is
+    repeated, in K and in L. `of`: a library, or a path, which
     `control` reads. `main` and `options` are those of `Library.run`; both programs are run with
     them, and have to make the same moves, codes, messages and variables and to stop alike. The
     proof holds for this run. Raises `TranslateError` for what cannot be rewritten, does not do the
@@ -112,16 +113,27 @@ def translate(
         raise TypeError(f"translate reads {os.fspath(of)} for a control: give control=")
     else:
         library = load(of, control=control)
-    rewriting = Rewriting(library, target)
+    if lacking := variables_lacking(target, options.get("variables") or {}):
+        raise TranslateError(f"{target.name} has no #{lacking[0]}, to which a value is given")
+    rewriting = Rewriting(library, target, _machine_of(options))
     rewriting.rewrite()
     return _proved(rewriting, main, options)
+
+
+def _machine_of(options: Options) -> str:
+    """The kind of machine that the setup tells; empty for the control's own."""
+    setup = options.get("setup")
+    if setup is None:
+        return ""
+    told = setup.get("machine") if isinstance(setup, Mapping) else setup.machine
+    return told or ""
 
 
 def _proved(rewriting: Rewriting, main: str | int | None, options: Options) -> Translation:
     source = rewriting.library
     made = rewriting.made()
     names = (source.control.name, rewriting.target.name)
-    pair = _TranslatedPair((source, made), names, main, options, same_texts=False)
+    pair = _TranslatedPair((source, made), names, main, options)
     first = pair.run(source)
     if first.stop not in (Stop.END, Stop.CYCLES):
         reached = first.alarm or first.steps[len(first.steps) - 1]

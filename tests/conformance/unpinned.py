@@ -252,7 +252,7 @@ _TABLE = _joined(
         " helix unit_change machine_move cycle_repeats zero_cycle_repeats peck_retract cycle_approach"
         " tap_return start_up missing_radius_offset length_type max_extra_systems g_meanings"
         " data_forms:in-force data_forms:here data_forms:tools"
-        " peck_clearance power_on_feed dwell_words dwell_point",
+        " peck_clearance power_on_feed dwell_words dwell_point speed_limit",
         FAMILY_MOTION,
     ),
     # SINUMERIK
@@ -270,7 +270,7 @@ _TABLE = _joined(
     _group(
         ONE,
         "motion",
-        "g_meanings arc_tolerance arc_tolerance_share dwell_words",
+        "g_meanings arc_tolerance arc_tolerance_share dwell_words dwell_turn_words",
         FAMILY_MOTION,
     ),
 )

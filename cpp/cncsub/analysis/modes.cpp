@@ -117,6 +117,7 @@ void ModeCheck::go_on(std::int32_t program, Address at) {
 /// Takes what a program leaves where it returns; where that is more, its callers go on.
 void ModeCheck::leave(std::int32_t program, Modes modes) {
   if (keeps_[static_cast<std::size_t>(program)]) put(modes, kKept, false);
+  if (c_.program(program).keeps_modes) modes = all(kFound);
   Modes& left = left_[static_cast<std::size_t>(program)];
   if ((left | modes) == left) return;
   left |= modes;

@@ -83,6 +83,7 @@ struct SeldomInCall {
   Operand start, device;
   std::string name;  // <NAME>, P[NAME]
   std::uint32_t name_at = 0, name_width = 1;
+  char count = 'L';  // the address of `l` as it is written
 };
 
 /// The same as a value that takes no room where there is nothing of it.

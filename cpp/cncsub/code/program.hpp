@@ -50,6 +50,7 @@ struct Program {
   std::uint32_t first_entry = 0, last_entry = 0;  // in Code::sequence, sorted by n, then by address
   std::int32_t duplicate_of = kNoProgram;
   std::int32_t inside = kNoProgram;  // the program whose blocks it is a part of
+  bool keeps_modes = false;          // its return takes the modes of its caller back in
 };
 
 /// Finds programs by what they are called: the places of programs in one table, hashed. It is given

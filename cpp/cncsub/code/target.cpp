@@ -98,9 +98,11 @@ std::optional<Fault> CallWords::count() {
   if (!counts_in_l()) return std::nullopt;
   const double count = whole(call_.l, values_.l);
   const int most = control_.calls.max_repeats.value;
+  const char address[] = {call_.seldom.get().count, '\0'};
   const auto illegal = [&](Cause cause) {
-    return fault(cause, call_.l,
-                 named(call_.l, "L", values_.l) + "; the count is 1 to " + std::to_string(most));
+    return fault(
+        cause, call_.l,
+        named(call_.l, address, values_.l) + "; the count is 1 to " + std::to_string(most));
   };
   if (count < 0) return illegal(Cause::IllegalRepeatCount);
   if (count == 0) {

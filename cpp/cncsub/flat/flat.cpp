@@ -112,6 +112,8 @@ const BlockCodes& FlatRun::codes_of(const Block& block) const {
 bool FlatRun::ends() const {
   if (machine_.stop() != Stop::Alarm)
     return machine_.stop() == Stop::End || machine_.stop() == Stop::Cycles;
+  // An alarm that the program may not raise ends no flat program either: it is refused.
+  if (!machine_.alarm() || machine_.alarm()->cause != Cause::UserAlarm) return false;
   if (heard_.raised != nullptr) return true;
   return !heard_.assigned.empty() && is_user_alarm(machine_.code(), heard_.assigned.back().number);
 }

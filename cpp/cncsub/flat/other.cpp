@@ -247,7 +247,9 @@ bool OtherWriter::put_values(std::string& to, const NcWords& words) {
     if (const double seconds = dwell_seconds(from_.motion().view(), words);
         seconds > 0 && !put_dwell(to, seconds))
       return false;
-    for (const char letter : control_of(from_).motion.dwell_words.value) left &= ~bit(letter);
+    const MotionRules& rules = control_of(from_).motion;
+    for (const char letter : rules.dwell_words.value) left &= ~bit(letter);
+    for (const char letter : rules.dwell_turn_words.value) left &= ~bit(letter);
   }
   for (const char letter : kOrder) {
     const int place = letter - 'A';

@@ -204,7 +204,7 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
   const Axes before = length ? m.state.length : Axes{};
   if (length)
     if (auto wrong = set_length(m, block)) return wrong;
-  if (block.has(Group::Radius) || block.words.has('D'))
+  if (block.has(Group::Radius) || (block.words.has('D') && !takes_word(m, block, 'D')))
     if (auto wrong = set_radius(m, block)) return wrong;
   if (block.has(Group::OneShot))
     if (auto wrong = set_longer(m, block)) return wrong;

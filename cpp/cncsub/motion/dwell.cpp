@@ -35,6 +35,11 @@ double seconds_of_letter(MotionView m, const NcWords& w, char letter) {
   return c.motion.dwell_unit.value == DwellUnit::PSeconds || counts_seconds ? value : value * 0.001;
 }
 
+/// How fast the spindle turns where the tool stands, r/min.
+double speed_now(const MotionState& s) {
+  return s.surface ? spindle_at(s.surface_speed, s.max_speed, s.work[0]) : s.speed;
+}
+
 /// The first of the letters of G04 that a block has, 0 where it has none, and the seconds it says.
 struct DwellWord {
   char letter = 0;
@@ -42,8 +47,11 @@ struct DwellWord {
 };
 
 DwellWord dwell_of(MotionView m, const NcWords& words) {
-  for (const char letter : m.facts.control->motion.dwell_words.value)
+  const MotionRules& rules = m.facts.control->motion;
+  for (const char letter : rules.dwell_words.value)
     if (words.has(letter)) return {letter, seconds_of_letter(m, words, letter)};
+  for (const char letter : rules.dwell_turn_words.value)
+    if (words.has(letter)) return {letter, words[letter] / turning(speed_now(m.state)) * 60};
   return {};
 }
 
@@ -54,8 +62,10 @@ double dwell_seconds(MotionView m, const NcWords& words) { return dwell_of(m, wo
 Result dwell(MotionContext& m, BlockWords& block) {
   const auto [letter, seconds] = dwell_of(m, block.words);
   if (letter == 0) return std::nullopt;
-  for (const char other : m.facts.control->motion.dwell_words.value)
-    if (other != letter) m.outcome.drop(bit(other));
+  const MotionRules& rules = m.facts.control->motion;
+  for (const Letters* letters : {&rules.dwell_words.value, &rules.dwell_turn_words.value})
+    for (const char other : *letters)
+      if (other != letter) m.outcome.drop(bit(other));
   if (seconds <= 0) return std::nullopt;
   return add_dwell(m, block, seconds * dwell_part(m, block));
 }

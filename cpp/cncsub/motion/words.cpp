@@ -8,8 +8,16 @@
 #include "cncsub/motion/frame/frame.hpp"
 
 namespace cncsub {
+bool takes_word(MotionView m, const BlockWords& block, char letter) {
+  const MotionRules& rules = m.facts.control->motion;
+  if (block.meaning(Group::OneShot) == Meaning::Dwell)
+    return rules.dwell_words.value.has(letter) || rules.dwell_turn_words.value.has(letter);
+  return letter == 'D' && rules.speed_limit.value == SpeedLimit::OfSurface &&
+         block.meaning(Group::Surface) == Meaning::SurfaceSpeed;
+}
+
 Result set_feed(MotionContext& m, const BlockWords& block) {
-  if (!block.words.has('F')) return std::nullopt;
+  if (!block.words.has('F') || takes_word(m, block, 'F')) return std::nullopt;
   const Control& c = *m.facts.control;
   if (c.turning.lead_apart.value && cuts_thread(m.state, block)) return std::nullopt;
   const Meaning once = block.meaning(Group::OneShot);
@@ -22,9 +30,12 @@ Result set_feed(MotionContext& m, const BlockWords& block) {
 namespace {
 
 void set_spindle(MotionContext& m, const BlockWords& block) {
-  if (block.words.has('S')) {
+  const SpeedLimit limit = m.facts.control->motion.speed_limit.value;
+  if (limit == SpeedLimit::OfSurface && block.meaning(Group::Surface) == Meaning::SurfaceSpeed)
+    m.state.max_speed = block.words['D'];  // without D it has no limit
+  if (block.words.has('S') && !takes_word(m, block, 'S')) {
     const double value = block.words['S'];
-    if (block.meaning(Group::OneShot) == Meaning::SetCoordinate)
+    if (limit == SpeedLimit::OfSetting && block.meaning(Group::OneShot) == Meaning::SetCoordinate)
       m.state.max_speed = value;
     else
       (m.state.surface ? m.state.surface_speed : m.state.speed) = value;

@@ -29,6 +29,10 @@ inline void remember(MotionState& state, const BlockCodes& codes, std::uint32_t 
   }
 }
 
+/// Whether a code of the block takes a word for itself, which then sets no mode: F of G04 may be its
+/// time, D of G96 the limit of the spindle.
+bool takes_word(MotionView m, const BlockWords& block, char letter);
+
 /// How many millimetres the unit of a code of units is.
 double unit_of(const MotionFacts& facts, Meaning units);
 /// Whether the words of an address count degrees.

@@ -36,6 +36,7 @@ void language(Control& c) {
 void motion(Control& c) {
   leave_out(c, RuleGroup::TurningRules, kOverview, Inferred);
   c.motion.dwell_words = {"P", kGCode, Manual};
+  c.motion.speed_limit = {SpeedLimit::OfSurface, "rs274 2.9; LC g-code, G96", SourceDocument};
   c.motion.dwell_point = {DwellPoint::Seconds, kGCode, Manual};
   c.motion.cycle_repeats = {"L", kGCode, Manual};
   c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, kRun, SourceDocument};

@@ -32,6 +32,7 @@ void motion(Control& c) {
       "621=neutral 641=neutral 642=neutral 643=neutral 644=neutral 645=neutral",
       "NCI, ggroups.json", Secondary};
   c.motion.dwell_words = {"F", kKnown, Inferred};
+  c.motion.dwell_turn_words = {"S", kKnown, Inferred};
   c.motion.arc_tolerance = {10, "HSA 14040: MD 21000; its value is general knowledge", Inferred};
   c.motion.arc_tolerance_share = {1, "HSA 14040: MD 21010; its value is general knowledge",
                                   Inferred};

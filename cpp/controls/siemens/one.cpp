@@ -31,6 +31,8 @@ void alarms(Control& c) {
   c.alarms[JumpTargetNotFound] = {"14080", "jump destination not found", kJump, Secondary};
   c.alarms[GCodeNotAvailable] = {"12470", "G function unknown",
                                  "NCI, sinumerik-execution-model.md: 12470", Secondary};
+  c.alarms[StructureMarked] = {"12630", "skip or label at a control structure",
+                               "general knowledge of the SINUMERIK alarms", Inferred};
   c.alarms[NestingTooDeep] = {"14012", "lowest subprogram level exceeded", "CW-S, 14012",
                               Secondary};
   c.alarms[NamedProgramNotFound] = {"14011", "program does not exist",

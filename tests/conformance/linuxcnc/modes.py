@@ -113,3 +113,12 @@ case("G85 feeds out to R, G89 to the level of G98", pins="tap_return", **RUN,
      moves="R Z5\nR Z2\nF Z-1\nF Z2\nR Z5\nR X1\nR Z2\nF Z-1\nW 0.5\nF Z5")
 case("G38.4 and G38.5 go to their end where the probe never leaves", pins="g_meanings", **RUN,
      program="N10 G38.4 X5 F100\nN20 G38.5 X7\nN30 M2", moves="F X5\nF X7")
+
+# ---- words that a code takes for itself ----
+
+case("S beside G92 is the speed", pins="speed_limit", **RUN,
+     program="N10 G21 S500 M3\nN20 G92 X0 S1000\nN30 G95 G1 X10 F1\nN40 M2", time=0.6)
+case("D of G96 is the highest speed, not an offset", pins="speed_limit", **RUN,
+     program="N10 G21 G96 D600 S100 M3\nN20 G95 G1 Z-10 F1\nN30 M2", time=1)
+case("G96 without D has no highest speed", **RUN,
+     program="N10 G21 G96 D600 S100 M3\nN20 G96 S31.415926535898\nN30 G0 X10\nN40 G95 G1 Z-10 F1\nN50 M2", moves="R X10\nF Z-10", time=0.66)

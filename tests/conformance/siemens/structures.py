@@ -68,3 +68,67 @@ case(
     "nor is the repetition of a part of a program", control=ONE, source="policy, nobody says", evidence="inferred",
     program="N10 LAB: G0 X1\nN20 REPEAT LAB P=2\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
 )
+
+# ---- blocks of a structure take no label and no slash ----
+
+for words, rest in (
+    ("IF R1==1", "N20 ENDIF\n"), ("WHILE R1==1", "N20 ENDWHILE\n"), ("LOOP", "N20 ENDLOOP\n"),
+    ("REPEAT", "N20 UNTIL R1==0\n"), ("ENDIF", ""), ("ELSE", ""), ("ENDWHILE", ""), ("ENDLOOP", ""), ("UNTIL R1==0", ""),
+):
+    case(
+        f"no label stands before {words.split()[0]}", **MANUAL, number="12630",
+        program=f"N10 LAB1: {words}\n{rest}N30 M30", runs="", alarm="structure-marked", at="MAIN N10",
+    )
+    for skip in ((), (1,)):
+        case(
+            f"a slash before {words.split()[0]} is refused, switch {'on' if skip else 'off'}", **MANUAL, number="12630",
+            program=f"/N10 {words}\n{rest}N30 M30", skip=list(skip), runs="", alarm="structure-marked", at="MAIN N10",
+        )
+case(
+    "a label stands before a jump with a condition", **MANUAL,
+    program="N10 LAB1: IF R1==0 GOTOF DONE\nN20 G0 X9\nN30 DONE: M30", runs="N10 N30",
+)
+case(
+    "a structure with a label counts where it is needed", **MANUAL, number="12630",
+    program="N10 R1=1\nN20 IF R1==0\nN30 R2=1\nN40 LAB: ENDIF\nN50 M30", runs="N10 N20", alarm="structure-marked", at="MAIN N40",
+)
+
+# ---- no jump leads into a structure ----
+
+for kind, first, last in (
+    ("IF", "IF R1==0", "ENDIF"), ("WHILE", "WHILE R1==0", "ENDWHILE"), ("LOOP", "LOOP", "ENDLOOP"), ("REPEAT", "REPEAT", "UNTIL R1==0"),
+):
+    case(
+        f"no jump leads into {kind}", **TESTS, number="14080",
+        program=f"N10 GOTOF INSIDE\nN20 {first}\nN30 INSIDE: G0 X1\nN40 {last}\nN50 M30",
+        runs="", alarm="jump-target-not-found", at="MAIN N10", word="INSIDE",
+    )
+case(
+    "nor back into one", **TESTS, number="14080",
+    program="N10 IF R1==0\nN20 INSIDE: R1=1\nN30 ENDIF\nN40 GOTOB INSIDE\nN50 M30",
+    runs="N10 N20 N30", alarm="jump-target-not-found", at="MAIN N40", word="INSIDE",
+)
+case(
+    "nor from one structure into another, by a block number", **TESTS, number="14080",
+    program="N10 LOOP\nN20 GOTOF N40\nN30 ENDLOOP\nN35 IF R1==0\nN40 R2=1\nN50 ENDIF\nN60 M30",
+    runs="N10", alarm="jump-target-not-found", at="MAIN N20", word="N40",
+)
+case(
+    "nor into an inner one from the one around it", **TESTS, number="14080",
+    program="N10 IF R1==0\nN20 GOTOF DEEP\nN30 LOOP\nN40 DEEP: R1=1\nN50 ENDLOOP\nN60 ENDIF\nN70 M30",
+    runs="N10", alarm="jump-target-not-found", at="MAIN N20", word="DEEP",
+)
+case(
+    "a jump inside a structure is free, and so is one out of an inner one", **TESTS,
+    program="N10 IF R1==0\nN20 LOOP\nN30 GOTOF OUTER\nN40 ENDLOOP\nN50 OUTER: R1=1\nN60 GOTOF LAST\nN70 R1=9\nN80 LAST: R2=1\n"
+    "N90 ENDIF\nN99 M30",
+    runs="N10 N20 N30 N50 N60 N80 N90 N99",
+)
+case(
+    "GOTOC does not lead into one either", **TESTS,
+    program="N10 GOTOC INSIDE\nN20 IF R1==1\nN30 INSIDE: G0 X1\nN40 ENDIF\nN50 M30", runs="N10 N20 N40 N50",
+)
+case(
+    "the beginning of a structure is outside of it", **TESTS,
+    program="N10 GOTOF N20\nN15 R1=9\nN20 IF R1==0\nN30 R2=1\nN40 ENDIF\nN50 M30", runs="N10 N20 N30 N40 N50",
+)

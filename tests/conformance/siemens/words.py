@@ -86,10 +86,48 @@ case("E is no address", **KNOWN, program="N10 E5\nN20 M30", runs="", alarm="addr
 case("CR needs =", **KNOWN, program="N10 G2 X1 CR 5\nN20 M30", runs="", alarm="missing-equals", at="MAIN N10")
 case("a character that begins no word", **KNOWN, program="N10 G0 #1\nN20 M30", runs="", alarm="illegal-character", at="MAIN N10", word="#1")
 for text, word in (
-    ("X=IC(5)", "X=IC(5)"), ("TRANS X10", "TRANS"), ("G41 X5", "G41"), ("G54 G500", "G500"), ("X1=5", "X1=5"), ("DEF REAL A", "DEF"),
+    ("X=IC(5)", "X=IC(5)"), ("TRANS X10", "TRANS"), ("G41 X5", "G41"), ("G500", "G500"), ("X1=5", "X1=5"), ("DEF REAL A", "DEF"),
     ("R1=$P_UIFR", "R1=$P_UIFR"), ("MCALL HOLE", "MCALL"), ("SPOS=90", "SPOS"), ('MSG("a"<<R1)', 'MSG("a"'),
 ):
     case(
         f"{text} is not computed, and says so", **POLICY,
         program=f"N10 {text}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=word,
     )
+
+# ---- words of G4 are its own ----
+
+LIMITS = {"limits": {"X": (-1000, 1000)}}
+for told, setup in (("", {}), (", with limits too", LIMITS)):
+    case(
+        f"F of G4 is no feed{told}", setup=setup, **KNOWN,
+        program="N10 G1 X10 F100\nN20 G4 F6\nN30 X20\nN40 M30", time=18,
+    )
+    case(
+        f"nor is it beside an M code{told}", setup=setup, **KNOWN,
+        program="N10 G1 X10 F100\nN20 G4 F6 M8\nN30 X20\nN40 M30", time=18,
+    )
+    case(
+        f"S of G4 counts turns and sets no speed{told}", pins="dwell_turn_words", setup=setup, **KNOWN,
+        program="N10 G95 G1 X10 F1 S600 M3\nN20 G4 S30\nN30 X20\nN40 M30", time=5,
+    )
+    case(
+        f"S of G4 is no speed beside an M code{told}", setup=setup, **KNOWN,
+        program="N10 G95 G1 X10 F1 S600 M3\nN20 G4 S30 M8\nN30 X20\nN40 M30", time=5,
+    )
+
+# ---- of a group one code stands in a block ----
+
+for codes, word in (
+    ("G0 G1 X5", "G1"), ("G1 G2 X5 CR=5", "G2"), ("G17 G18", "G18"), ("G90 G91 X5", "G91"), ("G54 G55", "G55"),
+    ("G94 G95", "G95"), ("G60 G64 X5", "G64"), ("G601 G602", "G602"), ("G450 G451", "G451"), ("G70 G71", "G71"),
+    ("G0 G0 X5", "G0"), ("G71 G71", "G71"), ("SOFT BRISK X5", "BRISK"), ("FFWON FFWOF", "FFWOF"), ("G62 G621", "G621"),
+):
+    case(
+        f"two codes of one group do not stand in a block: {codes}", **GROUPS,
+        program=f"N10 {codes}\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word=word,
+    )
+case(
+    "codes of several groups do", **GROUPS,
+    program="N10 G0 G17 G90 G54 G94 G60 G601 G71 G40 X5\nN20 M30", moves="R X5",
+)
+case("CR twice", **KNOWN, program="N10 G2 X1 CR=5 CR=6\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="CR=6")

@@ -46,7 +46,10 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   if (!number(block)) return true;
   take_label(label);
   bool read_it = true;
-  if (statement(block, link, read_it)) return true;
+  if (statement(block, link, read_it)) {
+    check_mark(block, link, !label.empty());
+    return true;
+  }
   Words words;
   while (!line_.at_end())
     if (!item(block, words)) return true;
@@ -54,12 +57,24 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   return true;
 }
 
+/// A block of a control structure has no label and is never skipped. [840Dsl p.107]
+void BlockReader::check_mark(Block& block, const Link& link, bool labelled) {
+  const bool structure = link.kind != Link::Kind::None && link.kind != Link::Kind::Jump;
+  if (!structure || (block.skip == 0 && !labelled)) return;
+  block.skip = 0;
+  to_.refuse(block, {Cause::StructureMarked, marked_at_, marked_width_,
+                     labelled ? "a block of a control structure takes no label"
+                              : "a block of a control structure cannot be skipped"});
+}
+
 /// `/` and `/0` are the first switch, `/1` the one of this number.
 void BlockReader::skip_level(Block& block) {
+  marked_at_ = line_.offset();
   while (line_.take('/')) {
     const char level = line_.ahead(0);
     if (is_digit(level)) line_.pass(1);
     block.skip |= 1u << (is_digit(level) && level > '1' ? level - '0' : 1);
+    marked_width_ = line_.width_from(marked_at_);
   }
 }
 
@@ -83,7 +98,9 @@ void BlockReader::take_label(std::string& label) {
   if (name.size() < kShortestLabel || name.size() > kLongestLabel || is_digit(name[1])) return;
   if (line_.ahead(name.size()) != ':') return;
   label = capitals(name);
+  marked_at_ = line_.offset();
   line_.pass(name.size() + 1);
+  marked_width_ = line_.width_from(marked_at_);
 }
 
 bool BlockReader::item(Block& block, Words& words) {
@@ -142,10 +159,22 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
   return true;
 }
 
+/// Of a group one code stands in a block.
+bool BlockReader::take_group(Block& block, Words& words, int group, std::uint32_t at) {
+  if (group == 0) return true;
+  const auto place = static_cast<std::size_t>(group);
+  if (words.groups.test(place))
+    return refuse(block, Cause::AddressGivenTwice,
+                  "a second code of G group " + std::to_string(group), at);
+  words.groups.set(place);
+  return true;
+}
+
 bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   const auto code = to_whole<int>(std::round(value.number * 10));
   if (value.number < 0 || !to_.control().reading.g_codes.value.has(code))
     return refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at);
+  if (!take_group(block, words, group_of(code / 10), value.at)) return false;
   if (words.list.g_count == static_cast<int>(words.list.g.size()))
     return refuse(block, Cause::TooManyWords, "more G codes than are read here", value.at);
   words.list.add_g({false, 0, static_cast<double>(code)});
@@ -184,17 +213,11 @@ bool BlockReader::named(Block& block, Words& words) {
   const std::string_view written = line_.name();
   const std::string name = capitals(written);
   if (name == "MSG") return message(block, words, at);
-  if (name == "CR") {
-    line_.pass(name.size());
-    if (!line_.take('=')) return refuse(block, Cause::MissingEquals, "CR without =", at);
-    Value value;
-    if (!expression_.value(value)) return refuse(block);
-    words.any = true;
-    words.list.set('R' - 'A', word_of(value), false);
-    return true;
-  }
+  if (name == "CR") return radius(block, words, at);
+  if (name == "PROC") return head(block);
   if (is_neutral(name)) {
     line_.pass(name.size());
+    if (!take_group(block, words, group_of(name), at)) return false;
     words.drops.push_back({0, at, line_.width_from(at)});
     words.any = true;
     return true;
@@ -210,6 +233,32 @@ bool BlockReader::named(Block& block, Words& words) {
     return call(block, words, written);
   line_.pass(name.size());
   return not_computed(block, name, at);
+}
+
+/// CR=5
+bool BlockReader::radius(Block& block, Words& words, std::uint32_t at) {
+  line_.pass(2);
+  if (!line_.take('=')) return refuse(block, Cause::MissingEquals, "CR without =", at);
+  Value value;
+  if (!expression_.value(value)) return refuse(block);
+  if ((words.list.mask & bit('R')) != 0)
+    return refuse(block, Cause::AddressGivenTwice, "two words CR", at);
+  words.any = true;
+  words.list.set('R' - 'A', word_of(value), false);
+  return true;
+}
+
+/// PROC NAME(..) SAVE: with SAVE the modes of the caller come back at the return.
+bool BlockReader::head(Block& block) {
+  const std::uint32_t at = line_.offset();
+  line_.pass(4);
+  not_computed(block, "PROC", at);
+  while (!line_.at_end()) {
+    const std::string_view name = line_.name();
+    to_.program().keeps_modes |= capitals(name) == "SAVE";
+    line_.pass(name.empty() ? first_character(line_.rest()).size() : name.size());
+  }
+  return false;
 }
 
 /// MSG("text"), and MSG() that takes it away.

@@ -1,11 +1,13 @@
 // A block of words, assignments and a message, a call or a statement, compiled.
 #pragma once
 
+#include <bitset>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cncsub/dialect/sinumerik/expression.hpp"
+#include "cncsub/dialect/sinumerik/groups.hpp"
 
 namespace cncsub::sinumerik {
 
@@ -47,6 +49,7 @@ class BlockReader {
     std::vector<Drop> drops;
     std::optional<CallRecord> call;
     std::optional<std::uint32_t> back;  // where M17 or RET stands
+    std::bitset<kCodeGroups> groups;    // of the codes so far
     bool any = false;
     bool ends = false;
   };
@@ -59,6 +62,9 @@ class BlockReader {
   bool number(Block& block);
   void take_label(std::string& label);
 
+  void check_mark(Block& block, const Link& link, bool labelled);
+  bool take_group(Block& block, Words& words, int group, std::uint32_t at);
+
   bool item(Block& block, Words& words);
   bool address(Block& block, Words& words);
   bool word(Block& block, Words& words, char letter, std::uint32_t at);
@@ -66,6 +72,8 @@ class BlockReader {
   bool m_code(Block& block, Words& words, const Value& value);
   bool assignment(Block& block, Words& words);
   bool named(Block& block, Words& words);
+  bool radius(Block& block, Words& words, std::uint32_t at);
+  bool head(Block& block);
   bool message(Block& block, Words& words, std::uint32_t at);
   bool call(Block& block, Words& words, std::string_view name);
   bool write(Block& block, Words& words);
@@ -82,6 +90,7 @@ class BlockReader {
   Builder& to_;
   Line line_;
   ExpressionReader expression_;
+  std::uint32_t marked_at_ = 0, marked_width_ = 1;  // the slash, or the label, of the block
 };
 
 }  // namespace cncsub::sinumerik

@@ -64,6 +64,7 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
   named.name_at = call.at;
   named.name_width = call.width;
   named.name = std::string(bare(name));
+  named.count = 'P';
   if (words.call) return refuse(block, Cause::CallGivenTwice, "a second call", at);
   if (name.size() == 1) return refuse(block, Cause::AddressWithoutValue, "L without a number", at);
   if (line_.take('(') && !line_.take(')')) return not_computed(block, "a call with values", at);

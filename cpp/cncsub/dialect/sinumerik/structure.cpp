@@ -17,10 +17,14 @@ void Structure::refuse(Address address, Cause cause, const char* detail) {
 
 void Structure::match() {
   open_.clear();
+  spans_.clear();
+  marks_.clear();
   for (const Met& met : links_) {
     if (to_.interrupt().requested(InterruptCheck::kBlock)) return;
     match(met);
   }
+  for (const Met& met : links_)
+    if (met.link.kind == Link::Kind::Jump) resolve(met);
   for (const Open& open : open_) {
     if (open.kind == Link::Kind::If)
       refuse(open.address, Cause::IfWithoutEnd, "this IF has no ENDIF");
@@ -36,8 +40,7 @@ void Structure::match(const Met& met) {
     case While:
     case Loop:
     case Repeat:
-      open_.push_back({met.address, met.link.kind});
-      return;
+      return open(met);
     case Else:
       return match_else(met.address);
     case EndIf:
@@ -48,11 +51,27 @@ void Structure::match(const Met& met) {
       return close(met, Loop);
     case Until:
       return close(met, Repeat);
-    case Jump:
-      return resolve(met);
+    case Jump:  // resolved when the structures are known
     case None:
       return;
   }
+}
+
+void Structure::open(const Met& met) {
+  const std::size_t around = open_.empty() ? 0 : open_.back().span;
+  spans_.push_back({met.address, kNowhere, around});
+  marks_.push_back({met.address + 1, spans_.size()});
+  open_.push_back({met.address, met.link.kind, kNowhere, spans_.size()});
+}
+
+/// Whether a jump leads into a structure that it does not stand in. The structure around a block
+/// holds the jump only where all those around it do.
+bool Structure::leads_inside(Address from, Address to) const {
+  const auto behind = std::upper_bound(marks_.begin(), marks_.end(), to,
+                                       [](Address at, const Mark& of) { return at < of.from; });
+  if (behind == marks_.begin()) return false;
+  const std::size_t span = std::prev(behind)->span;
+  return span != 0 && !spans_[span - 1].holds(from);
 }
 
 void Structure::match_else(Address address) {
@@ -70,6 +89,9 @@ void Structure::close(const Met& met, Link::Kind opener) {
                   "this end has no beginning, or another structure is open in between");
   const Open open = open_.back();
   open_.pop_back();
+  Span& span = spans_[open.span - 1];
+  span.last = end;
+  marks_.push_back({end + 1, span.around});
   if (branch) {
     if (open.other != kNowhere && runs(open.other, Op::Else)) statement(open.other).to = end;
     if (open.other == kNowhere && runs(open.address, Op::If)) statement(open.address).to = end;
@@ -111,7 +133,8 @@ void Structure::resolve(const Met& met) {
   Address other = kNowhere;
   const Address to = target(met, other);
   Block& block = to_.block(met.address);
-  if (to != kNowhere) {
+  const bool inside = to != kNowhere && leads_inside(met.address, to);
+  if (to != kNowhere && !inside) {
     statement(met.address).to = to;
     statement(met.address).end = other;
     return;
@@ -121,8 +144,10 @@ void Structure::resolve(const Met& met) {
   instead.op = Op::Words;
   instead.data = 0;
   if (met.link.direction != 'C')
-    to_.refuse(instead, {Cause::JumpTargetNotFound, met.link.at, met.link.width,
-                         "no such block in the direction of the search"});
+    to_.refuse(instead,
+               {Cause::JumpTargetNotFound, met.link.at, met.link.width,
+                inside ? "the block stands inside a control structure that the jump is not in"
+                       : "no such block in the direction of the search"});
   if (!met.link.conditional) {
     block = instead;
     return;

@@ -31,13 +31,30 @@ class Structure {
     Address address;
     Link::Kind kind;
     Address other = kNowhere;  // of an IF: its ELSE
+    std::size_t span = 0;
+  };
+
+  /// A control structure whose end is known; kNowhere: it has none.
+  struct Span {
+    Address first, last = kNowhere;
+    std::size_t around = 0;  // the one that it stands in, from 1
+
+    /// Whether a block is one of those behind its beginning.
+    bool holds(Address at) const { return at > first && (last == kNowhere || at <= last); }
+  };
+  /// From this block on the innermost structure is that one.
+  struct Mark {
+    Address from;
+    std::size_t span;
   };
 
   void match(const Met& met);
+  void open(const Met& met);
   void close(const Met& met, Link::Kind opener);
   void match_else(Address address);
   void resolve(const Met& met);
   Address target(const Met& met, Address& other);
+  bool leads_inside(Address from, Address to) const;
   bool runs(Address address, Op op) { return to_.block(address).op == op; }
   Statement& statement(Address address) { return to_.record<Statement>(to_.block(address).aux); }
   void refuse(Address address, Cause cause, const char* detail);
@@ -46,6 +63,8 @@ class Structure {
   std::unordered_map<std::string, std::vector<Address>> labels_;
   std::vector<Met> links_;
   std::vector<Open> open_;
+  std::vector<Span> spans_;  // by their numbers, less 1
+  std::vector<Mark> marks_;
 };
 
 }  // namespace cncsub::sinumerik

@@ -32,7 +32,7 @@ _AT = {"start": {"X": 50, "Z": 0}}
 case(
     "G50 S is the highest speed of G96",
     control=LATHES, source="TDi 25; FANUC: general knowledge", evidence="inferred",
-    pins="g_meanings", setup=LATHE | _AT,
+    pins="g_meanings speed_limit", setup=LATHE | _AT,
     program=lines("M3", *("G50 S500", "G96 S150"), "G99 G1 Z-10. F0.1"),
     time=12,
 )

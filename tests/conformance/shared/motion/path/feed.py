@@ -413,3 +413,27 @@ case(
     source="general knowledge: G94", evidence="inferred",
     program="O1\nN10 G20\nN20 G94 G1 X1. F2.\nN30 #100=#4109\nN40 M30", time=30, vars={100: 2},
 )
+
+case(
+    "S beside G92 of a mill is the highest speed, and leaves the speed as it is",
+    control=[*MILLS, "haas-ngc", "syntec-22ma"], source="the family's", evidence="inferred", pins="speed_limit",
+    program="""
+        O1
+        N10 M3 S500
+        N20 G92 X0. S1000
+        N30 G95 G1 X10. F1.
+        N40 M30
+    """,
+    moves="F X10", time=1.2,
+)
+case(
+    "S beside G04 is the speed, as in any block",
+    control=[*ALL, "haas-ngc", "syntec-22ma"], source="the family's", evidence="inferred", pins="dwell_turn_words",
+    program="""
+        O1
+        N10 M3 S500
+        N20 G04 S1000
+        N30 M30
+    """,
+    runs="N10 N20 N30", time=0,
+)
