@@ -7,6 +7,7 @@
 
 #include "bindings.hpp"
 #include "cncsub/analysis/flow.hpp"
+#include "cncsub/control/spelled.hpp"
 #include "gil.hpp"
 #include "program_data.hpp"
 
@@ -115,6 +116,19 @@ py::list check_all(const Code& code, std::int32_t main, const std::string& machi
   return rows;
 }
 
+/// What the rules and the causes say in the words of a control: meaning and hint of each rule,
+/// meaning and cure of each cause.
+py::tuple told_for(const Control& control) {
+  const auto text = [&control](std::string_view of) { return py::str(spelled(of, control)); };
+  py::list rules;
+  py::dict causes;
+  for (const CheckInfo& of : all_checks())
+    rules.append(py::make_tuple(text(of.meaning), text(of.hint)));
+  for (const CauseInfo& of : all_causes())
+    causes[py::str(std::string(of.slug))] = py::make_tuple(text(of.meaning), text(of.cure));
+  return py::make_tuple(rules, causes);
+}
+
 py::list all_rules() {
   const auto text = [](std::string_view of) { return py::str(of.data(), of.size()); };
   py::list rows;
@@ -153,6 +167,7 @@ py::tuple flow(const ProgramData& program) {
 void add_check(py::module_& m) {
   m.def("check", &check_all, py::arg("code"), py::arg("main"), py::arg("machine"));
   m.def("checks", &all_rules);
+  m.def("told_for", &told_for, py::arg("control"));
   m.def("flow", &flow, py::arg("program"));
 }
 

@@ -6,6 +6,7 @@
 #include "cncsub/code/fault_words.hpp"
 #include "cncsub/control/control.hpp"
 #include "cncsub/control/source.hpp"
+#include "cncsub/control/spelled.hpp"
 #include "cncsub/control/variable_table.hpp"
 
 namespace py = pybind11;
@@ -223,7 +224,7 @@ void add_controls(py::module_& m) {
   m.def("causes", [] {
     std::vector<std::tuple<std::string, std::string, std::string>> rows;
     for (const CauseInfo& cause : all_causes())
-      rows.emplace_back(cause.slug, cause.meaning, cause.cure);
+      rows.emplace_back(cause.slug, cause.meaning, spelled(cause.cure, Control()));
     return rows;
   });
   m.def("sources", [] {

@@ -252,6 +252,11 @@ def check(code: Code, main: int, machine: str) -> list[_FindingRow]:
 def checks() -> list[tuple[str, str, str, str, str, str, str]]:
     """Every rule: number, slug, severity, meaning, hint, example, its control."""
 
+def told_for(control: Control) -> tuple[list[tuple[str, str]], dict[str, tuple[str, str]]]:
+    """In the words of a control: meaning and hint of every rule, by its place; meaning and cure of
+    every cause, by its slug.
+    """
+
 def flow(
     program: ProgramData,
 ) -> tuple[list[tuple[int | None, int | None, str]], list[int], list[int], list[int]]:

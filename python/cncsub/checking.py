@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from cncsub import _core
-from cncsub.controls import causes, did_you_mean
+from cncsub.controls import controls, did_you_mean
 
 SEVERITIES = ("error", "warning", "note")
 
@@ -30,7 +30,18 @@ class CheckRule(NamedTuple):
     control: str
 
 
-RULES: tuple[CheckRule, ...] = tuple(CheckRule(*row) for row in _core.checks())
+def _rules() -> Iterator[CheckRule]:
+    """The rules, each in the words of the control of its example."""
+    told = {}
+    for index, row in enumerate(_core.checks()):
+        rule = CheckRule(*row)
+        if rule.control not in told:
+            told[rule.control] = _core.told_for(controls[rule.control])[0]
+        meaning, hint = told[rule.control][index]
+        yield rule._replace(meaning=meaning, hint=hint)
+
+
+RULES: tuple[CheckRule, ...] = tuple(_rules())
 _BY_NAME = {key: rule for rule in RULES for key in (rule.number, rule.name)}
 
 
@@ -196,11 +207,13 @@ def check(
 ) -> list[Finding]:
     """All findings, by their places."""
     chosen = chosen_rules(rules)
-    found = (_finding(*row) for row in _core.check(code, main, machine or ""))
+    told = _core.told_for(code.control)
+    found = (_finding(told, *row) for row in _core.check(code, main, machine or ""))
     return [finding for finding in found if finding.rule in chosen]
 
 
 def _finding(
+    told: tuple[list[tuple[str, str]], dict[str, tuple[str, str]]],
     index: int,
     place: _core.Alarm,
     source: str,
@@ -211,11 +224,12 @@ def _finding(
     count: int,
 ) -> Finding:
     rule = RULES[index]
-    hint = rule.hint if alarm is None else causes[alarm.cause].cure
+    meaning, hint = told[0][index]
     detail = place.detail or (alarm.detail if alarm is not None else "")
-    message = detail or rule.meaning
-    if alarm is not None and not detail:
-        message = causes[alarm.cause].meaning
+    if alarm is not None:
+        meaning, cure = told[1][alarm.cause]
+        hint = cure if rule.name in _OF_ANY_CAUSE else hint
+    message = detail or meaning
     return Finding(
         rule.number,
         rule.name,
@@ -227,7 +241,7 @@ def _finding(
         place.file,
         place.word,
         message,
-        hint if alarm is not None and rule.name in _OF_ANY_CAUSE else rule.hint,
+        hint,
         alarm,
         path,
         tuple(Edit(*edit) for edit in edits) or _fixes(rule, alarm, ((place, source), *again)),

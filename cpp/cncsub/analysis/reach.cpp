@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cncsub/analysis/checker.hpp"
+#include "cncsub/control/spelled.hpp"
 
 namespace cncsub {
 
@@ -132,6 +133,8 @@ void check_unreached(Checker& c, const ProgramFlow& flow, const std::vector<bool
 
 /// A program that is only called returns at its end: nothing else can be meant.
 void mend_end(const Checker& c, const ProgramFlow& flow, Finding& found) {
+  const std::string code = return_code(*c.code.control);
+  if (code.empty()) return;
   const Program& program = c.program(flow.program());
   const bool called = c.is_called(flow.program()) && flow.program() != c.main;
   if (!called || flow.ever_ends() || ends_in_g99(c, flow)) return;
@@ -139,7 +142,7 @@ void mend_end(const Checker& c, const ProgramFlow& flow, Finding& found) {
   const Block& last = c.code.blocks[flow.last() - 1];
   const std::size_t end = std::min(text.find('\n', last.text), text.size());
   if (program.text_end < end) return;  // another program begins in the line
-  found.edits.push_back({flow.last() - 1, {static_cast<std::uint32_t>(end), 0}, "\nM99"});
+  found.edits.push_back({flow.last() - 1, {static_cast<std::uint32_t>(end), 0}, "\n" + code});
 }
 
 /// What runs into its end.
@@ -147,7 +150,8 @@ void check_end(Checker& c, const ProgramFlow& flow, bool reached) {
   if (!reached) return;
   const Program& program = c.program(flow.program());
   const bool alarms = c.code.control->reading.missing_end.value == MissingEnd::Alarm;
-  const std::string what = c.code.name_of(program) + " ends without M02, M30 or M99";
+  const std::string what =
+      c.code.name_of(program) + spelled(" ends without {end-or-return}", *c.code.control);
   if (!alarms && (!c.is_called(flow.program()) || flow.last() == flow.first())) return;
   const bool empty = flow.last() == flow.first();
   const Address at = empty ? flow.last() : flow.last() - 1;

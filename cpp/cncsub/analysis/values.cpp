@@ -249,7 +249,8 @@ void check_last(Checker& c, const ProgramFlow& flow) {
 
 bool ends_in_g99(const Checker& c, const ProgramFlow& flow) {
   constexpr int kG99 = 990;
-  if (flow.last() == flow.first()) return false;
+  const bool returns = c.code.control->calls.roles.value.of_m(99) == Role::Return;
+  if (flow.last() == flow.first() || !returns) return false;
   const Block& block = c.code.blocks[flow.last() - 1];
   if (block.op != Op::Words || (block.mask & ~bit('P')) != 0 || block.m_count != 0) return false;
   bool g99 = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cncsub/control/spelled.hpp"
 #include "cncsub/machine/calls.hpp"
 #include "cncsub/machine/ends.hpp"
 #include "cncsub/machine/expressions.hpp"
@@ -175,8 +176,9 @@ bool end_of_record(Run& run) {
   if (typed || run.control().reading.missing_end.value == MissingEnd::Ends)
     return end_run(run, Stop::End);
   const Program& program = run.program();
-  return alarm(run, {Cause::EndOfRecord, program.text_end, 1,
-                     run.code->name_of(program) + " ends without M02, M30 or M99"});
+  return alarm(
+      run, {Cause::EndOfRecord, program.text_end, 1,
+            run.code->name_of(program) + spelled(" ends without {end-or-return}", run.control())});
 }
 
 bool restart_main(Run& run) {
