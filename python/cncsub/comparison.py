@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import bisect
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -49,11 +48,11 @@ class Comparison:
     """How two runs compare.
 
     `same`: whether they make the same calls, moves, codes, messages and variables and stop alike;
-    of the same programs, whether they execute the same blocks too, of those that are blocks of both
-    languages. Of two controls, codes that end a program are compared by the stop: one sends them to
-    the machine and another does not. Moves are the same where the tool goes the same way: X of a
-    lathe is a diameter. An alarm is the same by its cause and place: its number is each control's
-    own. `where`: the first step of each that the
+    of the same programs in one language, whether they execute the same blocks too. Of two controls,
+    codes that end a program are compared by the stop: one sends them to the machine and another
+    does not; of two languages what they do is compared, not by which blocks and calls. Moves are
+    the same where the tool goes the same way: X of a lathe is a diameter. An alarm is the same by
+    its cause and place: its number is each control's own. `where`: the first step of each that the
     other does not do likewise, `None` for one that has stopped before. `what`: what each does.
     `rules`: names of rules that make the difference: the first control with the second one's values
     for these does what the second one does. Empty where programs are compared, and where no rules
@@ -175,7 +174,7 @@ def _compare_controls(
         try:
             exchanged = library.read_for(control)
             tried = pair.run(exchanged, max_blocks=limit)
-        except KeyError:  # read so, there is no such main program
+        except (KeyError, ValueError):  # read so, there is no such main program, or no variable
             return False
         other = _ControlPair((exchanged, texts[1]), names, main, options)
         return other.parting(tried, wanted) is None
@@ -460,54 +459,29 @@ class _ControlPair(OtherControlPair):
         return (alarm.file, alarm.line)
 
     def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
-        yield from Pair._partings(self, a, b)
+        """Blocks and calls of one language; another one counts heads of programs as blocks, or a
+        call once for each pass, and what they do is the same.
+        """
+        yield from self._of_moves(a, b)
+        for name in _LISTS:
+            yield from self._of_list(a, b, name)
         yield from self._of_dwells(a, b)
-        yield from self._of_steps(a, b)
+        yield from self._of_variables(a, b)
+        one, other = (library.control.dialect for library in self.libraries)
+        if one == other:
+            yield from self._of_calls(a, b)
+            yield from self._of_steps(a, b)
+        yield from self._of_stop(a, b)
 
     def _of_steps(self, a: Run, b: Run) -> Iterator[Parting]:
-        """Of the lines that are blocks of both: the head of a program is a block of some languages
-        and none of others.
-        """
-        steps = _shared_steps((a, b), self.libraries)
-        at = first_difference([(steps[0][1], steps[1][1])])
-        if at is None:
-            return
-        where = [
-            int(of[at]) if at < len(of) else len(run.steps)
-            for (of, _), run in zip(steps, (a, b), strict=True)
+        programs = [
+            column_of(run.steps, "program", _files_of(library))
+            for run, library in zip((a, b), self.libraries, strict=True)
         ]
-        yield self._say((a, b), (where[0], where[1]), ("", ""))
-
-
-def _shared_steps(
-    runs: tuple[Run, Run], libraries: tuple[Library, Library]
-) -> list[tuple[Column, Column]]:
-    """The steps of each run whose lines are blocks of both, and a number for the line of each."""
-    import numpy as np
-
-    files: dict[str, int] = {}
-    lines = []
-    for run, library in zip(runs, libraries, strict=True):
-        of = _files_of(library)
-        numbers = [files.setdefault(of.get(name, name), len(files)) for name in run.steps.programs]
-        lines.append((np.asarray([*numbers, 0])[run.steps.program] << 32) + run.steps.line)
-    names = list(files)
-    odd = [
-        key
-        for key in np.setxor1d(lines[0], lines[1]).tolist()
-        if not all(_is_block(library, names[key >> 32], key & 0xFFFFFFFF) for library in libraries)
-    ]
-    kept = [np.flatnonzero(~np.isin(of, odd)) for of in lines]
-    return [(at, of[at]) for at, of in zip(kept, lines, strict=True)]
-
-
-def _is_block(library: Library, file: str, line: int) -> bool:
-    for program in (*library.values(), *library.external.values()):
-        blocks = program.blocks if program.file == file else ()
-        at = bisect.bisect_left(range(len(blocks)), line, key=lambda i: blocks[i].line)
-        if at < len(blocks) and blocks[at].line == line:
-            return True
-    return False
+        lines = column_of(a.steps, "line"), column_of(b.steps, "line")
+        at = first_difference([(programs[0], programs[1]), lines])
+        if at is not None:
+            yield self._say((a, b), (at, at), ("", ""))
 
 
 def _end_codes(control: Control) -> frozenset[int]:

@@ -21,7 +21,6 @@ Result set_feed(MotionContext& m, const BlockWords& block) {
   const Control& c = *m.facts.control;
   if (c.turning.lead_apart.value && cuts_thread(m.state, block)) return std::nullopt;
   const Meaning once = block.meaning(Group::OneShot);
-  if (once == Meaning::Dwell && c.motion.dwell_words.value.has('F')) return std::nullopt;
   if (c.motion.skip_own_feed.value && (once == Meaning::Skip || once == Meaning::MeasureTool))
     return std::nullopt;
   return feed_of(m, block, m.state.feed);
