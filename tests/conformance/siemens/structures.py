@@ -132,3 +132,8 @@ case(
     "the beginning of a structure is outside of it", **TESTS,
     program="N10 GOTOF N20\nN15 R1=9\nN20 IF R1==0\nN30 R2=1\nN40 ENDIF\nN50 M30", runs="N10 N20 N30 N40 N50",
 )
+case(
+    "a jump with a condition leads into none, where it is made", **TESTS, number="14080",
+    program="N10 IF R1==1 GOTOF INSIDE\nN20 IF R1==0 GOTOF INSIDE\nN30 LOOP\nN40 INSIDE: G0 X1\nN50 ENDLOOP\nN60 M30",
+    runs="N10", alarm="jump-target-not-found", at="MAIN N20", word="INSIDE",
+)
