@@ -14,8 +14,21 @@ namespace {
 
 constexpr int kMostM = 5;  // of a block [NCI groups; general knowledge]
 constexpr std::size_t kLongestLabel = 32, kShortestLabel = 2;  // [NCI labels: manual 4.1.5.2]
-constexpr std::string_view kAddresses = "ABCFIJKSTUVWXYZ";
-constexpr std::string_view kDropped = "DH";  // they are told, and do nothing here
+constexpr std::string_view kAddresses = "ABCFIJKRSTUVWXYZ";    // R: of CR=
+constexpr std::string_view kDropped = "DH";                    // they are told, and do nothing here
+
+/// Whether a block of a control structure has a label or may be skipped. [840Dsl p.107]
+bool is_marked_structure(const Block& block, const Link& link, bool labelled) {
+  const bool structure = link.kind != Link::Kind::None && link.kind != Link::Kind::Jump;
+  return structure && (block.skip != 0 || labelled);
+}
+
+void refuse_mark(Builder& to, Block& block, bool labelled, std::uint32_t at, std::uint32_t width) {
+  block.skip = 0;
+  to.refuse(block, {Cause::StructureMarked, at, width,
+                    labelled ? "a block of a control structure takes no label"
+                             : "a block of a control structure cannot be skipped"});
+}
 
 WordValue word_of(const Value& value, double factor = 1) {
   return {value.computed, value.expression, value.number * factor};
@@ -47,7 +60,8 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   take_label(label);
   bool read_it = true;
   if (statement(block, link, read_it)) {
-    check_mark(block, link, !label.empty());
+    if (const bool labelled = !label.empty(); is_marked_structure(block, link, labelled))
+      refuse_mark(to_, block, labelled, marked_at_, marked_width_);
     return true;
   }
   Words words;
@@ -55,16 +69,6 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
     if (!item(block, words)) return true;
   write(block, words);
   return true;
-}
-
-/// A block of a control structure has no label and is never skipped. [840Dsl p.107]
-void BlockReader::check_mark(Block& block, const Link& link, bool labelled) {
-  const bool structure = link.kind != Link::Kind::None && link.kind != Link::Kind::Jump;
-  if (!structure || (block.skip == 0 && !labelled)) return;
-  block.skip = 0;
-  to_.refuse(block, {Cause::StructureMarked, marked_at_, marked_width_,
-                     labelled ? "a block of a control structure takes no label"
-                              : "a block of a control structure cannot be skipped"});
 }
 
 /// `/` and `/0` are the first switch, `/1` the one of this number.
@@ -154,19 +158,16 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
     return true;
   }
   if ((words.list.mask & bit(letter)) != 0)
-    return refuse(block, Cause::AddressGivenTwice, std::string("two words ") + letter, at);
+    return refuse(block, Cause::AddressGivenTwice, "the address stands twice in the block", at);
   words.list.set(letter - 'A', word_of(value), false);
   return true;
 }
 
-/// Of a group one code stands in a block.
-bool BlockReader::take_group(Block& block, Words& words, int group, std::uint32_t at) {
+bool BlockReader::Words::take_group(int group) {
   if (group == 0) return true;
   const auto place = static_cast<std::size_t>(group);
-  if (words.groups.test(place))
-    return refuse(block, Cause::AddressGivenTwice,
-                  "a second code of G group " + std::to_string(group), at);
-  words.groups.set(place);
+  if (groups.test(place)) return false;
+  groups.set(place);
   return true;
 }
 
@@ -174,7 +175,8 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   const auto code = to_whole<int>(std::round(value.number * 10));
   if (value.number < 0 || !to_.control().reading.g_codes.value.has(code))
     return refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at);
-  if (!take_group(block, words, group_of(code / 10), value.at)) return false;
+  if (!words.take_group(group_of(code / 10)))
+    return refuse(block, Cause::AddressGivenTwice, "a second code of its G group", value.at);
   if (words.list.g_count == static_cast<int>(words.list.g.size()))
     return refuse(block, Cause::TooManyWords, "more G codes than are read here", value.at);
   words.list.add_g({false, 0, static_cast<double>(code)});
@@ -213,11 +215,15 @@ bool BlockReader::named(Block& block, Words& words) {
   const std::string_view written = line_.name();
   const std::string name = capitals(written);
   if (name == "MSG") return message(block, words, at);
-  if (name == "CR") return radius(block, words, at);
-  if (name == "PROC") return head(block);
+  if (name == "CR") {
+    line_.pass(name.size());
+    if (line_.peek() != '=') return refuse(block, Cause::MissingEquals, "CR without =", at);
+    return word(block, words, 'R', at);
+  }
   if (is_neutral(name)) {
     line_.pass(name.size());
-    if (!take_group(block, words, group_of(name), at)) return false;
+    if (!words.take_group(group_of(name)))
+      return refuse(block, Cause::AddressGivenTwice, "a second word of its G group", at);
     words.drops.push_back({0, at, line_.width_from(at)});
     words.any = true;
     return true;
@@ -233,32 +239,6 @@ bool BlockReader::named(Block& block, Words& words) {
     return call(block, words, written);
   line_.pass(name.size());
   return not_computed(block, name, at);
-}
-
-/// CR=5
-bool BlockReader::radius(Block& block, Words& words, std::uint32_t at) {
-  line_.pass(2);
-  if (!line_.take('=')) return refuse(block, Cause::MissingEquals, "CR without =", at);
-  Value value;
-  if (!expression_.value(value)) return refuse(block);
-  if ((words.list.mask & bit('R')) != 0)
-    return refuse(block, Cause::AddressGivenTwice, "two words CR", at);
-  words.any = true;
-  words.list.set('R' - 'A', word_of(value), false);
-  return true;
-}
-
-/// PROC NAME(..) SAVE: with SAVE the modes of the caller come back at the return.
-bool BlockReader::head(Block& block) {
-  const std::uint32_t at = line_.offset();
-  line_.pass(4);
-  not_computed(block, "PROC", at);
-  while (!line_.at_end()) {
-    const std::string_view name = line_.name();
-    to_.program().keeps_modes |= capitals(name) == "SAVE";
-    line_.pass(name.empty() ? first_character(line_.rest()).size() : name.size());
-  }
-  return false;
 }
 
 /// MSG("text"), and MSG() that takes it away.

@@ -52,6 +52,9 @@ class BlockReader {
     std::bitset<kCodeGroups> groups;    // of the codes so far
     bool any = false;
     bool ends = false;
+
+    /// False where a code of its group stands in the block already.
+    bool take_group(int group);
   };
 
   bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at);
@@ -62,9 +65,6 @@ class BlockReader {
   bool number(Block& block);
   void take_label(std::string& label);
 
-  void check_mark(Block& block, const Link& link, bool labelled);
-  bool take_group(Block& block, Words& words, int group, std::uint32_t at);
-
   bool item(Block& block, Words& words);
   bool address(Block& block, Words& words);
   bool word(Block& block, Words& words, char letter, std::uint32_t at);
@@ -72,8 +72,6 @@ class BlockReader {
   bool m_code(Block& block, Words& words, const Value& value);
   bool assignment(Block& block, Words& words);
   bool named(Block& block, Words& words);
-  bool radius(Block& block, Words& words, std::uint32_t at);
-  bool head(Block& block);
   bool message(Block& block, Words& words, std::uint32_t at);
   bool call(Block& block, Words& words, std::string_view name);
   bool write(Block& block, Words& words);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "cncsub/dialect/sinumerik/line.hpp"
+
 namespace cncsub::sinumerik {
 
 namespace {
@@ -45,6 +47,22 @@ bool is_neutral(std::string_view word) {
 bool is_not_computed(std::string_view word) {
   return std::find(std::begin(kNotComputed), std::end(kNotComputed), word) !=
          std::end(kNotComputed);
+}
+
+bool saves_modes(std::string_view line) {
+  Line words;
+  words.set(line, 0);
+  if (words.peek() == 'N' && is_digit(words.ahead(1))) {
+    words.pass(1);
+    words.take_digits();
+  }
+  if (capitals(words.name()) != "PROC") return false;
+  while (!words.at_end()) {
+    const std::string_view name = words.name();
+    if (capitals(name) == "SAVE") return true;
+    words.pass(name.empty() ? first_character(words.rest()).size() : name.size());
+  }
+  return false;
 }
 
 }  // namespace cncsub::sinumerik

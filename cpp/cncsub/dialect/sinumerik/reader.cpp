@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/dialect/sinumerik/structure.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -72,6 +73,8 @@ class FileReader {
     block.length = static_cast<std::uint16_t>(std::min<std::size_t>(text.size(), 65535));
     std::string label;
     Link link;
+    if (to_.next_address() == to_.program().first && saves_modes(text))
+      to_.program().keeps_modes = true;
     if (!blocks_.read(text, block, label, link)) return;
     structure_.add(label, link);
     to_.append(block);
