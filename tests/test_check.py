@@ -531,6 +531,45 @@ def test_rules_are_chosen_and_switched_off() -> None:
         found(text, main="O77")
 
 
+def test_one_cause_is_one_finding_with_its_places() -> None:
+    text = "O1\nN10 M98 P9 (cncsub: ignore)\nN20 M98 P9\nN30 M98 P9\nN40 M98 P8\nN50 M30\nO2\nN60 M98 P9\nM99\n"
+    first, second, _ = cncsub.loads(text, control=MILL, name="part.nc").check()
+    assert (first.rule, first.n, first.count, first.message) == (
+        "CS201", 20, 3, "O9 is not in the memory",
+    )  # fmt: skip
+    assert [(p.program, p.n, p.line, p.column, p.word) for p in first.places] == [
+        ("O1", 30, 4, 9, "P9"), ("O2", 60, 8, 9, "P9"),
+    ]  # fmt: skip
+    assert (second.n, second.count, second.places) == (40, 1, ())
+    told = str(first)
+    assert "O9 is not in the memory (and in 2 more places)" in told
+    assert "\nalso in lines 4, 8\n" in told
+    facts = finding_facts([first])["findings"][0]
+    assert (facts["count"], [place["line"] for place in facts["places"]]) == (3, [4, 8])
+    (result,) = sarif([first])["runs"][0]["results"]
+    assert len(result["relatedLocations"]) == 2
+    assert "(and in 2 more places)" in github_annotations([first])
+
+
+def test_very_many_places_are_counted_and_the_first_are_told() -> None:
+    (finding,) = cncsub.loads("O1\n" + "M98 P9\n" * 3000 + "M30\n", control=MILL).check()
+    assert (finding.count, len(finding.places)) == (3000, 1000)
+    assert str(finding).splitlines()[4].endswith("12, 13, 14, and 2,987 more")
+
+
+def test_the_numbers_that_callers_lack_are_one_finding() -> None:
+    callers = "".join(f"O{i}\nM98 P9000\nM99\n" for i in range(1, 30))
+    (finding,) = cncsub.loads(callers + "O9000\nN5 M99 P5\n", control=MILL).check(rules=["CS203"])
+    assert finding.message == "there is no N5 in O1, nor in 28 more that call"
+
+
+def test_what_is_dropped_names_the_parameter() -> None:
+    text = "O1\nN10 M3 M8 S100\nN20 M98 P2 Q5\nN30 M30\nO2\nN5 M99\n"
+    codes, call = cncsub.loads(text, control=MILL).check(rules=["CS704"])
+    assert "parameter 3404#7" in codes.message
+    assert "parameter 6005#0" in call.message
+
+
 def test_the_kind_of_machine_comes_from_the_setup() -> None:
     text = "O1\nN10 G71 U1. R1.\nN20 M30\n"
     assert found(text, "fanuc-16i") == ["CS105 N10"]

@@ -346,3 +346,11 @@ def test_a_code_is_told_of_controls_that_compute_it(tmp_path: Path) -> None:
             for name in hint.rpartition(" of ")[2].split(", "):
                 found = cncsub.loads(f"N1 {code}\n", control=name).check(rules=["CS102", "CS105"])
                 assert found == [], (code, name)
+
+
+def test_a_program_of_another_control_is_told_by_check(tmp_path: Path) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text("o100 sub\ng0 x1\no100 endsub\n#<a>=1\no100 call\nm2\n")
+    told = CliRunner().invoke(app, ["check", str(file), "-c", CONTROL]).stderr
+    assert "it seems to be written for LinuxCNC: -c linuxcnc" in told
+    assert CliRunner().invoke(app, ["check", str(file), "-c", "linuxcnc"]).stderr == ""

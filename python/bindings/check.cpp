@@ -49,7 +49,7 @@ struct Told {
 
 constexpr std::size_t kMostPlaces = 1000;  // that are told of one finding
 
-Told told(const Code& code, const Finding& finding) {
+Told told(const Code& code, const Finding& finding, InterruptCheck& interrupt) {
   Told row{.check = finding.check,
            .place = alarm_of(
                code, finding.block,
@@ -61,7 +61,9 @@ Told told(const Code& code, const Finding& finding) {
            .count = finding.again.size() + 1};
   if (finding.alarm) row.alarm = alarm_of(code, finding.alarm_block, *finding.alarm);
   for (const Address at : finding.path) row.path.push_back(frame_of(code, at));
+  constexpr std::size_t kLine = 1024;  // that is gone over for its column, as a rule
   for (const CertainEdit& edit : finding.edits) {
+    if (interrupt.requested(kLine)) break;
     const Program& program = code.programs[static_cast<std::size_t>(code.program_at(edit.block))];
     const std::string_view text = code.files[program.file].text.view();
     row.edits.push_back(
@@ -69,7 +71,7 @@ Told told(const Code& code, const Finding& finding) {
          {std::string(text.substr(edit.place.at, edit.place.width)), edit.text}});
   }
   for (const FoundAgain& at : finding.again) {
-    if (row.again.size() == kMostPlaces) break;
+    if (row.again.size() == kMostPlaces || interrupt.requested(kLine)) break;
     Fault fault = finding.alarm && finding.alarm_block == finding.block ? *finding.alarm : Fault{};
     fault.at = at.place.at;
     fault.width = at.place.width;
@@ -105,7 +107,7 @@ py::list check_all(const Code& code, std::int32_t main, const std::string& machi
   work_away([&](InterruptCheck& interrupt) {
     for (const Finding& finding : check(code, main, machine, interrupt)) {
       if (interrupt.requested(InterruptCheck::kLook / 64)) break;
-      all.push_back(told(code, finding));
+      all.push_back(told(code, finding, interrupt));
     }
   });
   py::list rows;

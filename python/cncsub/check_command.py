@@ -109,9 +109,11 @@ def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[s
         found = at.check(options["main"], sorted(asked), setup=setup_for(options, project))
         return [finding for finding in found if finding.file not in beside]
 
-    found = hints.with_ways_past(library, look(library), look)
-    if (foreign := hints.foreign_language(library)) is not None:
-        print(f"hint: {foreign}", file=sys.stderr)
+    found = look(library)
+    if (language := hints.language_beside_findings(library, found, look)) is not None:
+        print(f"hint: {language}", file=sys.stderr)
+    else:
+        found = hints.with_ways_past(library, found, look)
     return _Part(library, findings.with_severity(found, dict(project.severity)))
 
 

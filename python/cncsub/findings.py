@@ -195,7 +195,7 @@ def github_annotations(findings: Iterable[Finding]) -> str:
     kinds = {"error": "error", "warning": "warning", "note": "notice"}
     lines = (
         f"::{kinds[f.severity]} file={escaped(f.file, True)},line={f.line},col={f.column},"
-        f"title={escaped(f'{f.rule} {f.name}', True)}::{escaped(f'{f.message}. Hint: {f.hint}')}"
+        f"title={escaped(f'{f.rule} {f.name}', True)}::{escaped(f'{f.told}. Hint: {f.hint}')}"
         for f in findings
     )
     return "\n".join(lines)

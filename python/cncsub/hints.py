@@ -163,6 +163,28 @@ def foreign_language(library: Library, file: str | None = None) -> str | None:
     return None
 
 
+def language_beside_findings(
+    library: Library, found: list[Finding], check: Callable[[Library], list[Finding]]
+) -> str | None:
+    """The language of the first file: one that no control here reads, or one as which it is read
+    with fewer errors. In the words of a hint.
+    """
+    if (foreign := foreign_language(library)) is not None or not found:
+        return foreign
+    errors = sum(f.count for f in found if f.severity == "error")
+    for _, _, source, _ in library._code.sources[:1]:
+        for name, control in languages_of(source[:MOST_TEXT].decode(errors="replace")):
+            if control in (None, library.control.name):
+                continue
+            try:
+                other = check(library.read_for(str(control)))
+            except (KeyError, ValueError):  # it has no such program
+                continue
+            if sum(f.count for f in other if f.severity == "error") < errors:
+                return _seems(name, control)
+    return None
+
+
 def other_reading(library: Library, file: str) -> str | None:
     """The control for which a file of the memory seems to be written, where it holds no two
     programs of one name if it is read so; in the words of a hint.

@@ -11,7 +11,6 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::size_t kToldCallers = 16;       // of one M99 P
 constexpr std::size_t kMostReturns = 1 << 20;  // that are looked up in the callers of a program
 
 /// The lines of the blocks of a number: "lines 3, 9"; empty where there is but one.
@@ -200,24 +199,31 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
     return;
   }
   std::int32_t before = kNoProgram;  // calls of one caller stand one after the other
-  std::size_t told = 0;
+  const CallEdge* lacks = nullptr;   // the first whose program lacks the block
+  const CallEdge* enters = nullptr;  // the first that is led into a loop
+  std::size_t lacking = 0;
   for (const CallEdge& edge : callers) {
-    if (told >= kToldCallers || ++looked_up_ > kMostReturns || c_.over()) break;
+    if (++looked_up_ > kMostReturns || c_.over()) break;
     if (edge.caller == before) continue;
     before = edge.caller;
-    const Program& caller = c_.program(edge.caller);
-    const Address found = c_.code.return_target(caller, to.n, edge.from);
+    const Address found = c_.code.return_target(c_.program(edge.caller), to.n, edge.from);
     if (found == kNowhere) {
-      missing(caller).path = {edge.from};
-      ++told;
+      if (lacks == nullptr) lacks = &edge;
+      ++lacking;
       continue;
     }
-    ambiguous(to.from, caller, to.n, to.place);
+    ambiguous(to.from, c_.program(edge.caller), to.n, to.place);
     const Address end = all_.of(edge.caller).entered(edge.from, found);
-    if (end == kNowhere) continue;
+    if (end == kNowhere || enters != nullptr) continue;
+    enters = &edge;
     into_loop(to.from, to.place, end).path = {edge.from};
-    ++told;
   }
+  if (lacks == nullptr) return;
+  Finding& told = missing(c_.program(lacks->caller));
+  told.path = {lacks->from};
+  if (lacking < 2 || !told.alarm) return;
+  told.detail += ", nor in " + std::to_string(lacking - 1) + " more that call";
+  told.alarm->detail = told.detail;
 }
 
 void TargetCheck::returns() {
@@ -247,9 +253,8 @@ void check_targets(Checker& c) {
     const Program& first = c.program(program.duplicate_of);
     const Block& block = c.code.blocks[program.first];
     const std::string files = std::to_string(program.file) + " " + std::to_string(first.file);
-    if (program.file != first.file &&
-        c.known(Check::Duplicate, files, program.first, {block.text, block.length}))
-      continue;  // a file that holds what another one holds
+    if (c.known(Check::Duplicate, files, program.first, {block.text, block.length}))
+      continue;  // a file that holds what another one holds, or all twice
     c.found(Check::Duplicate, program.first, {block.text, block.length},
             c.code.name_of(program) + " stands in " + c.code.files[first.file].name + ", line " +
                 std::to_string(first.line) + ", too, and that one runs");
