@@ -392,6 +392,10 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "", "O1\nN10 G0 X0 Z5.\nN20 G81 X1. Z-1. R1. F9\nN25 IF[#500 EQ 1]GOTO 40\nN30 G80\nN40 G81 X2. R1.\nN50 G80\n" + END, ""),
     "a cycle that stores its words and drills nothing on purpose": (
         "", "O1\nN10 G0 X0 Z5.\nN20 G81 R1. F9 K0\nN30 X1. Z-1.\nN50 G80\n" + END, ""),
+    "a cycle whose Z comes with its first place": (
+        "", "O1\nN10 G0 X0 Z5.\nN20 G81 R1. F9\nN30 X1. Z-1.\nN50 G80\n" + END, ""),
+    "a cycle whose places come behind it": (
+        "", "O1\nN10 G0 X0 Z5.\nN20 G81 R1. F9\nN30 X1.\nN40 X2.\nN50 G80\n" + END, "CS708 N20"),
     "a cycle without a place": ("", "O1\nN10 G0 X0 Z5.\nN20 G81 F9\nN30 X1. Z-1. R1.\nN50 G80\n" + END, ""),
     "a cycle of a called program may have the Z of its caller": (
         "", "O1\nN10 G0 X0 Z5.\nN20 G81 Z-1. R1. F9 K0\nN30 M98 P2\nN40 G80\n" + END + "O2\nN60 G81 X2.\nN70 M99\n", ""),
@@ -426,6 +430,10 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a loop of halves": ("", "O1\nN10 #1=0\nN20 WHILE[#1 NE 1.]DO1\nN30 #1=#1+0.5\nN40 END1\n" + END, ""),
     "a loop by GOTO": (
         "", "O1\nN10 #1=0\nN20 G0 X#1\nN30 #1=#1+0.1\nN40 IF[#1 LT 1.]GOTO 20\n" + END, "CS711 N40"),
+    "a loop that a condition leaves": (
+        "", "O1\nN10 #1=0\nN20 #1=#1+0.1\nN30 IF[#1 EQ 1.]GOTO 90\nN40 GOTO 20\n" + END, "CS711 N30"),
+    "a loop that a condition leaves in time": (
+        "", "O1\nN10 #1=0\nN20 #1=#1+0.1\nN30 IF[#1 GT 1.05]GOTO 90\nN40 GOTO 20\n" + END, ""),
     "a loop whose counter is rounded": (
         "", "O1\nN10 #1=0\nN20 WHILE[#1 LT 1.]DO1\nN30 #1=ROUND[#1*10+1]/10\nN40 END1\n" + END, ""),
     # Inputs

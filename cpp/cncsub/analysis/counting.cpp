@@ -106,10 +106,14 @@ std::optional<int> passes(const Asked& asked, double from, double step, double d
 class CountingCheck {
  public:
   CountingCheck(Checker& c, const ProgramFlow& flow) : c_(c), flow_(flow) {}
+  /// A loop from one block up to another, which asks in a third whether it goes on.
   void loop(Address at, const Statement& of, Address from, Address to);
+  /// A loop that a jump back closes, and that blocks in it leave where a condition holds.
+  void leaving(Address from, Address to);
 
  private:
   bool assigns(Address at, const Counter& counter) const;
+  void ask(Address at, const Asked& asked, const Expression& written, Address from, Address to);
   std::optional<double> step(const Counter& counter, Address from, Address to) const;
   std::optional<double> start(const Counter& counter, Address before) const;
 
@@ -166,11 +170,47 @@ bool is_rounded(double step) {
          std::round(step * kScale) != step * kScale;
 }
 
-/// A loop from one block up to another, which asks in a third whether it goes on.
 void CountingCheck::loop(Address at, const Statement& of, Address from, Address to) {
+  const Expression written = c_.code.expression(of.expression);
+  if (const auto asked = asked_by(written)) ask(at, *asked, written, from, to);
+}
+
+/// What holds where another comparison does not.
+Ins opposite(Ins op) {
+  switch (op) {
+    case Ins::Less:
+      return Ins::GreaterEqual;
+    case Ins::Greater:
+      return Ins::LessEqual;
+    case Ins::LessEqual:
+      return Ins::Greater;
+    case Ins::GreaterEqual:
+      return Ins::Less;
+    case Ins::Equal:
+      return Ins::NotEqual;
+    default:
+      return Ins::Equal;
+  }
+}
+
+void CountingCheck::leaving(Address from, Address to) {
+  for (Address at = from; at < to; ++at) {
+    const Block& block = c_.code.blocks[at];
+    if (block.op != Op::IfGoto) continue;
+    const Statement& of = c_.code.statements[block.aux];
+    if (of.to == kNowhere || (of.to >= from && of.to <= to)) continue;
+    const Expression written = c_.code.expression(of.expression);
+    auto asked = asked_by(written);
+    if (!asked) continue;
+    asked->op = opposite(asked->op);
+    ask(at, *asked, written, from, to);
+  }
+}
+
+void CountingCheck::ask(Address at, const Asked& of, const Expression& written, Address from,
+                        Address to) {
   constexpr double kDigits = 1e7;
-  const auto asked = asked_by(c_.code.expression(of.expression));
-  if (!asked) return;
+  const Asked* asked = &of;
   const auto by = step(asked->counter, from, to);
   if (!by || !is_rounded(*by)) return;
   const auto begins = start(asked->counter, std::min(from, at));
@@ -187,7 +227,6 @@ void CountingCheck::loop(Address at, const Statement& of, Address from, Address 
     told = sums + "the counter may never have this value, and the loop never ends";
   }
   if (told.empty()) return;
-  const Expression written = c_.code.expression(of.expression);
   c_.found(Check::FractionLoop, at, {written.at(), written.width()}, std::move(told));
 }
 
@@ -200,14 +239,17 @@ void check_counting(Checker& c) {
     std::size_t looked_at = 0;  // loops inside loops are gone over again
     for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
       const Block& block = c.code.blocks[at];
-      const bool asks = block.op == Op::While || block.op == Op::IfGoto;
+      const bool asks = block.op == Op::While || block.op == Op::IfGoto || block.op == Op::Goto;
       if (!asks || looked_at > 64 * flow.size()) continue;
       const Statement& of = c.code.statements[block.aux];
       const bool loops = block.op == Op::While;
       const Address from = loops ? at + 1 : of.to, to = loops ? of.end : at;
       if (from == kNowhere || to == kNowhere || from >= to || from < flow.first()) continue;
       looked_at += to - from;
-      counting.loop(at, of, from, std::min(to, flow.last()));
+      if (block.op == Op::Goto)
+        counting.leaving(from, to);
+      else
+        counting.loop(at, of, from, std::min(to, flow.last()));
     }
   }
 }

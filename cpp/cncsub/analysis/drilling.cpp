@@ -65,6 +65,7 @@ class DrillCheck {
 
   std::vector<std::uint8_t> states() const;
   std::uint8_t behind(Address at, std::uint8_t state) const;
+  bool drills_without_depth(Address at) const;
 
   Checker& c_;
   const ProgramFlow& flow_;
@@ -101,8 +102,21 @@ std::vector<std::uint8_t> DrillCheck::states() const {
   return before;
 }
 
+/// Whether a hole follows a cycle that has no Z, in its own block or in one behind it, before a
+/// block gives it one.
+bool DrillCheck::drills_without_depth(Address at) const {
+  constexpr std::uint32_t kPlace = bit('X') | bit('Y');
+  constexpr Address kFar = 64;
+  for (Address next = at; next < flow_.last() && next - at < kFar; ++next) {
+    const Block& block = c_.code.blocks[next];
+    if (!is_words(block.op) || (block.mask & bit('Z')) != 0) return false;
+    if (next != at && (use_of(c_, block).forgets || use_of(c_, block).begins)) return false;
+    if ((block.mask & kPlace) != 0) return true;
+  }
+  return false;
+}
+
 void DrillCheck::depths() {
-  constexpr std::uint32_t kStarts = bit('X') | bit('Y') | bit('R');  // what makes a cycle drill
   bool asks = false;
   for (Address at = flow_.first(); at < flow_.last(); ++at) {
     const CycleUse use = use_of(c_, c_.code.blocks[at]);
@@ -115,8 +129,7 @@ void DrillCheck::depths() {
     const Block& block = c_.code.blocks[at];
     const CycleUse use = use_of(c_, block);
     if (block.op != Op::Words || !use.begins || before[at - flow_.first()] != kNone ||
-        (block.mask & bit('Z')) != 0 || (block.mask & kStarts) == 0 ||
-        repeats_never(c_, block, program_))
+        !drills_without_depth(at) || repeats_never(c_, block, program_))
       continue;
     c_.found(Check::NothingDrilled, at, {block.text, block.length},
              code_name(use.code) +
