@@ -85,3 +85,68 @@ def test_corners_are_the_same_elsewhere(
     plain = library.run(setup=setup)
     assert plain.alarm is None or plain.alarm.cause != "corner-taper", plain.alarm
     runs_elsewhere(text, made, setup, random)
+
+
+@given(
+    control=st.sampled_from(
+        ["fanuc-0i-f", "fanuc-16i", "mitsubishi-m700", "gsk-980mdi", "haas-ngc"]
+    ),
+    x=st.integers(-(10**6), 10**6),
+    y=st.integers(-(10**6), 10**6),
+)
+def test_what_just_fits_does_so_wherever_it_is_programmed(control: str, x: int, y: int) -> None:
+    def at(words: str, by_x: int, by_y: int) -> str:
+        return f"{words} X{(x + by_x) / 1000:.3f} Y{(y + by_y) / 1000:.3f}"
+
+    blocks = [at("G90 G17 G0", -10_000, 20_000), at("G41 D1 G1 F100", 0, 20_000), at("", 0, 1)]
+    blocks += [at("G3 I1. J0.", 1999, 0), at("G1", 1999, 20_000), at("G40", -10_000, 20_000)]
+    library = cncsub.loads("O1\n" + "\n".join(blocks) + "\nM30\n", control=control)
+    run = library.run(setup={"machine": "mill", "radius_offsets": {1: 1}})
+    run.assert_ends()
+    assert len(run.moves) == 6
+
+
+# ---- contours in whole increments, of which many only just leave room for the tool ----
+
+LIMITS = [0, 1, -1, 2, 3, 10, 2000, 5000, -3000]
+RADII = [500, 999, 1000, 1001, 1500, 2000]
+SIDES = [(1, 0), (0, 1), (-1, 0), (0, -1)]
+
+
+def narrow_contour(random: Random) -> list[tuple[str, int, int]]:
+    """The words before an end point, and the point, in thousandths."""
+    x, y = 0, random.choice([0, 1, 2, 5000])
+    blocks = [("G1", x, y)]
+    for _ in range(random.randint(2, 6)):
+        if random.random() < 0.45:
+            x += random.choice([*LIMITS, random.randint(-9000, 9000)])
+            y += random.choice([*LIMITS, random.randint(-5000, 5000)])
+            blocks.append(("G1", x, y))
+            continue
+        radius, (i, j) = random.choice(RADII), random.choice(SIDES)
+        k, m = random.choice([(-j, i), (j, -i), (i, j)])
+        words = f"{random.choice(['G2', 'G3'])} I{i * radius / 1000:.3f} J{j * radius / 1000:.3f}"
+        x += (i + k) * radius + random.choice([0, 0, 1, -1])
+        y += (j + m) * radius + random.choice([0, 0, 1, -1])
+        blocks.append((words, x, y))
+    return [*blocks, ("G1", x + 3000, y + 40_000)]
+
+
+@pytest.mark.parametrize("control", ["fanuc-0i-f", "mitsubishi-m700", "gsk-980mdi", "haas-ngc"])
+def test_narrow_contours_are_the_same_wherever_they_are_programmed(control: str) -> None:
+    random = Random(f"narrow {control}")
+    for _ in range(100):
+        side, radius = random.choice(["G41", "G42"]), random.choice([250, *RADII]) / 1000
+        contour = narrow_contour(random)
+        blocks = [("G90 G17 G0", -10_000, 20_000), (f"{side} D1 G1 F100", 0, 20_000), *contour]
+        blocks.append(("G40 G1", -10_000, 20_000))
+        runs = []
+        for x, y in ((0, 0), (random.randint(-(10**6), 10**6), random.randint(-(10**6), 10**6))):
+            lines = [f"{w} X{(x + a) / 1000:.3f} Y{(y + b) / 1000:.3f}" for w, a, b in blocks]
+            text = "\n".join(["O1", *lines, "M30", ""])
+            start = {"X": x / 1000, "Y": y / 1000, "Z": 0.0}
+            setup = {"machine": "mill", "radius_offsets": {1: radius}, "start": start}
+            run = cncsub.loads(text, control=control).run(setup=setup)
+            path = [(m.kind, m.mx - start["X"], m.my - start["Y"]) for m in run.moves]
+            runs.append([run.alarm and (run.alarm.cause, run.alarm.line), path, run.m_codes])
+        assert same(*runs, 1e-5), f"{x} {y}\n{text}"

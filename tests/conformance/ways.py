@@ -5,7 +5,7 @@ alone, or at another place of the machine.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -59,16 +59,20 @@ TOLD: dict[str, Callable[[cncsub.Run], object]] = {
 }
 
 
-def same(a: Any, b: Any) -> bool:
+def same(a: Any, b: Any, rounding: float = ROUNDING) -> bool:
     """Whether two values are the same but for rounding, in all their parts."""
+
+    def each(values: Iterable[tuple[Any, Any]]) -> bool:
+        return all(same(x, y, rounding) for x, y in values)
+
     if isinstance(a, float) and isinstance(b, float):
-        return a == b or (a != a and b != b) or abs(a - b) <= ROUNDING * (1 + abs(a))
+        return a == b or (a != a and b != b) or abs(a - b) <= rounding * (1 + abs(a))
     if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
+        return a.keys() == b.keys() and each((a[key], b[key]) for key in a)
     if dataclasses.is_dataclass(a) and type(a) is type(b):
-        return all(same(getattr(a, f.name), getattr(b, f.name)) for f in dataclasses.fields(a))
+        return each((getattr(a, f.name), getattr(b, f.name)) for f in dataclasses.fields(a))
     if isinstance(a, list | tuple) and isinstance(b, list | tuple):
-        return len(a) == len(b) and all(map(same, a, b))
+        return len(a) == len(b) and each(zip(a, b, strict=True))
     return bool(a == b)
 
 

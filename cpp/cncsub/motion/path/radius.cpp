@@ -114,12 +114,16 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
                last = moved_radius(curve, curve.to, offset_of(piece));
   if (first + last < -2 * least) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
   const double radius = std::max(first, last);
+  if (radius <= least) {  // around the centre there is no direction
+    straighten(piece);
+    return std::nullopt;
+  }
   const Point r = start - curve.centre, s = stop - curve.centre;
   const double way =
       curve.turn + angle(curve.to - curve.centre, s) - angle(curve.from - curve.centre, r);
   const double forward = curve.turn > 0 ? way : -way;
   if (cuts(-forward * radius)) return interference();
-  if (forward <= 0 || radius <= least)
+  if (forward <= 0)
     straighten(piece);
   else if (forward > 2 * kPi)  // once round, and a hair further
     v = start - curve.to;

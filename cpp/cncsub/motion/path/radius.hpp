@@ -42,9 +42,13 @@ struct Join {
 /// least increment cannot tell them apart: a program rounds its points and centres to it, so that
 /// what is tangent, or fits, on the drawing does so only within some increments.
 struct RadiusPath {
+  /// Words lie whole increments apart, and so do the ways that are compared with some of them: what
+  /// is as long as an increment stays within it, whichever way its numbers are rounded.
+  static constexpr double kRoomy = 1 + 1e-5;
+
   MoveSink& sink;
   PlaneView view;
-  double least = least_length(sink);
+  double least = kRoomy * least_length(sink);
 
   RadiusPath(MoveSink& s, Plane plane) : sink(s), view{plane_axes(plane), s.facts.share(0)} {}
 
