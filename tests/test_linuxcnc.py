@@ -12,9 +12,12 @@ from pathlib import Path
 import pytest
 
 import linuxcnc_blocks
+import linuxcnc_flat
+import linuxcnc_moves
 from linuxcnc_paths import KINDS, compare, on_cncsub, program
 
 SEED = 1
+RS274 = shutil.which("rs274")
 MOVES = tuple(kind for kind in KINDS if kind not in linuxcnc_blocks.KINDS)
 
 
@@ -46,3 +49,25 @@ def test_the_programs_go_over_the_ground() -> None:
 def test_a_program_of_many_moves() -> None:
     outcome = on_cncsub(program(SEED, range(20), True, MOVES))
     assert len(outcome.moves) > 100
+
+
+@pytest.mark.skipif(RS274 is None, reason="rs274 is not installed: Debian package linuxcnc-uspace")
+@pytest.mark.parametrize(("programs", "together"), [(60, 1), (300, 30)])
+def test_series_values_and_codes_of_group_00(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], programs: int, together: int
+) -> None:
+    report = compare(
+        SEED, range(programs), "rs274", tmp_path, together, tuple(linuxcnc_moves.KINDS)
+    )
+    assert report.different == [], capsys.readouterr().out
+    assert report.moves > 15 * programs
+
+
+@pytest.mark.parametrize("kinds", [MOVES, tuple(linuxcnc_moves.KINDS)], ids=["all", "series"])
+def test_flat_programs_move_as_their_originals(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], kinds: tuple[str, ...]
+) -> None:
+    report = linuxcnc_flat.compare(SEED, range(150), RS274, tmp_path, 10, kinds)
+    assert report.different == [], capsys.readouterr().out
+    assert sum(report.refused.values()) < 0.2 * report.programs
+    assert report.moves > 8 * report.programs

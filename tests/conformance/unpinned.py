@@ -133,6 +133,10 @@ _TABLE = _joined(
     # Motion
     _all("g_meanings", (MDI,), "it has none of the codes that mean something else elsewhere"),
     _all("codes_not_turned pattern_codes", NOT_MDI, "it does not refuse what these codes do"),
+    _all("codes_that_move", EVERY, "no source tells of words of a motion beside such a code"),
+    _all("spindle_at_change", EVERY, "no source tells of the spindle at a tool change"),
+    _all("computed_lengths", (TE,), NO_MACROS),
+    _all("power_on:G99", GSK_LATHES, A_LATHE),
     _all("power_on:G91", (TDI, TE), "the control has no G91"),
     _all("power_on:G18 power_on:G19", GSK_LATHES, "a lathe wakes up in G18"),
     _all("power_on:G20", (TE,), NOT_KNOWN),
@@ -240,7 +244,7 @@ _TABLE = _joined(
     _group(
         LINUXCNC,
         "common reading calls macros",
-        "max_nesting main_return missing_end self_call caller_call reset_clears:locals"
+        "max_nesting main_return missing_end self_call caller_call reset_clears:locals power_on:G99"
         " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code"
         " roles:M70=save-modes roles:M71=forget-modes roles:M72=restore-modes roles:M73=keep-modes",
         ANOTHER_LANGUAGE,
@@ -252,12 +256,13 @@ _TABLE = _joined(
         " helix unit_change machine_move cycle_repeats zero_cycle_repeats peck_retract cycle_approach"
         " tap_return start_up missing_radius_offset length_type max_extra_systems g_meanings"
         " data_forms:in-force data_forms:here data_forms:tools"
-        " peck_clearance power_on_feed dwell_words dwell_point speed_limit",
+        " peck_clearance power_on_feed dwell_words dwell_point dwell_unit computed_lengths codes_that_move spindle_at_change"
+        " speed_limit",
         FAMILY_MOTION,
     ),
     # SINUMERIK
     _all(
-        "power_on:G91 power_on:G95 power_on:G18 power_on:G19 power_on:G20 power_on:G22",
+        "power_on:G91 power_on:G95 power_on:G18 power_on:G19 power_on:G20 power_on:G22 power_on:G99",
         (ONE,),
         FAMILY_MOTION,
     ),
@@ -270,7 +275,7 @@ _TABLE = _joined(
     _group(
         ONE,
         "motion",
-        "g_meanings arc_tolerance arc_tolerance_share dwell_words dwell_turn_words",
+        "g_meanings arc_tolerance arc_tolerance_share dwell_words dwell_turn_words computed_lengths",
         FAMILY_MOTION,
     ),
 )

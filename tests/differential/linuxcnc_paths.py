@@ -34,6 +34,7 @@ import numpy as np
 import canonical
 import cncsub
 import linuxcnc_blocks
+import linuxcnc_moves
 from canonical import Move, with_length
 
 SHOWN = 5
@@ -43,7 +44,6 @@ INCH = 25.4
 TOOLS = {1: (0.5, 0.25), 2: (1.0, 0.125), 3: (0.0, 0.5)}
 TABLE = "".join(f"T{t} P{t} Z{z} D{d} ;\n" for t, (z, d) in TOOLS.items())
 SETUP = cncsub.Setup(
-    increment=1e-7,
     length_offsets={t: z * INCH for t, (z, _) in TOOLS.items()},
     radius_offsets={t: d * INCH / 2 for t, (_, d) in TOOLS.items()},
 )
@@ -380,7 +380,7 @@ KINDS: dict[str, tuple[Callable[[Writer], None], int]] = {
     "probe": (Writer.probe, 1), "drill": (Writer.drill, 3), "thread": (Writer.thread, 1),
     "polar": (Writer.polar, 1), "mode": (Writer.mode, 3), "show": (Writer.show, 4),
     "variables": (Writer.variables, 1), "saved": (Writer.saved, 1), "call": (Writer.call, 2),
-    "repeat": (Writer.repeat, 1), **linuxcnc_blocks.KINDS,
+    "repeat": (Writer.repeat, 1), **linuxcnc_moves.KINDS, **linuxcnc_blocks.KINDS,
 }  # fmt: skip
 
 

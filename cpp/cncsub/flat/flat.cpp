@@ -16,8 +16,7 @@ constexpr std::size_t kPiece = 1 << 20;  // bytes of a piece of text
 
 /// What is assigned to a variable.
 std::string value_text(const Code& code, double value) {
-  return is_vacant(value) ? "#0"
-                          : expression_text(value, code.control->macros.max_constant_digits.value);
+  return is_vacant(value) ? "#0" : expression_text(value, code);
 }
 
 /// Whether what stands in a variable is seen from outside the program.
@@ -213,11 +212,23 @@ void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
 
 // ---- lines ----
 
+/// Where the last block comes from, where that is asked for.
+std::string FlatRun::origin() {
+  if (!comments_) return "";
+  const Block& block = machine_.code().blocks[coming_.at];
+  return comment_of(machine_.code(), block, program_at(coming_.at), for_->spelling->comment);
+}
+
 /// Ends a line that comes from the last block.
 void FlatRun::end_line(std::string& text, FlatOrigins& origins) {
+  text += origin();
+  close_line(text, origins);
+}
+
+/// The same where the line has all that it is to say.
+void FlatRun::close_line(std::string& text, FlatOrigins& origins) {
   const Block& block = machine_.code().blocks[coming_.at];
   const std::int32_t program = program_at(coming_.at);
-  if (comments_) text += comment_of(machine_.code(), block, program, for_->spelling->comment);
   text += '\n';
   origins.add(program, block.n, block.line, coming_.call, coming_.repeat);
 }
@@ -347,13 +358,18 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
   if (message.before.empty()) {
     if (!print_fields(text, origins, statement)) return false;
     text += statement + "]";
-  } else {
-    const auto& messages = machine_.trace().messages;
-    text += message.before;
-    text += messages[messages.size() - 1];
-    text += message.behind;
+    end_line(text, origins);
+    return true;
   }
-  end_line(text, origins);
+  // Where a message is a comment, the last comment of a line counts.
+  const bool last = message.before.starts_with(for_->spelling->comment.before);
+  if (const std::string comment = last ? origin() : ""; !comment.empty())
+    text += comment.substr(1) + " ";
+  const auto& messages = machine_.trace().messages;
+  text += message.before;
+  text += messages[messages.size() - 1];
+  text += message.behind;
+  last ? close_line(text, origins) : end_line(text, origins);
   return true;
 }
 

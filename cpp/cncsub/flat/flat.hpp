@@ -96,7 +96,9 @@ class FlatRun {
   void write_head(std::string& text, FlatOrigins& origins);
   const BlockCodes& codes_of(const Block& block) const;
   void write_end(std::string& text, FlatOrigins& origins);
+  std::string origin();
   void end_line(std::string& text, FlatOrigins& origins);
+  void close_line(std::string& text, FlatOrigins& origins);
   bool refuse(std::string reason);
   std::int32_t program_at(Address at);
 

@@ -7,6 +7,7 @@
 #include "cncsub/control/code_calls.hpp"
 #include "cncsub/motion/facts.hpp"
 #include "cncsub/motion/query.hpp"
+#include "cncsub/motion/words.hpp"
 #include "cncsub/system/decimal.hpp"
 
 namespace cncsub {
@@ -22,7 +23,9 @@ constexpr std::size_t kLeastDecimals = 3;  // that every number counts as having
 bool is_in(std::string_view letters, char letter) {
   return letters.find(letter) != std::string_view::npos;
 }
+/// The letter whose rules hold for an address. A radius and an angle are written as X and Y are.
 char letter_of(int place) {
+  if (place >= kRadius) return place == kRadius ? 'X' : 'Y';
   return place >= kCommaC ? kCommaLetters[static_cast<std::size_t>(place - kCommaC)]
                           : static_cast<char>('A' + place);
 }
@@ -54,11 +57,18 @@ std::string expression_text(double value, int most_digits) {
   return sum;
 }
 
+std::string expression_text(double value, const Code& code) {
+  return code.spelling->long_numbers
+             ? std::string(NumberText(value).text())
+             : expression_text(value, code.control->macros.max_constant_digits.value);
+}
+
 WordWriter::WordWriter(const Machine& machine, const Machine& to)
     : machine_(machine),
       code_(to.code()),
       control_(*code_.control),
       lathe_(machine.motion().view().facts.lathe()),
+      rounds_(rounds_computed(*machine.code().control) || rounds_computed(control_)),
       increments_(control_.reading.whole_numbers.value == WholeNumbers::Increments),
       mills_axes_(!lathe_ && !control_.motion.angles_on_mills.value) {
   for (const auto& entry : control_.calls.registered_codes.value)
@@ -87,7 +97,7 @@ void WordWriter::begin(const BlockCodes& codes) {
 
 /// Whether the control surely rounds a computed value here to its least increment.
 bool WordWriter::rounds(char letter) const {
-  if (!plain_) return false;
+  if (!plain_ || !rounds_) return false;
   if (is_in(kAlwaysLengths, letter)) return true;
   if (letter == 'A' || letter == 'C') return mills_axes_;
   if (letter == 'R') return arc_ || cycle_;
@@ -110,6 +120,8 @@ bool WordWriter::calls(char letter, double code) const {
 }
 
 std::string WordWriter::address_of(int place) const {
+  if (place >= kRadius)
+    return std::string(1, code_.spelling->polar[static_cast<std::size_t>(place - kRadius)]);
   if (place == 'R' - 'A') return std::string(code_.spelling->radius);
   return (place >= kCommaC ? "," : "") + std::string(1, letter_of(place));
 }
@@ -136,6 +148,7 @@ bool WordWriter::takes(char letter, bool comma, double value, const NumberText& 
 }
 
 bool WordWriter::computed(std::string& to, int place, double value) const {
+  if (place >= kRadius && code_.spelling->polar.empty()) return false;
   const bool comma = place >= kCommaC;
   const char letter = letter_of(place);
   const bool rounded = !comma && rounds(letter);
@@ -183,7 +196,7 @@ bool WordWriter::bracketed(std::string& to, std::string_view address, double val
   const Spelling::Around& around = code_.spelling->value;
   to += address;
   to += around.before;
-  to += expression_text(value, control_.macros.max_constant_digits.value);
+  to += expression_text(value, code_);
   to += around.behind;
   return true;
 }

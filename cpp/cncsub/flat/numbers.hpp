@@ -30,6 +30,8 @@ class NumberText {
 /// A value in an expression, where a number has so many digits at most: what has more is a sum,
 /// `1.6666666+0.0000000666`.
 std::string expression_text(double value, int most_digits);
+/// The same by the rule of a control or its language.
+std::string expression_text(double value, const Code& code);
 
 /// Writes words by the rules of a control. A value is written as a plain number where the control
 /// takes that for the same; where it would not (a value between two increments where it does not
@@ -63,7 +65,9 @@ class WordWriter {
   const Machine& machine_;
   const Code& code_;  // an empty one where the control is another one than the machine's
   const Control& control_;
-  bool lathe_, increments_;
+  bool lathe_;
+  bool rounds_;  // one of the two controls brings computed lengths to its least increment
+  bool increments_;
   bool mills_axes_;                                     // A and C are axes and nothing else
   std::vector<std::pair<char, std::int64_t>> calling_;  // tenths, sorted; -1: all of the letter
   bool plain_ = false;                                  // axis words are lengths

@@ -76,6 +76,9 @@ Result one_shot(MotionContext& m, BlockWords& block) {
     case Meaning::ClearCoordinate:
       return clear_coordinate(m, block);
     case Meaning::SetShift:
+    case Meaning::ClearShift:
+    case Meaning::SuspendShift:
+    case Meaning::RestoreShift:
       return change_shift(m, block);
     case Meaning::StoreReference:
       return store_reference(m, block);
@@ -93,10 +96,17 @@ void take_motion_code(MotionContext& m, const BlockWords& block) {
   end_cycles(m.facts, m.state);
 }
 
+constexpr std::uint32_t kAxisWords =
+    kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
+
+/// Whether a block has words that a motion is made of, or the code of one.
+bool has_motion(const BlockWords& block) {
+  return block.has(Group::Motion) || block.has(Group::Cycle) ||
+         (block.words.mask & (kAxisWords | kCentreWords)) != 0;
+}
+
 /// Whether a block would move, while no motion code is in force.
 bool lacks_motion(MotionView m, const BlockWords& block) {
-  constexpr std::uint32_t kAxisWords =
-      kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
   return m.state.no_motion && (block.words.mask & kAxisWords) != 0 && !block.consumed;
 }
 
@@ -154,10 +164,9 @@ Result make_motion(MotionContext& m, BlockWords& block) {
 Result act(MotionContext& m, BlockWords& block) {
   const Meaning once = block.meaning(Group::OneShot);
   if (once == Meaning::Ignored) return std::nullopt;
-  if (once == Meaning::ClearShift || once == Meaning::SuspendShift ||
-      once == Meaning::RestoreShift) {  // they take no axis words: those move
-    if (auto wrong = change_shift(m, block)) return wrong;
-    return make_motion(m, block);
+  if (leaves_axes(m.facts, block)) {
+    if (auto wrong = one_shot(m, block)) return wrong;
+    return has_motion(block) ? make_motion(m, block) : std::nullopt;
   }
   if (goes_with_motion(m.state, block))
     return block.consumed ? std::nullopt : make_motion(m, block);

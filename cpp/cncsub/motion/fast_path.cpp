@@ -241,9 +241,11 @@ bool has_plain_words(const MotionFacts& facts, const NcWords& words, bool speeds
 }
 
 /// What the T, M and S of a block set.
-void set_tool_and_spindle(MotionState& s, const Roles& roles, const NcWords& words) {
+void set_tool_and_spindle(MotionState& s, const Control& control, const NcWords& words) {
+  const Roles& roles = control.calls.roles.value;
   const int tool = s.tool;
   if (words.has('T')) s.t = whole(std::round(words['T']));
+  if (words.has(Role::ToolChange)) change_tool(control, s);
   for (const int code : words.codes->m()) take_spindle(s, roles.of_m(code));
   if (words.has('S')) {
     s.speed = words['S'];
@@ -342,7 +344,7 @@ bool Motion::plain_modes(const NcWords& words, bool speeds, std::uint32_t step, 
     return block.way == Way::Arc && facts_->lathe() && move_alone(words, step, moves, outcome);
 
   modes.set(*facts_, s);
-  set_tool_and_spindle(s, facts_->control->calls.roles.value, words);
+  set_tool_and_spindle(s, *facts_->control, words);
 
   outcome = {};
   const bool moves_on = block.way != Way::None;

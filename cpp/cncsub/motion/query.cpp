@@ -76,9 +76,14 @@ double modal_word(MotionView m, char address) {
 
 double block_end(MotionView m, int axis) { return shown(m, axis, m.state.work); }
 
+/// Where the tool counts as standing: after the G40 of a control whose moves end beside their own
+/// ends that is its programmed point again. [rs274 2.9]
+static Axes standing_point(const MotionState& state) {
+  return state.plain || state.held.ended ? machine_point(state) : state.tool_at;
+}
+
 double machine_position(MotionView m, int axis) {
-  return shown(m, axis,
-               in_machine(m.state, m.state.plain ? machine_point(m.state) : m.state.tool_at));
+  return shown(m, axis, in_machine(m.state, standing_point(m.state)));
 }
 
 /// The tool length where it shifts the work coordinates: they are those of the point of the tool.
@@ -87,9 +92,7 @@ static Axes shifting_length(MotionView m) {
 }
 
 double work_position(MotionView m, int axis) {
-  return shown(m, axis,
-               (m.state.plain ? machine_point(m.state) : m.state.tool_at) - m.state.offset -
-                   shifting_length(m));
+  return shown(m, axis, standing_point(m.state) - m.state.offset - shifting_length(m));
 }
 
 double skip_position(MotionView m, int axis) { return shown(m, axis, m.state.skip); }

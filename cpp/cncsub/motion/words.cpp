@@ -28,6 +28,16 @@ Result set_feed(MotionContext& m, const BlockWords& block) {
 
 namespace {
 
+/// M codes. After a change of the tool a control whose compensation G40 let go counts on from where
+/// the tool stands. [rs274 2.9]
+void take_codes(MotionContext& m, const BlockWords& block) {
+  if (block.words.has(Role::ToolChange)) change_tool(*m.facts.control, m.state);
+  for (const int code : block.words.codes->m())
+    take_spindle(m.state, m.facts.control->calls.roles.value.of_m(code));
+  if (m.state.held.ended && block.words.has(Role::ToolChange))
+    m.state.work = m.state.tool_at - m.state.offset - m.state.length;
+}
+
 void set_spindle(MotionContext& m, const BlockWords& block) {
   const SpeedLimit limit = m.facts.control->motion.speed_limit.value;
   if (limit == SpeedLimit::OfSurface && block.meaning(Group::Surface) == Meaning::SurfaceSpeed)
@@ -39,8 +49,7 @@ void set_spindle(MotionContext& m, const BlockWords& block) {
     else
       (m.state.surface ? m.state.surface_speed : m.state.speed) = value;
   }
-  for (const int code : block.words.codes->m())
-    take_spindle(m.state, m.facts.control->calls.roles.value.of_m(code));
+  take_codes(m, block);
   if (block.words.has(Role::RigidTapping)) m.state.rigid_waits = m.facts.refuses(Cause::RigidMove);
   if (block.has(Group::Cycle)) m.state.rigid = std::exchange(m.state.rigid_waits, false);
 }
@@ -125,6 +134,11 @@ Result feed_of(MotionView m, const BlockWords& block, double& feed) {
   return std::nullopt;
 }
 
+void change_tool(const Control& control, MotionState& state) {
+  state.tool = state.t;
+  if (control.motion.spindle_at_change.value == SpindleAtChange::Stopped) state.turns = false;
+}
+
 void take_spindle(MotionState& state, Role role) {
   switch (role) {
     case Role::SpindleForward:
@@ -134,9 +148,6 @@ void take_spindle(MotionState& state, Role role) {
       break;
     case Role::SpindleStop:
       state.turns = false;
-      break;
-    case Role::ToolChange:
-      state.tool = state.t;
       break;
     default:
       break;
@@ -179,7 +190,8 @@ double steps_of(MotionView m, char address) {
 double in_steps(MotionView m, const NcWords& words, char address) {
   const double value = words[address];
   const bool computed = (words.computed & bit(address)) != 0;
-  if (!computed && m.facts.control->reading.whole_numbers.value != WholeNumbers::Increments)
+  if (computed ? !rounds_computed(*m.facts.control)
+               : m.facts.control->reading.whole_numbers.value != WholeNumbers::Increments)
     return value;
   const double steps = steps_of(m, address);
   return (computed ? std::round(value * steps) : value) / steps;

@@ -39,6 +39,10 @@ double unit_of(const MotionFacts& facts, Meaning units);
 constexpr bool counts_degrees(char address) {
   return ((bit('A') | bit('B') | bit('C') | bit('H')) & bit(address)) != 0;
 }
+/// Whether a length that is computed is brought to the least increment.
+inline bool rounds_computed(const Control& control) {
+  return control.motion.computed_lengths.value == ComputedLengths::Rounded;
+}
 inline bool in_pulses(const MotionState& state) {
   return state.modal[at(Group::Units)].meaning == Meaning::Pulses;
 }
@@ -68,13 +72,20 @@ double dwell_seconds(MotionView m, const NcWords& words);
 Result set_feed(MotionContext& m, const BlockWords& block);
 /// F of a block as a feed.
 Result feed_of(MotionView m, const BlockWords& block, double& feed);
-/// What an M code does to the spindle and the tool in it.
+/// M06: the tool of T is in the spindle.
+void change_tool(const Control& control, MotionState& state);
+/// What an M code does to the spindle.
 void take_spindle(MotionState& state, Role role);
 /// What F1 without a point is. [general knowledge]
 double feed_increment(const MotionState& state);
 Result need_feed(MotionView m, const BlockWords& block, Meaning meaning);
 /// Whether a cut would wait for a spindle that was never told how fast to turn.
 bool lacks_speed(MotionView m);
+/// Whether the axis words of a block are those of a motion, which is made after its one-shot code.
+inline bool leaves_axes(const MotionFacts& facts, const BlockWords& block) {
+  return block.has(Group::OneShot) &&
+         facts.control->motion.codes_that_move.value.has(block.code(Group::OneShot).code);
+}
 /// Whether a block's motion is made in spite of its one-shot code.
 bool goes_with_motion(const MotionState& state, const BlockWords& block);
 

@@ -40,6 +40,8 @@ struct Spelling {
   Around comment, value, message, head;
   bool numbered = true;
   std::string_view radius = "R";  // the address of an arc's radius
+  std::string_view polar = "";    // the signs of a point's radius and angle, each an address
+  bool long_numbers = false;      // no rule says how many digits a number in an expression may have
 };
 
 /// Gives a word its text and its place: what stands from one character of its block to another,

@@ -198,6 +198,7 @@ void add_family_motion(Control& c) {
       {Cause::ReferenceInCycle, Cause::CornerOffset, Cause::GrooveEscape, Cause::RigidMove,
        Cause::RigidSpeed, Cause::ArcFeedZero},
       "ALM 025, 039, 044, 062; 200 and 204 from general knowledge", Secondary);
+  c.motion.computed_lengths = {ComputedLengths::Rounded, cite({kJix, kXia}), Secondary};
   c.motion.idle_blocks = {1, "source 003, note a", SourceDocument};
   c.motion.measuring = {Measuring::Of6241,
                         "general knowledge; TDi 17, TApar 6241 to 6255: the same rule", Inferred};

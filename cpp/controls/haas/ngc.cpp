@@ -87,6 +87,8 @@ void motion(Control& c) {
   c.motion.dwell_words = {"P", kHaas, Inferred};
   c.motion.dwell_point = {DwellPoint::Seconds, "H96 p.91: G04 P1. waits a second", Secondary};
   c.motion.cycle_repeats = {"L", kHaas, Inferred};
+  c.motion.computed_lengths = {ComputedLengths::Rounded,
+                               "HVF p.374: G0 X[#1+#1] with 1.00333 goes to 2.0067", Secondary};
   c.motion.scale_unit = {ScaleUnit::Factor, kUnsure, Inferred};
 }
 

@@ -37,6 +37,7 @@ void motion(Control& c) {
   leave_out(c, RuleGroup::TurningRules, kOverview, Inferred);
   c.motion.dwell_words = {"P", kGCode, Manual};
   c.motion.speed_limit = {SpeedLimit::OfSurface, "rs274 2.9; LC g-code, G96", SourceDocument};
+  c.motion.dwell_unit = {DwellUnit::PSeconds, kGCode, Manual};
   c.motion.dwell_point = {DwellPoint::Seconds, kGCode, Manual};
   c.motion.cycle_repeats = {"L", kGCode, Manual};
   c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, kRun, SourceDocument};
@@ -51,7 +52,7 @@ void motion(Control& c) {
       "28.1=store-reference 30=second-reference-all 30.1=store-reference-2 "
       "41.1=radius-left-given 42.1=radius-right-given 43.1=length-given 43.2=length-added "
       "52=shift 59.1=extra-system-1 59.2=extra-system-2 59.3=extra-system-3 92.1=clear-shift "
-      "92.2=suspend-shift 92.3=restore-shift",
+      "92.2=suspend-shift 92.3=restore-shift 87=not-computed 88=not-computed",
       kGCode, Manual};
   c.motion.max_extra_systems = {3, kGCode, Manual};
   c.motion.length_type = {LengthType::Shift, kGCode, Manual};
@@ -61,6 +62,10 @@ void motion(Control& c) {
   has(c.common.refuses,
       {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode}, kRun,
       SourceDocument);
+  c.motion.spindle_at_change = {SpindleAtChange::Stopped, kMCode, Manual};
+  c.motion.computed_lengths = {ComputedLengths::Exact, kRun, SourceDocument};
+  c.motion.codes_that_move = {"4 28.1 30.1 92.1 92.2 92.3", kRun, SourceDocument};
+  has(c.common.power_on, {PowerOn::G99}, kRun, SourceDocument);
   c.motion.machine_move = {MachineMove::ModalAbsolute, kRun, SourceDocument};
   c.motion.arc_rounding = {10, kRun, SourceDocument};
   c.motion.helix = {Helix::AllAxes, kGCode, Manual};

@@ -33,6 +33,9 @@ void motion(Control& c) {
       "NCI, ggroups.json", Secondary};
   c.motion.dwell_words = {"F", kKnown, Inferred};
   c.motion.dwell_turn_words = {"S", kKnown, Inferred};
+  c.motion.computed_lengths = {ComputedLengths::Rounded,
+                               "840Di p.281: MD 10200, lengths count a thousand increments a mm",
+                               Secondary};
   c.motion.arc_tolerance = {10, "HSA 14040: MD 21000; its value is general knowledge", Inferred};
   c.motion.arc_tolerance_share = {1, "HSA 14040: MD 21010; its value is general knowledge",
                                   Inferred};

@@ -377,3 +377,9 @@ case(
     "GOTO to a number that is not there is 539 on the Haas", **KNOWN,
     program="O1\nN10 GOTO 99\nN20 M30", runs="", alarm="jump-target-not-found", number="539", at="O1 N10", word="99",
 )
+case(
+    "a computed length is rounded to four decimals of an inch",
+    pins="computed_lengths", control=HAAS, source="HVF p.374", evidence="secondary",
+    program="O1\nN10 #1=1.00333\nN20 G20 G90 G0 X[#1+#1]\nN30 #2=#5021\nN40 M30",
+    runs="N10 N20 N30 N40", vars={2: 2.0067},
+)

@@ -83,7 +83,7 @@ case("so does G33", pins="refuses:spindle-stopped", **RUN,
 case("a tap to the right wants it to turn to the right", **RUN,
      program="N10 M4 S100 G0 Z5\nN20 G84 Z-1 R2 F100\nN30 M2", runs="N10", alarm="spindle-direction", word="G84")
 case("G86 dwells for the seconds of its P", pins="g_meanings", **RUN,
-     program="N10 M3 S100 G0 Z5\nN20 G86 Z-1 R2 P0.5 F6000\nN30 G80 M2", moves="R Z5\nR Z2\nF Z-1\nW 0.5\nR Z5")
+     program="N10 M3 S100 G0 Z5\nN20 G98 G86 Z-1 R2 P0.5 F6000\nN30 G80 M2", moves="R Z5\nR Z2\nF Z-1\nW 0.5\nR Z5")
 case("a spline needs its control point", **{**BOOK, "source": "LC g-code"},
      program="N10 F100\nN20 G5.1 X4 I2\nN30 M2", runs="N10", alarm="spline-word", word="G5.1")
 case("a spline is not compensated", **{**BOOK, "source": "LC g-code"}, setup={"radius_offsets": {1: 1}},
@@ -109,7 +109,7 @@ case("the first block of a cycle has R, a depth, and what its code wants", **RUN
 case("R lies above the bottom of the hole", **RUN,
      program="N10 G0 Z5\nN20 G81 Z3 R1 F100\nN30 M2", runs="N10", alarm="r-below-bottom", word="R1")
 case("G85 feeds out to R, G89 to the level of G98", pins="tap_return", **RUN,
-     program="N10 G0 Z5 F6000\nN20 G85 Z-1 R2\nN30 G89 X1 Z-1 R2 P0.5\nN40 G80 M2",
+     program="N10 G0 Z5 F6000\nN20 G98 G85 Z-1 R2\nN30 G89 X1 Z-1 R2 P0.5\nN40 G80 M2",
      moves="R Z5\nR Z2\nF Z-1\nF Z2\nR Z5\nR X1\nR Z2\nF Z-1\nW 0.5\nF Z5")
 case("G38.4 and G38.5 go to their end where the probe never leaves", pins="g_meanings", **RUN,
      program="N10 G38.4 X5 F100\nN20 G38.5 X7\nN30 M2", moves="F X5\nF X7")

@@ -36,3 +36,14 @@ case("an arc that ends off its circle is told in numbers", **RUN,
      program="N10 G2 X2 Y1 I1 F100\nN20 M2", runs="", alarm="radius-tolerance", word="X2")
 case("D of G42.1 is the diameter too", **RUN,
      program="N10 G42.1 D2 G1 X5 F100\nN20 X9\nN30 M2", centre="X5 Y-1 | X9 Y-1")
+case("after G40 the tool counts as standing on the path", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 Y5\nN30 G40\nN40 (print,#5420 #5421 #<_abs_x>)\nN50 G91 G0 X2\nN60 M2",
+     messages=["5.000000 5.000000 5.000000"], centre="X4 Y1 | X4 Y5 | X7 Y5")
+case("a tool change after G40 goes on from where the tool stands", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 Y5\nN30 G40\nN40 T1 M6\nN50 (print,#5420 #5421)\nN60 G91 G0 X2\nN70 M2",
+     messages=["4.000000 5.000000"], centre="X4 Y1 | X4 Y5 | X6 Y5")
+case("no arc may follow that either", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 Y5\nN30 G40\nN40 T1 M6\nN50 G2 I1\nN60 M2", runs="N10 N20 N30 N40", alarm="arc-at-offset-end", word="G2")
+case("a dwell after G40 leaves the tool where it is", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 Y5\nN30 G40\nN40 G4 P1\nN50 T1 M6\nN60 G91 G0 X2\nN70 M2",
+     final_machine="X6 Y5")

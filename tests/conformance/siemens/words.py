@@ -131,3 +131,8 @@ case(
     program="N10 G0 G17 G90 G54 G94 G60 G601 G71 G40 X5\nN20 M30", moves="R X5",
 )
 case("CR twice", **KNOWN, program="N10 G2 X1 CR=5 CR=6\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="CR=6")
+case(
+    "a computed length is brought to a thousandth of a millimetre",
+    pins="computed_lengths", control=ONE, source="840Di p.281: MD 10200", evidence="secondary",
+    program="N10 G91 G0 X=1/3\nN20 X=1/3\nN30 X=1/3\nN40 M30", final_work="X0.999",
+)

@@ -21,6 +21,8 @@ WordValue word_of(const Value& value, double factor = 1) {
   return {value.computed, value.expression, value.number * factor};
 }
 
+constexpr int kCycleOff = 800;  // in tenths
+
 /// A byte beyond ASCII is shown by its number. [rs274 2.9]
 std::string shown(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -28,6 +30,18 @@ std::string shown(char c) {
   std::array<char, 8> text{};
   std::snprintf(text.data(), text.size(), "\\%03o", byte);
   return text.data();
+}
+
+/// G80 gives way to another motion code of its line, wherever it stands. False where the line has
+/// no G80. [rs274 2.9]
+bool replace_cycle_off(LineWords& line, WordList& list, int code) {
+  const auto found = std::find(line.g.begin(), line.g.end(), kCycleOff);
+  if (found == line.g.end()) return false;
+  *found = code;
+  for (int i = 0; i < list.g_count; ++i)
+    if (WordValue& of = list.g[static_cast<std::size_t>(i)]; !of.computed && of.value == kCycleOff)
+      of.value = code;
+  return true;
 }
 
 /// The number of the M code that stands here, where it is written as one.
@@ -189,9 +203,14 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   const int code = to_whole<int>(tens - low > 0.999 ? low + 1 : low);
   const int group = group_of_g(code);
   if (group < 0) return refuse(block, Cause::GCodeNotAvailable, "Unknown g code used", value.at);
-  if (!words.g_groups.insert(group).second)
-    return refuse(block, Cause::AddressGivenTwice, "Two g codes used from same modal group",
-                  value.at);
+  if (!words.g_groups.insert(group).second) {
+    const bool motion = group == group_of_g(kCycleOff);
+    if (motion && code == kCycleOff) return true;
+    if (!motion || !replace_cycle_off(words.line, words.list, code))
+      return refuse(block, Cause::AddressGivenTwice, "Two g codes used from same modal group",
+                    value.at);
+    return true;
+  }
   words.line.g.push_back(code);
   words.list.add_g({false, 0, static_cast<double>(code)});
   return true;

@@ -35,9 +35,11 @@ void pass_value(Scanner& s) {
   while (is_digit(s.peek()) || s.peek() == '.') ++s.at;
 }
 
+constexpr std::string_view kPolar = "@^";
+
 }  // namespace
 
-const Spelling linuxcnc_spelling{{"(", ")"}, {"[", "]"}, {"(MSG,", ")"}, {}};
+const Spelling linuxcnc_spelling{{"(", ")"}, {"[", "]"}, {"(MSG,", ")"}, {}, true, "R", kPolar, true};
 
 std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};
@@ -51,7 +53,7 @@ std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& fr
     word.address = "#";
     pass_value(s);
     if (s.take('=')) pass_value(s);
-  } else if (is_letter(c)) {
+  } else if (is_letter(c) || kPolar.find(c) != std::string_view::npos) {
     word.address = std::string(1, c);
     Scanner ahead = s;
     take_number(ahead, word);

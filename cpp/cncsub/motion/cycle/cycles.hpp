@@ -1,6 +1,8 @@
 // Cycles: many moves from one block.
 #pragma once
 
+#include <utility>
+
 #include "cncsub/motion/context.hpp"
 
 namespace cncsub {
@@ -52,5 +54,17 @@ Result multiple_thread(MotionContext& m, BlockWords& block);
 
 // G70 to G73: what follows a profile.
 Result contour(MotionContext& m, BlockWords& block, Meaning meaning);
+
+// The way to a hole of a mill.
+
+/// Whether a series that began below R goes to R before the way to a hole.
+bool goes_to_r_first(const MotionFacts& facts);
+/// Whether a cycle goes back to R, not to where its series began.
+bool returns_to_r(const MotionState& state);
+/// The levels of R and of the bottom. Where a series goes to R first, the mode of the block says
+/// how R and the depth count, whichever block gave them.
+std::pair<double, double> hole_levels(MotionView m);
+/// Over the hole, the `first` of its block or a repeat, and to R.
+Result approach_hole(MotionContext& m, BlockWords& block, int axis, double r, bool first);
 
 }  // namespace cncsub

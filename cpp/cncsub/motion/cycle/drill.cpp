@@ -15,6 +15,21 @@ int drill_axis(MotionView m, const GCode& code) {
   return code.which == 1 ? 0 : 2;
 }
 
+/// Whether a cycle waits at the bottom of its hole.
+bool dwells(Meaning cycle) {
+  switch (cycle) {
+    case Meaning::LeftTap:
+    case Meaning::FineBore:
+    case Meaning::DrillDwell:
+    case Meaning::Tap:
+    case Meaning::BoreManual:
+    case Meaning::BoreDwell:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// Takes R Z Q P I J K over; what is not written stays as it was.
 void take_cycle_words(MotionContext& m, const BlockWords& block) {
   const NcWords& w = block.words;
@@ -30,7 +45,8 @@ void take_cycle_words(MotionContext& m, const BlockWords& block) {
   const bool seconds =
       c.motion.dwell_unit.value == DwellUnit::PSeconds ||
       (c.motion.dwell_point.value == DwellPoint::Seconds && (w.whole & bit('P')) == 0);
-  if (w.has('P')) cycle.p = w['P'] * (seconds ? 1 : 0.001);
+  if (w.has('P') && (dwells(cycle.cycle) || !goes_to_r_first(m.facts)))
+    cycle.p = w['P'] * (seconds ? 1 : 0.001);
   if (w.has('I') || w.has('J')) {
     cycle.shift_x = w.has('I') ? number(m, block, 'I') : 0;
     cycle.shift_y = w.has('J') ? number(m, block, 'J') : 0;
@@ -47,8 +63,7 @@ Result check_first_words(MotionView m, const BlockWords& block) {
   const CycleData& cycle = m.state.cycle;
   const bool first =
       block.has(Group::Cycle) && block.code(Group::Cycle).code != m.state.cycle_before;
-  if (m.facts.control->motion.cycle_approach.value != CycleApproach::RFirst || !first)
-    return std::nullopt;
+  if (!goes_to_r_first(m.facts) || !first) return std::nullopt;
   const bool dwells = cycle.cycle == Meaning::DrillDwell || cycle.cycle == Meaning::BoreManual ||
                       cycle.cycle == Meaning::BoreDwell;
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
@@ -94,8 +109,7 @@ Result check_rotary(MotionView m, const BlockWords& block) {
 
 /// Cycles that stop the spindle or reverse it want it to turn, taps in their own direction.
 Result check_spindle(MotionView m, const BlockWords& block) {
-  const bool asks = m.facts.control->motion.cycle_approach.value == CycleApproach::RFirst;
-  if (!asks || !m.facts.refuses(Cause::SpindleStands)) return std::nullopt;
+  if (!goes_to_r_first(m.facts) || !m.facts.refuses(Cause::SpindleStands)) return std::nullopt;
   const Meaning cycle = m.state.cycle.cycle;
   const bool tap = cycle == Meaning::Tap || cycle == Meaning::LeftTap;
   if (!tap && cycle != Meaning::BoreStop && cycle != Meaning::BackBore &&
@@ -169,17 +183,7 @@ Result drill_down(MotionContext& m, BlockWords& block, int axis, double r, doubl
   if (auto wrong =
           taps(cycle) ? feed_tap(m, block, axis, z) : move_axis(m, block, MoveKind::Feed, axis, z))
     return wrong;
-  switch (cycle.cycle) {
-    case Meaning::LeftTap:
-    case Meaning::FineBore:
-    case Meaning::DrillDwell:
-    case Meaning::Tap:
-    case Meaning::BoreManual:
-    case Meaning::BoreDwell:
-      return cycle.p > 0 ? add_dwell(m, block, cycle.p) : std::nullopt;
-    default:
-      return std::nullopt;
-  }
+  return dwells(cycle.cycle) && cycle.p > 0 ? add_dwell(m, block, cycle.p) : std::nullopt;
 }
 
 /// The bar stands oriented and goes off its point, or back to the middle of the hole.
@@ -198,9 +202,8 @@ Result shift_tool(MotionContext& m, BlockWords& block, const Axes& hole, bool aw
 
 Result drill_up(MotionContext& m, BlockWords& block, int axis, double r, double z) {
   const CycleData cycle = m.state.cycle;
-  const bool below = m.facts.control->motion.cycle_approach.value == CycleApproach::RFirst &&
-                     (r - cycle.initial) * (r - z) > 0;
-  const bool to_r = below || m.state.modal[at(Group::Return)].meaning == Meaning::ReturnR;
+  const bool below = goes_to_r_first(m.facts) && (r - cycle.initial) * (r - z) > 0;
+  const bool to_r = below || returns_to_r(m.state);
   const double level = to_r ? r : cycle.initial;
   switch (cycle.cycle) {
     case Meaning::LeftTap:
@@ -242,33 +245,13 @@ Result bore_shifted(MotionContext& m, BlockWords& block, double r, double z) {
   return shift_tool(m, block, hole, false);
 }
 
-/// Where the control says so: out to R before the way to the hole.
-Result leave_to_r(MotionContext& m, BlockWords& block, int axis, double r, double z) {
-  const double present = m.state.work[static_cast<std::size_t>(axis)];
-  const bool first = m.facts.control->motion.cycle_approach.value == CycleApproach::RFirst;
-  if (!first || (r - present) * (r - z) <= 0) return std::nullopt;
-  return move_axis(m, block, MoveKind::Rapid, axis, r);
-}
-
-/// One hole: to the place, to R, down, up.
-Result drill(MotionContext& m, BlockWords& block) {
-  const CycleData cycle = m.state.cycle;
-  const int axis = drill_axis(m, cycle.code);
-  const double r = !cycle.has_r          ? cycle.initial
-                   : cycle.r_incremental ? cycle.initial + cycle.r
-                                         : cycle.r;
-  const double z = !cycle.has_z ? r : cycle.z_incremental ? r + cycle.z : cycle.z;
-  if (m.facts.control->motion.cycle_approach.value == CycleApproach::RFirst && r < z)
-    return fault_at('R', Cause::CycleLevels, block);
-  std::uint32_t named = 0;
-  Axes place = target(m, block, named);
-  if (auto wrong = leave_to_r(m, block, axis, r, z)) return wrong;
-  place[static_cast<std::size_t>(axis)] = m.state.work[static_cast<std::size_t>(axis)];
-  named &= ~axis_bit(axis);
-  if (named != 0)
-    if (auto wrong = move(m, block, MoveKind::Rapid, place, named)) return wrong;
-  if (cycle.cycle == Meaning::BackBore) return bore_shifted(m, block, r, z);
-  if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, r)) return wrong;
+/// One hole, the `first` of its block or a repeat: to the place, to R, down, up.
+Result drill(MotionContext& m, BlockWords& block, bool first) {
+  const int axis = drill_axis(m, m.state.cycle.code);
+  const auto [r, z] = hole_levels(m);
+  if (goes_to_r_first(m.facts) && r < z) return fault_at('R', Cause::CycleLevels, block);
+  if (auto wrong = approach_hole(m, block, axis, r, first)) return wrong;
+  if (m.state.cycle.cycle == Meaning::BackBore) return bore_shifted(m, block, r, z);
   if (auto wrong = drill_down(m, block, axis, r, z)) return wrong;
   return drill_up(m, block, axis, r, z);
 }
@@ -323,7 +306,7 @@ Result drill_lathe(MotionContext& m, BlockWords& block) {
 void forget_cycle(const MotionFacts& facts, MotionState& state) {
   const double dwell = state.cycle.p;
   state.cycle = {};
-  if (facts.control->motion.cycle_approach.value == CycleApproach::RFirst) state.cycle.p = dwell;
+  if (goes_to_r_first(facts)) state.cycle.p = dwell;
 }
 
 }  // namespace
@@ -355,7 +338,7 @@ void end_cycles(const MotionFacts& facts, MotionState& state) {
 
 Result canned_cycle(MotionContext& m, BlockWords& block) {
   const NcWords& w = block.words;
-  bool position = w.has('R');
+  bool position = w.has('R') || (w.mask & kPolarWords) != 0;
   for (const char axis : kAxisNames) position = position || w.has(axis);
   int repeats = 1;
   if (auto wrong = check_rotary(m, block)) return wrong;
@@ -366,7 +349,7 @@ Result canned_cycle(MotionContext& m, BlockWords& block) {
   if (auto wrong = check_spindle(m, block)) return wrong;
   if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
   for (int i = 0; i < repeats; ++i)
-    if (auto wrong = drill(m, block)) return wrong;
+    if (auto wrong = drill(m, block, i == 0)) return wrong;
   return std::nullopt;
 }
 

@@ -108,11 +108,15 @@ void polar_target(MotionContext& m, const BlockWords& block, bool incremental, A
 
 Result check_polar_words(MotionView m, const BlockWords& block) {
   const NcWords& w = block.words;
-  const Meaning once = block.meaning(Group::OneShot);
-  const bool moves = once == Meaning::None || once == Meaning::Dwell;
-  const bool counts = m.state.incremental || !w.has_place(kRadius) || !w.has_place(kAngle);
+  const bool moves = block.meaning(Group::OneShot) == Meaning::None || leaves_axes(m.facts, block);
+  const bool incremental = block.has(Group::Distance)
+                               ? block.meaning(Group::Distance) == Meaning::Incremental
+                               : m.state.incremental;
+  const bool counts = incremental || !w.has_place(kRadius) || !w.has_place(kAngle);
   const bool at_zero = std::hypot(m.state.work[0], m.state.work[1]) < kStanding;
-  const bool lacks_angle = counts && at_zero && (m.state.incremental || !w.has_place(kAngle));
+  // A hole by a radius alone lies along the first axis there. [rs274 2.9]
+  const bool drills = block.has(Group::Cycle) || (block.was_cycle && !block.has(Group::Motion));
+  const bool lacks_angle = counts && at_zero && (incremental || (!w.has_place(kAngle) && !drills));
   if (w.has('X') || w.has('Y') || m.state.plane != Plane::XY || !moves || lacks_angle)
     return fault(Cause::PolarWord, block);
   return std::nullopt;

@@ -298,6 +298,14 @@ Result OwnNormal::arc(Piece piece) const {
   return std::nullopt;
 }
 
+/// After G40 the tool waits where it is, until a move leads it to the path.
+Result wait_beside(MoveSink& sink, const Piece& piece) {
+  const Axes way = sink.state.tool_at - (piece.end + piece.length);
+  return record_move(
+      sink, piece,
+      sink.state.held.engaged ? std::array{way[0], way[1], way[2]} : std::array<double, 3>{});
+}
+
 }  // namespace
 
 Result end_own_normal(MoveSink& sink) {
@@ -314,7 +322,8 @@ Result by_own_normal(MoveSink& sink, const Piece& piece, const Axes& from) {
   if (piece.side == 0 || piece.radius == 0) {
     if (auto wrong = end_own_normal(sink)) return wrong;
     if (held.engaged && is_arc(piece)) return Fault{Cause::CompensationEndArc, piece.at, 1, {}};
-    if (piece.kind != MoveKind::Dwell) held.engaged = held.ended = false;
+    if (piece.kind == MoveKind::Dwell) return wait_beside(sink, piece);
+    held.engaged = held.ended = false;
     return record_move(sink, piece, {});
   }
   OwnNormal path(sink, piece.plane);

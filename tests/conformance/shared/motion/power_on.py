@@ -29,6 +29,19 @@ def numbers(controls, fanuc=None, mitsubishi=None, gsk_988=None, mdi=None):
 
 
 case(
+    "without G98 and G99 a drilling cycle goes back to where it began",
+    pins="power_on:G99",
+    control=[*MILLS, HAAS, "syntec-22ma"], **KNOWN,
+    program="""
+        O1
+        N10 G17 G90 G0 Z5.
+        N20 G81 X1. Z-1. R2. F100.
+        N30 G80
+        N40 M30
+    """,
+    moves="R Z5\nR X1\nR Z2\nF Z-1\nR Z5",
+)
+case(
     "U is an axis of its own on a control that is a mill by itself",
     pins="machine",
     control=[*MITSUBISHI, *FANUC, HNC], **KNOWN,

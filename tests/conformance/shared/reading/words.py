@@ -221,7 +221,7 @@ case(
 )
 case(
     "a value from a variable is rounded to the least increment and not cut",
-    control=FANUC, source="JIX, XIA", evidence="secondary",
+    pins="computed_lengths", control=FANUC, source="JIX, XIA", evidence="secondary",
     program="""
         O1
         N10 #1=1.23456
@@ -230,6 +230,17 @@ case(
         N40 M30
     """,
     runs="N10 N20 N30 N40", vars={100: 1.235},
+)
+case(
+    "nobody says it of other makers' controls, and they are taken to do the same",
+    pins="computed_lengths", control=[*GSK_988, *GSK_980, *MITSUBISHI, "syntec-22ma"], source="policy", evidence="inferred",
+    program="O1\nN10 #1=1.23456\nN20 G0 X#1\nN30 #100=#5001\nN40 M30",
+    runs="N10 N20 N30 N40", vars={100: 1.235},
+)
+case(
+    "so is the HNC-21M",
+    pins="computed_lengths", control=HNC, source="policy", evidence="inferred",
+    program="%1\nN10 #1=1.23456\nN20 G90 G0 X[#1]\nN30 M30", runs="N10 N20 N30", moves_x=[1.235],
 )
 case(
     "an M code from a variable is rounded half up",
