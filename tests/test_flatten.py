@@ -340,3 +340,9 @@ def test_verify_runs_both_again() -> None:
     flat.text = "O1\nM98 P2\nM30\nO2\nM99\n"
     with pytest.raises(AssertionError):
         flat.verify()
+
+
+def test_an_end_that_returns_is_not_written_flat() -> None:
+    text = "O1\nG0\nM98 P2\nX2.\nM30\nO2\nX9.\nM30\n"
+    with pytest.raises(ValueError, match="M02 or M30 returns from a subprogram"):
+        cncsub.loads(text, control="syntec-22ma").flatten()

@@ -354,3 +354,11 @@ def test_a_program_of_another_control_is_told_by_check(tmp_path: Path) -> None:
     told = CliRunner().invoke(app, ["check", str(file), "-c", CONTROL]).stderr
     assert "it seems to be written for LinuxCNC: -c linuxcnc" in told
     assert CliRunner().invoke(app, ["check", str(file), "-c", "linuxcnc"]).stderr == ""
+
+
+@pytest.mark.parametrize("code", ["G96 S200", "G71 U1. R1.", "G97 S500"])
+def test_a_program_of_a_lathe_is_told_that_the_control_is_a_mill(tmp_path: Path, code: str) -> None:
+    file = tmp_path / "main.nc"
+    file.write_text(f"O1\nG0 X1.\n{code}\nM30\n")
+    told = CliRunner().invoke(app, ["run", str(file), "-c", "haas-ngc"]).stderr
+    assert "haas-ngc is a mill alone" in told

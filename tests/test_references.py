@@ -275,3 +275,12 @@ def test_every_call_of_a_row_is_in_the_graph() -> None:
             told = (caller, call.program) in known or caller in computed
             assert told or call.kind.startswith("G66"), (str(row), caller, call.program)
     assert seen > 4000
+
+
+def test_words_by_arithmetic_are_words_of_their_block() -> None:
+    text = "O1\nN10 G0 X#5+7. Y2.-#1 Z#1 MOD 4 A#1+SIN[30]*2 B10./#2 /Y3\nM30\n"
+    words = cncsub.loads(text, control="mitsubishi-m700")["O1"].blocks[0].words
+    assert [w.text for w in words] == [
+        "N10", "G0", "X#5+7.", "Y2.-#1", "Z#1MOD4", "A#1+SIN[30]*2", "B10./#2", "/", "Y3",
+    ]  # fmt: skip
+    assert [w.value for w in words[2:7]] == [None] * 5

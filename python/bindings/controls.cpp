@@ -8,6 +8,7 @@
 #include "cncsub/control/source.hpp"
 #include "cncsub/control/spelled.hpp"
 #include "cncsub/control/variable_table.hpp"
+#include "cncsub/dialect/asked.hpp"
 
 namespace py = pybind11;
 
@@ -152,7 +153,9 @@ std::shared_ptr<Control> replace(const Control& control, const py::kwargs& chang
   auto changed = std::make_shared<Control>(control);
   for (const auto& [key, value] : changes) {
     const RuleValue to = rule_value(value);
-    if (auto wrong = set_rule(*changed, key.cast<std::string>(), to)) throw py::value_error(*wrong);
+    const auto name = key.cast<std::string>();
+    if (auto wrong = never_asked(control, name)) throw py::value_error(*wrong);
+    if (auto wrong = set_rule(*changed, name, to)) throw py::value_error(*wrong);
   }
   return changed;
 }
@@ -340,7 +343,7 @@ void add_controls(py::module_& m) {
       .def_readonly("dialect", &Control::dialect)
       .def_property_readonly("rules",
                              [](const Control& c) {
-                               const auto list = rules(c);
+                               const auto list = asked_rules(c);
                                py::tuple rows(list.size());
                                for (std::size_t i = 0; i < list.size(); ++i)
                                  rows[i] = py::cast(list[i]);

@@ -88,6 +88,7 @@ def hints_of(
     elif not hints:
         hints += _allowed(library, run, again)
         hints += () if hints else _joined(library, alarm, mdi)
+        hints += () if hints else _lathe(library.control, alarm)
         hints += () if hints else _who_has(library.control, alarm)
     return hints
 
@@ -234,6 +235,21 @@ def changed_controls(control: Control) -> Iterator[tuple[str, Control]]:
             except (TypeError, ValueError):
                 continue
             yield f"the control's option {option.name} lets it pass: {option.numbers}", changed
+
+
+def _lathe(control: Control, alarm: Alarm) -> Iterator[str]:
+    """A program of a lathe on a control that is described as a mill alone."""
+    if "turning" not in control.absent or alarm.cause not in _REFUSED:
+        return
+    if _OF_LATHES.fullmatch(alarm.word or ""):
+        yield (
+            f"{control.name} is a mill alone ({control.title}), and {alarm.word} is of lathes:"
+            f" no lathe with this control is known here"
+        )
+
+
+_REFUSED = ("g-code-not-available", "code-not-known", "code-not-computed")
+_OF_LATHES = re.compile(r"G0*(?:32|33|34|7[0-6]|9[0267])", re.IGNORECASE)
 
 
 def _joined(library: Library, alarm: Alarm, mdi: str | None) -> Iterator[str]:

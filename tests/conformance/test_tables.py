@@ -16,7 +16,7 @@ from conformance import EVIDENCE, FOLDER, Case, cases, rows, topic_files
 from entries import HOW_TO_WRITE as HOW_TO_PIN
 from entries import unnoticed
 from mutation import HOW_TO_FIND, notices, pinning, unpinned, words
-from unpinned import UNPINNED
+from unpinned import UNPINNED, entries_of
 
 MINIMUM_CASES = 900
 LISTS = Path(__file__).parents[2] / "cpp" / "controls"
@@ -135,6 +135,24 @@ def test_every_rule_is_pinned() -> None:
     """Change any rule of any control, and a row that says that it pins it has to notice."""
     missing = [f"{control}: {word}" for control, word in unpinned()]
     assert missing == [], f"{HOW_TO_FIND}; no row that pins it notices\n{chr(10).join(missing)}"
+
+
+def test_a_language_of_its_own_asks_every_rule_that_it_prints() -> None:
+    """A row of the control, in its language, notices each of them: none is excused as a whole."""
+    own = [name for name, control in cncsub.controls.items() if control.dialect != "iso"]
+    assert own
+    idle = []
+    for name in own:
+        for rule in cncsub.controls[name].rules:
+            said = [f"{rule.name}:{entry}" for entry in entries_of(rule)] or [rule.name]
+            heard = (
+                notices(case, cncsub.controls[name], word)
+                for word in said
+                for case in pinning(name, word)
+            )
+            if not any(heard):
+                idle.append(f"{name}: {rule.name}")
+    assert idle == []
 
 
 def test_a_row_notices_what_it_pins() -> None:

@@ -34,8 +34,9 @@ A_LATHE = "a rule of mills, and the control is a lathe"
 NO_ROTATION = "the control has no rotation, scaling or mirror"
 NO_REPEATS = "no repeat count is known of its drilling cycles"
 
-ANOTHER_LANGUAGE = "the rule is asked by readers of the ISO language, and this one has its own"
-FAMILY_MOTION = "motion beyond lines, arcs and dwells is the family's there, and no row tells of it"
+NO_SUCH_ENTRY = (
+    "the language has no code or state that this is about, or says itself what becomes of it"
+)
 
 NOT_KNOWN = "no source says which codes of the control this rule is about"
 
@@ -51,19 +52,16 @@ def entries_of(rule: Any) -> list[str]:
     return str(rule.value).split() if rule.name == "roles" else list(rule.entries)
 
 
-def _group(control: str, groups: str, but: str, reason: str) -> Unpinned:
-    """All rules of these groups, and what may be in their sets, but what rows of the control pin."""
+def _sets(control: str, rules: str, but: str, reason: str) -> Unpinned:
+    """What may be in these sets of a control, but what its rows pin."""
     pinned = {word for row in rows() for word in row.case.pins}
-    words: list[str] = []
-    for rule in cncsub.controls[control].rules:
-        if rule.group in groups.split() and rule.name not in but.split():
-            own = [f"{rule.name}:{entry}" for entry in entries_of(rule)] or [rule.name]
-            words += [
-                word
-                for word in own
-                if word not in but.split()
-                if rule.name not in ("refuses", "roles") or word in pinned
-            ]
+    words = [
+        word
+        for rule in cncsub.controls[control].rules
+        if rule.name in rules.split()
+        for word in (f"{rule.name}:{entry}" for entry in entries_of(rule))
+        if word not in but.split() and (rule.name not in ("refuses", "roles") or word in pinned)
+    ]
     return dict.fromkeys(words, ((control,), reason))
 
 
@@ -88,7 +86,8 @@ _TABLE = _joined(
     _all("name_marks max_name_length", (MDI, TE, MITSUBISHI[0], F16, F0D, HNC), NO_NAMES),
     _all("wide_names", (MDI, TE, MITSUBISHI[0], F16, F0D, HNC), NO_NAMES),
     _all("call_values", (TE,), NO_MACROS),
-    _all("return_search jump_search max_jump_number refuses:jump-in-mdi", (TE, HNC), NO_JUMP),
+    _all("return_search", (TE,), NO_JUMP),
+    _all("jump_search max_jump_number refuses:jump-in-mdi", (TE, HNC), NO_JUMP),
     _all("refuses:jump-in-offset", (TE, HNC), NO_JUMP),
     _all("code_cascade", (TDI, MDI, HNC), NO_CODE_CALLS),
     _all("registered_codes", EVERY, "no code is registered as delivered: rows register theirs"),
@@ -240,43 +239,24 @@ _TABLE = _joined(
         "its other signals and its G37 are not computed",
     ),
     _all("refuses:spindle-stopped", (HAAS,), "the control cuts no threads"),
-    # LinuxCNC
-    _group(
+    _all("parallel_axes", GSK_LATHES, A_LATHE),
+    _all("return_to_line", (TE,), "nothing is known of a Q of its M99"),
+    _all("return_to_line", (TDI,), "Q is the angle of a line there"),
+    # Languages of their own
+    _sets(
         LINUXCNC,
-        "common reading calls macros",
-        "max_nesting main_return missing_end self_call caller_call reset_clears:locals power_on:G99"
+        "refuses roles power_on reset_clears data_forms",
+        "power_on:G91 power_on:G18 power_on:G19 power_on:G20 power_on:G99 reset_clears:locals"
         " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code"
-        " roles:M70=save-modes roles:M71=forget-modes roles:M72=restore-modes roles:M73=keep-modes",
-        ANOTHER_LANGUAGE,
-    ),
-    _group(
-        LINUXCNC,
-        "motion",
-        "arc_rounding arc_tolerance_share no_radius negative_radius"
-        " helix unit_change machine_move cycle_repeats zero_cycle_repeats peck_retract cycle_approach"
-        " tap_return start_up missing_radius_offset length_type max_extra_systems g_meanings"
         " data_forms:in-force data_forms:here data_forms:tools"
-        " peck_clearance power_on_feed dwell_words dwell_point dwell_unit computed_lengths codes_that_move spindle_at_change"
-        " speed_limit",
-        FAMILY_MOTION,
+        " roles:M70=save-modes roles:M71=forget-modes roles:M72=restore-modes roles:M73=keep-modes",
+        NO_SUCH_ENTRY,
     ),
-    # SINUMERIK
-    _all(
-        "power_on:G91 power_on:G95 power_on:G18 power_on:G19 power_on:G20 power_on:G22 power_on:G99",
-        (ONE,),
-        FAMILY_MOTION,
-    ),
-    _group(
+    _sets(
         ONE,
-        "common reading calls macros",
-        "roles g_codes max_nesting main_return missing_end max_repeats zero_repeats power_on",
-        ANOTHER_LANGUAGE,
-    ),
-    _group(
-        ONE,
-        "motion",
-        "g_meanings arc_tolerance arc_tolerance_share dwell_words dwell_turn_words computed_lengths",
-        FAMILY_MOTION,
+        "refuses power_on",
+        "power_on:G01 power_on:G91 power_on:G18 power_on:G19 power_on:G20",
+        NO_SUCH_ENTRY,
     ),
 )
 UNPINNED = {

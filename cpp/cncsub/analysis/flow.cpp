@@ -190,6 +190,8 @@ void FlowReader::variant(const Block& block) {
     case Op::Return:
       return back(code_.calls[block.aux]);
     case Op::EndProgram:
+      if (code_.control->calls.end_in_subprogram.value == EndInSubprogram::Returns)
+        mark(ProgramFlow::kReturns);
       return mark(ProgramFlow::kEnds);
     case Op::Goto:
       return go_to(statement());

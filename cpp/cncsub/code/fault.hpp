@@ -19,7 +19,8 @@ struct Fault {
   std::uint32_t width = 1;  // bytes; 0 = the name, number or sign that stands there
   std::string detail;
   Address block = kNowhere;  // the block it stands in; otherwise the one that is being executed
-  // "X+", or "LA" of a line and the arc behind it, where the control may have a number for each
+  // "X+", "LA" of a line and the arc behind it, or "EX" of a call of the external device, where the
+  // control may have a number for each
   std::array<char, 2> kind{};
   char address = 0;       // of the word that is wrong, where `at` does not say it
   int code = -1;          // or that G code, ten times its number

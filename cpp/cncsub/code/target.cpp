@@ -202,11 +202,15 @@ std::optional<Fault> CallWords::count_in_p(std::int64_t p) {
 /// No word says which program.
 std::optional<Fault> CallWords::left_out(std::int32_t own) {
   const OmittedProgram rule = control_.calls.omitted_program.value;
-  const bool refused = call_.macro || call_.kind == CallKind::Local ||
+  const bool outside = call_.kind == CallKind::External;
+  const bool refused = call_.macro || call_.kind == CallKind::Local || outside ||
                        rule == OmittedProgram::Alarm ||
                        (rule == OmittedProgram::OwnFromStart && target_.start_n < 0);
-  if (refused)
-    return fault(Cause::ProgramNumberMissing, call_, "the call does not say which program");
+  if (refused) {
+    Fault wrong = fault(Cause::ProgramNumberMissing, call_, "the call does not say which program");
+    if (outside) wrong.kind = {'E', 'X'};
+    return wrong;
+  }
   target_.program = own;
   target_.jump = rule == OmittedProgram::Jump;
   return std::nullopt;

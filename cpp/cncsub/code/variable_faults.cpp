@@ -9,6 +9,9 @@ namespace cncsub {
 namespace {
 
 Fault missing(const Code& code, std::int64_t number) {
+  if (number >= 0 && code.control->macros.unlisted_variables.value == UnlistedVariable::NotKnown)
+    return {.cause = Cause::VariableNotKnown,
+            .detail = "no source says what #" + std::to_string(number) + " is on this control"};
   return {.cause = Cause::IllegalVariable, .detail = no_variable(*code.control, number)};
 }
 

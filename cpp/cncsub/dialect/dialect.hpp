@@ -45,6 +45,9 @@ struct Dialect {
   PieceReader (*pieces)(Builder& to);
   /// How it writes what is no plain word.
   const Spelling* spelling;
+  /// The rules that it asks, by their names and separated by blanks: those that its reader asks,
+  /// and those that a run of what it can say comes to. Empty: all.
+  std::string_view rules;
 };
 
 /// The dialect of this name, null where there is none.
@@ -53,6 +56,7 @@ const Dialect* find_dialect(std::string_view name);
 // The build writes the list from the names of the folders; each holds the functions that it names.
 #define DIALECT(folder)                                      \
   extern const Spelling folder##_spelling;                   \
+  extern const std::string_view folder##_rules;              \
   FileReader folder##_reader(Builder& to);                   \
   extern PieceReader (*const folder##_pieces)(Builder & to); \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);

@@ -16,7 +16,7 @@ namespace cncsub {
 const Dialect* find_dialect(std::string_view name) {
   static const Dialect kDialects[] = {
 #define DIALECT(folder) \
-  {#folder, folder##_reader, folder##_word, folder##_pieces, &folder##_spelling},
+  {#folder, folder##_reader, folder##_word, folder##_pieces, &folder##_spelling, folder##_rules},
 #include "dialect/list.def"
 #undef DIALECT
   };

@@ -185,8 +185,11 @@ bool FlatRun::before_block(std::string& text, FlatOrigins& origins) {
 void FlatRun::write_done(std::string& text, FlatOrigins& origins) {
   if (coming_.executed < 0 || machine_.state().executed == coming_.executed) return;
   coming_.executed = -1;
+  const bool goes_on = machine_.stop() == Stop::Running;
   if (starts_over_)
     refuse("a code starts the program over, and the flat program goes on behind it");
+  else if (goes_on && heard_.words != nullptr && heard_.words->op == Op::EndProgram)
+    refuse("M02 or M30 returns from a subprogram, and the flat program would end there");
   else if (coming_.plain || heard_.any())
     write_block(text, origins);
 }

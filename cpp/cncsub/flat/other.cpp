@@ -35,7 +35,8 @@ bool is_own(Role role) {
 /// Whether P of G04 counts seconds there.
 bool counts_seconds(const Control& control) {
   return control.motion.dwell_unit.value == DwellUnit::PSeconds ||
-         control.motion.dwell_point.value == DwellPoint::Seconds;
+         control.motion.dwell_point.value == DwellPoint::Seconds ||
+         control.motion.dwell_point.value == DwellPoint::CyclesToo;
 }
 
 /// Ten times the G code of a plain move, which no list holds; -1 where the block has none.

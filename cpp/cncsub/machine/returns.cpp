@@ -167,8 +167,14 @@ bool end_program(Run& run, const Block& block) {
   if (!execute_words(run, block)) return false;
   // Where the block has no words of its own nothing has ended the moves that wait.
   if (auto fault = run.motion.finish(run.moves())) return alarm_of_motion(run, *fault);
+  if (!ends_the_run(run)) return return_now(run, CallRecord(), kVacant, kVacant);
   record_step(run);
   return end_run(run, Stop::End);
+}
+
+bool ends_the_run(const Run& run) {
+  return run.state.frames.size() == 1 ||
+         run.control().calls.end_in_subprogram.value == EndInSubprogram::EndsRun;
 }
 
 bool end_of_record(Run& run) {

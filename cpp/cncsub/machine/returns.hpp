@@ -17,6 +17,8 @@ bool jump_now(Run& run, const JumpRecord& jump, double p);
 
 /// M02, M30.
 bool end_program(Run& run, const Block& block);
+/// Whether M02 or M30 ends the run where it stands now, and does not return from a subprogram.
+bool ends_the_run(const Run& run);
 /// The text of a program ends without M02, M30 or M99.
 bool end_of_record(Run& run);
 /// The main program starts over: a cycle is done.

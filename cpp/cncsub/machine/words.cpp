@@ -232,7 +232,7 @@ bool move_along(Run& run, const NcWords& words, const ProfileNumbers& wanted) {
 /// The motion of a block: moves, modes, offsets.
 bool move(Run& run, const Block& block, NcWords& words) {
   Motion::Outcome& outcome = run.block.outcome;
-  words.ends = block.op == Op::EndProgram;
+  words.ends = block.op == Op::EndProgram && ends_the_run(run);
   words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||
                 (run.options.optional_stop && words.has(Role::OptionalStop));
   if (run.motion.modes(words, run.step(), run.moves(), outcome) ||

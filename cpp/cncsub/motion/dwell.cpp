@@ -30,8 +30,10 @@ double seconds_of_letter(MotionView m, const NcWords& w, char letter) {
     return increments && (w.whole & bit(letter)) != 0 ? value * 0.001 : value;
   }
   const bool point = ((w.whole | w.computed) & bit('P')) == 0;
-  if (point && c.motion.dwell_point.value == DwellPoint::Cut) value = std::floor(value);
-  const bool counts_seconds = point && c.motion.dwell_point.value == DwellPoint::Seconds;
+  const DwellPoint of_point = c.motion.dwell_point.value;
+  if (point && of_point == DwellPoint::Cut) value = std::floor(value);
+  const bool counts_seconds =
+      point && (of_point == DwellPoint::Seconds || of_point == DwellPoint::CyclesToo);
   return c.motion.dwell_unit.value == DwellUnit::PSeconds || counts_seconds ? value : value * 0.001;
 }
 
@@ -56,6 +58,14 @@ DwellWord dwell_of(MotionView m, const NcWords& words) {
 }
 
 }  // namespace
+
+double dwell_in_hole(MotionView m, const NcWords& words) {
+  const MotionRules& rules = m.facts.control->motion;
+  const bool point = ((words.whole | words.computed) & bit('P')) == 0;
+  const bool seconds = rules.dwell_unit.value == DwellUnit::PSeconds ||
+                       (point && rules.dwell_point.value == DwellPoint::CyclesToo);
+  return words['P'] * (seconds ? 1 : 0.001);
+}
 
 double dwell_seconds(MotionView m, const NcWords& words) { return dwell_of(m, words).seconds; }
 

@@ -13,20 +13,22 @@ namespace cncsub {
 namespace {
 
 std::array<double, 3> centre_of(const Piece& piece) {
-  const PlaneAxes plane = plane_axes(piece.plane);
+  const PlaneAxes plane = arc_axes(piece.plane, piece.state.parallel);
   std::array<double, 3> centre;
-  for (int i = 0; i < 3; ++i)
-    centre[i] = i == plane.across ? std::numeric_limits<double>::quiet_NaN()
-                                  : piece.centre[i] - piece.offset[i];
+  centre.fill(std::numeric_limits<double>::quiet_NaN());
+  for (const int axis : {plane.a, plane.b})
+    centre[centre_place(axis)] =
+        piece.centre[centre_place(axis)] - piece.offset[static_cast<std::size_t>(axis)];
   return centre;
 }
 
 /// The tool's way on an arc, in the plane.
 double arc_in_plane(MotionView m, const Piece& piece, const Axes& machine) {
-  const PlaneAxes plane = plane_axes(piece.plane);
+  const PlaneAxes plane = arc_axes(piece.plane, piece.state.parallel);
   const auto polar = [&](const Axes& p) {
     const auto part = [&](int i) {
-      return (p[i] - piece.length[i] - piece.tip[i] - piece.centre[i]) * m.facts.share(i);
+      const std::size_t at = centre_place(i);
+      return (p[i] - piece.length[i] - piece.tip[at] - piece.centre[at]) * m.facts.share(i);
     };
     return std::array<double, 2>{std::hypot(part(plane.a), part(plane.b)),
                                  std::atan2(part(plane.b), part(plane.a))};
@@ -364,8 +366,10 @@ Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 
   Way way;
   way.arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
   way.in_plane = way.arc ? arc_in_plane(sink, piece, machine) : length_of(from, machine, diameters);
-  const double length =
-      way.arc ? arc_length(way.in_plane, piece.plane, from, machine, diameters) : way.in_plane;
+  const double length = way.arc
+                            ? arc_length(way.in_plane, arc_axes(piece.plane, piece.state.parallel),
+                                         from, machine, diameters)
+                            : way.in_plane;
   const double zero = piece.offset[0] + piece.length[0];
   way.seconds = seconds_in_machine(
       sink.state, {piece.kind, piece.state, from, machine, way.in_plane, zero, piece.seconds},

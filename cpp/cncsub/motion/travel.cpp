@@ -11,10 +11,11 @@ namespace {
 /// How far an arc reaches on an axis of its plane.
 void arc_reach(MotionView m, const Piece& piece, const Axes& machine, int axis, double& low,
                double& high) {
-  const PlaneAxes plane = plane_axes(piece.plane);
+  const PlaneAxes plane = arc_axes(piece.plane, piece.state.parallel);
   if (axis != plane.a && axis != plane.b) return;
   const auto part = [&](const Axes& at, int i) {
-    return (at[i] - piece.length[i] - piece.tip[i] - piece.centre[i]) * m.facts.share(i);
+    const std::size_t place = centre_place(i);
+    return (at[i] - piece.length[i] - piece.tip[place] - piece.centre[place]) * m.facts.share(i);
   };
   const auto radius_at = [&](const Axes& at) {
     return std::hypot(part(at, plane.a), part(at, plane.b));
@@ -27,7 +28,8 @@ void arc_reach(MotionView m, const Piece& piece, const Axes& machine, int axis, 
     if (t < from || t > to) continue;
     const double reach = (start + (end - start) * (t - first) / piece.turn) *
                              (axis == plane.a ? std::cos(t) : std::sin(t)) / m.facts.share(axis) +
-                         piece.centre[axis] + piece.length[axis] + piece.tip[axis];
+                         piece.centre[centre_place(axis)] + piece.length[axis] +
+                         piece.tip[centre_place(axis)];
     low = std::min(low, reach);
     high = std::max(high, reach);
   }
@@ -92,6 +94,7 @@ void arrive_apart(MotionView m, Way& way, std::vector<double>& places) {
 }
 
 void follow_arc(MotionView m, const Piece& piece, Way& way) {
+  if (piece.state.parallel != 0) return;  // X, Y and Z do not make it alone
   const PlaneAxes plane = plane_axes(piece.plane);
   way.turn = piece.turn;
   way.a = plane.a, way.b = plane.b;

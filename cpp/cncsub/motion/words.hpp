@@ -68,6 +68,8 @@ inline double number(MotionView m, const BlockWords& block, char address) {
 Result dwell(MotionContext& m, BlockWords& block);
 /// The seconds that the words of a G04 say, 0 where none of them does.
 double dwell_seconds(MotionView m, const NcWords& words);
+/// The seconds that P of a drilling cycle says.
+double dwell_in_hole(MotionView m, const NcWords& words);
 /// Takes F over, where it is a feed.
 Result set_feed(MotionContext& m, const BlockWords& block);
 /// F of a block as a feed.

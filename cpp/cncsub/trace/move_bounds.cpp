@@ -38,10 +38,10 @@ void widen(Moves::Bounds& box, std::size_t axis, const double* values, std::size
 /// work coordinates.
 void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters,
                   Moves::Bounds& box) {
-  const PlaneAxes plane = plane_axes(row.state->plane);
+  const PlaneAxes plane = arc_axes(*row.state);
   const auto a = static_cast<std::size_t>(plane.a), b = static_cast<std::size_t>(plane.b);
   const auto share = [&](std::size_t axis) { return (diameters >> axis & 1) != 0 ? 0.5 : 1.0; };
-  const double ca = row.centre[a], cb = row.centre[b];
+  const double ca = row.centre[centre_place(plane.a)], cb = row.centre[centre_place(plane.b)];
   const auto part = [&](const Axes& p) {
     return std::array{(p[a] - ca) * share(a), (p[b] - cb) * share(b)};
   };

@@ -144,7 +144,7 @@ class Moves::Walk {
     if (arc != nullptr) {
       row.centre = arc->centre;
       path = arc->in_plane;
-      row.length = arc_length(path, state_->plane, turned_by(-state_->turned, from_),
+      row.length = arc_length(path, arc_axes(*state_), turned_by(-state_->turned, from_),
                               turned_by(-state_->turned, row.machine), moves_.diameters_);
     }
     in_plane_ = path;

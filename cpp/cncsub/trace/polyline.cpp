@@ -123,6 +123,7 @@ class Follower {
   }
 
   void bend(Curve& curve, const MoveRow& row, const MoveBegin& begin) const {
+    if (row.state->parallel != 0) return;  // X, Y and Z do not make it alone
     const PlaneAxes plane = plane_axes(row.state->plane);
     curve.a = static_cast<std::size_t>(plane.a);
     curve.b = static_cast<std::size_t>(plane.b);

@@ -56,10 +56,11 @@ double length_of(const Axes& from, const Axes& to, std::uint32_t diameters) {
   return std::sqrt(sum);
 }
 
-double arc_length(double in_plane, Plane plane, const Axes& from, const Axes& to,
+double arc_length(double in_plane, const PlaneAxes& plane, const Axes& from, const Axes& to,
                   std::uint32_t diameters) {
   double sum = in_plane * in_plane;
-  for (const int i : {plane_axes(plane).across, 6, 7, 8}) {
+  for (const int i : {0, 1, 2, 6, 7, 8}) {
+    if (i == plane.a || i == plane.b) continue;
     const double d = (to[i] - from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
     sum += d * d;
   }

@@ -64,7 +64,9 @@ struct MoveState {
   Plane plane = Plane::XY;
   FeedMode feed_mode = FeedMode::PerMinute;
   bool surface = false;
-  bool cycle = false;     // a canned cycle makes it
+  bool cycle = false;  // a canned cycle makes it
+  // Of an arc: the axes of its plane that leave their parts to those along them, bit 0 is X and U.
+  std::uint8_t parallel = 0;
   std::uint32_t tip = 0;  // into the table of tips, 0 = none
   double turned =
       0;  // radians, counter-clockwise about Z: how work coordinates stand to the machine's
@@ -99,6 +101,18 @@ inline PlaneAxes plane_axes(Plane plane) {
   return {0, 1, 2};
 }
 
+/// The same axes of an arc, some of which may be U, V and W along X, Y and Z.
+inline PlaneAxes arc_axes(Plane plane, std::uint8_t parallel) {
+  constexpr int kAlong = 6;  // from X to U
+  PlaneAxes axes = plane_axes(plane);
+  if ((parallel >> axes.a & 1) != 0) axes.a += kAlong;
+  if ((parallel >> axes.b & 1) != 0) axes.b += kAlong;
+  return axes;
+}
+inline PlaneAxes arc_axes(const MoveState& state) { return arc_axes(state.plane, state.parallel); }
+/// Where the centre of an arc has the coordinate of an axis: that of U stands with X.
+constexpr std::size_t centre_place(int axis) { return static_cast<std::size_t>(axis % 6); }
+
 /// A move of the tool: from one machine position to another.
 struct MoveWay {
   MoveKind kind = MoveKind::Rapid;
@@ -127,7 +141,7 @@ constexpr double kNoWay = 1e-9;  // mm: what rounding leaves of a point that did
 /// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
 /// The length of an arc of which the way in its plane is known, with that of the other axes.
-double arc_length(double in_plane, Plane plane, const Axes& from, const Axes& to,
+double arc_length(double in_plane, const PlaneAxes& plane, const Axes& from, const Axes& to,
                   std::uint32_t diameters);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
 /// The length of an arc whose radius grows evenly from the first to the last over an angle: of one

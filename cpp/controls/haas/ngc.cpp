@@ -51,8 +51,9 @@ void calls_and_returns(Control& c) {
 void macros(Control& c) {
   c.macros.commons = {"10000-10999", "ZAP, Haas system variables", Secondary};
   c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT BPRNT? POPEN PCLOS", kHaas, Inferred};
-  // It is 516 where a statement stands there without THEN.
-  c.macros.if_form = {IfForm::Words, "VBH, 9000.nc: IF[#10001 EQ 0] M98 P9004", Secondary};
+  c.macros.if_form = {
+      IfForm::Words,
+      "VBH, 9000.nc: IF[#10001 EQ 0] M98 P9004; H96 p.159: IF [ #9 EQ #0 ] #9= #4109", Secondary};
   has(c.macros.conditions, {Condition::Values}, "HDIY: 0 is false, what is not 0 is true", Manual);
   has(c.macros.conditions, {Condition::Joined}, "HDIY: Boolean operators in conditions", Manual);
   c.macros.short_functions = {false, kPolicy, Inferred};
@@ -85,11 +86,16 @@ void motion(Control& c) {
   c.motion.max_extra_systems = {99, "general knowledge of the Haas mill: G154 P1 to P99", Inferred};
   c.motion.max_offset_number = {200, "HEL, D: 0 to 200", Secondary};
   c.motion.dwell_words = {"P", kHaas, Inferred};
-  c.motion.dwell_point = {DwellPoint::Seconds, "H96 p.91: G04 P1. waits a second", Secondary};
+  c.motion.dwell_point = {DwellPoint::CyclesToo,
+                          "H96 p.91: G04 P1. waits a second; in cycles every post processor of the "
+                          "Haas writes it so",
+                          Secondary};
   c.motion.cycle_repeats = {"L", kHaas, Inferred};
   c.motion.computed_lengths = {ComputedLengths::Rounded,
                                "HVF p.374: G0 X[#1+#1] with 1.00333 goes to 2.0067", Secondary};
-  c.motion.scale_unit = {ScaleUnit::Factor, kUnsure, Inferred};
+  c.motion.scale_unit = {ScaleUnit::AsWritten,
+                         "HML p.136: G51 P2. and G51 P2; H96 p.159: G51 P [ #5 * 1000 ]",
+                         Secondary};
 }
 
 using Kind = VariableKind;
@@ -103,8 +109,15 @@ void variables(Control& c) {
   c.variables = {
       {0, 0, Kind::Vacant, kReadOnly, 0, "H96 p.113", Secondary},
       {1, 33, Kind::Local, kReadWrite, 0, "HAA", Secondary},
+      {700, 749, Kind::Kept, kReadWrite, 0, zap, Secondary},  // of the control's own programs
       {1000, 1063, Kind::Input, kReadOnly, 0, kHaas, Inferred},
+      // Loads, analog inputs, flutes, vibrations and timers: numbers that the machine tells.
+      {1064, 1068, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+      {1080, 1087, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+      {1090, 1098, Kind::InputWord, kReadOnly, 0, zap, Secondary},
       {1100, 1139, Kind::Output, kReadWrite, 0, kHaas, Inferred},
+      {1264, 1268, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+      {1601, 2000, Kind::InputWord, kReadOnly, 0, zap, Secondary},
       {2001, 2200, Kind::LengthGeometry, kReadWrite, 0, zap, Secondary},
       {2201, 2400, Kind::LengthWear, kReadWrite, 0, zap, Secondary},
       {2401, 2600, Kind::RadiusGeometry, kReadWrite, 0, zap, Secondary},
@@ -116,7 +129,9 @@ void variables(Control& c) {
       {3006, 3006, Kind::Message, kWriteOnly, 0, zap, Secondary},
       {3011, 3011, Kind::Date, kReadOnly, 0, zap, Secondary},
       {3012, 3012, Kind::Time, kReadOnly, 0, zap, Secondary},
+      {3020, 3025, Kind::InputWord, kReadOnly, 0, zap, Secondary},
       {3026, 3026, Kind::ActiveWord, kReadOnly, 'T', kHaas, Inferred},
+      {3027, 3028, Kind::InputWord, kReadOnly, 0, zap, Secondary},
       {3901, 3902, Kind::PartsCount, kReadWrite, 0, kHaas, Inferred},
       {4001, 4021, Kind::ModalCode, kReadOnly, 0, kHaas, Inferred},
       {5001, 5006, Kind::BlockEnd, kReadOnly, 0, kHaas, Inferred},
@@ -127,6 +142,7 @@ void variables(Control& c) {
       // #5201 to #5206, the offset of G52 and G92, is no external offset and not held here.
       {5221, 5326, Kind::WorkOffset, kReadWrite, 0, manual, Secondary, 20},
       {7001, 7386, Kind::ExtraWorkOffset, kReadWrite, 0, manual, Secondary},
+      {11000, 11063, Kind::Input, kReadOnly, 0, zap, Secondary},
       {14001, 15966, Kind::ExtraWorkOffset, kReadWrite, 0, kHaas, Inferred},
   };
   // The numbers of older Haas controls are other names of these.

@@ -40,7 +40,8 @@ void reading(Control& c) {
   c.reading.extra_m_codes = {ExtraMCodes::Dropped, kUnsure, Inferred};
   c.reading.bare_g = {false, kPolicy, Inferred};
   c.reading.g_codes = {
-      "0 1 2 3 4 7 9 11 12 17 18 19 20 21 22 24 25 28 29 34 40 41 42 43 44 49 50 51 52 53 54 55 56 "
+      "0 1 2 3 4 7 9 11 12 15 16 17 18 19 20 21 22 24 25 28 29 34 40 41 42 43 44 49 50 51 52 53 54 "
+      "55 56 "
       "57 58 59 60 61 64 65 68 69 73 74 76 80 81 82 83 84 85 86 87 88 89 90 91 92 94 95 98 99",
       "general knowledge; no complete list was found", Inferred};
   c.reading.unlisted_codes = {UnlistedCode::NotKnown, "policy: no complete list was found",
@@ -67,13 +68,15 @@ void calls_and_returns(Control& c) {
   c.calls.nesting_counts_macros = {false, kNone, Inferred};
   c.calls.max_macro_nesting = {0, kNone, Inferred};
   c.calls.max_total_nesting = {9, kHs, Inferred};
-  c.calls.mdi_calls = {MdiCalls::Allowed, kPolicy, Inferred};
+  c.calls.mdi_calls = {MdiCalls::Refused, "source 003, M98 does not run in MDI", SourceDocument};
   no_role(c.calls.roles, {"M198", "M97"}, kKnown, Inferred);
   c.calls.device_word = {false, kKnown, Inferred};
-  c.calls.return_search = {ReturnSearch::FromHead, kNone, Inferred};
-  c.calls.return_with_p = {ReturnWithP::Refused, kUnsure, Inferred};
+  c.calls.return_search = {ReturnSearch::FromHead, kPolicy, Inferred};
+  c.calls.return_with_p = {ReturnWithP::AtOnce,
+                           "source 003, M99 Pn; of passes that remain nobody says", SourceDocument};
   c.calls.return_with_l = {ReturnWithL::Ignored, kPolicy, Inferred};
-  c.calls.main_return = {MainReturn::Restarts, kKnown, Inferred};
+  c.calls.main_return = {MainReturn::Restarts, "source 003, M99 in the main program",
+                         SourceDocument};
   c.calls.calls_in_modal = {CallsInModal::Allowed, kNone, Inferred};
   c.calls.codes_not_with_return = {"", kPolicy, Inferred};
   c.calls.codes_not_with_call = {"", kPolicy, Inferred};
@@ -155,11 +158,12 @@ void variables(Control& c) {
 void motion(Control& c) {
   c.motion.g_meanings = {
       "22=pulses 24=mirror 25=mirror-off 7=not-computed 11=not-computed 12=not-computed "
-      "34=not-computed 65=not-computed 10=none 15=none 16=none 31=none 96=none 45=none 46=none "
+      "34=not-computed 65=not-computed 10=none 31=none 96=none 45=none 46=none "
       "47=none 48=none",
       "source 003, G22; the others from general knowledge", SourceDocument};
   lacks(c.common.power_on, {PowerOn::G01},
         "inferred from source 003, typical example: Z5 before any F", Inferred);
+  c.motion.parallel_axes = {true, "source 003, arcs end in X, Y, Z, U, V, W", SourceDocument};
   c.motion.dwell_unit = {DwellUnit::PSeconds, "source 003, G04", SourceDocument};
   c.motion.no_radius = {NoRadius::Alarm, kKnown, Inferred};
   c.motion.cycle_repeats = {"L", kKnown, Inferred};

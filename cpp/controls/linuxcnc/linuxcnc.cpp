@@ -38,7 +38,6 @@ void motion(Control& c) {
   c.motion.dwell_words = {"P", kGCode, Manual};
   c.motion.speed_limit = {SpeedLimit::OfSurface, "rs274 2.9; LC g-code, G96", SourceDocument};
   c.motion.dwell_unit = {DwellUnit::PSeconds, kGCode, Manual};
-  c.motion.dwell_point = {DwellPoint::Seconds, kGCode, Manual};
   c.motion.cycle_repeats = {"L", kGCode, Manual};
   c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, kRun, SourceDocument};
   c.motion.cycle_approach = {CycleApproach::RFirst, kRun, SourceDocument};

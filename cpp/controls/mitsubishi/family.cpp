@@ -116,6 +116,7 @@ void statements(Control& c) {
   c.macros.functions = {
       "SIN COS TAN ASIN ACOS ATAN SQRT SQR ABS ROUND RND FIX FUP LN EXP BIN BCD MOD", kGeneral,
       Inferred};
+  c.macros.word_arithmetic = {true, kM7 + "p.326: G0 X#1 + 10 Y1000", Manual};
   c.macros.vacant_address = {VacantAddress::Ignored, kGeneral, Inferred};
   c.macros.vacant_comparison = {VacantComparison::Distinguished, kGeneral, Inferred};
   has(c.macros.variable_forms, {VariableForm::Point},

@@ -238,6 +238,7 @@ case(
 
 case(
     "M30 in a subprogram ends the whole run (F124)",
+    pins="end_in_subprogram",
     control=["fanuc-16i", "fanuc-30i"],
     source="general knowledge of the FANUC manuals",
     evidence="inferred",

@@ -295,6 +295,7 @@ case(
 )
 case(
     "GSK: M30 in a subprogram ends the run",
+    pins="end_in_subprogram",
     control=FAMILIES, source="K, M30", evidence=INFERRED,
     program=one_call("M98 P2", "N30 M30\nN40 M99"),
     runs="N10 N30",

@@ -424,6 +424,7 @@ case(
 )
 case(
     "GSK 928: M02 ends the program in a called part",
+    pins="end_in_subprogram",
     control=TE, source="K, M02", evidence=INFERRED,
     program="%1\nN0010 M98 P0030 L5\nN0020 M30\nN0030 M02\nN0040 M99\n",
     runs="N10 N30",

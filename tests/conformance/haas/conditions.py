@@ -78,9 +78,24 @@ case(
     "behind the condition of IF stands no second IF", **VERSABUILT | {"evidence": "inferred"},
     program="O1\nN10 IF [1] THEN IF [1] M98 P2\nN20 M30", runs="", alarm="if-format", number="516", at="O1 N10",
 )
+FONT = {"control": HAAS, "source": "H96 p.159, O9876: IF [ #9 EQ #0 ] #9= #4109", "evidence": "secondary"}
 case(
-    "IF with a statement and neither GOTO nor THEN is 516", **KNOWN, program="O1\nN10 IF [1] #1=2\nN20 M30",
-    runs="", alarm="if-format", number="516", at="O1 N10",
+    "behind the condition of IF a statement may stand without THEN", pins="if_form", **FONT,
+    program="O1\nN10 F250.\nN20 IF [ #9 EQ #0 ] #9= #4109\nN30 IF [ #9 EQ #0 ] #8= 1.\nN40 IF [#9 GT 100] #[3+4]=#9*2\nN50 M30",
+    runs="N10 N20 N30 N40 N50", vars={9: 250, 8: None, 7: 500},
+)
+case(
+    "behind the condition of IF without THEN stands nothing else behind the statement",
+    **FONT | {"evidence": "inferred"},
+    program="O1\nN10 IF [1] #1=2 X5.\nN20 M30", runs="", alarm="if-format", number="516", at="O1 N10",
+)
+case(
+    "behind the condition of IF without THEN stands no loop", **FONT | {"evidence": "inferred"},
+    program="O1\nN10 IF [1] WHILE[1]DO1\nN20 END1\nN30 M30", runs="", alarm="if-format", number="516", at="O1 N10",
+)
+case(
+    "behind the condition of IF something has to stand", **KNOWN,
+    program="O1\nN10 IF [1]\nN20 M30", runs="", alarm="if-format", number="516", at="O1 N10",
 )
 case(
     "a vacant variable moves nothing",

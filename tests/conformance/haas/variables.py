@@ -61,9 +61,9 @@ case(
     runs="", alarm="illegal-variable", number="503", at="O1 N10",
 )
 case(
-    "#700 is no variable of the programs",
+    "#750 is no variable of the programs",
     **KNOWN,
-    program="O1\nN10 #700=5\nN20 M30",
+    program="O1\nN10 #750=5\nN20 M30",
     runs="", alarm="illegal-variable", number="503", at="O1 N10",
 )
 case(
@@ -76,12 +76,6 @@ case(
     "#9999 is no variable of the programs",
     pins="variable_forms:9nnn", **KNOWN,
     program="O1\nN10 #9999=5\nN20 M30",
-    runs="", alarm="illegal-variable", number="503", at="O1 N10",
-)
-case(
-    "#11000 is no variable of the programs",
-    **KNOWN,
-    program="O1\nN10 #11000=5\nN20 M30",
     runs="", alarm="illegal-variable", number="503", at="O1 N10",
 )
 case(
@@ -153,6 +147,70 @@ case(
     "G04 P. counts seconds and P without a point thousandths", pins="dwell_words dwell_unit dwell_point",
     control=HAAS, source="H96 p.91, G04 P1.", evidence="secondary",
     program="O1\nN10 G04 P1.\nN20 G04 P500\nN30 M30", time=1.5,
+)
+DWELL = {"control": HAAS, "source": "H96 p.91, G04 P1.; post processors of the Haas", "evidence": "secondary"}
+case(
+    "P with a point waits seconds in a drilling cycle", pins="dwell_point", **DWELL,
+    program="O1\nN10 G0 Z5.\nN20 G82 X1. R1. Z-2. P0.5 F100.\nN30 G80 M30", time=2.402,
+)
+case(
+    "P without a point waits thousandths in a drilling cycle", **DWELL,
+    program="O1\nN10 G0 Z5.\nN20 G82 X1. R1. Z-2. P500 F100.\nN30 G80 M30", time=2.402,
+)
+case(
+    "P of a later hole has its point too, and stays", **DWELL,
+    program="O1\nN10 G0 Z5.\nN20 G99 G89 X1. R1. Z-1. P250 F600.\nN30 X2. P0.5\nN40 G98 X3.\nN50 G80 M30",
+    moves="R Z5\nR X1\nR Z1\nF Z-1\nW 0.25\nF Z1\nR X2\nR Z1\nF Z-1\nW 0.5\nF Z1\nR X3\nR Z1\nF Z-1\nW 0.5\nF Z1\nR Z5",
+)
+for code in ("73", "74", "76", "83", "84", "85", "86"):
+    case(
+        f"G{code} takes a point at P", **DWELL | {"evidence": "inferred"},
+        program=f"O1\nN10 G0 Z5. S100 M3\nN20 G{code} X1. R1. Z-2. Q0.5 P0.2 F100.\nN30 G80 M30", runs="N10 N20 N30",
+    )
+case(
+    "P of a call takes no point", **KNOWN,
+    program="O1\nN10 M98 P2.\nN20 M30\nO2\nN30 M99", runs="", alarm="illegal-decimal-point", at="O1 N10", word="P2.",
+)
+case(
+    "P of G10 takes no point", **KNOWN,
+    program="O1\nN10 G10 L2 P1. X5.\nN20 M30", runs="", alarm="illegal-decimal-point", at="O1 N10", word="P1.",
+)
+case(
+    "P of a move takes no point", **KNOWN,
+    program="O1\nN10 G0 X1. P0.5\nN20 M30", runs="", alarm="illegal-decimal-point", at="O1 N10", word="P0.5",
+)
+case(
+    "a computed P of a cycle counts thousandths, as that of G04 does", **KNOWN,
+    program="O1\nN10 #1=500\nN20 G0 Z5.\nN30 G82 X1. R1. Z-2. P#1 F100.\nN40 G80 M30", time=2.402,
+)
+
+# What the machine tells
+TOLD = {"control": HAAS, "source": "ZAP, Haas system variables", "evidence": "secondary"}
+case(
+    "#11000 to #11063 are inputs", **TOLD, inputs={"signals": {11000: 1, 11063: 1}},
+    program="O1\nN10 #1=#11000+#11001+#11063\nN20 M30", vars={1: 2},
+)
+case(
+    "an input is read only", **TOLD,
+    program="O1\nN10 #11000=1\nN20 M30", runs="", alarm="variable-write-protected", at="O1 N10",
+)
+case(
+    "flutes, vibrations and timers are numbers that the machine tells", **TOLD, inputs={"signals": {1601: 4, 1800: 3, 1801: 5, 2000: 2, 3020: 7, 3028: 9}},
+    program="O1\nN10 #1=#1601+#1800*10+#1801*100+#2000*1000\nN20 #2=#3020+#3028*10\nN30 M30", vars={1: 2534, 2: 97},
+)
+for number in (1064, 1080, 1090, 1264, 1601, 1801, 3020, 3028):
+    case(
+        f"#{number} is read only", **TOLD,
+        program=f"O1\nN10 #{number}=1\nN20 M30", runs="", alarm="variable-write-protected", at="O1 N10",
+    )
+for number in (1069, 1079, 1088, 1099, 1263, 1269, 1600, 3019, 3029, 11064):
+    case(
+        f"#{number} is no variable", **KNOWN,
+        program=f"O1\nN10 #1=#{number}\nN20 M30", runs="", alarm="illegal-variable", number="503", at="O1 N10",
+    )
+case(
+    "#700 to #749 are kept for programs of the control's own", **TOLD,
+    program="O1\nN10 #700=5\nN20 #749=#700+#10700\nN30 M30", vars={700: 5, 749: 5},
 )
 
 _UNCOMPUTED = "71 72 88 100 101 102 107 136 141 143 153 155 161 162 163 164 165 166 169 174 184 188 234 253 254 255 268 269"

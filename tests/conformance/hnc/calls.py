@@ -314,9 +314,9 @@ case(
     max_cycles=1, runs="N10 N20", t=[1], stop="cycles",
 )
 case(
-    "HNC: M99 P in a subprogram is refused",
+    "HNC: M99 P goes on at its block of the caller",
     pins="return_with_p",
-    control=HNC, source="general knowledge, M99 P not supported (weak)", evidence="inferred",
+    control=HNC, source="source 003, M99 Pn", evidence="source document",
     program="""
         %1
         N10 M98 P2
@@ -325,17 +325,65 @@ case(
         %2
         N40 M99 P30
     """,
-    runs="N10", alarm="illegal-word-with-return", number=None, at="%2 N40",
+    runs="N10 N40 N30",
 )
 case(
-    "HNC: M99 P in the main program is refused",
-    control=HNC, source="general knowledge, M99 P not supported (weak)", evidence="inferred",
+    "HNC: M99 P ends a call of which passes remain",
+    pins="return_with_p",
+    control=HNC, source="source 003, M99 Pn; of passes nobody says", evidence="inferred",
     program="""
         %1
-        N10 S1
-        N20 M99 P10
+        N10 M98 P2 L3
+        N20 S2
+        N30 M30
+        %2
+        N40 M99 P30
     """,
-    runs="N10", alarm="illegal-word-with-return", number=None, at="%1 N20",
+    runs="N10 N40 N30",
+)
+case(
+    "HNC: M99 P takes the first block of its number in the caller",
+    pins="return_search",
+    control=HNC, source="policy, nobody says", evidence="inferred",
+    program="""
+        %1
+        N10 G4 P1
+        N30 G4 P2
+        N40 #1=#1+1
+        N50 IF #1 EQ 1
+        N60 M98 P2
+        N70 ENDIF
+        N30 G4 P3
+        N80 M30
+        %2
+        N90 M99 P30
+    """,
+    runs="N10 N30 N40 N50 N60 N90 N30 N40 N50 N70 N30 N80",
+)
+case(
+    "HNC: M99 P of a block that the caller does not have alarms",
+    control=HNC, source="source 003, M99 Pn", evidence="inferred",
+    program="%1\nN10 M98 P2\nN20 M30\n%2\nN30 M99 P99",
+    runs="N10", alarm="return-target-not-found", number=None, at="%2 N30",
+)
+case(
+    "HNC: M99 P in the main program goes on at its block",
+    control=HNC, source="source 003, M99 Pn", evidence="inferred",
+    program="""
+        %1
+        N10 IF #1 EQ 2
+        N20 M30
+        N30 ENDIF
+        N40 #1=#1+1
+        N50 M99 P10
+    """,
+    runs="(N10 N30 N40 N50)*2 N10 N20",
+)
+case(
+    "HNC: M98 does not run in MDI",
+    pins="mdi_calls",
+    control=HNC, source="source 003, M98 in MDI", evidence="source document",
+    program="%2\nN10 M99", mdi="M98 P2", alarm="call-in-mdi", number=None,
 )
 case(
     "HNC: the words beside M99 run before the return",
@@ -352,6 +400,7 @@ case(
 )
 case(
     "HNC: M30 in a subprogram ends the run",
+    pins="end_in_subprogram",
     control=HNC, source="general knowledge, M30", evidence="inferred",
     program="""
         %1

@@ -5,7 +5,7 @@ from conformance import case
 RUN = {"control": "linuxcnc", "source": "rs274 2.9", "evidence": "source document"}
 BOOK = {"control": "linuxcnc", "source": "LC g-code", "evidence": "maker's manual"}
 
-case("G90.1 gives the centre of an arc itself, G91.1 from its start", pins="g_meanings", **RUN,
+case("G90.1 gives the centre of an arc itself, G91.1 from its start", pins="g_meanings g_codes machine max_feed power_on:G91 power_on:G18 power_on:G19 power_on:G20", **RUN,
      program="""
          N10 G90.1 G2 X2 Y0 I1 J0 F100
          N20 X4 I3 J0
@@ -14,7 +14,7 @@ case("G90.1 gives the centre of an arc itself, G91.1 from its start", pins="g_me
      """, moves="CW X2 Y0 C X1 Y0\nCW X4 Y0 C X3 Y0\nCW X6 Y0 C X5 Y0")
 case("both words of such a centre are written", **RUN,
      program="N10 G90.1 G2 X2 Y0 I1 F100\nN20 M2", runs="", alarm="no-radius", word="I1")
-case("#<_ijk_absolute_mode> tells it", **RUN,
+case("#<_ijk_absolute_mode> tells it", pins="modal_groups", **RUN,
      program="N10 (print,#<_ijk_absolute_mode>)\nN20 G90.1\nN30 (print,#<_ijk_absolute_mode>)\nN40 M2",
      messages=["0.000000", "1.000000"])
 case("P of an arc tells how often it goes around", pins="helix", **RUN,

@@ -35,7 +35,7 @@ case("a program that ends without M2, M30 or %", pins="missing_end", **RUN, prog
 case("% ends a program that begins with one", **RUN, program="%\nN10 G0 X1\n%\nN20 G0 X2\nN30 M2", moves_x=[1])
 case("a % that begins no program is no line of one", **RUN,
      program="N10 G0 X1\n%\nN20 M2", runs="N10", alarm="illegal-character")
-case("M30 ends the program from a subprogram too", **RUN,
+case("M30 ends the program from a subprogram too", pins="end_in_subprogram", **RUN,
      program="N10 o1 call\nN20 M2\nN30 o1 sub\nN40 M30\nN50 o1 endsub", runs="N10 N30 N40")
 case("MSG says its text as it is", **RUN, program="N10 G0 X1 (MSG, raw #1)\nN20 M2", messages=[" raw #1"], moves_x=[1])
 case(
@@ -59,7 +59,11 @@ case("a message that is passed over is not said", **RUN,
      program="N10 o1 if [0]\nN20 (MSG, no)\nN30 o1 else\nN40 (MSG, yes)\nN50 o1 endif\nN60 M2", messages=[" yes"])
 case("ABORT stops the program with its text", **RUN,
      program="N10 G0 X1\nN20 (ABORT, stop #1)\nN30 M2", runs="N10", alarm="user-alarm", at="MAIN N20")
-case("G4 waits for seconds", pins="dwell_words dwell_point", **RUN, program="N10 G4 P1.5\nN20 M2", time=1.5)
+case("G4 waits for seconds", pins="dwell_words", **RUN, program="N10 G4 P1.5\nN20 M2", time=1.5)
+case(
+    "P of G4 counts seconds where it is computed or has no point, too", pins="dwell_unit", **RUN,
+    program="N10 #1=1.5\nN20 G4 P#1\nN30 G4 P[1+0.5]\nN40 G4 P2\nN50 M2", time=5,
+)
 case(
     "an arc that ends off its circle by more than a hair is refused", pins="arc_rounding", **RUN,
     program="N10 G2 X2.0284 Y0 I1 F100\nN20 M2", runs="", alarm="radius-tolerance", word="X2.0284",

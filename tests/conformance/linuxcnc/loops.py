@@ -64,7 +64,7 @@ case(
     program="N10 o1 endwhile\nN20 M2", runs="", alarm="label-not-found", at="MAIN N10",
 )
 case(
-    "a pass of a while may call the subprogram it stands in", pins="self_call", **RUN,
+    "a pass of a while may call the subprogram it stands in", pins="self_call max_total_nesting", **RUN,
     program="N10 o1 sub\nN20 o2 while [#1 GT 0]\nN30 #1=[#1-1]\nN40 #100=[#100+1]\nN50 G0 X#100\nN60 o1 call [#1]\n"
     "N70 o2 endwhile\nN80 o1 endsub\nN90 o1 call [2]\nN100 M2",
     moves_x=[1, 2, 3],

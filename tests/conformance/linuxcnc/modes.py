@@ -48,14 +48,14 @@ case("but not behind M71", **BOOK,
 case("G7 takes X for a diameter, in its own line too", pins="g_meanings", **RUN,
      program="N10 G7 G0 X10\nN20 X10\nN30 (print,#5420 #<_lathe_diameter_mode>)\nN40 G8\nN50 X4\nN60 M2",
      moves="R X5\nR X5\nR X4", messages=["5.000000 1.000000"])
-case("G38.2 is a mode: the next line probes too", pins="g_meanings", **RUN,
+case("G38.2 is a mode: the next line probes too", pins="g_meanings skip_own_feed", **RUN,
      program="N10 G38.3 X5 F100\nN20 X7\nN30 M2", moves="F X5\nF X7")
 case("a probing move that is to meet something leads somewhere", **RUN,
      program="N10 G38.2 X0 F100\nN20 M2", runs="", alarm="probe-without-way", word="G38.2")
 case("G38.3 may stay", **RUN, program="N10 G38.3 X0 F100\nN20 M2", runs="N10 N20")
 case("it names an axis", **RUN,
      program="N10 G38.2 F100\nN20 M2", runs="", alarm="motion-word-missing", word="G38.2")
-case("#5070 tells whether the probe met something, #5061 where", **{**BOOK, "source": "LC g-code"},
+case("#5070 tells whether the probe met something, #5061 where", pins="skip_signals", **{**BOOK, "source": "LC g-code"},
      inputs={"skips": [{"X": 3}]}, program="""
          N10 G38.2 X5 F100
          N20 (print,#5070 #5061)

@@ -16,7 +16,7 @@ case("the unit changes anywhere", pins="unit_change", **RUN,
      program="N10 G0 X1\nN20 G20 G0 X1\nN30 M2", moves="R X1\nR X25.4")
 case("G53 is a feed in G1", pins="machine_move", **RUN,
      program="N10 G1 X1 F100\nN20 G53 X3\nN30 M2", moves="F X1\nF X3")
-case("a canned cycle runs as often as its L says", pins="cycle_repeats", **RUN,
+case("a canned cycle runs as often as its L says", pins="cycle_repeats max_cycle_repeats", **RUN,
      program="N10 G0 Z1\nN20 G91 G81 X1 Z-1 R0 L2 F100\nN30 G80 M2",
      final_work="X2 Z1")
 case("but not zero times", pins="zero_cycle_repeats", **RUN,
@@ -158,3 +158,7 @@ case("P of another code in a series is no dwell of its cycle", **RUN,
      moves="R Z2\nF Z-1\nR Z2\nW 1\nR X1\nF Z-1\nR Z2\nR X2\nF Z-1\nF Z2")
 case("P of G4 is seconds, computed or not", pins="dwell_unit", **{**RUN, "source": "LC g-code", "evidence": "maker's manual"},
      program="N10 G4 P[1/2]\nN20 #1=2\nN30 G4 P#1\nN40 G4 P1\nN50 M2", moves="W 0.5\nW 2\nW 1")
+case(
+    "rapid traverse is 10 m a minute where the setup names no other", pins="rapid_rate", **RUN,
+    program="N10 G0 X90000 Y50\nN20 M2", time=540,
+)

@@ -5,7 +5,7 @@ from conformance import case
 RUN = {"control": "linuxcnc", "source": "rs274 2.9", "evidence": "source document"}
 D1 = {"radius_offsets": {1: 1}}
 
-case("the start of G41 ends beside its own line", pins="start_up", **RUN, setup=D1,
+case("the start of G41 ends beside its own line", pins="start_up radius_offset_diameter", **RUN, setup=D1,
      program="N10 G41 D1 G1 X5 F100\nN20 Y5\nN30 G40 X0\nN40 M2", centre="X4 Y1 | X4 Y5 | X0 Y5")
 case("around an outside corner of any angle the tool goes in an arc", pins="start_up", **RUN, setup=D1,
      program="N10 G42 D1 G1 X5 F100\nN20 Y5\nN30 G40 X0\nN40 M2", centre="X5 Y-1 | X6 Y0 | X6 Y5 | X0 Y5")

@@ -4,6 +4,7 @@ from conformance import case
 
 case(
     "M30 in a subprogram ends the run on the M700 (MIT-022)",
+    pins="end_in_subprogram",
     control="mitsubishi-m700",
     source="general knowledge of the M700V manuals",
     evidence="inferred",

@@ -88,10 +88,6 @@ printed(
     "N20G01X100Y60F80", "N30G91Y60", "N30G15", controls=FANUC_MILLS, setup={"start": {"X": 0}},
     moves="F X50 Y86.6025\nF X-50 Y86.6025",
 )
-printed(
-    "the HNC, which is not the control of example 10, has no G16", "N10G17G90G16", controls=[HNC],
-    alarm="g-code-not-available", at="O1 N10",
-)
 printed("the line T02 of the source runs", "N10 T02", "N20 G00 X0", controls=[HNC], runs="N10 N20")
 printed(
     "the line M03 S1000 of the source runs",

@@ -44,7 +44,7 @@ case(
     program="%_N_MAIN_MPF\nN5 R1=2\nN10 L100 P=R1\nN20 M30\n%_N_L100_SPF\nN40 M17", runs="N5 N10 N40*2 N20",
 )
 case(
-    "P is at most 9999", pins="max_repeats", **KNOWN,
+    "P is at most 9999", pins="max_repeats too_many_repeats", **KNOWN,
     program="%_N_MAIN_MPF\nN10 L100 P10000\nN20 M30\n%_N_L100_SPF\nN40 M17",
     runs="", alarm="repeat-count-digits", at="MAIN N10", word="P10000",
 )
@@ -73,7 +73,7 @@ case(
     program="%_N_MAIN_MPF\nN10 L\nN20 M30", runs="", alarm="address-without-value", at="MAIN N10", word="L",
 )
 case(
-    "fifteen programs are called below the main one, the next is 14012", pins="max_nesting",
+    "fifteen programs are called below the main one, the next is 14012", pins="max_nesting max_total_nesting self_call",
     control=ONE, source="828D p.490, 16 program levels; CW-S, 14012", evidence="secondary",
     program="%_N_MAIN_MPF\nN10 REC\nN20 M30\n%_N_REC_SPF\nN30 G0 X1\nN40 REC\nN50 M17",
     runs="N10 (N30 N40)*14 N30", alarm="nesting-too-deep", number="14012", at="REC N40",
@@ -83,11 +83,11 @@ case(
     program="%_N_MAIN_MPF\nN10 G0 X1\nN20 M17\nN30 G0 X2", runs="N10 N20",
 )
 case(
-    "words beside M17 are executed before it returns", **KNOWN,
+    "words beside M17 are executed before it returns", pins="power_on:G20", **KNOWN,
     program="%_N_MAIN_MPF\nN10 PART\nN20 M30\n%_N_PART_SPF\nN30 G0 X4 M17", moves_x=[4],
 )
 case(
-    "M2 ends the program behind the words of its block", **MANUAL,
+    "M2 ends the program behind the words of its block", pins="power_on:G91", **MANUAL,
     program="%_N_MAIN_MPF\nN10 G0 X1\nN20 X2 M2\nN30 X3", moves_x=[1, 2],
 )
 case(
@@ -105,4 +105,13 @@ case(
     "a call with values is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
     program="%_N_MAIN_MPF\nN10 CUT(2,5)\nN20 M30\n%_N_CUT_SPF\nN40 M17",
     runs="", alarm="code-not-computed", at="MAIN N10",
+)
+case(
+    "M30 ends the run from a subprogram too", pins="end_in_subprogram", **KNOWN,
+    program="%_N_MAIN_MPF\nN10 PART\nN20 M30\n%_N_PART_SPF\nN30 G0 X1\nN40 M30", runs="N10 N30 N40",
+)
+case(
+    "a program may call the one that called it", pins="caller_call", **KNOWN,
+    program="%_N_MAIN_MPF\nN10 ONE\nN20 M30\n%_N_ONE_SPF\nN30 R1=R1+1\nN40 IF R1>1 GOTOF OUT\nN50 TWO\nN60 OUT: M17\n%_N_TWO_SPF\nN70 ONE\nN80 M17",
+    runs="N10 N30 N40 N50 N70 N30 N40 N60 N80 N60 N20",
 )

@@ -45,7 +45,7 @@ case(
     "EX is a power of ten", **KNOWN, program="N10 R1=1.5EX3 R2=-1EX-2\nN20 M30", vars={1: 1500, 2: -0.01},
 )
 case(
-    "R99 is the last parameter", **KNOWN,
+    "R99 is the last parameter", pins="commons", **KNOWN,
     program="N10 R99=1\nN20 R100=1\nN30 M30", runs="N10", alarm="illegal-variable", at="MAIN N20", word="R100=1",
 )
 case(

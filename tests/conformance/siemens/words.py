@@ -19,12 +19,36 @@ case(
     "a length without a point is millimetres", **KNOWN, program="N10 G0 X10\nN20 M30", moves_x=[10],
 )
 case(
-    "G1 is in force at power-on", pins="power_on:G01", **KNOWN,
+    "G1 is in force at power-on", pins="power_on:G01 max_feed", **KNOWN,
     program="N10 X10 F100\nN20 M30", moves="F X10",
 )
 case(
-    "CR is the radius of an arc, negative for the long way", **KNOWN,
+    "CR is the radius of an arc", pins="power_on:G18 power_on:G19", **KNOWN,
     program="N10 G0 X0 Y0\nN20 G2 X10 Y0 CR=5 F100\nN30 G3 X0 Y0 I-5 J0\nN40 M30", moves="R X0 Y0\nCW X10 Y0 C X5 Y0\nCCW X0 Y0 C X5 Y0",
+)
+case(
+    "a negative CR goes the long way", pins="negative_radius", **KNOWN,
+    program="N10 G0 X0 Y0\nN20 G2 X10 Y10 CR=-10 F100\nN30 M30", moves="R X0 Y0\nCW X10 Y10 C X0 Y10",
+)
+case(
+    "a CR that is too small for its chord alarms", pins="small_radius", **KNOWN,
+    program="N10 G0 X0 Y0\nN20 G2 X10 Y0 CR=4.999 F100\nN30 M30", runs="N10", alarm="radius-too-small", at="MAIN N20", word="CR=4.999",
+)
+case(
+    "an arc without centre and radius alarms", pins="no_radius", **KNOWN,
+    program="N10 G0 X0 Y0\nN20 G2 X10 Y0 F100\nN30 M30", runs="N10", alarm="no-radius", at="MAIN N20", word="G2",
+)
+case(
+    "the axis across its plane goes along an arc", pins="helix", **KNOWN,
+    program="N10 G0 X0 Y0 Z0\nN20 G2 X10 Y0 Z-3 I5 J0 F100\nN30 M30", moves="R X0 Y0 Z0\nCW X10 Y0 Z-3 C X5 Y0",
+)
+case(
+    "rapid traverse of a SINUMERIK is 10 m a minute where the setup names no other", pins="rapid_rate machine", **KNOWN,
+    program="N10 G0 X90000 Y50\nN20 M30", time=540,
+)
+case(
+    "a block number has at most eight digits", pins="max_sequence_number", **KNOWN,
+    program="N99999999 G0 X1\nN100000000 X2\nN30 M30", runs="N99999999", alarm="illegal-sequence-number", at="MAIN",
 )
 case(
     "an end that misses its circle by more than a hundredth is 14040",
@@ -39,7 +63,7 @@ case(
     runs="N10 N20 N30", alarm="radius-tolerance", number="14040", at="MAIN N40", word="X200.15",
 )
 case(
-    "G71 and G70 are the units", **GROUPS, program="N10 G70 G0 X1\nN20 G71 X1\nN30 M30", moves="R X25.4\nR X1",
+    "G71 and G70 are the units", pins="unit_change", **GROUPS, program="N10 G70 G0 X1\nN20 G71 X1\nN30 M30", moves="R X25.4\nR X1",
 )
 case(
     "F of G4 is its seconds", pins="dwell_words", **KNOWN, program="N10 G4 F2.5\nN20 M30", time=2.5,

@@ -159,6 +159,9 @@ void BlockWriter::back() {
     if (token.comma) continue;
     if (token.letter == 'P') back.p = token.operand;
     if (token.letter == 'L') back.l = token.operand;
+    if (token.letter == 'Q' && control_.calls.return_to_line.value)
+      return refuse({Cause::CodeNotComputed, token.operand.at, token.operand.width,
+                     "a return to a line of the file is not computed here"});
   }
   if (back.p.present() && control_.calls.return_with_p.value == ReturnWithP::Refused)
     return refuse(
@@ -178,11 +181,12 @@ std::optional<Fault> BlockWriter::input_of_jump(JumpRecord& jump) {
   if (q.kind == Operand::Kind::Expression)
     return Fault{Cause::CodeNotComputed, q.at, q.width,
                  "an input of a computed number is not read here"};
-  double first = -1;
+  const VariableRange* inputs = nullptr;
   for (const PlacedRange& placed : rules_.code.variables)
-    if (placed.range.kind == VariableKind::Input && first < 0) first = placed.range.first;
-  if (first < 0) return Fault{Cause::IllegalVariable, q.at, q.width, "the control has no inputs"};
-  const Instruction input{Ins::Variable, 0, q.at, first + q.value};
+    if (placed.range.kind == VariableKind::Input && inputs == nullptr) inputs = &placed.range;
+  if (inputs == nullptr || inputs->first + q.value > inputs->last)
+    return Fault{Cause::IllegalVariable, q.at, q.width, "the control has no such input"};
+  const Instruction input{Ins::Variable, 0, q.at, inputs->first + q.value};
   jump.reads_input = true;
   jump.input = to_.expressions().one(input, q.at, q.width);
   return std::nullopt;

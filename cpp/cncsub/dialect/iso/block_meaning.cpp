@@ -190,7 +190,7 @@ bool MeaningReader::is_odd(const Token& token) const {
     return std::fabs(token.operand.value) >= kPowersOfTen[kMostDigits];
   if (!token.odd) return false;
   const bool long_p = token.letter == 'P' && token.wrong == Cause::TooManyDigits;
-  const bool all_decide = long_p || takes_point_in_dwell(token) || may_be_increment(token);
+  const bool all_decide = long_p || may_take_point(token) || may_be_increment(token);
   return !all_decide && !is_length_here(token);
 }
 
@@ -199,8 +199,7 @@ bool MeaningReader::is_odd_in_block(const Token& token) const {
   if (may_be_increment(token)) return meaning_.calls_subprogram();
   if (token.letter != 'P') return false;
   const bool name = token.wrong == Cause::TooManyDigits && names_by_p();
-  const bool dwell = takes_point_in_dwell(token) && meaning_.has_g(4, 4);
-  return !name && !dwell && !is_length_here(token);
+  return !name && !takes_point_here(token) && !is_length_here(token);
 }
 
 /// P of a call, a return or a jump has digits of its own: those of a program or a block, and a
@@ -210,10 +209,29 @@ bool MeaningReader::names_by_p() const {
   return (meaning_.calls() && !by_code) || meaning_.back != nullptr || meaning_.jump != nullptr;
 }
 
-/// P of G04 takes a point on some controls.
-bool MeaningReader::takes_point_in_dwell(const Token& token) const {
+/// P of a dwell takes a point on some controls, and P of G51.
+bool MeaningReader::may_take_point(const Token& token) const {
   return token.letter == 'P' && token.wrong == Cause::IllegalDecimalPoint &&
-         control_.motion.dwell_point.value != DwellPoint::Refused;
+         (control_.motion.dwell_point.value != DwellPoint::Refused ||
+          control_.motion.scale_unit.value == ScaleUnit::AsWritten);
+}
+
+bool MeaningReader::takes_point_here(const Token& token) const {
+  if (!may_take_point(token) || names_by_p()) return false;
+  const DwellPoint dwell = control_.motion.dwell_point.value;
+  return (dwell != DwellPoint::Refused && meaning_.has_g(4, 4)) ||
+         (dwell == DwellPoint::CyclesToo && may_drill()) ||
+         (control_.motion.scale_unit.value == ScaleUnit::AsWritten && meaning_.has_g(51, 51));
+}
+
+/// Whether the block begins a drilling cycle, or has no code that would keep it from drilling the
+/// next hole of one.
+bool MeaningReader::may_drill() const {
+  const auto goes_with_cycle = [](const Token* token) {
+    const double code = token->operand.value;
+    return (code >= 73 && code <= 91) || code == 98 || code == 99;
+  };
+  return std::all_of(meaning_.g.begin(), meaning_.g.end(), goes_with_cycle);
 }
 
 /// P of G74 to G76 is a length on some lathes and takes a point there, and D of G37.1 the zone of a

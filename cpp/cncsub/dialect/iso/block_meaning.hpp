@@ -81,7 +81,9 @@ class MeaningReader {
   bool is_odd(const Token& token) const;
   bool is_odd_in_block(const Token& token) const;
   bool names_by_p() const;
-  bool takes_point_in_dwell(const Token& token) const;
+  bool may_take_point(const Token& token) const;
+  bool takes_point_here(const Token& token) const;
+  bool may_drill() const;
   bool is_length_here(const Token& token) const;
 
   std::optional<Fault> check_count() const;

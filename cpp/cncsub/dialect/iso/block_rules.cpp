@@ -10,6 +10,8 @@ BlockRules::BlockRules(const Code& of)
   mark(control.reading.point_addresses.value, kPoint);
   mark(control.reading.minus_addresses.value, kMinus);
   if (control.reading.whole_numbers.value == WholeNumbers::Increments) mark(kLengths, kIncrements);
+  if (control.motion.dwell_point.value == DwellPoint::CyclesToo)
+    mark(std::string_view("P"), kIncrements);
   if (control.common.refuses.value.has(Cause::CornerWithCall))
     for (const CornerLetters& words :
          {control.motion.chamfer_words.value, control.motion.round_words.value})

@@ -28,7 +28,7 @@ struct BlockRules {
 
   bool takes_point(char letter) const { return has(letter, kPoint); }
   bool takes_minus(char letter) const { return has(letter, kMinus); }
-  /// Whether a number of the letter that has no point counts in increments.
+  /// Whether a number of the letter that has no point counts in increments, or in thousandths.
   bool in_increments(char letter) const { return has(letter, kIncrements); }
 
  private:

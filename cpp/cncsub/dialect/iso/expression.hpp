@@ -22,6 +22,10 @@ class ExpressionReader {
   /// The value behind an address: `#1`, `-#1`, `[...]`, `-[...]`. In a word, ROUND rounds to the
   /// address's increment.
   std::optional<std::uint32_t> word_value(Scanner& s, char address);
+  /// Whether the value of a word goes on here by arithmetic without brackets: `#1+10`.
+  bool goes_on(const Scanner& s) const;
+  /// The same value, from its beginning.
+  std::optional<std::uint32_t> arithmetic_of_word(Scanner& s, char address);
   /// The condition of IF and WHILE, brackets included.
   std::optional<std::uint32_t> condition(Scanner& s);
   /// What stands behind the # of a variable, which is at `hash`: its number, or an expression that

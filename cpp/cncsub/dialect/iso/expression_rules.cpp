@@ -55,6 +55,7 @@ ExpressionRules::ExpressionRules(const Code& of)
       points(control.macros.variable_forms.value.has(VariableForm::Point)),
       distinguishes_vacant(control.macros.vacant_comparison.value ==
                            VacantComparison::Distinguished),
+      word_arithmetic(control.macros.word_arithmetic.value),
       modulo(has(Function::Mod)),
       most_brackets(std::min(control.macros.max_brackets.value, kDeepestBrackets)),
       most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)),

@@ -32,6 +32,7 @@ struct ExpressionRules {
   bool indirect;       // #9100
   bool points;         // #100.
   bool distinguishes_vacant;
+  bool word_arithmetic;  // X#1+10
   bool modulo;
   int most_brackets;
   std::ptrdiff_t most_digits;           // that a constant may have without a look at what they are

@@ -35,6 +35,7 @@ void read_value(Scanner& s, Lexeme& word, bool axes) {
   }
   if (!begins_number(c)) return;
   word.value = Lexeme::Value::Number;
+  word.value_at = s.at;
   word.number = scan_number(s);
   if (!axes || !is_axis(word, s.peek())) return;
   word.axis = to_whole<std::uint8_t>(word.number.value);

@@ -32,7 +32,8 @@ struct Lexeme {
   std::uint8_t axis = 0;  // X1=10: the number of the axis
   std::uint8_t skip = 0;  // of a slash: the number of its switch, 0 where none is written
   Number number;
-  const char* at = nullptr;  // its first character
+  const char* value_at = nullptr;  // where the number begins, with its sign
+  const char* at = nullptr;        // its first character
 };
 
 /// Reads the lexeme that stands here, and leaves the scanner behind it. `axes`: X1=10 is a word of

@@ -217,8 +217,6 @@ void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statem
     return refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO or THEN");
   if (s_.peek() == '\0' && form == IfForm::ThenBlocks) return to_.become(block_, Op::If, statement);
   then_statement(statement);
-  if (!then && !before_words_ && block_.op != Op::Fault)
-    refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO, THEN or an NC word");
 }
 
 /// THEN takes one macro statement, kept as a block of its own.

@@ -183,7 +183,8 @@ bool WordScanner::stray(const char* from) {
 bool WordScanner::value(const Lexeme& read, Token& token) {
   switch (read.value) {
     case Lexeme::Value::Number:
-      return number(token, read.number);
+      return expressions_.goes_on(s_) ? arithmetic(token, read.value_at)
+                                      : number(token, read.number);
     case Lexeme::Value::Expression:
       return computed(token);
     case Lexeme::Value::None:
@@ -252,6 +253,21 @@ bool WordScanner::computed(Token& token) {
     return refuse(
         fault_of(token, Cause::AddressNotUsable, "a program number cannot come from a variable"));
   const auto value = expressions_.word_value(s_, token.letter);
+  if (!value) return refuse(expressions_.fault());
+  operand.kind = Operand::Kind::Expression;
+  operand.expression = *value;
+  operand.width = std::max(1u, s_.offset() - operand.at);
+  return true;
+}
+
+/// X10+#1, a value that begins with a number.
+bool WordScanner::arithmetic(Token& token, const char* from) {
+  Operand& operand = token.operand;
+  if (token.letter == 'O')
+    return refuse(
+        fault_of(token, Cause::AddressNotUsable, "a program number cannot come from a variable"));
+  s_.at = from;
+  const auto value = expressions_.arithmetic_of_word(s_, token.letter);
   if (!value) return refuse(expressions_.fault());
   operand.kind = Operand::Kind::Expression;
   operand.expression = *value;

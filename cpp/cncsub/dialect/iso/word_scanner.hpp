@@ -71,6 +71,7 @@ class WordScanner {
   bool number(Token& token, const Number& number);
   bool check(Token& token, const Number& number);
   bool computed(Token& token);
+  bool arithmetic(Token& token, const char* from);
   bool no_value(Token& token, const char* letter);
   std::optional<Fault> statement_at(const char* letter) const;
   bool name(Token& token, char close);

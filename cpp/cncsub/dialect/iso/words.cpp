@@ -2,6 +2,8 @@
 // it.
 #include "cncsub/text/words.hpp"
 
+#include <string_view>
+
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/iso/lexeme.hpp"
 
@@ -9,15 +11,45 @@ namespace cncsub {
 
 namespace {
 
+/// Passes over the name of an operator or of a function, where arithmetic goes on with one:
+/// `#1 MOD 2`, `#1+SIN[30]`.
+bool pass_named(Scanner& s, char before) {
+  for (const std::string_view name : {"MOD", "AND", "XOR", "OR"})
+    if (s.take_word(name)) return true;
+  if (std::string_view("+-*/").find(before) == std::string_view::npos) return false;
+  Scanner ahead = s;
+  while (is_letter(ahead.peek())) ++ahead.at;
+  if (ahead.peek() != '[') return false;
+  s.at = ahead.at;
+  return true;
+}
+
+/// Whether a slash divides: it does before a variable and before brackets.
+bool divides(Scanner s) {
+  ++s.at;
+  return s.peek() == '#' || s.peek() == '[';
+}
+
 /// What stands behind an address that is no number: up to the next word outside brackets.
 void pass_value(Scanner& s) {
   int brackets = 0;
-  for (char c = s.peek(); c != '\0'; c = s.peek()) {
-    if (brackets == 0 && (is_letter(c) || c == ',' || c == '/' || c == '<')) return;
+  char before = '\0';
+  for (char c = s.peek(); c != '\0'; before = c, c = s.peek()) {
+    if (brackets == 0 && is_letter(c)) {
+      if (!pass_named(s, before)) return;
+      continue;
+    }
+    if (brackets == 0 && (c == ',' || c == '<' || (c == '/' && !divides(s)))) return;
     if (c == '[') ++brackets;
     if (c == ']') --brackets;
     ++s.at;
   }
+}
+
+/// Whether arithmetic goes on behind a number: `10+#1`.
+bool goes_on(Scanner s) {
+  const char c = s.peek();
+  return c == '+' || c == '-' || c == '*' || (c == '/' && divides(s));
 }
 
 /// X, `,C`, X1 of an axis.
@@ -44,7 +76,8 @@ void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
   switch (read.kind) {
     case Lexeme::Kind::Word:
       word.address = address_of(read);
-      if (read.value != Lexeme::Value::Number || !set_number(word, read.number)) pass_value(s);
+      if (read.value != Lexeme::Value::Number || goes_on(s) || !set_number(word, read.number))
+        pass_value(s);
       return;
     case Lexeme::Kind::Slash:
       word.address = "/";

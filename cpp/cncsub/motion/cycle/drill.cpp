@@ -42,11 +42,8 @@ void take_cycle_words(MotionContext& m, const BlockWords& block) {
   if (w.has(depth))
     cycle.z = number(m, block, depth), cycle.z_incremental = incremental, cycle.has_z = true;
   if (w.has('Q')) cycle.q = cycle_length(m, block, 'Q'), cycle.has_q = true;
-  const bool seconds =
-      c.motion.dwell_unit.value == DwellUnit::PSeconds ||
-      (c.motion.dwell_point.value == DwellPoint::Seconds && (w.whole & bit('P')) == 0);
   if (w.has('P') && (dwells(cycle.cycle) || !goes_to_r_first(m.facts)))
-    cycle.p = w['P'] * (seconds ? 1 : 0.001);
+    cycle.p = dwell_in_hole(m, w);
   if (w.has('I') || w.has('J')) {
     cycle.shift_x = w.has('I') ? number(m, block, 'I') : 0;
     cycle.shift_y = w.has('J') ? number(m, block, 'J') : 0;

@@ -11,8 +11,12 @@ Result set_rotation(MotionContext& m, BlockWords& block) {
   turned.rotation = block.meaning(Group::Rotation) == Meaning::RotationOn;
   if (turned.rotation) {
     turned.angle = 0;
-    for (const char name : c.motion.rotation_words.value)
+    std::uint32_t others = bit('P') | bit('R');  // the angle of other controls
+    for (const char name : c.motion.rotation_words.value) {
       if (block.words.has(name)) turned.angle = block.words[name];
+      others &= ~bit(name);
+    }
+    m.outcome.drop(block.words.mask & others);
     if (c.motion.max_rotation.value > 0 && std::fabs(turned.angle) > c.motion.max_rotation.value)
       return fault(Cause::RotationAngle, block);
     turned.plane = m.state.plane;
@@ -29,11 +33,17 @@ Result set_rotation(MotionContext& m, BlockWords& block) {
   return std::nullopt;
 }
 
-/// P counts thousandths, and so do I J K without a point where lengths count increments. [general
-/// knowledge]
+/// Whether P of G51 counts thousandths.
+bool scales_by_thousandths(MotionView m, const BlockWords& block) {
+  const ScaleUnit unit = m.facts.control->motion.scale_unit.value;
+  return unit == ScaleUnit::Thousandths ||
+         (unit == ScaleUnit::AsWritten && (block.words.computed & bit('P')) != 0);
+}
+
+/// I J K without a point count thousandths where lengths count increments. [general knowledge]
 double scale_of(MotionView m, const BlockWords& block, char address) {
   const bool thousandths =
-      address == 'P' ? m.facts.control->motion.scale_unit.value == ScaleUnit::Thousandths
+      address == 'P' ? scales_by_thousandths(m, block)
                      : (block.words.whole & bit(address)) != 0 &&
                            m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
   return block.words[address] * (thousandths ? 0.001 : 1);
@@ -45,6 +55,7 @@ Result set_scaling(MotionContext& m, BlockWords& block) {
   m.state.turned.scaling = block.meaning(Group::Scaling) == Meaning::ScalingOn;
   if (!m.state.turned.scaling) return std::nullopt;
   block.consumed = true;
+  if (w.has('P')) m.outcome.drop(w.mask & (bit('I') | bit('J') | bit('K')));
   for (int i = 0; i < 3; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)], own = "IJK"[i];
     // As the centre of rotation. [B-63682EN p.117]

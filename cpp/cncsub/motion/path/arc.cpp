@@ -14,10 +14,14 @@ namespace {
 
 constexpr std::string_view kCentreNames = "IJK";
 
+/// The letter that gives the centre along an axis: I along U as well.
+char centre_name(int axis) { return kCentreNames[centre_place(axis)]; }
+
 bool has_centre(const BlockWords& block, const PlaneAxes& plane) {
-  return block.words.has(kCentreNames[static_cast<std::size_t>(plane.a)]) ||
-         block.words.has(kCentreNames[static_cast<std::size_t>(plane.b)]);
+  return block.words.has(centre_name(plane.a)) || block.words.has(centre_name(plane.b));
 }
+
+PlaneAxes axes_of(const Piece& piece) { return arc_axes(piece.plane, piece.state.parallel); }
 
 /// G45 to G48 change the radius of quarters and three quarters of a circle, which begin and end on
 /// the axes of their centre. [general knowledge: FANUC]
@@ -40,7 +44,7 @@ Result check_longer(MotionView m, const BlockWords& block, const Axes& end, bool
 
 Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   const Control& c = *m.facts.control;
-  const PlaneAxes plane = plane_axes(m.state.plane);
+  const PlaneAxes plane = axes_of(piece);
   double radius = number(m, block, 'R');
   if (m.state.turned.scaling)
     radius *= std::fabs(m.state.turned.scale[static_cast<std::size_t>(plane.a)]);
@@ -66,8 +70,8 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   const bool clockwise = piece.kind == MoveKind::Cw;
   const Point to_centre = centre_by_radius({da, db}, std::copysign(size, radius), clockwise);
   const double ca = a0 + to_centre.a, cb = b0 + to_centre.b;
-  piece.centre[plane.a] = ca / m.facts.share(plane.a);
-  piece.centre[plane.b] = cb / m.facts.share(plane.b);
+  piece.centre[centre_place(plane.a)] = ca / m.facts.share(plane.a);
+  piece.centre[centre_place(plane.b)] = cb / m.facts.share(plane.b);
   piece.turn =
       turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b0 + db - cb, a0 + da - ca), clockwise);
   return std::nullopt;
@@ -106,14 +110,14 @@ Fault off_circle(MotionView m, const BlockWords& block, const Piece& piece, Poin
 
 Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   const Control& c = *m.facts.control;
-  const PlaneAxes plane = plane_axes(m.state.plane);
+  const PlaneAxes plane = axes_of(piece);
   const auto word = [&](int axis) {
-    const char name = kCentreNames[static_cast<std::size_t>(axis)];
+    const char name = centre_name(axis);
     const double zero = centre_is_absolute(m.state) ? m.state.work[axis] : 0;
     return block.words.has(name) ? number(m, block, name) - zero : 0.0;
   };
   double i = word(plane.a), j = word(plane.b);
-  turn_vector(m.state, i, j, plane);
+  turn_vector(m.state, i, j, plane_axes(piece.plane));
   if (double& arm = i != 0 ? i : j; block.longer != 0)
     arm += arm < 0 ? -block.longer : block.longer;
   const Axes start = m.state.work + piece.offset;
@@ -133,14 +137,30 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
     return std::nullopt;
   }
   if (piece.radius != 0 && last < kStanding) return fault(Cause::CompensationArcEnd, block);
-  piece.centre[plane.a] = ca / m.facts.share(plane.a);
-  piece.centre[plane.b] = cb / m.facts.share(plane.b);
+  piece.centre[centre_place(plane.a)] = ca / m.facts.share(plane.a);
+  piece.centre[centre_place(plane.b)] = cb / m.facts.share(plane.b);
   const bool clockwise = piece.kind == MoveKind::Cw;
   if (std::hypot(a1 - a0, b1 - b0) < kStanding)
     piece.turn = clockwise ? -2 * kPi : 2 * kPi;
   else
     piece.turn =
         turn_between(std::atan2(b0 - cb, a0 - ca), std::atan2(b1 - cb, a1 - ca), clockwise);
+  return std::nullopt;
+}
+
+/// The axes of the plane whose parts U, V and W make. [source 003, G02 and G03]
+std::uint8_t parallel_axes(MotionView m, std::uint32_t named) {
+  if (!m.facts.control->motion.parallel_axes.value) return 0;
+  const std::uint32_t across = axis_bit(plane_axes(m.state.plane).across);
+  return static_cast<std::uint8_t>(named >> 6 & 7u & ~(named & 7u) & ~across);
+}
+
+/// An arc in U, V and W as they stand: what turns or leads an arc of X, Y and Z is not computed.
+Result check_parallel(MotionView m, const BlockWords& block, const Piece& piece) {
+  if (piece.state.parallel == 0) return std::nullopt;
+  if (turned(m.state) || polar(m.state) || piece.side != 0 || piece.corner != 0)
+    return fault(Cause::CodeNotComputed, block,
+                 "an arc of U, V or W in turned coordinates, with a radius offset or a corner");
   return std::nullopt;
 }
 
@@ -155,7 +175,9 @@ Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bo
   const bool helix = all || c.motion.helix.value == Helix::Everywhere ||
                      (c.motion.helix.value == Helix::MillsOnly && !m.facts.lathe());
   if ((named & axis_bit(across)) != 0 && !helix) return outside(across, Cause::ArcAxis);
-  if (const std::uint32_t beyond = all ? 0 : named & ~7u; beyond != 0)  // neither X nor Y nor Z
+  const std::uint32_t taken = 7u | std::uint32_t{parallel_axes(m, named)}
+                                       << 6;  // X, Y, Z, or along
+  if (const std::uint32_t beyond = all ? 0 : named & ~taken; beyond != 0)
     return outside(std::countr_zero(beyond),
                    m.facts.refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);
   const char word = kCentreNames[static_cast<std::size_t>(across)];
@@ -228,7 +250,9 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (auto wrong = check_axes(m, block, named, radius)) return wrong;
   const bool clockwise = (meaning == Meaning::Cw) != mirrored_plane(m.state);
   Piece piece = make_piece(m, block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
+  piece.state.parallel = parallel_axes(m, named);
   if (auto wrong = corner_words(m, block, piece)) return wrong;
+  if (auto wrong = check_parallel(m, block, piece)) return wrong;
   if (auto wrong = find_centre(m, block, radius, centre, piece, m.outcome)) return wrong;
   // R with the end at the start is no arc: nothing is left but what goes along. [16TC p.67]
   const bool goes_across = (named & axis_bit(plane.across)) != 0;

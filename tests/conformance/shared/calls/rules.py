@@ -873,19 +873,6 @@ case(
     runs="N10 N20 N30", m=[97], t=[1],
 )
 case(
-    "a called program may call in MDI on the HNC",
-    pins="mdi_calls",
-    control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
-    program="""
-        %2
-        N20 M98 P3
-        N30 M99
-        %3
-        N40 M99
-    """,
-    mdi="N5 M98 P2", runs="N5 N20 N40 N30",
-)
-case(
     "M99 L0 is M99 on the HNC",
     pins="return_with_l",
     control=HNC, source="policy", evidence="inferred",

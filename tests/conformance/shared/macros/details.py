@@ -937,3 +937,14 @@ case(
     program="O1\nN10 #504=2\nN20 #504..=7\nN30 M30",
     runs="N10", alarm="illegal-variable", number="P241", at="O1 N20", vars={504: 2},
 )
+case(
+    "a variable that the control does not list alarms", pins="unlisted_variables",
+    control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", "mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800", "haas-ngc", "hnc-21m"],
+    source="general knowledge", evidence="inferred",
+    program="O1\nN10 #1=#2999\nN20 M30", runs="", alarm="illegal-variable", at="O1 N10",
+    number={
+        "fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115", "fanuc-30i": "PS0115", "gsk-988ta": "203", "gsk-988t": "203",
+        "gsk-980tdi": "0111", "gsk-980mdi": "0111", "mitsubishi-meldas": "P241", "mitsubishi-m700": "P241", "mitsubishi-m800": "P241",
+        "haas-ngc": "503", "hnc-21m": None,
+    },
+)

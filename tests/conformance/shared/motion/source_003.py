@@ -131,7 +131,7 @@ case(
 )
 case(
     "example 10: with the pole at the tool a radius of 100 at 60 degrees starts from the tool",
-    control=["fanuc-0i-f", "fanuc-16i"], source="source 003, G16, radius under G91",
+    control=MILLS, source="source 003, G16, radius under G91",
     evidence="source document", replace=MM, setup=MILL | {"start": {"X": 100, "Y": 0, "Z": 0}},
     program="""
         O1
@@ -140,6 +140,78 @@ case(
         N30 G15 M30
     """,
     moves="R X50 Y86.6025",
+)
+
+case(
+    "example 10: its first blocks reach a radius of 100 at 60 degrees",
+    control=MILLS, source="source 003, example 10, G15 G16", **SOURCE,
+    program="""
+        O1
+        N10 G17 G90 G16
+        N20 G01 X100 Y60 F80
+        N30 G91 Y60
+        N40 G15
+        N50 G90 G01 X10 Y20
+        N60 M30
+    """,
+    moves="""
+        F X50 Y86.6025
+        F X-50 Y86.6025
+        F X10 Y20
+    """,
+)
+
+PARALLEL = {"control": "hnc-21m", "source": "source 003, G02 and G03 end in X Y Z U V W", "replace": MM, "setup": MILL}
+case(
+    "HNC: an arc may end in U and V, along X and Y", pins="parallel_axes", evidence="source document", **PARALLEL,
+    program="""
+        %1
+        N10 G00 U0 V0
+        N20 G02 U10 V0 I5 J0 F100
+        N30 G03 U0 V0 R5
+        N40 M30
+    """,
+    moves="R U0 V0\nCW U10 V0 C X5 Y0\nCCW U0 V0 C X5 Y0", final_work="X0 Y0 U0 V0", time=18.849556,
+)
+case(
+    "HNC: an arc may end in U and Y", evidence="inferred", **PARALLEL,
+    program="%1\nN10 G02 U10 Y0 I5 J0 F100\nN20 M30", moves="CW U10 Y0 C X5 Y0", time=9.424778,
+)
+case(
+    "HNC: in increments, and in G18 and G19, an arc ends in W and U, V and W", evidence="inferred", **PARALLEL,
+    program="""
+        %1
+        N10 G91 G18 G02 W10 U0 I0 K5 F100
+        N20 G19 G03 V4 W4 R4
+        N30 M30
+    """,
+    final_work="U0 V4 W14",
+)
+case(
+    "HNC: a whole circle of I is one of X and Y", evidence="inferred", **PARALLEL,
+    program="%1\nN10 G02 I5 F100\nN20 M30", moves="CW X0 Y0 C X5 Y0", time=18.849556,
+)
+case(
+    "HNC: an arc does not end in X and U", evidence="inferred", **PARALLEL,
+    program="%1\nN10 G02 X10 U10 I5 F100\nN20 M30", runs="", alarm="arc-axis-not-in-plane", number=None, at="%1 N10", word="U10",
+)
+case(
+    "HNC: an arc of U and V stays within the travel of V", evidence="inferred", **PARALLEL | {"setup": MILL | {"limits": {"V": (-4, 100)}}},
+    program="%1\nN10 G03 U10 V0 I5 J0 F100\nN20 M30", runs="", alarm="over-travel", number=None, at="%1 N10", word="V0",
+)
+case(
+    "HNC: an arc of U and V with a radius offset is not computed", evidence="inferred", **PARALLEL | {"setup": MILL | {"radius_offsets": {1: 1}}},
+    program="%1\nN10 G01 G41 D1 X5 F100\nN20 G02 U10 V0 I5 J0\nN30 M30", alarm="code-not-computed", number=None, at="%1 N20",
+)
+case(
+    "elsewhere no arc ends in U and V", pins="parallel_axes",
+    control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800", "haas-ngc"],
+    source="general knowledge", evidence="inferred", replace=MM, setup=MILL,
+    program="O1\nN10 G90 G00 X0 Y0\nN20 G02 U10 V0 I5 J0 F100\nN30 M30", runs="N10", alarm="arc-axis-not-in-plane", at="O1 N20", word="U10",
+    number={
+        "fanuc-16i": "021", "fanuc-0i-d": "PS0021", "fanuc-0i-f": "PS0021", "fanuc-30i": "PS0021", "haas-ngc": None,
+        "mitsubishi-meldas": "P113", "mitsubishi-m700": "P113", "mitsubishi-m800": "P113",
+    },
 )
 
 # Unit codes of the HNC: at the head, and with other G codes at the most, not switched later.
@@ -189,7 +261,7 @@ case(
     moves="R X0 Y0\nR X10 Y10\nR X20 Y0",
 )
 case(
-    "HNC: R is no angle of G68, which turns by nothing then",
+    "HNC: R is no angle of G68, which turns by nothing then and says that it dropped R",
     control="hnc-21m", source="added.md: HNC-21M", evidence="inferred", replace=MM, setup=MILL,
     program="""
         %1
@@ -197,10 +269,10 @@ case(
         N20 G00 X20 Y0
         N30 M30
     """,
-    moves="R X20 Y0",
+    moves="R X20 Y0", dropped=["R90"],
 )
 case(
-    "P is no angle of G68 elsewhere",
+    "P is no angle of G68 elsewhere, which says that it dropped P",
     control=["fanuc-0i-f", "mitsubishi-m700"], source="B-64113EN p.789; general knowledge",
     evidence="inferred", replace=MM, setup=MILL,
     program="""
@@ -209,7 +281,7 @@ case(
         N20 G00 X20 Y0
         N30 M30
     """,
-    moves="R X20 Y0",
+    moves="R X20 Y0", dropped=["P90"],
 )
 case(
     "HNC: an angle of 450 alarms in no rotation",

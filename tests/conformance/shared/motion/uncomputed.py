@@ -573,18 +573,6 @@ case(
     alarm="g-code-not-available", at="O1 N20", word="G10",
 )
 case(
-    "the HNC-21M has no G15",
-    control="hnc-21m", **KNOWN, setup=MILL,
-    program=block("G15"),
-    alarm="g-code-not-available", at="O1 N20", word="G15",
-)
-case(
-    "the HNC-21M has no G16",
-    control="hnc-21m", **KNOWN, setup=MILL,
-    program=block("G16"),
-    alarm="g-code-not-available", at="O1 N20", word="G16",
-)
-case(
     "the HNC-21M has no G31",
     control="hnc-21m", **KNOWN, setup=MILL,
     program=block("G31"),

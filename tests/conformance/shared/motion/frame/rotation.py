@@ -168,8 +168,23 @@ case(
     """,
     moves="R X20",
 )
+HAAS_SCALES = {
+    "control": "haas-ngc", "source": "HML p.136, G51 P2. and G51 P2", "evidence": "secondary",
+    "setup": MILL,
+}
 case(
-    "P of G51 is the factor itself on the HNC-21",
+    "P of G51 is a factor with a point on the Haas", **HAAS_SCALES,
+    program="O1\nN10 G51 X0 Y0 P2.\nN20 G0 X10.\nN30 G51 X0 Y0 P0.5\nN40 G0 X10.\nN50 G50\nN60 M30",
+    moves="R X20\nR X5",
+)
+case(
+    "a computed P of G51 counts thousandths on the Haas", pins="scale_unit",
+    **HAAS_SCALES | {"source": "H96 p.159, G51 P [ #5 * 1000 ]"},
+    program="O1\nN10 #5=2.0\nN20 G51 X0 Y0 P [ #5 * 1000 ]\nN30 G0 X10.\nN40 M30",
+    moves="R X20",
+)
+case(
+    "P of G51 is the factor itself on the HNC-21 and on the Haas",
     pins="scale_unit",
     control=[HNC, "haas-ngc"], **KNOWN, setup=MILL,
     program="""

@@ -1,0 +1,42 @@
+#include "cncsub/dialect/asked.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "cncsub/control/rule_lists.hpp"
+#include "cncsub/dialect/dialect.hpp"
+
+namespace cncsub {
+
+namespace {
+
+/// The names of the rules that a control's language asks; none where it asks all.
+std::vector<std::string_view> names_asked(const Control& control) {
+  const Dialect* const dialect = find_dialect(control.dialect);
+  return split_entries(dialect == nullptr ? std::string_view() : dialect->rules);
+}
+
+bool has(const std::vector<std::string_view>& names, std::string_view name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+std::vector<RuleView> asked_rules(const Control& control) {
+  std::vector<RuleView> all = rules(control);
+  const auto names = names_asked(control);
+  std::erase_if(all, [&names](const RuleView& rule) { return !has(names, rule.name); });
+  return all;
+}
+
+std::optional<std::string> never_asked(const Control& control, const std::string& rule_name) {
+  if (has(names_asked(control), rule_name)) return std::nullopt;
+  const std::vector<RuleView> all = rules(control);
+  const bool known = std::any_of(all.begin(), all.end(),
+                                 [&](const RuleView& rule) { return rule.name == rule_name; });
+  if (!known) return std::nullopt;
+  return control.name + " never asks the rule " + rule_name +
+         ": nothing in the language of its programs depends on it";
+}
+
+}  // namespace cncsub

@@ -1,0 +1,19 @@
+// The rules that LinuxCNC's language asks: it has its own way with characters, numbers, words and
+// statements, and no codes of corners, rotation, scaling or stored stroke.
+#include <string_view>
+
+#include "cncsub/dialect/dialect.hpp"
+
+namespace cncsub {
+
+const std::string_view linuxcnc_rules =
+    "refuses power_on reset_clears missing_end g_codes "
+    "self_call caller_call max_nesting max_total_nesting roles main_return end_in_subprogram "
+    "machine g_meanings modal_groups power_on_feed rapid_rate max_feed "
+    "arc_rounding arc_tolerance_share no_radius negative_radius helix "
+    "dwell_words dwell_unit speed_limit unit_change machine_move max_extra_systems data_forms length_type "
+    "start_up radius_offset_diameter missing_radius_offset skip_own_feed skip_signals "
+    "cycle_repeats max_cycle_repeats cycle_approach tap_return zero_cycle_repeats "
+    "peck_retract peck_clearance computed_lengths codes_that_move spindle_at_change";
+
+}  // namespace cncsub
