@@ -255,7 +255,7 @@ _TABLE = _joined(
     _sets(
         ONE,
         "refuses power_on",
-        "power_on:G01 power_on:G91 power_on:G18 power_on:G19 power_on:G20",
+        "power_on:G01 power_on:G91 power_on:G18 power_on:G19 power_on:G20 refuses:no-motion-code",
         NO_SUCH_ENTRY,
     ),
 )

@@ -19,7 +19,7 @@ case(
     "a length without a point is millimetres", **KNOWN, program="N10 G0 X10\nN20 M30", moves_x=[10],
 )
 case(
-    "G1 is in force at power-on", pins="power_on:G01 max_feed", **KNOWN,
+    "G1 is in force at power-on", pins="power_on:G01 max_feed refuses:no-motion-code", **KNOWN,
     program="N10 X10 F100\nN20 M30", moves="F X10",
 )
 case(
