@@ -29,7 +29,7 @@ LETTERS = (  # noqa: SIM905
 ).split()  # lists of one character an entry; the others have blanks between
 
 # Rule, the controls or none for all, entries, and why no row can notice them.
-TE, HNC = "gsk-928te", "hnc-21m"
+TE, HNC, SYNTEC = "gsk-928te", "hnc-21m", "syntec-22ma"
 REASONS = [
     (
         "g_codes",
@@ -47,6 +47,12 @@ REASONS = [
         "g_codes",
         HNC,
         "7 11 12 22 24 25 34",
+        "a meaning of the control's own is known without the list",
+    ),
+    (
+        "g_codes",
+        SYNTEC,
+        "31.1 31.2 31.3 37 37.1",
         "a meaning of the control's own is known without the list",
     ),
     ("g_meanings", TE, "33=not-computed", "a code that no source tells of alarms alike"),

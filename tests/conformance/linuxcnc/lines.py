@@ -78,3 +78,20 @@ case("an arc in inches that ends farther off is refused", pins="arc_rounding", *
      program="N10 G20\nN20 G2 X2.00285 Y0 I1 F100\nN30 M2", runs="N10", alarm="radius-tolerance", word="X2.00285")
 case("a character of several bytes is shown whole", **RUN,
      program="N10 G0 X1 é\nN20 M2", runs="", alarm="illegal-character", at="MAIN N10")
+
+# A row for each code by a loop: it would say nothing but the number.
+for code in ("5.2", "6", "6.1", "18.1", "19.1", "71.1", "71.2"):
+    case(
+        f"the moves of G{code} are not computed on LinuxCNC", pins="g_codes", control="linuxcnc", source="LC overview", evidence="inferred",
+        program=f"N10 G{code}\nN20 M2", runs="", alarm="code-not-computed", at="MAIN N10", word=f"G{code}",
+    )
+for words in ("G74 X1 Z-1 R1 F100", "G87 X1 Y0 Z-1 R1 I1 J0 K1 F100", "G88 X1 Z-1 R1 P1 F100"):
+    case(
+        f"{words.split()[0]} wants a spindle that turns", pins="g_codes", control="linuxcnc", source="rs274 2.9", evidence="inferred",
+        program=f"N10 G0 Z5\nN20 {words}\nN30 M2", runs="N10", alarm="spindle-stopped", at="MAIN N20", word=words.split()[0],
+    )
+case(
+    "G5.3 ends what is not computed", pins="g_codes", control="linuxcnc", source="LC overview", evidence="inferred",
+    program="N10 G5.3 X1\nN20 M2", runs="", alarm="code-not-computed", at="MAIN N10", word="G5.3",
+)
+case("G49 and G97 S run alone", pins="g_codes", **RUN, program="N10 G49\nN20 G97 S100\nN30 M2", runs="N10 N20 N30")
