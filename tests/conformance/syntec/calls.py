@@ -146,6 +146,10 @@ case(
     control=SYNTEC, source="general knowledge", evidence="inferred", setup={"machine": "mill"},
     program="O1\nN10 G10 L2 P9 X5.\nN20 G54 G0 X0\nN30 M30", final_machine="X5",
 )
+case(
+    "reset makes the locals vacant and leaves what is kept", pins="reset_clears:locals reset_clears:commons", **MAKER,
+    program="O1\nN10 #1=5\nN20 #401=6\nN30 M30", vars={1: 5, 401: 6}, vars_after_reset={1: None, 401: 6},
+)
 inert("user_alarm_offset user_alarm_last modal_groups refuses:illegal-variable-value", control=SYNTEC, reason="nothing is known of its system variables")
 inert("variable_options", control=SYNTEC, reason="no source tells of variables that are bought")
 inert("code_cascade", control=SYNTEC, reason="nothing is known of codes that call a program there")
