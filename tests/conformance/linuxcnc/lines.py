@@ -85,10 +85,15 @@ for code in ("5.2", "6", "6.1", "18.1", "19.1", "71.1", "71.2"):
         f"the moves of G{code} are not computed on LinuxCNC", pins="g_codes", control="linuxcnc", source="LC overview", evidence="inferred",
         program=f"N10 G{code}\nN20 M2", runs="", alarm="code-not-computed", at="MAIN N10", word=f"G{code}",
     )
-for words in ("G74 X1 Z-1 R1 F100", "G87 X1 Y0 Z-1 R1 I1 J0 K1 F100", "G88 X1 Z-1 R1 P1 F100"):
+case(
+    "G74 wants a spindle that turns", pins="g_codes", control="linuxcnc", source="rs274 2.9", evidence="inferred",
+    program="N10 G0 Z5\nN20 G74 X1 Z-1 R1 F100\nN30 M2", runs="N10", alarm="spindle-stopped", at="MAIN N20", word="G74",
+)
+for words in ("G87 X1 Y0 Z-1 R1 I1 J0 K1 F100", "G88 X1 Z-1 R1 P1 F100"):
     case(
-        f"{words.split()[0]} wants a spindle that turns", pins="g_codes", control="linuxcnc", source="rs274 2.9", evidence="inferred",
-        program=f"N10 G0 Z5\nN20 {words}\nN30 M2", runs="N10", alarm="spindle-stopped", at="MAIN N20", word=words.split()[0],
+        f"the moves of {words.split()[0]} are not told, with its words", pins="g_codes", control="linuxcnc", source="LC g-code, G87 and G88",
+        evidence="maker's manual",
+        program=f"N10 M3 S100 G0 Z5\nN20 {words}\nN30 M2", runs="N10", alarm="code-not-computed", at="MAIN N20", word=words.split()[0],
     )
 case(
     "G5.3 ends what is not computed", pins="g_codes", control="linuxcnc", source="LC overview", evidence="inferred",
