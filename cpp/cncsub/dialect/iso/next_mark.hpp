@@ -12,9 +12,11 @@ class NextMark {
   NextMark() = default;
   NextMark(char mark, const char* at, const char* end) : end_(end), mark_(mark) { seek(at); }
 
-  bool in(const char* at, const char* end) {
+  bool in(const char* at, const char* end) { return from(at) < end; }
+  /// The next one from there on, or the end of the text.
+  const char* from(const char* at) {
     if (next_ < at) seek(at);
-    return next_ < end;
+    return next_;
   }
 
  private:

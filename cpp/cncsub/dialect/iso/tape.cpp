@@ -134,29 +134,34 @@ class TapeReader {
     semicolons_ = NextMark(';', at, end);
     comments_ = NextMark('(', at, end);
     percents_ = NextMark('%', at, end);
-    const bool semicolons = code_.control->reading.semicolon.value == Semicolon::EndOfBlock;
+    // Lines without a semicolon or a percent sign hold one block.
+    const auto next_marked = [this](const char* from) {
+      return std::min(semicolons_.from(from), percents_.from(from));
+    };
+    const char* marked = next_marked(at);
     LineEnds ends(at, end);
     while (at < end) {
       const char* const line_end = ends.next();
       ++line_;
-      if (!semicolons_.in(at, line_end)) {
-        block(at, line_end);
-      } else if (semicolons) {
-        split(at, line_end);
+      if (line_end <= marked) {
+        words(at, line_end);
       } else {
-        block(at, outside(';', at, line_end));
+        split(at, line_end);
+        marked = next_marked(line_end);
       }
       if (to_.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return;
       at = line_end + 1;
     }
   }
 
+  /// The blocks of a line: the first alone where a semicolon begins a comment.
   void split(const char* at, const char* end) {
-    while (at < end) {
-      const char* stop = outside(';', at, end);
+    const bool several = code_.control->reading.semicolon.value == Semicolon::EndOfBlock;
+    do {
+      const char* const stop = semicolons_.in(at, end) ? outside(';', at, end) : end;
       block(at, stop);
       at = stop + 1;
-    }
+    } while (several && at < end);
   }
 
   /// A block, and perhaps the % after its words: it ends the tape as one on a line of its own does,
@@ -171,7 +176,7 @@ class TapeReader {
     if (percent != end) end_tape({percent, end, begin_});
   }
 
-  void words(const char* at, const char* end) {
+  CNCSUB_ALWAYS_INLINE void words(const char* at, const char* end) {
     Scanner s{at, end, begin_};
     if (s.at != s.end && begins_block(*s.at))
       return add_block(s, comment_not_closed(code_, comments_, s));
