@@ -19,6 +19,7 @@ from cncsub._core import __version__
 from cncsub.archive_work import COLUMNS, Job, Row, Task
 from cncsub.files import clean
 from cncsub.table import optional_module
+from cncsub.writing import opened
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -178,7 +179,7 @@ def _write_whole(file: Path, data: Any) -> None:
     """Write a file that is there whole or not at all."""
     made = file.with_name(f".{file.name}")
     try:
-        with made.open("wb") as stream:
+        with opened(made, "wb") as stream:
             stream.write(data)
             stream.flush()
             os.fsync(stream.fileno())

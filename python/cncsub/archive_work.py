@@ -13,6 +13,7 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.files import CoreFile, Reading, StrPath, read_found_files, read_paths, walk
 from cncsub.hints import foreign_language
+from cncsub.interrupts import kept_from_children, uninterrupted
 from cncsub.library import Library
 from cncsub.run import Run, Stop
 
@@ -105,9 +106,7 @@ def _rows(task: Task, job: Job) -> list[Row]:
         if task.kind == "check":
             found = finding_rows(task, job, library.check(**task.options), library)
             return found + ([bad_row(task, job, "unreadable", left_out)] if left_out else [])
-        run = library.run(**task.options)
-        if run.stop == Stop.INTERRUPTED:
-            raise KeyboardInterrupt
+        run = uninterrupted(library.run(**task.options))
         seconds = time.perf_counter() - begun
         return [_run_row(task, job, run, seconds, left_out, foreign_language(library))]
     except Exception as error:
@@ -243,8 +242,13 @@ def new_pool(workers: int) -> Executor:
     import multiprocessing
     from concurrent.futures import ProcessPoolExecutor
 
+    class Pool(ProcessPoolExecutor):
+        def submit(self, *work: Any, **options: Any) -> Any:
+            with kept_from_children():
+                return super().submit(*work, **options)
+
     spawned = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(workers, mp_context=spawned, initializer=_end_with_parent)
+    pool = Pool(workers, mp_context=spawned, initializer=_end_with_parent)
     try:
         pool.submit(_ready).result()
     except (BrokenExecutor, KeyboardInterrupt) as error:

@@ -13,6 +13,7 @@ from typing import Annotated, Any
 import typer
 
 from cncsub.checking import chosen_rules
+from cncsub.escapes import shown
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -23,7 +24,6 @@ from cncsub.options import (
     setup_for,
     wrong_use,
 )
-from cncsub.printing import shown
 from cncsub.project import Project, project_for
 
 _SHOWN = 20  # of the runs that did not end well, and of the findings, as text

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from cncsub import _core
+from cncsub.files import refused_entry
 
 if TYPE_CHECKING:
     from cncsub.library import Library
@@ -19,21 +20,30 @@ MOST_FOLDERS = 20  # in a folder
 MOST_ROUNDS = 100  # files that call files that call files
 
 
-def with_files_beside(path: str, load: Callable[[list[str]], Library]) -> Library:
+def with_files_beside(path: str, load: Callable[[list[str], list[str]], Library]) -> Library:
     """The program of a file, with the files beside it that its calls lead to. A name that several
     files have leads to none of them.
+
+    `load` takes the file and those beside it. They are files of a folder that was not named: what
+    is left out of a folder, such as a link that leads out of it, is left out here.
     """
-    library = load([path])
-    folders = folders_of(path)
+    beside: dict[str, None] = {}
+    library = load([path], [])
     for _ in range(MOST_ROUNDS):
         found: dict[str, None] = {}
         for name in missing_programs(library):
-            files = [file for folder in folders for file in files_named(folder, name, library)]
-            if len(files) == 1:
+            files = [
+                file
+                for folder in folders_of(path)
+                for file, fault in files_named(folder, name, library)
+                if fault is None
+            ]
+            if len(files) == 1 and files[0] not in beside:
                 found[files[0]] = None
         if not found:
             break
-        library = load([path, *library.files[1:], *found])
+        beside |= found
+        library = load([path], list(beside))
     return library
 
 
@@ -53,12 +63,12 @@ def _entries(folder: Path) -> list[os.DirEntry[str]]:
 
 
 def folders_in(folder: Path) -> list[Path]:
-    """The folders in a folder, the first of many, without those that are hidden."""
-    try:
-        inner = [e.name for e in _entries(folder) if not e.name.startswith(".") and e.is_dir()]
-    except OSError:
-        return []
-    return [folder / name for name in inner[:MOST_FOLDERS]]
+    """The folders in a folder, the first of many, without those that are left alone."""
+    root = Path(os.path.realpath(folder))
+    inner = (folder / entry.name for entry in _entries(folder))
+    return [path for path in inner if refused_entry(path, root) is None and path.is_dir()][
+        :MOST_FOLDERS
+    ]
 
 
 def missing_programs(library: Library) -> list[str]:
@@ -70,16 +80,21 @@ def missing_programs(library: Library) -> list[str]:
     return list(names)
 
 
-def files_named(folder: Path, name: str, library: Library) -> Iterator[str]:
-    """Files of a folder that are called as a program is, and are not in the library."""
+def files_named(folder: Path, name: str, library: Library) -> Iterator[tuple[str, str | None]]:
+    """Files of a folder that are called as a program is, and are not in the library; each with the
+    reason for which it is left alone, if there is one.
+    """
     digits = name.lstrip("Oo:%").lstrip("0")
     if not name:
         return
-    read = {Path(file).resolve() for file in library.files}
+    root = Path(os.path.realpath(folder))
+    read = {os.path.realpath(file) for file in library.files}
     for entry in _entries(folder):
         stem = Path(entry.name).stem
         same = stem.upper() == name.upper()
         if digits.isdecimal():
             same |= re.fullmatch(rf"[Oo]?0*{digits}", stem) is not None
-        if same and entry.is_file() and Path(entry.path).resolve() not in read:
-            yield os.path.join(folder, entry.name)  # noqa: PTH118  (as it was named)
+        path = os.path.join(folder, entry.name)  # noqa: PTH118  (as it was named)
+        if not same or os.path.isdir(path) or os.path.realpath(path) in read:  # noqa: PTH112
+            continue
+        yield path, refused_entry(Path(path), root)

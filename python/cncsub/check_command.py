@@ -12,6 +12,7 @@ import typer
 
 import cncsub
 from cncsub.checking import Finding, chosen_rules, counts
+from cncsub.escapes import shown
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -25,11 +26,12 @@ from cncsub.options import (
     files_beside,
     library_of,
     setup_for,
+    write_code,
     write_json,
     write_text,
     wrong_use,
 )
-from cncsub.printing import Console, Text, shown
+from cncsub.printing import Console, Text
 from cncsub.project import Project, project_for
 
 
@@ -125,7 +127,7 @@ def _mend(found: list[Finding], typed: bool, diff: bool) -> None:
         raise ValueError("what comes from standard input cannot be mended: name its file")
     mended = findings.Mended(found)
     if diff:
-        sys.stdout.write(mended.diff())
+        write_code([mended.diff()])
         return
     for file in mended.write():
         print(f"mended: {shown(file)}", file=sys.stderr)

@@ -3,12 +3,13 @@
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong
-use, which is told in one line, 3 where the run waits for an input nobody gave, 4 at a limit, 130
-for Ctrl-C.
+use, which is told in one line, 3 where the run waits for an input nobody gave, 4 at a limit, 5
+where the system has no room left (a full disk, a limit of files or memory), 130 for Ctrl-C.
 """
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from collections import Counter
 from importlib import import_module
@@ -20,10 +21,10 @@ import typer.core
 import typer.main
 
 import cncsub
-from cncsub import system
+from cncsub import interrupts, system
 from cncsub.controls import did_you_mean
-from cncsub.options import WrongUseError
-from cncsub.printing import shown
+from cncsub.escapes import shown
+from cncsub.options import WrongUseError, told_of
 
 # The function of each command and its module, which is imported when the command is asked for, and
 # what the list of commands says of it.
@@ -42,6 +43,7 @@ COMMANDS = {
     "explain": ("explain_command.explain", "What an alarm or a rule means, and the cure."),
     "batch": ("batch.batch", "Run every program of some folders."),
 }
+NOT_DONE = 5  # exit status: no room on the disk, in memory, for files
 LOOK: dict[str, Any] = {
     "pretty_exceptions_enable": False,
     "rich_markup_mode": None,
@@ -57,14 +59,8 @@ class OneLineGroup(typer.core.TyperGroup):
         try:
             status = super().main(*args, **options)
             sys.stdout.flush()
-        except (typer.Abort, KeyboardInterrupt):
-            sys.exit(130)
-        except Exception as error:
-            if system.nobody_reads(error):
-                system.say_nothing_more()
-                sys.exit(1)
-            typer.echo(f"cncsub: {shown(_one_line(error))}", err=True)
-            sys.exit(2)
+        except (Exception, KeyboardInterrupt) as error:
+            sys.exit(_status_after(error))
         sys.exit(status if isinstance(status, int) else 0)
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
@@ -116,7 +112,41 @@ def _each_option_once(command: Any) -> Any:
     return command
 
 
-def _one_line(error: Exception) -> str:
+def _status_after(error: BaseException) -> int:
+    """Tell in one line what ended a command; its exit status. A mistake of cncsub goes on."""
+    if isinstance(error, typer.Abort | KeyboardInterrupt) or interrupts.pressed():
+        system.say_nothing_more()  # a pipe that nobody empties would hold it up
+        return interrupts.STATUS
+    if system.nobody_reads(error):
+        system.say_nothing_more()
+        return 1
+    if system.at_its_limit(error) or isinstance(error, OSError):
+        system.say_nothing_more()
+        _tell(_of_system(error))
+        return 2 if _names_wrong_file(error) else NOT_DONE
+    _tell(_one_line(error))
+    return 2
+
+
+def _names_wrong_file(error: BaseException) -> bool:
+    """Whether a file that was named is none that can be read or written."""
+    named = isinstance(error, OSError) and error.filename is not None
+    return named and not system.at_its_limit(error)
+
+
+def _of_system(error: BaseException) -> str:
+    if isinstance(error, MemoryError):
+        return "the memory of this computer is not enough"
+    assert isinstance(error, OSError)
+    return told_of(error) if error.filename is not None else f"standard output: {told_of(error)}"
+
+
+def _tell(words: str) -> None:
+    with contextlib.suppress(OSError):  # the error stream may be full, too
+        typer.echo(f"cncsub: {shown(words)}", err=True)
+
+
+def _one_line(error: BaseException) -> str:
     """The words for wrong use; any other exception goes on."""
     # What typer finds wrong with a command line says so by this method, whatever its class is.
     words = getattr(error, "format_message", None)
@@ -170,4 +200,9 @@ def _every_command(
 
 def main() -> None:
     """What the command `cncsub` does."""
-    app(prog_name="cncsub")
+    interrupts.answer_in_time()
+    try:
+        app(prog_name="cncsub")
+    except (SystemExit, KeyboardInterrupt):
+        interrupts.end()
+        raise

@@ -10,6 +10,7 @@ import typer
 import cncsub
 from cncsub.changes import changed_lines
 from cncsub.controls import names_beginning
+from cncsub.escapes import shown
 from cncsub.facts import comparison_facts
 from cncsub.options import (
     ControlName,
@@ -38,7 +39,6 @@ from cncsub.options import (
     write_text,
     wrong_use,
 )
-from cncsub.printing import shown
 from cncsub.translate_command import Translate, tell_translation
 
 

@@ -13,6 +13,7 @@ from cncsub.changes import BlockChange, block_changes
 from cncsub.controls import control_of
 from cncsub.differing import alike, column_of, first_difference
 from cncsub.exchanging import rules_between
+from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
 from cncsub.loading import load, loads
 from cncsub.rows import Step
@@ -227,7 +228,7 @@ class Pair:
         self._options = options
 
     def run(self, library: Library, **more: Any) -> Run:
-        return library.run(self._main, **{**self._options, **more})
+        return uninterrupted(library.run(self._main, **{**self._options, **more}))
 
     def runs(self) -> tuple[Run, Run]:
         return self.run(self.libraries[0]), self.run(self.libraries[1])

@@ -14,7 +14,9 @@ import typer
 
 import cncsub
 from cncsub.controls import names_beginning
+from cncsub.escapes import shown
 from cncsub.facts import control_facts
+from cncsub.interrupts import left_to_child
 from cncsub.options import Format, Output, control_named, write_json, write_text, wrong_use
 from cncsub.printing import (
     Console,
@@ -22,7 +24,6 @@ from cncsub.printing import (
     print_control,
     print_pairs,
     print_wrapped,
-    shown,
 )
 
 _LISTS = {  # and what one of them is called
@@ -105,7 +106,8 @@ def _paged(output: Path | None, write: Callable[[Console], None]) -> None:
     from pydoc import pager  # not imported where nothing is paged
 
     os.environ.setdefault("LESS", "-R")  # colours as they are
-    pager(text)
+    with left_to_child():
+        pager(text)
 
 
 def _tell(facts: dict[str, Any], format: Format, output: Any, lines: Any) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bisect
+import functools
 import itertools
 import operator
 import threading
@@ -16,6 +17,7 @@ from typing import Any, Generic, TypeVar, overload
 from cncsub import _core
 from cncsub.collectors import told
 from cncsub.counting import LETTER_OF, Counted, Raw, percent_text, programs_of, raw_of
+from cncsub.writing import write_whole
 
 Row = TypeVar("Row")
 
@@ -219,12 +221,12 @@ class Coverage:
             self._made = tuple(merged.programs)
         return self._made
 
-    @property
+    @functools.cached_property
     def blocks(self) -> Blocks:
         """A row for each block that can be executed."""
         return Blocks(self.programs)
 
-    @property
+    @functools.cached_property
     def branches(self) -> Table[BranchRow]:
         """A row for each outcome of a block that decides."""
         return Table(
@@ -234,7 +236,7 @@ class Coverage:
             for kind, outcome, count in p.decisions(i)
         )
 
-    @property
+    @functools.cached_property
     def calls(self) -> Table[CallRow]:
         """A row for each block that calls and program that it called."""
         return Table(
@@ -243,7 +245,7 @@ class Coverage:
             for i, kind, called, count in p.calls_of()
         )
 
-    @property
+    @functools.cached_property
     def arguments(self) -> Table[ArgumentRow]:
         """A row for each argument that a call gave, and for each local that a called program reads
         and no call gave it. Programs that no macro call entered with an argument have no rows.
@@ -255,7 +257,7 @@ class Coverage:
             for v in sorted(p.reads | set(p.given))
         )
 
-    @property
+    @functools.cached_property
     def percent(self) -> float:
         """Covered blocks and covered outcomes of branches, of all of them together; 100 where there
         are none. Calls and arguments do not count.
@@ -281,7 +283,7 @@ class Coverage:
 
         page = html(self)
         if path is not None:
-            Path(path).write_text(page, encoding="utf-8", newline="\n")
+            write_whole(path, page)
         return page
 
     def to_lcov(self) -> str:

@@ -13,6 +13,7 @@ import cncsub
 from cncsub.counting import percent_text
 from cncsub.coverage import Coverage
 from cncsub.coverage_formats import coverage_lines
+from cncsub.escapes import shown
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -33,9 +34,11 @@ from cncsub.options import (
     run_options,
     tell_dropped,
     told_idle,
+    whole_run,
     wrong_use,
 )
-from cncsub.printing import Console, console_on, shown
+from cncsub.printing import Console, console_on
+from cncsub.writing import write_whole
 
 _Report = Annotated[Path | None, typer.Option(help="Write this file.", metavar="FILE")]
 
@@ -75,7 +78,7 @@ def coverage(
         asked = run_options(options, "blocks")
         told_idle(library, asked)
         for name in names:
-            run = library.run(name, **asked)
+            run = whole_run(library.run(name, **asked))
             total += run.coverage()
             _tell_stop(run, name)
             tell_dropped(len(run.dropped), (word.warning for word in run.dropped))
@@ -98,7 +101,7 @@ def _tell_stop(run: cncsub.Run, name: str | None) -> None:
 
 def _write(path: Path | None, text: Callable[[], str]) -> None:
     if path is not None:
-        path.write_text(text(), encoding="utf-8", newline="\n")
+        write_whole(path, text())
 
 
 def print_coverage(console: Console, coverage: Coverage) -> None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from html import escape
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree as ET
 
 from cncsub.counting import percent_text
+from cncsub.escapes import escape, for_xml, referred, shown
 
 if TYPE_CHECKING:
     from cncsub.counting import Counted
@@ -53,7 +53,7 @@ def _lcov_lines(coverage: Coverage) -> Iterator[str]:
     for file, programs in _by_file(coverage).items():
         lines = _lines(programs)
         yield "TN:"
-        yield f"SF:{' '.join(file.splitlines())}"
+        yield f"SF:{shown(file)}"
         outcomes = [
             (line, place, count, executed or any(count for _, count in of))
             for line, (executed, of) in lines.items()
@@ -101,7 +101,7 @@ def cobertura(coverage: Coverage) -> str:
     package = ET.SubElement(ET.SubElement(root, "packages"), "package", {"name": "", **rates})
     classes = ET.SubElement(package, "classes")
     for file, lines in by_file.items():
-        name = _xml(file)
+        name = for_xml(file)
         one = ET.SubElement(classes, "class", {"name": name, "filename": name, **_rates(lines)})
         ET.SubElement(one, "methods")
         listed = ET.SubElement(one, "lines")
@@ -114,12 +114,7 @@ def cobertura(coverage: Coverage) -> str:
     ET.indent(root)
     head = '<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE coverage SYSTEM'
     dtd = '"http://cobertura.sourceforge.net/xml/coverage-04.dtd"'
-    return f"{head} {dtd}>\n{ET.tostring(root, encoding='unicode')}\n"
-
-
-def _xml(text: str) -> str:
-    """XML takes no control characters, not even escaped."""
-    return "".join(c if c >= " " and c not in "\ufffe\uffff" else "\ufffd" for c in text)
+    return f"{head} {dtd}>\n{referred(ET.tostring(root, encoding='unicode'))}\n"
 
 
 def html(coverage: Coverage) -> str:

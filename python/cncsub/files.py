@@ -97,10 +97,14 @@ class Reading:
 
 
 def read_paths(
-    paths: Sequence[StrPath], *, encoding: str | None = None, without: StrPath | None = None
+    paths: Sequence[StrPath],
+    *,
+    beside: Sequence[StrPath] = (),
+    encoding: str | None = None,
+    without: StrPath | None = None,
 ) -> Reading:
     """Read files and folders in the given order, each file once; `without` is a folder to leave
-    out.
+    out. `beside`: files that nobody named, which are read after them as those of a folder are.
 
     Raises `FileNotFoundError` for a missing path, naming what is near, and `ValueError` for a path
     that is neither a file nor a folder, for a folder without programs and for an unknown encoding.
@@ -113,6 +117,13 @@ def read_paths(
             reading._folders.add(_real(without))
             reading._left_out.add(_real(without))
         _read_path(path, encoding, reading)
+    for path in map(Path, beside):
+        folder = os.path.realpath(path.parent)
+        fault = refused_entry(path, Path(folder))
+        if fault is None:
+            read_found_files(str(path.parent / "_")[:-1], [path.name], folder, encoding, reading)
+        else:
+            reading.skipped.append((str(path), fault))
     return reading
 
 
@@ -185,7 +196,7 @@ def _read_named_file(path: Path, encoding: str | None, reading: Reading) -> None
         return
     text = _core.read_file(str(path), LARGEST_FILE)
     if not isinstance(text, Text):
-        raise ValueError(f"{path} cannot be read as a program: {_why_not(text)}")
+        raise ValueError(f"{path} cannot be read as a program: {_why_not(path, text)}")
     reading.files.append(_text_file(str(path), path.stem, text, encoding))
 
 
@@ -199,8 +210,16 @@ def _text_file(path: str, stem: str, text: Text, encoding: str | None) -> TextFi
     return TextFile(clean(path), clean(stem), pieces)
 
 
-def _why_not(fault: int | str) -> str:
-    return os.strerror(fault) if isinstance(fault, int) else fault
+# Faults of this process, which are none of a file: without more room it would be left out unread.
+_OF_PROCESS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM)
+
+
+def _why_not(path: StrPath, fault: int | str) -> str:
+    if not isinstance(fault, int):
+        return fault
+    if fault in _OF_PROCESS:
+        raise OSError(fault, os.strerror(fault), os.fspath(path))
+    return os.strerror(fault)
 
 
 def first_time(folder: str, name: str, reading: Reading) -> bool:
@@ -242,7 +261,7 @@ def walk(top: Path, reading: Reading) -> Iterator[tuple[str, list[str], str]]:
         reading._folders.add(real)
         listing = _core.names_in(str(folder), _OTHER_ENDINGS)
         if isinstance(listing, int):
-            reading.skipped.append((str(folder), os.strerror(listing)))
+            reading.skipped.append((str(folder), _why_not(folder, listing)))
             listing = [], [], [], True
         files, folders = _sorted_out(folder, listing, root, reading)
         yield str(folder / "_")[:-1], files, real
@@ -271,7 +290,7 @@ def _sorted_out(
         others.sort(key=name_order)
     for name in others:
         path = folder / name
-        fault = _refused_entry(path, Path(root))
+        fault = refused_entry(path, Path(root))
         if fault is not None:
             reading.skipped.append((str(path), fault))
             continue
@@ -296,8 +315,10 @@ def name_order(name: str) -> tuple[list[Any], str]:
     return parts, name
 
 
-def _refused_entry(path: Path, root: Path) -> str | None:
-    """Why an entry of a folder is left alone, or None. Opens nothing."""
+def refused_entry(path: Path, root: Path) -> str | None:
+    """Why an entry of a folder is left alone, or None; nothing is read that lies outside `root`,
+    the folder that was given. Opens nothing.
+    """
     if system.is_hidden(path):
         return "hidden"
     if _CONTROLS.search(path.name):
@@ -337,7 +358,7 @@ def read_found_files(
             reading.files.append(_text_file(path, _stem(new[place]), text, encoding))
             found += 1
         else:
-            reading.skipped.append((path, _why_not(text)))
+            reading.skipped.append((path, _why_not(path, text)))
     return found
 
 

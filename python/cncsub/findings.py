@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -13,7 +12,9 @@ from xml.etree import ElementTree
 
 import cncsub
 from cncsub.checking import RULES, Edit, Finding
+from cncsub.escapes import for_github, for_xml, referred
 from cncsub.lines import lines_of, without_end
+from cncsub.writing import replace_whole
 
 VERSION = 1  # of the JSON; it grows when a key changes its meaning or goes
 
@@ -144,16 +145,10 @@ def _change(edit: Edit) -> dict[str, Any]:
     }
 
 
-_NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-
-
 def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
     """A test suite of JUnit: a case for each file, with its findings as a failure; where they are
     notes alone, as its output.
     """
-
-    def clean(text: str) -> str:
-        return _NOT_XML.sub("?", text)
 
     by_file: dict[str, list[Finding]] = {file: [] for file in files}
     for finding in findings:
@@ -163,39 +158,32 @@ def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
         "testsuite", name="cncsub check", tests=str(len(by_file)), failures=str(len(failing))
     )
     for file, found in by_file.items():
-        case = ElementTree.SubElement(suite, "testcase", name=clean(file), classname="cncsub.check")
+        case = ElementTree.SubElement(
+            suite, "testcase", name=for_xml(file), classname="cncsub.check"
+        )
         if not found:
             continue
         if file in failing:
             worst = next(finding for finding in found if finding.severity != "note")
             told = ElementTree.SubElement(
-                case, "failure", type=worst.rule, message=clean(worst.told)
+                case, "failure", type=worst.rule, message=for_xml(worst.told)
             )
         else:
             told = ElementTree.SubElement(case, "system-out")
-        told.text = clean("\n\n".join(map(str, found)))
+        told.text = for_xml("\n\n".join(map(str, found)))
     ElementTree.indent(suite)
-    return '<?xml version="1.0" encoding="utf-8"?>\n' + ElementTree.tostring(
-        suite, encoding="unicode"
-    )
+    text = ElementTree.tostring(suite, encoding="unicode")
+    return f'<?xml version="1.0" encoding="utf-8"?>\n{referred(text)}'
 
 
 def github_annotations(findings: Iterable[Finding]) -> str:
     """Workflow commands that GitHub shows beside the lines of a change."""
 
-    def escaped(text: str, property: bool = False) -> str:
-        marks = {
-            "%": "%25",
-            "\r": "%0D",
-            "\n": "%0A",
-            **({":": "%3A", ",": "%2C"} if property else {}),
-        }
-        return "".join(marks.get(letter, letter) for letter in text)
-
     kinds = {"error": "error", "warning": "warning", "note": "notice"}
     lines = (
-        f"::{kinds[f.severity]} file={escaped(f.file, True)},line={f.line},col={f.column},"
-        f"title={escaped(f'{f.rule} {f.name}', True)}::{escaped(f'{f.told}. Hint: {f.hint}')}"
+        f"::{kinds[f.severity]} file={for_github(f.file, property=True)},line={f.line}"
+        f",col={f.column},title={for_github(f'{f.rule} {f.name}', property=True)}"
+        f"::{for_github(f'{f.told}. Hint: {f.hint}')}"
         for f in findings
     )
     return "\n".join(lines)
@@ -255,7 +243,7 @@ class Mended:
         for file, old in self._old.items():
             new = lines_of(b"".join(self._new[file]))
             before, after = (
-                [line.decode("utf-8", "replace") for line in lines] for lines in (old, new)
+                [line.decode("utf-8", "surrogateescape") for line in lines] for lines in (old, new)
             )
             parts += difflib.unified_diff(before, after, file, file)
         return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
@@ -264,7 +252,7 @@ class Mended:
         """Writes the files that change, and names them."""
         changed = [file for file, text in self._new.items() if text != self._old[file]]
         for file in changed:
-            Path(file).write_bytes(b"".join(self._new[file]))
+            replace_whole(file, b"".join(self._new[file]))
         return changed
 
 

@@ -26,11 +26,12 @@ from cncsub.options import (
     VariablesFile,
     control_named,
     memory_of,
-    opened,
     run_options,
     told_idle,
+    write_code,
     wrong_use,
 )
+from cncsub.writing import opened
 
 
 def flatten(
@@ -70,8 +71,7 @@ def flatten(
         told_idle(library, asked)
         flat = library.flatten(main, control=target, comments=comments, **asked)
     if output is None:
-        for piece in flat.pieces():
-            typer.echo(piece, nl=False)
+        write_code(flat.pieces())
     else:
         with opened(output, "wb") as file:
             for piece in flat.pieces():

@@ -5,19 +5,20 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.comparison import OtherControlPair, Pair, Parting, variables_lacking
 from cncsub.controls import control_of
+from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
 from cncsub.loading import loads
 from cncsub.rows import Origin
 from cncsub.run import Run, Stop
 from cncsub.run_options import Options
 from cncsub.table import Table
+from cncsub.writing import opened
 
 if TYPE_CHECKING:
     import numpy as np
@@ -196,7 +197,7 @@ class Flat:
         """Write the text to a file, piece by piece: memory stays what one piece needs. Raises
         `OSError` where the file cannot be written.
         """
-        with Path(path).open("wb") as file:
+        with opened(path, "wb") as file:
             for piece in self.pieces():
                 file.write(piece.encode(errors="surrogateescape"))
 
@@ -300,7 +301,7 @@ def _refuse(
     parting: Parting, library: Library, main: str | int | None, options: Options
 ) -> NoReturn:
     """Refuses a program for another control that does not run alike."""
-    run = library.run(main, **options)
+    run = uninterrupted(library.run(main, **options))
     reason = f"the flat program would not run alike\n{parting.what}"
     if not len(run.steps):
         raise FlattenError(reason)
@@ -320,7 +321,7 @@ def _parts(
     kind = _FlatPair if control is library.control else OtherControlPair
     pair = kind((library, flat), ("program", "flat"), main, options)
     try:
-        run, other = library.run(main, **options), flat.run(**again)
+        run, other = map(uninterrupted, (library.run(main, **options), flat.run(**again)))
     except KeyError as error:  # read so, there is no program
         raise FlattenError(
             f"{control.name} reads the flat text otherwise: {error.args[0]}"
@@ -342,5 +343,7 @@ def _does_not_end(core: _core.Flattening) -> FlattenError:
             alarm.n,
             alarm.line,
         )
+    if core.stop == Stop.INTERRUPTED:
+        raise KeyboardInterrupt
     waits = f" for {core.waiting_for}" if core.waiting_for else ""
     return FlattenError(f"the run does not end: it stopped with {Stop(core.stop).value}{waits}")

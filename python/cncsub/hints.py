@@ -13,6 +13,7 @@ from cncsub._core import Alarm, Control
 from cncsub.beside import files_named, folders_in, folders_of
 from cncsub.checking import Finding
 from cncsub.controls import controls
+from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
 from cncsub.lines import lines_of
 from cncsub.notes import Note
@@ -74,8 +75,10 @@ def hints_of(
 
     def again(other: Library = library, **options: Any) -> Run:
         if mdi is not None:
-            return other.mdi(mdi, **{**asked, "trace": "calls", "watch": (), **options})
-        return other.run(main, **{**asked, "trace": "calls", "watch": (), **options})
+            tried = other.mdi(mdi, **{**asked, "trace": "calls", "watch": (), **options})
+        else:
+            tried = other.run(main, **{**asked, "trace": "calls", "watch": (), **options})
+        return uninterrupted(tried)
 
     if run.stop is Stop.WAITING:
         return list(_answers(run, asked, again))
@@ -112,9 +115,12 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
     folders = {folder: None for file in files for folder in folders_of(file)}
     folders |= {inner: None for folder in list(folders) for inner in folders_in(folder)}
     device = {os.path.realpath(program.file) for program in library.external.values()}
-    for file in (file for folder in folders for file in files_named(folder, name, library)):
+    for file, fault in (
+        found for folder in folders for found in files_named(folder, name, library)
+    ):
         if os.path.realpath(file) not in device:
-            yield f"{file} was not read: name it, or its folder, too"
+            cure = "name it, or its folder, too" if fault is None else f"{fault}; name it too"
+            yield f"{file} was not read: {cure}"
 
 
 # ---- another language ----

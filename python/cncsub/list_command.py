@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import typer
 
 import cncsub
+from cncsub.escapes import shown
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -26,7 +27,6 @@ from cncsub.options import (
     write_text,
     wrong_use,
 )
-from cncsub.printing import shown
 from cncsub.references import Edge
 
 MOST_NAMES = 6  # in one line

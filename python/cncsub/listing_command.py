@@ -13,8 +13,8 @@ from typing import Annotated, Any
 import typer
 
 import cncsub
-from cncsub.options import opened
-from cncsub.printing import shown
+from cncsub.escapes import shown
+from cncsub.writing import opened
 
 Listing = Annotated[
     bool,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from cncsub import _core
@@ -43,10 +43,23 @@ def load(
     >>> list(library), library.main.name, library.run().stop
     (['O1', 'O2'], 'O1', <Stop.END: 'end'>)
     """
+    return load_with(paths, (), control, external, encoding, prefer, general_only)
+
+
+def load_with(
+    paths: Sequence[StrPath],
+    beside: Sequence[StrPath],
+    control: str | Control,
+    external: StrPath | None = None,
+    encoding: str | None = None,
+    prefer: StrPath | Iterable[StrPath] = (),
+    general_only: bool = False,
+) -> Library:
+    """As `load`, with files beside that nobody named."""
     known = control_of(control)
     if not paths:
         raise ValueError("load needs a file or a folder; loads takes the text of a program")
-    reading = read_paths(paths, encoding=encoding, without=external)
+    reading = read_paths(paths, beside=beside, encoding=encoding, without=external)
     names = reading.names
     outside, skipped = _external_files(external, encoding)
     rows = reading.rows(False) + outside

@@ -6,9 +6,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from html import escape
 from itertools import islice
 from typing import TYPE_CHECKING
+
+from cncsub.escapes import escape
 
 if TYPE_CHECKING:
     from cncsub.library import Library

@@ -5,12 +5,12 @@ variables.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from html import escape
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from cncsub._core import Alarm, Control, Frame
 from cncsub.controls import causes
+from cncsub.escapes import escape
 from cncsub.notebook import few, line, marked, page, plain, table
 
 if TYPE_CHECKING:

@@ -25,8 +25,9 @@ class Note:
     `kind`: `"conflict"`, a program that does not count, because another one of its name with other
     blocks does; `"copy"`, the same where both have the same blocks; `"left-out"`, what was not
     read; `"no-head"`, the first program has no head and runs because its file comes first;
-    `"beside"`, a file that the command read too, because a call names its program; `"no-effect"`,
-    what was given and changes nothing.
+    `"beside"`, a file that the command read too, because a call names its program; `"defaulted"`,
+    the control is the one of a project; `"outside"`, a file or folder that a project names outside
+    its own folder; `"no-effect"`, what was given and changes nothing.
     `file`, `line`: the place, `None` for a file as a whole; of `"no-effect"` what was given.
     """
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import enum
+import itertools
 import json
 import math
 import os
@@ -11,7 +12,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import IO, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
@@ -19,9 +20,12 @@ import cncsub
 from cncsub import system
 from cncsub.beside import with_files_beside
 from cncsub.controls import did_you_mean, names_beginning
+from cncsub.escapes import shown
+from cncsub.loading import load_with
 from cncsub.notes import Note, counting, same_blocks
-from cncsub.printing import Console, console_on, shown
-from cncsub.project import Project, project_for
+from cncsub.printing import Console, console_on, stop_text
+from cncsub.project import PLACES, Project, project_for
+from cncsub.writing import opened
 
 MOST_WATCHED = 1000  # variables of one range; the engine takes no more of all
 
@@ -148,10 +152,17 @@ def wrong_use() -> Iterator[None]:
     except KeyError as error:
         raise WrongUseError(_by_option(error.args[0])) from None
     except OSError as error:
-        named = f"{error.filename}: " if error.filename else ""
-        raise WrongUseError(f"{named}{error.strerror or error}") from None
+        if error.filename is None or system.at_its_limit(error):
+            raise
+        raise WrongUseError(told_of(error)) from None
     except (ValueError, TypeError) as error:
         raise WrongUseError(_by_option(error)) from None
+
+
+def told_of(error: OSError) -> str:
+    """What the system says of a file, by the file's name."""
+    named = f"{os.fsdecode(error.filename)}: " if error.filename is not None else ""
+    return f"{named}{error.strerror or error}"
 
 
 def _by_option(error: object) -> str:
@@ -218,6 +229,19 @@ STATUS = {
 }
 
 
+def whole_run(run: cncsub.Run) -> cncsub.Run:
+    """The run; where Ctrl-C broke it off, where it stood is told, and nothing is made of it."""
+    if run.stop is cncsub.Stop.INTERRUPTED:
+        at = ""
+        if len(run.steps):
+            last = run.steps[-1]
+            block = f"line {last.line}" if last.n is None else f"N{last.n}"
+            at = f", at {shown(f'{last.program} {block}')}"
+        typer.echo(f"stopped: {stop_text(run)}{at}", err=True)
+        raise KeyboardInterrupt
+    return run
+
+
 def status_of(run: cncsub.Run | cncsub.Stream) -> int:
     """The exit status of a run; 1 for a stream that was left before its end."""
     return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
@@ -232,7 +256,7 @@ def library_of(options: Mapping[str, Any]) -> cncsub.Library:
     written = [Path(path) for name in _WRITTEN if (path := options.get(name)) is not None]
     project = project_for(options.get("paths")) if written else Project()
     read: list[str | Path] = [*library.files, *_files_beside_programs(options, project)]
-    external = options.get("external") or project.external
+    external = options.get("external") or project.places.get("external")
     for place, path in enumerate(written):
         _refuse_to_overwrite(path, read, written[:place], external)
     return library
@@ -242,7 +266,7 @@ def _files_beside_programs(options: Mapping[str, Any], project: Project) -> list
     """The files of setup, inputs and variables that the options or the project name, and the file
     of the project itself.
     """
-    named = [options.get(name) or getattr(project, name) for name in _READ]
+    named = [options.get(name) or project.places.get(name) for name in _READ]
     return [Path(path) for path in (*named, project.file) if path is not None]
 
 
@@ -282,8 +306,9 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
     if paths:
         prefer = options.get("prefer") or ()
 
-        def load(named: Sequence[str]) -> cncsub.Library:
-            return cncsub.load(*named, encoding=options["encoding"], prefer=prefer, **places)
+        def load(named: Sequence[str], beside: Sequence[str] = ()) -> cncsub.Library:
+            wanted = {"encoding": options["encoding"], "prefer": prefer, **places}
+            return load_with(named, beside, **wanted)
 
         _refuse_words_of_mdi(paths, options["mdi"])
         return with_files_beside(paths[0], load) if _is_one_file(paths) else load(paths)
@@ -335,7 +360,7 @@ def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
         Note("beside", "read too, because a call names its program", file)
         for file in files_beside(options, library)
     ]
-    return [*defaulted(options), *beside] + [
+    return [*defaulted(options), *_outside(options, project), *beside] + [
         note
         for note in library.notes
         if note.kind != "left-out" or os.path.realpath(note.file) not in known
@@ -348,6 +373,14 @@ def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
     if options["control"] is None and project.control is not None:
         told = f"the control is {project.control}, which the project names"
         yield Note("defaulted", told, str(project.file))
+
+
+def _outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
+    """A note for each file and folder that the project names outside its own folder."""
+    for name in PLACES:
+        if name in options and options[name] is None and (place := project.outside(name)):
+            told = f"the project names it for {name}, outside of its own folder"
+            yield Note("outside", told, str(place))
 
 
 def told_idle(
@@ -465,9 +498,9 @@ def _assignment(
 # ---- writing ----
 
 
-def _escaped(character: str) -> str:
-    """A character as JSON writes it in plain ASCII."""
-    return json.dumps(character).strip('"')
+def _escaped(found: re.Match[str]) -> str:
+    """A character as JSON writes it in plain ASCII, where it cannot be seen."""
+    return found[0] if found[0].isprintable() else json.dumps(found[0]).strip('"')
 
 
 def write_text(output: Path | None, write: Callable[[Console], None]) -> None:
@@ -478,23 +511,24 @@ def write_text(output: Path | None, write: Callable[[Console], None]) -> None:
         write(console_on(file))
 
 
-def opened(output: Path, mode: str) -> IO[Any]:
-    try:
-        if "b" in mode:
-            return output.open(mode)
-        # Line ends are those that are written: a file is the same on every system.
-        return output.open(mode, encoding="utf-8", newline="")
-    except OSError as error:
-        raise WrongUseError(f"{output}: {error.strerror or error}") from None
+def write_code(pieces: Iterable[str]) -> None:
+    """Write programs, or how they change: as they are, but for what would move a terminal."""
+    if not sys.stdout.isatty():
+        for piece in pieces:
+            typer.echo(piece.encode(errors="surrogateescape"), nl=False)
+        return
+    for line in "".join(pieces).splitlines():
+        typer.echo(shown(line))
 
 
 def write_json(output: Path | None, facts: object) -> None:
     plain = output is None and not system.takes_any_text(sys.stdout)
-    text = json.dumps(facts, ensure_ascii=plain, indent=2, allow_nan=False)
-    # What a terminal would obey is written as an escape; everything outside ASCII is in a string.
-    text = re.sub(r"[^\x20-\x7e\n]", lambda c: c[0] if c[0].isprintable() else _escaped(c[0]), text)
-    if output is None:
-        typer.echo(text)
-    else:
-        with opened(output, "w") as file:
-            file.write(text + "\n")
+    pieces = json.JSONEncoder(ensure_ascii=plain, indent=2, allow_nan=False).iterencode(facts)
+    with contextlib.nullcontext(sys.stdout) if output is None else opened(output, "w") as file:
+        while piece := "".join(itertools.islice(pieces, 10_000)):
+            # What a terminal would obey is written as an escape; all beyond ASCII is in a string.
+            file.write(_BEYOND_ASCII.sub(_escaped, piece))
+        file.write("\n")
+
+
+_BEYOND_ASCII = re.compile(r"[^\x20-\x7e\n]")

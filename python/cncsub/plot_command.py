@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 import cncsub
+from cncsub.escapes import shown
 from cncsub.notes import Note
 from cncsub.options import (
     ControlName,
@@ -34,10 +35,12 @@ from cncsub.options import (
     tell_all,
     tell_dropped,
     told_idle,
+    whole_run,
     wrong_use,
 )
 from cncsub.plot_page import page_of
-from cncsub.printing import console_on, print_stop, shown
+from cncsub.printing import console_on, print_stop
+from cncsub.writing import write_whole
 
 _OF = ("path", "calls", "programs", "watch")
 
@@ -116,12 +119,12 @@ def plot(
         told_idle(library, asked)
         if watch and of != "watch":
             tell_all([Note("no-effect", "no effect: --of watch draws what is watched", "--watch")])
-        run = library.run(main, **asked)
+        run = whole_run(library.run(main, **asked))
         try:
             figure = _figure(library, run, options)
         except ImportError as error:
             raise ValueError(str(error)) from None
-        output.write_text(page_of(figure), encoding="utf-8", newline="\n")
+        write_whole(output, page_of(figure))
     print_stop(console_on(sys.stderr), run)
     tell_dropped(len(run.dropped), (word.warning for word in run.dropped))
     typer.echo(f"wrote {shown(str(output))}")

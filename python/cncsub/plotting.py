@@ -6,9 +6,9 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Mapping
-from html import escape
 from typing import TYPE_CHECKING, Any
 
+from cncsub.escapes import escape
 from cncsub.table import optional_module
 from cncsub.tables import Calls
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -39,12 +40,14 @@ class Polyline:
     tolerance: float
     diameters: bool
 
-    @property
+    @functools.cached_property
     def points(self) -> Numbers:
         """X, Y and Z side by side: an array of `len(polyline)` rows and three columns."""
         import numpy as np
 
-        return np.column_stack((self.x, self.y, self.z))
+        made = np.column_stack((self.x, self.y, self.z))
+        made.flags.writeable = False  # what ran cannot be changed
+        return made
 
     def __len__(self) -> int:
         return len(self.x)

@@ -12,6 +12,7 @@ from typing import IO, TYPE_CHECKING, Any
 import cncsub
 from cncsub.calltree import CallTree
 from cncsub.controls import sources_of
+from cncsub.escapes import shown
 from cncsub.facts import effect_of
 from cncsub.statictree import letters
 
@@ -210,11 +211,6 @@ def stop_text(run: cncsub.Run | cncsub.Stream) -> str:
         cncsub.Stop.INTERRUPTED: "interrupted",
     }
     return f"{reasons[run.stop]}, after {blocks}"
-
-
-def shown(text: str) -> str:
-    """A text of a program, or the name of a file, without what a terminal would obey."""
-    return "".join(c if c.isprintable() else " " for c in text)
 
 
 def time_words(run: cncsub.Run) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -153,12 +154,12 @@ class CallGraph:
     cycles: tuple[tuple[str, ...], ...]
     deepest: Mapping[str, tuple[str, ...]]
 
-    @property
+    @functools.cached_property
     def missing(self) -> tuple[Edge, ...]:
         """The calls of programs that do not exist."""
         return tuple(edge for edge in self.edges if edge.exists is False)
 
-    @property
+    @functools.cached_property
     def computed(self) -> tuple[Edge, ...]:
         """The calls whose program is computed."""
         return tuple(edge for edge in self.edges if isinstance(edge.called, Computed))

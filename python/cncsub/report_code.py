@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from html import escape
 from typing import TYPE_CHECKING
 
 from cncsub.counting import percent_text
+from cncsub.escapes import escape
 
 if TYPE_CHECKING:
     from cncsub._core import Alarm

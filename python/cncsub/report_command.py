@@ -7,6 +7,7 @@ import sys
 import typer
 
 import cncsub
+from cncsub.escapes import shown
 from cncsub.options import (
     ControlName,
     Encoding,
@@ -30,9 +31,10 @@ from cncsub.options import (
     run_options,
     status_of,
     told_idle,
+    whole_run,
     wrong_use,
 )
-from cncsub.printing import console_on, print_stop, shown
+from cncsub.printing import console_on, print_stop
 
 
 def report(
@@ -64,7 +66,7 @@ def report(
         program = library.main if main is None else library[main]
         asked = run_options(options, "moves")
         told_idle(library, asked)
-        run = library.run(main, **asked)
+        run = whole_run(library.run(main, **asked))
         title = None if program is None else program.name
         found = library.check(main, setup=asked.get("setup"))
         cncsub.report(library, run, output, title=title, findings=found)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from cncsub.escapes import escape
 from cncsub.plot_points import drawn_path
 
 if TYPE_CHECKING:

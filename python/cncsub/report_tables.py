@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 from typing import TYPE_CHECKING
 
+from cncsub.escapes import escape
 from cncsub.statictree import letters
 
 if TYPE_CHECKING:

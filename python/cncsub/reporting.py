@@ -5,19 +5,20 @@ from __future__ import annotations
 import itertools
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from html import escape
 from importlib.resources import files
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from cncsub.escapes import escape
 from cncsub.facts import explanations
 from cncsub.ran import place_of
 from cncsub.report_code import Anchors, code_section
 from cncsub.report_path import MOST_LINKED, Path, path_of, views
 from cncsub.report_tables import calls_rows, table
 from cncsub.statictree import letters
+from cncsub.writing import write_whole
 
 if TYPE_CHECKING:
     from cncsub.calltree import CallTree
@@ -60,7 +61,7 @@ def report(
     found = library.check(main) if findings is None else list(findings)
     text = "".join(_page(library, run, title or main or "a run", found))
     if path is not None:
-        FilePath(path).write_text(text, encoding="utf-8", newline="\n")
+        write_whole(path, text)
     return text
 
 

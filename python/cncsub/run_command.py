@@ -12,6 +12,7 @@ from typing import IO, Annotated, Any
 import typer
 
 import cncsub
+from cncsub.escapes import cell
 from cncsub.facts import run_facts, tree_facts
 from cncsub.hints import hints_of
 from cncsub.listing_command import Listing, Where, filters, write_listing
@@ -40,13 +41,13 @@ from cncsub.options import (
     WrongUseError,
     memory_of,
     notes_on,
-    opened,
     run_options,
     status_of,
     tell_dropped,
     tell_hints,
     told_idle,
     typed_in,
+    whole_run,
     write_json,
     write_text,
     wrong_use,
@@ -54,6 +55,7 @@ from cncsub.options import (
 from cncsub.printing import console_on, print_run, print_stop, print_tree
 from cncsub.static_command import draw_static_tree
 from cncsub.table import records
+from cncsub.writing import opened
 
 
 def run(
@@ -172,12 +174,12 @@ def _run(
         where = f"on {library.control.title}"
         notes = [asdict(note) for note in notes_on(options, library)]
         if (mdi := options["mdi"]) is not None:
-            made = library.mdi(mdi, **asked)
+            made = whole_run(library.mdi(mdi, **asked))
             notes += map(asdict, told_idle(library, asked, typed_in(made)))
             return made, f"MDI {where}", notes, hints_of(library, made, asked, mdi=mdi)
         program = library.main if options["main"] is None else library[options["main"]]
         name = "nothing" if program is None else program.name
-        made = library.run(options["main"], **asked)
+        made = whole_run(library.run(options["main"], **asked))
         notes += map(asdict, told_idle(library, asked))
         return made, f"{name} {where}", notes, hints_of(library, made, asked, options["main"])
 
@@ -232,7 +234,7 @@ def _write_csv(stream: cncsub.Stream, file: IO[str]) -> tuple[int, set[str | Non
     for number, part in enumerate(stream):
         if number == 0:
             writer.writerow(part.moves.columns)
-        writer.writerows(record.values() for record in records(part.moves))
+        writer.writerows(record.values() for record in records(part.moves, cell))
         dropped += len(part.dropped)
         warnings |= {word.warning for word in part.dropped}
     return dropped, warnings

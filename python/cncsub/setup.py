@@ -106,19 +106,23 @@ class Setup:
         return {name: value for name, value in core.items() if value not in ({}, None)}
 
 
-def from_toml(path: str | os.PathLike[str], read: Callable[[dict[str, Any]], T]) -> T:
-    """What `read` makes of a TOML file; what is wrong with it is told with the file's name."""
+def toml_of(text: str) -> dict[str, Any]:
+    """What a text of TOML says; `RecursionError` where it nests so deep that reading has no end."""
     import tomllib
 
+    if _DEEP.search(text):
+        raise RecursionError
+    return tomllib.loads(text)
+
+
+def from_toml(path: str | os.PathLike[str], read: Callable[[dict[str, Any]], T]) -> T:
+    """What `read` makes of a TOML file; what is wrong with it is told with the file's name."""
     name = os.fspath(path)
     if Path(path).exists() and not Path(path).is_file():
         raise ValueError(f"{name}: not a regular file")
     with Path(path).open("rb") as file:
         try:
-            text = file.read().decode()
-            if _DEEP.search(text):
-                raise RecursionError
-            return read(tomllib.loads(text))
+            return read(toml_of(file.read().decode()))
         except (ValueError, TypeError) as error:
             raise ValueError(f"{name}: {error}") from None
         except RecursionError:

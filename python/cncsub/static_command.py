@@ -7,8 +7,9 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from cncsub.escapes import shown
 from cncsub.options import Format, memory_of, notes_on, write_json, write_text, wrong_use
-from cncsub.printing import Console, shown
+from cncsub.printing import Console
 from cncsub.statictree import MOST, StaticCall, static_tree
 
 # What only a run asks for: told where it is given without one.

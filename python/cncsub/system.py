@@ -6,6 +6,7 @@ engine's part of this is `cpp/cncsub/system`.
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import stat
@@ -56,6 +57,13 @@ def is_hidden(path: Path) -> bool:
     return bool(marks & stat.FILE_ATTRIBUTE_HIDDEN)
 
 
+def is_ours(path: Path) -> bool:
+    """Whether a file belongs to who runs this, or to who runs the system; Windows is not asked."""
+    if WINDOWS:
+        return True
+    return path.stat().st_uid in (os.geteuid(), 0)
+
+
 def same_names(names: list[str]) -> list[str]:
     """What the names of one file in a folder have in common: on Windows O1.NC is o1.nc."""
     return [os.path.normcase(name) for name in names] if WINDOWS else names
@@ -71,9 +79,24 @@ def nobody_reads(error: BaseException) -> bool:
     return error.errno in (errno.EINVAL, errno.EPIPE)
 
 
+# What the system says where a disk, a quota or a table of its own is full, or a device fails.
+_LIMITS = {"ENOSPC", "EFBIG", "EDQUOT", "EIO", "EMFILE", "ENFILE", "ENOMEM", "ENOBUFS", "EAGAIN"}
+_AT_LIMIT = {getattr(errno, name) for name in _LIMITS if hasattr(errno, name)}
+
+
+def at_its_limit(error: BaseException) -> bool:
+    """Whether the system could not do what was rightly asked: no room, no memory, no more files."""
+    if isinstance(error, MemoryError):
+        return True
+    return isinstance(error, OSError) and error.errno in _AT_LIMIT
+
+
 def say_nothing_more() -> None:
     """Lets what is still to be written to the standard output go nowhere."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    with contextlib.suppress(OSError, ValueError):  # it is no file of the system
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)
 
 
 def takes_any_text(file: IO[Any]) -> bool:
@@ -90,8 +113,12 @@ def takes_any_text(file: IO[Any]) -> bool:
 
 def write_what_can_be() -> None:
     """Characters that the terminal or the pipe does not hold are written as escapes, where Python
-    would refuse the whole line: a Chinese name in a window of Western Europe.
+    would refuse the whole line: a Chinese name in a window of Western Europe. Where the standard
+    output or the error stream is closed, what is written there goes nowhere.
     """
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115, PTH123
     for file in (sys.stdout, sys.stderr):
         if not takes_any_text(file) and hasattr(file, "reconfigure"):
             file.reconfigure(errors="backslashreplace")

@@ -11,7 +11,7 @@ import math
 import operator
 import shutil
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
 from cncsub import _core
@@ -236,7 +236,7 @@ class Table(Stays, Generic[Row]):
         return "\n".join([*lines, size])
 
     def _repr_html_(self) -> str:
-        from html import escape
+        from cncsub.escapes import escape
 
         names, rows = self._printed()
         head = "".join(f"<th>{escape(name)}</th>" for name in names)
@@ -287,13 +287,13 @@ def number_or_none(value: Any) -> Any:
     return None if isinstance(value, float) and math.isnan(value) else value
 
 
-def records(table: Table[Any]) -> Iterator[Mapping[str, Any]]:
+def records(table: Table[Any], as_text: Callable[[str], str] = str) -> Iterator[Mapping[str, Any]]:
     """The rows as mappings of the columns, read by columns and so fast on long tables; NaN is
-    `None`.
+    `None`, and texts go through `as_text`.
     """
     names = table.columns
     table._fetched(names)
-    columns = [_plain_values(table, name) for name in names]
+    columns = [_plain_values(table, name, as_text) for name in names]
     for values in zip(*columns, strict=True):
         yield dict(zip(names, values, strict=True))
 
@@ -301,10 +301,11 @@ def records(table: Table[Any]) -> Iterator[Mapping[str, Any]]:
 _NO_INDEX = frozenset(("step", "n", "line", "parent", "start_n", "last_step"))
 
 
-def _plain_values(table: Table[Any], name: str) -> list[Any]:
+def _plain_values(table: Table[Any], name: str, as_text: Callable[[str], str]) -> list[Any]:
     texts = table._texts(name)
     values = table.column(name).tolist()
     if texts is not None:
+        texts = [as_text(text) for text in texts]
         return [None if code < 0 else texts[code] for code in values]
     if name in _NO_INDEX:
         return [known_or_none(value) for value in values]

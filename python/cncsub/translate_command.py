@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from cncsub.options import write_json
-from cncsub.printing import shown
+from cncsub.escapes import shown
+from cncsub.options import write_code, write_json
 
 if TYPE_CHECKING:
     from cncsub.translating import Translation
@@ -28,7 +28,7 @@ def tell_translation(made: Translation, output: Path | None, *, as_json: bool) -
     if as_json:
         write_json(None, translation_facts(made))
     elif output is None:
-        sys.stdout.write(made.diff())
+        write_code([made.diff()])
     for path in written:
         print(f"written: {shown(path)}", file=sys.stderr)
     count = sum(map(len, made.edits.values()))

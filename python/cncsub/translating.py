@@ -20,6 +20,7 @@ from cncsub.rewriting import Rewriting, TranslateError
 from cncsub.run import Run, Stop
 from cncsub.run_options import Options
 from cncsub.signatures import spelled_out
+from cncsub.writing import write_whole
 
 
 class _TranslatedPair(OtherControlPair):
@@ -73,7 +74,7 @@ class Translation:
             if target.exists() and path.exists() and target.samefile(path):
                 raise ValueError(f"{path} is what was read: give another folder")
             target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes(text.encode("utf-8", "surrogateescape"))
+            write_whole(target, text.encode("utf-8", "surrogateescape"))
             written.append(str(target))
         return written
 

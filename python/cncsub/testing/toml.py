@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from cncsub.controls import did_you_mean
+from cncsub.setup import toml_of
 from cncsub.testing.cases import Case, read_case
 
 _WORDS = [*list(inspect.signature(read_case).parameters)[1:], "load"]
@@ -19,7 +20,9 @@ _NUMBERED = ("vars", "variables", "arguments", "vars_after_reset")  # by variabl
 def cases_of_toml(file: Path) -> tuple[Case, ...]:
     """The cases of a table; see `load_table`."""
     try:
-        told = tomllib.loads(file.read_text(encoding="utf-8"))
+        told = toml_of(file.read_text(encoding="utf-8"))
+    except RecursionError:
+        raise ValueError(f"{file}: nested too deep") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise ValueError(f"{file}: {error}") from None
     listed = told.pop("case", None)
