@@ -311,7 +311,7 @@ def with_ways_past(
     library: Library, found: list[Finding], check: Callable[[Library], list[Finding]]
 ) -> list[Finding]:
     """The findings, each with the parameter or option behind which it is gone: each is tried."""
-    wanted = {_place(f): f for f in found if f.rule in _REFUSED}
+    wanted = {_place(f): f for f in found if f.rule in _MAY_PASS}
     blocks = sum(len(program.blocks) for program in library.values())
     if not wanted or blocks > MOST_BLOCKS:
         return found
@@ -321,7 +321,7 @@ def with_ways_past(
         if time.monotonic() > end:
             break
         left = {_place(f) for f in check(library.read_for(control))}
-        alarming = {place[1:] for place in left if place[0] in _REFUSED}
+        alarming = {place[1:] for place in left if place[0] in _MAY_PASS}
         for place in wanted:
             if place not in left and place[1:] not in alarming:
                 hints.setdefault(place, []).append(words)
@@ -330,7 +330,7 @@ def with_ways_past(
     ]
 
 
-_REFUSED = ("CS101", "CS102", "CS103", "CS104", "CS303", "CS704")  # a parameter may allow them
+_MAY_PASS = ("CS101", "CS102", "CS103", "CS104", "CS303", "CS704")  # a parameter may allow them
 
 
 def _place(finding: Finding) -> tuple[Any, ...]:
