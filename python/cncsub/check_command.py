@@ -113,7 +113,7 @@ def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[s
 
     found = look(library)
     if (language := hints.language_beside_findings(library, found, look)) is not None:
-        print(f"hint: {language}", file=sys.stderr)
+        print(f"hint: {shown(language)}", file=sys.stderr)
     else:
         found = hints.with_ways_past(library, found, look)
     return _Part(library, findings.with_severity(found, dict(project.severity)))
