@@ -179,10 +179,10 @@ def test_for_a_control_of_another_language() -> None:
     library = cncsub.loads(WORDS, control="fanuc-0i-f")
     flat = library.flatten(control="linuxcnc", comments=True)
     flat.verify()
-    assert flat.text.splitlines()[0] == "G21 G17 G90 G00 X1. Y0. Z5. (O0012 N10 LINE 2)"
+    assert flat.text.splitlines()[:2] == ["G98", "G21 G17 G90 G00 X1. Y0. Z5. (O0012 N10 LINE 2)"]
     flat = library.flatten(control="linuxcnc")
     assert flat.text == (
-        "G21 G17 G90 G00 X1. Y0. Z5.\nG01 X3.333 F100.\nG91 Y0.5\nG90\nG91 Y0.5\nG90\n"
+        "G98\nG21 G17 G90 G00 X1. Y0. Z5.\nG01 X3.333 F100.\nG91 Y0.5\nG90\nG91 Y0.5\nG90\n"
         "G02 X5. Y0. R4.\nG03 X1. Y0. R2.\nG04 P0.5\nG04 P1.5\nM8\nT3 M6\nS500 M3\nM30\n"
     )
     assert len(flat.origins) == flat.text.count("\n")
@@ -203,10 +203,10 @@ def test_from_other_languages() -> None:
     text = "o<sub> sub\nG91 X1\no<sub> endsub\nG21 G90 G0 X1 Y0\no<sub> call\nG4 P0.5\nM2\n"
     library = cncsub.loads(text, control="linuxcnc")
     assert library.flatten(control="hnc-21m").text == (
-        "%1\nG21\nG90 G00 X1. Y0.\nG91 X1.\nG04 P0.5\nM2\n"
+        "%1\nG99\nG21\nG90 G00 X1. Y0.\nG91 X1.\nG04 P0.5\nM2\n"
     )
     flat = library.flatten(control="gsk-980mdi")
-    assert flat.text == "O1\nG21\nG90 G00 X1. Y0.\nG91 X1.\nG04 P500\nM2\n"
+    assert flat.text == "O1\nG99\nG21\nG90 G00 X1. Y0.\nG91 X1.\nG04 P500\nM2\n"
     assert len(flat.origins) == flat.text.count("\n") - 1
     text = "%_N_PART_MPF\nG90 G1 X1 F100\nG4 F2\nG2 X3 Y0 CR=1\nM30\n"
     library = cncsub.loads(text, control="siemens-one")

@@ -69,5 +69,5 @@ def test_flat_programs_move_as_their_originals(
 ) -> None:
     report = linuxcnc_flat.compare(SEED, range(150), RS274, tmp_path, 10, kinds)
     assert report.different == [], capsys.readouterr().out
-    assert sum(report.refused.values()) < 0.2 * report.programs
+    assert sum(report.refused.values()) < 0.3 * report.programs
     assert report.moves > 8 * report.programs

@@ -92,7 +92,8 @@ def place(of: Writer, axes: str) -> str:
 def between(of: Writer) -> None:
     """What may stand between two holes."""
     r = of.random
-    said = r.choice((*SAYINGS, "G98", "G99", "G91", "G90", "G98", "G99"))
+    modes = () if of.careful else ("G91", "G90")  # by which the bottom may come to lie above R
+    said = r.choice((*SAYINGS, "G98", "G99", *modes, "G98", "G99"))
     of.put(said, of.axes("XY") if of.chance(0.3) and said[0] == "G" else "")
 
 
@@ -105,7 +106,7 @@ def series(of: Writer) -> None:
     of.put("M4 S500" if code == 74 else "M3 S500", f"F{200 / unit(of):.1f}")
     of.put(f"G{plane} G90 G0", f"{axes[2]}{number(of, r.choice((1, 2, 5, 20)))}")
     words = first_hole(of, code, axes)
-    if of.chance(0.25):
+    if of.chance(0.25) and code != 74:
         words.append(f"L{r.randint(1, 3)}")
     words.append(of.axes(axes[:2]) if of.chance(0.8) else "")
     incremental = r.choice(("", "", "", "G91"))
@@ -117,7 +118,7 @@ def series(of: Writer) -> None:
         repeat = f"L{r.randint(1, 2)}" if of.chance(0.1) and code != 74 else ""
         of.put(
             *(first_hole(of, r.choice((81, 83, 85)), axes) if again else ()),
-            place(of, axes),
+            of.axes(axes[:2]) if again else place(of, axes),
             repeat,
         )
     end(of)
@@ -143,6 +144,7 @@ def end(of: Writer) -> None:
 def beside(of: Writer) -> None:
     """Axis words beside codes that take none: they move, in the mode or by a code of the block."""
     r = of.random
+    of.put("G0", of.axes("XYZ"))
     codes = ("G4 P0.25", "G28.1", "G30.1", "G92.1", "G92.2", "G92.3", "G4 P[1/3]")
     for _ in range(r.randint(1, 3)):
         words = [r.choice(codes), r.choice(("", "", "G0", "G1", "G90", "G91 G1"))]
@@ -251,7 +253,6 @@ def let_go(of: Writer) -> None:
         "G90",
         "M5",
         "M3",
-        "T3",
         "#3 = 1",
     )
     for _ in range(r.randint(0, 2)):

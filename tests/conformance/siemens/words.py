@@ -158,5 +158,5 @@ case("CR twice", **KNOWN, program="N10 G2 X1 CR=5 CR=6\nN20 M30", runs="", alarm
 case(
     "a computed length is brought to a thousandth of a millimetre",
     pins="computed_lengths", control=ONE, source="840Di p.281: MD 10200", evidence="secondary",
-    program="N10 G91 G0 X=1/3\nN20 X=1/3\nN30 X=1/3\nN40 M30", final_work="X0.999",
+    program="N10 G91 G0 X1\n" + "N20 X=0.0001*4\n" * 8 + "N30 M30", final_work="X1",
 )

@@ -240,7 +240,7 @@ case(
 case(
     "so is the HNC-21M",
     pins="computed_lengths", control=HNC, source="policy", evidence="inferred",
-    program="%1\nN10 #1=1.23456\nN20 G90 G0 X[#1]\nN30 M30", runs="N10 N20 N30", moves_x=[1.235],
+    program="%1\nN10 #1=0.0004\nN20 G91 G0 X1\n" + "N30 X[#1]\n" * 8 + "N40 M30", final_work="X1",
 )
 case(
     "an M code from a variable is rounded half up",
