@@ -132,6 +132,15 @@ std::optional<CodeList> known_codes(const Code& code, const WordList& words) {
   return list;
 }
 
+/// Whether a plain move may have these words: it is not asked where it leads to.
+bool are_small(const WordList& words) {
+  constexpr double kMost = 1e30;  // the sum of very many of them is still a position
+  for (std::uint32_t left = words.mask; left != 0; left &= left - 1)
+    if (std::fabs(words.values[static_cast<std::size_t>(std::countr_zero(left))].value) > kMost)
+      return false;
+  return true;
+}
+
 void write_codes(Code& code, Block& block, const WordList& words) {
   if (const auto list = known_codes(code, words)) return write_codes(code, block, *list);
   block.set_codes(-1, static_cast<std::size_t>(words.g_count),
@@ -172,7 +181,7 @@ void Builder::words(Block& block, const WordList& words) {
     code_.drops[first_drop_].data = block.data;
   block.op = Op::Words;
   if (code_.general_only || (block.flags & ~Block::kListed) != 0 || block.m_count != 0 ||
-      block.g_count > 1 || block.code_cells() > 0)
+      block.g_count > 1 || block.code_cells() > 0 || !are_small(words))
     return;
   const double g = block.g_count == 0 ? -10 : words.g.front().value;
   if (g <= 30 && std::fmod(g, 10) == 0) mark_move(block, to_whole<int>(g / 10));

@@ -119,7 +119,7 @@ class Reading {
   /// behind it, are decided once.
   void resolve_calls(std::size_t from) {
     to_.names().sort_heads();
-    if (code_.calls.empty() || code_.general_only) return;
+    if (code_.calls.empty()) return;
     seen_.assign(code_.variants.size(), false);
     for (std::size_t p = from; p < code_.programs.size(); ++p)
       for (Address a = code_.programs[p].first;
@@ -150,7 +150,8 @@ class Reading {
     Target target;
     if (auto fault = decode_call(code_, call, operands, own, target))
       return to_.refuse(block, std::move(*fault));
-    if (find_target(code_, call, target)) return;  // told when the call is reached
+    if (code_.general_only || find_target(code_, call, target))
+      return;  // told when the call is reached
     call.target = target;
     call.constant = true;
   }

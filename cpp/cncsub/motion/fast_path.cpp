@@ -265,6 +265,13 @@ std::array<Cell, 8> values_of(MotionView m, const NcWords& words, std::uint32_t 
   return values;
 }
 
+/// Whether a straight move may have these values: where it leads to is not asked. [Builder::words]
+bool are_small(const std::array<Cell, 8>& values) {
+  constexpr double kMost = 1e30;
+  return std::all_of(values.begin(), values.end(),
+                     [](const Cell& of) { return std::fabs(of.value) <= kMost; });
+}
+
 /// A block of the fast path before anything changes: how it moves, and along what.
 struct PlainBlock {
   enum class Way : std::uint8_t { None, Straight, OtherAxes, Arc } way = Way::None;
@@ -300,7 +307,7 @@ bool plan_block(MotionView m, const Modes& modes, const NcWords& words, PlainBlo
   }
   if ((block.letters & kArcWords) != 0) return false;
   block.way = others == 0 && s.plain ? Way::Straight : Way::OtherAxes;
-  if (block.way == Way::Straight) return true;
+  if (block.way == Way::Straight) return are_small(block.values);
   return plan_line(m, words, block.kind(), modes.incremental ? nullptr : &kOrigin, block.feed,
                    block.line);
 }

@@ -279,3 +279,9 @@ case(
     "H2 adds", control="gsk-980tdi", source="gsk sheet 4.5, table of H codes", evidence="secondary",
     program="O1\nN10 G65 H2 P#100 Q1 R2\nN20 M30", runs="N10 N20", vars={100: 3},
 )
+
+case(
+    "a word that leads beyond every position is refused in a plain move as in any other",
+    control="linuxcnc", source="policy: no position is none", evidence="inferred",
+    program=f"N10 G1 X1 F100\nN20 X{'9' * 100}\nN30 M2", runs="N10", alarm="value-out-of-range",
+)
