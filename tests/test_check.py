@@ -54,7 +54,8 @@ NEAR: dict[str, tuple[str, str]] = {
     "CS104": ("#0=", "#100="), "CS105": ("G7.1 C1.", "G0 X1."), "CS201": ("P9", "P1 (L0)"),
     "CS202": ("GOTO 50", "GOTO 20"), "CS203": ("P50", "P20"), "CS204": ("N50 G4 P2", "N51 G4 P2"),
     "CS205": ("O2\nM99\nO2", "O2\nM99\nO3"), "CS206": ("GOTO 30", "GOTO 20"),
-    "CS207": ("N30 M30", "N25 END1\nN30 M30"), "CS301": ("GOTO 40", "IF[#500 EQ 1]GOTO 40"),
+    "CS207": ("N30 M30", "N25 END1\nN30 M30"), "CS208": ("o2 sub\ng0 x2\no2 endsub\no1 endsub", "o1 endsub\no2 sub\ng0 x2\no2 endsub"),
+    "CS209": ("o1 break", "o1 continue"), "CS301": ("GOTO 40", "IF[#500 EQ 1]GOTO 40"),
     "CS302": ("O1\n", "O1\nM98 P2\n"), "CS303": ("G4 P1", "M2"), "CS304": ("O2\nN10 M30", "O2\nN10 M99"),
     "CS305": ("N100 G0", "N90 M30\nN100 G0"), "CS401": ("M98 P6", "G4 P6"), "CS402": ("O3\nM98 P2", "O3\nG4 P2"),
     "CS403": ("O2\nM98 P2\nM99", "O2\nM98 P2 Q5\nM99\nN5 M99"), "CS501": ("N20 M99", "N20 G90\nN21 M99"),
@@ -251,6 +252,13 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a subprogram that another label ends": (
         "linuxcnc", "o1 sub\ng0 x1\no2 endsub\no1 call\nm2\n", "CS207 :3, CS207 :1"),
     "a subprogram without its end": ("linuxcnc", "o1 sub\ng0 x1\no2 sub\no2 endsub\no1 call\no2 call\nm2\n", "CS207 :1"),
+    "a subprogram inside another one that ends": (
+        "linuxcnc", "o1 sub\ng0 x1\no2 sub\ng0 x2\no2 endsub\no1 endsub\no1 call\no2 call\nm2\n", "CS208 :3"),
+    "a break before a do loop": (
+        "linuxcnc", "o1 while [1]\ng0 x1\no1 break\no1 endwhile\no2 do\ng0 x2\no2 while [0]\nm2\n", "CS209 :3"),
+    "a break behind it": ("linuxcnc", "o2 do\ng0 x2\no2 while [0]\no1 while [1]\ng0 x1\no1 break\no1 endwhile\nm2\n", ""),
+    "a break out of the do loop": (
+        "linuxcnc", "o1 do\ng0 x1\no1 break\no1 while [1]\no2 do\ng0 x2\no2 while [0]\nm2\n", ""),
     "two subprograms of a label": ("linuxcnc", "o100 sub\no100 endsub\no100 sub\ng0 x1\no100 endsub\nm2\n", "CS205 :3"),
     "a jump to a label that is nowhere": ("siemens-one", "N10 GOTOF LAB\nN20 M30\n", "CS202 N10"),
     # Modes that are put back, and modes of the caller's own

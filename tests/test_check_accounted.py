@@ -137,7 +137,7 @@ ACCOUNTS: dict[str, Callable[[Seen], bool]] = {
     "CS105": never_ran, "CS201": never_ran, "CS202": never_ran, "CS203": never_ran,
     "CS204": lines_have_the_number,
     "CS205": lambda seen: bool(seen.library.duplicates) or of_labels(seen),
-    "CS206": never_ran, "CS207": of_labels,
+    "CS206": never_ran, "CS207": of_labels, "CS208": of_labels, "CS209": of_labels,
     "CS301": lambda seen: not seen.reached, "CS302": not_called, "CS303": runs_into_its_end,
     "CS304": ends_there, "CS305": lambda seen: not_called(seen) or seen.finding.line > 1,
     "CS401": never_ran, "CS403": never_ran, "CS402": lambda seen: seen.finding.message.count(">") >= 1,

@@ -179,7 +179,7 @@ def test_for_a_control_of_another_language() -> None:
     library = cncsub.loads(WORDS, control="fanuc-0i-f")
     flat = library.flatten(control="linuxcnc", comments=True)
     flat.verify()
-    assert flat.text.splitlines()[:2] == ["G98", "G21 G17 G90 G00 X1. Y0. Z5. (O0012 N10 LINE 2)"]
+    assert flat.text.splitlines()[:2] == ["G98", "G21 G17 G90 G00 X1. Y0. Z5. ;O0012 N10 LINE 2"]
     flat = library.flatten(control="linuxcnc")
     assert flat.text == (
         "G98\nG21 G17 G90 G00 X1. Y0. Z5.\nG01 X3.333 F100.\nG91 Y0.5\nG90\nG91 Y0.5\nG90\n"
@@ -346,3 +346,13 @@ def test_an_end_that_returns_is_not_written_flat() -> None:
     text = "O1\nG0\nM98 P2\nX2.\nM30\nO2\nX9.\nM30\n"
     with pytest.raises(ValueError, match="M02 or M30 returns from a subprogram"):
         cncsub.loads(text, control="syntec-22ma").flatten()
+
+
+def test_a_message_stays_one_beside_the_comment_of_its_block() -> None:
+    """LinuxCNC says the last comment of a line in brackets."""
+    text = "o1 sub\nG0 X1\n(MSG, hello)\n(debug, #1 there)\no1 endsub\no1 call [2]\nM2\n"
+    flat = cncsub.loads(text, control="linuxcnc").flatten(comments=True)
+    flat.verify()
+    again = cncsub.loads(flat.text, control="linuxcnc").run()
+    assert list(again.messages) == [" hello", " 2.000000 there"]
+    assert "LINE 3" in flat.text

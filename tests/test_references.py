@@ -3,6 +3,7 @@
 import json
 import sys
 from pathlib import Path
+from random import Random
 
 import pytest
 
@@ -284,3 +285,36 @@ def test_words_by_arithmetic_are_words_of_their_block() -> None:
         "N10", "G0", "X#5+7.", "Y2.-#1", "Z#1MOD4", "A#1+SIN[30]*2", "B10./#2", "/", "Y3",
     ]  # fmt: skip
     assert [w.value for w in words[2:7]] == [None] * 5
+
+
+@pytest.mark.parametrize("control", ["fanuc-0i-f", "linuxcnc", "siemens-one"])
+def test_words_end_on_characters(control: str) -> None:
+    random = Random(control)
+    parts = [
+        "MOD",
+        "ATAN",
+        "G0",
+        "X",
+        "#",
+        "<",
+        ">",
+        "[",
+        "]",
+        "=",
+        "/",
+        "(",
+        '"',
+        "1.",
+        "$",
+        "O",
+        "中",
+        "é",
+        "😀",
+        " ",
+        "IF",
+    ]
+    for _ in range(2000):
+        text = "".join(random.choices(parts, k=random.randint(1, 8)))
+        for program in cncsub.loads(f"N1 {text}\n", control=control).values():
+            for block in program.blocks:
+                assert all(word.text or word.width for word in block.words), text

@@ -132,6 +132,18 @@ _TABLE = _joined(
     # Motion
     _all("g_meanings", (MDI,), "it has none of the codes that mean something else elsewhere"),
     _all("codes_not_turned pattern_codes", NOT_MDI, "it does not refuse what these codes do"),
+    _all(
+        "codes_not_compensated m_codes_not_compensated",
+        EVERY,
+        "it refuses no code of a list in radius compensation",
+    ),
+    _all(
+        "written_offset",
+        (*GSK_LATHES, MDI, *MITSUBISHI, HNC),
+        "no row of it writes a work offset by a variable",
+    ),
+    _all("feed_unit", (*GSK_LATHES, MDI, HNC), "G20 stands in no block with an F"),
+    _all("feed_mode_change", (TE, HNC), NOT_KNOWN),
     _all("codes_that_move", EVERY, "no source tells of words of a motion beside such a code"),
     _all("spindle_at_change", EVERY, "no source tells of the spindle at a tool change"),
     _all("computed_lengths", (TE,), NO_MACROS),

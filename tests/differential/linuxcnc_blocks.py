@@ -50,7 +50,7 @@ UNDER_COMPENSATION = (
     "M70", "M73", "M72", "@5 ^20", "G80",
 )  # fmt: skip
 WRITTEN = (5061, 5063, 5069, 5070, 5161, 5163, 5181, 5210, 5211, 5213, 5220, 5221, 5222, 5223, 5230,
-           5241, 5242, 5250, 5261, 5321, 5399, 5400, 5401, 5403, 5420, 5421, 5599, 5600, 5601,
+           5241, 5242, 5250, 5261, 5321, 5399, 5400, 5401, 5403, 5420, 5421,
            31, 5000, 5428, 5413, 5414, 5429, 0, 5602)  # fmt: skip
 LETTERS = "DEFHIJKLPQRST"
 
@@ -128,7 +128,7 @@ def moved(of: Writer, mode: int, given: str) -> None:
     for n in range(r.randint(1, 3)):
         beside = given if mode == 93 or n == 0 else ""
         if of.chance(0.08) and not of.careful:
-            beside = r.choice(("", "F0", "F-1"))
+            beside = r.choice(("", "F-1", "" if mode == 93 else "F0"))
         code = r.choice(("G1", "G1", "G0", "G2 I1", ""))
         of.put(code, of.axes("XYZ") if code != "G2 I1" else "", beside)
     if of.chance(0.3):
@@ -172,21 +172,25 @@ def held(of: Writer) -> None:
 def written(of: Writer) -> None:
     """Parameters that tell something, or set it, are written and read."""
     r = of.random
-    numbers = [n for n in WRITTEN if 5061 <= n <= 5399] if of.careful else WRITTEN
-    number = r.choice(numbers)
-    most = 9 if number == 5220 else 5
-    given = r.randint(1, most) if number in (5220, 5210) else of.length(5)
+    number = r.choice([n for n in WRITTEN if 5061 <= n <= 5399] if of.careful else WRITTEN)
     if of.careful and number in (5210, 5220, 5230, 5250):
         return
+    turn = number in (5230, 5250)
+    length = 5160 < number < 5400 and (number % 20 in (1, 2, 3) or 5211 <= number <= 5213)
+    given = r.randint(1, 9) if number in (5220, 5210) else of.length(5)
     beside = of.axes("XY") if of.chance(0.15) else ""
-    of.put("G0" if beside else "", beside, f"#{number} = {given}")
+    if length and of.inch:
+        return
+    of.put("G92.1" if turn else "")
+    of.put("G0" if beside else "", beside, f"#{number} = {given}", "(mm)" if length else "")
     if r.random() < 0.7:
-        of.lines.append(f"(debug,#{number})")
+        of.lines.append(f"(debug,{'m ' if length else ''}#{number})")
     for _ in range(r.randint(0, 3)):
-        of.put(r.choice(("G54", "G55", "G54 G0 X1", "G0 X1 Y2 Z3", "G92.3", "G92.2", "G10 L2 P1 Y0", "G28",
-                         "G92 X5", "G52 Y1", "G0 X1", "G43", "G49", "G10 L20 P1 X0", "G20", "G21")))  # fmt: skip
-        if of.lines[-1] in ("G20", "G21"):
-            of.inch = of.lines[-1] == "G20"
+        if turn:
+            of.put(r.choice(("G54", "G55", "G54 G0 X1", "G0 X1 Y2", "G56")))
+            continue
+        of.put(r.choice(("G54", "G55", "G54 G0 X1", "G0 X1 Y2 Z3", "G92.3", "G92.2", "G10 L2 P1 Y0",
+                         "G92 X5", "G52 Y1", "G0 X1", "G43", "G49", "G10 L20 P1 X0")))  # fmt: skip
         of.show()
 
 
@@ -199,7 +203,7 @@ def modes(of: Writer) -> None:
         said = r.choice(("G91", "G90", "G7", "G8", "G20", "G21", "G18", "G17", "G55", "G54", "G90.1", "G91.1",
                          "G98", "G99", "G93", "G94", "G94 F100", "G95 F0.5", "F77", "F12.34", "S99.6", "S44",
                          "M4", "M5", "M7", "M8", "M9", "M49", "M48", "G61", "G64 P0.1 Q0.2", "G64", "G96 S10",
-                         "G97 S20", "G43 H1", "G49", "G43.1 Z2", "G92 X1", "G92.1", "G92.2", "M53 P0", "T2"))  # fmt: skip
+                         "G97 S20", "G43 H1", "G49", "G92 X1", "G92.1", "G92.2", "M53 P0", "T2"))  # fmt: skip
         if of.careful and said in ("G93", "G94", "G95 F0.5"):
             continue
         of.put(said)
@@ -222,7 +226,7 @@ def tools(of: Writer) -> None:
     if of.careful:
         return
     for _ in range(r.randint(1, 3)):
-        words = r.sample(("T1", "T2", "T3", "T0", "M6", "G43", "G49", "H1", "H2", "H0", "M61 Q2", "G43.1 Z1",
+        words = r.sample(("T1", "T2", "T3", "T0", "M6", "G43", "G49", "H1", "H2", "H0", "G43.1 Z1",
                           "G0 X1", "G40"), r.randint(1, 3))  # fmt: skip
         of.put(*words)
         if of.chance(0.5):
@@ -247,7 +251,7 @@ def calls(of: Writer) -> None:
     beside = [] if of.careful or of.chance(0.3) else letters(of, "DEFHIJKQRST", 2)
     if not of.careful and of.chance(0.3):
         beside.append(r.choice(("X1", "G0", "G1 X1", "G90", "M8", "G43", "G4", "(c)", "#3=1", "M3", "G2 I1", "G81", "A1",
-                                "G10", "G64", "G96", "M66", "M98")))  # fmt: skip
+                                "G64", "G96", "M66", "M98")))  # fmt: skip
     repeat = r.choice(("", "L1", "L2", "L0"))
     of.put("M98", f"P{number}", repeat, *beside)
     of.show()

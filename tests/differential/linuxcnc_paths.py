@@ -22,6 +22,7 @@ loses sight where the tool is, a peck that ends at the bottom but for rounding, 
 from __future__ import annotations
 
 import math
+import re
 import sys
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -386,8 +387,10 @@ KINDS: dict[str, tuple[Callable[[Writer], None], int]] = {
 
 def written(parts: Sequence[tuple[list[str], list[list[str]]]]) -> str:
     main = [line for lines, _ in parts for line in lines]
-    subs = [line for _, many in parts for sub in many for line in sub]
-    return "\n".join([*subs, *main, "M2"]) + "\n"
+    subs = [sub for _, many in parts for sub in many]
+    before = [line for sub in subs if sub[0].endswith(" sub") for line in sub]
+    behind = [line for sub in subs if not sub[0].endswith(" sub") for line in sub]
+    return "\n".join([*before, *main, "M2", *behind]) + "\n"
 
 
 def program(seed: int, places: range, together: bool, kinds: Sequence[str] = ()) -> str:
@@ -410,8 +413,8 @@ class Outcome:
     tolerance: float = 0.0  # of what is printed, in mm
 
 
-def on_cncsub(text: str) -> Outcome:
-    run = cncsub.loads(text, control="linuxcnc", name="main.ngc").run(setup=SETUP)
+def tool_moves(run: cncsub.Run) -> list[Move]:
+    """The moves of the middle of the tool, in work coordinates."""
     moves = run.moves
     path = run.polyline(10.0, coordinates="tool") if len(moves) else None
     last = np.zeros(len(moves), dtype=int)
@@ -429,9 +432,14 @@ def on_cncsub(text: str) -> Outcome:
         told = {a: getattr(move, f"c{a.lower()}") for a in "XYZ"} if arc else {}
         centre = {axis: float(value) for axis, value in told.items() if value is not None}
         made.append(Move("feed" if move.kind == "thread" else move.kind, end, centre))
+    return made
+
+
+def on_cncsub(text: str) -> Outcome:
+    run = cncsub.loads(text, control="linuxcnc", name="main.ngc").run(setup=SETUP)
     stopped = "" if run.stop is cncsub.Stop.END else str(run.stop)
     error = (run.alarm.text or run.alarm.cause) if run.alarm else stopped
-    return Outcome(made, [m.rstrip() for m in run.messages], error.rstrip())
+    return Outcome(tool_moves(run), [m.rstrip() for m in run.messages], error.rstrip())
 
 
 class Rs274:
@@ -442,7 +450,9 @@ class Rs274:
         self.interpreter = canonical.Rs274(command, folder, SECONDS)
 
     def run(self, text: str) -> Outcome | None:
-        (self.folder / "main.ngc").write_text(text)
+        # Parameters of lengths are in inches there: what is written to them is said in mm.
+        inches = re.sub(r"= (\S+) \(mm\)", r"= [\1 / 25.4]", text)
+        (self.folder / "main.ngc").write_text(inches)
         (self.folder / "tool.tbl").write_text(TABLE)
         (self.folder / "variables").write_text("")  # it keeps them from run to run
         made = self.interpreter.run()

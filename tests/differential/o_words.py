@@ -9,8 +9,7 @@ used twice, a subprogram that is not there, a division by 0. Compared are the mo
 how the run stopped: at its end, or by which error in which words.
 
 Left out is what rs274 computes without looking, and cncsub refuses: a MOD by 0 right in the brackets
-of a condition, an argument or a returned value; words beside P and L of an M98, which cncsub does not
-compute; and an M99 with words in the main program.
+of a condition, an argument or a returned value; and an M99 with words in the main program.
 """
 
 from __future__ import annotations
@@ -254,6 +253,10 @@ class Writer:
             number = r.choice(self.programs)
             if self.slip(0.05):
                 repeat = f" L{self.variable()}"
+            if self.chance(0.05):  # words that do nothing, and some that are refused
+                beside = ("X1", "G0", "G90 M8", "F100 S5", "G0 Y1", "T0")
+                wrong = ("H1", "D1", "E1", "I1", "J1", "K1", "Q1", "R1", "Q1 X1", "I1 X1", "G4")
+                repeat += f" {r.choice(wrong if self.slip(0.5) else beside)}"
             if self.slip(0.05):
                 self.put(f"M98 P{self.variable()}{repeat}")
             else:

@@ -1,9 +1,10 @@
-"""Runs the test programs of LinuxCNC's sources on cncsub and on its interpreter `rs274`.
+"""Runs the test programs and samples of LinuxCNC's sources on cncsub and on its interpreter `rs274`.
 
     python tests/differential/own_tests.py ~/linuxcnc/tests/interp
+    python tests/differential/own_tests.py ~/linuxcnc/nc_files
 
 Every `.ngc` of the folder and below runs by itself, with the other programs and the tool table of its
-folder. Compared are the moves of the tool's point or of its centre, the messages, and how the run
+folder; where there is none, tools 1 to 99 are in it. Compared are the moves of the tool's point or of its centre, the messages, and how the run
 stopped. What disagrees is printed with the first difference.
 """
 
@@ -22,10 +23,14 @@ from typing import Any
 import canonical
 import cncsub
 from canonical import Move, Output, Rs274, with_length
+from linuxcnc_paths import tool_moves
 
 SECONDS = 20
 MAX_BLOCKS = 200_000
 INCH = 25.4  # rs274 by itself is a machine in inches: so is its tool table
+
+
+TABLE = "".join(f"T{t} P{t} Z{t % 7 / 10} D{t % 5 / 64 + 0.01} ;\n" for t in range(1, 100))
 
 
 def setup_of(folder: Path) -> cncsub.Setup:
@@ -67,7 +72,7 @@ def moves_of(run: cncsub.Run, tool: bool) -> list[Move]:
         made.append(Move(kind, end, place(row, "c", "XYZ") if arc else {}))
     return with_length(
         [
-            Move(m.kind, dict.fromkeys("XYZABC", 0.0) | dict(m.end), m.centre, m.seconds)
+            m if m.seconds else Move(m.kind, dict.fromkeys("XYZABC", 0.0) | dict(m.end), m.centre)
             for m in made
         ]
     )
@@ -104,7 +109,7 @@ def differences(theirs: Output, run: cncsub.Run) -> Iterator[str]:
     if len(theirs.messages) != len(run.messages) or not all(same_message(*p) for p in pairs):
         yield "the messages are others"
     moves = with_length(theirs.moves)
-    ways = [moves_of(run, tool) for tool in (False, True)]
+    ways = [moves_of(run, tool) for tool in (False, True)] + [with_length(tool_moves(run))]
     small = theirs.tolerance
     if not any(
         len(way) == len(moves) and all(alike(a, b, small) for a, b in zip(moves, way, strict=True))
@@ -122,6 +127,8 @@ def compare(command: str, file: Path) -> list[str] | None:
                 shutil.copy(other, folder)
         for table in sorted(folder.glob("*.tbl"))[:1]:
             shutil.copy(table, folder / "tool.tbl") if table.name != "tool.tbl" else None
+        if not any(folder.glob("*.tbl")):
+            (folder / "tool.tbl").write_text(TABLE)
         theirs = Rs274(command, folder, SECONDS).run(file.name)
         if theirs is None:
             return None

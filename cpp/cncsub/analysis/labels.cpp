@@ -55,6 +55,8 @@ class LabelCheck {
   void head(Address at, const Labelled& own);
   void end_sub(Address at, const Labelled& own);
   void never_ended();
+  bool ends_later(Address at) const;
+  void breaks(const std::vector<Address>& all);
   void statements(const std::vector<Address>& all);
   void crossings(std::uint32_t sub);
   const Labelled& labelled(Address at) const { return c_.code.labelled[c_.code.blocks[at].aux]; }
@@ -63,7 +65,9 @@ class LabelCheck {
   Checker& c_;
   const ProgramFlow& flow_;
   std::map<std::uint32_t, Address> heads_;
-  Address open_ = kNowhere;  // the subprogram that has not ended yet
+  std::vector<Address> open_;                   // the subprograms that have not ended yet
+  std::map<std::uint32_t, Address> last_ends_;  // of each label, the last endsub
+  Address last_do_ = kNowhere;
   std::map<Key, std::vector<Address>> statements_;
 };
 
@@ -73,25 +77,45 @@ void LabelCheck::head(Address at, const Labelled& own) {
     c_.found(Check::Duplicate, at, place(at),
              "line " + std::to_string(c_.code.blocks[first->second].line) +
                  " is the head of this subprogram already");
-  never_ended();
-  if (own.kind == LabelledKind::Sub) open_ = at;
+  while (!open_.empty() && !ends_later(at)) never_ended();
+  if (!open_.empty())
+    c_.found(Check::SubInSub, at, place(at),
+             "the subprogram of line " + std::to_string(c_.code.blocks[open_.back()].line) +
+                 " has not ended");
+  if (own.kind == LabelledKind::Sub) open_.push_back(at);
+}
+
+/// Whether the innermost open subprogram ends behind a block.
+bool LabelCheck::ends_later(Address at) const {
+  const auto end = last_ends_.find(labelled(open_.back()).label);
+  return end != last_ends_.end() && end->second > at;
 }
 
 void LabelCheck::end_sub(Address at, const Labelled& own) {
-  if (open_ == kNowhere || labelled(open_).label != own.label)
+  const auto ended = std::find_if(open_.rbegin(), open_.rend(),
+                                  [&](Address head) { return labelled(head).label == own.label; });
+  if (ended == open_.rend()) {
     c_.found(Check::LoopUnclosed, at, place(at), "no sub before it has this label");
-  else
-    open_ = kNowhere;
+    return;
+  }
+  const Address head = *ended;
+  while (open_.back() != head) never_ended();
+  open_.pop_back();
 }
 
-/// The subprogram that is open where another one begins, or the file ends.
+/// The innermost subprogram is open where another one begins or ends, or the file ends.
 void LabelCheck::never_ended() {
-  if (open_ != kNowhere)
-    c_.found(Check::LoopUnclosed, open_, place(open_), "no endsub behind it has this label");
-  open_ = kNowhere;
+  const Address head = open_.back();
+  c_.found(Check::LoopUnclosed, head, place(head), "no endsub behind it has this label");
+  open_.pop_back();
 }
 
 void LabelCheck::run() {
+  for (Address at = flow_.first(); at < flow_.last(); ++at) {
+    if (c_.code.blocks[at].op != Op::Labelled) continue;
+    if (labelled(at).kind == LabelledKind::EndSub) last_ends_[labelled(at).label] = at;
+    if (labelled(at).kind == LabelledKind::Do) last_do_ = at;
+  }
   std::uint32_t sub = Labelled::kNone;
   for (Address at = flow_.first(); at < flow_.last(); ++at) {
     if (c_.code.blocks[at].op != Op::Labelled) continue;
@@ -107,13 +131,24 @@ void LabelCheck::run() {
       statements_[{sub, own.label}].push_back(at);
     }
   }
-  never_ended();
+  while (!open_.empty()) never_ended();
   std::set<std::uint32_t> subs;
   for (const auto& [key, all] : statements_) {
     statements(all);
+    breaks(all);
     subs.insert(key.first);
   }
   for (const std::uint32_t each : subs) crossings(each);
+}
+
+/// A break out of a while loop, of which the next do loop hears.
+void LabelCheck::breaks(const std::vector<Address>& all) {
+  if (labelled(all.front()).kind != LabelledKind::While || last_do_ == kNowhere) return;
+  for (const Address at : all)
+    if (labelled(at).kind == LabelledKind::Break && at < last_do_)
+      c_.found(Check::BreakLeftOver, at, place(at),
+               "a do loop behind it, as that of line " +
+                   std::to_string(c_.code.blocks[last_do_].line) + ", ends after its first pass");
 }
 
 /// Branches and loops of one subprogram of which one begins inside another and ends behind it.
@@ -168,9 +203,31 @@ void LabelCheck::statements(const std::vector<Address>& all) {
 
 }  // namespace
 
+namespace {
+
+/// Calls from a main program between two % of a file that begins with one, and so is not read.
+void check_openings(Checker& c, const ProgramFlow& flow) {
+  const Program& main = c.program(c.main >= 0 ? c.main : flow.program());
+  if (main.opening == 0) return;
+  for (const CallEdge& edge : flow.calls()) {
+    const std::int32_t whole = c.program(edge.called).inside;
+    const Program& called = c.program(whole == kNoProgram ? edge.called : whole);
+    if (called.opening == 0 || called.file == main.file) continue;
+    const CallRecord& record = c.code.calls[edge.record];
+    c.refused(Check::ProgramMissing, edge.from,
+              {Cause::ProgramNotFound, record.at, record.width,
+               "its file begins with %, as the main program does: nothing is read behind it"});
+  }
+}
+
+}  // namespace
+
 void check_labels(Checker& c) {
-  for (const ProgramFlow& flow : c.flows)
-    if (flow.has_labels() && !c.inside(flow) && !c.over(flow.size())) LabelCheck(c, flow).run();
+  for (const ProgramFlow& flow : c.flows) {
+    if (!flow.has_labels() || c.inside(flow) || c.over(flow.size())) continue;
+    LabelCheck(c, flow).run();
+    check_openings(c, flow);
+  }
 }
 
 }  // namespace cncsub

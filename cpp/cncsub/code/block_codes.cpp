@@ -21,11 +21,13 @@ bool is_plain(const CodeMeanings& meanings, const GCode& code) {
     case Group::Plane:
     case Group::Distance:
     case Group::Return:
-    case Group::Feed:
     case Group::Work:
       return true;
+    case Group::Feed:
+      return meanings.control.motion.feed_mode_change.value == FeedModeChange::KeepsFeed;
     case Group::Units:
-      return meanings.control.motion.unit_change.value == UnitChange::Anywhere;
+      return meanings.control.motion.unit_change.value == UnitChange::Anywhere &&
+             meanings.control.motion.feed_unit.value == FeedUnit::OfBlock;
     case Group::Radius:
       return code.meaning == Meaning::RadiusOff;
     case Group::Cycle:
@@ -64,8 +66,11 @@ std::size_t hash(const CodeList& list) {
 BlockCodes::BlockCodes(const CodeList& list, const CodeMeanings& meanings) : CodeList(list) {
   for (std::size_t i = 0; i < g_count && take(i, meanings); ++i) {
   }
-  for (const int code : m())
+  for (const int code : g()) uses |= meanings.uses.of_g(code);
+  for (const int code : m()) {
+    uses |= meanings.uses.of_m(code);
     roles |= 1U << static_cast<unsigned>(meanings.control.calls.roles.value.of_m(code));
+  }
 }
 
 /// False where the code alarms: those behind it are not looked at.
@@ -143,8 +148,9 @@ void CodeLists::grow() {
     slots_[slot_of(lists_[i])] = static_cast<std::int16_t>(i + 1);
 }
 
-CodeMeanings::CodeMeanings(const Control& of, MachineType type, const CodeLists& lists)
-    : control(of), machine(type), g(of, type) {
+CodeMeanings::CodeMeanings(const Control& of, MachineType type, const CodeLists& lists,
+                           std::span<const WordUse> word_uses)
+    : control(of), machine(type), g(of, type), uses(word_uses) {
   blocks.reserve(lists.all().size());
   for (const CodeList& list : lists.all()) blocks.emplace_back(list, *this);
 }

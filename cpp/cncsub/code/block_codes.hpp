@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "cncsub/code/word_uses.hpp"
 #include "cncsub/control/alarm.hpp"
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/control/roles.hpp"
@@ -49,6 +50,7 @@ struct BlockCodes : CodeList {
   std::uint32_t groups = 0;         // those that it has one of, a bit each
   MeaningSet all;                   // the meanings of all its G codes
   std::uint32_t roles = 0;          // of its M codes, a bit each
+  std::uint32_t uses = 0;           // the letters that they use, where unused ones are refused
   std::uint16_t dropped = 0;        // of the G codes, those that do not count: bits by their places
   bool plain = true;    // modes alone that need no more than to be remembered, work systems and
                         // lengths, G09 and G53
@@ -102,11 +104,13 @@ class CodeLists {
 
 /// What G codes mean to one kind of machine of a control, and so the lists of a library.
 struct CodeMeanings {
-  CodeMeanings(const Control& of, MachineType type, const CodeLists& lists);
+  CodeMeanings(const Control& of, MachineType type, const CodeLists& lists,
+               std::span<const WordUse> word_uses = {});
 
   const Control& control;
   MachineType machine;
   GCodes g;
+  WordUses uses;
   std::vector<BlockCodes> blocks;  // by the number of their list
 };
 

@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -26,6 +27,7 @@
 #include "cncsub/code/open_table.hpp"
 #include "cncsub/code/program.hpp"
 #include "cncsub/code/statement.hpp"
+#include "cncsub/code/word_uses.hpp"
 #include "cncsub/control/control.hpp"
 #include "cncsub/system/kept_memory.hpp"
 #include "cncsub/text/number.hpp"
@@ -89,6 +91,8 @@ struct Code {
   NearVariables near;
   ReadWord read_word = nullptr;        // of the dialect that the programs are written in
   const Spelling* spelling = nullptr;  // the same
+  std::span<const WordUse>
+      word_uses;  // the words that it refuses without a code; none: it takes all
   bool external_device = false;
   bool general_only = false;   // read and run by the general way alone, see `compile`
   std::bitset<10001> g_codes;  // the codes of the control, ten times each; all where it has no list

@@ -45,6 +45,7 @@ struct Labelled {
   // the end of a tape, that what was looked for is not there.
   const char* of_another_kind = "";
   std::uint32_t at = 0, width = 1;
+  std::uint32_t beside = 0;  // the letters beside M98 that only the mode in force may use
 };
 
 /// Where a subprogram begins that a call finds by its label; with the label `kReadOnTheWay` a block

@@ -51,6 +51,7 @@ struct Program {
   std::int32_t duplicate_of = kNoProgram;
   std::int32_t inside = kNoProgram;  // the program whose blocks it is a part of
   bool keeps_modes = false;          // its return takes the modes of its caller back in
+  std::uint32_t opening = 0;         // of a file that begins with a %: its place, and 1
 };
 
 /// Finds programs by what they are called: the places of programs in one table, hashed. It is given

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "cncsub/code/builder.hpp"
@@ -48,6 +49,8 @@ struct Dialect {
   /// The rules that it asks, by their names and separated by blanks: those that its reader asks,
   /// and those that a run of what it can say comes to. Empty: all.
   std::string_view rules;
+  /// The words that it refuses where no code uses them; none: it takes any.
+  std::span<const WordUse> word_uses;
 };
 
 /// The dialect of this name, null where there is none.
@@ -57,6 +60,7 @@ const Dialect* find_dialect(std::string_view name);
 #define DIALECT(folder)                                      \
   extern const Spelling folder##_spelling;                   \
   extern const std::string_view folder##_rules;              \
+  extern const std::span<const WordUse> folder##_word_uses;  \
   FileReader folder##_reader(Builder& to);                   \
   extern PieceReader (*const folder##_pieces)(Builder & to); \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);

@@ -15,8 +15,9 @@ namespace cncsub {
 
 const Dialect* find_dialect(std::string_view name) {
   static const Dialect kDialects[] = {
-#define DIALECT(folder) \
-  {#folder, folder##_reader, folder##_word, folder##_pieces, &folder##_spelling, folder##_rules},
+#define DIALECT(folder)                                                                   \
+  {#folder,        folder##_reader,   folder##_word, folder##_pieces, &folder##_spelling, \
+   folder##_rules, folder##_word_uses},
 #include "dialect/list.def"
 #undef DIALECT
   };
@@ -73,7 +74,7 @@ void list_codes(Code& code) {
 
 void resolve_codes(Code& code) {
   code.meanings = std::make_shared<const CodeMeanings>(
-      *code.control, code.control->motion.machine.value, code.code_lists);
+      *code.control, code.control->motion.machine.value, code.code_lists, code.word_uses);
 }
 
 bool has_constant_operands(const CallRecord& call) {
@@ -87,6 +88,7 @@ void prepare(Code& code, std::shared_ptr<const Control> control, const Dialect& 
   code.control = std::move(control);
   code.read_word = dialect.read_word;
   code.spelling = dialect.spelling;
+  code.word_uses = dialect.word_uses;
   number_variables(code);
   list_codes(code);
 }

@@ -12,7 +12,7 @@ namespace {
 std::shared_ptr<const CodeMeanings> meanings_on(const Code& code, const std::string& machine) {
   const MachineType type = machine_of(*code.control, machine);
   if (type == code.meanings->machine) return code.meanings;
-  return std::make_shared<const CodeMeanings>(*code.control, type, code.code_lists);
+  return std::make_shared<const CodeMeanings>(*code.control, type, code.code_lists, code.word_uses);
 }
 
 }  // namespace

@@ -183,6 +183,7 @@ bool find_label(Run& run, const Labelled& own, std::uint32_t label, const std::s
         file != kNoProgram &&
         run.code->programs[static_cast<std::size_t>(file)].inside == kNoProgram &&
         run.code->programs[static_cast<std::size_t>(file)].name_length == Program::kOfFile;
+    if (of_file && !may_be_read(run, own, file, name)) return false;
     const Address from =
         of_file ? run.code->programs[static_cast<std::size_t>(file)].first : run.state.pc;
     if (label != Labelled::kNone) target.start = run.code->head_from(label, from);
@@ -220,6 +221,7 @@ void hand_on_locals(Run& run) {
 bool labelled_call(Run& run, const Labelled& own) {
   const CallRecord& record = run.code->calls[own.call];
   if (auto fault = refused_here(run, record)) return alarm(run, *fault);
+  if (!uses_words_beside(run, own)) return false;
   double p = 0, l = kVacant;
   std::uint32_t label = own.label;
   if (!read_98(run, record, p, l)) return false;

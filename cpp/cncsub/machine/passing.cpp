@@ -66,6 +66,28 @@ bool read_on_the_way(Run& run, Address first, Address to, const std::string& sou
   return true;
 }
 
+bool may_be_read(Run& run, const Labelled& own, std::int32_t file, const std::string& name) {
+  const auto opening = [&run](std::int32_t program) {
+    return run.code->programs[static_cast<std::size_t>(program)].opening;
+  };
+  const std::int32_t main = run.state.frames.front().program;
+  if (file == main || opening(main) == 0 || opening(file) == 0) return true;
+  Fault fault{Cause::ProgramNotFound, opening(file) - 1, 1, "nothing lies behind the %"};
+  fault.text = own.of_another_kind;
+  fault.name = name;
+  fault.block = run.code->programs[static_cast<std::size_t>(file)].first;
+  return alarm(run, fault);
+}
+
+bool uses_words_beside(Run& run, const Labelled& own) {
+  if (own.beside == 0) return true;
+  NcWords words;
+  words.mask = own.beside;
+  words.at = run.state.pc;
+  auto fault = unused_word(run.motion.view(), words);
+  return !fault || alarm_of_motion(run, std::move(*fault));
+}
+
 bool pass_over(Run& run, const Labelled& own, const std::string& sought) {
   run.block.next = own.next;
   const Address first = run.code->head_behind(kOnTheWay, run.state.pc);

@@ -18,6 +18,11 @@ bool read_98(Run& run, const CallRecord& record, double& p, double& l);
 bool read_on_the_way(Run& run, Address first, Address to, const std::string& sought);
 /// The label as the control calls it: that of a subprogram, behind it that of a branch or a loop.
 std::string full_name(const Run& run, std::uint32_t label);
+/// Whether the file of a subprogram may be read: where the main program stands between %, one that
+/// begins with a % ends there.
+bool may_be_read(Run& run, const Labelled& own, std::int32_t file, const std::string& name);
+/// Whether the mode in force uses the words beside M98.
+bool uses_words_beside(Run& run, const Labelled& own);
 /// Passes over to the next block of the statement, as from the head of a sub to its end.
 bool pass_over(Run& run, const Labelled& own, const std::string& sought);
 /// Goes on at the next statement of the label, which is told that it was passed on to.

@@ -56,7 +56,7 @@ void save(Run& run, bool for_return) {
   }
   saved->valid = true;
   saved->for_return = saved->for_return || for_return;
-  saved->modes = modes_of(run.motion.state());
+  saved->modes = modes_of(run.motion.view().facts, run.motion.state());
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ std::optional<double> of_motion(const MotionView& motion, const VariablePlace& p
     case VariableKind::SkipTouched:
       return motion.state.skip_touched ? 1 : 0;
     case VariableKind::ToolLength:
-      return tool_length(motion, index);
+      return index < 0 ? motion.state.tool : tool_length(motion, index);
     case VariableKind::ServoError:
       return 0;
     case VariableKind::Shift:
@@ -97,6 +97,33 @@ double unit_of(const Run& run, const VariablePlace& place) {
   return place.range->metric && length && g20(run.motion.state()) ? kInch : 1;
 }
 
+/// How often the control has told a variable anew that a program may write over; nothing where it
+/// is none of these.
+std::optional<std::uint32_t> times_told(const MotionState& state, const VariablePlace& place) {
+  switch (place.kind) {
+    case VariableKind::SkipPosition:
+    case VariableKind::SkipTouched:
+      return state.told[0];
+    case VariableKind::WorkSystem:
+      return state.told[1];
+    case VariableKind::Shift:
+      return place.index == 0 ? std::optional(state.told[2]) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// What a program wrote over what the control told; nothing where that was told anew since.
+std::optional<double> written_over(const Run& run, const VariablePlace& place,
+                                   std::int64_t number) {
+  const auto& values = run.state.system;
+  if (values.empty()) return std::nullopt;
+  const auto told = times_told(run.motion.state(), place);
+  const auto value = values.find(number), when = values.find(-number);
+  if (!told || when == values.end() || when->second != *told) return std::nullopt;
+  return value->second;
+}
+
 /// What the control answers itself, and what was written to its variables.
 double system_read(const Run& run, const VariablePlace& place, std::int64_t number) {
   const State& s = run.state;
@@ -126,6 +153,7 @@ double system_read(const Run& run, const VariablePlace& place, std::int64_t numb
     case VariableKind::ParameterValue:
       return chosen_parameter(run);
     default:
+      if (const auto value = written_over(run, place, number)) return *value;
       if (const auto value = of_motion(run.motion.view(), place))
         return *value * unit_of(run, place);
       return in(s.system, 0);
@@ -139,6 +167,11 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
     return Fault{.cause = Cause::IllegalVariableValue,
                  .detail = "a vacant value for #" + std::to_string(number)};
   if (is_vacant(value)) value = 0;
+  if (const auto told = times_told(run.motion.state(), place)) {
+    run.state.system[number] = value;
+    run.state.system[-number] = *told;
+    return std::nullopt;
+  }
   value /= unit_of(run, place);
   switch (place.kind) {
     case VariableKind::Milliseconds:

@@ -231,6 +231,8 @@ bool move_along(Run& run, const NcWords& words, const ProfileNumbers& wanted) {
 
 /// The motion of a block: moves, modes, offsets.
 bool move(Run& run, const Block& block, NcWords& words) {
+  if (auto fault = unused_word(run.motion.view(), words))
+    return alarm_of_motion(run, std::move(*fault));
   Motion::Outcome& outcome = run.block.outcome;
   words.ends = block.op == Op::EndProgram && ends_the_run(run);
   words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||

@@ -1,7 +1,9 @@
 // What does not go together: a block's codes and words with each other, or with the state that they
 // meet. Each conflict is a cause; a control refuses those that its rule `refuses` names.
 #include <algorithm>
+#include <bit>
 
+#include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
@@ -54,6 +56,18 @@ bool names_xz(const Block& b) {
   return b.words.has('X') || b.words.has('Z') || b.words.has('U') || b.words.has('W');
 }
 bool other_axis(const Block& b) { return b.words.has('Y') || b.words.has('V'); }
+bool names_axis(const Block& b) {
+  return (b.words.mask & kPolarWords) != 0 ||
+         std::any_of(kAxisNames.begin(), kAxisNames.end(),
+                     [&](char axis) { return b.words.has(axis); });
+}
+/// Whether a block makes a straight move by its own code, or by its axes in the mode in force.
+bool makes_line(const State& s, const Block& b) {
+  if (b.has(Group::Cycle)) return false;
+  if (b.has(Group::Motion)) return b.meaning(Group::Motion) <= Meaning::Line;
+  const Meaning mode = s.modal[at(Group::Motion)].meaning;
+  return !b.was_cycle && !s.no_motion && mode <= Meaning::Line && names_axis(b);
+}
 bool stops(const Block& b) {
   return b.words.ends || b.words.has(Role::Stop) || b.words.has(Role::OptionalStop) ||
          b.words.has(Role::End);
@@ -113,15 +127,21 @@ bool moves_axes(const Block& b) {
 struct Conflict {
   Cause cause;
   bool (*applies)(const MotionState&, const BlockWords&);
-  bool of_words = false;                       // a block without G codes may have it
-  Rule<Codes> MotionRules::* codes = nullptr;  // and the block has one of these
-  bool of_radius = false;                      // a block with codes of plain moves and G40 to G42
+  bool of_words = false;                         // a block without G codes may have it
+  Rule<Codes> MotionRules::* codes = nullptr;    // and the block has one of these
+  bool of_radius = false;                        // a block with codes of plain moves and G40 to G42
+  Rule<Codes> MotionRules::* m_codes = nullptr;  // or one of these
 
   bool is_in(MotionView m, const BlockWords& block) const {
     if (!applies(m.state, block)) return false;
     if (codes == nullptr) return true;
-    const Codes& list = (m.facts.control->motion.*codes).value;
-    return any_code(block.words, [&list](int code) { return list.has(code); });
+    const MotionRules& rules = m.facts.control->motion;
+    const Codes& list = (rules.*codes).value;
+    if (any_code(block.words, [&list](int code) { return list.has(code); })) return true;
+    if (m_codes == nullptr) return false;
+    const auto ms = block.words.codes->m();
+    return std::any_of(ms.begin(), ms.end(),
+                       [&](int code) { return (rules.*m_codes).value.has(code * 10); });
   }
 };
 
@@ -184,6 +204,8 @@ constexpr Conflict kConflicts[] = {
      }},
     {Cause::MachineMoveInCycle,
      [](const State&, const Block& b) { return in_cycle(b) && does(b, Meaning::Machine); }},
+    {Cause::MachineMoveCode,
+     [](const State& s, const Block& b) { return does(b, Meaning::Machine) && !makes_line(s, b); }},
     {Cause::PolarPlane,
      [](const State& s, const Block& b) { return polar(s) && b.has(Group::Plane); }},
     {Cause::PolarWorkSystem,
@@ -216,6 +238,16 @@ constexpr Conflict kConflicts[] = {
      true},
     {Cause::CompensationCycle,
      [](const State& s, const Block& b) { return compensating(s) && cycles(b); }},
+    {Cause::CycleInverseTime,
+     [](const State& s, const Block& b) {
+       const Meaning feed =
+           b.has(Group::Feed) ? b.meaning(Group::Feed) : s.modal[at(Group::Feed)].meaning;
+       const bool drills = b.has(Group::Cycle) ? cycles(b) : b.was_cycle && !b.has(Group::Motion);
+       return drills && feed == Meaning::InverseTime && names_axis(b);
+     },
+     true},
+    {Cause::CompensationCode, [](const State& s, const Block&) { return compensating(s); }, false,
+     &MotionRules::codes_not_compensated, false, &MotionRules::m_codes_not_compensated},
     {Cause::TurnedWithCodes,
      [](const State&, const Block& b) { return turns(b) && besides_turn(b); }},
     {Cause::TurnedMirror,
@@ -284,13 +316,49 @@ void MotionFacts::list_conflicts() {
 /// What may not stand together, before anything changes.
 std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
   const BlockCodes& codes = *block.words.codes;
-  const auto& list = codes.g_count == 0      ? m.facts.conflicts_of_words
+  const auto& list = codes.m_count > 0       ? m.facts.conflicts
+                     : codes.g_count == 0    ? m.facts.conflicts_of_words
                      : codes.only_of_moves() ? m.facts.conflicts_of_moves
                      : codes.only_of_path()  ? m.facts.conflicts_of_paths
                                              : m.facts.conflicts;
   for (const Conflict* conflict : list)
     if (conflict->is_in(m, block)) return fault(conflict->cause, block);
   return std::nullopt;
+}
+
+namespace {
+
+/// The code by which a block without one of its own moves: its axes go on in the mode, and a centre
+/// goes on in an arc. Null where its words are none of a move.
+const GCode* mode_of(const State& s, const Block& b) {
+  if (b.has(Group::Motion) || b.has(Group::Cycle) || s.no_motion) return nullptr;
+  const bool own = does(b, Meaning::SetData) || returns(b) || does(b, Meaning::SetCoordinate) ||
+                   does(b, Meaning::SetShift) || does(b, Meaning::Local);
+  const GCode& mode = b.was_cycle ? s.cycle.code : s.modal[at(Group::Motion)];
+  if (names_axis(b)) return own ? nullptr : &mode;
+  return !own && !b.was_cycle && is_arc(mode.meaning) && (b.words.mask & kCentreWords) != 0
+             ? &mode
+             : nullptr;
+}
+
+}  // namespace
+
+std::optional<Fault> unused_word(MotionView m, const NcWords& words) {
+  const WordUses& uses = m.facts.meanings->uses;
+  if ((words.mask & uses.checked() & ~words.codes->uses) == 0) return std::nullopt;
+  const BlockWords block{.words = words, .step = 0, .was_cycle = in_cycle(m.state)};
+  const GCode* mode = mode_of(m.state, block);
+  const std::uint32_t used = words.codes->uses | (mode != nullptr ? uses.of_g(mode->code) : 0);
+  std::uint32_t unused = words.mask & uses.checked() & ~used;
+  for (std::uint32_t left = unused; left != 0; left &= left - 1) {
+    const auto place = static_cast<std::size_t>(std::countr_zero(left));
+    if (words.value[place] == uses.none(place)) unused &= ~(1u << place);
+  }
+  if (unused == 0) return std::nullopt;
+  const auto letter = static_cast<char>('A' + std::countr_zero(unused));
+  Fault wrong = fault_at(letter, Cause::AddressNotUsable, block, std::string(uses.text(unused)));
+  wrong.text = uses.text(unused);
+  return wrong;
 }
 
 }  // namespace cncsub

@@ -66,7 +66,7 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
       !state.angled.waiting() && state.held.corner.empty() && !polar(state) &&
       facts.limits.empty() && !checks_area(state) && !lacks_speed(m) && !state.tool_pending &&
       !state.rigid_waits && facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
-      !state.diameter && !state.no_motion && !centre_is_absolute(state);
+      !state.diameter && !state.no_motion && !centre_is_absolute(state) && !feed_of_each_cut(m);
   const bool beside = compensating(state) || state.held.engaged || !state.held.radius.empty();
   state.beside = moves_alone && beside;
   state.direct = moves_alone && !beside && !tool_waits(state);

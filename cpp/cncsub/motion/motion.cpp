@@ -1,6 +1,8 @@
 // The public face: a block is carried out whole, or not at all.
 #include "cncsub/motion/motion.hpp"
 
+#include <utility>
+
 #include "cncsub/code/fault_words.hpp"
 #include "cncsub/motion/cycle/cycles.hpp"
 #include "cncsub/motion/emit.hpp"
@@ -94,6 +96,7 @@ void Motion::reset() {
     state_.local = {};
     refresh_offset(state_);
   }
+  if (std::exchange(state_.zero_is_held, false)) refresh_offset(state_);
   state_.moved_before = false;
   prepare_fast_path(*facts_, state_);
 }
@@ -111,14 +114,21 @@ void Motion::write(Axes& values, int axis, double value) {
   prepare_fast_path(*facts_, state_);
 }
 
+void Motion::write_zero(int system, Axes& values, int axis, double value) {
+  const bool waits = facts_->control->motion.written_offset.value == WrittenOffset::WhenSelected;
+  if (waits && system == system_in_force(state_)) hold_zero(state_);
+  if (axis == kTurn && waits) state_.tables.turned[system] = value;
+  write(values, axis, value);
+}
+
 void Motion::set_work_offset(int system, int axis, double value) {
   if (system >= 0 && system <= 6)
-    write(state_.tables.work[static_cast<std::size_t>(system)], axis, value);
+    write_zero(system, state_.tables.work[static_cast<std::size_t>(system)], axis, value);
 }
 
 void Motion::set_extra_offset(int p, int axis, double value) {
   if (p >= 1 && p <= static_cast<int>(state_.tables.extra.size()))
-    write(state_.tables.extra[static_cast<std::size_t>(p - 1)], axis, value);
+    write_zero(6 + p, state_.tables.extra[static_cast<std::size_t>(p - 1)], axis, value);
 }
 
 void Motion::set_offset(VariableKind kind, int number, double value) {

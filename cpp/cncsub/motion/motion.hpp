@@ -92,6 +92,8 @@ class Motion {
   template <class Work>
   std::optional<Fault> whole_or_nothing(Moves* moves, bool only_moves, const Work& work);
   void write(Axes& values, int axis, double value);
+  /// The same for the zero point of a work system, which may be in force.
+  void write_zero(int system, Axes& values, int axis, double value);
   /// A block of `modes` that is nothing but a move, which is made as on the general path.
   bool move_alone(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
   /// A block of `modes` that changes where things lie before it moves.
@@ -105,6 +107,8 @@ class Motion {
   OffsetLog log_;
 };
 
+/// The fault of a word that neither a code of its block nor the mode uses. [WordUses]
+std::optional<Fault> unused_word(MotionView m, const NcWords& words);
 /// The steps of moves that wait for those behind them.
 std::vector<std::uint32_t> held_steps(const MotionState& state);
 

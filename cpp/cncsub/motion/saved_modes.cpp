@@ -8,8 +8,10 @@ namespace cncsub {
 namespace {
 
 bool is_longer(const MotionState& state) { return state.length != Axes{}; }
-double feed_of(const MotionState& state) {
+double feed_of(const MotionFacts& facts, const MotionState& state) {
   const bool times = state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
+  if (times && facts.control->motion.feed_mode_change.value == FeedModeChange::EndsFeed)
+    return state.feed_before / state.unit;
   return times ? state.feed : state.feed / state.unit;
 }
 double speed_of(const MotionState& state) {
@@ -18,9 +20,9 @@ double speed_of(const MotionState& state) {
 
 }  // namespace
 
-SavedModes modes_of(const MotionState& state) {
-  return {state.modal,   feed_of(state),   speed_of(state),
-          state.shifted, is_longer(state), state.turns};
+SavedModes modes_of(const MotionFacts& facts, const MotionState& state) {
+  return {state.modal,   feed_of(facts, state), speed_of(state),
+          state.shifted, is_longer(state),      state.turns};
 }
 
 ReturnToModes units_to(const MotionFacts& /*facts*/, const MotionState& state,
@@ -49,7 +51,7 @@ ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state,
   if (saved.shifted != state.shifted)
     add(saved.shifted ? Meaning::RestoreShift : Meaning::SuspendShift);
   // Written with one decimal, and with none.
-  block.has_feed = saved.feed != feed_of(state);
+  block.has_feed = saved.feed != feed_of(facts, state);
   block.has_speed = saved.speed != speed_of(state);
   return block;
 }

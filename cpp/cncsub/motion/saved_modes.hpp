@@ -19,7 +19,7 @@ struct SavedModes {
   bool turns = false;
 };
 
-SavedModes modes_of(const MotionState& state);
+SavedModes modes_of(const MotionFacts& facts, const MotionState& state);
 /// The block by which a control returns to saved modes: its codes, and F and S where they differ.
 struct ReturnToModes {
   CodeList codes;

@@ -217,6 +217,14 @@ struct ModalValues : MoveValues {
   bool diameter = false;               // X words count twice
   std::array<double, 2> spline_way{};  // from the end of a spline along its direction there
   bool skip_touched = false;           // the signal of the last skip came
+  // The zero point and the turn in force, where variables of its work system were written since.
+  bool zero_is_held = false;
+  Axes zero{};
+  double zero_turn = 0;    // degrees
+  double feed_before = 0;  // that of G94 or G95 before G93, where each cut has its own
+  // How often the last skip, the work system and the shift were told anew: what a program wrote
+  // over them counts until then.
+  std::array<std::uint32_t, 3> told{};
   int length_axis = 2;
   Axes skip{};  // skip position: work coordinates, tool included
   std::array<GCode, kGroups> modal{};

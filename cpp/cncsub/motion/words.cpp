@@ -17,8 +17,12 @@ bool takes_word(MotionView m, const BlockWords& block, char letter) {
 }
 
 Result set_feed(MotionContext& m, const BlockWords& block) {
-  if (!block.words.has('F') || takes_word(m, block, 'F')) return std::nullopt;
   const Control& c = *m.facts.control;
+  if (!block.words.has('F')) {
+    if (feed_of_each_cut(m)) m.state.feed = 0;
+    return std::nullopt;
+  }
+  if (takes_word(m, block, 'F')) return std::nullopt;
   if (c.turning.lead_apart.value && cuts_thread(m.state, block)) return std::nullopt;
   const Meaning once = block.meaning(Group::OneShot);
   if (c.motion.skip_own_feed.value && (once == Meaning::Skip || once == Meaning::MeasureTool))
@@ -88,12 +92,39 @@ double unit_of(const MotionFacts& facts, Meaning units) {
   return units == Meaning::Inch ? kInch : units == Meaning::Pulses ? facts.increment : 1;
 }
 
+namespace {
+
+/// G93, G94 and G95.
+void set_feed_mode(MotionContext& m, const BlockWords& block) {
+  if (!block.has(Group::Feed)) return;
+  const Meaning before = m.state.modal[at(Group::Feed)].meaning;
+  remember(m.state, *block.words.codes, bit(Group::Feed));
+  if (m.facts.control->motion.feed_mode_change.value != FeedModeChange::EndsFeed) return;
+  if (block.meaning(Group::Feed) != Meaning::InverseTime)
+    m.state.feed_before = 0;
+  else if (before != Meaning::InverseTime)
+    m.state.feed_before = m.state.feed;
+  m.state.feed = 0;
+}
+
+}  // namespace
+
+bool feed_of_each_cut(MotionView m) {
+  return m.facts.control->motion.feed_mode_change.value == FeedModeChange::EndsFeed &&
+         m.state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
+}
+
 Result set_modes(MotionContext& m, BlockWords& block) {
   constexpr std::uint32_t kRemembered =
-      bit(Group::Plane) | bit(Group::Distance) | bit(Group::Stroke) | bit(Group::Feed) |
-      bit(Group::Units) | bit(Group::Return) | bit(Group::Macro) | bit(Group::Surface) |
-      bit(Group::Path) | bit(Group::Turret) | bit(Group::Fluctuation) | bit(Group::PolarMilling) |
-      bit(Group::Centre) | bit(Group::Diameter);
+      bit(Group::Plane) | bit(Group::Distance) | bit(Group::Stroke) | bit(Group::Units) |
+      bit(Group::Return) | bit(Group::Macro) | bit(Group::Surface) | bit(Group::Path) |
+      bit(Group::Turret) | bit(Group::Fluctuation) | bit(Group::PolarMilling) | bit(Group::Centre) |
+      bit(Group::Diameter);
+  const bool feed_first =
+      block.has(Group::Units) && m.facts.control->motion.feed_unit.value == FeedUnit::BeforeBlock;
+  set_feed_mode(m, block);
+  if (feed_first)
+    if (auto wrong = set_feed(m, block)) return wrong;
   remember(m.state, *block.words.codes, kRemembered);
   if (block.has(Group::Plane)) m.state.plane = plane_of(block.meaning(Group::Plane));
   const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
@@ -107,7 +138,8 @@ Result set_modes(MotionContext& m, BlockWords& block) {
   if (block.meaning(Group::Stroke) == Meaning::StrokeOn) {
     if (auto wrong = set_area(m, block)) return wrong;
   }
-  if (auto wrong = set_feed(m, block)) return wrong;
+  if (!feed_first)
+    if (auto wrong = set_feed(m, block)) return wrong;
   set_lead(m, block);
   if (auto wrong = set_tool(m, block)) return wrong;  // T1 M06 changes to tool 1 [source 003]
   set_spindle(m, block);

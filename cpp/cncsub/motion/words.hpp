@@ -29,8 +29,8 @@ inline void remember(MotionState& state, const BlockCodes& codes, std::uint32_t 
   }
 }
 
-/// Whether a code of the block takes a word for itself, which then sets no mode: F of G04 may be its
-/// time, D of G96 the limit of the spindle.
+/// Whether a code of the block takes a word for itself, which then sets no mode: F of G04 may be
+/// its time, D of G96 the limit of the spindle.
 bool takes_word(MotionView m, const BlockWords& block, char letter);
 
 /// How many millimetres the unit of a code of units is.
@@ -80,6 +80,8 @@ void change_tool(const Control& control, MotionState& state);
 void take_spindle(MotionState& state, Role role);
 /// What F1 without a point is. [general knowledge]
 double feed_increment(const MotionState& state);
+/// Whether every cut has an F of its own: under G93, where the control says so.
+bool feed_of_each_cut(MotionView m);
 Result need_feed(MotionView m, const BlockWords& block, Meaning meaning);
 /// Whether a cut would wait for a spindle that was never told how fast to turn.
 bool lacks_speed(MotionView m);

@@ -16,12 +16,16 @@ inline bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c 
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 /// A digit, a point or a sign.
 inline bool begins_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
+/// Whether a byte is one of a character's bytes, but not the first.
+inline bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+/// The end of the character that `end` bytes of a text end in.
+inline std::size_t end_of_character(std::string_view text, std::size_t end) {
+  while (end < text.size() && is_inside_character(text[end])) ++end;
+  return end;
+}
 /// The character that begins a text, all bytes of it.
 inline std::string_view first_character(std::string_view text) {
-  const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-  std::size_t width = text.empty() ? 0 : 1;
-  while (width < text.size() && goes_on(text[width])) ++width;
-  return text.substr(0, width);
+  return text.substr(0, end_of_character(text, text.empty() ? 0 : 1));
 }
 /// Blanks, and the characters of punched tape that say nothing: NUL and DEL.
 inline bool is_blank(char c) {

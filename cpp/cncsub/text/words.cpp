@@ -15,7 +15,9 @@ bool take_number(Scanner& s, WrittenWord& word) {
   return set_number(word, scan_number(s));
 }
 
-void place_word(WrittenWord& word, std::string_view block, const char* from, const char* to) {
+const char* place_word(WrittenWord& word, std::string_view block, const char* from,
+                       const char* to) {
+  to = block.data() + end_of_character(block, static_cast<std::size_t>(to - block.data()));
   const char* end = from + 1;
   bool comment = false;
   word.text.clear();
@@ -29,6 +31,7 @@ void place_word(WrittenWord& word, std::string_view block, const char* from, con
   }
   word.at = static_cast<std::uint32_t>(from - block.data());
   word.width = static_cast<std::uint32_t>(end - from);
+  return to;
 }
 
 }  // namespace cncsub

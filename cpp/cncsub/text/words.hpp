@@ -45,8 +45,8 @@ struct Spelling {
 };
 
 /// Gives a word its text and its place: what stands from one character of its block to another,
-/// without blanks and comments.
-void place_word(WrittenWord& word, std::string_view block, const char* from, const char* to);
+/// without blanks and comments. Returns where the word ends: never inside a character.
+const char* place_word(WrittenWord& word, std::string_view block, const char* from, const char* to);
 
 inline std::vector<WrittenWord> written_words(ReadWord read, std::string_view block) {
   std::vector<WrittenWord> words;

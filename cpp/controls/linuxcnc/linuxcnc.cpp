@@ -1,6 +1,8 @@
 // LinuxCNC: its interpreter, as the program rs274 runs it without a machine.
 // The keys of the sources stand in sources.def. What they do not tell is the family's, and so is
 // motion beyond lines and arcs.
+#include <algorithm>
+
 #include "controls/facts.hpp"
 
 namespace cncsub {
@@ -59,8 +61,16 @@ void motion(Control& c) {
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
   c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
   has(c.common.refuses,
-      {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode}, kRun,
-      SourceDocument);
+      {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode,
+       CompensationCode, CycleInverseTime, MachineMoveCode, NoSpeed, SkipPerRevolution},
+      kRun, SourceDocument);
+  c.motion.codes_not_compensated = {"28 30 53 54 55 56 57 58 59 59.1 59.2 59.3 61 61.1 64 92 98 99",
+                                    kRun, SourceDocument};
+  c.motion.m_codes_not_compensated = {"6 48 49 50 51 52 53 62 63 64 65 66 67 68", kRun,
+                                      SourceDocument};
+  c.motion.feed_mode_change = {FeedModeChange::EndsFeed, kRun, SourceDocument};
+  c.motion.feed_unit = {FeedUnit::BeforeBlock, kRun, SourceDocument};
+  c.motion.written_offset = {WrittenOffset::WhenSelected, kRun, SourceDocument};
   c.motion.spindle_at_change = {SpindleAtChange::Stopped, kMCode, Manual};
   c.motion.computed_lengths = {ComputedLengths::Exact, kRun, SourceDocument};
   c.motion.codes_that_move = {"4 28.1 30.1 92.1 92.2 92.3", kRun, SourceDocument};
@@ -84,14 +94,20 @@ void variables(Control& c) {
   add(5061, 5069, Kind::SkipPosition, Access::ReadWrite);
   add(5070, 5070, Kind::SkipTouched, Access::ReadWrite);
   add(5071, 5160, Kind::Kept, Access::ReadWrite);
-  add(5161, 5189, Kind::ReferencePoint, Access::ReadWrite);
+  add(5161, 5169, Kind::ReferencePoint, Access::ReadWrite);
+  add(5170, 5180, Kind::Kept, Access::ReadWrite);
+  add(5181, 5189, Kind::ReferencePoint, Access::ReadWrite, 0, 20);
   add(5190, 5209, Kind::Kept, Access::ReadWrite);
   add(5210, 5219, Kind::Shift, Access::ReadWrite);
-  add(5220, 5220, Kind::WorkSystem, Access::ReadOnly);
-  add(5221, 5340, Kind::WorkOffset, Access::ReadWrite, 0, 20);
-  add(5341, 5399, Kind::ExtraWorkOffset, Access::ReadWrite);
-  add(5400, 5400, Kind::ActiveWord, Access::ReadOnly, 'T');
-  add(5401, 5409, Kind::ToolLength, Access::ReadOnly);
+  add(5220, 5220, Kind::WorkSystem, Access::ReadWrite);
+  for (std::int32_t system = 0; system < 9; ++system) {  // nine axes and the turn, ten of no use
+    const std::int32_t first = 5221 + 20 * system;
+    const bool extra = system > 5;
+    add(first, first + 9, extra ? Kind::ExtraWorkOffset : Kind::WorkOffset, Access::ReadWrite, 0,
+        20 * (extra ? system - 6 : system + 1));
+    add(first + 10, std::min(first + 19, 5399), Kind::Kept, Access::ReadWrite);
+  }
+  add(5400, 5409, Kind::ToolLength, Access::ReadOnly, 0, -1);  // the first is the tool itself
   add(5410, 5419, Kind::Kept, Access::ReadOnly);
   add(5420, 5428, Kind::WorkPosition, Access::ReadOnly);
   add(5429, 5601, Kind::Kept, Access::ReadWrite);

@@ -66,7 +66,7 @@ case("#5403, #5221, #5161 and #5211 are those of a machine in millimetres under 
          N40 G92 X1
          N50 (print,#5403 #5221 #5161 #5211)
          N60 M2
-     """, messages=["5.000000 25.400000 50.800000 -50.800000"])
+     """, messages=["5.000000 25.400000 50.800000 -25.400000"])
 case("G53 goes to the machine coordinate with the length in it", pins="length_type", **RUN, setup={"length_offsets": {1: 5}},
      program="N10 G43 H1\nN20 G53 G0 Z20\nN30 M2", moves="R Z15", final_machine="Z20")
 case("G43 without H takes the length of the tool", pins="missing_radius_offset", **RUN, setup={"length_offsets": {2: 5}},

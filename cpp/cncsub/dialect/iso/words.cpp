@@ -98,6 +98,7 @@ void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
 
 }  // namespace
 
+const std::span<const WordUse> iso_word_uses;
 const Spelling iso_spelling{{"(", ")"}, {"[", "]"}, {}, {"O", ""}};
 
 std::optional<WrittenWord> iso_word(std::string_view block, std::size_t& from) {
@@ -106,7 +107,7 @@ std::optional<WrittenWord> iso_word(std::string_view block, std::size_t& from) {
   if (read.kind == Lexeme::Kind::End) return std::nullopt;
   WrittenWord word;
   complete(s, read, word);
-  place_word(word, block, read.at, s.at);
+  s.at = place_word(word, block, read.at, s.at);
   if (read.kind == Lexeme::Kind::Name) word.text.assign(read.at, s.at);  // blanks are a part of it
   if (!word.address.empty()) word.text[0] = upper(word.text[0]);
   from = static_cast<std::size_t>(s.at - block.data());

@@ -119,17 +119,21 @@ bool BlockReader::words(Block& block) {
   while (!line_.at_end())
     if (!item(block, words)) return true;
   if (!words.any && words.statements.empty() && !words.print && block.n < 0) return false;
-  if (auto wrong = wrong_word(words.line)) {
-    const bool named = wrong->letter >= 'a' && wrong->letter <= 'z';
-    const auto letter = static_cast<std::size_t>((named ? wrong->letter : 'g') - 'a');
-    to_.refuse(block, Fault{.cause = wrong->cause,
-                            .at = words.line.at[letter],
-                            .width = words.line.width[letter],
-                            .detail = wrong->text,
-                            .text = wrong->text});
-    return true;
-  }
-  write(block, words);
+  if (!refuse_wrong(block, words.line)) write(block, words);
+  return true;
+}
+
+/// Whether a word of the line is refused beside the others.
+bool BlockReader::refuse_wrong(Block& block, const LineWords& line) {
+  const auto wrong = wrong_word(line);
+  if (!wrong) return false;
+  const bool named = wrong->letter >= 'a' && wrong->letter <= 'z';
+  const auto letter = static_cast<std::size_t>((named ? wrong->letter : 'g') - 'a');
+  to_.refuse(block, Fault{.cause = wrong->cause,
+                          .at = line.at[letter],
+                          .width = line.width[letter],
+                          .detail = wrong->text,
+                          .text = wrong->text});
   return true;
 }
 
@@ -175,14 +179,17 @@ bool BlockReader::word(Block& block, Words& words, char letter) {
   if (!code && !words.line.letters.insert(letter).second)
     return refuse(block, Cause::AddressGivenTwice,
                   std::string("Multiple ") + letter + " words on one line", at);
-  if (!(letter == 'm' ? expression_.whole(value) : expression_.value(value))) return refuse(block);
+  constexpr std::string_view kWhole = "hlmt";
+  const bool whole = kWhole.find(letter) != std::string_view::npos;
+  if (!(whole ? expression_.whole(value) : expression_.value(value))) return refuse(block);
   value.at = at;
   value.width = line_.width_from(at);
   if (letter == 'g') return g_code(block, words, value);
   if (letter == 'm') return m_code(block, words, value);
   words.line.at[static_cast<std::size_t>(letter - 'a')] = at;
   words.line.width[static_cast<std::size_t>(letter - 'a')] = value.width;
-  if (!value.computed && value.number < 0) words.line.negative.insert(letter);
+  words.line.values[static_cast<std::size_t>(letter - 'a')] =
+      value.computed ? std::nullopt : std::optional(value.number);
   words.list.set(letter - 'a', word_of(value), false);
   return true;
 }
@@ -226,6 +233,8 @@ bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
     return refuse(block, Cause::MCodeNotAvailable, "Negative m code used", value.at);
   const int code = to_whole<int>(std::min(value.number, 1e6));
   const std::string text = std::to_string(code);
+  words.line.at['m' - 'a'] = value.at;
+  words.line.width['m' - 'a'] = value.width;
   if (code > 199)
     return refuse(block, Cause::MCodeNotAvailable, "M-code greater than 199: M" + text, value.at);
   const int group = group_of_m(code);

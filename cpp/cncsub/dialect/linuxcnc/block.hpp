@@ -53,6 +53,7 @@ class BlockReader {
   bool assignment(Block& block, Words& words);
   bool comment(Block& block, Words& words);
   void message(std::string_view text, std::uint32_t at, Print& print);
+  bool refuse_wrong(Block& block, const LineWords& line);
   void write(Block& block, Words& words);
 
   bool o_word(Block& block, Label& label);
@@ -62,7 +63,7 @@ class BlockReader {
   bool condition(Block& block, Labelled& own, std::string_view word);
   bool arguments(Block& block, CallRecord& call);
   bool end_of_o_word(Block& block);
-  bool words_of_98(Block& block, CallRecord& call);
+  bool words_of_98(Block& block, CallRecord& call, Words& words);
   bool call_98(Block& block, int m, Label& label);
   void back_99(Block& block, int m, Label& label);
 

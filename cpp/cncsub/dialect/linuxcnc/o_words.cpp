@@ -66,9 +66,10 @@ const char* refusal(LabelledKind kind) {
     case Break:
     case Continue:
       return "{line}: no matching while/do label: '{block}' (found '{kind}' in line {other})";
-    case Back:
     case Call:
     case Call98:
+      return "Failed to find sub 'O{name}' before EOF";
+    case Back:
     case TapeEnd:
     case Do:
       break;
@@ -94,8 +95,7 @@ void keep_refusal(Builder& to, Labelled& own, Cause cause, const char* text) {
 
 /// The letter, and as many characters as the number has digits. [rs274 2.9: M098 leaves its 8]
 /// The words behind M98; of others than P and L nothing happens.
-bool BlockReader::words_of_98(Block& block, CallRecord& call) {
-  Words words;
+bool BlockReader::words_of_98(Block& block, CallRecord& call, Words& words) {
   while (!line_.at_end()) {
     const char letter = line_.peek();
     if (letter != 'p' && letter != 'l') {
@@ -112,6 +112,7 @@ bool BlockReader::words_of_98(Block& block, CallRecord& call) {
       return refuse(block, Cause::IllegalRepeatCount, "Negative l word used", value.at);
     (letter == 'p' ? call.p : call.l) = operand_of(value);
   }
+  words.line.m.push_back(98);
   return true;
 }
 
@@ -124,11 +125,17 @@ bool BlockReader::call_98(Block& block, int m, Label& label) {
   call.locals = CallRecord::Locals::OwnByName;
   call.at = at;
   call.width = line_.width_from(at);
-  if (!words_of_98(block, call)) return false;
+  Words words;
+  if (!words_of_98(block, call, words)) return false;
+  if (refuse_wrong(block, words.line)) return true;  // but where it is passed over
   if (!call.p.present())
     return refuse(block, Cause::ProgramNumberMissing,
                   "Found 'm" + std::to_string(m) + "' code with no P-word", at);
   Labelled own;
+  if (is_in_mode(words.line) && !words.line.computed) {
+    own.beside = unused_letters(words.line);
+    for (const char axis : std::string_view("XYZABC")) own.beside |= words.list.mask & bit(axis);
+  }
   own.kind = LabelledKind::Call98;
   own.label = Labelled::kNone;
   if (call.p.kind == Operand::Kind::Constant)
@@ -136,6 +143,7 @@ bool BlockReader::call_98(Block& block, int m, Label& label) {
         to_whole<std::int64_t>(std::clamp(call.p.value, -2147483648.0, 2147483647.0))));
   own.at = at;
   own.width = call.width;
+  own.of_another_kind = refusal(own.kind);
   using enum Operand::Kind;
   label.computed = call.p.kind == Expression || call.l.kind == Expression;
   own.call = to_.keep(std::move(call));

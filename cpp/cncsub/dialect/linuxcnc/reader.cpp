@@ -26,6 +26,7 @@ class FileReader {
     program.number = number_in(to_.code().files[file].stem);
     program.file = file;
     program.line = 1;
+    program.opening = opening_of(text);
     to_.begin_program(program);
     bool first = true;  // nothing was written so far
     bool tape = false;  // the first line is a %, and another one ends the program
@@ -53,6 +54,13 @@ class FileReader {
     Address address;
     Label label;
   };
+
+  /// The place of the % that is the first line of a text, and 1; 0 where another line is.
+  static std::uint32_t opening_of(std::string_view text) {
+    const std::size_t at = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    const std::string_view line = text.substr(at, std::min(text.find('\n', at), text.size()) - at);
+    return trimmed(line) == "%" ? static_cast<std::uint32_t>(at + 1) : 0;
+  }
 
   void add(std::string_view text, std::uint32_t at, std::uint32_t line, bool tape) {
     Block block;

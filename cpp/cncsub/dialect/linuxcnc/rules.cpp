@@ -15,6 +15,7 @@ const std::string_view linuxcnc_rules =
     "length_type "
     "start_up radius_offset_diameter missing_radius_offset skip_own_feed skip_signals "
     "cycle_repeats max_cycle_repeats cycle_approach tap_return zero_cycle_repeats "
-    "peck_retract peck_clearance computed_lengths codes_that_move spindle_at_change";
+    "peck_retract peck_clearance computed_lengths codes_that_move spindle_at_change "
+    "codes_not_compensated m_codes_not_compensated feed_mode_change feed_unit written_offset";
 
 }  // namespace cncsub

@@ -3,9 +3,12 @@
 #include "cncsub/dialect/linuxcnc/use_of_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
+
+#include "cncsub/dialect/dialect.hpp"
 
 namespace cncsub::linuxcnc {
 
@@ -17,48 +20,42 @@ bool any_of(const std::vector<int>& there, std::initializer_list<int> wanted) {
   });
 }
 
-/// A letter, and the codes that it belongs to.
-struct Use {
-  char letter;
-  std::initializer_list<int> g, m;
-  std::string_view text;
-};
-
 // What goes with G81 to G89 is written out; G in tenths.
-const Use kUses[] = {
-    {'d',
+const WordUse kUses[] = {
+    {'D',
      {410, 420, 411, 421, 700, 710, 711, 712, 720, 721, 722, 960},
      {},
      "D word with no G41, G41.1, G42, G42.1, G71, G71.1, G71.2 or G96 to use it"},
-    {'e', {760, 330, 331, 700}, {66, 67, 68}, "E word with no G70, G76, M66, M67 or M68 to use it"},
-    {'h', {430, 432, 760}, {}, "H word with no G43 or G76 to use it"},
-    {'i',
+    {'E', {760, 330, 331, 700}, {66, 67, 68}, "E word with no G70, G76, M66, M67 or M68 to use it"},
+    {'H', {430, 432, 760}, {}, "H word with no G43 or G76 to use it"},
+    {'I',
      {20, 30, 50, 51, 710, 711, 712, 720, 721, 722, 760, 870, 331, 100},
      {},
      "I word with no G2, G3, G5, G5.1, G10, G33.1, G76, or G87 to use it"},
-    {'j',
+    {'J',
      {20, 30, 50, 51, 760, 870, 100},
      {},
      "J word with no G2, G3, G5, G5.1, G10, G76 or G87 to use it"},
-    {'k',
+    {'K',
      {20, 30, 330, 331, 760, 870},
      {},
      "K word with no G2, G3, G33, G33.1, G76, or G87 to use it"},
-    {'l',
+    {'L',
      {810, 820, 830, 840, 850, 860, 870, 880, 890, 760, 52, 730, 100, 410, 411, 420, 421},
-     {66},
+     {66, 98},
      "L word with no G10, cutter compensation, canned cycle, digital/analog input, M98 or NURBS "
      "code"},
-    {'p',
+    {'P',
      {100, 40, 640, 760, 820, 860, 880, 890, 50, 52, 700, 20, 30, 740, 840},
-     {50, 51, 52, 53, 62, 63, 64, 65, 66, 19},
+     {50, 51, 52, 53, 62, 63, 64, 65, 66, 19, 98},
      "P word with no G2 G3 G4 G10 G64 G5 G5.2 G76 G82 G86 G88 G89 or M50 M51 M52 M53 M62 M63 M64 "
      "M65 M66 M98 or user M code to use it"},
-    {'q',
+    {'Q',
      {830, 730, 50, 760, 100, 640, 700, 710, 711, 712, 720, 721, 722},
      {66, 67, 68, 61, 19},
-     "Q word with no G5, G10, G64, G73, G76, G83, M19, M66, M67, M68 or user M code that uses it"},
-    {'r',
+     "Q word with no G5, G10, G64, G73, G76, G83, M19, M66, M67, M68 or user M code that uses it",
+     -1},
+    {'R',
      {20,  30,  760, 710, 711, 712, 720, 721, 722, 810, 820, 830,
       840, 850, 860, 870, 880, 890, 730, 740, 411, 421, 100},
      {19},
@@ -95,14 +92,49 @@ std::optional<WrongWord> against_code(const LineWords& line) {
   }
   if (const bool none = !has_axes(line); none && (line.has_g({520}) || line.has_g({920})))
     return WrongWord{'g', Cause::MotionWordMissing, "All axes missing with g52 or g92"};
-  if (line.has_g({40}) && !line.has('p'))
+  if (line.has_g({40}) && (!line.has('p') || line.number('p', 0) == -1))
     return WrongWord{'g', Cause::MotionWordMissing, "Dwell time missing with g4"};
+  if (line.has_g({40}) && line.has_g({20, 30}))
+    return WrongWord{'g', Cause::OneShotWithMotion,
+                     "G4 not allowed with G2 or G3 because they both use P"};
+  if (line.has_g({330, 331}) && line.has('f'))
+    return WrongWord{'f', Cause::AddressNotUsable, "F word used with g33 move"};
   if (needs_axes(line) && !has_axes(line))
     return WrongWord{'g', Cause::MotionWordMissing, "All axes missing with motion code"};
   const auto motion = std::find_if(line.g.begin(), line.g.end(), is_motion);
   if (motion != line.g.end() && line.has_g({100, 280, 300, 520, 920}))
     return WrongWord{'g', Cause::OneShotWithMotion,
                      "Cannot use two g codes that both use axis values"};
+  return std::nullopt;
+}
+
+WrongWord wrong(char letter, Cause cause, std::string_view text) {
+  return {letter, cause, std::string(text)};
+}
+
+/// Words that an M code, or the spindle, wants and does not find.
+std::optional<WrongWord> against_m(const LineWords& line) {
+  if (line.has_g({960}) && !line.has('s'))
+    return wrong('g', Cause::MotionWordMissing, "S word missing with G96");
+  for (const int m : {62, 63, 64, 65})
+    if (line.has_m({m}) && !line.has('p'))
+      return wrong('m', Cause::MotionWordMissing, "No valid P word with M" + std::to_string(m));
+  for (const int m : {67, 68})
+    if (line.has_m({m}) && (!line.has('e') || std::round(line.number('e', 0)) < 0))
+      return wrong('m', Cause::MotionWordMissing,
+                   "Invalid analog index with M" + std::to_string(m));
+  if (line.has_m({61}) && (!line.has('q') || std::round(line.number('q', 0)) < 0))
+    return wrong('m', Cause::MotionWordMissing,
+                 "Need non-negative Q-word to specify tool number with M61");
+  if (!line.has_m({19})) return std::nullopt;
+  const double p = line.number('p', 0), r = line.number('r', 0), q = line.number('q', 1);
+  if (std::fabs(std::round(p) - p) > 0.001)
+    return wrong('p', Cause::ValueOutOfRange, "P value not an integer with M19 G2 or G3");
+  if (std::round(p) < 0 || std::round(p) > 2)
+    return wrong('p', Cause::ValueOutOfRange, "P value must be 0,1,or 2 with M19");
+  if (r < 0 || r > 360)
+    return wrong('r', Cause::ValueOutOfRange, "R value must be within 0..360 with M19");
+  if (q <= 0) return wrong('q', Cause::ValueOutOfRange, "Q word with M19 requires a value > 0");
   return std::nullopt;
 }
 
@@ -115,7 +147,7 @@ std::optional<WrongWord> below_zero(const LineWords& line) {
       {'t', "Negative tool id (tool not found)"},
   };
   for (const auto& [letter, text] : kTexts)
-    if (line.negative.contains(letter))
+    if (line.number(letter, 0) < 0)
       return WrongWord{letter, Cause::ValueOutOfRange, std::string(text)};
   return std::nullopt;
 }
@@ -125,20 +157,41 @@ std::optional<WrongWord> below_zero(const LineWords& line) {
 bool LineWords::has_g(std::initializer_list<int> codes) const { return any_of(g, codes); }
 bool LineWords::has_m(std::initializer_list<int> codes) const { return any_of(m, codes); }
 
+bool is_in_mode(const LineWords& line) {
+  const bool code = std::any_of(line.g.begin(), line.g.end(), is_motion) || line.has_g({800});
+  return !code && !line.has_g({100, 280, 300, 520, 920}) &&
+         (has_axes(line) || line.has('i') || line.has('j') || line.has('k'));
+}
+
+std::uint32_t unused_letters(const LineWords& line) {
+  std::uint32_t letters = 0;
+  for (const WordUse& use : kUses) {
+    const auto letter = static_cast<char>(use.letter - 'A' + 'a');
+    if (line.has(letter) && line.number(letter, 0) != use.none && !line.has_g(use.g) &&
+        !line.has_m(use.m))
+      letters |= 1u << (use.letter - 'A');
+  }
+  return letters;
+}
+
 std::optional<WrongWord> wrong_word(const LineWords& line) {
-  if (auto wrong = below_zero(line)) return wrong;
+  if (auto found = below_zero(line)) return found;
   const bool own = std::any_of(line.m.begin(), line.m.end(), [](int code) { return code >= 100; });
   if (line.computed || own) return std::nullopt;
-  if (auto wrong = against_code(line)) return wrong;
-  // A line with axes and without a motion code goes on in the mode, which may use the word.
-  const bool code = std::any_of(line.g.begin(), line.g.end(), is_motion) || line.has_g({800});
-  const bool mode = !code && (has_axes(line) || line.has('i') || line.has('j') || line.has('k')) &&
-                    !line.has_g({100, 280, 300, 520, 920});
-  if (mode) return std::nullopt;
-  for (const Use& use : kUses)
-    if (line.has(use.letter) && !line.has_g(use.g) && !line.has_m(use.m))
-      return WrongWord{use.letter, Cause::AddressNotUsable, std::string(use.text)};
+  if (auto found = against_code(line)) return found;
+  if (auto found = against_m(line)) return found;
+  if (is_in_mode(line)) return std::nullopt;
+  const std::uint32_t unused = unused_letters(line);
+  for (const WordUse& use : kUses)
+    if ((unused >> (use.letter - 'A') & 1) != 0)
+      return wrong(static_cast<char>(use.letter - 'A' + 'a'), Cause::AddressNotUsable, use.text);
   return std::nullopt;
 }
 
 }  // namespace cncsub::linuxcnc
+
+namespace cncsub {
+
+const std::span<const WordUse> linuxcnc_word_uses = linuxcnc::kUses;
+
+}  // namespace cncsub

@@ -9,6 +9,7 @@ namespace cncsub {
 namespace {
 
 void pass_bracket(Scanner& s) {
+  if (s.peek() != '[') return;
   int open = 0;
   for (char c = s.peek(); c != '\0'; c = s.peek()) {
     open += c == '[' ? 1 : c == ']' ? -1 : 0;
@@ -39,7 +40,9 @@ constexpr std::string_view kPolar = "@^";
 
 }  // namespace
 
-const Spelling linuxcnc_spelling{{"(", ")"}, {"[", "]"}, {"(MSG,", ")"}, {}, true, "R", kPolar, true};
+// A comment in brackets behind a message would be what is said: the last one counts.
+const Spelling linuxcnc_spelling{{";", ""}, {"[", "]"}, {"(MSG,", ")"}, {},
+                                 true,      "R",        kPolar,         true};
 
 std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};
@@ -62,7 +65,7 @@ std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& fr
     word.address = first_character({start, s.end});
     s.at = start + word.address.size();
   }
-  place_word(word, block, start, s.at);
+  s.at = place_word(word, block, start, s.at);
   for (char& of : word.text) of = upper(of);
   from = static_cast<std::size_t>(s.at - block.data());
   return word;

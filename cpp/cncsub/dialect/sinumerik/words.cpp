@@ -118,6 +118,7 @@ void pass_word(Line& line, WrittenWord& word) {
 
 }  // namespace sinumerik
 
+const std::span<const WordUse> sinumerik_word_uses;
 const Spelling sinumerik_spelling{{";", ""},        {"=(", ")"}, {"MSG(\"", "\")"},
                                   {"%_N_", "_MPF"}, false,       "CR"};
 
@@ -130,7 +131,8 @@ std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& f
   WrittenWord word;
   word.at = line.offset();
   pass_word(line, word);
-  word.width = line.width_from(word.at);
+  const std::size_t end = end_of_character(block, word.at + line.width_from(word.at));
+  word.width = static_cast<std::uint32_t>(end - word.at);
   const std::string_view text = block.substr(word.at, word.width);
   for (const char c : text)
     if (!is_blank(c)) word.text += upper(c);

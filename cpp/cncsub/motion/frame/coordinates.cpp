@@ -1,4 +1,6 @@
 // Work coordinates: zero points and shifts.
+#include <utility>
+
 #include "cncsub/motion/counted.hpp"
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
@@ -6,10 +8,19 @@
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
+const Axes& zero_of(const MotionState& state, int system) {
+  return system > 6 ? state.tables.extra[static_cast<std::size_t>(system - 7)]
+                    : state.tables.work[static_cast<std::size_t>(system)];
+}
+
+void hold_zero(MotionState& state) {
+  if (std::exchange(state.zero_is_held, true)) return;
+  state.zero = zero_of(state, system_in_force(state));
+  state.zero_turn = turn_of_system(state, system_in_force(state));
+}
+
 Axes zero_offset(const MotionState& state) {
-  const Axes& system = state.work_system > 0
-                           ? state.tables.work[static_cast<std::size_t>(state.work_system)]
-                           : state.tables.extra[static_cast<std::size_t>(state.extra_system - 1)];
+  const Axes& system = state.zero_is_held ? state.zero : zero_of(state, system_in_force(state));
   return in_frame(state, state.tables.work[0] + system) + state.shift + state.local +
          state.tool_shift;
 }
@@ -24,8 +35,8 @@ namespace {
 /// The work system in force is turned otherwise: what is told in its coordinates is told anew.
 void turn_frame(MotionState& state) {
   const double angle =
-      turn_of_system(state, state.work_system > 0 ? state.work_system : 6 + state.extra_system) *
-      kPi / 180;
+      (state.zero_is_held ? state.zero_turn : turn_of_system(state, system_in_force(state))) * kPi /
+      180;
   if (angle == state.frame_angle) return;
   const double by = state.frame_angle - angle;
   const Axes base = turned_by(by, state.work + state.offset);
@@ -55,6 +66,7 @@ Result select_work(MotionContext& m, BlockWords& block) {
   // [TDi 21 note 6: G54 in a block of G50 is ignored]
   if (m.facts.lathe() && block.meaning(Group::OneShot) == Meaning::SetCoordinate)
     return std::nullopt;
+  const int before = system_in_force(m.state);
   int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
   if (meaning == Meaning::WorkExtra) {
     const int own = block.code(Group::Work).which;
@@ -66,6 +78,10 @@ Result select_work(MotionContext& m, BlockWords& block) {
   }
   m.state.work_system = system;
   m.state.modal[at(Group::Work)] = block.code(Group::Work);
+  if (system_in_force(m.state) != before) {
+    m.state.zero_is_held = false;
+    ++m.state.told[1];
+  }
   refresh_offset(m.state);
   return std::nullopt;
 }
@@ -89,14 +105,17 @@ Result set_coordinate(MotionContext& m, BlockWords& block) {
   }
   m.state.kept_shift = m.state.shift;
   m.state.shifted = true;
+  ++m.state.told[2];
   refresh_offset(m.state);
   return std::nullopt;
 }
 
 Result change_shift(MotionContext& m, BlockWords& block) {
   MotionState& s = m.state;
-  if (compensating(s)) return fault(Cause::CompensationShift, block);
   const Meaning meaning = block.meaning(Group::OneShot);
+  if (compensating(s))  // G92.1 to G92.3 do nothing then, and say nothing [rs274 2.9]
+    return meaning == Meaning::SetShift ? Result(fault(Cause::CompensationShift, block))
+                                        : std::nullopt;
   if (meaning == Meaning::SetShift) {
     for (int i = 0; i < kAxes; ++i)
       if (const char name = kAxisNames[static_cast<std::size_t>(i)]; block.words.has(name))
@@ -107,6 +126,7 @@ Result change_shift(MotionContext& m, BlockWords& block) {
     if (meaning == Meaning::ClearShift) s.kept_shift = {};
   }
   s.shifted = meaning == Meaning::SetShift || meaning == Meaning::RestoreShift;
+  ++s.told[2];
   refresh_offset(s);
   return std::nullopt;
 }

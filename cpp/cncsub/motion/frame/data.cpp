@@ -96,6 +96,7 @@ Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, dou
     if (const char name = kAxisNames[i]; block.words.has(name))
       put(m.log.change(values[i]), number(m, block, name), m.state.incremental && !in_force);
   if (lathe_a) add_increments(m, block, values);
+  if (active) m.state.zero_is_held = false;
   refresh_offset(m.state);
   return std::nullopt;
 }

@@ -22,6 +22,13 @@ Result set_system_here(MotionContext& m, const BlockWords& block, double p);
 Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p);
 /// Takes a changed zero point over: the machine stays, the work coordinates change.
 void refresh_offset(MotionState& state);
+/// The number of the work system in force: 7 is the first extra one.
+inline int system_in_force(const MotionState& state) {
+  return state.work_system > 0 ? state.work_system : 6 + state.extra_system;
+}
+const Axes& zero_of(const MotionState& state, int system);
+/// Keeps the zero point that is in force, whatever its variables become.
+void hold_zero(MotionState& state);
 Result select_work(MotionContext& m, BlockWords& block);
 /// G92, and G50 of a lathe: the point gets these coordinates, on the named axes.
 Result set_coordinate(MotionContext& m, BlockWords& block);

@@ -19,9 +19,7 @@ double radians_of(const MotionState& state, int system) {
 
 /// A machine point in the coordinates of a work system, without the shift.
 Axes in_system(const MotionState& state, int system, const Axes& machine) {
-  const Axes& zero = system > 6 ? state.tables.extra[static_cast<std::size_t>(system - 7)]
-                                : state.tables.work[static_cast<std::size_t>(system)];
-  return turned_by(-radians_of(state, system), machine - zero);
+  return turned_by(-radians_of(state, system), machine - zero_of(state, system));
 }
 
 bool names_any(const BlockWords& block, std::string_view letters) {
@@ -73,7 +71,7 @@ Axes length_of_tool(const MotionState& state, int tool) {
 
 Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
   MotionState& s = m.state;
-  const int active = s.work_system > 0 ? s.work_system : 6 + s.extra_system;
+  const int active = system_in_force(s);
   if (p == 0) p = active;
   if (p < 1 || p != std::floor(p) || p > 6 + static_cast<double>(s.tables.extra.size()))
     return fault(Cause::G10P, block);
@@ -84,6 +82,7 @@ Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
   const Axes wanted = named(m, block, there);
   Axes& values = values_of(s, system);
   store(m, values, values + turned_by(turn, there - wanted));
+  if (system == active) s.zero_is_held = false;
   refresh_offset(s);
   return std::nullopt;
 }

@@ -237,3 +237,42 @@ case(
     number="P435",
     at="O1", word="M30",
 )
+case(
+    "a kind of feed that is said again leaves the feed in force",
+    pins="feed_mode_change",
+    control=["fanuc-0i-f", "mitsubishi-m800", "gsk-980mdi", "haas-ngc"],
+    source="general knowledge",
+    evidence="inferred",
+    program="O1\nN10 G94 G1 X1. F100.\nN20 G94 X2.\nN30 M30",
+    setup=MILL,
+    moves="F X1\nF X2",
+)
+case(
+    "on a lathe too",
+    pins="feed_mode_change",
+    control=["gsk-988ta", "gsk-988t", "gsk-980tdi"],
+    source="general knowledge",
+    evidence="inferred",
+    program="O1\nN10 G98 G1 Z1. F100\nN20 G98 Z2.\nN30 M30",
+    moves="F Z1\nF Z2",
+)
+case(
+    "F beside G20 counts in inches",
+    pins="feed_unit",
+    control=["fanuc-0i-f", "mitsubishi-m800", "haas-ngc"],
+    source="general knowledge",
+    evidence="inferred",
+    program="O1\nN10 G20\nN20 G21\nN30 G20 G1 X1. F10.\nN40 M30",
+    setup=MILL,
+    time=6,
+)
+case(
+    "a work offset that is written moves the work system in force",
+    pins="written_offset",
+    control="fanuc-0i-f",
+    source="general knowledge",
+    evidence="inferred",
+    program="O1\nN10 #5221=7.\nN20 G0 X1.\nN30 M30",
+    setup=MILL,
+    final_machine="X8",
+)

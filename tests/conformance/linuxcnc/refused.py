@@ -1,0 +1,122 @@
+"""LinuxCNC: what it refuses where the mode that is in force decides, and under radius compensation."""
+
+from conformance import case
+
+RUN = {"control": "linuxcnc", "source": "rs274 2.9", "evidence": "source document"}
+D1 = {"radius_offsets": {1: 1}}
+
+# ---- words that the mode does not use ----
+
+for _mode, _word in (
+    ("G1 X1 F1", "I1"), ("G1 X1 F1", "J1"), ("G1 X1 F1", "K1"), ("G1 X1 F1", "R1"), ("G1 X1 F1", "Q1"), ("G1 X1 F1", "L1"),
+    ("G2 X2 I1 F1", "Q1"), ("G81 X1 Z-1 R1 F1", "Q1"), ("G81 X1 Z-1 R1 F1", "I1"), ("G83 X1 Z-1 R1 Q1 F1", "P1"),
+    ("G85 X1 Z-1 R1 F1", "E1"), ("G0 X1", "H1"),
+):  # one row for each mode and letter: the interpreter has a list of them
+    case(f"{_word} behind {_mode} is used by nothing", **RUN,
+         program=f"N10 {_mode}\nN20 X3 {_word}\nN30 M2", runs="N10", alarm="address-not-usable", word=_word)
+case("I J K move in an arc alone", **RUN,
+     program="N10 G1 X1 F1\nN20 M8 J1\nN30 M2", runs="N10", alarm="address-not-usable", word="J1")
+case("in an arc they go on without an axis", **RUN,
+     program="N10 G2 X0 I1 F1\nN20 I2\nN30 M2", moves="CW X0 C X1 Y0\nCW X0 C X2 Y0")
+case("no mode goes on in a block of G10", **RUN,
+     program="N10 G82 X1 Z-1 R1 P1 F1\nN20 G80\nN30 G10 L2 P1 X1 H1\nN40 M2", runs="N10 N20", alarm="address-not-usable", word="H1")
+case("Q-1 is no Q", **RUN, program="N10 G0 X1 Q-1\nN20 M2", moves="R X1")
+case("a code that is computed uses its words", **RUN,
+     program="N10 G[4] P1\nN20 G[0] X1 P1\nN30 M2", runs="N10", alarm="address-not-usable", word="P1")
+for _line, _word in (("G96", "G96"), ("M61", "M61"), ("M62", "M62"), ("M65", "M65"), ("M67 Q1", "M67"), ("M68 E-1 Q1", "M68")):
+    case(f"{_line} lacks a word", **RUN, program=f"N10 {_line}\nN20 M2", runs="", alarm="motion-word-missing", word=_word)
+for _line, _word in (("M19 P3", "P3"), ("M19 P0.5", "P0.5"), ("M19 R361", "R361"), ("M19 Q0", "Q0")):
+    case(f"{_line} is beyond its range", **RUN, program=f"N10 {_line}\nN20 M2", runs="", alarm="value-out-of-range", word=_word)
+for _word in ("H1.5", "L1.5", "T1.5"):
+    case(f"{_word} is no whole number", **RUN, program=f"N10 {_word}\nN20 M2", runs="", alarm="whole-number-expected", word=_word)
+case("a thread has no feed of its own", **RUN,
+     program="N10 M3 S1\nN20 G33 Z-1 K1 F1\nN30 M2", runs="N10", alarm="address-not-usable", word="F1")
+case("a dwell does not share its P with an arc", **RUN,
+     program="N10 G2 G4 X2 I1 P1 F1\nN20 M2", runs="", alarm="one-shot-with-motion", word="G4")
+for _word in ("H1", "D1", "E1", "I1", "K1", "Q1", "R1"):
+    case(f"M98 takes no {_word}", **RUN, program=f"N10 M98 P1 {_word}\nN20 M2\nO1\nN30 M99",
+         runs="", alarm="address-not-usable", word=_word)
+
+# ---- G53 ----
+
+case("G53 goes with a straight move of the block or of the mode", **RUN,
+     program="N10 G0 X1\nN20 G53 X2\nN30 G1 F1 G53 X3\nN40 G2 X4 I0.5\nN50 G53 X5\nN60 M2", runs="N10 N20 N30 N40",
+     alarm="machine-move-without-line", word="G53")
+case("it needs an axis", **RUN, program="N10 G0 X1\nN20 G53\nN30 M2", runs="N10", alarm="machine-move-without-line", word="G53")
+case("in a cycle it goes nowhere", **RUN,
+     program="N10 G81 X1 Z-1 R1 F1\nN20 G53 X2\nN30 M2", runs="N10", alarm="machine-move-without-line", word="G53")
+
+# ---- feeds ----
+
+case("G94 leaves no feed in force", pins="feed_mode_change", **RUN,
+     program="N10 G1 X1 F10\nN20 G94 X2\nN30 M2", runs="N10", alarm="no-feed", word="X2")
+case("G95 neither", pins="feed_mode_change", **RUN,
+     program="N10 S100 M3 G1 X1 F10\nN20 G95\nN30 X2\nN40 M2", runs="N10 N20", alarm="no-feed", word="X2")
+case("an F beside it is a feed", **RUN, program="N10 G1 X1 F10\nN20 G94 X2 F20\nN30 X3\nN40 M2", moves="F X1\nF X2\nF X3")
+case("under G93 every cut has its own F", pins="feed_mode_change", **RUN,
+     program="N10 G93 G1 X1 F10\nN20 G0 X3\nN30 G1 X4\nN40 M2", runs="N10 N20", alarm="no-feed", word="G1")
+case("an arc too", **RUN, program="N10 G93 G2 X2 I1 F10\nN20 X4 I1\nN30 M2", runs="N10", alarm="no-feed", word="X4")
+case("G94 behind G93 begins anew", **RUN,
+     program="N10 F10\nN20 G93\nN30 G94\nN40 G1 X1\nN50 M2", runs="N10 N20 N30", alarm="no-feed", word="G1")
+case("M72 takes back the kind of feed, and the feed where that differs", **RUN,
+     program="N10 F10\nN20 M70\nN30 G95 F2\nN40 M72\nN50 G1 X1\nN60 M2", moves="F X1")
+case("where the number is the same nothing is in force", **RUN,
+     program="N10 F10\nN20 M70\nN30 G95 F10\nN40 M72\nN50 G1 X1\nN60 M2", runs="N10 N20 N30 N40", alarm="no-feed", word="G1")
+case("a cycle does not go under G93", **RUN,
+     program="N10 G93 G81 X1 Z-1 R1 F1\nN20 M2", runs="", alarm="cycle-in-inverse-time", word="G93")
+case("F beside G20 counts in the unit before", pins="feed_unit", **RUN,
+     program="N10 G20 F100 G1 X1\nN20 M2", moves="F X25.4", time=15.24)
+case("F behind it in inches", **RUN, program="N10 G20\nN20 F10 G1 X1\nN30 M2", moves="F X25.4", time=6)
+case("a feed per turn needs a speed", **RUN,
+     program="N10 G95 G1 X1 F1\nN20 M2", runs="", alarm="no-spindle-speed", word="G1")
+case("a probe does not go by a feed per turn", **RUN,
+     program="N10 S100 M3 G95 F1\nN20 G38.3 X1\nN30 M2", runs="N10", alarm="skip-per-revolution", word="G38.3")
+
+# ---- under radius compensation ----
+
+for _code in ("G28", "G28 X1", "G30", "G53 G0 X9", "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3",
+              "G61", "G61.1", "G64", "G64 P0.1", "G98", "G99", "G92 X1"):  # a row for each code of the list
+    case(f"{_code} does not stand under radius compensation",
+         pins="codes_not_compensated", **RUN, setup=D1,
+         program=f"N10 G41 D1 G1 X5 F100\nN20 {_code}\nN30 M2", runs="N10", alarm="code-in-offset", word=_code.split()[0])
+for _code in ("M6", "M48", "M49", "M50 P1", "M51 P1", "M52 P1", "M53 P1", "M62 P1", "M63 P1", "M64 P1", "M65 P1",
+              "M66 P1", "M67 E1 Q1", "M68 E1 Q1"):
+    case(f"{_code} does not stand under radius compensation",
+         pins="m_codes_not_compensated", **RUN, setup=D1,
+         program=f"N10 T1 M6\nN20 G41 D1 G1 X5 F100\nN30 {_code}\nN40 M2", runs="N10 N20", alarm="code-in-offset", word=_code.split()[0])
+for _code in ("G90", "G91.1", "M3", "M8", "S5", "T2", "F5", "G4 P1", "G17", "G94 F5", "G80"):
+    case(f"{_code} stands there", **RUN, setup=D1,
+         program=f"N10 G41 D1 G1 X5 F100\nN20 {_code}\nN30 G1 X9\nN40 M2", runs="N10 N20 N30 N40")
+case("G92.1 does nothing there", **RUN, setup=D1,
+     program="N10 G92 X0\nN20 G52 X3\nN30 G41 D1 G1 X5 F100\nN40 G92.1\nN50 G1 X9\nN60 M2", final_work="X9")
+
+# ---- parameters ----
+
+case("a work offset that is written moves nothing at once", pins="written_offset", **RUN,
+     program="N10 #5221=7\nN20 G0 X1\nN30 M2", final_machine="X1")
+case("it counts when its system is selected after another", **RUN,
+     program="N10 #5221=7\nN20 G0 X1\nN30 (print,#5221)\nN40 G55\nN50 G54\nN60 G0 X1\nN70 M2",
+     messages=["7.000000"], moves="R X1\nR X1", final_machine="X8")
+case("G10 of the system takes it over", **RUN,
+     program="N10 #5221=7\nN20 G10 L2 P1 Y0\nN30 G0 X1\nN40 M2", final_machine="X8")
+case("so is its turn", pins="written_offset", **RUN,
+     program="N10 #5230=90\nN20 G0 X1\nN30 G55\nN40 G54\nN50 G0 X5 Y0\nN60 (print,#5230)\nN70 M2",
+     messages=["90.000000"], final_machine="X0 Y5")
+case("that of another system counts with it", **RUN,
+     program="N10 #5241=7\nN20 G55\nN30 G0 X1\nN40 M2", final_machine="X8")
+for _number in (5061, 5069, 5070, 5210, 5220, 5230, 5399):
+    case(f"#{_number} may be written and is read back", **RUN,
+         program=f"N10 #{_number}=3\nN20 #1=#{_number}\nN30 M2", vars={1: 3})
+case("a probe tells its point anew", **RUN,
+     program="N10 #5061=3 #5070=9\nN20 G38.3 X5 F100\nN30 #1=#5061 #2=#5070\nN40 M2", vars={1: 5, 2: 0})
+case("a work system its number", **RUN,
+     program="N10 #5220=7\nN20 G54\nN30 #1=#5220\nN40 G55\nN50 #2=#5220\nN60 M2", vars={1: 7, 2: 2})
+
+# ---- % ----
+
+case("where the main program stands between %, a file that begins with one is not read", **RUN,
+     files={"main.ngc": "%\nN10 o<sub> call\nN20 M2\n%", "sub.ngc": "%\no<sub> sub\nN30 G0 X1\no<sub> endsub\n%"},
+     runs="", alarm="program-not-found")
+case("otherwise it is", **RUN,
+     files={"main.ngc": "N10 o<sub> call\nN20 M2", "sub.ngc": "%\no<sub> sub\nN30 G0 X1\no<sub> endsub\n%"},
+     moves="R X1")
