@@ -251,3 +251,15 @@ def test_a_file_of_another_user_is_not_ours(tmp_path: Path) -> None:
     if os.geteuid() == 0:
         os.chown(file, 12345, -1)
         assert not system.is_ours(file)
+
+
+def test_a_file_that_cannot_be_read_is_named(job: Path) -> None:
+    broken = Path("/proc/self/mem")
+    if not broken.exists():
+        pytest.skip("this system has no file that fails")
+    for option in ("--setup", "--inputs", "--variables"):
+        status, _, told = command("run", job / "main.nc", *C, option, broken)
+        assert (status, told) == (5, f"cncsub: {broken}: Input/output error\n")
+    (job / "cncsub.toml").write_text('setup = "a\\u0000b"\n')
+    assert command("run", job / "main.nc", *C)[0] == 2
+    assert command("batch", job, *C, "-j", "9" * 30)[0] == 2

@@ -32,6 +32,7 @@ from cncsub.signatures import spelled_out
 EACH = ("file", "beside", "folder")
 LIMITS: Options = {"max_blocks": 1_000_000, "max_seconds": 10.0, "max_memory": 1 << 29}
 _LARGEST_CHUNK, _FIRST_CHUNK = 256, 8  # jobs
+_MOST_JOBS = 1024
 _MOST_UNKNOWN = 64  # chunks under way on an executor that does not tell its workers
 # What the walk leaves alone and somebody may have meant to be run.
 _UNREADABLE = ("a link that leads nowhere", "cannot be opened")
@@ -150,6 +151,8 @@ def _batch(
 ) -> Any:
     if jobs is not None and jobs < 1:
         raise ValueError(f"jobs is how many processes work, at least 1, not {jobs!r}")
+    if jobs is not None and jobs > _MOST_JOBS:
+        raise ValueError(f"jobs is how many processes work, {_MOST_JOBS:,} at most, not {jobs!r}")
     store = InMemory(task) if out is None else Folder(Path(out), task)
     skipped: dict[str, int] = {}
     found = _jobs(_listed(paths), task.each, skipped, marks=out is not None)

@@ -161,6 +161,8 @@ def _read(file: Path, told: Any) -> Project:
             raise ValueError(f"{file}: a project has no {key!r}{did_you_mean(key, _KINDS)}")
         if not isinstance(value, _KINDS[key]):
             raise ValueError(f"{file}: {key} is a {_NAMES[_KINDS[key]]}, not {value!r}")
+        if isinstance(value, str) and "\0" in value:
+            raise ValueError(f"{file}: {key} holds a NUL, which no name does")
     check = told.get("check", {})
     for key in check:
         if key not in ("ignore", "severity"):

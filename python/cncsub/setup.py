@@ -123,6 +123,8 @@ def from_toml(path: str | os.PathLike[str], read: Callable[[dict[str, Any]], T])
     with Path(path).open("rb") as file:
         try:
             return read(toml_of(file.read().decode()))
+        except OSError as error:  # a device that fails names no file
+            raise OSError(error.errno, error.strerror, name) from None
         except (ValueError, TypeError) as error:
             raise ValueError(f"{name}: {error}") from None
         except RecursionError:

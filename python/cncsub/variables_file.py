@@ -45,7 +45,10 @@ def read_variables(path: str | os.PathLike[str]) -> dict[int, float | None]:
     name = os.fspath(path)
     if name.lower().endswith(".toml"):
         return from_toml(path, _from_table)
-    text = Path(path).read_bytes().decode("utf-8-sig", errors="replace")
+    try:
+        text = Path(path).read_bytes().decode("utf-8-sig", errors="replace")
+    except OSError as error:  # a device that fails names no file
+        raise OSError(error.errno, error.strerror, name) from None
     rows = _csv_rows(text) if name.lower().endswith(".csv") else _punched(text)
     found: dict[int, float | None] = {}
     for line, number, value in _checked(name, rows):
