@@ -35,6 +35,12 @@ case(
     main="MAIN", runs="N10 N30 N20",
 )
 case(
+    "a comment before the first block belongs to no program", control=ONE, source="SONE p.43, names of programs",
+    evidence="maker's manual",
+    files={"MAIN.MPF": "; first\n;$PATH=/_N_MPF_DIR\nN10 L100\nN20 M30\n", "L100.SPF": "; second\nN30 M17\n"},
+    main="MAIN", runs="N10 N30 N20",
+)
+case(
     "P is how often", **KNOWN,
     program="%_N_MAIN_MPF\nN10 L100 P3\nN20 M30\n%_N_L100_SPF\nN30 G0 X1\nN40 M17",
     runs="N10 (N30 N40)*3 N20",

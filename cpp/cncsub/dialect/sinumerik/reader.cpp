@@ -32,7 +32,7 @@ class FileReader {
         begin_program(file, line, head ? said : std::string_view(), place);
         begun = true;
       }
-      if (!head && !said.empty()) add(said, place, line);
+      if (!head && begun && !said.empty()) add(said, place, line);
       if (to_.interrupt().requested(end + 1 - at)) break;
       at = end + 1;
     }
