@@ -163,7 +163,7 @@ def test_m99_p_of_a_main_program_is_a_jump() -> None:
     library = cncsub.loads(text, control="fanuc-0i-f")
     assert translate(library, "haas-ngc").edits == {}
     with pytest.raises(TranslateError, match=r"^O1 N20, line 3: no words found by which it jumps"):
-        translate(library, "hnc-21m")
+        translate(library, "linuxcnc")
 
 
 def test_m99_l_is_left_out_where_the_first_control_does_not_look_at_it() -> None:
@@ -210,7 +210,7 @@ def test_the_head_of_a_main_program_goes_where_the_control_takes_none() -> None:
             "that a macro calls",
             8,
         ),
-        (RETURNS, "fanuc-0i-f", "hnc-21m", "no words found by which it goes on at N70", 2),
+        (RETURNS, "fanuc-0i-f", "linuxcnc", "no words found by which it goes on at N70", 2),
         (
             "O1\nN5 G0 X1.\nN10 M97 P20\nN15 M30\nN20 #1=#1+1\nN30 IF[#1LT3]GOTO 5\nN40 M99\n",
             "haas-ngc",

@@ -381,7 +381,7 @@ def test_what_a_terminal_obeys_does_not_move_the_mark() -> None:
         ("batch main.nc --each x", "--each is one of file, beside, folder, not 'x'"),
         ("batch main.nc --max-seconds -1", "--max-seconds must be more than 0 and finite"),
         ("check main.nc --rule program-mising", "'program-mising'; near are program-missing"),
-        ("check main.nc --rule CS999", "no rule 'CS999'; there are CS101 to CS"),
+        ("check main.nc --rule ZZ999", "no rule 'ZZ999'; there are CS101 to CS"),
         ("run dangling.nc", "a link that leads nowhere; near are mangling.nc, main.nc\n"),
     ],
 )
@@ -412,7 +412,7 @@ def test_explain_knows_what_is_near() -> None:
 
     assert "near are program-missing" in told("program-mising")
     assert told("program-missing").startswith("CS201 program-missing")
-    assert "there are CS101 to CS" in told("CS999")
+    assert "near are CS709" in told("CS999")
     assert "near are PS0076" in told("PS076x")
 
 

@@ -70,7 +70,7 @@ def _row(control: cncsub.Control) -> list[str]:
     roles = _roles(control)
     told = {
         "levels": levels(control),
-        "P": _P[str(rules["program_word"])] if "call" in roles.values() else "-",
+        "P": _P.get(str(rules.get("program_word")), "-") if "call" in roles.values() else "-",
         "start": _start_word(control) if "call" in roles.values() else "-",
         "names": _names(rules),
         "macros": ", ".join(_macros(control)) or "-",
@@ -82,8 +82,8 @@ def _row(control: cncsub.Control) -> list[str]:
 
 
 def _names(rules: dict[str, object]) -> str:
-    heads = str(rules["program_heads"]).split()
-    told = ["`P[NAME]`"] if rules["bracket_names"] else []
+    heads = str(rules.get("program_heads", "")).split()
+    told = ["`P[NAME]`"] if rules.get("bracket_names") else []
     told += ["`<NAME>`"] if "name" in heads else []
     told += ["`%n`"] if "percent" in heads else []
     return ", ".join(told) or "-"
@@ -92,7 +92,7 @@ def _names(rules: dict[str, object]) -> str:
 def _macros(control: cncsub.Control) -> list[str]:
     """The codes that call macros, and what else passes arguments."""
     rules = {rule.name: rule.value for rule in control.rules}
-    listed = str(rules["g_codes"]).split()
+    listed = str(rules.get("g_codes", "")).split()
     told = [
         name
         for name, role in _roles(control).items()
@@ -109,7 +109,9 @@ def _roles(control: cncsub.Control) -> dict[str, str]:
 
 
 def _start_word(control: cncsub.Control) -> str:
-    (rule,) = (rule for rule in control.rules if rule.name == "start_word")
+    rule = next((rule for rule in control.rules if rule.name == "start_word"), None)
+    if rule is None:  # the language of its programs does not ask
+        return "-"
     if rule.value != "none":
         return str(rule.value)
     set_by = [p for p in control.parameters.values() if rule.name in p.rules]
@@ -122,7 +124,7 @@ def levels(control: cncsub.Control) -> str:
     subprograms, macros = rules["max_nesting"], rules.get("max_macro_nesting")
     if not macros or not _macros(control):
         return str(subprograms)
-    if not rules["nesting_counts_macros"]:
+    if not rules.get("nesting_counts_macros"):
         return f"{subprograms} + {macros}"
     return (
         f"{subprograms} of both kinds"
@@ -290,7 +292,8 @@ _FATE_OF = {
 
 
 def _codes(control: cncsub.Control) -> str:
-    (others,) = (str(r.value) for r in control.rules if r.name == "unlisted_codes")
+    asked = {rule.name: str(rule.value) for rule in control.rules}
+    others = asked.get("unlisted_codes", "refused")  # a language with a list of its own
     text = "## G codes\n\n"
     for machine, title in _machines(control):
         fates: dict[str, list[str]] = {fate: [] for fate in _FATES}

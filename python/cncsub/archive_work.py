@@ -13,9 +13,10 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.files import CoreFile, Reading, StrPath, read_found_files, read_paths, walk
 from cncsub.hints import foreign_language
-from cncsub.interrupts import kept_from_children, uninterrupted
+from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
 from cncsub.run import Run, Stop
+from cncsub.system import kept_from_children
 
 Row = tuple[Any, ...]
 RUN_COLUMNS = {

@@ -56,7 +56,7 @@ def end() -> None:
     """
     if pressed():
         leave()
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGINT, lambda *_: None)
 
 
 def leave() -> NoReturn:
@@ -72,18 +72,3 @@ def left_to_child() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGINT, known)
-
-
-@contextlib.contextmanager
-def kept_from_children() -> Iterator[None]:
-    """Processes that are started meanwhile do not hear Ctrl-C, which a terminal tells all at once:
-    whoever started them ends them.
-    """
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    known = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, known)

@@ -9,8 +9,10 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import signal
 import stat
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, Any
 
@@ -122,3 +124,18 @@ def write_what_can_be() -> None:
     for file in (sys.stdout, sys.stderr):
         if not takes_any_text(file) and hasattr(file, "reconfigure"):
             file.reconfigure(errors="backslashreplace")
+
+
+@contextlib.contextmanager
+def kept_from_children() -> Iterator[None]:
+    """Keep Ctrl-C, which a terminal sends to all processes at once, from those that are started
+    meanwhile: whoever started them ends them. Windows cannot hold it back.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    known = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, known)

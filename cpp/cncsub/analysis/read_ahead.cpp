@@ -8,7 +8,7 @@ namespace cncsub {
 
 namespace {
 
-constexpr int kLimit = 1030;  // G103 P1: no block is read ahead. [Haas mill manual, G103]
+constexpr int kLimit = 1030;  // G103 P1: no block is read ahead
 
 bool is_input(const Code& code, std::int64_t number) {
   const VariablePlace place = code.place(number);

@@ -17,7 +17,7 @@ constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K') | bit('R');
 constexpr double kFewIncrements = 1000;
 
 /// Whether a code roughs, finishes, pecks or threads by a profile or in many passes: its allowances
-/// and depths are written as increments on purpose. [a lathe's G70 to G76]
+/// and depths are written as increments on purpose: a lathe's G70 to G76.
 bool counts_in_passes(Meaning meaning) {
   switch (meaning) {
     case Meaning::Finish:

@@ -101,11 +101,10 @@ std::int32_t FlatRun::program_at(Address at) {
   return program_;
 }
 
-/// What the codes of the last block mean, which has these words.
-const BlockCodes& FlatRun::codes_of(const Block& block) const {
-  if (heard_.computed) return *heard_.values.codes;
+const BlockCodes& codes_of(const Machine& machine, const Heard& heard, const Block& block) {
+  if (heard.computed) return *heard.values.codes;
   if ((block.flags & Block::kListed) == 0) return kNoCodes;
-  return machine_.motion().view().facts.meanings->blocks[block.list];
+  return machine.motion().view().facts.meanings->blocks[block.list];
 }
 
 bool FlatRun::ends() const {
@@ -222,14 +221,9 @@ std::string FlatRun::origin() {
   return comment_of(machine_.code(), block, program_at(coming_.at), for_->spelling->comment);
 }
 
-/// Ends a line that comes from the last block.
-void FlatRun::end_line(std::string& text, FlatOrigins& origins) {
-  text += origin();
-  close_line(text, origins);
-}
-
-/// The same where the line has all that it is to say.
-void FlatRun::close_line(std::string& text, FlatOrigins& origins) {
+/// Ends a line that comes from the last block. `has_origin`: the line says so already.
+void FlatRun::end_line(std::string& text, FlatOrigins& origins, bool has_origin) {
+  if (!has_origin) text += origin();
   const Block& block = machine_.code().blocks[coming_.at];
   const std::int32_t program = program_at(coming_.at);
   text += '\n';
@@ -253,14 +247,14 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   if (block == nullptr) return true;
   if (heard_.profile) return write_with_profile(text, origins, *block, *heard_.profile);
   const std::size_t before = text.size();
-  if ((coming_.call >= 0 || other_) && keeps_modes(codes_of(*block)))
+  if ((coming_.call >= 0 || other_) && keeps_modes(codes_of(machine_, heard_, *block)))
     return refuse(
         "what M70 to M73 keep and take back in is each call's own, and a flat program has no "
         "calls");
   if (!write_words(text, origins, *block)) return false;
   if (text.size() == before) return true;
   end_line(text, origins);
-  starts_over_ = codes_of(*block).has(Role::StartOver);
+  starts_over_ = codes_of(machine_, heard_, *block).has(Role::StartOver);
   return true;
 }
 
@@ -372,7 +366,7 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
   text += message.before;
   text += messages[messages.size() - 1];
   text += message.behind;
-  last ? close_line(text, origins) : end_line(text, origins);
+  end_line(text, origins, last);
   return true;
 }
 

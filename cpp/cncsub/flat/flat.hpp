@@ -42,6 +42,9 @@ struct FlatRefusal {
   Address at = kNowhere;
 };
 
+/// What the codes of the block mean that a machine executed last, and of which `heard` was kept.
+const BlockCodes& codes_of(const Machine& machine, const Heard& heard, const Block& block);
+
 class FlatRun {
  public:
   /// `at_its_head`: a machine that has executed nothing. `comments`: behind each block where it
@@ -94,11 +97,9 @@ class FlatRun {
   bool number_profile(bool behind, std::array<std::int64_t, 2>& numbers, bool& is_new);
   void write_profile(std::string& text, FlatOrigins& origins, const Late& profile);
   void write_head(std::string& text, FlatOrigins& origins);
-  const BlockCodes& codes_of(const Block& block) const;
   void write_end(std::string& text, FlatOrigins& origins);
   std::string origin();
-  void end_line(std::string& text, FlatOrigins& origins);
-  void close_line(std::string& text, FlatOrigins& origins);
+  void end_line(std::string& text, FlatOrigins& origins, bool has_origin = false);
   bool refuse(std::string reason);
   std::int32_t program_at(Address at);
 

@@ -265,7 +265,8 @@ std::array<Cell, 8> values_of(MotionView m, const NcWords& words, std::uint32_t 
   return values;
 }
 
-/// Whether a straight move may have these values: where it leads to is not asked. [Builder::words]
+/// Whether a straight move may have these values: where it leads to is not asked., see
+/// Builder::words
 bool are_small(const std::array<Cell, 8>& values) {
   constexpr double kMost = 1e30;
   return std::all_of(values.begin(), values.end(),

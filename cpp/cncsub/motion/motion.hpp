@@ -107,7 +107,7 @@ class Motion {
   OffsetLog log_;
 };
 
-/// The fault of a word that neither a code of its block nor the mode uses. [WordUses]
+/// The fault of a word that neither a code of its block nor the mode uses, see WordUses.
 std::optional<Fault> unused_word(MotionView m, const NcWords& words);
 /// The steps of moves that wait for those behind them.
 std::vector<std::uint32_t> held_steps(const MotionState& state);

@@ -233,9 +233,14 @@ case(
 )
 case(
     "nobody says it of other makers' controls, and they are taken to do the same",
-    pins="computed_lengths", control=[*GSK_988, *GSK_980, *MITSUBISHI, "syntec-22ma"], source="policy", evidence="inferred",
+    pins="computed_lengths", control=[*GSK_988, *GSK_980, *MITSUBISHI], source="policy", evidence="inferred",
     program="O1\nN10 #1=1.23456\nN20 G0 X#1\nN30 #100=#5001\nN40 M30",
     runs="N10 N20 N30 N40", vars={100: 1.235},
+)
+case(
+    "so is the 22MA",
+    pins="computed_lengths", control="syntec-22ma", source="policy", evidence="inferred",
+    program="O1\nN10 #1=0.0004\nN20 G91 G0 X1.\n" + "N30 X[#1]\n" * 8 + "N40 M30", final_work="X1",
 )
 case(
     "so is the HNC-21M",
