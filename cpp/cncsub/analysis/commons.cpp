@@ -21,8 +21,10 @@ class CommonCheck {
 
   bool is_cleared(std::int32_t number) const;
   bool moves(Address at) const;
+  void add_written(const ProgramFlow& flow, std::unordered_set<std::int32_t>& to);
   void find_written();
   bool find_asked(const ProgramFlow& flow);
+  std::vector<Bits> vacant(const ProgramFlow& flow, std::size_t count) const;
   void tell(const ProgramFlow& flow, const Numbers& asked, std::size_t first);
   Bits set_by(Address at, const ProgramFlow& flow) const;
 
@@ -47,19 +49,25 @@ bool CommonCheck::moves(Address at) const {
   return is_words(block.op) && (block.mask & kEndWords) != 0;
 }
 
+void CommonCheck::add_written(const ProgramFlow& flow, std::unordered_set<std::int32_t>& to) {
+  for (Address at = flow.first(); at < flow.last() && !c_.over(); ++at) {
+    const VariableUse* own = uses_.of(at);
+    if (own == nullptr) continue;
+    for (const std::int32_t number : own->writes)
+      if (is_cleared(number)) {
+        to.insert(number);
+        written_.insert(number);
+      }
+  }
+}
+
 /// What each group of programs that call each other writes, with what it calls.
 void CommonCheck::find_written() {
   by_.resize(c_.groups.groups.size());
   for (std::size_t group = 0; group < by_.size() && !c_.over(); ++group)
     for (const std::uint32_t program : c_.groups.groups[group]) {
       const ProgramFlow& flow = c_.flows[program];
-      for (Address at = flow.first(); at < flow.last() && !c_.over(); ++at)
-        if (const VariableUse* own = uses_.of(at))
-          for (const std::int32_t number : own->writes)
-            if (is_cleared(number)) {
-              by_[group].insert(number);
-              written_.insert(number);
-            }
+      add_written(flow, by_[group]);
       std::unordered_set<std::uint32_t> seen{static_cast<std::uint32_t>(group)};
       for (const CallEdge& edge : flow.calls()) {
         const std::uint32_t called = c_.groups.of[static_cast<std::size_t>(edge.called)];
@@ -106,10 +114,9 @@ Bits CommonCheck::set_by(Address at, const ProgramFlow& flow) const {
   return set;
 }
 
-void CommonCheck::tell(const ProgramFlow& flow, const Numbers& asked, std::size_t first) {
-  const std::size_t count = std::min<std::size_t>(asked.size() - first, kMostBits);
-  places_.clear();
-  for (std::size_t i = 0; i < count; ++i) places_.emplace(asked[first + i], static_cast<int>(i));
+/// For each block of a program, which of the first `count` variables that are asked for have no
+/// value on some way to it.
+std::vector<Bits> CommonCheck::vacant(const ProgramFlow& flow, std::size_t count) const {
   std::vector<Bits> vacant(flow.size(), 0);
   std::vector<Address> waiting{flow.first()};
   vacant[0] = ~Bits{0} >> (kMostBits - static_cast<int>(count));
@@ -125,12 +132,21 @@ void CommonCheck::tell(const ProgramFlow& flow, const Numbers& asked, std::size_
       waiting.push_back(exit->to);
     }
   }
+  return vacant;
+}
+
+void CommonCheck::tell(const ProgramFlow& flow, const Numbers& asked, std::size_t first) {
+  const std::size_t count = std::min<std::size_t>(asked.size() - first, kMostBits);
+  places_.clear();
+  for (std::size_t i = 0; i < count; ++i) places_.emplace(asked[first + i], static_cast<int>(i));
+  const std::vector<Bits> lacking = vacant(flow, count);
   for (Address at = flow.first(); at < flow.last(); ++at) {
     const VariableUse* own = moves(at) ? uses_.of(at) : nullptr;
     if (own == nullptr) continue;
     for (const std::int32_t number : own->reads) {
       const auto found = places_.find(number);
-      if (found == places_.end() || (vacant[at - flow.first()] >> found->second & 1) == 0) continue;
+      if (found == places_.end() || (lacking[at - flow.first()] >> found->second & 1) == 0)
+        continue;
       const std::string name = uses_.name_of(number);
       c_.found(Check::CommonVacant, at, uses_.place_of(at, number),
                name +
@@ -142,7 +158,7 @@ void CommonCheck::tell(const ProgramFlow& flow, const Numbers& asked, std::size_
 }
 
 void CommonCheck::run() {
-  constexpr std::size_t kMostAsked = 16 * kMostBits;
+  constexpr std::size_t kMostAsked = std::size_t{16} * kMostBits;
   for (const ProgramFlow& flow : c_.flows)
     if (flow.calls_computed() && !flow.has_labels()) return;  // it may set any
   find_written();

@@ -61,13 +61,13 @@ struct Asked {
 
 std::optional<Asked> asked_by(const Expression& of) {
   const std::vector<Instruction> all = instructions_of(of);
-  if (all.size() != 3 || !turned(all[2].op)) return std::nullopt;
+  const auto mirrored = all.size() == 3 ? turned(all[2].op) : std::nullopt;
+  if (!mirrored) return std::nullopt;
   const auto constant = [](const Instruction& ins) {
     return ins.op == Ins::Constant ? std::optional<double>(ins.value) : std::nullopt;
   };
   if (const auto left = counter_of(all[0])) return Asked{*left, all[2].op, constant(all[1])};
-  if (const auto right = counter_of(all[1]))
-    return Asked{*right, *turned(all[2].op), constant(all[0])};
+  if (const auto right = counter_of(all[1])) return Asked{*right, *mirrored, constant(all[0])};
   return std::nullopt;
 }
 
@@ -93,10 +93,10 @@ constexpr int kMostPasses = 100'000;
 /// How often a counter that grows by a step is asked until the answer is no; none where that takes
 /// very long. `digits`: the sums are rounded to so many after the point, 0: they are as the control
 /// makes them.
-std::optional<int> passes(const Asked& asked, double from, double step, double digits) {
+std::optional<int> passes(Ins op, double limit, double from, double step, double digits) {
   double value = from;
   for (int count = 0; count < kMostPasses; ++count) {
-    if (!holds(asked.op, value, *asked.limit)) return count;
+    if (!holds(op, value, limit)) return count;
     value += step;
     if (digits > 0) value = std::round(value * digits) / digits;
   }
@@ -106,12 +106,18 @@ std::optional<int> passes(const Asked& asked, double from, double step, double d
 class CountingCheck {
  public:
   CountingCheck(Checker& c, const ProgramFlow& flow) : c_(c), flow_(flow) {}
+  void run();
+
+ private:
+  struct Body {
+    Address from = 0, to = 0;
+  };
+
+  Body body(Address at) const;
   /// A loop from one block up to another, which asks in a third whether it goes on.
   void loop(Address at, const Statement& of, Address from, Address to);
   /// A loop that a jump back closes, and that blocks in it leave where a condition holds.
   void leaving(Address from, Address to);
-
- private:
   bool assigns(Address at, const Counter& counter) const;
   void ask(Address at, const Asked& asked, const Expression& written, Address from, Address to);
   std::optional<double> step(const Counter& counter, Address from, Address to) const;
@@ -207,51 +213,63 @@ void CountingCheck::leaving(Address from, Address to) {
   }
 }
 
-void CountingCheck::ask(Address at, const Asked& of, const Expression& written, Address from,
+void CountingCheck::ask(Address at, const Asked& asked, const Expression& written, Address from,
                         Address to) {
   constexpr double kDigits = 1e7;
-  const Asked* asked = &of;
-  const auto by = step(asked->counter, from, to);
+  const auto by = step(asked.counter, from, to);
   if (!by || !is_rounded(*by)) return;
-  const auto begins = start(asked->counter, std::min(from, at));
+  const auto begins = start(asked.counter, std::min(from, at));
   const std::string sums = "the control adds up fractions that it holds in binary: ";
   std::string told;
-  if (asked->limit && begins) {
-    const auto real = passes(*asked, *begins, *by, 0);
-    const auto meant = passes(*asked, *begins, *by, kDigits);
+  if (asked.limit && begins) {
+    const auto real = passes(asked.op, *asked.limit, *begins, *by, 0);
+    const auto meant = passes(asked.op, *asked.limit, *begins, *by, kDigits);
     if (!meant || real == meant) return;
     told = sums + (real ? "it does " + std::to_string(*real) + " passes where " +
                               std::to_string(*meant) + " are written"
                         : "the counter never has this value, and the loop never ends");
-  } else if (asked->op == Ins::NotEqual) {
+  } else if (asked.op == Ins::NotEqual) {
     told = sums + "the counter may never have this value, and the loop never ends";
   }
   if (told.empty()) return;
   c_.found(Check::FractionLoop, at, {written.at(), written.width()}, std::move(told));
 }
 
+/// The blocks of the loop that the block at `at` begins, or closes with a jump back; empty where it
+/// does neither.
+CountingCheck::Body CountingCheck::body(Address at) const {
+  const Block& block = c_.code.blocks[at];
+  if (block.op == Op::While) {
+    const Address end = c_.code.statements[block.aux].end;
+    return end == kNowhere ? Body{} : Body{at + 1, std::min(end, flow_.last())};
+  }
+  if (block.op != Op::IfGoto && block.op != Op::Goto) return {};
+  const Address target = c_.code.statements[block.aux].to;
+  return target < flow_.first() ? Body{} : Body{target, at};
+}
+
+/// Check the loops of the program. Loops inside loops are gone over again: a bound keeps the work
+/// in proportion to the program.
+void CountingCheck::run() {
+  const std::size_t most = 64 * flow_.size();
+  std::size_t looked_at = 0;
+  for (Address at = flow_.first(); at < flow_.last() && !c_.over(); ++at) {
+    const Body of = body(at);
+    if (of.from >= of.to || looked_at > most) continue;
+    looked_at += of.to - of.from;
+    const Block& block = c_.code.blocks[at];
+    if (block.op == Op::Goto)
+      leaving(of.from, of.to);
+    else
+      loop(at, c_.code.statements[block.aux], of.from, of.to);
+  }
+}
+
 }  // namespace
 
 void check_counting(Checker& c) {
-  for (const ProgramFlow& flow : c.flows) {
-    if (c.inside(flow)) continue;
-    CountingCheck counting(c, flow);
-    std::size_t looked_at = 0;  // loops inside loops are gone over again
-    for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
-      const Block& block = c.code.blocks[at];
-      const bool asks = block.op == Op::While || block.op == Op::IfGoto || block.op == Op::Goto;
-      if (!asks || looked_at > 64 * flow.size()) continue;
-      const Statement& of = c.code.statements[block.aux];
-      const bool loops = block.op == Op::While;
-      const Address from = loops ? at + 1 : of.to, to = loops ? of.end : at;
-      if (from == kNowhere || to == kNowhere || from >= to || from < flow.first()) continue;
-      looked_at += to - from;
-      if (block.op == Op::Goto)
-        counting.leaving(from, to);
-      else
-        counting.loop(at, of, from, std::min(to, flow.last()));
-    }
-  }
+  for (const ProgramFlow& flow : c.flows)
+    if (!c.inside(flow)) CountingCheck(c, flow).run();
 }
 
 }  // namespace cncsub

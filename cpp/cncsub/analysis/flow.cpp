@@ -48,7 +48,7 @@ class FlowReader {
   void call_label(const Block& block, const Labelled& own);
   bool passes_over(const Labelled& own);
   void choose(const Variant& choice);
-  void words_or_call(const Block& block);
+  void words_call_or_assignment(const Block& block);
   void words(const Block& block);
   bool raises_alarm(const Statement& statement) const;
 
@@ -218,12 +218,8 @@ void FlowReader::variant(const Block& block) {
     case Op::Together:
       if (code_.together[block.aux].words == Labelled::kNone) return next();
       return variant(code_.variants[code_.together[block.aux].words]);
-    case Op::Set:
-    case Op::Assign:  // #3000 raises an alarm: nothing comes behind it
-      if (!raises_alarm(assignment_of(code_, block))) next();
-      return;
     default:
-      return words_or_call(block);
+      return words_call_or_assignment(block);
   }
 }
 
@@ -236,7 +232,7 @@ void FlowReader::choose(const Variant& choice) {
   variant(second);
 }
 
-void FlowReader::words_or_call(const Block& block) {
+void FlowReader::words_call_or_assignment(const Block& block) {
   switch (block.op) {
     case Op::Call:
     case Op::MacroCall:
@@ -247,6 +243,10 @@ void FlowReader::words_or_call(const Block& block) {
     case Op::Fault:  // what stands behind it is no less meant to run, and it might have called
       mark(ProgramFlow::kCallsComputed);
       return next();
+    case Op::Set:
+    case Op::Assign:  // #3000 raises an alarm: nothing comes after it
+      if (!raises_alarm(assignment_of(code_, block))) next();
+      return;
     case Op::Words:
       return words(block);
     default:

@@ -20,12 +20,14 @@ bool is_like(std::string_view text, std::size_t at, std::string_view capitals) {
 /// Where the names begin behind `cncsub: ignore`, npos where that does not stand around a colon.
 std::size_t names_behind(std::string_view text, std::size_t colon) {
   constexpr std::string_view kWho = "CNCSUB", kWhat = "IGNORE";
-  if (colon < kWho.size() || !is_like(text, colon - kWho.size(), kWho)) return text.npos;
+  if (colon < kWho.size() || !is_like(text, colon - kWho.size(), kWho))
+    return std::string_view::npos;
   std::size_t at = colon + 1;
   while (at < text.size() && is_blank(text[at])) ++at;
-  if (!is_like(text, at, kWhat)) return text.npos;
+  if (!is_like(text, at, kWhat)) return std::string_view::npos;
   at += kWhat.size();
-  return at < text.size() && (is_of_name(text[at]) && text[at] != '-') ? text.npos : at;
+  return at < text.size() && (is_of_name(text[at]) && text[at] != '-') ? std::string_view::npos
+                                                                       : at;
 }
 
 std::vector<std::string> names_from(std::string_view text) {
@@ -43,13 +45,13 @@ std::vector<std::string> names_from(std::string_view text) {
 }  // namespace
 
 IgnoredLines::IgnoredLines(std::string_view text) {
-  for (std::size_t at = text.find(':'); at != text.npos; at = text.find(':', at + 1)) {
+  for (std::size_t at = text.find(':'); at != std::string_view::npos; at = text.find(':', at + 1)) {
     const std::size_t from = names_behind(text, at);
-    if (from == text.npos) continue;
+    if (from == std::string_view::npos) continue;
     const std::size_t before = text.rfind('\n', at);
     const std::size_t end = std::min(text.find('\n', from), text.size());
     const std::size_t to = std::min(text.find_first_of("()", from), end);
-    const std::size_t first = before == text.npos ? 0 : before + 1;
+    const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
     if (lines_.empty() || lines_.back().from != first)
       lines_.push_back({first, end, names_from(text.substr(from, to - from))});
     at = end - 1;

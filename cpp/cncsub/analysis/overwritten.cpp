@@ -69,12 +69,14 @@ class OverwrittenCheck {
   };
 
   void number_all();
+  void add_both(const ProgramFlow& flow, Numbers& both) const;
   Set written(const ProgramFlow& flow) const;
   Set read_and_written(const ProgramFlow& flow) const;
   Set arguments(std::int32_t program) const;
   void find_scratch(const ProgramFlow& flow);
   Bits handed_over(const ProgramFlow& flow, std::size_t word) const;
   void find_taken();
+  void take_until_settled(std::vector<std::uint32_t> waiting);
   bool take_called(std::uint32_t program);
   void share_commons(const std::vector<std::uint32_t>& group);
   Bits taken_by(const CallEdge& edge, std::size_t word) const;
@@ -92,20 +94,22 @@ class OverwrittenCheck {
   std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is looked at
 };
 
+/// Add the numbers of the variables that a program both reads and writes.
+void OverwrittenCheck::add_both(const ProgramFlow& flow, Numbers& both) const {
+  std::unordered_set<std::int32_t> read, written;
+  for (Address at = flow.first(); at < flow.last() && !c_.over(); ++at)
+    if (const VariableUse* own = uses_.of(at)) {
+      read.insert(own->reads.begin(), own->reads.end());
+      written.insert(own->writes.begin(), own->writes.end());
+    }
+  for (const std::int32_t number : written)
+    if (read.contains(number)) both.push_back(number);
+}
+
 /// Gives bits to the variables that some program both reads and writes.
 void OverwrittenCheck::number_all() {
   Numbers both;
-  std::unordered_map<std::int32_t, int> seen;
-  for (const ProgramFlow& flow : c_.flows) {
-    seen.clear();
-    for (Address at = flow.first(); at < flow.last() && !c_.over(); ++at)
-      if (const VariableUse* own = uses_.of(at)) {
-        for (const std::int32_t number : own->reads) seen[number] |= 1;
-        for (const std::int32_t number : own->writes) seen[number] |= 2;
-      }
-    for (const auto& [number, how] : seen)
-      if (how == 3) both.push_back(number);
-  }
+  for (const ProgramFlow& flow : c_.flows) add_both(flow, both);
   std::sort(both.begin(), both.end());
   for (const std::int32_t number : both) numbering_.add(number, uses_.is_local(number));
   locals_.resize(numbering_.words());
@@ -212,8 +216,26 @@ void OverwrittenCheck::share_commons(const std::vector<std::uint32_t>& group) {
     for (std::size_t word = 0; word < all.size(); ++word) taken_[program][word] |= all[word];
 }
 
+/// Take what the waiting programs of one group call, then what their callers in the group call,
+/// until nothing is new.
+void OverwrittenCheck::take_until_settled(std::vector<std::uint32_t> waiting) {
+  std::unordered_set<std::uint32_t> waits(waiting.begin(), waiting.end());
+  while (!waiting.empty() && !c_.over()) {
+    const std::uint32_t program = waiting.back();
+    waiting.pop_back();
+    waits.erase(program);
+    c_.over(c_.flows[program].calls().size());
+    if (!take_called(program)) continue;
+    for (const CallEdge& edge : c_.callers[program]) {
+      const auto caller = static_cast<std::uint32_t>(edge.caller);
+      if (c_.groups.of[caller] == c_.groups.of[program] && waits.insert(caller).second)
+        waiting.push_back(caller);
+    }
+  }
+}
+
 /// What is called comes before its callers: only programs that call each other are gone through
-/// again, until nothing is new.
+/// again.
 void OverwrittenCheck::find_taken() {
   taken_.assign(c_.flows.size(), Set(numbering_.words()));
   for (const auto& group : c_.groups.groups) {
@@ -224,19 +246,7 @@ void OverwrittenCheck::find_taken() {
         waiting.push_back(program);
       }
     if (group.size() > 1) share_commons(group);
-    std::unordered_set<std::uint32_t> waits(waiting.begin(), waiting.end());
-    while (!waiting.empty() && !c_.over()) {
-      const std::uint32_t program = waiting.back();
-      waiting.pop_back();
-      waits.erase(program);
-      c_.over(c_.flows[program].calls().size());
-      if (!take_called(program)) continue;
-      for (const CallEdge& edge : c_.callers[program]) {
-        const auto caller = static_cast<std::uint32_t>(edge.caller);
-        if (c_.groups.of[caller] == c_.groups.of[program] && waits.insert(caller).second)
-          waiting.push_back(caller);
-      }
-    }
+    take_until_settled(std::move(waiting));
   }
 }
 

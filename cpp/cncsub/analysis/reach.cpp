@@ -213,6 +213,18 @@ std::vector<bool> unsure_programs(const Checker& c, const std::vector<std::vecto
   return unsure;
 }
 
+/// A program that returns and never ends, and that nothing calls.
+void check_never_called(Checker& c, const ProgramFlow& flow) {
+  const Program& program = c.program(flow.program());
+  const bool only_called = flow.ever_returns() && !flow.ever_ends();
+  const bool called = c.is_called(flow.program()) || flow.program() == c.main ||
+                      c.named[static_cast<std::size_t>(flow.program())];
+  if (!only_called || called || program.duplicate_of != kNoProgram || c.flows.size() <= 1) return;
+  const Block& first = c.code.blocks[flow.first()];
+  c.found(Check::NeverCalled, flow.first(), {first.text, first.length},
+          "no program here calls " + c.code.name_of(program));
+}
+
 }  // namespace
 
 void check_reach(Checker& c) {
@@ -229,7 +241,6 @@ void check_reach(Checker& c) {
   }
   const std::vector<bool> unsure = unsure_programs(c, all_reached);
   for (const ProgramFlow& flow : c.flows) {
-    const Program& program = c.program(flow.program());
     if (c.inside(flow)) continue;
     if (c.over(flow.size())) return;
     std::vector<bool>& reached = all_reached[static_cast<std::size_t>(flow.program())];
@@ -239,13 +250,7 @@ void check_reach(Checker& c) {
       check_unreached(c, flow, reached);
     check_ends_in_call(c, flow);
     check_fallen_into(c, flow);
-    const bool only_called = flow.ever_returns() && !flow.ever_ends();
-    if (!computed && only_called && !c.is_called(flow.program()) && flow.program() != c.main &&
-        program.duplicate_of == kNoProgram && c.flows.size() > 1 &&
-        !c.named[static_cast<std::size_t>(flow.program())])
-      c.found(Check::NeverCalled, flow.first(),
-              {c.code.blocks[flow.first()].text, c.code.blocks[flow.first()].length},
-              "no program here calls " + c.code.name_of(program));
+    if (!computed) check_never_called(c, flow);
   }
 }
 

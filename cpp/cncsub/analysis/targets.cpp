@@ -99,6 +99,8 @@ class TargetCheck {
   Finding& into_loop(Address at, TextPlace place, Address end);
   void ambiguous(Address at, const Program& program, std::int64_t n, TextPlace place);
   void go_to(Address at, const Statement& go);
+  Finding& no_return_block(const ProgramFlow::ReturnTo& to, const Program& where);
+  void restart(const ProgramFlow::ReturnTo& to);
   void one_return(const ProgramFlow::ReturnTo& to);
 
   Checker& c_;
@@ -181,23 +183,26 @@ void TargetCheck::block(Address at, const Block& block) {
   }
 }
 
-/// M99 P leads into each program that calls; of a main program that starts over, into itself.
+Finding& TargetCheck::no_return_block(const ProgramFlow::ReturnTo& to, const Program& where) {
+  return c_.refused(
+      Check::ReturnMissing, to.from,
+      {Cause::ReturnTargetNotFound, to.place.at, to.place.width, c_.code.no_block(to.n, where)});
+}
+
+/// M99 P of a main program that starts over leads into itself.
+void TargetCheck::restart(const ProgramFlow::ReturnTo& to) {
+  const bool over = c_.code.control->calls.main_return.value == MainReturn::Restarts;
+  if (!over || flow_.program() != c_.main) return;
+  if (c_.code.first_of(program_, to.n) == kNowhere)
+    no_return_block(to, program_);
+  else
+    ambiguous(to.from, program_, to.n, to.place);
+}
+
+/// M99 P leads into each program that calls.
 void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
-  const auto missing = [&](const Program& where) -> Finding& {
-    return c_.refused(
-        Check::ReturnMissing, to.from,
-        {Cause::ReturnTargetNotFound, to.place.at, to.place.width, c_.code.no_block(to.n, where)});
-  };
   const auto& callers = c_.callers[static_cast<std::size_t>(flow_.program())];
-  if (callers.empty()) {
-    const bool over = c_.code.control->calls.main_return.value == MainReturn::Restarts;
-    if (!over || flow_.program() != c_.main) return;
-    if (c_.code.first_of(program_, to.n) == kNowhere)
-      missing(program_);
-    else
-      ambiguous(to.from, program_, to.n, to.place);
-    return;
-  }
+  if (callers.empty()) return restart(to);
   std::int32_t before = kNoProgram;  // calls of one caller stand one after the other
   const CallEdge* lacks = nullptr;   // the first whose program lacks the block
   const CallEdge* enters = nullptr;  // the first that is led into a loop
@@ -219,7 +224,7 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
     into_loop(to.from, to.place, end).path = {edge.from};
   }
   if (lacks == nullptr) return;
-  Finding& told = missing(c_.program(lacks->caller));
+  Finding& told = no_return_block(to, c_.program(lacks->caller));
   told.path = {lacks->from};
   if (lacking < 2 || !told.alarm) return;
   told.detail += ", nor in " + std::to_string(lacking - 1) + " more that call";

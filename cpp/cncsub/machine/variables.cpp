@@ -160,9 +160,36 @@ double system_read(const Run& run, const VariablePlace& place, std::int64_t numb
   }
 }
 
+/// Write a number of the offset tables; false where the variable is none of theirs.
+bool write_offset(Motion& motion, const VariablePlace& place, double value) {
+  const int index = place.index;
+  switch (place.kind) {
+    case VariableKind::WorkOffset:
+      motion.set_work_offset(index / kSystems, index % kSystems, value);
+      return true;
+    case VariableKind::Shift:
+    case VariableKind::ReferencePoint:
+      motion.set_offset(place.kind, index, value);
+      return true;
+    case VariableKind::AxisWorkOffset:
+      motion.set_work_offset(index, axis_of(*place.range), value);
+      return true;
+    case VariableKind::ExtraWorkOffset:
+      motion.set_extra_offset(index / kSystems + 1, index % kSystems, value);
+      return true;
+    case VariableKind::LengthWear:
+    case VariableKind::LengthGeometry:
+    case VariableKind::RadiusWear:
+    case VariableKind::RadiusGeometry:
+      motion.set_offset(place.kind, offset_number(place), value);
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int64_t number,
                                   double value) {
-  const int index = place.index;
   if (is_vacant(value) && run.refuses(Cause::IllegalVariableValue))
     return Fault{.cause = Cause::IllegalVariableValue,
                  .detail = "a vacant value for #" + std::to_string(number)};
@@ -180,27 +207,8 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
     case VariableKind::Hours:
       run.state.system[number] = value - run.motion.time() / 3600.0;
       break;
-    case VariableKind::WorkOffset:
-      run.motion.set_work_offset(index / kSystems, index % kSystems, value);
-      break;
-    case VariableKind::Shift:
-    case VariableKind::ReferencePoint:
-      run.motion.set_offset(place.kind, index, value);
-      break;
-    case VariableKind::AxisWorkOffset:
-      run.motion.set_work_offset(index, axis_of(*place.range), value);
-      break;
-    case VariableKind::ExtraWorkOffset:
-      run.motion.set_extra_offset(index / kSystems + 1, index % kSystems, value);
-      break;
-    case VariableKind::LengthWear:
-    case VariableKind::LengthGeometry:
-    case VariableKind::RadiusWear:
-    case VariableKind::RadiusGeometry:
-      run.motion.set_offset(place.kind, offset_number(place), value);
-      break;
     default:
-      run.state.system[number] = value;
+      if (!write_offset(run.motion, place, value)) run.state.system[number] = value;
       break;
   }
   return std::nullopt;

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/motion.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {

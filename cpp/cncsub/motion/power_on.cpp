@@ -100,6 +100,13 @@ Meaning plane_at_power_on(const MotionFacts& facts) {
                                    : Meaning::PlaneXY;
 }
 
+/// The meanings in force on every control that is switched on.
+constexpr Meaning kAlways[] = {Meaning::SpindleSpeed, Meaning::RadiusOff,  Meaning::LengthOff,
+                               Meaning::CycleOff,     Meaning::ScalingOff, Meaning::MacroOff,
+                               Meaning::Work1,        Meaning::PathCut,    Meaning::RotationOff,
+                               Meaning::PolarOff,     Meaning::MirrorOff,  Meaning::CentreFromStart,
+                               Meaning::DiameterOff};
+
 }  // namespace
 
 void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
@@ -114,27 +121,14 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
   };
   const Meaning plane = plane_at_power_on(facts);
   const Meaning turning = where(PowerOn::G95, Meaning::PerRevolution, Meaning::PerMinute);
+  for (const Meaning meaning : kAlways) set(meaning);
   for (const Meaning meaning :
-       {where(PowerOn::G01, Meaning::Line, Meaning::Rapid),
-        plane,
+       {where(PowerOn::G01, Meaning::Line, Meaning::Rapid), plane,
         where(PowerOn::G91, Meaning::Incremental, Meaning::Absolute),
         facts.lathe() ? turning : Meaning::PerMinute,
-        Meaning::SpindleSpeed,
         where(PowerOn::G20, Meaning::Inch, Meaning::Metric),
-        Meaning::RadiusOff,
-        Meaning::LengthOff,
-        Meaning::CycleOff,
         facts.lathe() ? Meaning::ReturnInitial
                       : where(PowerOn::G99, Meaning::ReturnR, Meaning::ReturnInitial),
-        Meaning::ScalingOff,
-        Meaning::MacroOff,
-        Meaning::Work1,
-        Meaning::PathCut,
-        Meaning::RotationOff,
-        Meaning::PolarOff,
-        Meaning::MirrorOff,
-        Meaning::CentreFromStart,
-        Meaning::DiameterOff,
         where(PowerOn::G22, Meaning::StrokeOn, Meaning::StrokeOff)})
     set(meaning);
   state.plane = plane_of(plane);

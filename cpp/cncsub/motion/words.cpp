@@ -48,7 +48,8 @@ void set_spindle(MotionContext& m, const BlockWords& block) {
     m.state.max_speed = block.words['D'];  // without D it has no limit
   if (block.words.has('S') && !takes_word(m, block, 'S')) {
     const double value = block.words['S'];
-    if (limit == SpeedLimit::OfSetting && block.meaning(Group::OneShot) == Meaning::SetCoordinate)
+    if (limit == SpeedLimit::OfCoordinates &&
+        block.meaning(Group::OneShot) == Meaning::SetCoordinate)
       m.state.max_speed = value;
     else
       (m.state.surface ? m.state.surface_speed : m.state.speed) = value;

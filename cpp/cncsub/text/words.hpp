@@ -40,7 +40,7 @@ struct Spelling {
   Around comment, value, message, head;
   bool numbered = true;
   std::string_view radius = "R";  // the address of an arc's radius
-  std::string_view polar = "";    // the signs of a point's radius and angle, each an address
+  std::string_view polar{};       // the signs of a point's radius and angle, each an address
   bool long_numbers = false;      // no rule says how many digits a number in an expression may have
 };
 

@@ -102,49 +102,69 @@ using Kind = VariableKind;
 constexpr Access kReadWrite = Access::ReadWrite;
 constexpr Access kReadOnly = Access::ReadOnly;
 constexpr Access kWriteOnly = Access::WriteOnly;
+constexpr const char* kZap = "ZAP, Haas system variables";
+
+/// The inputs, outputs, tools and counters.
+void system_variables(Control& c) {
+  const std::string zap = kZap;
+  c.variables.insert(
+      c.variables.end(),
+      {
+          {1000, 1063, Kind::Input, kReadOnly, 0, kHaas, Inferred},
+          // Loads, analog inputs, flutes, vibrations and timers: numbers that the machine tells.
+          {1064, 1068, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+          {1080, 1087, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+          {1090, 1098, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+          {1100, 1139, Kind::Output, kReadWrite, 0, kHaas, Inferred},
+          {1264, 1268, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+          {1601, 2000, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+          {2001, 2200, Kind::LengthGeometry, kReadWrite, 0, zap, Secondary},
+          {2201, 2400, Kind::LengthWear, kReadWrite, 0, zap, Secondary},
+          {2401, 2600, Kind::RadiusGeometry, kReadWrite, 0, zap, Secondary},
+          {2601, 2800, Kind::RadiusWear, kReadWrite, 0, zap, Secondary},
+          {3000, 3000, Kind::UserAlarm, kWriteOnly, 0, zap, Secondary},
+          {3001, 3001, Kind::Milliseconds, kReadWrite, 0, zap, Secondary},
+          {3002, 3002, Kind::Hours, kReadWrite, 0, zap, Secondary},
+          {3003, 3004, Kind::Control1, kReadWrite, 0, zap, Secondary},
+          {3006, 3006, Kind::Message, kWriteOnly, 0, zap, Secondary},
+          {3011, 3011, Kind::Date, kReadOnly, 0, zap, Secondary},
+          {3012, 3012, Kind::Time, kReadOnly, 0, zap, Secondary},
+          {3020, 3025, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+          {3026, 3026, Kind::ActiveWord, kReadOnly, 'T', kHaas, Inferred},
+          {3027, 3028, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+          {3901, 3902, Kind::PartsCount, kReadWrite, 0, kHaas, Inferred},
+      });
+}
+
+/// The modal codes, positions and work offsets.
+void system_positions(Control& c) {
+  const std::string manual = "H96 p.113, work offsets";
+  c.variables.insert(
+      c.variables.end(),
+      {
+          {4001, 4021, Kind::ModalCode, kReadOnly, 0, kHaas, Inferred},
+          {5001, 5006, Kind::BlockEnd, kReadOnly, 0, kHaas, Inferred},
+          {5021, 5026, Kind::MachinePosition, kReadOnly, 0, kHaas, Inferred},
+          {5041, 5046, Kind::WorkPosition, kReadOnly, 0, kHaas, Inferred},
+          {5061, 5066, Kind::SkipPosition, kReadOnly, 0, kHaas, Inferred},
+          {5081, 5086, Kind::ActiveLength, kReadOnly, 0, kHaas, Inferred},
+          // #5201 to #5206, the offset of G52 and G92, is no external offset and not held here.
+          {5221, 5326, Kind::WorkOffset, kReadWrite, 0, manual, Secondary, 20},
+          {7001, 7386, Kind::ExtraWorkOffset, kReadWrite, 0, manual, Secondary},
+          {11000, 11063, Kind::Input, kReadOnly, 0, kZap, Secondary},
+          {14001, 15966, Kind::ExtraWorkOffset, kReadWrite, 0, kHaas, Inferred},
+      });
+}
 
 void variables(Control& c) {
-  const std::string zap = "ZAP, Haas system variables";
-  const std::string manual = "H96 p.113, work offsets";
+  const std::string zap = kZap;
   c.variables = {
       {0, 0, Kind::Vacant, kReadOnly, 0, "H96 p.113", Secondary},
       {1, 33, Kind::Local, kReadWrite, 0, "HAA", Secondary},
       {700, 749, Kind::Kept, kReadWrite, 0, zap, Secondary},  // of the control's own programs
-      {1000, 1063, Kind::Input, kReadOnly, 0, kHaas, Inferred},
-      // Loads, analog inputs, flutes, vibrations and timers: numbers that the machine tells.
-      {1064, 1068, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-      {1080, 1087, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-      {1090, 1098, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-      {1100, 1139, Kind::Output, kReadWrite, 0, kHaas, Inferred},
-      {1264, 1268, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-      {1601, 2000, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-      {2001, 2200, Kind::LengthGeometry, kReadWrite, 0, zap, Secondary},
-      {2201, 2400, Kind::LengthWear, kReadWrite, 0, zap, Secondary},
-      {2401, 2600, Kind::RadiusGeometry, kReadWrite, 0, zap, Secondary},
-      {2601, 2800, Kind::RadiusWear, kReadWrite, 0, zap, Secondary},
-      {3000, 3000, Kind::UserAlarm, kWriteOnly, 0, zap, Secondary},
-      {3001, 3001, Kind::Milliseconds, kReadWrite, 0, zap, Secondary},
-      {3002, 3002, Kind::Hours, kReadWrite, 0, zap, Secondary},
-      {3003, 3004, Kind::Control1, kReadWrite, 0, zap, Secondary},
-      {3006, 3006, Kind::Message, kWriteOnly, 0, zap, Secondary},
-      {3011, 3011, Kind::Date, kReadOnly, 0, zap, Secondary},
-      {3012, 3012, Kind::Time, kReadOnly, 0, zap, Secondary},
-      {3020, 3025, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-      {3026, 3026, Kind::ActiveWord, kReadOnly, 'T', kHaas, Inferred},
-      {3027, 3028, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-      {3901, 3902, Kind::PartsCount, kReadWrite, 0, kHaas, Inferred},
-      {4001, 4021, Kind::ModalCode, kReadOnly, 0, kHaas, Inferred},
-      {5001, 5006, Kind::BlockEnd, kReadOnly, 0, kHaas, Inferred},
-      {5021, 5026, Kind::MachinePosition, kReadOnly, 0, kHaas, Inferred},
-      {5041, 5046, Kind::WorkPosition, kReadOnly, 0, kHaas, Inferred},
-      {5061, 5066, Kind::SkipPosition, kReadOnly, 0, kHaas, Inferred},
-      {5081, 5086, Kind::ActiveLength, kReadOnly, 0, kHaas, Inferred},
-      // #5201 to #5206, the offset of G52 and G92, is no external offset and not held here.
-      {5221, 5326, Kind::WorkOffset, kReadWrite, 0, manual, Secondary, 20},
-      {7001, 7386, Kind::ExtraWorkOffset, kReadWrite, 0, manual, Secondary},
-      {11000, 11063, Kind::Input, kReadOnly, 0, zap, Secondary},
-      {14001, 15966, Kind::ExtraWorkOffset, kReadWrite, 0, kHaas, Inferred},
   };
+  system_variables(c);
+  system_positions(c);
   // The numbers of older Haas controls are other names of these.
   for (const auto& [first, last] : {std::pair{100, 199}, {500, 699}, {800, 999}})
     c.variables.push_back({first, last, Kind::Kept, kReadWrite, 0, zap, Secondary, 10000 + first});

@@ -35,17 +35,30 @@ void language(Control& c) {
   lacks(c.common.reset_clears, {Cleared::Locals, Cleared::Commons}, kOverview, Manual);
 }
 
-void motion(Control& c) {
-  leave_out(c, RuleGroup::TurningRules, kOverview, Inferred);
-  c.motion.dwell_words = {"P", kGCode, Manual};
-  c.motion.speed_limit = {SpeedLimit::OfSurface, "rs274 2.9; LC g-code, G96", SourceDocument};
-  c.motion.dwell_unit = {DwellUnit::PSeconds, kGCode, Manual};
+void cycles(Control& c) {
   c.motion.cycle_repeats = {"L", kGCode, Manual};
   c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, kRun, SourceDocument};
   c.motion.cycle_approach = {CycleApproach::RFirst, kRun, SourceDocument};
   c.motion.tap_return = {TapReturn::Shuffled, kRun, SourceDocument};
   c.motion.peck_retract = {254, kRun, SourceDocument};
   c.motion.peck_clearance = {254, kRun, SourceDocument};
+}
+
+void tool_offsets(Control& c) {
+  c.motion.length_type = {LengthType::Shift, kGCode, Manual};
+  c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
+  c.motion.codes_not_compensated = {"28 30 53 54 55 56 57 58 59 59.1 59.2 59.3 61 61.1 64 92 98 99",
+                                    kRun, SourceDocument};
+  c.motion.m_codes_not_compensated = {"6 48 49 50 51 52 53 62 63 64 65 66 67 68", kRun,
+                                      SourceDocument};
+  c.motion.written_offset = {WrittenOffset::WhenSelected, kRun, SourceDocument};
+}
+
+void motion(Control& c) {
+  leave_out(c, RuleGroup::TurningRules, kOverview, Inferred);
+  c.motion.dwell_words = {"P", kGCode, Manual};
+  c.motion.speed_limit = {SpeedLimit::OfSurface, "rs274 2.9; LC g-code, G96", SourceDocument};
+  c.motion.dwell_unit = {DwellUnit::PSeconds, kGCode, Manual};
   c.motion.g_meanings = {
       "33=thread-by-k 33.1=rigid-tap 38.2=probe 38.3=probe 38.4=probe 38.5=probe "
       "90.1=centre-absolute 91.1=centre-from-start 7=diameter 8=diameter-off 5=spline "
@@ -56,21 +69,14 @@ void motion(Control& c) {
       "92.2=suspend-shift 92.3=restore-shift 87=not-computed 88=not-computed",
       kGCode, Manual};
   c.motion.max_extra_systems = {3, kGCode, Manual};
-  c.motion.length_type = {LengthType::Shift, kGCode, Manual};
   has(c.motion.data_forms, {DataForm::Active, DataForm::Here, DataForm::Tools}, kGCode, Manual);
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
-  c.motion.missing_radius_offset = {MissingOffset::Tool, kGCode, Manual};
   has(c.common.refuses,
       {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode,
        CompensationCode, CycleInverseTime, MachineMoveCode, NoSpeed, SkipPerRevolution},
       kRun, SourceDocument);
-  c.motion.codes_not_compensated = {"28 30 53 54 55 56 57 58 59 59.1 59.2 59.3 61 61.1 64 92 98 99",
-                                    kRun, SourceDocument};
-  c.motion.m_codes_not_compensated = {"6 48 49 50 51 52 53 62 63 64 65 66 67 68", kRun,
-                                      SourceDocument};
   c.motion.feed_mode_change = {FeedModeChange::EndsFeed, kRun, SourceDocument};
   c.motion.feed_unit = {FeedUnit::BeforeBlock, kRun, SourceDocument};
-  c.motion.written_offset = {WrittenOffset::WhenSelected, kRun, SourceDocument};
   c.motion.spindle_at_change = {SpindleAtChange::Stopped, kMCode, Manual};
   c.motion.computed_lengths = {ComputedLengths::Exact, kRun, SourceDocument};
   c.motion.codes_that_move = {"4 28.1 30.1 92.1 92.2 92.3", kRun, SourceDocument};
@@ -202,6 +208,8 @@ Control linuxcnc() {
   c.title = "LinuxCNC mill";
   c.dialect = "linuxcnc";
   language(c);
+  cycles(c);
+  tool_offsets(c);
   motion(c);
   variables(c);
   alarms(c);

@@ -105,6 +105,9 @@ void statements(Control& c) {
   c.macros.loops_count_across_calls = {true, kGeneral, Inferred};
   c.macros.max_ifs = {10, kGeneral + ": without effect where IF has no blocks", Inferred};
   c.macros.max_brackets = {5, kMZ + "858: more than five", Secondary};
+}
+
+void expressions(Control& c) {
   c.macros.angle_unit = {AngleUnit::Degrees, kGeneral, Inferred};
   c.macros.atan_range = {AngleRange::FullTurn, kPolicy, Inferred};
   c.macros.asin_range = {AngleRange::Signed, kGeneral + ": #1273 bit 0 is 0", Inferred};
@@ -315,6 +318,7 @@ Control family() {
   reading(c);
   calling(c);
   statements(c);
+  expressions(c);
   macros(c);
   take_list(c, alarms_m700());
   c.user_alarm_number = "P277";

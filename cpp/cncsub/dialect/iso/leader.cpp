@@ -32,7 +32,7 @@ bool tape_begins(Builder& to, std::string_view text, const Scanner& percent) {
   for (const char* at = percent.at; at < end;) {
     const char* line_end = std::find_if(at, end, [](char c) { return c == '\n' || c == '\r'; });
     if (to.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return false;
-    Scanner line{at, line_end, text.data()};
+    Scanner line{at, line_end, percent.file};
     at = line_end + 1;
     const char c = line.peek();
     if (c == '\0') continue;

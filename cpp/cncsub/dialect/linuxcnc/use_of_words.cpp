@@ -112,6 +112,19 @@ WrongWord wrong(char letter, Cause cause, std::string_view text) {
   return {letter, cause, std::string(text)};
 }
 
+/// Numbers that M19, which turns the spindle to an angle, does not take.
+std::optional<WrongWord> against_orientation(const LineWords& line) {
+  const double p = line.number('p', 0), r = line.number('r', 0), q = line.number('q', 1);
+  if (std::fabs(std::round(p) - p) > 0.001)
+    return wrong('p', Cause::ValueOutOfRange, "P value not an integer with M19 G2 or G3");
+  if (std::round(p) < 0 || std::round(p) > 2)
+    return wrong('p', Cause::ValueOutOfRange, "P value must be 0,1,or 2 with M19");
+  if (r < 0 || r > 360)
+    return wrong('r', Cause::ValueOutOfRange, "R value must be within 0..360 with M19");
+  if (q <= 0) return wrong('q', Cause::ValueOutOfRange, "Q word with M19 requires a value > 0");
+  return std::nullopt;
+}
+
 /// Words that an M code, or the spindle, wants and does not find.
 std::optional<WrongWord> against_m(const LineWords& line) {
   if (line.has_g({960}) && !line.has('s'))
@@ -126,16 +139,7 @@ std::optional<WrongWord> against_m(const LineWords& line) {
   if (line.has_m({61}) && (!line.has('q') || std::round(line.number('q', 0)) < 0))
     return wrong('m', Cause::MotionWordMissing,
                  "Need non-negative Q-word to specify tool number with M61");
-  if (!line.has_m({19})) return std::nullopt;
-  const double p = line.number('p', 0), r = line.number('r', 0), q = line.number('q', 1);
-  if (std::fabs(std::round(p) - p) > 0.001)
-    return wrong('p', Cause::ValueOutOfRange, "P value not an integer with M19 G2 or G3");
-  if (std::round(p) < 0 || std::round(p) > 2)
-    return wrong('p', Cause::ValueOutOfRange, "P value must be 0,1,or 2 with M19");
-  if (r < 0 || r > 360)
-    return wrong('r', Cause::ValueOutOfRange, "R value must be within 0..360 with M19");
-  if (q <= 0) return wrong('q', Cause::ValueOutOfRange, "Q word with M19 requires a value > 0");
-  return std::nullopt;
+  return line.has_m({19}) ? against_orientation(line) : std::nullopt;
 }
 
 /// Numbers below zero where there are none.
