@@ -125,9 +125,9 @@ struct State {
   std::vector<std::uint8_t> programmed;   // of each local how its word was programmed, for AR[]; or
                                           // nothing where the control does not ask
   std::vector<double> commons;            // by their place, see Code::place
-  std::map<std::int64_t, double> system;  // what was written to system variables; of one that
-                                          // the control tells anew, under its negative number, how
-                                          // often it had been told
+  std::map<std::int64_t, double> system;  // what was written to system variables
+  // Of written variables that the control sets too: how often it had set them by then.
+  std::map<std::int64_t, std::uint32_t> set_before;
   std::map<std::int32_t, double> signals;     // of the machine, as they are now
   std::map<std::string, std::int64_t> names;  // SETVN: a name and its variable
 

@@ -116,12 +116,13 @@ std::optional<std::uint32_t> times_told(const MotionState& state, const Variable
 /// What a program wrote over what the control told; nothing where that was told anew since.
 std::optional<double> written_over(const Run& run, const VariablePlace& place,
                                    std::int64_t number) {
-  const auto& values = run.state.system;
-  if (values.empty()) return std::nullopt;
+  const auto& before = run.state.set_before;
+  if (before.empty()) return std::nullopt;
   const auto told = times_told(run.motion.state(), place);
-  const auto value = values.find(number), when = values.find(-number);
-  if (!told || when == values.end() || when->second != *told) return std::nullopt;
-  return value->second;
+  const auto when = before.find(number);
+  if (!told || when == before.end() || when->second != *told) return std::nullopt;
+  const auto value = run.state.system.find(number);
+  return value == run.state.system.end() ? std::nullopt : std::optional(value->second);
 }
 
 /// What the control answers itself, and what was written to its variables.
@@ -196,7 +197,7 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
   if (is_vacant(value)) value = 0;
   if (const auto told = times_told(run.motion.state(), place)) {
     run.state.system[number] = value;
-    run.state.system[-number] = *told;
+    run.state.set_before[number] = *told;
     return std::nullopt;
   }
   value /= unit_of(run, place);
