@@ -126,8 +126,8 @@ struct State {
                                           // nothing where the control does not ask
   std::vector<double> commons;            // by their place, see Code::place
   std::map<std::int64_t, double> system;  // what was written to system variables
-  // Of written variables that the control sets too: how often it had set them by then.
-  std::map<std::int64_t, std::uint32_t> set_before;
+  // Written variables that the control sets too, each with its place in MotionState::set_anew.
+  std::map<std::int64_t, std::size_t> written_over;
   std::map<std::int32_t, double> signals;     // of the machine, as they are now
   std::map<std::string, std::int64_t> names;  // SETVN: a name and its variable
 

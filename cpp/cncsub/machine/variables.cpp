@@ -97,32 +97,39 @@ double unit_of(const Run& run, const VariablePlace& place) {
   return place.range->metric && length && g20(run.motion.state()) ? kInch : 1;
 }
 
-/// How often the control has told a variable anew that a program may write over; nothing where it
-/// is none of these.
-std::optional<std::uint32_t> times_told(const MotionState& state, const VariablePlace& place) {
+/// The place in MotionState::set_anew of a variable that the control sets and a program may write
+/// over; nothing where it is none of these.
+std::optional<std::size_t> set_by_control(const VariablePlace& place) {
   switch (place.kind) {
     case VariableKind::SkipPosition:
     case VariableKind::SkipTouched:
-      return state.told[0];
+      return 0;
     case VariableKind::WorkSystem:
-      return state.told[1];
+      return 1;
     case VariableKind::Shift:
-      return place.index == 0 ? std::optional(state.told[2]) : std::nullopt;
+      return place.index == 0 ? std::optional<std::size_t>(2) : std::nullopt;
     default:
       return std::nullopt;
   }
 }
 
-/// What a program wrote over what the control told; nothing where that was told anew since.
-std::optional<double> written_over(const Run& run, const VariablePlace& place,
-                                   std::int64_t number) {
-  const auto& before = run.state.set_before;
-  if (before.empty()) return std::nullopt;
-  const auto told = times_told(run.motion.state(), place);
-  const auto when = before.find(number);
-  if (!told || when == before.end() || when->second != *told) return std::nullopt;
+/// What a program wrote over what the control had set; nothing where the control set it anew.
+std::optional<double> written_over(const Run& run, std::int64_t number) {
+  const auto& written = run.state.written_over;
+  const auto found = written.find(number);
+  if (found == written.end() || run.motion.state().set_anew[found->second]) return std::nullopt;
   const auto value = run.state.system.find(number);
   return value == run.state.system.end() ? std::nullopt : std::optional(value->second);
+}
+
+/// Writes over what the control has set. What was written before it did so is forgotten.
+void write_over(Run& run, std::size_t kind, std::int64_t number, double value) {
+  auto& written = run.state.written_over;
+  if (run.motion.state().set_anew[kind])
+    std::erase_if(written, [kind](const auto& entry) { return entry.second == kind; });
+  run.motion.write_over(kind);
+  run.state.system[number] = value;
+  written[number] = kind;
 }
 
 /// What the control answers itself, and what was written to its variables.
@@ -154,7 +161,7 @@ double system_read(const Run& run, const VariablePlace& place, std::int64_t numb
     case VariableKind::ParameterValue:
       return chosen_parameter(run);
     default:
-      if (const auto value = written_over(run, place, number)) return *value;
+      if (const auto value = written_over(run, number)) return *value;
       if (const auto value = of_motion(run.motion.view(), place))
         return *value * unit_of(run, place);
       return in(s.system, 0);
@@ -195,9 +202,8 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
     return Fault{.cause = Cause::IllegalVariableValue,
                  .detail = "a vacant value for #" + std::to_string(number)};
   if (is_vacant(value)) value = 0;
-  if (const auto told = times_told(run.motion.state(), place)) {
-    run.state.system[number] = value;
-    run.state.set_before[number] = *told;
+  if (const auto kind = set_by_control(place)) {
+    write_over(run, *kind, number, value);
     return std::nullopt;
   }
   value /= unit_of(run, place);

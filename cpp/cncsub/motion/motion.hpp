@@ -57,6 +57,8 @@ class Motion {
   std::optional<Fault> finish(Moves* moves);
   /// The spindle turns, or stands.
   void set_turning(bool turns) { state_.turns = turns; }
+  /// A program writes over what the control has set, see MotionState::set_anew.
+  void write_over(std::size_t kind) { state_.set_anew[kind] = false; }
   /// What M02, M30 and the reset key do.
   void reset();
 

@@ -222,9 +222,9 @@ struct ModalValues : MoveValues {
   Axes zero{};
   double zero_turn = 0;    // degrees
   double feed_before = 0;  // that of G94 or G95 before G93, where each cut has its own
-  // How often the last skip, the work system and the shift were told anew: what a program wrote
-  // over them counts until then.
-  std::array<std::uint32_t, 3> told{};
+  // Whether the control has set the last skip, the work system and the shift since a program wrote
+  // over their variables: what was written counts until then.
+  std::array<bool, 3> set_anew{};
   int length_axis = 2;
   Axes skip{};  // skip position: work coordinates, tool included
   std::array<GCode, kGroups> modal{};

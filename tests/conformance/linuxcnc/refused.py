@@ -109,6 +109,8 @@ for _number in (5061, 5069, 5070, 5210, 5220, 5230, 5399):
          program=f"N10 #{_number}=3\nN20 #1=#{_number}\nN30 M2", vars={1: 3})
 case("a probe tells its point anew", **RUN,
      program="N10 #5061=3 #5070=9\nN20 G38.3 X5 F100\nN30 #1=#5061 #2=#5070\nN40 M2", vars={1: 5, 2: 0})
+case("what was written before a probe does not come back with another of its parameters", **RUN,
+     program="N10 #5061=3\nN20 G38.3 X5 F100\nN30 #5062=4\nN40 #1=#5061 #2=#5062\nN50 M2", vars={1: 5, 2: 4})
 case("a work system its number", **RUN,
      program="N10 #5220=7\nN20 G54\nN30 #1=#5220\nN40 G55\nN50 #2=#5220\nN60 M2", vars={1: 7, 2: 2})
 

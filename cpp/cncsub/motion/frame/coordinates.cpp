@@ -80,7 +80,7 @@ Result select_work(MotionContext& m, BlockWords& block) {
   m.state.modal[at(Group::Work)] = block.code(Group::Work);
   if (system_in_force(m.state) != before) {
     m.state.zero_is_held = false;
-    ++m.state.told[1];
+    m.state.set_anew[1] = true;
   }
   refresh_offset(m.state);
   return std::nullopt;
@@ -105,7 +105,7 @@ Result set_coordinate(MotionContext& m, BlockWords& block) {
   }
   m.state.kept_shift = m.state.shift;
   m.state.shifted = true;
-  ++m.state.told[2];
+  m.state.set_anew[2] = true;
   refresh_offset(m.state);
   return std::nullopt;
 }
@@ -126,7 +126,7 @@ Result change_shift(MotionContext& m, BlockWords& block) {
     if (meaning == Meaning::ClearShift) s.kept_shift = {};
   }
   s.shifted = meaning == Meaning::SetShift || meaning == Meaning::RestoreShift;
-  ++s.told[2];
+  s.set_anew[2] = true;
   refresh_offset(s);
   return std::nullopt;
 }

@@ -125,7 +125,7 @@ Result skip(MotionContext& m, BlockWords& block) {
   if (auto wrong = move(m, block, piece)) return wrong;
   m.outcome.skip = piece.skip;
   m.state.skip_touched = touched;
-  ++m.state.told[0];
+  m.state.set_anew[0] = true;
   m.state.skip = m.state.work;
   if (m.facts.control->motion.length_type.value != LengthType::Shift)
     m.state.skip = m.state.skip + m.state.length;  // with the tool, like #5041 [NCT 99M p.183]
