@@ -348,6 +348,22 @@ def test_an_end_that_returns_is_not_written_flat() -> None:
         cncsub.loads(text, control="syntec-22ma").flatten()
 
 
+@pytest.mark.parametrize("control", ["gsk-988t", "fanuc-0i-f", "linuxcnc", "siemens-one"])
+@pytest.mark.parametrize("name", ["(b)G0X99(", "a%", "MSG, b", 'a"b', "{b}[c]", "b;G0X99"])
+def test_a_comment_does_not_end_itself(tmp_path: Path, control: str, name: str) -> None:
+    """A program of a file is called as the file, and its name stands in the comments."""
+    (tmp_path / f"{name}.nc").write_text("G0 X1.\nM30\n")
+    flat = cncsub.load(tmp_path / f"{name}.nc", control=control).flatten(comments=True)
+    flat.verify()
+    plain = cncsub.load(tmp_path / f"{name}.nc", control=control).flatten().text
+    lines = zip(flat.text.splitlines(), plain.splitlines(), strict=True)
+    for line, code in lines:
+        comment = line.removeprefix(code).strip()
+        assert comment[0] in "(;"
+        assert not set(comment[1:-1]) & set('()[]{}%,;"')
+    assert cncsub.loads(flat.text, control=control).run().stop == "end"
+
+
 def test_a_message_stays_one_beside_the_comment_of_its_block() -> None:
     """LinuxCNC says the last comment of a line in brackets."""
     text = "o1 sub\nG0 X1\n(MSG, hello)\n(debug, #1 there)\no1 endsub\no1 call [2]\nM2\n"

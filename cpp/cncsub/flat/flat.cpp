@@ -45,12 +45,21 @@ bool is_user_alarm(const Code& code, std::int64_t number) {
   return code.place(number).kind == VariableKind::UserAlarm;
 }
 
-/// Where a block comes from, as a comment behind it.
+/// Whether a comment may hold a character on every control: no bracket, quote or line that ends it
+/// or begins another, no % that ends a tape, no comma that makes an order of it.
+bool stands_in_comments(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x80 || is_letter(c) || is_digit(c) ||
+         std::string_view(" _-+.#").find(c) != std::string_view::npos;
+}
+
+/// Where a block comes from, as a comment behind it. Of the program's name what could end the
+/// comment is written as _.
 std::string comment_of(const Code& code, const Block& block, std::int32_t program,
                        const Spelling::Around& around) {
   std::string text = " ";
   text += around.before;
-  text += code.name_of(program);
+  for (const char c : code.name_of(program)) text += stands_in_comments(c) ? c : '_';
   if (block.n >= 0) text += " N" + std::to_string(block.n);
   text += " LINE " + std::to_string(block.line);
   text += around.behind;
