@@ -83,7 +83,7 @@ def read_output(stdout: str, stderr: str = "") -> Output:
             unit = 25.4 if "INCHES" in inner else 1.0
             made.tolerance = max(made.tolerance, INCH_TOLERANCE if unit > 1 else 0)
         elif name == "SELECT_PLANE":
-            axes = _PLANES[inner[-2:]]
+            axes = _PLANES.get(inner[-2:], axes)  # it knows no plane of U, V, W
         elif name == "MESSAGE":
             made.messages.append(inner[1:-1])
         elif name == "DWELL":

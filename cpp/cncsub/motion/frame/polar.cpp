@@ -136,7 +136,8 @@ Result check_polar_words(MotionView m, const BlockWords& block) {
 void polar_words(MotionView m, const BlockWords& block, bool incremental, Axes& end,
                  std::uint32_t& named) {
   const NcWords& w = block.words;
-  double radius = std::hypot(end[0], end[1]), angle = std::atan2(end[1], end[0]);
+  double radius = std::hypot(end[0], end[1]);
+  double angle = radius < kStanding ? 0 : std::atan2(end[1], end[0]);
   if (w.has_place(kRadius)) radius = w.value[kRadius] * m.state.unit + (incremental ? radius : 0);
   if (w.has_place(kAngle)) angle = w.value[kAngle] * kPi / 180 + (incremental ? angle : 0);
   end[0] = radius * std::cos(angle);
