@@ -77,6 +77,12 @@ case("a radius or an angle alone is a hole", **{**RUN, "source": "LC g-code; rs2
 case("by a radius alone at the zero point too, where no other move goes", **RUN,
      program="N10 G0 Z2\nN20 G81 @5 Z-1 R2 F100\nN30 G0 X0\nN40 @5\nN50 M2", runs="N10 N20 N30", alarm="polar-word", at="MAIN N40",
      moves="R Z2\nR X5\nF Z-1\nR Z2\nR X0")
+case("a tool above R goes over the hole at its own height, though the cycle returns higher", **{**RUN, "source": "rs274 2.9"},
+     program="N10 G0 Z5\nN20 G99 G81 X1 Z-1 R2 F100\nN30 G98 X2 R1\nN40 X3\nN50 G80\nN60 M2",
+     moves="R Z5\nR X1\nR Z2\nF Z-1\nR Z2\nR X2\nR Z1\nF Z-1\nR Z5\nR X3\nR Z1\nF Z-1\nR Z5")
+case("a series that began below R returns to R, also from a hole of no depth", **{**RUN, "source": "rs274 2.9"},
+     program="N10 G98 G85 X1 R2 Z-4 F100\nN20 X3 Z2\nN30 G80\nN40 M2",
+     moves="R Z2\nR X1\nF Z-4\nF Z2\nR Z2\nR X3\nF Z2\nF Z2", final_work="X3 Y0 Z2")
 case("G80 gives way to another motion code of its line, in either order", **RUN,
      program="N10 G0 Z5\nN20 G81 X1 Z-1 R2 F100\nN30 G80 G0 X2\nN40 G1 G80 X3\nN50 X4\nN60 G80 G80\nN70 M2",
      moves="R Z5\nR X1\nR Z2\nF Z-1\nR Z2\nR X2\nF X3\nF X4")

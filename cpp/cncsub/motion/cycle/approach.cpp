@@ -21,8 +21,9 @@ Result approach(MotionContext& m, BlockWords& block, int axis, double r) {
   return move_axis(m, block, MoveKind::Rapid, axis, r);
 }
 
-/// Up to R where the series began below it, then over the hole at the height that the cycle returns
-/// to, or above, and down to R. [rs274 2.9]
+/// Up to R where the series began below it, then over the hole, and down to R. A tool above R stays
+/// at its height; from R or below it goes over the hole at the height that the cycle returns to.
+/// [rs274 2.9]
 Result approach_above(MotionContext& m, BlockWords& block, int axis, double r, bool first) {
   const auto along = static_cast<std::size_t>(axis);
   const double initial = m.state.cycle.initial;
@@ -32,7 +33,7 @@ Result approach_above(MotionContext& m, BlockWords& block, int axis, double r, b
     if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, r)) return wrong;
   named &= ~axis_bit(axis);
   const double clear = returns_to_r(m.state) ? r : std::max(initial, r);
-  place[along] = std::max(m.state.work[along], clear);
+  place[along] = m.state.work[along] > r + kStanding ? m.state.work[along] : clear;
   const bool stands = place == m.state.work && m.state.tool_at == machine_point(m.state);
   if (!stands || named != 0)
     if (auto wrong = move(m, block, MoveKind::Rapid, place, named | axis_bit(axis))) return wrong;

@@ -197,9 +197,9 @@ Result shift_tool(MotionContext& m, BlockWords& block, const Axes& hole, bool aw
   return move(m, block, MoveKind::Rapid, end, named);
 }
 
-Result drill_up(MotionContext& m, BlockWords& block, int axis, double r, double z) {
+Result drill_up(MotionContext& m, BlockWords& block, int axis, double r) {
   const CycleData cycle = m.state.cycle;
-  const bool below = goes_to_r_first(m.facts) && (r - cycle.initial) * (r - z) > 0;
+  const bool below = goes_to_r_first(m.facts) && cycle.initial < r;
   const bool to_r = below || returns_to_r(m.state);
   const double level = to_r ? r : cycle.initial;
   switch (cycle.cycle) {
@@ -250,7 +250,7 @@ Result drill(MotionContext& m, BlockWords& block, bool first) {
   if (auto wrong = approach_hole(m, block, axis, r, first)) return wrong;
   if (m.state.cycle.cycle == Meaning::BackBore) return bore_shifted(m, block, r, z);
   if (auto wrong = drill_down(m, block, axis, r, z)) return wrong;
-  return drill_up(m, block, axis, r, z);
+  return drill_up(m, block, axis, r);
 }
 
 /// Whether R names a level between the one where the cycle begins and the hole.

@@ -106,7 +106,8 @@ void polar_target(MotionContext& m, const BlockWords& block, bool incremental, A
   // A radius written under G91 counts from where the tool is. [16MC p.147]
   const bool from_tool = has_radius && incremental;
   const double radius = has_radius ? number(m, block, radius_name) : std::hypot(a, b);
-  const double present = m.state.polar_known ? m.state.polar_angle : std::atan2(b, a) * 180 / kPi;
+  const double direction = std::hypot(a, b) < kStanding ? 0 : std::atan2(b, a) * 180 / kPi;
+  const double present = m.state.polar_known ? m.state.polar_angle : direction;
   double angle = present;
   if (has_angle) angle = block.words[angle_name] + (incremental ? present : 0);
   m.state.polar_angle = angle;
