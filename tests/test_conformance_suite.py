@@ -258,7 +258,7 @@ def test_linuxcnc_agrees_with_its_rows(
 ) -> None:
     every = [row for row in suite["cases"] if "linuxcnc" in row["controls"]]
     part = tmp_path / "part.json"
-    part.write_text(json.dumps({**suite, "cases": every[::3]}))
+    part.write_text(json.dumps({**suite, "cases": every}))
     _tool("rs274_conformance", str(part))
     told = capsys.readouterr().out
     parted = [line for line in told.splitlines() if line.startswith("linuxcnc/")]
@@ -269,9 +269,30 @@ def test_linuxcnc_agrees_with_its_rows(
         "linuxcnc/frame: #5161 is the reference point, and may be written",
         "linuxcnc/frame: a bare G30 goes to the second reference point",
         "linuxcnc/motion: G10 L1 writes the table of tools",
+        "linuxcnc/frame: #5210 tells whether the shift counts, #5211 what it is",
+        "linuxcnc/frame: G30.1 stores the second point, #5181 tells it",
+        "linuxcnc/motion: L10 puts the tool at the point",
         "linuxcnc/motion: L11 puts the tool at the point of G59.3",
+        "linuxcnc/motion: an M3 of its line starts it after that",
+        "linuxcnc/motion: nor a zero point and a length",
+        # Behaviour that its manual leaves undefined, and planes of axes that cncsub does not have.
+        "linuxcnc/lines: the moves of G18.1 are not computed on LinuxCNC",
+        "linuxcnc/lines: the moves of G19.1 are not computed on LinuxCNC",
+        "linuxcnc/lines: the moves of G87 are not told, with its words",
+        "linuxcnc/lines: the moves of G88 are not told, with its words",
+        "linuxcnc/motion: nor is what G88 does",
+        "linuxcnc/motion: what G87 does is not told",
+        # The path of a spline is not printed, nor does a tap of another plane print where it ends.
+        "linuxcnc/arcs: G5 is a curve to its end by the directions at both ends",
+        "linuxcnc/arcs: behind it one without I and J goes on in its direction",
+        "linuxcnc/motion: a tap outside of G17 takes its axes for each other",
+        # A bound of cncsub: a position beyond all machines.
+        "shared/reading/number_ends: a word that leads beyond every position is refused in a plain"
+        " move as in any other",
     }
-    assert set(parted) <= known, told
+    # The adapter prints the lines that belong to a row indented, and its own last one otherwise.
+    parted += [line for line in told.splitlines() if line.startswith("shared/")]
+    assert set(parted) == known, told
     assert " agree" in told
 
 

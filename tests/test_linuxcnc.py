@@ -63,6 +63,18 @@ def test_series_values_and_codes_of_group_00(
     assert report.moves > 15 * programs
 
 
+# The kinds held, tools, block and written are left out: the tool in the spindle is told from the one that is chosen
+# by rs274 alone, and so is what it does with compensation and with shifts that are written.
+@pytest.mark.skipif(RS274 is None, reason="rs274 is not installed: Debian package linuxcnc-uspace")
+@pytest.mark.parametrize("kind", ["feed", "units", "modes", "calls"])
+def test_blocks_that_are_read_or_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str
+) -> None:
+    report = compare(SEED, range(100), "rs274", tmp_path, 1, (kind,))
+    assert report.different == [], capsys.readouterr().out
+    assert report.stopped >= 5
+
+
 @pytest.mark.parametrize("kinds", [MOVES, tuple(linuxcnc_moves.KINDS)], ids=["all", "series"])
 def test_flat_programs_move_as_their_originals(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], kinds: tuple[str, ...]

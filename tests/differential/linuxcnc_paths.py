@@ -16,7 +16,10 @@ hundredth of an inch short of its end), the path of splines (it tells how many p
 reads one beyond them), U, V and W, which it does not know, what a tool length is behind a change of
 units or of the tool, for which it asks a machine, G43.2 by axis words, where it looks for tool -1,
 G88, where the operator draws back, a work system that is turned under a shift of G92, of which it
-loses sight where the tool is, a peck that ends at the bottom but for rounding, and tools that no table has, which a setup need not list.
+loses sight where the tool is, a peck that ends at the bottom but for rounding, taps outside of G17 in
+series, G90 and G91 between the holes of careful programs, and tools that no table has, which a setup
+need not list. Careful programs, of which `--together` makes one, have nothing of the kinds held and
+tools, and of block only what never stops; by themselves programs have all of it.
 """
 
 from __future__ import annotations

@@ -49,6 +49,16 @@ case(
     at="MAIN N20",
 )
 case(
+    "a number below zero in it is refused where it is passed over", **{**RUN, "source": "rs274 2.9"},
+    program="N10 M98 P100\nN20 M98 P101 F-1\nN30 M2\nO100\nN40 G0 X1\nN50 M99",
+    runs="N10", alarm="value-out-of-range", at="MAIN N20", moves="",
+)
+case(
+    "a word that nothing uses is not, until its line runs", **{**RUN, "source": "rs274 2.9"},
+    program="N10 M98 P100\nN20 M98 P101 D-1\nN30 M2\nO100\nN40 G0 X1\nN50 M99",
+    runs="N10 N40 N50", alarm="address-not-usable", at="MAIN N20", moves="R X1",
+)
+case(
     "and so are its values", **RUN,
     program="N10 #1=-1\nN20 o1 if [0]\nN30 M98 P1 L#1\nN40 o1 endif\nN50 M2",
     runs="N10", alarm="illegal-repeat-count", at="MAIN N30",

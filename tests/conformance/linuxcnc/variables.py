@@ -91,5 +91,5 @@ case(
 case("#<_abs_x> is the machine position, #<_x> the one in the work system", **RUN,
      program="N10 G10 L2 P1 X5\nN20 G0 X1\nN30 (print,#<_abs_x> #<_x>)\nN40 M2", messages=["6.000000 1.000000"])
 case("named variables tell the modes", **RUN,
-     program="N10 G55 G99 G41.1 D1\nN20 (print,#<_coord_system> #<_retract_r_plane> #<_ccomp> #<_units_per_rev>)\nN30 M2",
+     program="N10 G55 G99\nN15 G41.1 D1\nN20 (print,#<_coord_system> #<_retract_r_plane> #<_ccomp> #<_units_per_rev>)\nN30 M2",
      messages=["550.000000 1.000000 411.000000 0.000000"])

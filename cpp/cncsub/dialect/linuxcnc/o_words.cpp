@@ -113,7 +113,9 @@ bool BlockReader::words_of_98(Block& block, CallRecord& call, Words& words) {
     (letter == 'p' ? call.p : call.l) = operand_of(value);
   }
   words.line.m.push_back(98);
-  return true;
+  const auto wrong = below_zero(words.line);
+  return !wrong || refuse(block, wrong->cause, wrong->text,
+                          words.line.at[static_cast<std::size_t>(wrong->letter - 'a')]);
 }
 
 /// M98 stands first, and its words behind it.

@@ -142,7 +142,8 @@ std::optional<WrongWord> against_m(const LineWords& line) {
   return line.has_m({19}) ? against_orientation(line) : std::nullopt;
 }
 
-/// Numbers below zero where there are none.
+}  // namespace
+
 std::optional<WrongWord> below_zero(const LineWords& line) {
   static constexpr std::pair<char, std::string_view> kTexts[] = {
       {'f', "Negative f word used"},
@@ -155,8 +156,6 @@ std::optional<WrongWord> below_zero(const LineWords& line) {
       return WrongWord{letter, Cause::ValueOutOfRange, std::string(text)};
   return std::nullopt;
 }
-
-}  // namespace
 
 bool LineWords::has_g(std::initializer_list<int> codes) const { return any_of(g, codes); }
 bool LineWords::has_m(std::initializer_list<int> codes) const { return any_of(m, codes); }

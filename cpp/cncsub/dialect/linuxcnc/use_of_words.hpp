@@ -37,6 +37,8 @@ struct WrongWord {
   std::string text;
 };
 
+/// A number below zero where there are none: it is refused while the line is read.
+std::optional<WrongWord> below_zero(const LineWords& line);
 /// The first of them in the order of the interpreter's own checks; nothing where the mode that is
 /// in force decides.
 std::optional<WrongWord> wrong_word(const LineWords& line);
