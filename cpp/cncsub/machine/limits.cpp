@@ -69,7 +69,7 @@ void look_later(Run& run, std::int64_t last) {
 std::uint64_t memory(const Run& run) {
   const State& s = run.state;
   const auto locals = static_cast<std::size_t>(run.code->locals) * sizeof(double);
-  return run.trace.bytes() + run.motion.held_bytes() + run.watch.in_block +
+  return run.trace.bytes() + held_bytes(run.motion.state()) + run.watch.in_block +
          (s.frames.size() - 1) * (sizeof(OpenFrame) + sizeof(Frame)) +
          static_cast<std::size_t>(s.level) * locals +
          s.modals.size() * (sizeof(ModalCall) + locals) + s.waiting.size() * sizeof(WaitingBlock) +

@@ -194,7 +194,7 @@ void hear(Run& run, const Block& block, const NcWords& words) {
 void count_moves(Run& run) {
   run.watch.moves += run.block.outcome.moves;
   if (const Held& held = run.motion.state().held; !held.radius.empty() || !held.corner.empty())
-    run.watch.moves += run.motion.held_pieces() / kHeldPieces;
+    run.watch.moves += held_pieces(run.motion.state()) / kHeldPieces;
   if (run.watch.moves > run.watch.look_moves) look_soon(run);
 }
 

@@ -70,6 +70,14 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
   return wrong;
 }
 
+std::int64_t held_pieces(const MotionState& state) {
+  return static_cast<std::int64_t>(state.held.corner.size() + state.held.radius.size());
+}
+
+std::size_t held_bytes(const MotionState& state) {
+  return (state.held.corner.capacity() + state.held.radius.capacity()) * sizeof(Piece);
+}
+
 std::vector<std::uint32_t> held_steps(const MotionState& state) {
   std::vector<std::uint32_t> steps;
   for (const auto* pieces : {&state.held.corner, &state.held.radius, &state.angled.line})

@@ -82,13 +82,6 @@ class Motion {
     for (auto* waiting : {&state_.held.radius, &state_.held.corner, &state_.angled.line})
       for (Piece& piece : *waiting) piece.row_moves = nullptr;
   }
-  /// How much waits for the moves behind it.
-  std::int64_t held_pieces() const {
-    return static_cast<std::int64_t>(state_.held.corner.size() + state_.held.radius.size());
-  }
-  std::size_t held_bytes() const {
-    return (state_.held.corner.capacity() + state_.held.radius.capacity()) * sizeof(Piece);
-  }
 
  private:
   template <class Work>
@@ -111,7 +104,10 @@ class Motion {
 
 /// The fault of a word that neither a code of its block nor the mode uses, see WordUses.
 std::optional<Fault> unused_word(MotionView m, const NcWords& words);
-/// The steps of moves that wait for those behind them.
+/// How many pieces of path wait for the moves after them, and what they take.
+std::int64_t held_pieces(const MotionState& state);
+std::size_t held_bytes(const MotionState& state);
+/// The steps of moves that wait for those after them.
 std::vector<std::uint32_t> held_steps(const MotionState& state);
 
 }  // namespace cncsub
