@@ -54,6 +54,7 @@ class Output:
     blocks: list[int] = field(default_factory=list)
     errors: list[str] = field(default_factory=list)  # the message, and the block behind it
     tolerance: float = TOLERANCE  # of what is printed, in mm
+    probes_at: int | None = None  # how many moves stand before the first probe
 
     @property
     def travel(self) -> list[Move]:
@@ -90,6 +91,8 @@ def read_output(stdout: str, stderr: str = "") -> Output:
             made.moves.append(Move("dwell", seconds=float(inner)))
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE"):
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "feed"
+            if name == "STRAIGHT_PROBE" and made.probes_at is None:
+                made.probes_at = len(made.moves)
             made.moves.append(Move(kind, _straight(_numbers(inner), unit)))
         elif name == "RIGID_TAP":  # there, and back the way it came
             before = made.moves[-1].end if made.moves else dict.fromkeys("XYZABC", 0.0)

@@ -11,6 +11,7 @@ have no flat one and are counted.
 
 from __future__ import annotations
 
+import re
 import sys
 from collections import Counter
 from collections.abc import Sequence
@@ -75,6 +76,12 @@ def compare(
     return report
 
 
+def in_mm(flat: str, text: str) -> str:
+    """The flat text that says of a length as its original does that it is written in mm."""
+    lengths = "|".join(set(re.findall(r"#(\d+) = \S+ \(mm\)", text)))
+    return re.sub(rf"(?m)^#({lengths})=(\S+)$", r"#\1 = \2 (mm)", flat) if lengths else flat
+
+
 def judge(
     report: Report, seed: int, many: range, rs274: Rs274 | None, kinds: Sequence[str]
 ) -> None:
@@ -97,7 +104,7 @@ def judge(
         return None
     found = apart(run, cncsub.loads(flat, control="linuxcnc", name="main.ngc").run(setup=SETUP))
     if not found and rs274 is not None:
-        before, after = rs274.run(text), rs274.run(flat)
+        before, after = rs274.run(text), rs274.run(in_mm(flat, text))
         found = difference(after, before) if before is not None and after is not None else ""
     if found and len(many) > 1:
         return each(report, seed, many, rs274, kinds)

@@ -24,6 +24,9 @@ case("a group of G codes has one code", **RUN, program="N10 G0 G1 X1\nN20 M2", r
 case("a group of M codes has one code", **RUN, program="N10 M3 M4\nN20 M2", runs="", alarm="address-given-twice")
 case("N stands first", **RUN, program="N10 G0 X3 N7\nN20 M2", runs="", alarm="illegal-character")
 case("an O-word stands first", **RUN, program="N10 G0 X1 o1 if [1]\nN20 M2", runs="", alarm="illegal-character")
+for _code in ("G6", "G6.1", "G6.2"):
+    case(f"{_code}, a spline of later versions, is none of its codes", **RUN, program=f"N10 {_code} X1\nN20 M2", runs="",
+         alarm="g-code-not-available", word=_code)
 case("a G code that is none", **RUN, program="N10 G37 X1\nN20 M2", runs="", alarm="g-code-not-available")
 case("an M code that is none", **RUN, program="N10 M55\nN20 M2", runs="", alarm="m-code-not-available")
 case("G1 needs a feed", pins="power_on_feed", **RUN, program="N10 G1 X1\nN20 M2", runs="", alarm="no-feed", word="G1")
@@ -80,7 +83,7 @@ case("a character of several bytes is shown whole", **RUN,
      program="N10 G0 X1 é\nN20 M2", runs="", alarm="illegal-character", at="MAIN N10")
 
 # A row for each code by a loop: it would say nothing but the number.
-for code in ("5.2", "6", "6.1", "18.1", "19.1", "71.1", "71.2"):
+for code in ("5.2", "18.1", "19.1", "71.1", "71.2"):
     case(
         f"the moves of G{code} are not computed on LinuxCNC", pins="g_codes", control="linuxcnc", source="LC overview", evidence="inferred",
         program=f"N10 G{code}\nN20 M2", runs="", alarm="code-not-computed", at="MAIN N10", word=f"G{code}",
