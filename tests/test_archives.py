@@ -19,8 +19,7 @@ import pytest
 from typer.testing import CliRunner
 
 import cncsub
-from cncsub import archive_work
-from cncsub.archive_work import Job, Row, Task, do_chunk, done_apart
+from cncsub.archive.work import RUN_COLUMNS, Job, Row, Task, do_chunk, done_apart
 from cncsub.cli import app
 
 CONTROL = "fanuc-0i-f"
@@ -225,7 +224,7 @@ def test_only_the_file_that_kills_its_worker_is_crashed(tmp_path: Path) -> None:
     ]
     task = Task("run", cncsub.controls[CONTROL], "file", None, None, {})
     found = [row for (row,) in done_apart(deadly, task, jobs)]
-    status = list(archive_work.RUN_COLUMNS).index("status")
+    status = list(RUN_COLUMNS).index("status")
     assert [row[status] for row in found] == ["ran", "crashed", "ran", "ran"]
 
 
@@ -298,7 +297,7 @@ def test_a_process_of_our_own_that_is_killed_is_replaced(tmp_path: Path) -> None
 
 STARTS = """
 import sys
-from cncsub.archive_work import new_pool
+from cncsub.archive.work import new_pool
 
 if __name__ == "__main__":
     pool = new_pool(2)

@@ -9,8 +9,8 @@ import pytest
 from typer.testing import CliRunner
 
 import cncsub
-from cncsub import project, system
-from cncsub.cli import app
+from cncsub import system
+from cncsub.cli import app, project
 
 C = ("-c", "fanuc-0i-f")
 MAIN = "O1\nN10 M98 P77\nN20 M30\n"

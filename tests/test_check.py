@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 import cncsub
-from cncsub.checking import RULES, CheckRule
+from cncsub.analysis.checking import RULES, CheckRule
 from cncsub.cli import app
-from cncsub.findings import Mended, finding_facts, github_annotations, junit, sarif
+from cncsub.reports.findings import Mended, finding_facts, github_annotations, junit, sarif
 
 sys.path.insert(0, str(Path(__file__).with_name("conformance")))
 from cncsub.testing import outcome

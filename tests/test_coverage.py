@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
-from cncsub.coverage import Coverage, collecting
+from cncsub.coverage import Coverage, collecting, summary
 
 IF = "O1\nN10 IF[#100EQ1]GOTO30\nN20 #101=1\nN30 M30\n"
 WHILE = (
@@ -210,10 +210,8 @@ def test_runs_of_what_was_typed_are_added() -> None:
 
 def test_what_was_read_again_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     looked = []
-    programs = cncsub.coverage.programs_of
-    monkeypatch.setattr(
-        cncsub.coverage, "programs_of", lambda raw: looked.append(raw) or programs(raw)
-    )
+    programs = summary.programs_of
+    monkeypatch.setattr(summary, "programs_of", lambda raw: looked.append(raw) or programs(raw))
     with collecting() as collected:
         for _ in range(20):
             cncsub.loads(IF, control="fanuc-0i-f", name="a.nc").run()

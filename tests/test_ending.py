@@ -24,7 +24,7 @@ LONG = "--max-blocks 1000000000"
 PRESS = r"""
 import json, os, signal, sys, time
 from concurrent.futures import ThreadPoolExecutor
-import cncsub.cli, cncsub.plotting, pyarrow.parquet
+import cncsub.cli, cncsub.plot.figure, pyarrow.parquet
 for name in cncsub.cli.COMMANDS.values():
     __import__("cncsub." + name[0].split(".")[0])
 
@@ -310,8 +310,8 @@ def test_a_file_that_may_not_grow_is_told_and_nothing_that_was_is_lost(part: Pat
 
 def test_a_limit_of_open_files_leaves_no_program_out(part: Path) -> None:
     code = (
-        "import resource, sys, cncsub.cli, cncsub.run_command, cncsub.hints, cncsub.batch;"
-        "import cncsub.archives;"
+        "import resource, sys, cncsub.cli, cncsub.cli.run, cncsub.reports.hints, cncsub.cli.batch;"
+        "import cncsub.archive.many;"
         "resource.setrlimit(resource.RLIMIT_NOFILE, (3, 3)); cncsub.cli.main()"
     )
     for words in (["run", "."], ["run", "part.nc"], ["batch", "part.nc"]):

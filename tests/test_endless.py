@@ -7,7 +7,7 @@ import json
 import pytest
 
 import cncsub
-from cncsub.endless import Why
+from cncsub.analysis.endless import Why
 
 F, L = "fanuc-0i-f", "linuxcnc"
 

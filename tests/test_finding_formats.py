@@ -14,9 +14,9 @@ import pytest
 from typer.testing import CliRunner
 
 import cncsub
-from cncsub.checking import RULES, CheckRule
+from cncsub.analysis.checking import RULES, CheckRule
 from cncsub.cli import app
-from cncsub.findings import finding_facts, junit, sarif
+from cncsub.reports.findings import finding_facts, junit, sarif
 
 ROOT = Path(__file__).parents[1]
 FINDINGS = json.loads((ROOT / "docs" / "findings.schema.json").read_text(encoding="utf-8"))

@@ -285,7 +285,7 @@ def test_a_long_program_is_written_in_pieces(tmp_path: Path, monkeypatch: Any) -
     library = cncsub.loads(text.replace("X1.M99", "X1.\nM99"), control="fanuc-0i-f")
     whole = library.flatten()
     assert len(list(whole.pieces())) == 1
-    monkeypatch.setattr("cncsub.flattening._KEPT", 1000)  # as of a text of more than 16 MB
+    monkeypatch.setattr("cncsub.analysis.flattening._KEPT", 1000)  # as of a text of more than 16 MB
     text = "O1\nM98 P3 L200\nM30\nO3\nM98 P2 L200\nM99\n" + text[text.index("O2") :].replace(
         "X1.M99", "X1.\nM99"
     )

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
-from cncsub.hints import changed_controls
+from cncsub.reports.hints import changed_controls
 
 CONTROL = "fanuc-0i-f"
 

@@ -54,7 +54,7 @@ objects = [
     _core.flattening(library.machine()._core, False),
     run.messages, run.position, run.modal,
 ]
-modules = [importlib.import_module(f"cncsub.{m.name}") for m in pkgutil.iter_modules(cncsub.__path__) if m.name != "__main__"]
+modules = [importlib.import_module(m.name) for m in pkgutil.walk_packages(cncsub.__path__, "cncsub.") if not m.name.endswith("__main__")]
 classes = {
     value for module in [cncsub, *modules] for value in vars(module).values()
     if inspect.isclass(value) and value.__module__.startswith("cncsub")

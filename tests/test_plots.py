@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
-from cncsub.plot_page import page_of
+from cncsub.plot.page import page_of
 
 go = pytest.importorskip("plotly.graph_objects")
 

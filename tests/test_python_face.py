@@ -18,8 +18,8 @@ import numpy as np
 import pytest
 
 import cncsub
-from cncsub.table import records
 from cncsub.tables import Bounds
+from cncsub.tables.table import records
 
 CONTROL = "fanuc-0i-f"
 CALLS = """O1

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
-from cncsub.report_path import MOST_POINTS, path_of
+from cncsub.reports.path import MOST_POINTS, path_of
 
 CONTROL = "fanuc-0i-f"
 JOB = """O1 (PART <b>)

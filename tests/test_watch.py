@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
-from cncsub.table import records
+from cncsub.tables.table import records
 from cncsub.testing.outcome import load
 from conformance import Row, rows
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import cncsub
 from cncsub import _core
 from cncsub.controls import EVIDENCE, sources_of
-from cncsub.facts import effect_of
+from cncsub.reports.facts import effect_of
 from generator.markdown import cited, code, source_anchor, table, words
 
 _GROUPS = {

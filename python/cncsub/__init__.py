@@ -20,45 +20,45 @@ from cncsub.inputs import Inputs
 from cncsub.library import Library
 from cncsub.loading import load, loads
 from cncsub.program import Block, Program, Word
-from cncsub.rows import Call, Change, Dropped, MissedSkip, Move, Origin, SentCode, Step
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
+from cncsub.tables.rows import Call, Change, Dropped, MissedSkip, Move, Origin, SentCode, Step
 from cncsub.workpiece import Box, Cylinder, Plane, Sphere, Workpiece
 
 if TYPE_CHECKING:
-    from cncsub.archives import check_many, run_many
-    from cncsub.changes import BlockChange
-    from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
-    from cncsub.comparison import Comparison, compare
-    from cncsub.endless import Endless, LoopBlock, Why
-    from cncsub.flattening import Flat, FlattenError, flatten
-    from cncsub.listing import Listed
-    from cncsub.notes import Note
-    from cncsub.polyline import Polyline
+    from cncsub.analysis.checking import CheckRule, Edit, Finding, Flow, FlowEdge
+    from cncsub.analysis.endless import Endless, LoopBlock, Why
+    from cncsub.analysis.flattening import Flat, FlattenError, flatten
+    from cncsub.analysis.listing import Listed
+    from cncsub.analysis.notes import Note
+    from cncsub.archive.many import check_many, run_many
+    from cncsub.comparison.changes import BlockChange
+    from cncsub.comparison.compare import Comparison, compare
+    from cncsub.comparison.rewriting import TranslateError
+    from cncsub.comparison.translate import Translation, translate
     from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
-    from cncsub.reporting import report
-    from cncsub.rewriting import TranslateError
-    from cncsub.translating import Translation, translate
+    from cncsub.reports.report import report
+    from cncsub.tables.polyline import Polyline
     from cncsub.variables_file import read_variables
 
 # What most programs do not use is imported when somebody asks for it.
 _LATER = {
     name: module
     for module, names in {
-        "archives": "check_many run_many",
-        "changes": "BlockChange",
-        "checking": "CheckRule Edit Finding Flow FlowEdge",
-        "comparison": "Comparison compare",
-        "endless": "Endless LoopBlock Why",
-        "flattening": "Flat FlattenError flatten",
-        "listing": "Listed",
-        "notes": "Note",
-        "polyline": "Polyline",
+        "archive.many": "check_many run_many",
+        "comparison.changes": "BlockChange",
+        "analysis.checking": "CheckRule Edit Finding Flow FlowEdge",
+        "comparison.compare": "Comparison compare",
+        "analysis.endless": "Endless LoopBlock Why",
+        "analysis.flattening": "Flat FlattenError flatten",
+        "analysis.listing": "Listed",
+        "analysis.notes": "Note",
+        "tables.polyline": "Polyline",
         "references": "CallGraph CallTo Computed Edge JumpTo VariableUse",
-        "reporting": "report",
-        "rewriting": "TranslateError",
-        "translating": "Translation translate",
+        "reports.report": "report",
+        "comparison.rewriting": "TranslateError",
+        "comparison.translate": "Translation translate",
         "variables_file": "read_variables",
     }.items()
     for name in names.split()

@@ -5,7 +5,7 @@ from typing import Any, final
 
 import numpy as np
 
-from cncsub.rows import Step
+from cncsub.tables.rows import Step
 
 __version__: str
 

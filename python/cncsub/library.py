@@ -22,9 +22,9 @@ from cncsub.stream import Stream
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
-    from cncsub.checking import Finding, Flow
-    from cncsub.flattening import Flat
-    from cncsub.notes import Note
+    from cncsub.analysis.checking import Finding, Flow
+    from cncsub.analysis.flattening import Flat
+    from cncsub.analysis.notes import Note
     from cncsub.references import CallGraph
 
 _NEAR = 5000  # names are compared with one that is not there
@@ -181,7 +181,7 @@ class Library(Mapping[str, Program]):
         >>> print(library.notes[0])
         <text>:6: this O2 is never called: O2 at <text>:4 counts, and they differ
         """
-        from cncsub.notes import notes_of
+        from cncsub.analysis.notes import notes_of
 
         return tuple(notes_of(self))
 
@@ -239,7 +239,7 @@ class Library(Mapping[str, Program]):
         >>> [trace.name for trace in library.plot().data if trace.name]
         ['main program', 'called', 'missing']
         """
-        from cncsub.plot_graph import graph_figure
+        from cncsub.plot.graph import graph_figure
 
         return graph_figure(self, title=title)
 
@@ -247,7 +247,7 @@ class Library(Mapping[str, Program]):
         """The ways through a program, told by its blocks without running them: see `Flow`."""
         index = self._find(program)
         data = self._code.program(index)
-        from cncsub.checking import flow_of
+        from cncsub.analysis.checking import flow_of
 
         return flow_of(data, data.blocks)
 
@@ -259,7 +259,7 @@ class Library(Mapping[str, Program]):
         setup: Setup | Mapping[str, Any] | None = None,
     ) -> list[Finding]:
         """What the control would refuse or what will surprise, in any block, reached or not,
-        without running: see `Finding`; `cncsub.checking.RULES` lists the rules.
+        without running: see `Finding`; `cncsub.analysis.checking.RULES` lists the rules.
 
         `main`: the program that is run first, the first one without it. `rules`: the numbers
         (`CS201`), slugs or beginnings of numbers (`CS2`) of the rules to ask, all without it.
@@ -278,7 +278,7 @@ class Library(Mapping[str, Program]):
             self._find(main) if main is not None else None if program is None else program._index
         )
         kind = (setup_of(setup) or {}).get("machine")
-        from cncsub.checking import check
+        from cncsub.analysis.checking import check
 
         return check(self._code, -1 if first is None else first, rules, kind)
 
@@ -300,7 +300,7 @@ class Library(Mapping[str, Program]):
         setup: Setup | Mapping[str, Any] | None = None,
     ) -> Flat:
         """What `main` executes, as one program without calls, jumps and loops that does the same:
-        see `cncsub.flattening.flatten`.
+        see `cncsub.flatten`.
 
         >>> import cncsub
         >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 G91 G0 X5.\\nN40 M99\\n"
@@ -310,7 +310,9 @@ class Library(Mapping[str, Program]):
         G91 G0 X5.
         M30
         """
-        from cncsub.flattening import flatten  # it runs libraries, and reads what it has written
+        from cncsub.analysis.flattening import (
+            flatten,  # it runs libraries, and reads what it has written
+        )
 
         return flatten(
             self,

@@ -14,9 +14,9 @@ from cncsub.escapes import escape
 if TYPE_CHECKING:
     from cncsub.library import Library
     from cncsub.program import Program
-    from cncsub.rows import Dropped
     from cncsub.run import Run
-    from cncsub.tables import Calls
+    from cncsub.tables.of_runs import Calls
+    from cncsub.tables.rows import Dropped
 
 _MOST_PROGRAMS = 20
 _HEAD, _TAIL = 30, 10  # lines of a program
@@ -55,7 +55,7 @@ def _title(run: Run) -> str:
         facts.append(f"for {run.waiting_for}")
     facts.append(f"{count:,} block{'' if count == 1 else 's'}")
     if len(run.moves):
-        from cncsub.printing import time_words
+        from cncsub.reports.printing import time_words
 
         facts.append(f"{run.moves._size()}, {run.moves.total_length:,.3f} mm")
         facts.append(time_words(run))
@@ -111,7 +111,7 @@ def _marks(program: Program) -> dict[int, str]:
     """By line what the control would refuse there or what will surprise; of large memories nothing,
     because that asks for all their blocks.
     """
-    from cncsub.checking import check
+    from cncsub.analysis.checking import check
 
     code = program._data.code
     if sum(code.program(index).blocks for index in range(len(code))) > _MOST_CHECKED:

@@ -14,9 +14,9 @@ from cncsub.escapes import escape
 from cncsub.notebook import few, line, marked, page, plain, table
 
 if TYPE_CHECKING:
-    from cncsub.checking import Finding
-    from cncsub.comparison import Comparison
-    from cncsub.coverage import Coverage
+    from cncsub.analysis.checking import Finding
+    from cncsub.comparison.compare import Comparison
+    from cncsub.coverage.summary import Coverage
     from cncsub.references import CallGraph
 
 MOST_ROWS = 300  # of one table of facts

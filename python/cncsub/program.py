@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, overload
 
 from cncsub import _core
 from cncsub.files import clean
-from cncsub.staying import Stays
+from cncsub.pickling import Stays
 
 if TYPE_CHECKING:
     from cncsub.references import CallTo, JumpTo, References, VariableUse

@@ -8,22 +8,23 @@ import operator
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from cncsub import _core, asserting
+from cncsub import _core
 from cncsub._core import Alarm, Frame
+from cncsub.analysis import assertions
 from cncsub.controls import did_you_mean
+from cncsub.pickling import Stays
 from cncsub.program import Block, find_program
-from cncsub.rows import Dropped, MissedSkip, Step
-from cncsub.staying import Stays
-from cncsub.tables import Calls, Codes, Moves, Steps, Watch
+from cncsub.tables.of_runs import Calls, Codes, Moves, Steps, Watch
+from cncsub.tables.rows import Dropped, MissedSkip, Step
 from cncsub.variables import MachineVariables, Signals, Variables
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
-    from cncsub.coverage import Coverage
-    from cncsub.endless import Endless
-    from cncsub.listing import Listed
-    from cncsub.polyline import Polyline
+    from cncsub.analysis.endless import Endless
+    from cncsub.analysis.listing import Listed
+    from cncsub.coverage.summary import Coverage
+    from cncsub.tables.polyline import Polyline
 
 Until = Block | tuple[str | int, int] | int
 
@@ -112,7 +113,7 @@ class Recorded(Stays):
         >>> print(run.dropped[0].warning.partition(":")[0])
         it would start the coolant
         """
-        from cncsub.dropping import dropped_words
+        from cncsub.tables.dropped import dropped_words
 
         return tuple(dropped_words(self._trace.dropped, self._trace.control))
 
@@ -160,7 +161,7 @@ class Recorded(Stays):
         >>> path.points[0].tolist(), path.move[:4].tolist(), path.points[-1].tolist()
         ([0.0, 0.0, 0.0], [0, 0, 1, 1], [10.0, 0.0, 0.0])
         """
-        from cncsub.polyline import polyline_of
+        from cncsub.tables.polyline import polyline_of
 
         return polyline_of(self._trace, tolerance, coordinates, moves)
 
@@ -205,7 +206,7 @@ class State(Stays):
         >>> print(cncsub.loads(text, control="fanuc-0i-f").run(max_blocks=1000).endless)
         an endless loop, proven: after 3 blocks everything is as it was; O1 N10, O2 N30, O1 N20
         """
-        from cncsub.endless import endless_of
+        from cncsub.analysis.endless import endless_of
 
         return endless_of(self._core)
 
@@ -269,7 +270,7 @@ class _Outcome(State, Recorded):
              1  | O2:5  N30 #100=#100+1  ->  #100 = 5
              4  | O2:5  pass 2  N30 #100=#100+1  ->  #100 = 6
         """
-        from cncsub.listing import listing_of
+        from cncsub.analysis.listing import listing_of
 
         return listing_of(self, program=program, depth=depth, n=n, variable=variable)
 
@@ -304,7 +305,7 @@ class _Outcome(State, Recorded):
         >>> [trace.name for trace in run.plot(play=False).data]
         ['rapid', 'feed']
         """
-        from cncsub.plot_path import path_figure
+        from cncsub.plot.path import path_figure
 
         return path_figure(
             self,
@@ -326,7 +327,7 @@ class _Outcome(State, Recorded):
         >>> cncsub.loads("O1\\nN10 M30\\n", control="fanuc-0i-f").run().coverage().percent
         100.0
         """
-        from cncsub.coverage import coverage_of
+        from cncsub.coverage.summary import coverage_of
 
         return coverage_of(self._trace, self._core.code)
 
@@ -368,7 +369,7 @@ class Run(_Outcome):
         >>> cncsub.loads("O1\\nM30\\n", control="fanuc-0i-f").run().assert_ends()
         """
         __tracebackhide__ = True
-        asserting.assert_ends(self)
+        assertions.assert_ends(self)
 
     def assert_alarm(self, expected: str, at: str | None = None) -> None:
         """Raise `AssertionError` where the program did not stop with this alarm. `expected` is its
@@ -382,7 +383,7 @@ class Run(_Outcome):
         >>> run.assert_alarm("program-not-found")
         """
         __tracebackhide__ = True
-        asserting.assert_alarm(self, expected, at)
+        assertions.assert_alarm(self, expected, at)
 
     @functools.cached_property
     def variables(self) -> Variables:
@@ -410,7 +411,7 @@ class Run(_Outcome):
     @functools.cached_property
     def endless(self) -> Endless | None:
         """Why the program had not ended, worked out once: see `Machine.endless`."""
-        from cncsub.endless import endless_of
+        from cncsub.analysis.endless import endless_of
 
         return endless_of(self._core)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 from cncsub import _core
 from cncsub.files import StrPath
 from cncsub.run import Recorded, State, Stop
-from cncsub.table import Table, optional_module
+from cncsub.tables.table import Table, optional_module
 from cncsub.variables import Variables
 
 if TYPE_CHECKING:

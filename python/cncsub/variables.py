@@ -8,7 +8,7 @@ from typing import Any
 
 from cncsub import _core
 from cncsub.inputs import checked_variables
-from cncsub.staying import Stays
+from cncsub.pickling import Stays
 
 
 class Variables(Stays, Mapping[int, float | None]):

@@ -237,7 +237,7 @@ def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> Non
         return
     _, collected = config.stash[_COLLECTING]
     terminalreporter.section("coverage of NC programs")
-    from cncsub.coverage_formats import coverage_lines
+    from cncsub.coverage.formats import coverage_lines
 
     for line in coverage_lines(collected.total):
         terminalreporter.write_line(line)

@@ -10,7 +10,7 @@ import pytest
 
 import cncsub
 from cncsub import _core
-from cncsub.facts import explanations
+from cncsub.reports.facts import explanations
 from cncsub.testing.outcome import execute, load
 from conformance import EVIDENCE, FOLDER, Case, cases, rows, topic_files
 from entries import HOW_TO_WRITE as HOW_TO_PIN

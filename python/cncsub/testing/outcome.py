@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import cncsub
-from cncsub.ran import step_lines
+from cncsub.analysis.steps_text import step_lines
 from cncsub.testing import moves as motion
 from cncsub.testing.cases import UNKNOWN, Case, Row, Text
 

@@ -1,0 +1,369 @@
+"""What is wrong with programs, or will surprise, told without running them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from cncsub import _core
+from cncsub.controls import controls, did_you_mean
+
+SEVERITIES = ("error", "warning", "note")
+
+
+class CheckRule(NamedTuple):
+    """A rule of `Library.check`.
+
+    `number`: such as `CS201`. `name`: its slug. `severity`: `"error"`, `"warning"` or `"note"`.
+    `meaning`: what it finds. `hint`: what to write instead. `example`: a program in which it is
+    found on `control`.
+    """
+
+    number: str
+    name: str
+    severity: str
+    meaning: str
+    hint: str
+    example: str
+    control: str
+
+
+def _rules() -> Iterator[CheckRule]:
+    """The rules, each in the words of the control of its example."""
+    told = {}
+    for index, row in enumerate(_core.checks()):
+        rule = CheckRule(*row)
+        if rule.control not in told:
+            told[rule.control] = _core.told_for(controls[rule.control])[0]
+        meaning, hint = told[rule.control][index]
+        yield rule._replace(meaning=meaning, hint=hint)
+
+
+RULES: tuple[CheckRule, ...] = tuple(_rules())
+_BY_NAME = {key: rule for rule in RULES for key in (rule.number, rule.name)}
+
+
+class Edit(NamedTuple):
+    """A change of a file's text that is certain: `old` at `line` and `column` becomes `new`. Where
+    `old` is empty, `new` is put behind the line.
+    """
+
+    file: str
+    line: int
+    column: int
+    old: str
+    new: str
+
+
+class Place(NamedTuple):
+    """Where a finding is found again: the program, the block, and the word that it is about."""
+
+    program: str
+    n: int | None
+    file: str
+    line: int
+    column: int
+    word: str
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that `Library.check` has found: one for each cause.
+
+    `rule`: its number, such as `CS201`; `name`: its slug; `severity`: `"error"`, `"warning"` or
+    `"note"`. `program`, `n`, `line`, `column`, `file`, `word`: where, as in an `Alarm`. `message`:
+    what is wrong there. `hint`: what to write instead. `alarm`: what the control raises when the
+    block runs, `None` where it raises nothing or nobody knows. `path`: the calls that lead there,
+    the outermost first. `fix`: edits that mend it, `None` where none is certain. `places`: where
+    the same cause is found again, the first 1,000 by their blocks; `count`: how often in all.
+    """
+
+    rule: str
+    name: str
+    severity: str
+    program: str
+    n: int | None
+    line: int
+    column: int
+    file: str
+    word: str
+    message: str
+    hint: str
+    alarm: _core.Alarm | None
+    path: tuple[_core.Frame, ...]
+    fix: tuple[Edit, ...] | None
+    source: str  # the text of the line
+    places: tuple[Place, ...] = ()
+    count: int = 1
+
+    def _repr_html_(self) -> str:
+        from cncsub.notebook_values import finding_html
+
+        return finding_html(self)
+
+    @property
+    def told(self) -> str:
+        """The message, with how many places it holds for besides its own."""
+        if self.count == 1:
+            return self.message
+        more = self.count - 1
+        return f"{self.message} (and in {more:,} more place{'s' if more > 1 else ''})"
+
+    def __str__(self) -> str:
+        number = f" [{self.alarm.number}]" if self.alarm is not None and self.alarm.number else ""
+        at = self.program if self.n is None else f"{self.program} N{self.n}"
+        before, shown, width = _clipped(self.source, self.column - 1, len(self.word))
+        blank = "".join("\t" if letter == "\t" else " " for letter in before)
+        lines = [
+            f"{self.severity} {self.rule} {self.name}{number}: {self.told}",
+            f"  --> {at}, {self.file}:{self.line}:{self.column}",
+            f"   | {shown}",
+            f"   | {blank}{'^' * max(1, width)}",
+        ]
+        if self.places:
+            lines.append(f"also in {_listed(self.file, self.places, self.count - 1)}")
+        for frame in reversed(self.path):
+            caller = frame.program if frame.n is None else f"{frame.program} N{frame.n}"
+            lines.append(f"called from {caller} ({frame.kind}), {frame.file}:{frame.line}")
+        lines.append(f"hint: {self.hint}")
+        return "\n".join(lines)
+
+
+_LISTED = 12  # lines of other places
+
+
+def _listed(file: str, places: Sequence[Place], count: int) -> str:
+    """`lines 5, 9, sub.nc line 3, and 40 more`."""
+    lines: dict[str, dict[int, None]] = {}
+    for place in places[:_LISTED]:
+        lines.setdefault(place.file, {})[place.line] = None
+    told = [
+        f"{'' if name == file else name + ' '}line{'s' if len(of) > 1 else ''} "
+        + ", ".join(map(str, of))
+        for name, of in lines.items()
+    ]
+    left = count - min(len(places), _LISTED)
+    return ", ".join(told) + (f", and {left:,} more" if left else "")
+
+
+_WIDE = 160  # letters of a line that are shown
+
+
+def _clipped(source: str, at: int, width: int) -> tuple[str, str, int]:
+    """What stands before a word in a line as it is shown, the line, and the width of the word: a
+    line of a megabyte is shown where the word is.
+    """
+    if len(source) <= _WIDE:
+        return source[:at], source, width
+    first = 0 if at < _WIDE // 2 else at - _WIDE // 4
+    last = first + _WIDE
+    head = "..." if first else ""
+    shown = head + source[first:last] + ("..." if last < len(source) else "")
+    return head + source[first:at], shown, min(width, last - at)
+
+
+def rule_named(name: str) -> CheckRule:
+    """The rule of a number or a slug; `KeyError` says what is near.
+
+    >>> from cncsub.analysis.checking import rule_named
+    >>> rule_named("CS201").name
+    'program-missing'
+    """
+    found = _BY_NAME.get(name) or _BY_NAME.get(name.upper()) or _BY_NAME.get(name.lower())
+    if found is None:
+        first, last = RULES[0].number, RULES[-1].number
+        there = f"; there are {first} to {last}, and CS1, CS2 ... for the groups of them"
+        raise KeyError(f"check has no rule {name!r}{did_you_mean(name, _BY_NAME, there)}")
+    return found
+
+
+def rule_names() -> list[str]:
+    """The slugs of all rules."""
+    return [rule.name for rule in RULES]
+
+
+def chosen_rules(names: Iterable[str] | None) -> frozenset[str]:
+    """The numbers of rules by their numbers, slugs or beginnings of numbers (`CS2`); all without
+    names.
+    """
+    if names is None:
+        return frozenset(rule.number for rule in RULES)
+    if isinstance(names, str):
+        raise TypeError(f"rules are a list of names, not the text {names!r}")
+    chosen: set[str] = set()
+    for name in names:
+        if not isinstance(name, str):
+            raise TypeError(f"a rule is named by a text such as CS201, not {name!r}")
+        group = {rule.number for rule in RULES if rule.number.startswith(name.upper())}
+        is_group = re.fullmatch(r"CS\d?", name.upper()) is not None and bool(group)
+        chosen |= group if is_group else {rule_named(name).number}
+    return frozenset(chosen)
+
+
+def check(
+    code: _core.Code, main: int, rules: Iterable[str] | None, machine: str | None
+) -> list[Finding]:
+    """All findings, by their places."""
+    chosen = chosen_rules(rules)
+    told = _core.told_for(code.control)
+    found = (_finding(told, *row) for row in _core.check(code, main, machine or ""))
+    return [finding for finding in found if finding.rule in chosen]
+
+
+def _finding(
+    told: tuple[list[tuple[str, str]], dict[str, tuple[str, str]]],
+    index: int,
+    place: _core.Alarm,
+    source: str,
+    alarm: _core.Alarm | None,
+    path: tuple[_core.Frame, ...],
+    edits: Sequence[tuple[str, int, int, str, str]],
+    again: Sequence[tuple[_core.Alarm, str]],
+    count: int,
+) -> Finding:
+    rule = RULES[index]
+    meaning, hint = told[0][index]
+    detail = place.detail or (alarm.detail if alarm is not None else "")
+    if alarm is not None:
+        meaning, cure = told[1][alarm.cause]
+        hint = cure if rule.name in _OF_ANY_CAUSE else hint
+    message = detail or meaning
+    return Finding(
+        rule.number,
+        rule.name,
+        rule.severity,
+        place.program,
+        place.n,
+        max(1, place.line),  # an empty file has no lines
+        place.column,
+        place.file,
+        place.word,
+        message,
+        hint,
+        alarm,
+        path,
+        tuple(Edit(*edit) for edit in edits) or _fixes(rule, alarm, ((place, source), *again)),
+        source,
+        tuple(
+            Place(at.program, at.n, at.file, max(1, at.line), at.column, at.word) for at, _ in again
+        ),
+        count,
+    )
+
+
+# What these find has many causes, each with a cure of its own.
+_OF_ANY_CAUSE = ("refused", "code-not-available", "variable-not-available")
+
+
+_ASSIGNED = re.compile(r"[ \t]*(#\d+)[ \t]*=")
+_O_FOR_ZERO = re.compile(r"([A-NP-Z][-+]?)O(?=[\d.;\s]|$)")
+_COMMA = re.compile(r"[A-Z][-+]?\d+$")
+
+
+def _fixes(
+    rule: CheckRule, alarm: _core.Alarm | None, places: Iterable[tuple[_core.Alarm, str]]
+) -> tuple[Edit, ...] | None:
+    """Edits behind which the control does the same, or what it refused and can only mean, at all
+    places that have one.
+    """
+    fixes = (_fix(rule, place, alarm, line) for place, line in places)
+    return tuple(edit for fix in fixes for edit in fix or ()) or None
+
+
+def _fix(
+    rule: CheckRule, place: _core.Alarm, alarm: _core.Alarm | None, source: str
+) -> tuple[Edit, ...] | None:
+    word = place.word
+    if rule.name == "g99-for-m99" and (at := word.upper().find("G99")) >= 0:
+        return (Edit(place.file, place.line, place.column + at, word[at : at + 3], "M99"),)
+    # IF[#1 EQ 2]#3=4: an assignment behind a condition has no other meaning.
+    if rule.name == "if-without-then":
+        assigned = _ASSIGNED.match(source, place.column - 1)
+        if assigned is not None:
+            column = assigned.start(1) + 1
+            return (Edit(place.file, place.line, column, assigned[1], f"THEN {assigned[1]}"),)
+    return None if alarm is None else _mended_word(place, alarm, source)
+
+
+def _mended_word(place: _core.Alarm, alarm: _core.Alarm, source: str) -> tuple[Edit, ...] | None:
+    """XO. is X0., X1,5 is X1.5: the control refuses them, and nothing else can be meant."""
+    word = place.word
+    zero = _O_FOR_ZERO.match(source, place.column - 1)
+    if alarm.cause == "address-without-value" and zero is not None:
+        return (Edit(place.file, place.line, place.column, zero[0], f"{zero[1]}0"),)
+    comma = alarm.cause == "value-without-address" and re.fullmatch(r",\d+", word)
+    if comma and _COMMA.search(source[: place.column - 1].upper()):
+        return (Edit(place.file, place.line, place.column, word, f".{word[1:]}"),)
+    return None
+
+
+def counts(findings: Iterable[Finding]) -> Iterator[tuple[str, int]]:
+    """How many there are of each severity."""
+    every = [finding.severity for finding in findings]
+    for severity in SEVERITIES:
+        if severity in every:
+            yield severity, every.count(severity)
+
+
+class FlowEdge(NamedTuple):
+    """One way from a block to another: places among the blocks of the program.
+
+    `to` is the number of blocks for the end of the program, `None` for any block with a number,
+    where a jump is computed; `block` is `None` there for the way on from it. `kind`: `"next"`,
+    `"jump"`, `"computed"` or `"returned"` (by M99 P of a called program).
+    """
+
+    block: int | None
+    to: int | None
+    kind: str
+
+
+@dataclass(frozen=True)
+class Flow:
+    """The ways through a program, as its blocks are written.
+
+    `blocks`: how many blocks it has. `edges`: the ways between them. `returns`, `ends`: the blocks
+    that may return to a caller and that may end the run. `unreached`: the blocks that no jump or
+    call reaches.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 GOTO 30\\nN20 G4 P1\\nN30 M30\\n"
+    >>> flow = cncsub.loads(text, control="fanuc-0i-f").flow("O1")
+    >>> [(edge.block, edge.to, edge.kind) for edge in flow.edges], flow.ends, flow.unreached
+    ([(0, 2, 'jump'), (1, 2, 'next')], (2,), (1,))
+    """
+
+    program: str
+    blocks: int
+    edges: tuple[FlowEdge, ...]
+    returns: tuple[int, ...]
+    ends: tuple[int, ...]
+    unreached: tuple[int, ...]
+
+    def to_dot(self) -> str:
+        """The graph in the language of Graphviz."""
+
+        def name(place: int | None) -> str:
+            return "anywhere" if place is None else "end" if place == self.blocks else str(place)
+
+        ways = (
+            f"  {name(edge.block)} -> {name(edge.to)}"
+            + ("" if edge.kind == "next" else f' [label="{edge.kind}"]')
+            + ";"
+            for edge in self.edges
+        )
+        return "\n".join(["digraph flow {", *ways, "}"]) + "\n"
+
+
+def flow_of(data: _core.ProgramData, blocks: int) -> Flow:
+    edges, returns, ends, unreached = _core.flow(data)
+    return Flow(
+        data.name,
+        blocks,
+        tuple(FlowEdge(*row) for row in edges),
+        tuple(returns),
+        tuple(ends),
+        tuple(unreached),
+    )

@@ -1,0 +1,349 @@
+"""What a run executed, as one program without calls, jumps and loops."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from cncsub import _core
+from cncsub._core import Control
+from cncsub.comparison.compare import OtherControlPair, Pair, Parting, variables_lacking
+from cncsub.controls import control_of
+from cncsub.interrupts import uninterrupted
+from cncsub.library import Library
+from cncsub.loading import loads
+from cncsub.run import Run, Stop
+from cncsub.run_options import Options
+from cncsub.tables.rows import Origin
+from cncsub.tables.table import Table
+from cncsub.writing import opened
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from cncsub.inputs import Inputs
+    from cncsub.setup import Setup
+
+    Columns = Mapping[str, np.ndarray[Any, Any]]
+
+_NEAR = 1e-9  # s
+_KEPT = 1 << 24  # bytes of text that are kept; of a longer one each look runs the program again
+_ORIGINS = ("program", "n", "line", "call", "pass")
+
+
+class FlattenError(ValueError):
+    """Raised where no flat program exists or none can be written. `.reason`; `.program`, `.n` and
+    `.line` tell the block, `None` where it is no single one.
+    """
+
+    def __init__(
+        self,
+        reason: str,
+        program: str | None = None,
+        n: int | None = None,
+        line: int | None = None,
+    ) -> None:
+        place = "" if n is None else f" N{n}"
+        super().__init__(reason if program is None else f"{program}{place}, line {line}: {reason}")
+        self.reason, self.program, self.n, self.line = reason, program, n, line
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FlattenError, (self.reason, self.program, self.n, self.line)
+
+
+class Origins(Table[Origin]):
+    """Where the blocks of a flat program come from, a row for each in order.
+
+    Columns: `program` (codes of `programs`), `n` (-1: none), `line`, `call` (the row of
+    `run.calls`, -1: the main program) and `pass` (of its call, from 1).
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 G91 G0 X5.\\nN40 M99\\n"
+    >>> origins = cncsub.loads(text, control="fanuc-0i-f").flatten().origins
+    >>> origins[1]
+    Origin(program='O2', n=30, line=5, call=0, repeat=2)
+    >>> origins["pass"].tolist()
+    [1, 2, 1]
+    """
+
+    _title = "blocks"
+
+    def __init__(self, programs: list[str], columns: Columns) -> None:
+        self._columns = dict(columns)
+        self._programs = programs
+        for column in self._columns.values():
+            column.flags.writeable = False
+
+    @property
+    def columns(self) -> list[str]:
+        return list(_ORIGINS)
+
+    @property
+    def programs(self) -> list[str]:
+        """The names behind the codes of the column `program`."""
+        return self._programs
+
+    def _rows(self) -> int:
+        return len(self._columns["n"])
+
+    def _row(self, index: int) -> Origin:
+        program, n, *rest = (int(self._columns[name][index]) for name in _ORIGINS)
+        return Origin(self._programs[program], None if n < 0 else n, *rest)
+
+    def _fetch(self, names: list[str]) -> dict[str, np.ndarray[Any, Any]]:
+        return {name: self._columns[name].copy() for name in names}
+
+    def _texts(self, name: str) -> list[str] | None:
+        return self._programs if name == "program" else None
+
+
+class _FlatPair(Pair):
+    """A program and its flat one: variables, calls and steps are not to be the same."""
+
+    def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
+        yield from self._of_moves(a, b)
+        for name in ("m_codes", "t_codes", "messages"):
+            yield from self._of_list(a, b, name)
+        if len(a.moves) == len(b.moves):
+            apart = abs(a.moves.time - b.moves.time) > _NEAR  # dwells are time and no way
+            if apart.any():
+                at = int(apart.argmax())
+                steps = (int(a.moves.step[at]), int(b.moves.step[at]))
+                yield self._say((a, b), steps, (f"move {at}", f"move {at} of another time"))
+        alarms = [(run.alarm.cause, run.alarm.number) if run.alarm else None for run in (a, b)]
+        if a.stop != b.stop or alarms[0] != alarms[1]:
+            yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
+
+
+class Flat:
+    """A flat program: `text`, and `origins` with a row for each block of it (an `Origin`).
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P2\\nN20 M30\\nO2\\nN30 G0 X5.\\nN40 M99\\n"
+    >>> flat = cncsub.loads(text, control="fanuc-0i-f").flatten()
+    >>> flat.text.splitlines(), flat.origins[0].program, flat.origins[0].n
+    (['O1', 'G0 X5.', 'M30'], 'O2', 30)
+
+    A text of more than 16 MB is not kept: whoever asks for `text`, `origins`, `pieces()` or
+    `write()` has the program run again.
+    """
+
+    def __init__(
+        self,
+        begin: Callable[[], _core.Flattening],
+        parts: Callable[[str], Parting | None],
+    ) -> None:
+        self._begin = begin
+        self._parts = parts
+        self._blocks = 0
+        self._edited: str | None = None
+        self._kept: list[tuple[bytes, Columns]] | None = []
+        size = 0
+        for text, columns in self._written():
+            size += len(text)
+            self._blocks += len(columns["n"])
+            if self._kept is not None:
+                self._kept.append((text, columns))
+            if size > _KEPT:
+                self._kept = None
+
+    def _written(self) -> Iterator[tuple[bytes, Columns]]:
+        """The pieces as the engine writes them, and behind them what keeps the text from being
+        whole.
+        """
+        core = self._begin()
+        while (piece := core.next()) is not None:
+            yield piece
+        if core.refusal is not None:
+            raise FlattenError(*core.refusal)
+        if not core.ends:
+            raise _does_not_end(core)
+
+    def pieces(self) -> Iterator[str]:
+        """The text in pieces of about a megabyte, which end with a block. A text that was set comes
+        in one piece.
+        """
+        if self._edited is not None:
+            yield self._edited
+            return
+        for text, _ in self._kept if self._kept is not None else self._written():
+            yield text.decode(errors="surrogateescape")
+
+    @property
+    def text(self) -> str:
+        """The flat program. It may be set, to see by `verify` what an edit changes."""
+        return "".join(self.pieces())
+
+    @text.setter
+    def text(self, text: str) -> None:
+        self._edited = text
+
+    @cached_property
+    def origins(self) -> Origins:
+        """Where each block of the text comes from: see `Origins`."""
+        import numpy as np
+
+        pieces = self._kept if self._kept is not None else list(self._columns_again())
+        columns = {name: np.concatenate([of[name] for _, of in pieces]) for name in _ORIGINS}
+        return Origins(self._begin().program_names, columns)
+
+    def _columns_again(self) -> Iterator[tuple[bytes, Columns]]:
+        for _, columns in self._written():
+            yield b"", columns
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Write the text to a file, piece by piece: memory stays what one piece needs. Raises
+        `OSError` where the file cannot be written.
+        """
+        with opened(path, "wb") as file:
+            for piece in self.pieces():
+                file.write(piece.encode(errors="surrogateescape"))
+
+    def verify(self) -> None:
+        """Run the program and the text, and raise `AssertionError` with the first difference
+        between the two in moves (1e-9 mm), M and T codes, messages and the stop. Memory: that of
+        both runs and of the text.
+        """
+        parting = self._parts(self.text)
+        if parting is not None:
+            raise AssertionError(parting.what)
+
+    def __repr__(self) -> str:
+        return f"<Flat: {self._blocks:,} block{'s' if self._blocks != 1 else ''}>"
+
+
+def flatten(
+    library: Library,
+    main: str | int | None = None,
+    *,
+    control: str | Control | None = None,
+    comments: bool = False,
+    start: int | None = None,
+    variables: Mapping[int, float | None] | None = None,
+    block_skip: Iterable[int] | int = (),
+    optional_stop: bool = False,
+    max_cycles: int = 1,
+    max_blocks: int = 10_000_000,
+    max_seconds: float | None = None,
+    max_memory: int | None = None,
+    inputs: Inputs | Mapping[str, Any] | None = None,
+    setup: Setup | Mapping[str, Any] | None = None,
+) -> Flat:
+    """Write what `main` executes as one program without calls, jumps and loops.
+
+    The words of the blocks stand as they are written, computed values as numbers that the control
+    takes for the same (in brackets where it takes no plain number so). Offsets, outputs and
+    messages that statements set are set by statements without variables; what DPRNT prints stands
+    in locals.
+
+    `control`: the one that the flat program is for, the library's where it is not given; for
+    another one the flat program is run and compared before it is returned. `comments`: the origin
+    of each block behind it. The other options are those of `Library.run`.
+
+    Raises `FlattenError`, which is a `ValueError`, with the reason and the block where there is no
+    such program: a run that does not end or ends by an alarm that is not the program's own, a value
+    that the control has no way to write, for another control a program that does not run alike
+    there.
+
+    >>> import cncsub
+    >>> text = "O1\\nG90 G0\\nM98 P2 L2\\nM30\\nO2\\nX#100\\n#100=#100+5\\nM99\\n"
+    >>> library = cncsub.loads(text, control="fanuc-0i-f")
+    >>> print(cncsub.flatten(library, variables={100: 0}).text, end="")
+    O1
+    G90 G0
+    X0.
+    X5.
+    M30
+    """
+    options: Options = {
+        "start": start,
+        "variables": variables,
+        "block_skip": tuple(block_skip) if not isinstance(block_skip, int) else block_skip,
+        "optional_stop": optional_stop,
+        "max_cycles": max_cycles,
+        "max_blocks": max_blocks,
+        "max_seconds": max_seconds,
+        "max_memory": max_memory,
+        "inputs": inputs,
+        "setup": setup,
+    }
+    target = library.control if control is None else control_of(control)
+    traced: Options = {**options, "trace": "calls"}
+
+    def written(in_its_words: bool) -> Flat:
+        def begin() -> _core.Flattening:
+            other = _at_power_on(target, setup) if in_its_words else None
+            return _core.flattening(library._begin(main, **traced), comments, other)
+
+        return Flat(begin, lambda text: _parts(library, main, target, options, text))
+
+    if control is None:
+        return written(False)
+    if target.dialect == library.control.dialect:
+        flat = written(False)
+        if flat._parts(flat.text) is None:
+            return flat
+    flat = written(True)
+    parting = flat._parts(flat.text)
+    if parting is not None:
+        _refuse(parting, library, main, options)
+    return flat
+
+
+def _at_power_on(control: Control, setup: Setup | Mapping[str, Any] | None) -> _core.Machine:
+    """A machine of the control that has executed nothing."""
+    return loads("", control=control)._begin(None, setup=setup)
+
+
+def _refuse(
+    parting: Parting, library: Library, main: str | int | None, options: Options
+) -> NoReturn:
+    """Refuses a program for another control that does not run alike."""
+    run = uninterrupted(library.run(main, **options))
+    reason = f"the flat program would not run alike\n{parting.what}"
+    if not len(run.steps):
+        raise FlattenError(reason)
+    step = run.steps[min(parting.first, len(run.steps) - 1)]
+    raise FlattenError(reason, step.program, step.n, step.line)
+
+
+def _parts(
+    library: Library, main: str | int | None, control: Control, options: Options, text: str
+) -> Parting | None:
+    """Where the flat program parts from the run."""
+    again: Options = {**options, "max_cycles": 1, "start": None}  # the flat program begins there
+    flat = loads(text, control=control)
+    given = options.get("variables") or {}
+    lacking = variables_lacking(control, given)  # their values stand in the text
+    again["variables"] = {n: value for n, value in given.items() if n not in lacking}
+    kind = _FlatPair if control is library.control else OtherControlPair
+    pair = kind((library, flat), ("program", "flat"), main, options)
+    try:
+        run, other = map(uninterrupted, (library.run(main, **options), flat.run(**again)))
+    except KeyError as error:  # read so, there is no program
+        raise FlattenError(
+            f"{control.name} reads the flat text otherwise: {error.args[0]}"
+        ) from None
+    if len(other.calls):
+        call = other.calls[0]
+        step = other.steps[call.caller_step]
+        what = f"the flat program calls {call.program} in line {step.line}"
+        return Parting(len(run.steps), call.caller_step, what)
+    return pair.parting(run, other)
+
+
+def _does_not_end(core: _core.Flattening) -> FlattenError:
+    alarm = core.alarm
+    if alarm is not None:
+        return FlattenError(
+            f"the run ends by an alarm: {alarm.number or ''} {alarm.cause}",
+            alarm.program,
+            alarm.n,
+            alarm.line,
+        )
+    if core.stop == Stop.INTERRUPTED:
+        raise KeyboardInterrupt
+    waits = f" for {core.waiting_for}" if core.waiting_for else ""
+    return FlattenError(f"the run does not end: it stopped with {Stop(core.stop).value}{waits}")

@@ -1,0 +1,1 @@
+"""Every program of some folders, by several processes, into one table."""

@@ -1,0 +1,288 @@
+"""What a worker does with a chunk of jobs: each becomes rows, whatever its files are."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import BrokenExecutor, Executor
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from cncsub import _core
+from cncsub._core import Control
+from cncsub.files import CoreFile, Reading, StrPath, read_found_files, read_paths, walk
+from cncsub.interrupts import uninterrupted
+from cncsub.library import Library
+from cncsub.reports.hints import foreign_language
+from cncsub.run import Run, Stop
+from cncsub.system import kept_from_children
+
+Row = tuple[Any, ...]
+RUN_COLUMNS = {
+    "path": "string",
+    "control": "string",
+    "status": "string",
+    "stop": "string",
+    "cause": "string",
+    "number": "string",
+    "text": "string",
+    "program": "string",
+    "n": "int64",
+    "line": "int64",
+    "column": "int64",
+    "blocks": "int64",
+    "calls": "int64",
+    "moves": "int64",
+    "length": "float64",  # mm
+    "time": "float64",  # s of machining
+    "seconds": "float64",  # of the computer
+    "error": "string",
+}
+CHECK_COLUMNS = {
+    "path": "string",
+    "control": "string",
+    "status": "string",
+    "rule": "string",
+    "name": "string",
+    "severity": "string",
+    "program": "string",
+    "n": "int64",
+    "line": "int64",
+    "column": "int64",
+    "file": "string",
+    "word": "string",
+    "message": "string",
+    "hint": "string",
+    "count": "int64",  # in how many places
+    "alarm": "string",
+    "error": "string",
+}
+COLUMNS = {"run": RUN_COLUMNS, "check": CHECK_COLUMNS}
+
+
+class Job(NamedTuple):
+    """One main file, or one folder: its path, what stands before the names of its files, and the
+    names. `fault`: why nothing can be read. `mark` changes when the files do.
+    """
+
+    path: str
+    before: str
+    names: tuple[str, ...]
+    fault: str | None = None
+    mark: str = ""
+
+
+class Task(NamedTuple):
+    """What is done with every job of a batch."""
+
+    kind: str  # "run" or "check"
+    control: Control
+    each: str
+    external: StrPath | None
+    encoding: str | None
+    options: dict[str, Any]
+
+
+Work = Callable[[Task, Sequence[Job]], list[list[Row]]]
+
+
+def do_chunk(task: Task, jobs: Sequence[Job]) -> list[list[Row]]:
+    """The rows of each job, in order."""
+    return [_rows(task, job) for job in jobs]
+
+
+def _rows(task: Task, job: Job) -> list[Row]:
+    begun = time.perf_counter()
+    try:
+        if job.fault is not None:
+            raise OSError(job.fault)
+        library = _library(task, job)
+    except (OSError, ValueError) as error:
+        return [bad_row(task, job, "unreadable", _words(error))]
+    except Exception as error:  # one file never ends the batch
+        return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
+    try:
+        left_out = _left_out(task, library)
+        if task.kind == "check":
+            found = finding_rows(task, job, library.check(**task.options), library)
+            return found + ([bad_row(task, job, "unreadable", left_out)] if left_out else [])
+        run = uninterrupted(library.run(**task.options))
+        seconds = time.perf_counter() - begun
+        return [_run_row(task, job, run, seconds, left_out, foreign_language(library))]
+    except Exception as error:
+        return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
+
+
+def _words(error: Exception) -> str:
+    known = isinstance(error, OSError) and error.strerror
+    return str(known or error)
+
+
+def _library(task: Task, job: Job) -> Library:
+    reading = Reading()
+    real = os.path.realpath(job.before)
+    read_found_files(job.before, list(job.names), real, task.encoding, reading)
+    if not reading.files:
+        raise ValueError(reading.skipped[0][1] if reading.skipped else "no program")
+    if task.each == "beside":
+        beside = next(walk(Path(job.before), Reading()), ("", [], ""))[1]
+        read_found_files(job.before, beside, real, task.encoding, reading)
+    names = reading.names
+    files: list[CoreFile] = reading.rows(False)
+    if task.external is not None:
+        outside = read_paths([task.external], encoding=task.encoding)
+        files += outside.rows(True)
+    code = _core.compile(task.control, files, task.external is not None)
+    return Library(code, names, reading.skipped)
+
+
+def _left_out(task: Task, library: Library) -> str:
+    """The files of a folder that could not be read, and why; beside others each is its own row."""
+    return "; ".join(f"{file}: {why}" for file, why in library.skipped if task.each == "folder")
+
+
+def _run_row(
+    task: Task, job: Job, run: Run, seconds: float, left_out: str, language: str | None
+) -> Row:
+    alarm = run.alarm
+    told = [str(alarm.detail)] if alarm is not None else []
+    told += [left_out] if left_out else []
+    told += [language] if language else []
+    ended = run.stop in (Stop.END, Stop.CYCLES)
+    # Where a run that waits or met a limit stood: its last block.
+    place = alarm or (None if ended or not len(run.steps) else run.steps[-1])
+    return (
+        job.path,
+        task.control.name,
+        "ran" if run.stop == Stop.END else str(run.stop),
+        str(run.stop),
+        alarm and alarm.cause,
+        alarm and alarm.number,
+        alarm and alarm.text,
+        place and place.program,
+        place and place.n,
+        place and place.line,
+        alarm and alarm.column,
+        len(run.steps),
+        len(run.calls),
+        len(run.moves),
+        run.moves.total_length,
+        run.moves.total_time,
+        seconds,
+        "; ".join(told) if told else None,
+    )
+
+
+def finding_rows(
+    task: Task, job: Job, findings: Sequence[Any], library: Library | None = None
+) -> list[Row]:
+    """A row for each finding of one job; the first tells a language that no control here reads."""
+    language = None if library is None or not findings else foreign_language(library)
+    names = list(CHECK_COLUMNS)[3:-2]
+    return [
+        (
+            job.path,
+            task.control.name,
+            "finding",
+            *(getattr(finding, name) for name in names),
+            _number(finding.alarm),
+            None if place else language,
+        )
+        for place, finding in enumerate(findings)
+    ]
+
+
+def _number(alarm: Any) -> str | None:
+    """The number of an alarm that is told as one, or as its number."""
+    found = getattr(alarm, "number", alarm)
+    return None if found is None else str(found)
+
+
+def bad_row(task: Task, job: Job, status: str, error: str) -> Row:
+    """The row of a job that cannot be done, with the reason."""
+    known = {
+        "path": job.path,
+        "control": task.control.name,
+        "status": status,
+        "error": error,
+    }
+    return tuple(known.get(name) for name in COLUMNS[task.kind])
+
+
+# ---- workers ----
+
+
+def _ready() -> bool:
+    return True
+
+
+def _end_with_parent() -> None:
+    """A worker ends with the process that started it, even where that is killed: nothing else would
+    tell it that no work comes any more.
+    """
+    import multiprocessing
+    import threading
+
+    parent = multiprocessing.parent_process()
+    if parent is None:
+        return
+
+    def wait() -> None:
+        parent.join()
+        os._exit(1)
+
+    threading.Thread(target=wait, daemon=True).start()
+
+
+def new_pool(workers: int) -> Executor:
+    """Processes of our own. Spawned, because a fork of a process with threads may hang.
+
+    Raises `RuntimeError` where they cannot start.
+    """
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor
+
+    class Pool(ProcessPoolExecutor):
+        def submit(self, *work: Any, **options: Any) -> Any:
+            with kept_from_children():
+                return super().submit(*work, **options)
+
+    spawned = multiprocessing.get_context("spawn")
+    pool = Pool(workers, mp_context=spawned, initializer=_end_with_parent)
+    try:
+        pool.submit(_ready).result()
+    except (BrokenExecutor, KeyboardInterrupt) as error:
+        end_pool(pool)
+        if isinstance(error, KeyboardInterrupt):
+            raise
+        raise RuntimeError(
+            "the worker processes cannot start; a script that runs a batch calls it below"
+            ' `if __name__ == "__main__":`'
+        ) from None
+    return pool
+
+
+def end_pool(pool: Executor) -> None:
+    """End the processes at once, whatever they do."""
+    processes = list((getattr(pool, "_processes", None) or {}).values())
+    for process in processes:
+        process.terminate()
+    pool.shutdown(wait=True, cancel_futures=True)
+
+
+def done_apart(work: Work, task: Task, jobs: Sequence[Job]) -> list[list[Row]]:
+    """The rows of a chunk whose worker died, done in a process of its own; where that dies too, by
+    halves, so that only the job that kills it is marked `crashed`.
+    """
+    pool = new_pool(1)
+    try:
+        return pool.submit(work, task, jobs).result()
+    except BrokenExecutor:
+        pass
+    finally:
+        end_pool(pool)
+    if len(jobs) == 1:
+        return [[bad_row(task, jobs[0], "crashed", "its worker process died")]]
+    half = len(jobs) // 2
+    return done_apart(work, task, jobs[:half]) + done_apart(work, task, jobs[half:])

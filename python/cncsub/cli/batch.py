@@ -1,0 +1,147 @@
+"""The command `cncsub batch`: every program of some folders, and how each stopped or what is wrong
+with it.
+"""
+
+from __future__ import annotations
+
+import enum
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from cncsub.analysis.checking import chosen_rules
+from cncsub.cli.options import (
+    ControlName,
+    Encoding,
+    External,
+    Param,
+    SetupFile,
+    control_for,
+    setup_for,
+    wrong_use,
+)
+from cncsub.cli.project import Project, project_for
+from cncsub.escapes import shown
+
+_SHOWN = 20  # of the runs that did not end well, and of the findings, as text
+FINE = ("ran", "cycles", "note")
+
+
+class BatchFormat(enum.StrEnum):
+    """How `cncsub batch` tells its rows."""
+
+    TEXT = "text"
+    JSON = "json"
+
+
+def batch(
+    paths: Annotated[
+        list[str] | None, typer.Argument(help="Files and folders.", show_default=False)
+    ] = None,
+    control: ControlName = None,
+    param: Param = None,
+    jobs: Annotated[
+        int | None, typer.Option("-j", "--jobs", help="How many processes work.", min=1)
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="A folder for Parquet files; the same call resumes.")
+    ] = None,
+    each: Annotated[str, typer.Option(help="file, beside or folder: what one run loads.")] = "file",
+    external: External = None,
+    encoding: Encoding = None,
+    setup: SetupFile = None,
+    check: Annotated[
+        bool, typer.Option("--check", help="Check each, as `cncsub check` does, and run none.")
+    ] = False,
+    max_blocks: Annotated[int, typer.Option(help="Of one run.", min=0)] = 1_000_000,
+    max_seconds: Annotated[float, typer.Option(help="Of one run.")] = 10.0,
+    format: Annotated[
+        BatchFormat, typer.Option(help="json writes an object a line.")
+    ] = BatchFormat.TEXT,
+) -> None:
+    """Run or check every program file of some folders, each alone, and tell how each stopped.
+
+    Exit status: 0 where all ran, or nothing was found but notes; 1 otherwise.
+    """
+    options = locals()
+    with wrong_use():
+        project = project_for(paths)
+        try:
+            rows = _rows(options, project)
+        except ImportError as error:
+            raise ValueError(str(error)) from None
+    counts = _tell(rows, format, project.severity)
+    if not counts and check and format is BatchFormat.TEXT:
+        typer.echo("nothing found")
+    if not counts and not check:
+        typer.echo("no file was found there", err=True)
+        raise typer.Exit(2)
+    raise typer.Exit(0 if set(counts) <= set(FINE) else 1)
+
+
+def _rows(options: Mapping[str, Any], project: Project) -> Any:
+    """The rows of the runs or the findings."""
+    from cncsub.archive.many import check_many, run_many
+
+    paths = options["paths"] or list(project.folders)
+    if not paths:
+        raise ValueError("which programs? Name files or folders")
+    shared: dict[str, Any] = {
+        "control": control_for(options, project),
+        "each": options["each"],
+        "external": options["external"] or project.external,
+        "encoding": options["encoding"],
+        "jobs": options["jobs"],
+        "out": options["out"],
+        "progress": True,
+    }
+    if (setup := setup_for(options, project)) is not None:
+        shared["setup"] = setup
+    if not options["check"]:
+        limits = {name: options[name] for name in ("max_blocks", "max_seconds")}
+        return run_many(paths, **shared, **limits)
+    asked = chosen_rules(None) - project.ignore
+    return check_many(paths, **shared, rules=sorted(asked))
+
+
+def _tell(rows: Any, format: BatchFormat, severities: Mapping[str, str]) -> dict[str, int]:
+    """Print the rows, a part of them at a time, and count them by status, findings by severity."""
+    counts: dict[str, int] = {}
+    told = 0
+    for part in rows.to_batches():
+        for row in part.to_pylist():
+            if row.get("rule"):
+                row["severity"] = severities.get(row["rule"], row["severity"])
+            status = row.get("severity") or row["status"]
+            counts[status] = counts.get(status, 0) + 1
+            if format is BatchFormat.JSON:
+                typer.echo(json.dumps(row))
+            elif status not in FINE and (told := told + 1) <= _SHOWN:
+                typer.echo(shown(_line(row)))
+    if format is BatchFormat.TEXT:
+        from cncsub.archive.store import SKIPPED
+
+        _print_counts(counts, told, json.loads(rows.schema.metadata[SKIPPED.encode()]))
+    return counts
+
+
+def _line(row: dict[str, Any]) -> str:
+    where = "" if row["line"] is None else f":{row['line']}"
+    if row.get("rule"):
+        named = f"{row['severity']} {row['rule']} {row['name']}"
+        return f"{row['file']}{where}: {named}: {row['message']}"
+    alarm = " ".join(row[name] for name in ("number", "cause") if row.get(name))
+    why = ": ".join(text for text in (alarm, row["error"]) if text)
+    return f"{row['path']}{where}: {row['status']}{' ' + why if why else ''}"
+
+
+def _print_counts(counts: dict[str, int], told: int, skipped: dict[str, int]) -> None:
+    if told > _SHOWN:
+        typer.echo(f"... and {told - _SHOWN} more; --format json or --out tells all")
+    for status, count in sorted(counts.items()):
+        typer.echo(f"{count:8} {status}")
+    for reason, count in sorted(skipped.items()):
+        typer.echo(f"{count:8} left out: {reason}")

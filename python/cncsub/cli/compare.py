@@ -1,0 +1,137 @@
+"""The commands `cncsub compare` and `cncsub diff`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+import cncsub
+from cncsub.cli.options import (
+    ControlName,
+    Encoding,
+    External,
+    Format,
+    InputsFile,
+    Main,
+    MaxBlocks,
+    MaxCycles,
+    OptionalStop,
+    Output,
+    Param,
+    Paths,
+    Prefer,
+    Set,
+    SetupFile,
+    Skip,
+    Start,
+    VariablesFile,
+    control_named,
+    memory_of,
+    run_options,
+    told_idle,
+    write_json,
+    write_text,
+    wrong_use,
+)
+from cncsub.cli.translate import Translate, tell_translation
+from cncsub.comparison.changes import changed_lines
+from cncsub.controls import names_beginning
+from cncsub.escapes import shown
+from cncsub.reports.facts import comparison_facts
+
+
+def compare(
+    paths: Paths = None,
+    control: Annotated[
+        list[str] | None,
+        typer.Option(
+            "-c",
+            "--control",
+            help="The controls: give it twice.",
+            show_default=False,
+            autocompletion=names_beginning,
+        ),
+    ] = None,
+    main: Main = None,
+    set: Set = None,
+    variables: VariablesFile = None,
+    skip: Skip = None,
+    external: External = None,
+    prefer: Prefer = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    translate: Translate = False,
+    format: Annotated[Format, typer.Option()] = Format.TEXT,
+    output: Output = None,
+) -> None:
+    """Run a program on two controls: where they part, and the rules that make it.
+
+    With --translate, calls are rewritten so that the second control does what the first one does,
+    which is proved by running both: the changes are printed, or the programs written to folder -o.
+    """
+    options = {**locals(), "mdi": None, "param": None}
+    with wrong_use():
+        if control is None or len(control) != 2:
+            raise ValueError("compare takes two controls: -c ONE -c ANOTHER")
+        pair = [control_named(name) for name in control]
+        library = memory_of({**options, "control": control[0]})
+        asked = run_options(options, "moves")
+        told_idle(library, asked)
+        if translate:
+            made = cncsub.translate(library.read_for(pair[0]), pair[1], main=main, **asked)
+            tell_translation(made, output, as_json=format is Format.JSON)
+            return
+        compared = cncsub.compare(library, controls=pair, main=main, **asked)
+    _tell(compared, format, output)
+
+
+def diff(
+    before: Annotated[str, typer.Argument(help="A file or a folder.", show_default=False)],
+    after: Annotated[str, typer.Argument(help="Its new version.", show_default=False)],
+    control: ControlName = None,
+    main: Main = None,
+    set: Set = None,
+    variables: VariablesFile = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    prefer: Prefer = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    format: Annotated[Format, typer.Option()] = Format.TEXT,
+    output: Output = None,
+) -> None:
+    """Run two versions of a program: what the new one does otherwise."""
+    options = {**locals(), "mdi": None}
+    with wrong_use():
+        old, new = (memory_of({**options, "paths": [path]}) for path in (before, after))
+        compared = cncsub.compare(old, new, main=main, **run_options(options, "moves"))
+    _tell(compared, format, output)
+
+
+MOST_CHANGES = 100
+
+
+def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> None:
+    if format is Format.JSON:
+        write_json(output, comparison_facts(compared))
+    else:
+        told = str(compared).split("\n")
+        if compared.changes:
+            told += ["what blocks do otherwise:"]
+            told += [f"  {line}" for line in changed_lines(compared.changes, MOST_CHANGES)]
+        lines = "\n".join(map(shown, told))
+        write_text(output, lambda console: console.print(lines))
+    raise typer.Exit(0 if compared.same else 1)

@@ -1,0 +1,224 @@
+"""`cncsub controls`: the controls, what one of them does and why, and how two differ."""
+
+from __future__ import annotations
+
+import io
+import os
+import shutil
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+import cncsub
+from cncsub.cli.options import Format, Output, control_named, write_json, write_text, wrong_use
+from cncsub.controls import names_beginning
+from cncsub.escapes import shown
+from cncsub.interrupts import left_to_child
+from cncsub.reports.facts import control_facts
+from cncsub.reports.printing import (
+    Console,
+    console_on,
+    print_control,
+    print_pairs,
+    print_wrapped,
+)
+
+_LISTS = {  # and what one of them is called
+    "rules": "rule",
+    "parameters": "parameter",
+    "variable_options": "variables by option",
+    "alarms": "alarm",
+}
+
+
+def controls(
+    name: Annotated[
+        str | None,
+        typer.Argument(help="One control.", show_default=False, autocompletion=names_beginning),
+    ] = None,
+    words: Annotated[
+        list[str] | None,
+        typer.Argument(
+            help="Only what holds all of these: 6005, repeat, PS0076.", show_default=False
+        ),
+    ] = None,
+    diff: Annotated[
+        str | None,
+        typer.Option(
+            "--diff",
+            help="Another control: what differs.",
+            metavar="OTHER",
+            autocompletion=names_beginning,
+        ),
+    ] = None,
+    format: Annotated[Format, typer.Option()] = Format.TEXT,
+    output: Output = None,
+) -> None:
+    """List the controls, or the rules, parameters and alarms of one with their sources."""
+    if name is None:
+        with wrong_use():
+            if diff is not None:
+                raise ValueError("--diff compares two controls: name the first one too")
+        listed = {known.name: known.title for known in cncsub.controls.values()}
+        if format is Format.JSON:
+            write_json(output, [{"name": key, "title": title} for key, title in listed.items()])
+        else:
+            write_text(output, lambda console: print_pairs(console, listed))
+        return
+    control = control_named(name)
+    if diff is None and not words and format is Format.TEXT:
+        _paged(output, lambda console: print_control(console, control))
+        return
+    facts = _chosen(control_facts(control), words or ())
+    if diff is None:
+        with wrong_use():
+            if words and not any(facts[kind] for kind in _LISTS):
+                raise ValueError(f"nothing of {control.name} holds {' and '.join(words)}")
+        _tell(facts, format, output, lambda: _lines(facts))
+        return
+    other = control_named(diff)
+    differences = list(_differences(facts, _chosen(control_facts(other), words or ())))
+    told = {"controls": [control.name, other.name], "differences": differences}
+    _tell(told, format, output, lambda: _difference_lines(told))
+
+
+class _Held(io.StringIO):
+    """A text for a terminal, held back."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def _paged(output: Path | None, write: Callable[[Console], None]) -> None:
+    """Text that is longer than the terminal goes through a pager: `PAGER`, or what there is."""
+    if output is not None or not (sys.stdout.isatty() and sys.stdin.isatty()):
+        write_text(output, write)
+        return
+    held = _Held()
+    write(console_on(held))
+    text = held.getvalue()
+    if text.count("\n") < shutil.get_terminal_size().lines:
+        sys.stdout.write(text)
+        return
+    from pydoc import pager  # not imported where nothing is paged
+
+    os.environ.setdefault("LESS", "-R")  # colours as they are
+    with left_to_child():
+        pager(text)
+
+
+def _tell(facts: dict[str, Any], format: Format, output: Any, lines: Any) -> None:
+    if format is Format.JSON:
+        write_json(output, facts)
+        return
+
+    def write(console: Console) -> None:
+        for line in lines():
+            print_wrapped(console, shown(line))
+
+    _paged(output, write)
+
+
+def _chosen(facts: dict[str, Any], words: Iterable[str]) -> dict[str, Any]:
+    """The facts that hold all of the words, anywhere in them, in capitals or not."""
+    wanted = [word.casefold() for word in words]
+
+    def holds(fact: object) -> bool:
+        text = str(fact).casefold()
+        return all(word in text for word in wanted)
+
+    return {
+        name: [fact for fact in value if holds(fact)] if name in _LISTS else value
+        for name, value in facts.items()
+    }
+
+
+def _lines(facts: dict[str, Any]) -> Iterator[str]:
+    for kind in _LISTS:
+        for fact in facts[kind]:
+            yield _headline(kind, fact)
+            yield f"    [{fact['source']}; {fact['evidence']}]"
+
+
+def _headline(kind: str, fact: dict[str, Any]) -> str:
+    word = _LISTS[kind]
+    if kind == "alarms":
+        return f"{word} {_number(fact)} {fact['cause']}: {fact['text'] or _meaning(fact)}"
+    sets = f" (sets {', '.join(fact['rules'])})" if fact.get("rules") else ""
+    value = f" = {_shown_value(fact['value'])}" if "value" in fact else ""
+    return f"{word} {fact['name']}{value}: {fact['meaning']}{sets}"
+
+
+def _meaning(fact: dict[str, Any]) -> str:
+    meaning = fact["meaning"] if "meaning" in fact else cncsub.causes[fact["cause"]].meaning
+    return str(meaning)
+
+
+def _number(fact: dict[str, Any]) -> str:
+    return str(fact["number"] or "(no number)")
+
+
+def _shown_value(value: object) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return f"{value:g}" if isinstance(value, float) else str(value) or "none"
+
+
+# ---- two controls ----
+
+
+def _differences(one: dict[str, Any], other: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    for kind in _LISTS:
+        key = "cause" if kind == "alarms" else "name"
+        pairs: dict[str, list[Any]] = {}
+        for side, facts in enumerate((one, other)):
+            for fact in facts[kind]:
+                pairs.setdefault(fact[key], [None, None])[side] = fact
+        for name, pair in pairs.items():
+            values = [_compared(kind, fact) for fact in pair]
+            if values[0] != values[1]:
+                meaning = _meaning(next(fact for fact in pair if fact is not None))
+                yield {
+                    "kind": kind,
+                    "name": name,
+                    "meaning": meaning,
+                    "values": values,
+                    "sources": [None if fact is None else fact["source"] for fact in pair],
+                }
+
+
+def _compared(kind: str, fact: dict[str, Any] | None) -> Any:
+    if fact is None:
+        return None
+    if kind == "alarms":
+        return f"{_number(fact)} {fact['text'] or ''}".strip()
+    return fact.get("value", fact.get("numbers"))
+
+
+MOST_WORDS = 8  # of a list that is shown whole
+
+
+def _told_apart(*values: Any) -> list[str]:
+    """Two values, of long lists what the other has not."""
+    lists = [str(value).split() for value in values]
+    if None in values or max(map(len, lists)) <= MOST_WORDS:
+        return ["is not there" if value is None else _shown_value(value) for value in values]
+    return [
+        "besides: " + (" ".join(word for word in mine if word not in other) or "nothing")
+        for mine, other in (lists, lists[::-1])
+    ]
+
+
+def _difference_lines(told: dict[str, Any]) -> Iterator[str]:
+    names = told["controls"]
+    width = max(map(len, names))
+    for difference in told["differences"]:
+        yield f"{_LISTS[difference['kind']]} {difference['name']}: {difference['meaning']}"
+        apart = _told_apart(*difference["values"])
+        for name, there, source in zip(names, apart, difference["sources"], strict=True):
+            yield f"    {name.ljust(width)}  {there}" + (f"  [{source}]" if source else "")
+    count = len(told["differences"])
+    yield f"{count:,} difference{'' if count == 1 else 's'} between {names[0]} and {names[1]}"

@@ -1,0 +1,109 @@
+"""The command `cncsub coverage`."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+import cncsub
+from cncsub.cli.options import (
+    ControlName,
+    Encoding,
+    External,
+    InputsFile,
+    MaxBlocks,
+    MaxCycles,
+    OptionalStop,
+    Param,
+    Paths,
+    Prefer,
+    Set,
+    SetupFile,
+    Skip,
+    Start,
+    VariablesFile,
+    memory_of,
+    run_options,
+    tell_dropped,
+    told_idle,
+    whole_run,
+    wrong_use,
+)
+from cncsub.coverage.block_counts import percent_text
+from cncsub.coverage.formats import coverage_lines
+from cncsub.coverage.summary import Coverage
+from cncsub.escapes import shown
+from cncsub.reports.printing import Console, console_on
+from cncsub.writing import write_whole
+
+_Report = Annotated[Path | None, typer.Option(help="Write this file.", metavar="FILE")]
+
+
+def coverage(
+    paths: Paths = None,
+    control: ControlName = None,
+    main: Annotated[
+        list[str] | None, typer.Option(help="A program to run; given again, another one.")
+    ] = None,
+    set: Set = None,
+    variables: VariablesFile = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    prefer: Prefer = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    html: _Report = None,
+    lcov: _Report = None,
+    cobertura: _Report = None,
+    fail_under: Annotated[
+        float, typer.Option(help="Exit with 1 below so many percent.", min=0, max=100)
+    ] = 0,
+) -> None:
+    """Run programs and tell which blocks and branches they went through."""
+    options = {**locals(), "mdi": None, "output": None, "main": None}
+    total = Coverage()
+    with wrong_use():
+        library = memory_of(options)
+        names: list[str | None] = [*main] if main else [None]
+        asked = run_options(options, "blocks")
+        told_idle(library, asked)
+        for name in names:
+            run = whole_run(library.run(name, **asked))
+            total += run.coverage()
+            _tell_stop(run, name)
+            tell_dropped(len(run.dropped), (word.warning for word in run.dropped))
+        for path, text in ((html, total.to_html), (lcov, total.to_lcov)):
+            _write(path, text)
+        _write(cobertura, total.to_cobertura)
+    print_coverage(console_on(sys.stdout), total)
+    if total.percent < fail_under:
+        told = percent_text(total.percent)
+        typer.echo(f"cncsub: coverage is {told}, below {fail_under:g} %", err=True)
+        raise typer.Exit(1)
+
+
+def _tell_stop(run: cncsub.Run, name: str | None) -> None:
+    """What ended before its end covers less than it seems: said, whatever the limit is."""
+    if run.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
+        reason = str(run.alarm) if run.alarm is not None else str(run.stop)
+        typer.echo(shown(f"{name or 'the main program'} stopped early: {reason}"), err=True)
+
+
+def _write(path: Path | None, text: Callable[[], str]) -> None:
+    if path is not None:
+        write_whole(path, text())
+
+
+def print_coverage(console: Console, coverage: Coverage) -> None:
+    for line in coverage_lines(coverage):
+        console.print(shown(line))

@@ -1,0 +1,534 @@
+"""What the commands share: their options, what they make of them, and how they write."""
+
+from __future__ import annotations
+
+import contextlib
+import enum
+import itertools
+import json
+import math
+import os
+import re
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+import cncsub
+from cncsub import system
+from cncsub.analysis.notes import Note, counting, same_blocks
+from cncsub.cli.project import PLACES, Project, project_for
+from cncsub.controls import did_you_mean, names_beginning
+from cncsub.escapes import shown
+from cncsub.loading import load_with
+from cncsub.reports.printing import Console, console_on, stop_text
+from cncsub.sibling_files import with_files_beside
+from cncsub.writing import opened
+
+MOST_WATCHED = 1000  # variables of one range; the engine takes no more of all
+
+
+class WrongUseError(Exception):
+    """What the caller can mend; its text is the line that is printed."""
+
+
+class Format(enum.StrEnum):
+    TEXT = "text"
+    JSON = "json"
+
+
+class RunFormat(enum.StrEnum):
+    TEXT = "text"
+    JSON = "json"
+    CSV = "csv"
+    PARQUET = "parquet"
+
+
+# ---- options ----
+
+Paths = Annotated[
+    list[str] | None,  # an empty path is not the folder one stands in
+    typer.Argument(
+        help="Files and folders: the memory of the control. The first program runs.",
+        show_default=False,
+    ),
+]
+ControlName = Annotated[
+    str | None,
+    typer.Option(
+        "-c",
+        "--control",
+        help="The control; `cncsub controls` lists them.",
+        envvar="CNCSUB_CONTROL",
+        show_envvar=False,
+        autocompletion=names_beginning,
+    ),
+]
+Main = Annotated[str | None, typer.Option(help="The program to run, such as O20.")]
+Mdi = Annotated[str | None, typer.Option(help="Run this text as if it was typed in MDI.")]
+Set = Annotated[
+    list[str] | None,
+    typer.Option("--set", help="A variable before the run: 100=23.34.", metavar="N=VALUE"),
+]
+VariablesFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--variables",
+        help="A file of variables before the run: TOML, CSV, or what the control punched out;"
+        " --set counts before it.",
+    ),
+]
+Param = Annotated[
+    list[str] | None,
+    typer.Option(help="A parameter of the control: 6050=70, 6001#5=1.", metavar="NAME=VALUE"),
+]
+Skip = Annotated[
+    list[int] | None,
+    typer.Option(help="A block-skip switch that is on, 1 to 9.", metavar="N"),
+]
+External = Annotated[
+    Path | None, typer.Option(help="The folder of the external device, which M198 reads.")
+]
+Encoding = Annotated[str | None, typer.Option(help="Of comments and names; found out without it.")]
+Prefer = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--prefer",
+        help="The file whose programs count before others of their number.",
+        metavar="FILE",
+    ),
+]
+MaxCycles = Annotated[
+    int,
+    typer.Option(help="How often a main program that ends in M99 runs.", min=1, metavar="N"),
+]
+MaxBlocks = Annotated[
+    int, typer.Option(help="How many blocks are executed at most.", min=0, metavar="N")
+]
+SetupFile = Annotated[
+    Path | None, typer.Option("--setup", help="A TOML file with offsets, tools, limits.")
+]
+InputsFile = Annotated[
+    Path | None,
+    typer.Option("--inputs", help="A TOML file with signals, answers, a workpiece to probe."),
+]
+Start = Annotated[int | None, typer.Option(help="The sequence number to begin at.")]
+OptionalStop = Annotated[bool, typer.Option("--optional-stop", help="M01 stops.")]
+Watch = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--watch", help="Variables whose changes are told: 500, 100-149,500.", metavar="N[-N]"
+    ),
+]
+Output = Annotated[
+    Path | None, typer.Option("-o", "--output", help="Write to this file, not to the terminal.")
+]
+
+
+# How the command line calls what Python calls otherwise.
+_OPTIONS = {
+    "block_skip": "--skip",
+    "coordinates": "--machine",
+    "most": "--points",
+    "variables": "--set, --variables",
+    **{
+        name: "--" + name.replace("_", "-")
+        for name in (
+            *("color", "each", "encoding", "external", "inputs", "jobs", "max_blocks"),
+            *("max_cycles", "max_seconds", "out", "over", "prefer", "setup", "start", "watch"),
+        )
+    },
+}
+_OPTION = re.compile(rf"({'|'.join(_OPTIONS)})(?=[:,]| (?:is|must|takes|names|holds|has)\b)")
+
+
+@contextlib.contextmanager
+def wrong_use() -> Iterator[None]:
+    """Every wrong option is a usage error, which calls it as the command line does."""
+    try:
+        yield
+    except KeyError as error:
+        raise WrongUseError(_by_option(error.args[0])) from None
+    except OSError as error:
+        if error.filename is None or system.at_its_limit(error):
+            raise
+        raise WrongUseError(told_of(error)) from None
+    except (ValueError, TypeError) as error:
+        raise WrongUseError(_by_option(error)) from None
+
+
+def told_of(error: OSError) -> str:
+    """What the system says of a file, by the file's name."""
+    named = f"{os.fsdecode(error.filename)}: " if error.filename is not None else ""
+    return f"{named}{error.strerror or error}"
+
+
+def _by_option(error: object) -> str:
+    words = str(error)
+    name = _OPTION.match(words)
+    return words if name is None else _OPTIONS[name[1]] + words[name.end() :]
+
+
+def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
+    if options["mdi"] is not None and options["main"] is not None:
+        raise ValueError("--mdi runs what was typed and --main a program; give one of them")
+    asked: dict[str, Any] = {
+        "start": options["start"],
+        "variables": _variables(options),
+        "block_skip": options["skip"] or (),
+        "optional_stop": options["optional_stop"],
+        "max_cycles": options["max_cycles"],
+        "max_blocks": options["max_blocks"],
+        "trace": trace,
+    }
+    if watched := watched_numbers(options.get("watch") or ()):
+        asked["watch"] = watched
+    project = project_for(options.get("paths"))
+    if (setup := setup_for(options, project)) is not None:
+        asked["setup"] = setup
+    if (inputs := options["inputs"] or project.inputs) is not None:
+        asked["inputs"] = cncsub.Inputs.from_toml(inputs)
+    return asked
+
+
+def _variables(options: Mapping[str, Any]) -> dict[int, float | None]:
+    """Those of the file, and above them those of `--set`."""
+    file = options.get("variables") or project_for(options.get("paths")).variables
+    given = {} if file is None else dict(cncsub.read_variables(file))
+    return given | dict(_assignment("--set", text, _vacant) for text in options["set"] or ())
+
+
+def watched_numbers(texts: Iterable[str]) -> list[int]:
+    """`100-102,500` as numbers, each once."""
+    numbers: dict[int, None] = {}
+    for text in ",".join(texts).split(",") if texts else ():
+        first, dash, last = text.strip().replace("#", "").partition("-")
+        try:
+            low, high = int(first), int(last if dash else first)
+        except ValueError:
+            raise ValueError(
+                f"--watch takes numbers and ranges such as 500 or 100-149, not {text!r}"
+            ) from None
+        if high < low:
+            raise ValueError(f"--watch {text.strip()}: the last number comes before the first")
+        if high - low >= MOST_WATCHED:
+            raise ValueError(f"--watch {text.strip()}: {MOST_WATCHED:,} variables at most")
+        numbers.update(dict.fromkeys(range(low, high + 1)))
+    return list(numbers)
+
+
+STATUS = {
+    cncsub.Stop.END: 0,
+    cncsub.Stop.CYCLES: 0,
+    cncsub.Stop.ALARM: 1,
+    cncsub.Stop.WAITING: 3,
+    cncsub.Stop.LIMIT: 4,
+    cncsub.Stop.INTERRUPTED: 130,
+}
+
+
+def whole_run(run: cncsub.Run) -> cncsub.Run:
+    """The run; where Ctrl-C broke it off, where it stood is told, and nothing is made of it."""
+    if run.stop is cncsub.Stop.INTERRUPTED:
+        at = ""
+        if len(run.steps):
+            last = run.steps[-1]
+            block = f"line {last.line}" if last.n is None else f"N{last.n}"
+            at = f", at {shown(f'{last.program} {block}')}"
+        typer.echo(f"stopped: {stop_text(run)}{at}", err=True)
+        raise KeyboardInterrupt
+    return run
+
+
+def status_of(run: cncsub.Run | cncsub.Stream) -> int:
+    """The exit status of a run; 1 for a stream that was left before its end."""
+    return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
+
+
+_WRITTEN = ("output", "html", "lcov", "cobertura")  # options that name a file to write
+_READ = ("setup", "inputs", "variables")  # and one that is read beside the programs
+
+
+def library_of(options: Mapping[str, Any]) -> cncsub.Library:
+    library = _read(options)
+    written = [Path(path) for name in _WRITTEN if (path := options.get(name)) is not None]
+    project = project_for(options.get("paths")) if written else Project()
+    read: list[str | Path] = [*library.files, *_files_beside_programs(options, project)]
+    external = options.get("external") or project.places.get("external")
+    for place, path in enumerate(written):
+        _refuse_to_overwrite(path, read, written[:place], external)
+    return library
+
+
+def _files_beside_programs(options: Mapping[str, Any], project: Project) -> list[Path]:
+    """The files of setup, inputs and variables that the options or the project name, and the file
+    of the project itself.
+    """
+    named = [options.get(name) or project.places.get(name) for name in _READ]
+    return [Path(path) for path in (*named, project.file) if path is not None]
+
+
+def _refuse_to_overwrite(
+    path: Path, read: Sequence[str | Path], written: Sequence[Path], external: Path | None
+) -> None:
+    """Nothing that was read is written over, whatever name it goes by, and no file twice."""
+    real = Path(os.path.realpath(path))
+    if str(path) == "-":
+        raise ValueError("- is no file to write; without -o the standard output is written")
+    if any(real == Path(os.path.realpath(other)) for other in written):
+        raise ValueError(f"{path} cannot be written twice; name a file for each")
+    if not path.exists():
+        return
+    for other in read:
+        if Path(other).exists() and path.samefile(other):
+            what = "the program" if str(path) == str(other) else f"{other}, which was read"
+            raise ValueError(f"{path} is {what}; name another file to write to")
+    if external is not None and real.is_relative_to(os.path.realpath(external)):
+        raise ValueError(f"{path} is a file of the external device; name another file")
+
+
+def _read(options: Mapping[str, Any]) -> cncsub.Library:
+    project = project_for(options.get("paths"))
+    places: dict[str, Any] = {
+        "control": control_for(options, project),
+        "external": options["external"] or project.external,
+    }
+    paths = options["paths"] or (project.folders if options["mdi"] is None else ())
+    if options.get("prefer") and (not paths or paths == ["-"]):
+        raise ValueError("--prefer chooses between files: name the files or folders to read")
+    if "-" in paths and len(paths) > 1:
+        raise ValueError("- is the standard input, and is read alone: leave it out, or the files")
+    if paths == ["-"]:
+        text = sys.stdin.buffer.read()
+        return cncsub.loads(text, encoding=options["encoding"], **places)
+    if paths:
+        prefer = options.get("prefer") or ()
+
+        def load(named: Sequence[str], beside: Sequence[str] = ()) -> cncsub.Library:
+            wanted = {"encoding": options["encoding"], "prefer": prefer, **places}
+            return load_with(named, beside, **wanted)
+
+        _refuse_words_of_mdi(paths, options["mdi"])
+        return with_files_beside(paths[0], load) if _is_one_file(paths) else load(paths)
+    if options["mdi"] is None:
+        raise ValueError("which program? Name a file or a folder, or give --mdi")
+    return cncsub.loads("", **places)
+
+
+def _refuse_words_of_mdi(paths: Sequence[str], mdi: str | None) -> None:
+    """Of `--mdi G65 P9100` the shell makes a text and a file."""
+    word = next((p for p in paths if re.fullmatch(r"[A-Z][-+.\d]+", p, re.I)), None)
+    if mdi is not None and word is not None and not Path(word).exists():
+        whole = f'--mdi "{mdi} {word}"'
+        raise ValueError(f"{word}: no such file; quotes hold together what is typed: {whole}")
+
+
+def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
+    """The control of the options or the project, with the parameters of both."""
+    named = options["control"] or project.control
+    control = control_named(named)
+    if named == project.control and project.parameters:
+        control = control.with_parameters(dict(project.parameters))
+    if options["param"]:
+        pairs = (_named_value("--param", text) for text in options["param"])
+        control = control.with_parameters(dict(pairs))
+    return control
+
+
+def setup_for(options: Mapping[str, Any], project: Project) -> cncsub.Setup | None:
+    """The setup of the options or the project, where one of them names its file."""
+    file = options["setup"] or project.setup
+    return None if file is None else cncsub.Setup.from_toml(file)
+
+
+def _is_one_file(paths: Sequence[str]) -> bool:
+    return len(paths) == 1 and Path(paths[0]).is_file()
+
+
+def files_beside(options: Mapping[str, Any], library: cncsub.Library) -> list[str]:
+    """The files that were read because the one that was named calls their programs."""
+    return list(library.files[1:]) if _is_one_file(options["paths"] or ()) else []
+
+
+def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
+    """What is easily overlooked of a memory, but for files that the options name themselves."""
+    project = project_for(options.get("paths"))
+    known = {os.path.realpath(file) for file in _files_beside_programs(options, project)}
+    beside = [
+        Note("beside", "read too, because a call names its program", file)
+        for file in files_beside(options, library)
+    ]
+    return [*defaulted(options), *_outside(options, project), *beside] + [
+        note
+        for note in library.notes
+        if note.kind != "left-out" or os.path.realpath(note.file) not in known
+    ]
+
+
+def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
+    """A note where the control is the project's, because no option named one."""
+    project = project_for(options.get("paths"))
+    if options["control"] is None and project.control is not None:
+        told = f"the control is {project.control}, which the project names"
+        yield Note("defaulted", told, str(project.file))
+
+
+def _outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
+    """A note for each file and folder that the project names outside its own folder."""
+    for name in PLACES:
+        if name in options and options[name] is None and (place := project.outside(name)):
+            told = f"the project names it for {name}, outside of its own folder"
+            yield Note("outside", told, str(place))
+
+
+def told_idle(
+    library: cncsub.Library, asked: Mapping[str, Any], typed: cncsub.Program | None = None
+) -> list[Note]:
+    """Tells which options no block asks for; `typed` is what was typed in MDI."""
+    from cncsub.reports.hints import without_effect
+
+    idle = list(without_effect(library, asked, typed))
+    tell_all(idle)
+    return idle
+
+
+def typed_in(run: cncsub.Run) -> cncsub.Program:
+    """What was typed in MDI, as a program: the last one of the memory."""
+    code = run._core.code
+    return cncsub.Program(code.program(len(code) - 1), len(code) - 1)
+
+
+MOST_NOTES = 20
+
+
+def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
+    """As `library_of`, for what runs: the notes are told on the error stream, and of two different
+    programs of one number one has to be chosen, because a control's memory holds only one.
+    """
+    library = library_of(options)
+    chosen = {os.path.realpath(path) for path in options.get("prefer") or ()}
+    for program in library.duplicates:
+        counts = counting(library, program)
+        if os.path.realpath(counts.file) not in chosen and not same_blocks(program, counts):
+            places = f"{counts.file}:{counts.line} and {program.file}:{program.line}"
+            cure = _cure_of_two(library, program, counts)
+            raise ValueError(f"{counts.name} stands twice, with other blocks: {places}; {cure}")
+    tell_all(notes_on(options, library))
+    return library
+
+
+def _cure_of_two(library: cncsub.Library, program: cncsub.Program, counts: cncsub.Program) -> str:
+    """What makes one of two programs of one name the only one."""
+    from cncsub.reports.hints import other_reading
+
+    if program.file != counts.file:
+        return f"choose one with --prefer {counts.file}, or leave a file out"
+    return other_reading(library, program.file) or "take one of them away"
+
+
+def tell_all(notes: Sequence[Note]) -> None:
+    """Tells notes on the error stream, the first of many."""
+    for note in notes[:MOST_NOTES]:
+        typer.echo(f"note: {shown(str(note))}", err=True)
+    if (left := len(notes) - MOST_NOTES) > 0:
+        typer.echo(f"note: ... and {left:,} more", err=True)
+
+
+def tell_dropped(dropped: int, warnings: Iterable[str | None] = ()) -> None:
+    """Tells on the error stream that words were dropped, for commands that show none of them, and
+    once what does not start because of that.
+    """
+    if dropped:
+        words = f"{dropped:,} word{'' if dropped == 1 else 's'}"
+        typer.echo(f"note: the control dropped {words}; cncsub run and check tell which", err=True)
+    for warning in sorted({each for each in warnings if each is not None}):
+        typer.echo(f"warning: an M code was dropped: {warning}", err=True)
+
+
+def tell_hints(hints: Iterable[str]) -> None:
+    """Tells on the error stream what leads on from an alarm."""
+    for hint in hints:
+        typer.echo(f"hint: {shown(hint)}", err=True)
+
+
+def control_named(name: str | None) -> cncsub.Control:
+    if name is None:
+        raise WrongUseError(
+            f"which control? Give -c and one of {', '.join(cncsub.controls)};"
+            " CNCSUB_CONTROL or a cncsub.toml beside the programs names it for all commands"
+        )
+    if name not in cncsub.controls:
+        near = did_you_mean(name, cncsub.controls, f"; there are {', '.join(cncsub.controls)}")
+        raise WrongUseError(f"no control is called {name!r}{near}")
+    return cncsub.controls[name]
+
+
+def _named_value(option: str, text: str) -> tuple[str, float]:
+    name, equals, value = text.partition("=")
+    try:
+        if not equals or not name.strip():
+            raise ValueError
+        return name.strip(), float(value)
+    except ValueError:
+        raise ValueError(f"{option} takes NAME=VALUE, such as 6050=70, not {text!r}") from None
+
+
+def _vacant(value: str) -> float | None:
+    if value.strip().lower() in ("vacant", "none", "#0"):
+        return None
+    if not math.isfinite(number := float(value)):
+        raise ValueError
+    return number
+
+
+def _assignment(
+    option: str, text: str, read: Callable[[str], float | None]
+) -> tuple[int, float | None]:
+    number, _, value = text.strip().removeprefix("#").partition("=")
+    try:
+        return int(number), read(value)
+    except ValueError:
+        raise ValueError(
+            f"{option} takes NUMBER=VALUE, such as 100=23.34 or 100=vacant, not {text!r}"
+        ) from None
+
+
+# ---- writing ----
+
+
+def _escaped(found: re.Match[str]) -> str:
+    """A character as JSON writes it in plain ASCII, where it cannot be seen."""
+    return found[0] if found[0].isprintable() else json.dumps(found[0]).strip('"')
+
+
+def write_text(output: Path | None, write: Callable[[Console], None]) -> None:
+    if output is None:
+        write(console_on(sys.stdout))
+        return
+    with opened(output, "w") as file:
+        write(console_on(file))
+
+
+def write_code(pieces: Iterable[str]) -> None:
+    """Write programs, or how they change: as they are, but for what would move a terminal."""
+    if not sys.stdout.isatty():
+        for piece in pieces:
+            typer.echo(piece.encode(errors="surrogateescape"), nl=False)
+        return
+    for line in "".join(pieces).splitlines():
+        typer.echo(shown(line))
+
+
+def write_json(output: Path | None, facts: object) -> None:
+    plain = output is None and not system.takes_any_text(sys.stdout)
+    pieces = json.JSONEncoder(ensure_ascii=plain, indent=2, allow_nan=False).iterencode(facts)
+    with contextlib.nullcontext(sys.stdout) if output is None else opened(output, "w") as file:
+        while piece := "".join(itertools.islice(pieces, 10_000)):
+            # What a terminal would obey is written as an escape; all beyond ASCII is in a string.
+            file.write(_BEYOND_ASCII.sub(_escaped, piece))
+        file.write("\n")
+
+
+_BEYOND_ASCII = re.compile(r"[^\x20-\x7e\n]")

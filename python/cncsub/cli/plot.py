@@ -1,0 +1,145 @@
+"""The command `cncsub plot`."""
+
+from __future__ import annotations
+
+import sys
+from typing import Annotated, Any
+
+import typer
+
+import cncsub
+from cncsub.analysis.notes import Note
+from cncsub.cli.options import (
+    ControlName,
+    Encoding,
+    External,
+    InputsFile,
+    Main,
+    MaxBlocks,
+    MaxCycles,
+    OptionalStop,
+    Output,
+    Param,
+    Paths,
+    Prefer,
+    Set,
+    SetupFile,
+    Skip,
+    Start,
+    VariablesFile,
+    Watch,
+    memory_of,
+    run_options,
+    status_of,
+    tell_all,
+    tell_dropped,
+    told_idle,
+    whole_run,
+    wrong_use,
+)
+from cncsub.escapes import shown
+from cncsub.plot.page import page_of
+from cncsub.reports.printing import console_on, print_stop
+from cncsub.writing import write_whole
+
+_OF = ("path", "calls", "programs", "watch")
+
+Of = Annotated[
+    str, typer.Option("--of", help="What is drawn: path, calls, programs, watch.", metavar="WHAT")
+]
+Color = Annotated[
+    str | None,
+    typer.Option(
+        "--color",
+        help="Of the path: kind, program, call, tool, depth, feed, time, z.",
+        metavar="BY",
+    ),
+]
+MachineCoordinates = Annotated[
+    bool, typer.Option("--machine", help="The path of the tool in machine coordinates.")
+]
+Over = Annotated[
+    str | None,
+    typer.Option("--over", help="Of calls and watch: time or steps.", metavar="AXIS"),
+]
+Points = Annotated[
+    int | None,
+    typer.Option("--points", help="So many points of the path may be drawn: 60000.", metavar="N"),
+]
+# What is asked of one drawing only.
+_ONLY = {
+    "color": ("path",),
+    "machine": ("path",),
+    "points": ("path",),
+    "over": ("calls", "watch"),
+}
+
+
+def plot(
+    paths: Paths = None,
+    control: ControlName = None,
+    of: Of = "path",
+    color: Color = None,
+    machine: MachineCoordinates = False,
+    over: Over = None,
+    points: Points = None,
+    main: Main = None,
+    set: Set = None,
+    variables: VariablesFile = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    prefer: Prefer = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 1_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    watch: Watch = None,
+    output: Output = None,
+) -> None:
+    """Run a program and write a picture of its path as one page of HTML, which needs no network;
+    or of its calls, of the programs that call each other, of variables that are watched.
+    """
+    options = {**locals(), "mdi": None}
+    with wrong_use():
+        if output is None:
+            raise ValueError("which file? Give -o path.html")
+        if of not in _OF:
+            raise ValueError(f"--of is one of {', '.join(_OF)}, not {of!r}")
+        for name, drawings in _ONLY.items():
+            if options[name] not in (None, False) and of not in drawings:
+                raise ValueError(f"--{name} goes with --of {' or '.join(drawings)}, not {of}")
+        if of == "watch" and not watch:
+            raise ValueError("which variables? Give --watch 100-149,500")
+        library = memory_of(options)
+        asked = run_options(options, "moves")
+        told_idle(library, asked)
+        if watch and of != "watch":
+            tell_all([Note("no-effect", "no effect: --of watch draws what is watched", "--watch")])
+        run = whole_run(library.run(main, **asked))
+        try:
+            figure = _figure(library, run, options)
+        except ImportError as error:
+            raise ValueError(str(error)) from None
+        write_whole(output, page_of(figure))
+    print_stop(console_on(sys.stderr), run)
+    tell_dropped(len(run.dropped), (word.warning for word in run.dropped))
+    typer.echo(f"wrote {shown(str(output))}")
+    raise typer.Exit(status_of(run))
+
+
+def _figure(library: cncsub.Library, run: cncsub.Run, options: dict[str, Any]) -> Any:
+    if options["of"] == "programs":
+        return library.plot()
+    over = {} if options["over"] is None else {"over": options["over"]}
+    if options["of"] == "calls":
+        return run.calls.plot(**over)
+    if options["of"] == "watch":
+        return run.watch.plot(**over)
+    where = "machine" if options["machine"] else "work"
+    asked = {"color": options["color"], "most": options["points"]}
+    asked = {name: value for name, value in asked.items() if value is not None}
+    return run.plot(coordinates=where, **asked)

@@ -1,0 +1,205 @@
+"""What a project says of itself, so that no command needs it again: `cncsub.toml`, or the table
+`[tool.cncsub]` of `pyproject.toml`."""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from cncsub import system
+from cncsub.analysis.checking import SEVERITIES, chosen_rules, rule_named
+from cncsub.controls import did_you_mean
+from cncsub.setup import toml_of
+
+PLACES = ("setup", "inputs", "variables", "external")  # that a project names
+
+
+@dataclass(frozen=True)
+class Project:
+    """What `cncsub.toml` may hold; paths are relative to it.
+
+    `control`: the name of the control. `parameters`: those that differ. `places`: what it names of
+    `setup` and `inputs`, TOML files, of `variables`, a file of variables before the run, and of
+    `external`, the folder of the external device. `folders`: the programs, where a command names
+    none. `ignore`: rules of `check` that are off; `severity`: rules to another severity. `own`:
+    whether it is that of whoever asks, and may name what lies outside its folder.
+    """
+
+    file: Path | None = None
+    control: str | None = None
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    places: Mapping[str, Path] = field(default_factory=dict)
+    programs: tuple[Path, ...] = ()
+    ignore: frozenset[str] = frozenset()
+    severity: Mapping[str, str] = field(default_factory=dict)
+    own: bool = True
+
+    @property
+    def setup(self) -> Path | None:
+        """The TOML file of the setup."""
+        return self._place("setup")
+
+    @property
+    def inputs(self) -> Path | None:
+        """The TOML file of what answers while a program runs."""
+        return self._place("inputs")
+
+    @property
+    def variables(self) -> Path | None:
+        """The file of variables before the run."""
+        return self._place("variables")
+
+    @property
+    def external(self) -> Path | None:
+        """The folder of the external device."""
+        return self._place("external")
+
+    @property
+    def folders(self) -> tuple[str, ...]:
+        """The files and folders of the programs."""
+        return tuple(str(self._allowed("folders", path)) for path in self.programs)
+
+    def outside(self, name: str) -> Path | None:
+        """Where a place really lies that is not in the folder of the project."""
+        path = self.places.get(name)
+        return None if path is None or self._holds(path) else Path(os.path.realpath(path))
+
+    def _place(self, name: str) -> Path | None:
+        path = self.places.get(name)
+        return None if path is None else self._allowed(name, path)
+
+    def _allowed(self, name: str, path: Path) -> Path:
+        if self.own or self._holds(path):
+            return path
+        cure = "name the programs" if name == "folders" else f"give --{name} {path}"
+        raise ValueError(
+            f"{self.file}: {name} leads out of its folder, to {os.path.realpath(path)}, and is read"
+            f" only for a project of your own, in whose folder you stand: {cure}"
+        )
+
+    def _holds(self, path: Path) -> bool:
+        """Whether a path lies in the folder of the project, wherever its links lead."""
+        assert self.file is not None
+        return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(self.file.parent))
+
+
+def find_project(folder: Path) -> Project:
+    """That of the nearest folder above that has one; an empty one where none has.
+
+    Raises `ValueError` for a file that says what no project can.
+    """
+    return _found(folder, own=True)
+
+
+def _found(folder: Path, *, own: bool) -> Project:
+    for place in (folder, *folder.parents):
+        for name in ("cncsub.toml", "pyproject.toml"):
+            file = place / name
+            if not file.is_file():
+                continue
+            real = Path(os.path.realpath(file))
+            if not own and not real.is_relative_to(os.path.realpath(place)):
+                raise ValueError(f"{file} is a link that leads out of its folder, and is not read")
+            told = _toml(file)
+            if name == "pyproject.toml":
+                tool = told.get("tool", {})
+                if not isinstance(tool, dict) or "cncsub" not in tool:
+                    continue
+                told = tool["cncsub"]
+            return replace(_read(file, told), own=own and system.is_ours(file))
+    return Project()
+
+
+def project_for(paths: Sequence[str] | None) -> Project:
+    """That of the folder one stands in; where there is none, that of the first path. Programs come
+    from strangers, and so may the file beside them: it is not one's own, nor is one that belongs to
+    another user.
+    """
+    here = _found(Path.cwd(), own=True)
+    if here.file is not None or not paths or paths[0] in ("", "-"):
+        return here
+    place = Path(paths[0]).absolute()
+    return _found(place if place.is_dir() else place.parent, own=False)
+
+
+def _toml(file: Path) -> dict[str, Any]:
+    try:
+        return toml_of(file.read_text(encoding="utf-8"))
+    except RecursionError:
+        raise ValueError(f"{file}: nested too deep") from None
+    except UnicodeDecodeError:
+        raise ValueError(f"{file}: it is no text in UTF-8") from None
+    except tomllib.TOMLDecodeError as error:
+        raise ValueError(f"{file}: {error}") from None
+
+
+_KINDS: Mapping[str, type] = {
+    "control": str,
+    "parameters": dict,
+    "setup": str,
+    "inputs": str,
+    "variables": str,
+    "external": str,
+    "folders": list,
+    "check": dict,
+}
+
+
+def _read(file: Path, told: Any) -> Project:
+    if not isinstance(told, dict):
+        raise ValueError(f"{file}: tool.cncsub is a table")
+    for key, value in told.items():
+        if key == "tool":
+            raise ValueError(
+                f"{file}: its keys stand at the top; [tool.cncsub] is for pyproject.toml"
+            )
+        if key not in _KINDS:
+            raise ValueError(f"{file}: a project has no {key!r}{did_you_mean(key, _KINDS)}")
+        if not isinstance(value, _KINDS[key]):
+            raise ValueError(f"{file}: {key} is a {_NAMES[_KINDS[key]]}, not {value!r}")
+        if isinstance(value, str) and "\0" in value:
+            raise ValueError(f"{file}: {key} holds a NUL, which no name does")
+    check = told.get("check", {})
+    for key in check:
+        if key not in ("ignore", "severity"):
+            raise ValueError(f"{file}: check has no {key!r}; it takes ignore and severity")
+
+    for folder in told.get("folders", []):
+        if not isinstance(folder, str):
+            raise ValueError(f"{file}: folders is a list of texts, not {folder!r}")
+
+    try:
+        return Project(
+            file,
+            told.get("control"),
+            _numbers(told.get("parameters", {})),
+            {name: file.parent / told[name] for name in PLACES if name in told},
+            tuple(file.parent / folder for folder in told.get("folders", [])),
+            chosen_rules(check.get("ignore", [])),
+            _severities(check.get("severity", {})),
+        )
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"{file}: {error.args[0]}") from None
+
+
+_NAMES: Mapping[type, str] = {str: "text", dict: "table", list: "list"}
+
+
+def _numbers(parameters: Mapping[str, Any]) -> dict[str, float]:
+    for name, value in parameters.items():
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise ValueError(f"the parameter {name} is a number, not {value!r}")
+    return {name: float(value) for name, value in parameters.items()}
+
+
+def _severities(told: Any) -> dict[str, str]:
+    if not isinstance(told, dict):
+        raise TypeError("check.severity is a table of rules")
+    for name, severity in told.items():
+        if severity not in SEVERITIES:
+            raise ValueError(f"{name} is {severity!r}; a finding is {', '.join(SEVERITIES)}")
+    return {rule_named(name).number: severity for name, severity in told.items()}

@@ -1,0 +1,240 @@
+"""The commands `cncsub run` and `cncsub tree`."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Mapping
+from dataclasses import asdict
+from pathlib import Path
+from typing import IO, Annotated, Any
+
+import typer
+
+import cncsub
+from cncsub.cli.listing import Listing, Where, filters, write_listing
+from cncsub.cli.options import (
+    ControlName,
+    Encoding,
+    External,
+    Format,
+    InputsFile,
+    Main,
+    MaxBlocks,
+    MaxCycles,
+    Mdi,
+    OptionalStop,
+    Output,
+    Param,
+    Paths,
+    Prefer,
+    RunFormat,
+    Set,
+    SetupFile,
+    Skip,
+    Start,
+    VariablesFile,
+    Watch,
+    WrongUseError,
+    memory_of,
+    notes_on,
+    run_options,
+    status_of,
+    tell_dropped,
+    tell_hints,
+    told_idle,
+    typed_in,
+    whole_run,
+    write_json,
+    write_text,
+    wrong_use,
+)
+from cncsub.cli.static_tree import draw_static_tree
+from cncsub.escapes import cell
+from cncsub.reports.facts import run_facts, tree_facts
+from cncsub.reports.hints import hints_of
+from cncsub.reports.printing import console_on, print_run, print_stop, print_tree
+from cncsub.tables.table import records
+from cncsub.writing import opened
+
+
+def run(
+    paths: Paths = None,
+    control: ControlName = None,
+    main: Main = None,
+    mdi: Mdi = None,
+    set: Set = None,
+    variables: VariablesFile = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    prefer: Prefer = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    watch: Watch = None,
+    listing: Listing = False,
+    where: Where = None,
+    format: Annotated[
+        RunFormat, typer.Option(help="csv and parquet write the moves.")
+    ] = RunFormat.TEXT,
+    output: Output = None,
+) -> None:
+    """Run a program and print its calls and how it stopped."""
+    if format in (RunFormat.CSV, RunFormat.PARQUET):
+        with wrong_use():
+            if listing:
+                raise ValueError("csv and parquet write the moves; --listing takes text or json")
+        stream = _stream(locals())
+        dropped = _write_moves(stream, format, output)
+        print_stop(console_on(sys.stderr), stream)
+        tell_dropped(*dropped)
+        raise typer.Exit(status_of(stream))
+    with wrong_use():
+        asked = filters(where or ())
+        if asked and not listing:
+            raise ValueError("--where chooses blocks of the listing: give --listing too")
+    made, title, notes, hints = _run(_watching(locals(), asked), trace="moves")
+    if listing:
+        with wrong_use():
+            blocks = made.listing(**asked)
+        write_listing(blocks, output, as_json=format is RunFormat.JSON)
+        print_stop(console_on(sys.stderr), made)
+        tell_dropped(len(made.dropped), (word.warning for word in made.dropped))
+        tell_hints(hints)
+        raise typer.Exit(status_of(made))
+    if format is RunFormat.TEXT:
+        write_text(output, lambda console: print_run(console, made, title))
+        tell_hints(hints)
+    else:
+        write_json(output, {**run_facts(made, title), "notes": notes, "hints": hints})
+    raise typer.Exit(status_of(made))
+
+
+def tree(
+    paths: Paths = None,
+    control: ControlName = None,
+    main: Main = None,
+    mdi: Mdi = None,
+    set: Set = None,
+    variables: VariablesFile = None,
+    param: Param = None,
+    skip: Skip = None,
+    external: External = None,
+    prefer: Prefer = None,
+    encoding: Encoding = None,
+    max_cycles: MaxCycles = 1,
+    max_blocks: MaxBlocks = 10_000_000,
+    setup: SetupFile = None,
+    inputs: InputsFile = None,
+    start: Start = None,
+    optional_stop: OptionalStop = False,
+    static: Annotated[
+        bool, typer.Option("--static", help="As it is written, without running.")
+    ] = False,
+    format: Annotated[Format, typer.Option()] = Format.TEXT,
+    output: Output = None,
+) -> None:
+    """Draw the calls a program makes, their arguments and callers: as it ran, or as written."""
+    if static:
+        draw_static_tree(locals(), main, format, output)
+        return
+    made, title, notes, hints = _run(locals(), trace="blocks")
+    if format is Format.JSON:
+        write_json(output, {**tree_facts(made, title), "notes": notes, "hints": hints})
+    else:
+        write_text(output, lambda console: print_tree(console, made, title, callers=True))
+        tell_dropped(len(made.dropped), (word.warning for word in made.dropped))
+        if made.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
+            print_stop(console_on(sys.stderr), made)
+            tell_hints(hints)
+    raise typer.Exit(status_of(made))
+
+
+def _watching(options: Mapping[str, Any], asked: Mapping[str, Any]) -> Mapping[str, Any]:
+    """With the variable watched that the listing asks for."""
+    if "variable" not in asked:
+        return options
+    return {**options, "watch": [*(options["watch"] or ()), str(asked["variable"])]}
+
+
+def _run(
+    options: Mapping[str, Any], *, trace: str
+) -> tuple[cncsub.Run, str, list[dict[str, Any]], list[str]]:
+    """Run what the options say, name what ran, what is to be known of the memory and the options,
+    and what leads on from an alarm.
+    """
+    with wrong_use():
+        library = memory_of(options)
+        asked = run_options(options, trace)
+        where = f"on {library.control.title}"
+        notes = [asdict(note) for note in notes_on(options, library)]
+        if (mdi := options["mdi"]) is not None:
+            made = whole_run(library.mdi(mdi, **asked))
+            notes += map(asdict, told_idle(library, asked, typed_in(made)))
+            return made, f"MDI {where}", notes, hints_of(library, made, asked, mdi=mdi)
+        program = library.main if options["main"] is None else library[options["main"]]
+        name = "nothing" if program is None else program.name
+        made = whole_run(library.run(options["main"], **asked))
+        notes += map(asdict, told_idle(library, asked))
+        return made, f"{name} {where}", notes, hints_of(library, made, asked, options["main"])
+
+
+def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
+    """What the options say, to be run while its moves are written."""
+    with wrong_use():
+        if options["watch"]:
+            raise ValueError("csv and parquet write the moves; --watch takes text or json")
+        if options["mdi"] is not None:
+            raise ValueError("csv and parquet write what a program moves; --mdi takes text or json")
+        library, asked = memory_of(options), run_options(options, "moves")
+        told_idle(library, asked)
+        return library.stream(options["main"], **asked)
+
+
+def _write_moves(
+    stream: cncsub.Stream, format: RunFormat, output: Path | None
+) -> tuple[int, set[str | None]]:
+    """Writes the moves as they are made; how many words were dropped meanwhile, and of them the
+    warnings.
+    """
+    if format is RunFormat.CSV:
+        if output is None:
+            return _write_csv(stream, sys.stdout)
+        with opened(output, "w") as file:
+            return _write_csv(stream, file)
+    if output is None:
+        raise WrongUseError("parquet needs a file: --output moves.parquet")
+    try:
+        from pyarrow import parquet
+    except ImportError:
+        raise WrongUseError("parquet needs pyarrow: pip install 'cncsub[arrow]'") from None
+    with contextlib.ExitStack() as files:
+        file = files.enter_context(opened(output, "wb"))
+        writer, dropped, warnings = None, 0, set[str | None]()
+        for part in stream:
+            dropped += len(part.dropped)
+            warnings |= {word.warning for word in part.dropped}
+            rows = part.moves.to_arrow()
+            if writer is None:
+                writer = files.enter_context(parquet.ParquetWriter(file, rows.schema))
+            writer.write_table(rows)
+    return dropped, warnings
+
+
+def _write_csv(stream: cncsub.Stream, file: IO[str]) -> tuple[int, set[str | None]]:
+    import csv
+
+    dropped, warnings = 0, set[str | None]()
+    writer = csv.writer(file, lineterminator="\n")
+    for number, part in enumerate(stream):
+        if number == 0:
+            writer.writerow(part.moves.columns)
+        writer.writerows(record.values() for record in records(part.moves, cell))
+        dropped += len(part.dropped)
+        warnings |= {word.warning for word in part.dropped}
+    return dropped, warnings

@@ -1,0 +1,162 @@
+"""Programs for another control, so that it does what the first one did, proved by running both."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Unpack
+
+from cncsub._core import Control
+from cncsub.analysis.checking import Edit
+from cncsub.comparison.compare import OtherControlPair, Parting, variables_lacking
+from cncsub.comparison.rewriting import Rewriting, TranslateError
+from cncsub.controls import control_of
+from cncsub.library import Library
+from cncsub.lines import lines_of
+from cncsub.loading import load
+from cncsub.run import Run, Stop
+from cncsub.run_options import Options
+from cncsub.signatures import spelled_out
+from cncsub.writing import write_whole
+
+
+class _TranslatedPair(OtherControlPair):
+    """What was rewritten may be another block and another program: what it does has to stay."""
+
+    def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
+        yield from super()._partings(a, b)
+        yield from self._of_variables(a, b)
+
+
+@dataclass(frozen=True)
+class Translation:
+    """Programs that make another control do what the first one did, as a run of both has shown.
+
+    `library`: the programs as the memory of the other control. `edits`: what changed in each
+    program, by its name; an edit whose `new` has several lines adds blocks. `added`: programs that
+    were made, name to text; they stand at the end of the file they were taken from. `texts`: every
+    file that changed, whole. `unproved`: blocks whose call or jump is computed, as `O1, line 4`:
+    they stay as they are, and are the same in this run only. `runs`: both runs.
+    """
+
+    library: Library
+    edits: Mapping[str, tuple[Edit, ...]]
+    added: Mapping[str, str]
+    texts: Mapping[str, str]
+    unproved: tuple[str, ...]
+    runs: tuple[Run, Run] = field(repr=False)
+    _before: Mapping[str, str] = field(repr=False)
+
+    def diff(self) -> str:
+        """What changed, as a unified diff; empty where nothing had to."""
+        parts: list[str] = []
+        for file, text in self.texts.items():
+            before = lines_of(self._before[file])
+            parts += difflib.unified_diff(before, lines_of(text), file, file)
+        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+
+    def write(self, folder: str | os.PathLike[str]) -> list[str]:
+        """Write all files, changed or not, into a folder, which is made where it is missing, as
+        UTF-8 and with a line feed behind each line; their paths. Raises `ValueError` where that
+        would write over what was read.
+        """
+        into = Path(folder)
+        whole = {**self._before, **self.texts}
+        paths = [Path(name) for name in whole]
+        top = Path(os.path.commonpath([path.parent for path in paths])) if paths else Path()
+        written = []
+        for path, text in zip(paths, whole.values(), strict=True):
+            own = path.relative_to(top) if path.name != "<text>" else Path("program.nc")
+            target = into / own
+            if target.exists() and path.exists() and target.samefile(path):
+                raise ValueError(f"{path} is what was read: give another folder")
+            target.parent.mkdir(parents=True, exist_ok=True)
+            write_whole(target, text.encode("utf-8", "surrogateescape"))
+            written.append(str(target))
+        return written
+
+
+@spelled_out(Library.run, "mode")
+def translate(
+    of: Library | str | os.PathLike[str],
+    to: str | Control,
+    *,
+    control: str | Control | None = None,
+    main: str | int | None = None,
+    **options: Unpack[Options],
+) -> Translation:
+    """Rewrite calls of programs so that control `to` does what the control of `of` did.
+
+    Rewritten are the count in P and in L, the start block in H and in Q, calls of a block of the
+    same program (M97, M98 H) as programs of their own, M99 P, and how often a drilling cycle is
+    repeated, in K and in L. `of`: a library, or a path, which
+    `control` reads. `main` and `options` are those of `Library.run`; both programs are run with
+    them, and have to make the same moves, codes, messages and variables and to stop alike. The
+    proof holds for this run. Raises `TranslateError` for what cannot be rewritten, does not do the
+    same, or does not come to its end, with the block and the reason; and what `load` and `run`
+    raise.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 M98 P30002\\nN20 M30\\nO2\\nN30 G91 G0 X1.\\nN40 M99\\n"
+    >>> made = cncsub.translate(cncsub.loads(text, control="fanuc-0i-f"), "mitsubishi-m700")
+    >>> made.library["O1"].blocks[0].text
+    'N10 M98 P2 L3'
+    """
+    if options.get("trace", "moves") != "moves":
+        raise TypeError("translate looks at all that a run does and takes no trace")
+    target = control_of(to)
+    if isinstance(of, Library):
+        library = of
+    elif control is None:
+        raise TypeError(f"translate reads {os.fspath(of)} for a control: give control=")
+    else:
+        library = load(of, control=control)
+    if lacking := variables_lacking(target, options.get("variables") or {}):
+        raise TranslateError(f"{target.name} has no #{lacking[0]}, to which a value is given")
+    rewriting = Rewriting(library, target, _machine_of(options))
+    rewriting.rewrite()
+    return _proved(rewriting, main, options)
+
+
+def _machine_of(options: Options) -> str:
+    """The kind of machine that the setup tells; empty for the control's own."""
+    setup = options.get("setup")
+    if setup is None:
+        return ""
+    told = setup.get("machine") if isinstance(setup, Mapping) else setup.machine
+    return told or ""
+
+
+def _proved(rewriting: Rewriting, main: str | int | None, options: Options) -> Translation:
+    source = rewriting.library
+    made = rewriting.made()
+    names = (source.control.name, rewriting.target.name)
+    pair = _TranslatedPair((source, made), names, main, options)
+    first = pair.run(source)
+    if first.stop not in (Stop.END, Stop.CYCLES):
+        reached = first.alarm or first.steps[len(first.steps) - 1]
+        reason = f"{source.control.name} does not come to its end, so no run proves the whole: "
+        reason += first._summary()
+        raise TranslateError(reason, reached.program, reached.n, reached.line)
+    try:
+        second = pair.run(made)
+    except KeyError as error:
+        reason = f"{rewriting.target.name} reads the programs otherwise: {error.args[0]}"
+        raise TranslateError(reason) from None
+    parting = pair.parting(first, second)
+    if parting is not None:
+        at = first.steps[min(parting.first, len(first.steps) - 1)]
+        reason = f"rewritten, it does not do the same:\n{parting.what}"
+        raise TranslateError(reason, at.program, at.n, at.line)
+    return Translation(
+        made,
+        {name: tuple(edits) for name, edits in rewriting.edits.items()},
+        {name: made[name].text for name in rewriting.added_names()},
+        rewriting.texts(),
+        tuple(rewriting.unproved),
+        (first, second),
+        rewriting.before(),
+    )

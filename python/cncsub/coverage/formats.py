@@ -1,0 +1,206 @@
+"""Coverage as other programs read it: HTML, lcov, Cobertura."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree as ET
+
+from cncsub.coverage.block_counts import percent_text
+from cncsub.escapes import escape, for_xml, referred, shown
+
+if TYPE_CHECKING:
+    from cncsub.coverage.block_counts import Counted
+    from cncsub.coverage.summary import Coverage
+
+_STYLE = """
+:root { color-scheme: light dark; --yes: #d9f2d9; --no: #f8d4d4; --part: #fbeebc; }
+@media (prefers-color-scheme: dark) { :root { --yes: #17371b; --no: #4a1c1c; --part: #453a10; } }
+body { font: 1rem/1.4 sans-serif; margin: 1rem auto; max-width: 70rem; padding: 0 1rem; }
+summary { cursor: pointer; font-weight: bold; padding: .3rem 0; }
+table { border-collapse: collapse; font: .9rem monospace; width: 100%; }
+th, td { padding: .1rem .6rem; text-align: right; }
+th:nth-child(3), td:nth-child(3) { white-space: nowrap; }
+th:last-child, td:last-child { text-align: left; white-space: pre-wrap; width: 99%; }
+.yes { background: var(--yes); } .no { background: var(--no); } .part { background: var(--part); }
+"""
+
+
+def _by_file(coverage: Coverage) -> dict[str, list[Counted]]:
+    files: dict[str, list[Counted]] = {}
+    for program in coverage.programs:
+        files.setdefault(program.file, []).append(program)
+    return files
+
+
+def _lines(programs: list[Counted]) -> dict[int, tuple[int, list[tuple[str, int]]]]:
+    """By line of the file: executions, and the outcomes of its branch."""
+    found: dict[int, tuple[int, list[tuple[str, int]]]] = {}
+    for program in programs:
+        for index, block in enumerate(program.blocks):
+            count, outcomes = found.get(block.line, (0, []))
+            new = [*outcomes, *program.outcomes(index)]
+            found[block.line] = count + program.count(index), new
+    return dict(sorted(found.items()))
+
+
+def lcov(coverage: Coverage) -> str:
+    """One record for each file."""
+    return "".join(f"{line}\n" for line in _lcov_lines(coverage))
+
+
+def _lcov_lines(coverage: Coverage) -> Iterator[str]:
+    for file, programs in _by_file(coverage).items():
+        lines = _lines(programs)
+        yield "TN:"
+        yield f"SF:{shown(file)}"
+        outcomes = [
+            (line, place, count, executed or any(count for _, count in of))
+            for line, (executed, of) in lines.items()
+            for place, (_, count) in enumerate(of)
+        ]
+        for line, place, count, executed in outcomes:
+            yield f"BRDA:{line},0,{place},{count if executed else '-'}"
+        if outcomes:
+            yield f"BRF:{len(outcomes)}"
+            yield f"BRH:{sum(count > 0 for _, _, count, _ in outcomes)}"
+        for line, (count, _) in lines.items():
+            yield f"DA:{line},{count}"
+        yield f"LF:{len(lines)}"
+        yield f"LH:{sum(count > 0 for count, _ in lines.values())}"
+        yield "end_of_record"
+
+
+def _rates(lines: dict[int, tuple[int, list[tuple[str, int]]]]) -> dict[str, str]:
+    counts = [count for count, _ in lines.values()]
+    outcomes = [count for _, of in lines.values() for _, count in of]
+
+    def rate(values: list[int]) -> str:
+        return f"{sum(value > 0 for value in values) / len(values) if values else 1:.4f}"
+
+    return {"line-rate": rate(counts), "branch-rate": rate(outcomes), "complexity": "0"}
+
+
+def cobertura(coverage: Coverage) -> str:
+    """A package with a class for each file."""
+    by_file = {file: _lines(programs) for file, programs in _by_file(coverage).items()}
+    everything = dict(enumerate(each for lines in by_file.values() for each in lines.values()))
+    counts = [count for count, _ in everything.values()]
+    outcomes = [count for _, of in everything.values() for _, count in of]
+    totals = {
+        "lines-covered": str(sum(count > 0 for count in counts)),
+        "lines-valid": str(len(counts)),
+        "branches-covered": str(sum(count > 0 for count in outcomes)),
+        "branches-valid": str(len(outcomes)),
+        "version": "1",
+        "timestamp": "0",
+    }
+    rates = _rates(everything)
+    root = ET.Element("coverage", {**rates, **totals})
+    ET.SubElement(ET.SubElement(root, "sources"), "source").text = "."
+    package = ET.SubElement(ET.SubElement(root, "packages"), "package", {"name": "", **rates})
+    classes = ET.SubElement(package, "classes")
+    for file, lines in by_file.items():
+        name = for_xml(file)
+        one = ET.SubElement(classes, "class", {"name": name, "filename": name, **_rates(lines)})
+        ET.SubElement(one, "methods")
+        listed = ET.SubElement(one, "lines")
+        for line, (count, of) in lines.items():
+            told = {"number": str(line), "hits": str(count), "branch": "true" if of else "false"}
+            if of:
+                done = sum(outcome > 0 for _, outcome in of)
+                told["condition-coverage"] = f"{100 * done // len(of)}% ({done}/{len(of)})"
+            ET.SubElement(listed, "line", told)
+    ET.indent(root)
+    head = '<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE coverage SYSTEM'
+    dtd = '"http://cobertura.sourceforge.net/xml/coverage-04.dtd"'
+    return f"{head} {dtd}>\n{referred(ET.tostring(root, encoding='unicode'))}\n"
+
+
+def html(coverage: Coverage) -> str:
+    """The programs, each to be folded in and out; colours are told in words as well."""
+    programs = "".join(_program(program) for program in coverage.programs)
+    blocks, branches = coverage.blocks, coverage.branches
+    done = (
+        f"{percent_text(coverage.percent)}: {blocks.covered} of {len(blocks)} blocks,"
+        f" {branches.covered} of {len(branches)} outcomes of branches,"
+        f" {coverage.calls.covered} of {len(coverage.calls)} calls,"
+        f" {coverage.arguments.covered} of {len(coverage.arguments)} arguments"
+    )
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Coverage</title>'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<style>{_STYLE}</style></head>\n<body><h1>Coverage</h1><p>{done}</p>\n"
+        f"{programs}</body></html>\n"
+    )
+
+
+def _program(program: Counted) -> str:
+    rows = []
+    lines = _lines([program])
+    for index, block in enumerate(program.blocks):
+        outcomes = list(program.outcomes(index))
+        count = program.count(index)
+        missed = [_MISSED.get(name, name) for name, of in outcomes if not of]
+        state = "no" if count == 0 else "part" if missed else "yes"
+        told = "not executed" if count == 0 else f"never {', '.join(missed)}" if missed else ""
+        rows.append(
+            f'<tr class="{state}"><td>{block.line}</td><td>{count}</td><td>{told}</td>'
+            f"<td>{escape(block.text)}</td></tr>\n"
+        )
+    done = sum(count > 0 for count, _ in lines.values())
+    return (
+        f"<details open><summary>{escape(program.name)} ({escape(program.file)}):"
+        f" {done} of {len(lines)} lines</summary>\n<table><thead><tr><th>line</th><th>count</th>"
+        f"<th>missed</th><th>block</th></tr></thead><tbody>\n{''.join(rows)}</tbody></table>"
+        f"{_not_used(program)}</details>\n"
+    )
+
+
+# What is said of the passes of a loop.
+_MISSED = {"none": "left out", "once": "one pass", "many": "several passes"}
+
+
+def _not_used(program: Counted) -> str:
+    """Calls that were not made, arguments that no call gave."""
+    lines = [
+        f"line {program.blocks.line[block]}: {kind} {called} was not called"
+        for block, kind, called, count in program.calls_of()
+        if not count and not program.count(block)
+    ]
+    never = program.never_given()
+    if never:
+        lines.append(f"never given: {', '.join(never)}")
+    return "".join(f"<p>{escape(line)}</p>\n" for line in lines)
+
+
+def coverage_lines(coverage: Coverage) -> Iterator[str]:
+    """A line for each program: covered blocks and outcomes, and the lines that are missing; at last
+    the sum."""
+    for program in coverage.programs:
+        counts = [program.count(index) for index in range(len(program.blocks))]
+        outcomes = [of for index in range(len(counts)) for _, of in program.outcomes(index)]
+        missing = [
+            block.line for block, count in zip(program.blocks, counts, strict=True) if not count
+        ]
+        told = f"  not executed: lines {_ranges(missing)}" if missing else ""
+        yield (
+            f"{program.name}  blocks {_part(counts)}  branches {_part(outcomes)}"
+            f"{told}  {program.file}"
+        )
+    yield repr(coverage)[1:-1]
+
+
+def _part(counts: list[int]) -> str:
+    return f"{sum(count > 0 for count in counts)}/{len(counts)}"
+
+
+def _ranges(lines: list[int]) -> str:
+    """3-5, 9"""
+    found: list[list[int]] = []
+    for line in lines:
+        if found and line == found[-1][1] + 1:
+            found[-1][1] = line
+        else:
+            found.append([line, line])
+    return ", ".join(str(a) if a == b else f"{a}-{b}" for a, b in found)

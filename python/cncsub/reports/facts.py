@@ -1,0 +1,327 @@
+"""Runs, controls and alarms as plain values: what the command line writes as JSON."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import asdict
+from typing import Any
+
+import cncsub
+from cncsub.controls import did_you_mean, sources_of
+from cncsub.tables.call_tree import CallTree
+from cncsub.tables.table import records
+
+
+def effect_of(parameter: cncsub.Parameter, name: Callable[[str], str] = str) -> str:
+    """What a parameter does, where that is not the registering of codes; `name` writes a rule's."""
+    if parameter.rules:
+        return f"sets {', '.join(map(name, parameter.rules))}"
+    return "" if parameter.used else "nothing is computed from it"
+
+
+def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
+    return {
+        "title": title,
+        "stop": run.stop.value,
+        "waiting_for": run.waiting_for or None,
+        "endless": None if run.endless is None else endless_facts(run.endless),
+        "alarm": None if run.alarm is None else alarm_facts(run.alarm),
+        "steps": len(run.steps),
+        "calls": [dict(record) for record in records(run.calls)],
+        "length": run.moves.total_length,
+        "time": run.moves.total_time,
+        "bounds": {axis: list(pair) for axis, pair in run.moves.bounds.items()},
+        "messages": run.messages,
+        "missed_skips": [asdict(missed) for missed in run.missed_skips],
+        "dropped": [asdict(word) for word in run.dropped],
+        "m_codes": run.m_codes,
+        "t_codes": run.t_codes,
+        "codes": [dict(record) for record in records(run.codes)],
+        "variables": {str(number): value for number, value in run.variables.items()},
+        "position": run.position,
+        "modal": run.modal,
+        "watch": watch_facts(run),
+        "moves": [dict(record) for record in records(run.moves)],
+    }
+
+
+def watch_facts(run: cncsub.Run) -> dict[str, Any] | None:
+    if not run.watch.beginning:
+        return None
+    return {
+        "beginning": {str(number): value for number, value in run.watch.beginning.items()},
+        "changes": [asdict(run.watch[row]) for row in range(len(run.watch))],
+    }
+
+
+def endless_facts(endless: cncsub.Endless) -> dict[str, Any]:
+    return {**asdict(endless), "message": str(endless)}
+
+
+def alarm_facts(alarm: cncsub.Alarm) -> dict[str, Any]:
+    names = "cause number text program n line column word file detail".split()  # noqa: SIM905
+    return {
+        **{name: getattr(alarm, name) for name in names},
+        "frames": [_frame_facts(frame) for frame in alarm.frames],
+        "message": str(alarm),
+    }
+
+
+def _frame_facts(frame: cncsub.Frame) -> dict[str, Any]:
+    names = "program n line file kind called repeat repeats".split()  # noqa: SIM905
+    return {name: getattr(frame, name) for name in names}
+
+
+def comparison_facts(compared: cncsub.Comparison) -> dict[str, Any]:
+    where = [None if step is None else asdict(step) for step in compared.where or ()]
+    return {
+        "version": 1,
+        "same": compared.same,
+        "where": where,
+        "what": compared.what,
+        "rules": list(compared.rules),
+        "untried": list(compared.untried),
+        "parameters": list(compared.parameters),
+        "changes": [_change_facts(change) for change in compared.changes],
+    }
+
+
+def _change_facts(change: cncsub.BlockChange) -> dict[str, Any]:
+    def place(of: Any) -> dict[str, Any] | None:
+        return None if of is None else of._asdict()
+
+    return {
+        "what": change.what,
+        "before": place(change.before),
+        "after": place(change.after),
+        "old": change.old,
+        "new": change.new,
+    }
+
+
+def tree_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
+    return {
+        "title": title,
+        "stop": run.stop.value,
+        "alarm": None if run.alarm is None else alarm_facts(run.alarm),
+        "dropped": [asdict(word) for word in run.dropped],
+        "calls": [_call_facts(run, call) for call in run.calls.tree()],
+    }
+
+
+def _call_facts(run: cncsub.Run, call: CallTree) -> dict[str, Any]:
+    step = call.caller_step
+    caller = None if step is None or step >= len(run.steps) else run.steps[step]
+    return {
+        "kind": call.kind,
+        "program": call.program,
+        "start_n": call.start_n,
+        "repeats": call.repeats,
+        "blocks": call.blocks,
+        "count": call.count,
+        "caller": None if caller is None else caller.program,
+        "caller_n": None if caller is None else caller.n,
+        "caller_line": None if caller is None else caller.line,
+        "arguments": {str(number): value for number, value in call.arguments.items()},
+        "arguments_vary": call.varied,
+        "calls": [_call_facts(run, inner) for inner in call.calls],
+    }
+
+
+def control_facts(control: cncsub.Control) -> dict[str, Any]:
+    return {
+        "name": control.name,
+        "title": control.title,
+        "rules": [
+            {
+                "name": rule.name,
+                "value": rule.value,
+                "meaning": rule.meaning,
+                "choices": list(rule.choices or rule.entries),
+                "source": rule.source,
+                "evidence": rule.evidence,
+                "sources": {
+                    entry: {"source": source, "evidence": evidence}
+                    for entry, (source, evidence) in rule.sources.items()
+                },
+            }
+            for rule in control.rules
+        ],
+        "absent": {
+            group: {"source": source, "evidence": evidence}
+            for group, (source, evidence) in control.absent.items()
+        },
+        "parameters": [
+            {
+                "name": parameter.name,
+                "value": parameter.value,
+                "meaning": parameter.meaning,
+                "rules": list(parameter.rules),
+                "used": parameter.used,
+                "source": parameter.source,
+                "evidence": parameter.evidence,
+            }
+            for parameter in control.parameters.values()
+        ],
+        "variable_options": [
+            {
+                "name": option.name,
+                "meaning": option.meaning,
+                "numbers": option.numbers,
+                "fitted": option.fitted,
+                "rule": option.rule,
+                "source": option.source,
+                "evidence": option.evidence,
+            }
+            for option in control.variable_options.values()
+        ],
+        "alarms": [
+            {"cause": alarm.cause, **_alarm_entry(alarm)} for alarm in control.alarms.values()
+        ],
+        "sources": [
+            {
+                "key": source.key,
+                "title": source.title,
+                "address": source.address or None,
+                "evidence": source.on(control.name),
+            }
+            for source in sources_of(control)
+        ],
+    }
+
+
+# ---- alarms ----
+
+
+def explanations(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]]:
+    """What is known about a cause or a number: one entry for each cause, with its controls."""
+    wanted = asked.strip().casefold()
+    slugs = [slug for slug in cncsub.causes if slug == wanted]
+    if not slugs:
+        slugs = _causes_of_number(wanted, among)
+    by_number = wanted not in cncsub.causes
+    told = [_explanation(slug, among, wanted if by_number else None) for slug in slugs]
+    if not slugs or re.fullmatch(r"[0-9]{4}", wanted):  # 3020 is said for MC3020 too
+        raised = [(c, number) for c in among if (number := _user_alarm_number(c, wanted))]
+        told += [_user_alarm(raised)] if raised else []
+    return told
+
+
+def _user_alarm_number(control: cncsub.Control, wanted: str) -> str | None:
+    """The alarm of this number that a program can raise by #3000: asked of the control itself."""
+    figures = re.fullmatch(r"[a-z]*([0-9]{1,4})", wanted)
+    if figures is None or not (number := int(figures[1]) % 1000):
+        return None
+    alarm = cncsub.loads(f"O1\n#3000={number}\n", control=control).run().alarm
+    raised = "" if alarm is None or alarm.cause != "user-alarm" else alarm.number or ""
+    same = raised.casefold() == wanted or (figures[1] == wanted and raised.endswith(wanted))
+    return raised if same else None
+
+
+def _user_alarm(raising: list[tuple[cncsub.Control, str]]) -> dict[str, Any]:
+    """What is known of an alarm that only a program raises, on the controls with its number."""
+    number = raising[0][1]
+    raised: dict[str, Any] = {
+        "text": "the message that the program gives",
+        "printed": None,
+        "directed": {},
+        "source": f"#3000={int(number[-3:])} of a program, as it runs here",
+        "evidence": "see the rules of the control",
+    }
+    told = _explanation("user-alarm", [control for control, _ in raising], None)
+    alarms = [{"control": control.name, "number": own, **raised} for control, own in raising]
+    return {**told, "alarms": alarms}
+
+
+# Causes that people take for each other, because a relative of the control raises the other number.
+_ALIKE = ("program-not-found", "named-program-not-found", "external-program-not-found")
+
+
+def _beside(slug: str) -> list[str]:
+    return [kin for kin in _ALIKE if kin != slug] if slug in _ALIKE else []
+
+
+def _kin(slug: str, controls: list[cncsub.Control]) -> list[dict[str, Any]]:
+    """The numbers of a cause like another one, each once."""
+    numbers = dict.fromkeys(c.alarms[slug].number for c in controls if slug in c.alarms)
+    meaning = cncsub.causes[slug].meaning
+    return [{"number": n, "cause": slug, "meaning": meaning} for n in numbers if n]
+
+
+def _causes_of_number(wanted: str, among: list[cncsub.Control]) -> list[str]:
+    entries = [alarm for control in among for alarm in control.alarms.values()]
+    exact = {a.cause for a in entries if any(_same(n, wanted) for n in _numbers(a))}
+    loose = {a.cause for a in entries if any(_alike(n, wanted) for n in _numbers(a))}
+    return [slug for slug in cncsub.causes if slug in (exact or loose)]
+
+
+def _numbers(entry: Any) -> list[str]:
+    """The number of an alarm, and those of its directions."""
+    return [entry.number, *(number for number, _ in entry.directed.values())]
+
+
+def _same(number: str | None, wanted: str) -> bool:
+    return bool(number) and (number or "").casefold() == wanted
+
+
+def _alike(number: str | None, wanted: str) -> bool:
+    """`78` is said for `078` and for `PS0076`."""
+    return bool(number) and _figures(number) == _figures(wanted) != ""
+
+
+def _figures(number: str | None) -> str:
+    text = (number or "").casefold().strip()
+    for prefix in ("ps", "sr", "p/s", "p", "no.", "#"):
+        if text.startswith(prefix) and text[len(prefix) :].strip().isdigit():
+            text = text[len(prefix) :].strip()
+            break
+    return text.lstrip("0") if text.isdigit() else ""
+
+
+def _explanation(slug: str, among: list[cncsub.Control], wanted: str | None) -> dict[str, Any]:
+    cause = cncsub.causes[slug]
+    entries = [(c, c.alarms[slug]) for c in among if slug in c.alarms]
+    if wanted is not None:
+        exact = [(c, a) for c, a in entries if any(_same(n, wanted) for n in _numbers(a))]
+        entries = exact or [
+            (c, a) for c, a in entries if any(_alike(n, wanted) for n in _numbers(a))
+        ]
+    return {
+        "cause": slug,
+        "meaning": cause.meaning,
+        "cure": cause.cure,
+        "beside": [fact for kin in _beside(slug) for fact in _kin(kin, [c for c, _ in entries])],
+        "alarms": [{"control": control.name, **_alarm_entry(entry)} for control, entry in entries],
+    }
+
+
+def _alarm_entry(entry: Any) -> dict[str, Any]:
+    return {
+        "number": entry.number or None,
+        "text": entry.text,
+        "printed": entry.printed,
+        "directed": {way: number for way, (number, _) in entry.directed.items()},
+        "source": entry.source,
+        "evidence": entry.evidence,
+    }
+
+
+def unknown_alarm(asked: str, among: list[cncsub.Control], rules: Iterable[str]) -> str:
+    numbers = [n for c in among for a in c.alarms.values() for n in _numbers(a) if n]
+    near = did_you_mean(asked, [*cncsub.causes, *rules, *dict.fromkeys(numbers)])
+    where = f" on {among[0].name}" if len(among) == 1 else ""
+    known = [(c.name, what) for c in among if (what := _fact_of_control(c, asked))]
+    if known:
+        names = list(dict.fromkeys(name for name, _ in known))
+        of = ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
+        lead = f"`cncsub controls {names[0]} {asked}` prints it"
+        return f"{asked!r} is {known[0][1]} of {of}, no alarm, cause or rule of check: {lead}"
+    return f"no alarm, cause or rule is called {asked!r}{where}{near}"
+
+
+def _fact_of_control(control: cncsub.Control, asked: str) -> str | None:
+    """What else of a control is called so."""
+    if asked in control.parameters:
+        return "a parameter"
+    return "a rule" if any(rule.name == asked for rule in control.rules) else None

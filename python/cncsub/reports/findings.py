@@ -1,0 +1,261 @@
+"""Findings for other tools: JSON, SARIF 2.1.0, JUnit, annotations of a forge; and their edits."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+from xml.etree import ElementTree
+
+import cncsub
+from cncsub.analysis.checking import RULES, Edit, Finding
+from cncsub.escapes import for_github, for_xml, referred
+from cncsub.lines import lines_of, without_end
+from cncsub.writing import replace_whole
+
+VERSION = 1  # of the JSON; it grows when a key changes its meaning or goes
+
+
+def finding_facts(findings: Sequence[Finding]) -> dict[str, Any]:
+    """All of them as JSON can hold them; docs/findings.schema.json is the schema."""
+    return {"version": VERSION, "findings": [_facts(finding) for finding in findings]}
+
+
+def _facts(finding: Finding) -> dict[str, Any]:
+    alarm = finding.alarm
+    return {
+        "rule": finding.rule,
+        "name": finding.name,
+        "severity": finding.severity,
+        "program": finding.program,
+        "n": finding.n,
+        "file": finding.file,
+        "line": finding.line,
+        "column": finding.column,
+        "word": finding.word,
+        "message": finding.message,
+        "hint": finding.hint,
+        "alarm": None
+        if alarm is None
+        else {"cause": alarm.cause, "number": alarm.number, "text": alarm.text},
+        "path": [
+            {"program": f.program, "n": f.n, "file": f.file, "line": f.line, "kind": f.kind}
+            for f in finding.path
+        ],
+        "fix": None if finding.fix is None else [edit._asdict() for edit in finding.fix],
+        "count": finding.count,
+        "places": [place._asdict() for place in finding.places],
+    }
+
+
+_LEVELS = {"error": "error", "warning": "warning", "note": "note"}
+
+
+def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
+    """A log of SARIF 2.1.0: the calls that lead to a finding are its code flow."""
+    rules = [
+        {
+            "id": rule.number,
+            "name": rule.name,
+            "shortDescription": {"text": rule.meaning},
+            "help": {"text": rule.hint},
+            "defaultConfiguration": {"level": _LEVELS[rule.severity]},
+        }
+        for rule in RULES
+    ]
+    driver = {
+        "name": "cncsub",
+        "version": cncsub.__version__,
+        "semanticVersion": cncsub.__version__,
+        "rules": rules,
+    }
+    numbers = [rule.number for rule in RULES]
+    return {
+        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "version": "2.1.0",
+        "runs": [
+            {
+                "tool": {"driver": driver},
+                "columnKind": "unicodeCodePoints",
+                "results": [_result(finding, numbers) for finding in findings],
+            }
+        ],
+    }
+
+
+def _result(finding: Finding, numbers: Sequence[str]) -> dict[str, Any]:
+    number = finding.alarm.number if finding.alarm is not None else None
+    told = f"{finding.told} [alarm {number}]" if number else finding.told
+    result: dict[str, Any] = {
+        "ruleId": finding.rule,
+        "ruleIndex": numbers.index(finding.rule),
+        "level": _LEVELS[finding.severity],
+        "message": {"text": f"{told}. Hint: {finding.hint}"},
+        "locations": [_location(finding.file, finding.line, finding.column, len(finding.word))],
+    }
+    if finding.places:
+        result["relatedLocations"] = [
+            _location(at.file, at.line, at.column, len(at.word)) for at in finding.places
+        ]
+    if finding.path:
+        places = [
+            _location(frame.file, frame.line, 1, 0, f"{frame.program} {frame.kind}")
+            for frame in finding.path
+        ]
+        places.append(_location(finding.file, finding.line, finding.column, 0, finding.message))
+        steps = [
+            {"location": place, "nestingLevel": level, "executionOrder": level + 1}
+            for level, place in enumerate(places)
+        ]
+        result["codeFlows"] = [{"threadFlows": [{"locations": steps}]}]
+    if finding.fix is not None:
+        result["fixes"] = [{"artifactChanges": [_change(edit) for edit in finding.fix]}]
+    return result
+
+
+def _location(file: str, line: int, column: int, width: int, text: str = "") -> dict[str, Any]:
+    region: dict[str, Any] = {"startLine": max(1, line), "startColumn": max(1, column)}
+    if width:
+        region["endColumn"] = max(1, column) + width
+    location: dict[str, Any] = {
+        "physicalLocation": {"artifactLocation": {"uri": _uri(file)}, "region": region}
+    }
+    if text:
+        location["message"] = {"text": text}
+    return location
+
+
+def _uri(file: str) -> str:
+    path = Path(file)
+    return path.as_uri() if path.is_absolute() else quote(path.as_posix())
+
+
+def _change(edit: Edit) -> dict[str, Any]:
+    deleted = {
+        "startLine": edit.line,
+        "startColumn": edit.column,
+        "endColumn": edit.column + len(edit.old),
+    }
+    return {
+        "artifactLocation": {"uri": _uri(edit.file)},
+        "replacements": [{"deletedRegion": deleted, "insertedContent": {"text": edit.new}}],
+    }
+
+
+def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
+    """A test suite of JUnit: a case for each file, with its findings as a failure; where they are
+    notes alone, as its output.
+    """
+
+    by_file: dict[str, list[Finding]] = {file: [] for file in files}
+    for finding in findings:
+        by_file.setdefault(finding.file, []).append(finding)
+    failing = {file for file, found in by_file.items() if any(f.severity != "note" for f in found)}
+    suite = ElementTree.Element(
+        "testsuite", name="cncsub check", tests=str(len(by_file)), failures=str(len(failing))
+    )
+    for file, found in by_file.items():
+        case = ElementTree.SubElement(
+            suite, "testcase", name=for_xml(file), classname="cncsub.check"
+        )
+        if not found:
+            continue
+        if file in failing:
+            worst = next(finding for finding in found if finding.severity != "note")
+            told = ElementTree.SubElement(
+                case, "failure", type=worst.rule, message=for_xml(worst.told)
+            )
+        else:
+            told = ElementTree.SubElement(case, "system-out")
+        told.text = for_xml("\n\n".join(map(str, found)))
+    ElementTree.indent(suite)
+    text = ElementTree.tostring(suite, encoding="unicode")
+    return f'<?xml version="1.0" encoding="utf-8"?>\n{referred(text)}'
+
+
+def github_annotations(findings: Iterable[Finding]) -> str:
+    """Workflow commands that GitHub shows beside the lines of a change."""
+
+    kinds = {"error": "error", "warning": "warning", "note": "notice"}
+    lines = (
+        f"::{kinds[f.severity]} file={for_github(f.file, property=True)},line={f.line}"
+        f",col={f.column},title={for_github(f'{f.rule} {f.name}', property=True)}"
+        f"::{for_github(f'{f.told}. Hint: {f.hint}')}"
+        for f in findings
+    )
+    return "\n".join(lines)
+
+
+class Mended:
+    """Files with the edits that are certain; nothing is written before `write`."""
+
+    def __init__(self, findings: Iterable[Finding]) -> None:
+        self._left: set[Edit] = set()  # those whose text is not where it was
+        self._old: dict[str, list[bytes]] = {}  # the lines of each file
+        self._new: dict[str, list[bytes]] = {}
+        edits = {edit for finding in findings for edit in finding.fix or ()}
+        # From the end of each line, so that what stands before stays where it is.
+        for edit in sorted(edits, key=lambda edit: edit[:3], reverse=True):
+            self._apply(edit)
+
+    def _apply(self, edit: Edit) -> None:
+        """Words of NC programs are ASCII: what stands at its column behind nothing but ASCII, or
+        once in its line, is replaced as bytes, whatever the encoding of its comments.
+        """
+        if edit.file not in self._new:
+            self._old[edit.file] = lines_of(Path(edit.file).read_bytes())
+            self._new[edit.file] = list(self._old[edit.file])
+        lines = self._new[edit.file]
+        line, old = lines[edit.line - 1], edit.old.encode()
+        at = edit.column - 1
+        if not old:
+            lines[edit.line - 1] = self._lengthened(line, lines[0], edit.new.encode())
+            return
+        if not line[:at].isascii() or not line.startswith(old, at):
+            if line.count(old) != 1:
+                self._left.add(edit)
+                return
+            at = line.index(old)
+        lines[edit.line - 1] = line[:at] + edit.new.encode() + line[at + len(old) :]
+
+    @staticmethod
+    def _lengthened(line: bytes, first: bytes, new: bytes) -> bytes:
+        """A line with a text put behind it, whose lines end as the lines of the file do."""
+        words = without_end(line)
+        end = line[len(words) :]
+        usual = end or first[len(without_end(first)) :] or b"\n"
+        return words + new.replace(b"\n", usual) + end
+
+    @property
+    def left(self) -> int:
+        """How many edits are left out."""
+        return len(self._left)
+
+    def mends(self, finding: Finding) -> bool:
+        """Whether it has edits and all of them are made."""
+        return finding.fix is not None and self._left.isdisjoint(finding.fix)
+
+    def diff(self) -> str:
+        parts: list[str] = []
+        for file, old in self._old.items():
+            new = lines_of(b"".join(self._new[file]))
+            before, after = (
+                [line.decode("utf-8", "surrogateescape") for line in lines] for lines in (old, new)
+            )
+            parts += difflib.unified_diff(before, after, file, file)
+        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+
+    def write(self) -> list[str]:
+        """Writes the files that change, and names them."""
+        changed = [file for file, text in self._new.items() if text != self._old[file]]
+        for file in changed:
+            replace_whole(file, b"".join(self._new[file]))
+        return changed
+
+
+def with_severity(findings: Iterable[Finding], severities: dict[str, str]) -> list[Finding]:
+    """The same with the severities that a project gives its rules."""
+    return [replace(f, severity=severities.get(f.rule, f.severity)) for f in findings]

@@ -1,0 +1,436 @@
+"""What leads on from an alarm, and which options had no effect: said beside a run, never in it."""
+
+from __future__ import annotations
+
+import os
+import re
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+from cncsub._core import Alarm, Control
+from cncsub.analysis.checking import Finding
+from cncsub.analysis.notes import Note
+from cncsub.controls import controls
+from cncsub.interrupts import uninterrupted
+from cncsub.library import Library
+from cncsub.lines import lines_of
+from cncsub.program import Program
+from cncsub.references import Computed
+from cncsub.run import Run, Stop
+from cncsub.setup import Setup
+from cncsub.sibling_files import files_named, folders_in, folders_of
+
+MOST_BLOCKS = 20_000  # of a run that is tried again, and of a memory that is searched
+MOST_SECONDS = 1.0
+MOST_TOLD = 3
+MOST_TEXT = 20_000  # letters of a program that are looked at
+
+# How programs of other languages look, and the control here that reads them, if there is one.
+_LANGUAGES: tuple[tuple[str, str, str | None], ...] = (
+    (r"^ *\d+ +BEGIN PGM\b", "Heidenhain (Klartext)", None),
+    (
+        r"^ *(?:N\d+ +)?R\d+ *=|^ *(?:N\d+ +)?M17\b|^%_N_\w+_(?:MPF|SPF)",
+        "SINUMERIK",
+        "siemens-one",
+    ),
+    (r"^ *o(?:\d+|<\w+>) +(?:sub|call|if|while)\b|^ *#<\w+> *=", "LinuxCNC", "linuxcnc"),
+    (r"^ *(?:N\w+ +)?(?:CALL +O\w+|RTS\b|V[CZ]\d*\w* *=)", "Okuma (OSP)", None),
+    (
+        r"^ *(?:N\d+ *)?#(?:[VR]\d+ *=|(?:IF|GOTO|PRINT|INPUT|CLEAR)\b|:[A-Z])"
+        r"|^ *N\d+ *O\d+ *(?:\(|$)",
+        "Fadal",
+        None,
+    ),
+    (
+        r"^%[^\n,]*, *M[X-]|^ *(?:N\d+ *)?(?:\( *(?:P\d+ *=|IF P\d|CALL *\d+ *\)|RET *\))"
+        r"|\$(?:IF|GOTO|FOR|WHILE|ENDIF)\b|#(?:P?CALL|MCALL|SUB|RET)\b)",
+        "Fagor",
+        None,
+    ),
+    (r"^ *(?:N\d+ *)?@\d+ *=(?!=)", "LNC", None),
+    (r"^ *(?:N\d+ *)?G65 *H\d+ *P#", "GSK 980 or FANUC macro A", "gsk-980tdi"),
+    (r"^ *(?:N\d+ *)?(?:END_(?:IF|WHILE|FOR|REPEAT)\b|[@#]\d+ *:=)", "Syntec", "syntec-22ma"),
+    (r"^ *(?:N\d+ *)?(?:ELSE|ENDIF)\b", "the Mitsubishi M800", "mitsubishi-m800"),
+    (r"^ *(?:N\d+ *)?(?:ELSE|ENDIF|ENDW)\b", "Huazhong", "hnc-21m"),
+)
+
+
+# Rules by which a control refuses a form of writing. A parameter of these alone lets a block pass
+# that says what it says with either value; any other one would make the program mean something
+# else, which is no cure for an alarm.
+_PERMITS = re.compile(
+    r"refuses:.*|missing_end|cancel_alone|main_return|start_word|omitted_program|conditions:joined"
+)
+
+
+def hints_of(
+    library: Library, run: Run, asked: Mapping[str, Any], main: Any = None, mdi: str | None = None
+) -> list[str]:
+    """What leads on from the alarm of a run, or from its waiting; `asked` are the options it ran
+    with, `mdi` what was typed.
+    """
+    alarm = run.alarm
+
+    def again(other: Library = library, **options: Any) -> Run:
+        if mdi is not None:
+            tried = other.mdi(mdi, **{**asked, "trace": "calls", "watch": (), **options})
+        else:
+            tried = other.run(main, **{**asked, "trace": "calls", "watch": (), **options})
+        return uninterrupted(tried)
+
+    if run.stop is Stop.WAITING:
+        return list(_answers(run, asked, again))
+    if alarm is None:
+        foreign = None if mdi is not None else foreign_language(library)
+        return [foreign] if foreign is not None else []
+    hints = list(_missing_program(library, alarm))
+    if (other := _language(library, run, alarm, mdi, again)) is not None:
+        hints.append(other)
+    elif not hints:
+        hints += _allowed(library, run, again)
+        hints += () if hints else _joined(library, alarm, mdi)
+        hints += () if hints else _lathe(library.control, alarm)
+        hints += () if hints else _who_has(library.control, alarm)
+    return hints
+
+
+# ---- a program that is missing ----
+
+
+def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
+    if not alarm.cause.endswith("program-not-found"):
+        return
+    name = (alarm.detail or "").split(" ")[0]
+    outside = alarm.cause == "external-program-not-found"
+    if outside and not library.external:
+        yield "--external FOLDER names what M198 reads; without it the external device is empty"
+    if outside and name in library:
+        yield f"{name} is in the memory, where M98 calls it"
+    if not outside and name in library.external:
+        yield f"{name} is on the external device, where M198 calls it"
+    # What was typed lies in no folder.
+    files = [alarm.file] if alarm.file in library.files else library.files[:1]
+    folders = {folder: None for file in files for folder in folders_of(file)}
+    folders |= {inner: None for folder in list(folders) for inner in folders_in(folder)}
+    device = {os.path.realpath(program.file) for program in library.external.values()}
+    for file, fault in (
+        found for folder in folders for found in files_named(folder, name, library)
+    ):
+        if os.path.realpath(file) not in device:
+            cure = "name it, or its folder, too" if fault is None else f"{fault}; name it too"
+            yield f"{file} was not read: {cure}"
+
+
+# ---- another language ----
+
+
+def _language(
+    library: Library, run: Run, alarm: Alarm, mdi: str | None, again: Callable[..., Run]
+) -> str | None:
+    """The language that a program seems to be written in, where the control reads another one."""
+    program = library.get(alarm.program)
+    for name, control in languages_of(mdi or "" if program is None else program.text):
+        if control == library.control.name:
+            continue
+        if control is None:
+            return _seems(name, control)
+        try:
+            read = again(library.read_for(control), max_blocks=1_000, trace="none")
+        except (KeyError, ValueError):  # it has no such program, variable, axis
+            continue
+        if read.alarm is None or read.blocks > run.blocks:
+            return _seems(name, control)
+    return None
+
+
+def _seems(name: str, control: str | None) -> str:
+    if control is None:
+        return f"it seems to be written in the language of {name}, which no control here reads"
+    return f"it seems to be written for {name}: -c {control}"
+
+
+def languages_of(text: str) -> Iterator[tuple[str, str | None]]:
+    """The languages a text looks like, and the control here that reads each, if there is one."""
+    for pattern, name, control in _LANGUAGES:
+        if re.search(pattern, text[:MOST_TEXT], re.M | re.I):
+            yield name, control
+
+
+def foreign_language(library: Library, file: str | None = None) -> str | None:
+    """The language of a file of the memory, or of its first one, where no control here reads it: it
+    is told also where what its blocks seem to say runs. In the words of a hint.
+    """
+    for name, _, source, _ in library._code.sources[:MOST_TOLD]:
+        if file in (None, name):
+            text = source[:MOST_TEXT].decode(errors="replace")
+            found = (_seems(*each) for each in languages_of(text) if each[1] is None)
+            return next(found, None)
+    return None
+
+
+def language_beside_findings(
+    library: Library, found: list[Finding], check: Callable[[Library], list[Finding]]
+) -> str | None:
+    """The language of the first file: one that no control here reads, or one as which it is read
+    with fewer errors. In the words of a hint.
+    """
+    if (foreign := foreign_language(library)) is not None or not found:
+        return foreign
+    errors = sum(f.count for f in found if f.severity == "error")
+    for _, _, source, _ in library._code.sources[:1]:
+        for name, control in languages_of(source[:MOST_TEXT].decode(errors="replace")):
+            if control in (None, library.control.name):
+                continue
+            try:
+                other = check(library.read_for(str(control)))
+            except (KeyError, ValueError):  # it has no such program
+                continue
+            if sum(f.count for f in other if f.severity == "error") < errors:
+                return _seems(name, control)
+    return None
+
+
+def other_reading(library: Library, file: str) -> str | None:
+    """The control for which a file of the memory seems to be written, where it holds no two
+    programs of one name if it is read so; in the words of a hint.
+    """
+    sources = {name: text for name, _, text, _ in library._code.sources}
+    for name, control in languages_of(sources.get(file, b"").decode(errors="replace")):
+        if control == library.control.name:
+            continue
+        if control is None or all(
+            program.file != file for program in library.read_for(control).duplicates
+        ):
+            return _seems(name, control)
+    return None
+
+
+# ---- what allows what was refused ----
+
+
+def _allowed(library: Library, run: Run, again: Callable[..., Run]) -> Iterator[str]:
+    """Parameters and options with which the run goes past the block: each is tried."""
+    if run.blocks > MOST_BLOCKS:
+        return
+    end = time.monotonic() + MOST_SECONDS
+    told = 0
+    for words, control in changed_controls(library.control):
+        if told == MOST_TOLD or time.monotonic() > end:
+            return
+        tried = again(library.read_for(control), max_blocks=run.blocks + 1)
+        if tried.alarm is None and tried.stop is not Stop.WAITING and tried.blocks >= run.blocks:
+            told += 1
+            yield words
+
+
+def changed_controls(control: Control) -> Iterator[tuple[str, Control]]:
+    """The control with one parameter or one option changed, and how to ask for that."""
+    for parameter in control.parameters.values():
+        rules = parameter.rules
+        permits = bool(rules) and all(map(_PERMITS.fullmatch, rules))
+        if permits and "#" in parameter.name and parameter.value in (0, 1):
+            value = 1 - int(parameter.value)
+            words = f"--param {parameter.name}={value} lets it pass: {parameter.meaning}"
+            yield words, control.with_parameters({parameter.name: value})
+    for option in control.variable_options.values():
+        if not option.fitted:
+            try:
+                changed = control.replace(**{option.rule: option.name})
+            except (TypeError, ValueError):
+                continue
+            yield f"the control's option {option.name} lets it pass: {option.numbers}", changed
+
+
+def _lathe(control: Control, alarm: Alarm) -> Iterator[str]:
+    """A program of a lathe on a control that is described as a mill alone."""
+    if "turning" not in control.absent or alarm.cause not in _REFUSED:
+        return
+    if _OF_LATHES.fullmatch(alarm.word or ""):
+        yield (
+            f"{control.name} is a mill alone ({control.title}), and {alarm.word} is of lathes:"
+            f" no lathe with this control is known here"
+        )
+
+
+_REFUSED = ("g-code-not-available", "code-not-known", "code-not-computed")
+_OF_LATHES = re.compile(r"G0*(?:32|33|34|7[0-6]|9[0267])", re.IGNORECASE)
+
+
+def _joined(library: Library, alarm: Alarm, mdi: str | None) -> Iterator[str]:
+    """How conditions are joined, where a block joins them otherwise."""
+    if alarm.cause != "if-format" or not _JOINS.search(_block_of(library, alarm, mdi)):
+        return
+    for parameter in library.control.parameters.values():
+        if "conditions:joined" in parameter.rules:
+            given = "" if parameter.value else f", with --param {parameter.name}=1"
+            yield f"conditions are joined as IF[[#1EQ#2]AND[#3EQ#4]]{given}: {parameter.meaning}"
+
+
+_JOINS = re.compile(r"(?<![A-Z])(?:AND|OR|XOR)(?![A-Z])", re.IGNORECASE)
+
+
+def _block_of(library: Library, alarm: Alarm, mdi: str | None) -> str:
+    """The text of the block that alarmed, without its comments."""
+    program = library.get(alarm.program)
+    if program is not None:
+        text = next((b.text for b in program.blocks if b.line == alarm.line), "")
+    else:
+        text = "".join(lines_of(mdi or "")[alarm.line - 1 : alarm.line])
+    return re.sub(r"\([^()]*\)", "", text)
+
+
+def _who_has(control: Control, alarm: Alarm) -> Iterator[str]:
+    """The controls that have a G code which this one has not."""
+    code = re.fullmatch(r"G0*(\d+(?:\.\d+)?)", alarm.word or "", re.IGNORECASE)
+    if alarm.cause != "g-code-not-available" or code is None:
+        return
+    names = [
+        other.name
+        for other in controls.values()
+        if other.name != control.name
+        and any(r.name == "g_codes" and code[1] in str(r.value).split() for r in other.rules)
+        and _computes(other, f"G{code[1]}")
+    ]
+    if names:
+        yield f"{alarm.word} is a code of {', '.join(names)}"
+
+
+def _computes(control: Control, code: str) -> bool:
+    """Whether a control has a code and a block that names it alone runs."""
+    from cncsub.loading import loads
+
+    return not loads(f"N1 {code}\n", control=control).check(rules=["CS102", "CS105"])
+
+
+# ---- what lets pass what a check finds ----
+
+
+def with_ways_past(
+    library: Library, found: list[Finding], check: Callable[[Library], list[Finding]]
+) -> list[Finding]:
+    """The findings, each with the parameter or option behind which it is gone: each is tried."""
+    wanted = {_place(f): f for f in found if f.rule in _MAY_PASS}
+    blocks = sum(len(program.blocks) for program in library.values())
+    if not wanted or blocks > MOST_BLOCKS:
+        return found
+    end = time.monotonic() + MOST_SECONDS
+    hints: dict[tuple[Any, ...], list[str]] = {}
+    for words, control in changed_controls(library.control):
+        if time.monotonic() > end:
+            break
+        left = {_place(f) for f in check(library.read_for(control))}
+        alarming = {place[1:] for place in left if place[0] in _MAY_PASS}
+        for place in wanted:
+            if place not in left and place[1:] not in alarming:
+                hints.setdefault(place, []).append(words)
+    return [
+        replace(f, hint="; ".join((*hints.get(_place(f), ())[:MOST_TOLD], f.hint))) for f in found
+    ]
+
+
+_MAY_PASS = ("CS101", "CS102", "CS103", "CS104", "CS303", "CS704")  # a parameter may allow them
+
+
+def _place(finding: Finding) -> tuple[Any, ...]:
+    return (finding.rule, finding.file, finding.line, finding.column)
+
+
+# ---- what nobody gave ----
+
+
+def _answers(run: Run, asked: Mapping[str, Any], again: Callable[..., Run]) -> Iterator[str]:
+    """A line of a file of inputs with which the run goes on: each is tried."""
+    number = re.fullmatch(r"#(\d+)", run.waiting_for or "")
+    if number is None or asked.get("inputs") is not None or run.blocks > MOST_BLOCKS:
+        return
+    told = int(number[1])
+    for value in (1, 0):
+        for words, inputs in (
+            (f"signals = {{ {told} = {value} }}", {"signals": {told: value}}),
+            (f"writes = [{{ {told} = {value} }}]", {"writes": [{told: value}]}),
+        ):
+            try:
+                tried = again(max_blocks=run.blocks + 1_000, inputs=inputs)
+            except ValueError:  # it is no signal, or nobody may write it
+                continue
+            if tried.waiting_for != run.waiting_for:
+                yield f"--inputs FILE answers, such as one with the line {words}"
+                return
+
+
+# ---- options without effect ----
+
+
+def without_effect(
+    library: Library, asked: Mapping[str, Any], typed: Program | None = None
+) -> Iterator[Note]:
+    """A note for each option that no block asks for, where the blocks can be read through; `typed`
+    is what was typed in MDI.
+    """
+    programs = [*library.values(), *library.external.values(), *([typed] if typed else ())]
+    if sum(len(program.blocks) for program in programs) > MOST_BLOCKS:
+        return
+    if variables := asked.get("variables"):
+        read = _read_variables(programs)
+        for number in variables if read is not None else ():
+            if number not in (read or ()):
+                yield _note("--set, --variables", f"no block reads #{number}")
+    text = "\n".join(program.text for program in programs)
+    called = any(e.kind == "M198" for e in library.call_graph().edges)
+    if len(library.external) and not called and not (typed and _calls_outside(typed)):
+        yield _note("--external", "no block calls a program of the external device by M198")
+    if asked.get("block_skip") and "/" not in text:
+        yield _note("--skip", "no block has a slash")
+    if asked.get("optional_stop") and not re.search(r"M0?1(?!\d)", text, re.I):
+        yield _note("--optional-stop", "no block has M01")
+    if (setup := asked.get("setup")) is not None:
+        yield from _of_another_machine(library.control, setup)
+    inputs = asked.get("inputs")
+    if inputs is not None:
+        read = _read_variables(programs)
+        for number in inputs.signals if read is not None else ():
+            if number not in (read or ()):
+                yield _note("--inputs", f"the signal #{number} is told, which no block reads")
+        if (inputs.skips or inputs.workpiece) and not re.search(
+            r"G\s*(?:0*31|36|37|38|04|4)(?!\d)", text, re.I
+        ):
+            yield _note("--inputs", "what is touched is told, but no block probes")
+        for code in inputs.answers:
+            number = code[1:].lstrip("0") or "0"
+            if not re.search(rf"{code[0]}0*{number}(?!\d)", text, re.I):
+                yield _note("--inputs", f"an answer to {code} is told, which no block names")
+
+
+def _of_another_machine(control: Control, setup: Setup) -> Iterator[Note]:
+    """A lathe has its offsets in `tools`, a mill in `length_offsets` and `radius_offsets`."""
+    (own,) = (str(rule.value) for rule in control.rules if rule.name == "machine")
+    machine = setup.machine or own
+    lathe = machine.startswith("lathe")
+    for field in ("length_offsets", "radius_offsets") if lathe else ("tools",):
+        if getattr(setup, field):
+            other, kind = ("a mill", "a lathe") if lathe else ("a lathe", "a mill")
+            told = f"`{field}` are offsets of {other}, and the machine is {kind} ({machine})"
+            yield _note("--setup", told)
+
+
+def _note(option: str, message: str) -> Note:
+    return Note("no-effect", f"no effect: {message}", option)
+
+
+def _calls_outside(program: Program) -> bool:
+    return any(call.kind == "M198" for block in program.blocks for call in block.calls)
+
+
+def _read_variables(programs: Iterable[Program]) -> set[int] | None:
+    """The variables that blocks read by number; `None` where one is computed."""
+    found: set[int] = set()
+    for program in programs:
+        for block in program.blocks:
+            for use in block.reads:
+                if isinstance(use.variable, Computed):
+                    return None
+                if isinstance(use.variable, int):
+                    found.add(use.variable)
+    return found

@@ -1,0 +1,354 @@
+"""Runs, controls and alarms as text for people: in colour on a terminal, plain elsewhere."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import textwrap
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import IO, TYPE_CHECKING, Any
+
+import cncsub
+from cncsub.analysis.static_tree import letters
+from cncsub.controls import sources_of
+from cncsub.escapes import shown
+from cncsub.reports.facts import effect_of
+from cncsub.tables.call_tree import CallTree
+
+if TYPE_CHECKING:
+    import rich.console
+
+MOST_CALLS = 100_000  # drawn in a tree
+MOST_LINES = 200  # printed of it
+MOST_MISSED = 20  # blocks of G31
+MOST_LOOKED_AT = 500  # moves, for what their feed counts on
+MOST_CHANGES = 200  # of watched variables
+
+
+class Text:
+    """A text in parts, each with its style."""
+
+    def __init__(self, text: str, style: str = "") -> None:
+        self.parts = [(text, style)]
+
+    @classmethod
+    def assemble(cls, *parts: str | tuple[str, str]) -> Text:
+        made = cls("")
+        made.parts = [(part, "") if isinstance(part, str) else part for part in parts]
+        return made
+
+
+class Console:
+    """Where text is printed: by rich on a terminal, in plain letters elsewhere, where rich would
+    take longer to import than most programs to run.
+    """
+
+    def __init__(self, file: IO[str]) -> None:
+        self._file = file
+        self._rich: rich.console.Console | None = None
+        # What makes rich take a file for a terminal, or not.
+        told = any(os.environ.get(name) for name in ("FORCE_COLOR", "TTY_COMPATIBLE"))
+        if told or file.isatty():
+            from rich.console import Console
+
+            self._rich = Console(
+                file=file, highlight=False, markup=False, emoji=False, soft_wrap=True
+            )
+
+    @property
+    def width(self) -> int | None:
+        """The columns of a terminal; elsewhere a line may be as long as it is."""
+        return self._rich.width if self._rich is not None and self._file.isatty() else None
+
+    def print(self, text: str | Text = "", end: str = "\n") -> None:
+        """Nothing is wrapped or marked up."""
+        parts = [(text, "")] if isinstance(text, str) else text.parts
+        if self._rich is None:
+            self._file.write("".join(part for part, _ in parts) + end)
+            self._file.flush()
+            return
+        from rich.text import Text as RichText
+
+        self._rich.print(RichText.assemble(*parts), end=end)
+
+
+def console_on(file: IO[str]) -> Console:
+    """Colour on a terminal only."""
+    return Console(file)
+
+
+_COLOURS = {"end": "green", "cycles": "green", "alarm": "bold red"}
+
+
+def print_run(console: Console, run: cncsub.Run, title: str) -> None:
+    print_tree(console, run, title)
+    print_stop(console, run)
+    if len(run.moves):
+        console.print(f"{run.moves._size()}, length {run.moves.total_length:,.3f} mm,", end="")
+        console.print(f" time {time_words(run)}")
+        for axis, (low, high) in run.moves.bounds.items():
+            console.print(f"  {axis} {low:.10g} to {high:.10g}")
+    print_watch(console, run)
+    for message in run.messages:
+        console.print(f"message: {shown(message)}")
+    missed = Counter(map(str, run.missed_skips))
+    for block, times in itertools.islice(missed.items(), MOST_MISSED):
+        console.print(f"skip: {shown(block)}{f', {times:,} times' if times > 1 else ''}")
+    if len(missed) > MOST_MISSED:
+        console.print(f"... skips of {len(missed) - MOST_MISSED:,} more blocks met nothing")
+    words = Counter((w.program, w.n, w.line, w.file, w.text, w.warning) for w in run.dropped)
+    for (program, n, line, file, text, warning), times in itertools.islice(
+        words.items(), MOST_MISSED
+    ):
+        place = program if n is None else f"{program} N{n}"
+        often = "" if times == 1 else f", {times} times"
+        console.print(f"dropped: {shown(text)} at {shown(f'{place}, {file}:{line}')}{often}")
+        if warning is not None:
+            console.print(f"warning: {shown(text)} does nothing: {warning}")
+    if len(words) > MOST_MISSED:
+        console.print(f"... {len(words) - MOST_MISSED:,} more words were dropped")
+
+
+def print_watch(console: Console, run: cncsub.Run) -> None:
+    """What was watched: its value at the beginning, and each change with its block."""
+    now = dict(run.watch.beginning)
+    changes = len(run.watch)
+    for first, last, value in _beginnings(now):
+        verb, span = ("begins", "") if first == last else ("begin", f" to #{last}")
+        console.print(f"watch: #{first}{span} {verb} {_variable(value)}")
+    for row in range(min(changes, MOST_CHANGES)):
+        change = run.watch[row]
+        place = change.program if change.n is None else f"{change.program} N{change.n}"
+        step = f"{shown(str(place))}, line {change.line}, step {change.step}"
+        was, now[change.variable] = now[change.variable], change.value
+        values = f"{_variable(was)} -> {_variable(change.value)}"
+        console.print(f"watch: #{change.variable} {values} at {step}")
+    if changes > MOST_CHANGES:
+        left = changes - MOST_CHANGES
+        console.print(f"... {left:,} more changes; --format json and run.watch have them all")
+
+
+def _beginnings(values: Mapping[int, float | None]) -> Iterator[tuple[int, int, float | None]]:
+    """The values, each with the first and the last of the numbers side by side that have it."""
+    first = last = -2
+    value: float | None = None
+    for number, now in values.items():
+        if number == last + 1 and now is None and value is None:
+            last = number
+            continue
+        if first >= 0:
+            yield first, last, value
+        first, last, value = number, number, now
+    if first >= 0:
+        yield first, last, value
+
+
+def _variable(value: float | None) -> str:
+    return "vacant" if value is None else f"{value:.10g}"
+
+
+def print_tree(console: Console, run: cncsub.Run, title: str, *, callers: bool = False) -> None:
+    """The calls; with `callers` each with its arguments and the block that called."""
+    console.print(Text(shown(title), style="bold"))
+    told = (lambda call: call_words(run, call)) if callers else None
+    lines = _tree_lines(run.calls.tree(most=MOST_CALLS), told)
+    for line in itertools.islice(lines, MOST_LINES):
+        console.print(line)
+    left = sum(1 for _ in lines)
+    if left:
+        console.print(f"... {left:,} more lines")
+    if len(run.calls) > MOST_CALLS:
+        console.print(f"... drawn are the first {MOST_CALLS:,} of {len(run.calls):,} calls")
+
+
+def call_words(run: cncsub.Run, call: CallTree) -> str:
+    """What was given to a call, and by which block: ` A=1 B=2, from O1 N10`."""
+    words = f" {letters(call.arguments)}" if call.arguments else ""
+    if call.varied:
+        words += " (the first; they differ)"
+    if call.caller_step is not None and call.caller_step < len(run.steps):
+        step = run.steps[call.caller_step]
+        at = f"line {step.line}" if step.n is None else f"N{step.n}"
+        words += f", from {step.program} {at}"
+    return words
+
+
+def _tree_lines(
+    trees: list[CallTree], told: Callable[[CallTree], str] | None = None
+) -> Iterator[Text]:
+    waiting = [(call, "", call is trees[-1]) for call in reversed(trees)]
+    while waiting:
+        call, stem, last = waiting.pop()
+        head = shown(f"{call.kind} {call.program}")
+        branch = stem + ("`-- " if last else "|-- ")
+        words = shown(str(call) + (told(call) if told else "")).removeprefix(head)
+        yield Text.assemble((branch, "dim"), (head, "cyan"), words)
+        below = stem + ("    " if last else "|   ")
+        waiting += [(inner, below, inner is call.calls[-1]) for inner in reversed(call.calls)]
+
+
+def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
+    stop = Text(f"stopped: {stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
+    console.print(stop)
+    if run.endless is not None and run.stop is not cncsub.Stop.WAITING:
+        console.print(f"why: {shown(str(run.endless))}")
+    if run.alarm is not None:
+        console.print(Text("\n".join(map(shown, str(run.alarm).split("\n")))))
+
+
+def stop_text(run: cncsub.Run | cncsub.Stream) -> str:
+    """How a run ended, in words."""
+    blocks = f"{run.blocks:,} block{'s' if run.blocks != 1 else ''}"
+    if run.stop is cncsub.Stop.WAITING:
+        return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
+    assert run.stop is not None, "a stream is written to its end"
+    reasons = {
+        cncsub.Stop.END: "the program ended",
+        cncsub.Stop.ALARM: "alarm",
+        cncsub.Stop.CYCLES: "M99 starts the program over, all cycles asked for ran (--max-cycles)",
+        cncsub.Stop.LIMIT: "the limit of blocks or memory is reached (--max-blocks)",
+        cncsub.Stop.INTERRUPTED: "interrupted",
+    }
+    return f"{reasons[run.stop]}, after {blocks}"
+
+
+def time_words(run: cncsub.Run) -> str:
+    """How long the moves take; a feed that counts on a spindle which stands still is told."""
+    words = duration(run.moves.total_time)
+    looked_at = range(min(len(run.moves), MOST_LOOKED_AT))
+    if any(_waits_for_spindle(run.moves[row]) for row in looked_at):
+        words += " (where no S was told, at one revolution a minute)"
+    return words
+
+
+def _waits_for_spindle(move: Any) -> bool:
+    turning = move.feed_mode == "per-revolution" and move.spindle == 0
+    return turning and move.kind not in ("rapid", "dwell")
+
+
+def duration(seconds: float) -> str:
+    """`1 h 16 min 20.6 s`."""
+    minutes, rest = divmod(seconds, 60)
+    hours, minutes = divmod(int(minutes), 60)
+    parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]
+    return " ".join([*filter(None, parts), f"{rest:.1f} s"])
+
+
+def print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
+    width = max(map(len, pairs))
+    for name, text in pairs.items():
+        console.print(Text.assemble((name.ljust(width), "cyan"), f"  {text}"))
+
+
+def print_control(console: Console, control: cncsub.Control) -> None:
+    console.print(Text(f"{control.title} ({control.name})", style="bold"))
+    rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
+    _print_facts(console, "Rules", rules)
+    for group, (source, evidence) in control.absent.items():
+        console.print(Text.assemble(("  no rules of ", ""), (group, "cyan")))
+        _print_source(console, f"[{source}; {evidence}]")
+    parameters = (
+        (
+            f"{p.name} = {p.value:g}",
+            "; ".join(filter(None, [p.meaning, effect_of(p)])),
+            p,
+        )
+        for p in control.parameters.values()
+    )
+    _print_facts(console, "Parameters", parameters)
+    options = (
+        (f"{o.rule}={o.name}{', fitted' if o.fitted else ''}", f"{o.meaning}: {o.numbers}", o)
+        for o in control.variable_options.values()
+    )
+    if control.variable_options:
+        _print_facts(console, "Variables by option", options)
+    alarms = (
+        (f"{_numbers(a)} {a.cause}", a.text or cncsub.causes[a.cause].meaning, a)
+        for a in control.alarms.values()
+    )
+    _print_facts(console, "Alarms", alarms)
+    _print_sources(console, control)
+
+
+def _numbers(alarm: Any) -> str:
+    """The number of an alarm, or those of its directions: OT0500 +, OT0501 -."""
+    directed = [f"{number} {way}" for way, (number, _) in alarm.directed.items()]
+    return alarm.number or ", ".join(directed) or "(no number)"
+
+
+def _print_sources(console: Console, control: cncsub.Control) -> None:
+    console.print(Text("\nSources, and what each is on this control", style="bold"))
+    for source in sources_of(control):
+        _print_fact(console, source.key, source.title)
+        address = f"; {source.address}" if source.address else ""
+        _print_source(console, f"[{source.on(control.name)}{address}]")
+
+
+def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, Any]]) -> None:
+    console.print(Text(f"\n{title}", style="bold"))
+    for head, text, fact in facts:
+        _print_fact(console, head, text)
+        _print_source(console, f"[{fact.source}; {fact.evidence}]")
+        for entry, (source, evidence) in getattr(fact, "sources", {}).items():
+            there = "" if entry in str(fact.value).split() else "not "
+            _print_source(console, f"{there}{entry} [{source}; {evidence}]")
+
+
+def _print_fact(console: Console, head: str, text: str) -> None:
+    """The head in colour; wrapped on a terminal, with what follows below the text."""
+    first, *rest = _wrapped(console, f"  {head}: {text}", "    ")
+    named = f"  {head}"
+    if first.startswith(named):
+        console.print(Text.assemble((named, "cyan"), first[len(named) :]))
+    else:  # a head that is longer than a line
+        console.print(Text(first, style="cyan"))
+    for line in rest:
+        console.print(line)
+
+
+def _print_source(console: Console, text: str) -> None:
+    for line in _wrapped(console, f"      {text}", "      "):
+        console.print(Text(line, style="dim"))
+
+
+def print_wrapped(console: Console, line: str) -> None:
+    """A line, wrapped on a terminal below where its text begins."""
+    indent = line[: len(line) - len(line.lstrip())] + "  "
+    for part in _wrapped(console, line, indent):
+        console.print(part)
+
+
+def _wrapped(console: Console, text: str, indent: str) -> list[str]:
+    if console.width is None or len(text) <= console.width:
+        return [text]
+    options: Any = {"break_long_words": False, "break_on_hyphens": False}
+    return textwrap.wrap(text, max(40, console.width), subsequent_indent=indent, **options)
+
+
+def _value(value: bool | int | str) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(value) or "none"
+
+
+def print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
+    for place, fact in enumerate(facts):
+        if place:
+            console.print()
+        console.print(Text(fact["cause"], style="bold"))
+        console.print(f"  raised by: {fact['meaning']}")
+        kin: dict[tuple[str, str], list[str]] = {}
+        for one in fact["beside"]:
+            kin.setdefault((one["cause"], one["meaning"]), []).append(one["number"])
+        for (cause, meaning), numbers in kin.items():
+            console.print(f"  beside it: {', '.join(numbers)} {cause}, {meaning}")
+        console.print(f"  cure: {fact['cure']}")
+        for alarm in fact["alarms"]:
+            directed = ", ".join(f"{number} {way}" for way, number in alarm["directed"].items())
+            number = alarm["number"] or directed or "no number"
+            text = f" {alarm['text']}" if alarm["text"] else ""
+            console.print(Text.assemble((f"  {alarm['control']}: ", "cyan"), f"{number}{text}"))
+            console.print(Text(f"      [{alarm['source']}; {alarm['evidence']}]", style="dim"))
+        if not fact["alarms"]:
+            console.print("  no source gives a number")

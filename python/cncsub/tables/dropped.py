@@ -1,0 +1,45 @@
+"""Words that a control dropped, and which of them somebody has to know of."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from cncsub._core import Control
+from cncsub.tables.rows import Dropped
+
+Row = tuple[int, str, int | None, int, str, str]  # of the engine
+
+_SPINDLE = re.compile(r"M0*(\d+)=spindle-(?:forward|backward)")
+_M_CODE = re.compile(r"M0*(\d+)", re.IGNORECASE)
+_COOLANT = (7, 8)  # as ISO 6983 numbers them: to a control they are codes as any other
+
+
+def dropped_words(rows: Iterable[Row], control: Control) -> Iterator[Dropped]:
+    """The rows of the engine; an M code that does not start what it is there for warns."""
+    starts: dict[int, str] | None = None
+    for row in rows:
+        code = _M_CODE.fullmatch(row[-1])
+        if code is not None and starts is None:
+            starts = _starts(control)
+        warning = None if code is None or not starts else starts.get(int(code[1]))
+        yield Dropped(*row, warning=warning)
+
+
+def _starts(control: Control) -> dict[int, str]:
+    """By M code, what is said where it is dropped."""
+    rules = {rule.name: rule.value for rule in control.rules}
+    allows = _allows(control, rules["m_codes_per_block"])
+    spindle = dict.fromkeys(map(int, _SPINDLE.findall(str(rules["roles"]))), "spindle")
+    what = {**dict.fromkeys(_COOLANT, "coolant"), **spindle}
+    return {code: f"it would start the {name}: {allows}" for code, name in what.items()}
+
+
+def _allows(control: Control, most: object) -> str:
+    """How a block may have more M codes."""
+    apart = "give it a block of its own"
+    for name, parameter in control.parameters.items():
+        if "m_codes_per_block" in parameter.rules and not parameter.value:
+            return f"--param {name}=1 lets more M codes of a block count, or {apart}"
+    count = "one M code" if most == 1 else f"{most} M codes"
+    return f"the control takes {count} of a block, {apart}"
