@@ -28,11 +28,21 @@ constexpr std::uint32_t kSavingRoles = role_bit(Role::SaveModes) | role_bit(Role
 // Moves that are kept for a block to be undone: it takes as long to keep them as to make one.
 constexpr std::int64_t kHeldPieces = 8;
 
+struct Place {
+  std::uint32_t at, width;
+};
+
+/// Where a code is written that is an expression; that of other codes is their block.
+Place place_of(const Run& run, const Block& block, const Cell& cell) {
+  if (cell.value >= 0) return {block.text, block.length};
+  const auto expression = run.code->expression(to_whole<std::uint32_t>(-1.0 - cell.value));
+  return {expression.at(), expression.width()};
+}
+
 /// A G or M code in its cell: a number, or an expression, of which a vacant value (-1) is no code.
 bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, double factor,
                  int& code) {
   double value = cell.value;
-  std::uint32_t at = block.text, width = block.length;
   if (value < 0) {
     const auto expression = to_whole<std::uint32_t>(-1.0 - value);
     if (!evaluate(run, expression, value, of)) return false;
@@ -41,10 +51,8 @@ bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, dou
       return true;
     }
     value = std::round(value * factor);
-    at = run.code->expression(expression).at();
-    width = run.code->expression(expression).width();
   }
-  if (value < 0 || value > kLargestCode)
+  if (const auto [at, width] = place_of(run, block, cell); value < 0 || value > kLargestCode)
     return alarm(run, {Cause::ValueOutOfRange, at, width, "the code is out of range", of});
   code = to_whole<int>(value);
   return true;
@@ -54,10 +62,13 @@ bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, dou
 bool decode_codes(Run& run, const Block& block, Address of, const Cell*& cell, NcWords& words) {
   CodeList list;
   for (unsigned i = 0; i < block.g_count; ++i) {
+    const Place place = place_of(run, block, *cell);
     int g = 0;
     if (!decode_code(run, block, of, *cell++, 10, g)) return false;
     if (g > 10000 || (g >= 0 && !run.code->g_codes.test(static_cast<std::size_t>(g))))
       return alarm(run, {.cause = Cause::GCodeNotAvailable,
+                         .at = place.at,
+                         .width = place.width,
                          .detail = "the control has no such G code",
                          .block = of,
                          .address = 'G',

@@ -25,6 +25,8 @@ double seconds_of_letter(MotionView m, const NcWords& w, char letter) {
   const Control& c = *m.facts.control;
   double value = w[letter];
   if (letter != 'P') {
+    if ((w.computed & bit(letter)) != 0 && rounds_computed(c))
+      value = std::round(value * 1000) / 1000;
     const bool increments = c.motion.dwell_unit.value == DwellUnit::Milliseconds ||
                             c.reading.whole_numbers.value == WholeNumbers::Increments;
     return increments && (w.whole & bit(letter)) != 0 ? value * 0.001 : value;

@@ -212,26 +212,36 @@ bool lacks_speed(MotionView m) {
 
 namespace {
 
-/// How many least increments a unit of the program has at an address.
-double steps_of(MotionView m, char address) {
-  const bool tenth = !counts_degrees(address) && g20(m.state);
+/// How many least increments a unit of the program has, of a length or of an angle.
+double steps_of(MotionView m, bool degrees) {
+  const bool tenth = !degrees && g20(m.state);
   return 1 / (in_pulses(m.state) ? 1 : m.facts.increment * (tenth ? 0.1 : 1));
+}
+
+double in_steps(MotionView m, const NcWords& words, std::size_t place, bool degrees) {
+  const double value = words.value[place];
+  const bool computed = (words.computed >> place & 1) != 0;
+  const bool counts =
+      computed ? rounds_computed(*m.facts.control)
+               : (words.whole >> place & 1) != 0 &&
+                     m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
+  if (!counts) return value;
+  const double steps = steps_of(m, degrees);
+  return (computed ? std::round(value * steps) : value) / steps;
 }
 
 }  // namespace
 
 double in_steps(MotionView m, const NcWords& words, char address) {
-  const double value = words[address];
-  const bool computed = (words.computed & bit(address)) != 0;
-  if (computed ? !rounds_computed(*m.facts.control)
-               : m.facts.control->reading.whole_numbers.value != WholeNumbers::Increments)
-    return value;
-  const double steps = steps_of(m, address);
-  return (computed ? std::round(value * steps) : value) / steps;
+  return in_steps(m, words, static_cast<std::size_t>(address - 'A'), counts_degrees(address));
+}
+
+double length_at(MotionView m, const NcWords& words, int place) {
+  return in_steps(m, words, static_cast<std::size_t>(place), false) * m.state.unit;
 }
 
 double rounded(MotionView m, char address, double value) {
-  const double steps = steps_of(m, address);
+  const double steps = steps_of(m, counts_degrees(address));
   return std::round(value * steps) / steps;
 }
 

@@ -49,6 +49,8 @@ inline bool in_pulses(const MotionState& state) {
 /// The value of a word in units of the program that is computed, or written without a point: that
 /// counts least increments, or is brought to one.
 double in_steps(MotionView m, const NcWords& words, char address);
+/// The value of the word at a place of the mask, a length that is no axis, in mm.
+double length_at(MotionView m, const NcWords& words, int place);
 /// The value of a word in units of the program.
 inline double in_units(MotionView m, const NcWords& words, char address) {
   return ((words.computed | words.whole) & bit(address)) == 0 ? words[address]

@@ -56,7 +56,7 @@ case(
 case(
     "a word that nothing uses is not, until its line runs", **{**RUN, "source": "rs274 2.9"},
     program="N10 M98 P100\nN20 M98 P101 D-1\nN30 M2\nO100\nN40 G0 X1\nN50 M99",
-    runs="N10 N40 N50", alarm="address-not-usable", at="MAIN N20", moves="R X1",
+    runs="N10 N40 N50", alarm="address-not-usable", at="MAIN N20", word="D-1", moves="R X1",
 )
 case(
     "and so are its values", **RUN,

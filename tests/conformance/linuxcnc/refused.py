@@ -37,6 +37,9 @@ for _word in ("H1", "D1", "E1", "I1", "K1", "Q1", "R1"):
     case(f"M98 takes no {_word}", **RUN, program=f"N10 M98 P1 {_word}\nN20 M2\nO1\nN30 M99",
          runs="", alarm="address-not-usable", word=_word)
 
+case("a G code that is computed is refused at its own word", **RUN,
+     program="N10 X3 G[2*100]\nN20 M2", runs="", alarm="g-code-not-available", at="MAIN N10", word="G[2*100]")
+
 # ---- G53 ----
 
 case("G53 goes with a straight move of the block or of the mode", **RUN,

@@ -92,6 +92,12 @@ case(
     "a structure with a label counts where it is needed", **MANUAL, number="12630",
     program="N10 R1=1\nN20 IF R1==0\nN30 R2=1\nN40 LAB: ENDIF\nN50 M30", runs="N10 N20", alarm="structure-marked", at="MAIN N40",
 )
+for mark in ("LAB: ", "/"):
+    case(
+        f"an ELSE behind {mark.strip()} alarms when its IF does not hold", **MANUAL, number="12630",
+        program=f"N10 R1=1\nN20 IF R1==0\nN30 R2=1\n{mark}ELSE\nN50 R2=2\nN60 ENDIF\nN70 M30",
+        runs="N10 N20", alarm="structure-marked", at="MAIN", word=mark.strip(),
+    )
 
 # ---- no jump leads into a structure ----
 

@@ -32,7 +32,7 @@ case(
 )
 case(
     "a CR that is too small for its chord alarms", pins="small_radius", **KNOWN,
-    program="N10 G0 X0 Y0\nN20 G2 X10 Y0 CR=4.999 F100\nN30 M30", runs="N10", alarm="radius-too-small", at="MAIN N20", word="G2",
+    program="N10 G0 X0 Y0\nN20 G2 X10 Y0 CR=4.999 F100\nN30 M30", runs="N10", alarm="radius-too-small", at="MAIN N20", word="CR=4.999",
 )
 case(
     "an arc without centre and radius alarms", pins="no_radius", **KNOWN,

@@ -78,7 +78,9 @@ void Structure::match_else(Address address) {
   if (open_.empty() || open_.back().kind != Link::Kind::If || open_.back().other != kNowhere)
     return refuse(address, Cause::IfWithoutEnd, "this ELSE has no IF");
   open_.back().other = address;
-  if (runs(open_.back().address, Op::If)) statement(open_.back().address).to = address + 1;
+  // An ELSE that is refused alarms when its IF leads there.
+  const Address otherwise = runs(address, Op::Else) ? address + 1 : address;
+  if (runs(open_.back().address, Op::If)) statement(open_.back().address).to = otherwise;
 }
 
 void Structure::close(const Met& met, Link::Kind opener) {

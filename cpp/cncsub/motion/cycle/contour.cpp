@@ -251,13 +251,13 @@ std::vector<double> Contour::crossings(double level) const {
 
 /// The piece of the profile that goes back along an axis, by more than it may, or nothing. Forward
 /// is where the whole profile leads; where it leads back to its beginning, where it sets out.
-const Piece* Contour::turning_back(int axis) const {
+const Piece* Contour::turning_back(int axis, double way) const {
   const auto along = static_cast<std::size_t>(axis);
   const auto& turning = m.facts.control->turning;
   const int micrometres =
       axis == 0 ? turning.second_axis_allowance.value : turning.first_axis_allowance.value;
   const double allowed = micrometres * 1e-3 * scale(axis) + 1e-9;
-  double furthest = pieces.front().end[along], way = 0;
+  double furthest = pieces.front().end[along];
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     const double step = pieces[i].end[along] - furthest;
     if (way == 0 && std::fabs(step) > allowed) way = step;
@@ -276,8 +276,13 @@ bool Contour::starts_inside() const {
   return false;
 }
 
+/// The first block that goes another way than the profile: across the cuts back to where the cycle
+/// starts, along them from its first point to its last.
 Fault Contour::turns_back(int axis) const {
-  const Piece* piece = turning_back(axis);
+  const auto along = static_cast<std::size_t>(axis);
+  const double to = axis == level_axis ? start[along] : end_of(pieces.back())[along];
+  const Piece* piece = turning_back(axis, to - end_of(pieces.front())[along]);
+  if (piece == nullptr) piece = turning_back(axis);
   return {.cause = Cause::ProfileNotMonotone,
           .at = (piece != nullptr ? *piece : pieces.back()).at,
           .detail = {},

@@ -36,7 +36,7 @@ struct Contour {
 
   Result check() const;
   bool starts_inside() const;
-  const Piece* turning_back(int axis) const;
+  const Piece* turning_back(int axis, double way = 0) const;
   bool monotone(int axis) const { return turning_back(axis) == nullptr; }
   Fault turns_back(int axis) const;
   Result rough();

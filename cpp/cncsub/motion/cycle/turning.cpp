@@ -164,16 +164,26 @@ Groove groove_of(MotionView m, const GrooveWords& words, bool face, const Axes& 
   return groove;
 }
 
+/// Whether a word of a cycle is written as increments: without a point, as far as that is known, or
+/// computed where it takes none.
+bool counts_increments(MotionView m, const BlockWords& block, char address) {
+  const NcWords& w = block.words;
+  if ((w.computed & bit(address)) != 0) return address == 'P';
+  const bool point_known =
+      address == 'Q' && m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
+  return point_known ? (w.whole & bit('Q')) != 0 : w[address] == std::floor(w[address]);
+}
+
 }  // namespace
 
 double cycle_length(MotionView m, const BlockWords& block, char address) {
   const double value = block.words[address];
-  const bool whole =
-      value == std::floor(value) && (address == 'P' || (block.words.computed & bit(address)) == 0);
-  if (!m.facts.lathe() || !whole ||
+  const bool computed = (block.words.computed & bit(address)) != 0;
+  if (!m.facts.lathe() || !counts_increments(m, block, address) ||
       m.facts.control->turning.cycle_unit.value != CycleUnit::Increments)
     return number(m, block, address);
-  return value * m.facts.increment * (g20(m.state) ? 0.1 * kInch : 1);
+  return (computed ? std::round(value) : value) * m.facts.increment *
+         (g20(m.state) ? 0.1 * kInch : 1);
 }
 
 Result turning_cycle(MotionContext& m, BlockWords& block, Meaning meaning) {

@@ -33,15 +33,6 @@ Result check_corner(MotionView m, const BlockWords& block) {
   return std::nullopt;
 }
 
-/// The value of the word at a place of the mask, as a length.
-double corner_size(MotionView m, const NcWords& words, int place) {
-  double size = words.value[static_cast<std::size_t>(place)];
-  if ((words.whole >> place & 1) != 0 &&
-      m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments)
-    size *= m.facts.increment * (g20(m.state) ? 0.1 : 1);
-  return size * m.state.unit;
-}
-
 }  // namespace
 
 bool may_have_corner(MotionView m, const BlockWords& block) {
@@ -60,7 +51,7 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
     return comma ? Result(fault(Cause::CornerInRapid, block)) : std::nullopt;
   if (auto wrong = check_corner(m, block)) return wrong;
   if (chamfer >= 0 && round >= 0) return fault(Cause::CornerFormat, block);
-  piece.corner_size = corner_size(m, block.words, chamfer >= 0 ? chamfer : round);
+  piece.corner_size = length_at(m, block.words, chamfer >= 0 ? chamfer : round);
   if (piece.corner_size != 0) piece.corner = chamfer >= 0 ? 'C' : 'R';
   return std::nullopt;
 }

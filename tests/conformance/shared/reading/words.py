@@ -616,6 +616,12 @@ case(
     word="G999",
 )
 case(
+    "so is one that is computed, at its own word",
+    control=FANUC, source="ALM PS0010", evidence="secondary",
+    program="O1\nN10 #1=999\nN20 X3. G0 G#1\nN30 M30", runs="N10",
+    alarm="g-code-not-available", number=on_fanuc(10), at="O1 N20", word="G#1",
+)
+case(
     "a G code that the GSK 988 does not have is 009",
     control=GSK_988, source="Talm 009", evidence="inferred",
     program="""

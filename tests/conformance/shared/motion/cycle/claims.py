@@ -69,6 +69,11 @@ case(
     program=lines("G4 X1000", "G4 X2.", "G4 P500"), time=3.5,
 )
 case(
+    "X of a dwell that is computed is brought to a thousandth of a second", control=FANUC,
+    source="JIX, XIA: of all values at an address", evidence="secondary",
+    program=lines("#1=1/3", "G4 X#1", "G4 X[2/3]"), moves="W 0.333\nW 0.667",
+)
+case(
     "X of a dwell counts seconds without a point too", control=[*GSK_988, TDI, MDI, "gsk-928te", HNC],
     pins="dwell_words dwell_unit",
     source="TDi 14; source 003, G04", evidence="maker's manual",

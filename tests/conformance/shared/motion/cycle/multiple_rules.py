@@ -222,6 +222,17 @@ case(
     number={"mitsubishi-meldas": "P203", "mitsubishi-m700": "P203", "mitsubishi-m800": "P203", "fanuc-16i": "064", "fanuc-0i-d": "PS0064", "fanuc-0i-f": "PS0064", "fanuc-30i": "PS0064"},
     word="Z-5.",
 )
+for _axis, _cycle, _wrong in (
+    ("X", "G71 P20 Q50", "N20 G0 X10.\nN30 G1 Z-10.\nN40 X8. Z-12.\nN50 X20. Z-20."),
+    ("Z", "G72 P20 Q50", "N20 G0 Z-40.\nN30 G1 X16.\nN40 X14. Z-42.\nN50 X12. Z0"),
+):
+    case(
+        f"a profile that first goes away from the start along {_axis} is told where it does, not where it comes back",
+        control=["mitsubishi-m700", "fanuc-16i", "fanuc-0i-f"], source="ALM; MZ 897, paired", evidence="inferred",
+        setup=PROFILE, program=f"O1\nN5 G0 X20. Z0\nN10 {_cycle} U0 W0 F10.\n{_wrong}\nN60 M30",
+        alarm="profile-not-monotone", number={"mitsubishi-m700": "P203", "fanuc-16i": "064", "fanuc-0i-f": "PS0064"},
+        at="O1 N40", word="X8." if _axis == "X" else "Z-42.",
+    )
 NEW_FANUC = ["fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 ALLOWANCE = "general knowledge: parameters 5145 and 5146 of the 0i-D and the 30i"
 

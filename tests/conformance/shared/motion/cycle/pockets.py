@@ -107,21 +107,21 @@ case(
     "with 5102#2 the first block decides: X alone allows no pockets", control=TA, **TA8,
     setup=LATHE, params={"5102#1": 1, "5102#2": 1},
     program=program(first="N20 G0 X50."),
-    alarm="profile-not-monotone", number="138", word="X56.",
+    alarm="profile-not-monotone", number="138", word="X40.",
 )
 case(
     "X alone in the first block allows no pockets", control=FANUC, source="ALM 064",
     pins="profile_monotone rough_type",
     evidence="secondary", setup=LATHE, program=program(first="N20 G0 X50."),
     alarm="profile-not-monotone",
-    number={F16: "064", **dict.fromkeys(FANUC_PS, "PS0064")}, word="X56.",
+    number={F16: "064", **dict.fromkeys(FANUC_PS, "PS0064")}, word="X40.",
 )
 case(
     "a first block with X alone makes no pockets, whatever the shape",
     pins="profile_monotone rough_type",
     control=["gsk-980tdi", *MITSUBISHI], **KNOWN, setup=LATHE,
     program=program("K1", first="N20 G0 X50."), alarm="profile-not-monotone",
-    number={"gsk-980tdi": None, **dict.fromkeys(MITSUBISHI, "P203")}, word="X56.",
+    number={"gsk-980tdi": None, **dict.fromkeys(MITSUBISHI, "P203")}, word="X40.",
 )
 case(
     "an arc of a profile with pockets that turns back along Z alarms", control="gsk-980tdi",

@@ -62,6 +62,12 @@ case(
     moves="F Z-2\nR X37\nR Z5\nR X33\nF Z-2\nR X34\nR Z5\nR X36",
 )
 case(
+    "Q with a point is no count of increments, whatever its digits", control=FANUC,
+    source="FANUC lathe manuals: Q of G74 in the least increment", evidence="inferred", setup=at(36, 5),
+    program="O1\nN10 G74 R0.5\nN20 G74 Z-2. Q4. F50.\nN30 M30",
+    moves="F Z1\nR Z1.5\nF Z-2\nR Z5",
+)
+case(
     "G74 without the axis it pecks along is not done",
     control=[TDI, TA, T, *FANUC], source="TDi 23.5, 23.6; TA 12, 13",
     evidence="maker's manual", setup=at(36, 5),

@@ -102,3 +102,21 @@ case(
     program="O1\nN10 G1 X1. F100\nN20 G1 X10. ,C2. ,R2.\nN30 G1 Y10.\nN40 M30",
     alarm="corner-format", number=numbers([*FANUC, MDI], "053", None, None, "0093"), word=",R2.",
 )
+case(
+    "a chamfer and a corner round that are computed are brought to the least increment",
+    control=FANUC, source="JIX, XIA: of all values at an address", evidence="secondary", setup=MILL,
+    program="""
+        O1
+        N10 G1 X10. ,C[1/3] F100
+        N20 Y10. ,R[2/3]
+        N30 X0
+        N40 M30
+    """,
+    moves="F X9.667\nF X10 Y0.333\nF Y9.333\nCCW X9.333 Y10 C X9.333 Y9.333\nF X0",
+)
+case(
+    "C without a comma, too, and under inch to a tenth of it",
+    control=FANUC, source="JIX, XIA: of all values at an address", evidence="secondary", setup=LATHE,
+    program="O1\nN10 G20\nN20 G1 Z-1. C[1/30] F1.\nN30 X2.\nN40 M30",
+    moves="F Z-24.55418\nF X1.69164 Z-25.4\nF X50.8",
+)
