@@ -265,3 +265,20 @@ def test_the_rule_that_was_exchanged_is_named() -> None:
     right, wrong = exchanged.look(60, seed=3)
     assert wrong == []
     assert right == 60
+
+
+@pytest.mark.parametrize(("one", "other"), [("fanuc-0i-f", "linuxcnc"), ("linuxcnc", "haas-ngc")])
+def test_two_libraries_of_two_languages_are_compared_by_what_they_do(one: str, other: str) -> None:
+    """As two controls are: heads of programs, and codes that end them, are no difference."""
+    texts = {"linuxcnc": "G0 X1.\nG1 X5. F10.\nM3 S1\nM30\n"}
+    before, after = (
+        cncsub.loads(texts.get(name, "O1\nG0 X1.\nG1 X5. F10.\nM3 S1\nM30\n"), control=name)
+        for name in (one, other)
+    )
+    assert cncsub.compare(before, after).same
+    moved = cncsub.loads("G0 X1.\nG1 X6. F10.\nM3 S1\nM30\n", control="linuxcnc")
+    told = cncsub.compare(
+        cncsub.loads("O1\nG0 X1.\nG1 X5. F10.\nM30\n", control="fanuc-0i-f"), moved
+    )
+    assert "x = 5" in told.what
+    assert "x = 6" in told.what

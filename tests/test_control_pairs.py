@@ -148,6 +148,23 @@ def test_counts_of_cycles_are_written_as_the_other_control_counts() -> None:
         library.flatten(control=other, setup=MILL).verify()
 
 
+def test_a_cycle_written_for_another_control_keeps_its_dwell_and_its_holes() -> None:
+    """P is thousandths or seconds; L or K that counts nothing here is not written where it does."""
+    mills = ["fanuc-0i-f", "gsk-980mdi", "haas-ngc", "hnc-21m", "mitsubishi-m700", "linuxcnc"]
+    for one, other in itertools.permutations(mills, 2):
+        head = "" if one == "linuxcnc" else "%1\n" if one == "hnc-21m" else "O1\n"
+        dwell = "P0.5" if one in ("hnc-21m", "linuxcnc") else "P500"
+        counts = "" if one == "linuxcnc" else "L3" if one == "fanuc-0i-f" else "K3"
+        if one in ("gsk-980mdi", "hnc-21m"):  # both count, or K is another thing
+            counts = ""
+        text = f"{head}G90 G0 Z5.\nG98 G82 X5. Z-5. R2. {dwell} F100. {counts}\nG80\nM30\n"
+        library = cncsub.loads(text, control=one)
+        flat = cncsub.flatten(library, control=other)
+        made = cncsub.loads(flat.text, control=other).run()
+        assert [(m.kind, m.time) for m in made.moves if m.kind == "dwell"] == [("dwell", 0.5)]
+        assert len(made.moves) == len(library.run().moves), (one, other)
+
+
 def test_a_count_that_is_computed_keeps_its_expression() -> None:
     text = _REPEATED.format(letter="K").replace("K3", "K#100")
     made = cncsub.translate(

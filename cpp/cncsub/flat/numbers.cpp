@@ -89,10 +89,25 @@ void WordWriter::begin(const BlockCodes& codes) {
   const Meaning once = codes.meaning(Group::OneShot);
   const Meaning motion = state.modal[at(Group::Motion)].meaning;
   const bool one_shot = codes.has(Group::OneShot) && once != Meaning::None;
-  plain_ = once != Meaning::Dwell && state.modal[at(Group::Polar)].meaning != Meaning::PolarOn;
+  dwell_ = once == Meaning::Dwell;
+  plain_ = !dwell_ && state.modal[at(Group::Polar)].meaning != Meaning::PolarOn;
   arc_ = !one_shot && !in_cycle(state) && (motion == Meaning::Cw || motion == Meaning::Ccw) &&
          !codes.has(Group::Scaling) && !codes.has(Group::Rotation);
   cycle_ = !one_shot && !lathe_ && in_cycle(state);
+}
+
+/// A computed value as the control rounds it; false where that is not sure.
+bool WordWriter::round(int place, double& value) const {
+  const char letter = letter_of(place);
+  const MotionView view = machine_.motion().view();
+  const bool corner = plain_ && rounds_ && (place == kCommaC || place == kCommaR);
+  if (corner || (place < kCommaC && rounds(letter)))
+    value = cncsub::rounded(view, corner ? 'X' : letter, value);
+  else if (dwell_ && rounds_ && is_in(kAlwaysLengths, letter))
+    value = std::round(value * 1000) / 1000;
+  else
+    return false;
+  return true;
 }
 
 /// Whether the control surely rounds a computed value here to its least increment.
@@ -151,8 +166,7 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
   if (place >= kRadius && code_.spelling->polar.empty()) return false;
   const bool comma = place >= kCommaC;
   const char letter = letter_of(place);
-  const bool rounded = !comma && rounds(letter);
-  if (rounded) value = cncsub::rounded(machine_.motion().view(), letter, value);
+  const bool rounded = round(place, value);
   const NumberText text(value);
   const std::string address = address_of(place);
   const bool named = !comma && calls(letter, value);

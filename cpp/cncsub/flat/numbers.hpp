@@ -57,6 +57,7 @@ class WordWriter {
 
  private:
   bool rounds(char letter) const;
+  bool round(int place, double& value) const;
   bool takes(char letter, bool comma, double value, const NumberText& text, bool rounded) const;
   bool points(char letter, const NumberText& text) const;
   bool counts_increments(char letter, double value) const;
@@ -70,7 +71,8 @@ class WordWriter {
   bool increments_;
   bool mills_axes_;                                     // A and C are axes and nothing else
   std::vector<std::pair<char, std::int64_t>> calling_;  // tenths, sorted; -1: all of the letter
-  bool plain_ = false;                                  // axis words are lengths
+  bool dwell_ = false;
+  bool plain_ = false;  // axis words are lengths
   bool arc_ = false, cycle_ = false;
 };
 

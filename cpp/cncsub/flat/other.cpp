@@ -185,10 +185,11 @@ std::string OtherWriter::end() const {
 
 // ---- values ----
 
-/// Whether a word says how often a cycle is repeated.
-bool OtherWriter::repeats(char letter) const {
-  return in_cycle(from_.motion().state()) &&
-         control_of(from_).motion.cycle_repeats.value.has(letter);
+/// Whether the words of a block are those of a drilling cycle, and of no other code.
+bool OtherWriter::drills(const NcWords& words) const {
+  constexpr std::uint32_t kBeside = bit(Group::Motion) | bit(Group::Plane) | bit(Group::Distance) |
+                                    bit(Group::Return) | bit(Group::Feed) | bit(Group::Cycle);
+  return in_cycle(from_.motion().state()) && (words.codes->groups & ~kBeside) == 0;
 }
 
 void OtherWriter::put_repeats(std::string& to, char letter, double count) const {
@@ -247,6 +248,29 @@ bool OtherWriter::put_dwell(std::string& to, double seconds) {
   return true;
 }
 
+/// The dwell of a drilling cycle, which has one letter and may take no point.
+bool OtherWriter::put_hole_dwell(std::string& to, double seconds) {
+  const MotionRules& rules = control_of(to_).motion;
+  if (rules.dwell_unit.value == DwellUnit::PSeconds) return put_word(to, 'P' - 'A', seconds);
+  const double thousandths = std::round(seconds * 1e6) / 1e3;
+  if (thousandths != std::floor(thousandths))
+    return refuse("the dwell of a cycle counts thousandths of a second there");
+  return put_word(to, 'P' - 'A', thousandths);
+}
+
+bool OtherWriter::put_letter(std::string& to, const NcWords& words, char letter) {
+  if (drills(words)) {
+    if (control_of(from_).motion.cycle_repeats.value.has(letter)) {
+      put_repeats(to, letter, words[letter]);
+      return true;
+    }
+    // What repeats nothing here may do so there, or be refused.
+    if (letter == 'K' || letter == 'L') return true;
+    if (letter == 'P') return put_hole_dwell(to, dwell_in_hole(from_.motion().view(), words));
+  }
+  return put_word(to, letter - 'A', value_of(words, letter - 'A'));
+}
+
 bool OtherWriter::put_values(std::string& to, const NcWords& words) {
   std::uint32_t left = words.mask;
   const bool waits = words.codes->meaning(Group::OneShot) == Meaning::Dwell;
@@ -262,10 +286,7 @@ bool OtherWriter::put_values(std::string& to, const NcWords& words) {
   for (const char letter : kOrder) {
     const int place = letter - 'A';
     if ((left >> place & 1) == 0 || letter == 'N' || letter == 'O') continue;
-    if (repeats(letter))
-      put_repeats(to, letter, words[letter]);
-    else if (!put_word(to, place, value_of(words, place)))
-      return false;
+    if (!put_letter(to, words, letter)) return false;
   }
   for (int place = kCommaC; place < kAddresses; ++place)
     if ((left >> place & 1) != 0 && !put_word(to, place, value_of(words, place))) return false;

@@ -43,7 +43,9 @@ class OtherWriter {
   bool put_word(std::string& to, int place, double value);
   bool put_dwell(std::string& to, double seconds);
   double value_of(const NcWords& words, int place) const;
-  bool repeats(char letter) const;
+  bool put_hole_dwell(std::string& to, double seconds);
+  bool put_letter(std::string& to, const NcWords& words, char letter);
+  bool drills(const NcWords& words) const;
   void put_repeats(std::string& to, char letter, double count) const;
 
   const Machine &from_, &to_;

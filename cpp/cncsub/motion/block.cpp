@@ -170,7 +170,9 @@ Result act(MotionContext& m, BlockWords& block) {
   }
   if (goes_with_motion(m.state, block))
     return block.consumed ? std::nullopt : make_motion(m, block);
-  take_motion_code(m, block);  // it holds for the blocks behind
+  take_motion_code(m, block);  // it holds for the blocks behind, as the end of a cycle does
+  if (block.meaning(Group::Cycle) == Meaning::CycleOff)
+    if (auto wrong = enter_cycle(m, block)) return wrong;
   block.cycle = block.cycle || makes_cycle(block.meaning(Group::OneShot));
   return one_shot(m, block);
 }

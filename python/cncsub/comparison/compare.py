@@ -129,7 +129,8 @@ def compare(
     if second is None:
         raise TypeError("compare takes a second library, or controls=[one, another]")
     a, b = _library(first, control), _library(second, control)
-    pair = Pair((a, b), ("before", "after"), main, options)
+    kind = Pair if a.control.dialect == b.control.dialect else _ControlPair
+    pair = kind((a, b), ("before", "after"), main, options)
     runs = pair.runs()
     parting = pair.parting(*runs)
     compared = _told(pair, runs, parting, (), ())

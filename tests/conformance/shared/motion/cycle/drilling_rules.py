@@ -179,3 +179,12 @@ case(
     program="O1\nN10 G90 G81 X5. A90. Z-5. R2. F100.\nN20 G80\nN30 M30",
     runs="N10 N20 N30", final_work="X5 Z0 A90",
 )
+for _words, _moves, _but in (
+    ("G28 Z5.", "R Z5\nR Z0\n", ""), ("G53 Z5.", "R Z5\n", MDI), ("G4 X1.", "W 1\n", HAAS), ("G52 X0", "", ""), ("G92 Z2.", "", ""),
+):
+    case(
+        f"G80 beside {_words.split()[0]} ends a drilling cycle, and the next block drills nothing",
+        control=[of for of in (MDI, *MITSUBISHI, *FANUC, HNC, HAAS, "syntec-22ma") if of != _but], **KNOWN, setup=MILL,
+        program=f"O1\nN10 G90 G0 X1. Z2.\nN20 G81 X2. Z-5. R1. F100.\nN30 G80 {_words}\nN40 X5.\nN50 M30",
+        moves=f"R X1 Z2\nR X2\nR Z1\nF Z-5\nR Z2\n{_moves}R X5",
+    )
