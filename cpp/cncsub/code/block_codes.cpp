@@ -10,37 +10,11 @@ bool is_computed(const Control& c, Meaning meaning) {
   return meaning != Meaning::Uncomputed;
 }
 
-/// Whether a code is nothing but a mode to be remembered, as far as that is known without a run.
-bool is_plain(const CodeMeanings& meanings, const GCode& code) {
-  switch (code.group) {
-    case Group::OneShot:
-      return code.meaning == Meaning::ExactStop || code.meaning == Meaning::Machine;
-    case Group::Motion:
-      return code.meaning >= Meaning::Rapid && code.meaning <= Meaning::Ccw &&
-             meanings.g.of(code.meaning).code == code.code;
-    case Group::Plane:
-    case Group::Distance:
-    case Group::Return:
-    case Group::Work:
-      return true;
-    case Group::Feed:
-      return meanings.control.motion.feed_mode_change.value == FeedModeChange::KeepsFeed;
-    case Group::Units:
-      return meanings.control.motion.unit_change.value == UnitChange::Anywhere &&
-             meanings.control.motion.feed_unit.value == FeedUnit::OfBlock;
-    case Group::Radius:
-      return code.meaning == Meaning::RadiusOff;
-    case Group::Cycle:
-      return code.meaning == Meaning::CycleOff;
-    case Group::Length:
-      return code.which == 0 && meanings.machine == MachineType::Mill;
-    default:
-      return false;
-  }
-}
-
-bool is_of_path(const CodeMeanings& meanings, const GCode& code) {
-  return code.group == Group::Radius || (code.group == Group::Motion && is_plain(meanings, code));
+/// Whether a code is that of a plain move.
+bool is_of_move(const CodeMeanings& meanings, const GCode& code) {
+  return is_neutral(code.meaning) ||
+         (code.group == Group::Motion && code.meaning >= Meaning::Rapid &&
+          code.meaning <= Meaning::Ccw && meanings.g.of(code.meaning).code == code.code);
 }
 
 /// Why a code alarms wherever it stands.
@@ -82,23 +56,21 @@ bool BlockCodes::take(std::size_t place, const CodeMeanings& meanings) {
   const auto refused = [&](Cause cause) {
     wrong = written;
     why = cause;
-    return plain = of_path = false;
+    return of_move = false;
   };
   if (code.meaning == Meaning::DataEnd && c.common.refuses.value.has(Cause::DataEndFirst) &&
       data_end < 0)
     data_end = written;
   if (const auto cause = refusal(code.meaning)) return refused(*cause);
-  plain = plain && (code.meaning == Meaning::Neutral || is_plain(meanings, code));
-  of_path = of_path && is_of_path(meanings, code);
+  of_move = of_move && is_of_move(meanings, code);
   if (is_neutral(code.meaning)) return true;
   if (!is_computed(c, code.meaning)) {
     uncomputed = written;
-    of_path = false;
     return true;
   }
   GCode& kept = of[at(code.group)];
   if (kept.code >= 0) {
-    plain = of_path = false;
+    of_move = false;
     if (code.group != Group::OneShot && c.reading.repeated_address.value == RepeatedAddress::Alarm)
       return refused(Cause::AddressGivenTwice);
     if (kept.code != code.code) drop(kept.code, place);

@@ -52,9 +52,7 @@ struct BlockCodes : CodeList {
   std::uint32_t roles = 0;          // of its M codes, a bit each
   std::uint32_t uses = 0;           // the letters that they use, where unused ones are refused
   std::uint16_t dropped = 0;        // of the G codes, those that do not count: bits by their places
-  bool plain = true;    // modes alone that need no more than to be remembered, work systems and
-                        // lengths, G09 and G53
-  bool of_path = true;  // codes of plain moves and of radius compensation, none of them twice
+  bool of_move = true;  // each G code is that of a plain move, of which there is one or none
   int uncomputed = -1;  // ten times a G code whose moves the engine does not know
   int data_end = -1;    // ten times one that alarms where no data were begun
   int wrong = -1;       // ten times the first that alarms, and why
@@ -63,12 +61,8 @@ struct BlockCodes : CodeList {
   bool has(Group group) const { return (groups & bit(group)) != 0; }
   bool has(Role role) const { return (roles >> static_cast<unsigned>(role) & 1) != 0; }
   Meaning meaning(Group group) const { return of[at(group)].meaning; }
-  /// Whether they are nothing but codes of plain moves, or none.
-  bool only_of_moves() const {
-    return plain && m_count == 0 && (groups & ~bit(Group::Motion)) == 0;
-  }
-  /// The same, and codes of radius compensation.
-  bool only_of_path() const { return of_path && m_count == 0; }
+  /// Whether they are nothing but a code of a plain move, or none.
+  bool only_of_moves() const { return of_move && m_count == 0; }
 
  private:
   bool take(std::size_t place, const CodeMeanings& meanings);

@@ -173,23 +173,6 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
   return true;
 }
 
-/// Whether no signal can end a block.
-bool no_signals(const Inputs& inputs) {
-  return inputs.workpiece == nullptr && std::all_of(inputs.skips.begin(), inputs.skips.end(),
-                                                    [](const auto& of) { return of.empty(); });
-}
-
-/// A code that stands alone, where no signal can come.
-bool stands_alone(Run& run, const NcWords& words, Motion::Outcome& outcome) {
-  const Meaning once = words.codes->meaning(Group::OneShot);
-  const bool thread = words.codes->meaning(Group::Motion) == Meaning::Thread;
-  if (once != Meaning::Dwell && once != Meaning::Skip && !thread) return false;
-  if (!thread && !no_signals(run.options.inputs)) return false;
-  if (!run.motion.alone(words, run.step(), run.moves(), outcome)) return false;
-  if (outcome.skip != SkipMove::No) take_skip(run, outcome.skip);
-  return true;
-}
-
 /// Tells the words to who listens.
 void hear(Run& run, const Block& block, const NcWords& words) {
   const bool has_extra = (block.flags & Block::kHasExtra) != 0;
@@ -244,15 +227,9 @@ bool move_along(Run& run, const NcWords& words, const ProfileNumbers& wanted) {
 bool move(Run& run, const Block& block, NcWords& words) {
   if (auto fault = unused_word(run.motion.view(), words))
     return alarm_of_motion(run, std::move(*fault));
-  Motion::Outcome& outcome = run.block.outcome;
   words.ends = block.op == Op::EndProgram && ends_the_run(run);
   words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||
                 (run.options.optional_stop && words.has(Role::OptionalStop));
-  if (run.motion.modes(words, run.step(), run.moves(), outcome) ||
-      stands_alone(run, words, outcome)) {
-    count_moves(run);
-    return true;
-  }
   if (const auto wanted = run.motion.wanted_profile(words)) return move_along(run, words, *wanted);
   Outside around = outside(run);
   if (!execute(run, words, around)) return false;

@@ -235,45 +235,10 @@ Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, 
   return count_idle(m.sink, block.words.at);
 }
 
-/// A block of which `only_moves` is true.
-Result run_move(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
-  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
-  const bool corner_waits = !m.state.held.corner.empty();
-  if (auto wrong = check_conflicts(m, block)) return wrong;
-  if (auto wrong = set_feed(m, block)) return wrong;
-  set_lead(m, block);
-  if (block.has(Group::Radius))
-    if (auto wrong = set_radius(m, block)) return wrong;
-  if (auto wrong = make_motion(m, block)) return wrong;
-  return end_block(m, block, corner_waits, moved_in_range(m.state));
-}
-
 }  // namespace
 
-bool only_moves(MotionView m, const NcWords& words) {
-  if (m.facts.general_only) return false;
-  const BlockCodes& codes = *words.codes;
-  const bool leads = codes.has(Group::Radius);
-  if (!(leads ? codes.only_of_path() : codes.only_of_moves()) || m.state.no_motion ||
-      m.state.angled.waiting())
-    return false;
-  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
-  const bool cycle = in_cycle(m.state) || makes_cycle(motion);
-  if (cycle ? codes.g_count > 0 : motion < Meaning::Rapid || motion > Meaning::Ccw) return false;
-  constexpr std::uint32_t kCycleWords = bit('L') | bit('P') | bit('Q');
-  // D of a mill is a number of an offset, whatever else it is.
-  const std::uint32_t offset = m.facts.lathe() ? 0 : bit('D');
-  const std::uint32_t corners = (m.facts.chamfers.mask | m.facts.rounds.mask) & ~offset;
-  const std::uint32_t known = kEndWords | kCentreWords | bit('R') | bit('F') | m.facts.other_axes |
-                              m.facts.increments | corners | (cycle ? kCycleWords : 0) |
-                              (leads ? offset : 0);
-  return (words.mask & ~known) == 0 && (words.mask & m.facts.angles.mask) == 0;
-}
-
-Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool moves_only,
-                 bool of_cycle) {
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
   m.state.row_moves = nullptr;  // the modes change
-  if (moves_only) return run_move(m, words, step, of_cycle);
   BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
   const bool frame = sets_frame(words);
   const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();

@@ -130,7 +130,6 @@ struct Conflict {
   bool (*applies)(const MotionState&, const BlockWords&);
   bool of_words = false;                         // a block without G codes may have it
   Rule<Codes> MotionRules::* codes = nullptr;    // and the block has one of these
-  bool of_radius = false;                        // a block with codes of plain moves and G40 to G42
   Rule<Codes> MotionRules::* m_codes = nullptr;  // or one of these
 
   bool is_in(MotionView m, const BlockWords& block) const {
@@ -223,13 +222,11 @@ constexpr Conflict kConflicts[] = {
      [](const State& s, const Block& b) {
        return compensating(s) && b.meaning(Group::Radius) == Meaning::RadiusOff &&
               !b.has(Group::Motion) && is_arc(motion(s, b));
-     },
-     false, nullptr, true},
+     }},
     {Cause::CompensationNoMove,
      [](const State& s, const Block& b) {
        return begins_compensation(s, b) && !moves_in_plane(s, b);
-     },
-     false, nullptr, true},
+     }},
     {Cause::CornerCodes,
      [](const State& s, const Block& b) {
        return !s.held.corner.empty() &&
@@ -248,7 +245,7 @@ constexpr Conflict kConflicts[] = {
      },
      true},
     {Cause::CompensationCode, [](const State& s, const Block&) { return compensating(s); }, false,
-     &MotionRules::codes_not_compensated, false, &MotionRules::m_codes_not_compensated},
+     &MotionRules::codes_not_compensated, &MotionRules::m_codes_not_compensated},
     {Cause::TurnedWithCodes,
      [](const State&, const Block& b) { return turns(b) && besides_turn(b); }},
     {Cause::TurnedMirror,
@@ -283,8 +280,7 @@ constexpr Conflict kConflicts[] = {
               b.meaning(Group::Rotation) == Meaning::RotationOn;
      }},
     {Cause::RotationCode,
-     [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); },
-     false, nullptr, true},
+     [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); }},
     {Cause::CyclePlane,
      [](const State& s, const Block& b) { return repeats_cuts(b) && plane(s, b) != Plane::ZX; }},
     {Cause::CycleAxis,
@@ -310,7 +306,6 @@ void MotionFacts::list_conflicts() {
     if (conflict.of_words) conflicts_of_words.push_back(&conflict);
     const bool of_moves = conflict.of_words || conflict.codes != nullptr;
     if (of_moves) conflicts_of_moves.push_back(&conflict);
-    if (of_moves || conflict.of_radius) conflicts_of_paths.push_back(&conflict);
   }
 }
 
@@ -320,7 +315,6 @@ std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
   const auto& list = codes.m_count > 0       ? m.facts.conflicts
                      : codes.g_count == 0    ? m.facts.conflicts_of_words
                      : codes.only_of_moves() ? m.facts.conflicts_of_moves
-                     : codes.only_of_path()  ? m.facts.conflicts_of_paths
                                              : m.facts.conflicts;
   for (const Conflict* conflict : list)
     if (conflict->is_in(m, block)) return fault(conflict->cause, block);

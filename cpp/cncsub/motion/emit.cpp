@@ -40,6 +40,14 @@ double arc_in_plane(MotionView m, const Piece& piece, const Axes& machine) {
   return spiral_length(from[0], to[0], turn);
 }
 
+/// How long a move takes that is told in coordinates as turned as those of the work system.
+double seconds_in_machine(const MotionState& state, const MoveWay& way, const MotionFacts& facts) {
+  if (state.frame_angle == 0) return seconds_of(way, facts.rapid, facts.diameters);
+  const Axes from = in_machine(state, way.from), to = in_machine(state, way.to);
+  return seconds_of({way.kind, way.state, from, to, way.path, way.zero, way.dwell}, facts.rapid,
+                    facts.diameters);
+}
+
 /// How long a piece takes, and how long its way is in the plane.
 struct Way {
   bool arc = false;
@@ -67,9 +75,7 @@ void write_row(MoveSink& sink, const Piece& piece, const Axes& machine,
   Moves& moves = *sink.table;
   mark_axes(sink, machine, piece.named);
   moves.push(piece.step, piece.kind, piece.end - piece.offset,
-             piece.row_moves == &moves
-                 ? piece.row_state
-                 : moves.intern(piece.state, piece.offset + piece.length, piece.tip));
+             moves.intern(piece.state, piece.offset + piece.length, piece.tip));
   if (way.arc) moves.arc(centre_of(piece), way.in_plane);
   if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves.vector(vector);
   if (piece.kind == MoveKind::Dwell) moves.seconds(piece.seconds);
@@ -151,140 +157,12 @@ Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
   return through_corner(m.sink, piece, from);
 }
 
-namespace {
-
-/// Whether a straight move goes to the table as it is: nothing waits for it, nothing turns it
-/// aside, and there is no place where it may not go.
-bool is_direct(const MotionContext& m) {
-  const MotionState& s = m.state;
-  return s.modal[at(Group::Radius)].meaning == Meaning::RadiusOff && !s.held.engaged &&
-         s.held.radius.empty() && s.held.corner.empty() && m.facts.limits.empty() &&
-         !checks_area(s) && m.sink.captured == nullptr;
-}
-
-/// How long a move takes that is told in coordinates as turned as those of the work system.
-double seconds_in_machine(const MotionState& state, const MoveWay& way, const MotionFacts& facts) {
-  if (state.frame_angle == 0) return seconds_of(way, facts.rapid, facts.diameters);
-  const Axes from = in_machine(state, way.from), to = in_machine(state, way.to);
-  return seconds_of({way.kind, way.state, from, to, way.path, way.zero, way.dwell}, facts.rapid,
-                    facts.diameters);
-}
-
-/// How long a line is that goes directly, and how long it takes.
-struct DirectWay {
-  double length = 0, seconds = 0;
-};
-
-/// How many mm a minute a line goes, where that is the same all along it; else 0.
-double even_rate(const MotionState& s) {
-  const Meaning mode = s.modal[at(Group::Feed)].meaning;
-  if (mode == Meaning::PerMinute) return s.feed;
-  return mode == Meaning::PerRevolution && !s.surface ? s.feed * turning(s.speed) : 0;
-}
-
-/// The same of a cut, whose spindle may follow the diameter in the middle of its way.
-double rate_of_cut(const MotionState& s, MoveKind kind, double from, double to) {
-  if (kind != MoveKind::Feed || !s.surface ||
-      s.modal[at(Group::Feed)].meaning != Meaning::PerRevolution)
-    return even_rate(s);
-  const double diameter = middle_diameter(from, to, s.offset[0] + s.length[0]);
-  return s.feed * turning(spindle_at(s.surface_speed, s.max_speed, diameter));
-}
-
-DirectWay direct_way(MotionView m, MoveKind kind, const Axes& machine) {
-  const MotionState& s = m.state;
-  const Axes& from = s.tool_at;
-  if (others_stand(from, machine) && s.frame_angle == 0) {
-    const double dx = machine[0] - from[0], dy = machine[1] - from[1], dz = machine[2] - from[2];
-    const double length = std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz);
-    if (kind == MoveKind::Rapid) return {length, rapid_seconds(s, dx, dy, dz)};
-    if (const double rate = rate_of_cut(s, kind, from[0], machine[0]); rate > 0)
-      return {length, length / rate * 60};
-  }
-  const double length = length_of(from, machine, m.facts.diameters);
-  const MoveState row = move_state(s);
-  return {length,
-          seconds_in_machine(s, {kind, row, from, machine, length, s.offset[0] + s.length[0], 0},
-                             m.facts)};
-}
-
-/// The state of the rows of a block that go directly, which is the same for all of them.
-std::uint32_t direct_state(MotionState& s, const BlockWords& block, Moves& table) {
-  if (s.row_moves == &table) return s.row_state;
-  MoveState row = move_state(s);
-  row.cycle = block.cycle;
-  s.row_moves = &table;
-  return s.row_state = table.intern(row, s.offset + s.length);
-}
-
-/// What `move` does with a piece, without one.
-Result move_directly(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& end,
-                     std::uint32_t named) {
-  MotionState& s = m.state;
-  const Axes machine = machine_point(s, end);
-  const auto [length, seconds] = direct_way(m, kind, machine);
-  if (!in_range(machine) || !in_range(length, seconds, s.time + seconds))
-    return out_of_range(block.words.at);
-  m.outcome.axis_word = block.submitted = true;
-  m.outcome.moved = m.outcome.moved || comes_elsewhere(s.work, end);
-  s.tool_pending = false;
-  s.named |= named;
-  s.work = end;
-  s.time += seconds;
-  if (Moves* table = m.sink.table; table != nullptr) {
-    mark_axes(m.sink, machine, named);
-    table->push(block.step, kind, end, direct_state(s, block, *table));
-  }
-  s.tool_at = machine;
-  return std::nullopt;
-}
-
-}  // namespace
-
 Result move(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& work_end,
             std::uint32_t named) {
-  if (!is_direct(m)) return move(m, block, make_piece(m, block, kind, work_end, named));
-  if (auto wrong = count_move(m, block)) return wrong;
-  return move_directly(m, block, kind, work_end, named);
+  return move(m, block, make_piece(m, block, kind, work_end, named));
 }
-
-namespace {
-
-/// Whether a move of X, Y or Z alone is one behind a direct move of the same block: where the other
-/// axes are, and what holds for the rows, is as it was there.
-bool goes_on_directly(const MotionContext& m, MoveKind kind, int axis) {
-  const MotionState& s = m.state;
-  return axis < 3 && m.sink.table != nullptr && s.row_moves == m.sink.table && s.frame_angle == 0 &&
-         (kind == MoveKind::Rapid || even_rate(s) > 0) && is_direct(m);
-}
-
-/// What `move_directly` does on one axis.
-Result move_axis_directly(MotionContext& m, const BlockWords& block, MoveKind kind,
-                          std::size_t axis, double value) {
-  MotionState& s = m.state;
-  const double machine = value + (s.offset[axis] + s.length[axis]);
-  const double way = std::fabs(machine - s.tool_at[axis]);
-  const double length = way * m.facts.share(static_cast<int>(axis));
-  const double seconds =
-      kind == MoveKind::Rapid ? way * s.rapid_seconds[axis] : length / even_rate(s) * 60;
-  if (!in_range(machine, length, seconds, s.time + seconds)) return out_of_range(block.words.at);
-  m.outcome.moved = m.outcome.moved || std::fabs(value - s.work[axis]) >= kStanding;
-  s.named |= axis_bit(static_cast<int>(axis));
-  s.work[axis] = value;
-  s.tool_at[axis] = machine;
-  s.time += seconds;
-  m.sink.table->mark(axis_bit(static_cast<int>(axis)));
-  m.sink.table->push(block.step, kind, s.work, s.row_state);
-  return std::nullopt;
-}
-
-}  // namespace
 
 Result move_axis(MotionContext& m, BlockWords& block, MoveKind kind, int axis, double value) {
-  if (goes_on_directly(m, kind, axis)) {
-    if (auto wrong = count_move(m, block)) return wrong;
-    return move_axis_directly(m, block, kind, static_cast<std::size_t>(axis), value);
-  }
   Axes end = m.state.work;
   end[static_cast<std::size_t>(axis)] = value;
   return move(m, block, kind, end, axis_bit(axis));
@@ -296,62 +174,7 @@ Result add_dwell(MotionContext& m, BlockWords& block, double seconds) {
   return through_radius(m.sink, piece, m.state.work + piece.offset);
 }
 
-namespace {
-
-/// How fast a line goes that no limit and no turned coordinates concern: the same all along it. 0
-/// where it is another move.
-double rate_of_line(const MoveSink& sink, const Piece& piece) {
-  const MoveState& row = piece.state;
-  if (piece.kind != MoveKind::Feed || sink.table == nullptr || piece.row_moves != sink.table ||
-      sink.captured != nullptr || sink.state.frame_angle != 0 || !sink.facts.limits.empty() ||
-      piece.skip != SkipMove::No || sink.table->size() == 0 || checks_area(sink.state))
-    return 0;
-  if (row.feed_mode == FeedMode::PerMinute) return row.feed;
-  const bool even = row.feed_mode == FeedMode::PerRevolution && !row.surface;
-  return even ? row.feed * turning(row.spindle) : 0;
-}
-
-/// Whether only X, Y and Z of the tool come to another place at the end of a piece.
-bool others_stand_at(const Axes& tool, const Piece& piece) {
-  std::uint64_t different = 0;
-  for (std::size_t i = 3; i < tool.size(); ++i)
-    different |= std::bit_cast<std::uint64_t>(tool[i]) ^
-                 std::bit_cast<std::uint64_t>(piece.end[i] + piece.length[i]);
-  return different == 0;
-}
-
-/// What `record_move` does with a line of X, Y and Z. Nothing but these is looked at, each by
-/// itself: what is just written by parts is not read back in one piece.
-Result record_line(MoveSink& sink, const Piece& piece, const std::array<double, 3>& vector,
-                   double rate) {
-  MotionState& s = sink.state;
-  const double x = piece.end[0] + piece.length[0] + vector[0],
-               y = piece.end[1] + piece.length[1] + vector[1],
-               z = piece.end[2] + piece.length[2] + vector[2];
-  const double dx = x - s.tool_at[0], dy = y - s.tool_at[1], dz = z - s.tool_at[2];
-  const double length = std::sqrt(dx * dx * s.half[0] + dy * dy * s.half[1] + dz * dz * s.half[2]);
-  const double seconds = length / rate * 60;
-  if (!in_range(x, y, z, length, seconds, s.time + seconds)) return out_of_range(piece.at);
-  s.time += seconds;
-  s.tool_at[0] = x;
-  s.tool_at[1] = y;
-  s.tool_at[2] = z;
-  Moves& moves = *sink.table;
-  if (piece.named >> 3 != 0)
-    moves.use(piece.named);
-  else
-    moves.mark(piece.named);
-  moves.push(piece.step, piece.kind, piece.end - piece.offset, piece.row_state);
-  if (vector[0] != 0 || vector[1] != 0 || vector[2] != 0) moves.vector(vector);
-  return std::nullopt;
-}
-
-}  // namespace
-
 Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 3>& vector) {
-  if (const double rate = rate_of_line(sink, piece);
-      rate > 0 && others_stand_at(sink.state.tool_at, piece))
-    return record_line(sink, piece, vector, rate);
   Axes machine = piece.end + piece.length;
   for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
   if (!in_range(machine) || !in_range(piece.centre)) return out_of_range(piece.at);

@@ -125,7 +125,6 @@ struct MotionFacts {
   std::vector<const Conflict*> conflicts;
   std::vector<const Conflict*> conflicts_of_words;  // those a block without G codes has
   std::vector<const Conflict*> conflicts_of_moves;  // those one has of plain motion codes alone
-  std::vector<const Conflict*> conflicts_of_paths;  // and those of radius compensation
   CornerWords chamfers, rounds, angles;
   bool general_only;             // no block takes a short way
   std::uint32_t other_axes = 0;  // of a mill beside X, Y and Z, the letters that say nothing else

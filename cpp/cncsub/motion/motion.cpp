@@ -42,8 +42,8 @@ Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup,
 
 /// Puts everything back when the work ends in a fault.
 template <class Work>
-std::optional<Fault> Motion::whole_or_nothing(Moves* moves, bool only_moves, const Work& work) {
-  Undo undo(state_, before_, log_, moves, only_moves ? Changes::Moves : Changes::All);
+std::optional<Fault> Motion::whole_or_nothing(Moves* moves, const Work& work) {
+  Undo undo(state_, before_, log_, moves);
   state_.plain = false;  // from here on tool_at is kept
   auto wrong = work();
   if (wrong)
@@ -58,15 +58,11 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
   if (state_.plain) state_.tool_at = machine_point(state_);
   outcome = {};
   MotionContext context{*facts_, state_, log_, {*facts_, state_, moves}, outcome, outside};
-  const bool moves_only = only_moves(view(), words);
-  auto wrong = whole_or_nothing(moves, moves_only, [&] {
-    auto fault = run_block(context, words, step, moves_only);
+  auto wrong = whole_or_nothing(moves, [&] {
+    auto fault = run_block(context, words, step);
     return fault || !words.stops ? fault : end_waiting(context.sink);
   });
-  if (wrong)
-    outcome = {};
-  else if (state_.beside)
-    know_waiting(context.sink, step);
+  if (wrong) outcome = {};
   return wrong;
 }
 
@@ -88,7 +84,7 @@ std::vector<std::uint32_t> held_steps(const MotionState& state) {
 std::optional<Fault> Motion::finish(Moves* moves) {
   if (state_.plain) return std::nullopt;
   MoveSink sink{*facts_, state_, moves};
-  return whole_or_nothing(moves, true, [&] { return end_waiting(sink); });
+  return whole_or_nothing(moves, [&] { return end_waiting(sink); });
 }
 
 void Motion::reset() {

@@ -22,7 +22,7 @@ class Motion {
  public:
   using Outcome = MotionOutcome;
 
-  /// `general_only`: without the short ways of `linear`, `arc`, `modes` and `alone`.
+  /// `general_only`: without the short ways of `linear` and `arc`.
   Motion(std::shared_ptr<const Control> control, const Setup& setup,
          std::shared_ptr<const CodeMeanings> meanings, bool general_only = false);
 
@@ -43,14 +43,6 @@ class Motion {
 
   /// The same for G02 and G03 (g 2, 3 or -1) with words of a centre. It moves where it is true.
   bool arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves);
-
-  /// A block of modes, S and M codes, with a plain move or none. Returns false where its words or
-  /// the state want the general path; then nothing has changed.
-  bool modes(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
-
-  /// A block of one code that is more than a plain move, and stands alone: G04 with one word, G31,
-  /// G32, where no signal can end it. As `modes`.
-  bool alone(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
 
   /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the
   /// run. When it returns a fault nothing has changed.
@@ -77,24 +69,14 @@ class Motion {
   void set_offset(VariableKind kind, int number, double value);
 
   /// The rows go to another table from now on.
-  void forget_table() {
-    state_.row_moves = nullptr;
-    for (auto* waiting : {&state_.held.radius, &state_.held.corner, &state_.angled.line})
-      for (Piece& piece : *waiting) piece.row_moves = nullptr;
-  }
+  void forget_table() { state_.row_moves = nullptr; }
 
  private:
   template <class Work>
-  std::optional<Fault> whole_or_nothing(Moves* moves, bool only_moves, const Work& work);
+  std::optional<Fault> whole_or_nothing(Moves* moves, const Work& work);
   void write(Axes& values, int axis, double value);
   /// The same for the zero point of a work system, which may be in force.
   void write_zero(int system, Axes& values, int axis, double value);
-  /// A block of `modes` that is nothing but a move, which is made as on the general path.
-  bool move_alone(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
-  /// A block of `modes` that changes where things lie before it moves.
-  bool in_changed_frame(const NcWords& words, std::uint32_t step, Moves* moves, Outcome& outcome);
-  bool plain_modes(const NcWords& words, bool speeds, std::uint32_t step, Moves* moves,
-                   Outcome& outcome);
 
   std::shared_ptr<const MotionFacts> facts_;
   MotionState state_;

@@ -39,8 +39,6 @@ struct Piece {
   Axes offset{};         // from work coordinates to those
   Axes length{};         // from those to the machine's
   MoveState state;
-  std::uint32_t row_state = 0;       // its number, where it is known,
-  const Moves* row_moves = nullptr;  // in this table; only compared
   // Of a compensated move that waits by its own normal: its way in the plane as it is programmed,
   // and from its end to where the tool ends.
   std::array<double, 2> way{}, beside{};
@@ -72,12 +70,8 @@ struct HeldValues {
   std::array<double, 2>
       vector{};  // from the programmed point to the tool, in the plane, radius values
   std::array<double, 2> entered{};  // the direction of the compensated move before
-  // The ends, the centre and the turn of the last move in the plane, and its directions at both
-  // ends, which the next one asks for again.
-  std::array<double, 7> curve{};
-  std::array<double, 4> curve_ways{};
-  int idle = 0;                   // blocks without a move in the plane, in a row
-  std::array<double, 2> begun{};  // by own normals: where the first of `radius` starts
+  int idle = 0;                     // blocks without a move in the plane, in a row
+  std::array<double, 2> begun{};    // by own normals: where the first of `radius` starts
   bool begun_known = false;
   bool ended = false;  // by own normals: G40 came, and no move yet that leads to the path
 
@@ -159,13 +153,10 @@ struct Turned {  // rotation, scaling and mirror
   bool operator==(const Turned&) const = default;
 };
 
-/// What a plain move changes, beside its motion code and what waits.
-struct PathValues {
-  // What the fast path reads and writes.
-  bool plain = false;   // nothing but G00 to G03 with words for X Y Z F and a centre can happen
-  bool direct = false;  // the same, but points may be turned, and feeds may be times or count on a
-                        // spindle that follows the diameter
-  bool beside = false;  // as direct, but radius compensation leads the tool beside its way
+/// What of the modal state is nothing but numbers: a copy is one of bytes.
+struct ModalValues {
+  // What the short ways of lines and arcs read and write.
+  bool plain = false;  // nothing but G00 to G03 with words for X Y Z F and a centre can happen
   bool incremental = false;
   std::uint8_t motion_code = 0;  // where it is plain: 1 is G01
   std::uint32_t row_state = 0;
@@ -181,21 +172,11 @@ struct PathValues {
   bool tool_pending = false;  // a tool offset waits for the next move
   bool moved_before = false;  // or set coordinates: the head of the program is over
 
-  bool operator==(const PathValues&) const = default;
-};
-
-/// What a block changes that only moves, cycles too.
-struct MoveValues : PathValues {
   double polar_angle = 0;
   bool polar_known = false;
   CycleData cycle;
   TurnData turn;
 
-  bool operator==(const MoveValues&) const = default;
-};
-
-/// What of the modal state is nothing but numbers: a copy is one of bytes.
-struct ModalValues : MoveValues {
   std::array<double, 3> half{1, 1, 1};    // squared share of an axis in a path's length
   std::array<double, 3> rapid_seconds{};  // per unit of the axis
 

@@ -37,14 +37,6 @@ void take_held(Held& to, const Held& from) {
   take_pieces(to.radius, from.radius);
 }
 
-/// Takes over what a block changes that only moves, `Values` beside what waits.
-template <class Values>
-void take_moved(ModalState& to, const ModalState& from) {
-  static_cast<Values&>(to) = from;
-  to.modal[at(Group::Motion)] = from.modal[at(Group::Motion)];
-  take_held(to.held, from.held);
-}
-
 /// Takes over everything modal.
 void take_modal(ModalState& to, const ModalState& from) {
   static_cast<ModalValues&>(to) = from;
@@ -54,35 +46,20 @@ void take_modal(ModalState& to, const ModalState& from) {
   take_held(to.held, from.held);
 }
 
-void take(ModalState& to, const ModalState& from, Changes changes) {
-  switch (changes) {
-    case Changes::All:
-      return take_modal(to, from);
-    case Changes::Moves:
-      to.modal[at(Group::Radius)] = from.modal[at(Group::Radius)];
-      to.d = from.d;
-      to.given_radius = from.given_radius;
-      return take_moved<MoveValues>(to, from);
-    case Changes::Path:
-      return take_moved<PathValues>(to, from);
-  }
-}
-
 }  // namespace
 
-Undo::Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves, Changes changes)
+Undo::Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves)
     : state_(state),
       before_(before),
       log_(log),
       moves_(moves),
-      rows_(moves != nullptr ? moves->size() : 0),
-      changes_(changes) {
-  take(before_, state_, changes_);
+      rows_(moves != nullptr ? moves->size() : 0) {
+  take_modal(before_, state_);
   log_.clear();
 }
 
 void Undo::put_back() {
-  take(state_, before_, changes_);
+  take_modal(state_, before_);
   log_.put_back(state_.tables);
   if (moves_ != nullptr) moves_->truncate(rows_);
 }

@@ -27,14 +27,11 @@ class OffsetLog {
   std::vector<std::pair<int, std::optional<ToolOffsets>>> tools_;
 };
 
-/// How much a block may change: everything, what a block does that only moves, or a plain move.
-enum class Changes : std::uint8_t { All, Moves, Path };
-
 /// The state and the table of moves as they are; of the offset tables only what changes is kept.
 class Undo {
  public:
   /// `before`: where the state is kept; the room that it has is used again.
-  Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves, Changes changes);
+  Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves);
   void put_back();
 
  private:
@@ -43,7 +40,6 @@ class Undo {
   OffsetLog& log_;
   Moves* moves_;
   std::size_t rows_;
-  Changes changes_;
 };
 
 }  // namespace cncsub

@@ -7,13 +7,8 @@
 
 namespace cncsub {
 
-/// Whether a block says nothing but a move: the words of its end, of its centre, of a corner and F,
-/// and no code but one of a plain motion and of radius compensation, with its D; or, without a
-/// code, those of the next pass or hole of a cycle.
-bool only_moves(MotionView m, const NcWords& words);
-/// Carries a block out; `moves_only`: what `only_moves` says of it.
-Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool moves_only,
-                 bool of_cycle = false);
+/// Carries a block out. `of_cycle`: as a part of a cycle's profile.
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
 
 /// What is wrong with a G code by itself, and which of them do not count.
 Result read_codes(MotionContext& m, const BlockWords& block);

@@ -73,7 +73,7 @@ Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector
     if (m.outside.over(1)) return broken_off(words.at);
     outcome = {};
     state.modal[at(Group::Radius)] = radius_off;
-    if (auto wrong = run_block(trial, words, 0, only_moves(trial, words))) return wrong;
+    if (auto wrong = run_block(trial, words, 0)) return wrong;
   }
   if (state.angled.waiting())
     return Fault{.cause = Cause::AngleNoEnd,
@@ -97,8 +97,7 @@ Result finish_contour(MotionContext& m, BlockWords& block, const std::vector<NcW
     if (calls(m.facts.control->calls.roles.value, words))
       return Fault{Cause::ProfileCall, words.at, 1, {}};
     if (follows_profile(words)) return Fault{Cause::ProfileCode, words.at, 1, {}};
-    if (auto wrong = run_block(m, words, block.step, only_moves(m, words), block.cycle))
-      return wrong;
+    if (auto wrong = run_block(m, words, block.step, block.cycle)) return wrong;
   }
   const GCode radius = m.state.modal[at(Group::Radius)];
   m.state.modal[at(Group::Radius)] = m.facts.codes.of(Meaning::RadiusOff);

@@ -66,13 +66,6 @@ Result end_own_normal(MoveSink& sink);
 inline bool is_by_own_normal(const MotionFacts& facts) {
   return facts.control->motion.start_up.value == StartUp::OwnNormal;
 }
-/// A block that is nothing but a move along a `path` of G00 to G03, behind a compensated one that
-/// waits and was made under the modes that hold. False where the general path has something to say
-/// about it; then nothing has changed.
-bool move_beside(MoveSink& sink, const BlockWords& block, int path, MotionOutcome& outcome);
-/// Whether the move that waits is one of the block of this step, made under the modes that hold
-/// behind it: then the moves behind it may go on from there.
-void know_waiting(MoveSink& sink, std::uint32_t step);
 /// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
 /// the normal. `at`: the block.
 Result count_idle(MoveSink& sink, std::uint32_t at);

@@ -197,19 +197,6 @@ Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
   return record(piece, {});
 }
 
-/// The curve of the waiting move.
-Curve RadiusPath::waiting_curve() const {
-  const Held& held = sink.state.held;
-  const Piece& first = held.radius.front();
-  const Point from = view.point(held.radius_from), to = view.point(first.end),
-              centre = view.point(first.centre);
-  const std::array known{from.a, from.b, to.a, to.b, centre.a, centre.b, first.turn};
-  if (sink.facts.general_only || !same_bits(held.curve, known))
-    return curve_of(view, held.radius_from, first);
-  const auto& ways = held.curve_ways;
-  return {from, to, centre, first.turn, {ways[0], ways[1]}, {ways[2], ways[3]}};
-}
-
 Result RadiusPath::find_way(double side, std::uint32_t at, const Curve& before, const Curve& curve,
                             const Curve* behind, Join& way) const {
   const Held& held = sink.state.held;
@@ -240,7 +227,7 @@ Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* b
     if (same_normal(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
     return record_bit(piece, from, normal, 0);
   }
-  const Curve before = waiting_curve();
+  const Curve before = curve_of(view, held.radius_from, held.radius.front());
   Join way;
   if (auto wrong = find_way(offset_of(piece), piece.at, before, curve, behind, way)) return wrong;
   over = way.over == Join::Second;
@@ -300,7 +287,6 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   held.radius_to = piece.end;
   held.radius.push_back(piece);
   if (over) straighten(held.radius.back());
-  keep_curve(held, curve);
   return std::nullopt;
 }
 

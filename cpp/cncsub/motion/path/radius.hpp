@@ -19,13 +19,6 @@ inline void straighten(Piece& piece) {
   if (piece.kind != MoveKind::Rapid) piece.kind = MoveKind::Feed;
 }
 
-/// The curve of the move that waits from now on.
-inline void keep_curve(Held& held, const Curve& curve) {
-  held.curve = {curve.from.a,   curve.from.b,   curve.to.a, curve.to.b,
-                curve.centre.a, curve.centre.b, curve.turn};
-  held.curve_ways = {curve.u.a, curve.u.b, curve.v.a, curve.v.b};
-}
-
 /// How two moves with their offsets join.
 struct Join {
   Point leave;                 // where the tool leaves the first move, from the corner
@@ -90,7 +83,6 @@ struct RadiusPath {
     return cross(u, v) * offset > 0 && !same_normal(offset * u, -offset * v);
   }
   void find_start(Axes& from) const;
-  Curve waiting_curve() const;
   bool moves_in_plane(const Piece& piece, const Axes& from) const;
   /// `behind` is the move behind those at the corner, where it is known.
   Result join(const Curve& a, const Curve& b, const Curve* behind, double offset, std::uint32_t at,
