@@ -26,6 +26,12 @@ case("there is no system behind G59.3", pins="max_extra_systems", **RUN,
      program="N10 G10 L2 P10 X5\nN20 M2", runs="", alarm="g10-system-number", word="P10")
 case("G10 L20 sets a system so that the tool stands at the point", pins="data_forms:here", **RUN,
      program="N10 G0 X10\nN20 G10 L20 P2 X3\nN30 G55 G0 X4\nN40 M2", final_machine="X11")
+case("G10 L20 takes off the shift that is written in #5211, not the one in force", **RUN,
+     program="N10 G92 X0\nN20 #5211=-0.1\nN30 G10 L20 P1 X0\nN40 G0 X1\nN50 (print,#<_abs_x> #5221)\nN60 M2",
+     messages=["1.100000 0.100000"])
+case("a shift that is put aside is not taken off by G10 L20", **RUN,
+     program="N10 G92 X0\nN20 G92.2\nN30 #5211=-0.1\nN40 G10 L20 P1 X0\nN50 G0 X1\nN60 (print,#<_abs_x> #5221)\nN70 M2",
+     messages=["1.000000 0.000000"])
 case("R of G10 L2 turns a work system about its zero point", pins="data_forms:in-force", **RUN,
      program="N10 G10 L2 P1 X10 R90\nN20 G0 X5 Y1\nN30 M2", moves="R X5 Y1", final_machine="X9 Y5")
 case("it turns the tool's place in the work system in force at once", **RUN,
